@@ -1,0 +1,48 @@
+// What is in the way: static shapes, and movers with their predicted motion. All in one planning frame (odom); SI units.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "components/model/pose2.hpp"
+
+namespace bw {
+
+struct Disc {
+  Vector2 center{0.0, 0.0};
+  double radius = 0.0;
+};
+
+struct Segment {
+  Vector2 a{0.0, 0.0};
+  Vector2 b{0.0, 0.0};
+};
+
+struct StaticObstacles {
+  std::vector<Vector2> points;
+  std::vector<Disc> discs;
+  std::vector<Segment> segments;
+
+  std::size_t size() const { return points.size() + discs.size() + segments.size(); }
+};
+
+/// Where a mover is expected `time` seconds after the problem's now, with the position covariance [m^2].
+struct PredictedPosition {
+  double time = 0.0;
+  Vector2 position{0.0, 0.0};
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+};
+
+/// A disc that moves. `predictions` rise in time; without them it keeps its velocity.
+struct Mover {
+  std::uint32_t id = 0;
+  Vector2 position{0.0, 0.0};
+  Vector2 velocity{0.0, 0.0};
+  double radius = 0.3;
+  std::vector<PredictedPosition> predictions;
+
+  /// Position at `t` [s] from now: linear between predictions, constant velocity before the first and after the last.
+  Vector2 position_at(double t) const;
+};
+
+}  // namespace bw
