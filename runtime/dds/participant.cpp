@@ -1,0 +1,376 @@
+#include "runtime/dds/participant.hpp"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
+#include <fastdds/dds/log/Log.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/dds/topic/Topic.hpp>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
+
+#include "runtime/dds/loopback_sockets.hpp"
+#include "runtime/dds/raw_type.hpp"
+
+namespace bw::dds {
+
+namespace efd = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+
+namespace {
+
+Guid to_guid(const rtps::GUID_t& guid) {
+  Guid result{};
+  std::copy_n(guid.guidPrefix.value, 12, result.begin());
+  std::copy_n(guid.entityId.value, 4, result.begin() + 12);
+  return result;
+}
+
+eprosima::fastrtps::Duration_t to_duration(Duration d) {
+  return {static_cast<std::int32_t>(d.nanoseconds / 1'000'000'000),
+          static_cast<std::uint32_t>(d.nanoseconds % 1'000'000'000)};
+}
+
+void set_user_data(efd::UserDataQosPolicy& policy, const std::string& text) {
+  policy.setValue(std::vector<rtps::octet>(text.begin(), text.end()));
+}
+
+/// Reader and writer QoS classes share the names but not a base class.
+template <class EndpointQos>
+void apply(const EndpointOptions& options, EndpointQos& qos) {
+  const Qos& q = options.qos;
+  qos.reliability().kind = q.reliability == Reliability::reliable ? efd::RELIABLE_RELIABILITY_QOS
+                                                                  : efd::BEST_EFFORT_RELIABILITY_QOS;
+  qos.durability().kind = q.durability == Durability::transient_local ? efd::TRANSIENT_LOCAL_DURABILITY_QOS
+                                                                      : efd::VOLATILE_DURABILITY_QOS;
+  qos.history().kind = efd::KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = q.depth;
+  qos.data_sharing().off();
+  qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  if (q.lifespan) qos.lifespan().duration = to_duration(*q.lifespan);
+}
+
+template <class ProxyData>
+Endpoint to_endpoint(const ProxyData& data, bool is_writer) {
+  Endpoint e;
+  e.guid = to_guid(data.guid());
+  e.is_writer = is_writer;
+  e.topic = data.topicName().to_string();
+  e.type = data.typeName().to_string();
+  e.qos.reliability = data.m_qos.m_reliability.kind == efd::RELIABLE_RELIABILITY_QOS
+                          ? Reliability::reliable
+                          : Reliability::best_effort;
+  e.qos.durability = data.m_qos.m_durability.kind >= efd::TRANSIENT_LOCAL_DURABILITY_QOS
+                         ? Durability::transient_local
+                         : Durability::volatile_;
+  const auto& user_data = data.m_qos.m_userData.getValue();
+  e.user_data.assign(user_data.begin(), user_data.end());
+  return e;
+}
+
+void add_peer(rtps::LocatorList_t& peers, const std::string& address) {
+  rtps::Locator_t locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  locator.port = 0;
+  if (!rtps::IPLocator::setIPv4(locator, address)) {
+    throw std::runtime_error("ROS_STATIC_PEERS: \"" + address + "\" is not an IPv4 address");
+  }
+  peers.push_back(locator);
+}
+
+efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
+  constexpr unsigned kPeerPorts = 32;  // participants per host that discovery by unicast tries
+  efd::DomainParticipantQos qos = efd::PARTICIPANT_QOS_DEFAULT;
+  qos.name(options.name.c_str());
+  set_user_data(qos.user_data(), "enclave=" + options.name + ";");
+  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  udp->maxInitialPeersRange = kPeerPorts;
+  qos.transport().use_builtin_transports = false;
+  qos.transport().user_transports.push_back(udp);
+
+  efd::WireProtocolConfigQos& wire = qos.wire_protocol();
+  wire.builtin.discovery_config.leaseDuration = {4, 0};
+  wire.builtin.discovery_config.leaseDuration_announcementperiod = {1, 0};
+  wire.builtin.readerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  wire.builtin.writerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  if (options.network.transport == Transport::localhost) {
+    rtps::Locator_t loopback;
+    loopback.kind = LOCATOR_KIND_UDPv4;
+    loopback.port = 0;
+    rtps::IPLocator::setIPv4(loopback, "127.0.0.1");
+    wire.builtin.metatrafficUnicastLocatorList.push_back(loopback);
+    wire.default_unicast_locator_list.push_back(loopback);
+    add_peer(wire.builtin.initialPeersList, "127.0.0.1");
+  } else if (!options.network.static_peers.empty()) {
+    // A peer list replaces the default multicast peer: keep that one too.
+    add_peer(wire.builtin.initialPeersList, "239.255.0.1");
+    add_peer(wire.builtin.initialPeersList, "127.0.0.1");
+    for (const std::string& peer : options.network.static_peers)
+      add_peer(wire.builtin.initialPeersList, peer);
+  }
+  return qos;
+}
+
+/// Keeps the table of remote participants and endpoints.
+class DiscoveryListener final : public efd::DomainParticipantListener {
+ public:
+  void on_participant_discovery(efd::DomainParticipant*, rtps::ParticipantDiscoveryInfo&& info) override {
+    const Guid guid = to_guid(info.info.m_guid);
+    const std::lock_guard lock(mutex_);
+    if (info.status == rtps::ParticipantDiscoveryInfo::REMOVED_PARTICIPANT ||
+        info.status == rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT) {
+      participants_.erase(guid);
+      std::erase_if(endpoints_, [&](const auto& item) {
+        return std::equal(guid.begin(), guid.begin() + 12, item.first.begin());
+      });
+    } else {
+      participants_[guid] = true;
+    }
+  }
+  void on_subscriber_discovery(efd::DomainParticipant*, rtps::ReaderDiscoveryInfo&& info) override {
+    update(to_endpoint(info.info, false), info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER);
+  }
+  void on_publisher_discovery(efd::DomainParticipant*, rtps::WriterDiscoveryInfo&& info) override {
+    update(to_endpoint(info.info, true), info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER);
+  }
+
+  void add_local(Endpoint endpoint) {
+    endpoint.is_local = true;
+    update(endpoint, false);
+  }
+  void remove_local(const Guid& guid) {
+    const std::lock_guard lock(mutex_);
+    endpoints_.erase(guid);
+  }
+  std::vector<Endpoint> endpoints() const {
+    std::vector<Endpoint> all;
+    {
+      const std::lock_guard lock(mutex_);
+      for (const auto& [guid, endpoint] : endpoints_) all.push_back(endpoint);
+    }
+    std::ranges::sort(all, [](const Endpoint& a, const Endpoint& b) {
+      return std::tie(a.topic, a.is_writer, a.guid) < std::tie(b.topic, b.is_writer, b.guid);
+    });
+    return all;
+  }
+  std::vector<Guid> participants() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<Guid> all;
+    for (const auto& [guid, alive] : participants_) all.push_back(guid);
+    return all;
+  }
+
+ private:
+  void update(const Endpoint& endpoint, bool removed) {
+    const std::lock_guard lock(mutex_);
+    if (removed) {
+      endpoints_.erase(endpoint.guid);
+    } else {
+      endpoints_[endpoint.guid] = endpoint;
+    }
+  }
+
+  mutable std::mutex mutex_;
+  std::map<Guid, bool> participants_;
+  std::map<Guid, Endpoint> endpoints_;
+};
+
+class EnqueueListener final : public efd::DataReaderListener {
+ public:
+  explicit EnqueueListener(std::function<void()> on_sample) : on_sample_(std::move(on_sample)) {}
+  void on_data_available(efd::DataReader*) override { on_sample_(); }
+
+ private:
+  std::function<void()> on_sample_;
+};
+
+}  // namespace
+
+struct Participant::Impl {
+  DiscoveryListener discovery;
+  efd::DomainParticipant* participant = nullptr;
+  efd::Publisher* publisher = nullptr;
+  efd::Subscriber* subscriber = nullptr;
+  std::mutex mutex;
+  std::map<std::string, efd::Topic*> topics;
+
+  ~Impl() {
+    if (participant == nullptr) return;
+    participant->set_listener(nullptr);
+    participant->delete_contained_entities();
+    efd::DomainParticipantFactory::get_instance()->delete_participant(participant);
+  }
+
+  efd::Topic* topic(const EndpointOptions& options) {
+    const std::lock_guard lock(mutex);
+    efd::Topic*& topic = topics[options.topic];
+    if (topic == nullptr) {
+      efd::TypeSupport type(new RawType(options.type));
+      type.register_type(participant);
+      topic = participant->create_topic(options.topic, options.type, efd::TOPIC_QOS_DEFAULT);
+      if (topic == nullptr) throw std::runtime_error("DDS refuses the topic " + options.topic);
+    }
+    if (topic->get_type_name() != options.type) {
+      throw std::runtime_error("topic " + options.topic + " carries " + topic->get_type_name() + ", not " +
+                               options.type);
+    }
+    return topic;
+  }
+};
+
+namespace {
+
+class FastWriter final : public Writer {
+ public:
+  FastWriter(efd::Publisher* publisher, efd::DataWriter* writer, DiscoveryListener& discovery)
+      : publisher_(publisher), writer_(writer), discovery_(discovery) {}
+  ~FastWriter() override {
+    discovery_.remove_local(guid());
+    publisher_->delete_datawriter(writer_);
+  }
+  FastWriter(const FastWriter&) = delete;
+  FastWriter& operator=(const FastWriter&) = delete;
+
+  bool write(std::span<const std::uint8_t> cdr) override {
+    RawSample sample{.outgoing = cdr, .incoming = {}};
+    return writer_->write(&sample);
+  }
+  Guid guid() const override { return to_guid(writer_->guid()); }
+  int matched_readers() const override {
+    efd::PublicationMatchedStatus status;
+    writer_->get_publication_matched_status(status);
+    return status.current_count;
+  }
+
+ private:
+  efd::Publisher* publisher_;
+  efd::DataWriter* writer_;
+  DiscoveryListener& discovery_;
+};
+
+class FastReader final : public Reader {
+ public:
+  FastReader(efd::Subscriber* subscriber, std::function<void()> on_sample, DiscoveryListener& discovery)
+      : subscriber_(subscriber), listener_(std::move(on_sample)), discovery_(discovery) {}
+  ~FastReader() override {
+    if (reader_ == nullptr) return;
+    discovery_.remove_local(guid());
+    reader_->set_listener(nullptr);
+    subscriber_->delete_datareader(reader_);
+  }
+  FastReader(const FastReader&) = delete;
+  FastReader& operator=(const FastReader&) = delete;
+
+  void open(efd::Topic* topic, const efd::DataReaderQos& qos) {
+    reader_ = subscriber_->create_datareader(topic, qos, &listener_, efd::StatusMask::data_available());
+    if (reader_ == nullptr) throw std::runtime_error("DDS refuses a reader on " + topic->get_name());
+  }
+  bool take(Sample& sample) override {
+    efd::SampleInfo info;
+    RawSample raw;
+    raw.incoming.swap(sample.cdr);  // keeps the capacity from call to call
+    while (reader_->take_next_sample(&raw, &info) == ReturnCode_t::RETCODE_OK) {
+      if (!info.valid_data) continue;
+      sample.cdr.swap(raw.incoming);
+      sample.writer = to_guid(info.sample_identity.writer_guid());
+      return true;
+    }
+    return false;
+  }
+  Guid guid() const override { return to_guid(reader_->guid()); }
+  int matched_writers() const override {
+    efd::SubscriptionMatchedStatus status;
+    reader_->get_subscription_matched_status(status);
+    return status.current_count;
+  }
+
+ private:
+  efd::Subscriber* subscriber_;
+  EnqueueListener listener_;
+  DiscoveryListener& discovery_;
+  efd::DataReader* reader_ = nullptr;
+};
+
+}  // namespace
+
+Participant::Participant(const ParticipantOptions& options) : impl_(std::make_unique<Impl>()) {
+  efd::Log::SetVerbosity(efd::Log::Kind::Error);
+  const std::set<int> before = open_datagram_sockets();
+  const auto domain = static_cast<efd::DomainId_t>(options.network.domain_id);
+  // Created with the listener, so that nothing discovered early is missed.
+  impl_->participant = efd::DomainParticipantFactory::get_instance()->create_participant(
+      domain, participant_qos(options), &impl_->discovery, efd::StatusMask::none());
+  if (impl_->participant == nullptr) {
+    throw std::runtime_error("DDS refuses a participant on domain " +
+                             std::to_string(options.network.domain_id));
+  }
+  if (options.network.transport == Transport::localhost) {
+    std::set<int> opened = open_datagram_sockets();
+    std::erase_if(opened, [&](int descriptor) { return before.contains(descriptor); });
+    bind_to_loopback(opened);
+  }
+  impl_->publisher = impl_->participant->create_publisher(efd::PUBLISHER_QOS_DEFAULT);
+  impl_->subscriber = impl_->participant->create_subscriber(efd::SUBSCRIBER_QOS_DEFAULT);
+  if (!options.private_partition.empty()) {
+    efd::PublisherQos publisher_qos = efd::PUBLISHER_QOS_DEFAULT;
+    publisher_qos.partition().push_back("");  // the partition of every ordinary reader
+    publisher_qos.partition().push_back(options.private_partition.c_str());
+    impl_->publisher->set_qos(publisher_qos);
+    efd::SubscriberQos subscriber_qos = efd::SUBSCRIBER_QOS_DEFAULT;
+    subscriber_qos.partition().push_back(options.private_partition.c_str());
+    impl_->subscriber->set_qos(subscriber_qos);
+  }
+}
+
+Participant::~Participant() = default;
+
+std::unique_ptr<Writer> Participant::create_writer(const EndpointOptions& options) {
+  efd::DataWriterQos qos = efd::DATAWRITER_QOS_DEFAULT;
+  apply(options, qos);
+  qos.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
+  set_user_data(qos.user_data(), options.user_data);
+  efd::DataWriter* writer = impl_->publisher->create_datawriter(impl_->topic(options), qos);
+  if (writer == nullptr) throw std::runtime_error("DDS refuses a writer on " + options.topic);
+  auto result = std::make_unique<FastWriter>(impl_->publisher, writer, impl_->discovery);
+  impl_->discovery.add_local({.guid = result->guid(),
+                              .is_writer = true,
+                              .topic = options.topic,
+                              .type = options.type,
+                              .qos = options.qos,
+                              .user_data = options.user_data});
+  return result;
+}
+
+std::unique_ptr<Reader> Participant::create_reader(const EndpointOptions& options,
+                                                   std::function<void()> on_sample) {
+  efd::DataReaderQos qos = efd::DATAREADER_QOS_DEFAULT;
+  apply(options, qos);
+  set_user_data(qos.user_data(), options.user_data);
+  auto result = std::make_unique<FastReader>(impl_->subscriber, std::move(on_sample), impl_->discovery);
+  result->open(impl_->topic(options), qos);
+  impl_->discovery.add_local({.guid = result->guid(),
+                              .is_writer = false,
+                              .topic = options.topic,
+                              .type = options.type,
+                              .qos = options.qos,
+                              .user_data = options.user_data});
+  return result;
+}
+
+Guid Participant::guid() const { return to_guid(impl_->participant->guid()); }
+
+std::vector<Endpoint> Participant::endpoints() const { return impl_->discovery.endpoints(); }
+
+std::vector<Guid> Participant::remote_participants() const { return impl_->discovery.participants(); }
+
+}  // namespace bw::dds

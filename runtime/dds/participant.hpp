@@ -1,0 +1,110 @@
+// The border to DDS: raw CDR samples in and out, and what discovery sees. This header and everything above it
+// knows no Fast DDS; only the sources in runtime/dds do. Failures while creating anything are
+// std::runtime_error.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/graph/qos.hpp"
+
+namespace bw::dds {
+
+using Guid = std::array<std::uint8_t, 16>;  ///< 12 bytes of participant prefix, 4 of entity id
+
+enum class Transport {
+  localhost,  ///< discovery and data on 127.0.0.1 only, sockets bound to the loopback device
+  lan,        ///< multicast discovery on every interface
+};
+
+/// What the environment says, with ROS 2's variables: ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY,
+/// ROS_AUTOMATIC_DISCOVERY_RANGE, ROS_STATIC_PEERS.
+struct Network {
+  int domain_id = 0;
+  Transport transport = Transport::localhost;
+  std::vector<std::string> static_peers;  ///< IPv4 addresses tried on every participant port
+
+  /// Reads the variables over `configured`; ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET opens, LOCALHOST, OFF and
+  /// ROS_LOCALHOST_ONLY=1 close.
+  static Network from_environment(Transport configured);
+};
+
+struct ParticipantOptions {
+  Network network;
+  std::string name = "/";  ///< ROS enclave
+  /// Non-empty: readers of this participant match only its own writers (lock-step), while outside readers
+  /// still see the writers.
+  std::string private_partition;
+};
+
+/// One endpoint as discovery shows it.
+struct Endpoint {
+  Guid guid{};
+  bool is_writer = false;
+  bool is_local = false;  ///< belongs to this participant
+  std::string topic;      ///< DDS name, such as rt/odom
+  std::string type;       ///< DDS name, such as nav_msgs::msg::dds_::Odometry_
+  Qos qos;
+  std::string user_data;  ///< typehash=RIHS01_...;
+};
+
+struct EndpointOptions {
+  std::string topic;  ///< DDS name
+  std::string type;   ///< DDS name
+  Qos qos;
+  std::string user_data;
+};
+
+/// One received sample: CDR with its 4-byte encapsulation header.
+struct Sample {
+  std::vector<std::uint8_t> cdr;
+  Guid writer{};
+};
+
+class Writer {
+ public:
+  virtual ~Writer() = default;
+  /// Copies the bytes out before it returns. False when DDS refused the sample.
+  virtual bool write(std::span<const std::uint8_t> cdr) = 0;
+  virtual Guid guid() const = 0;
+  virtual int matched_readers() const = 0;
+};
+
+class Reader {
+ public:
+  virtual ~Reader() = default;
+  /// The oldest waiting sample; false when there is none.
+  virtual bool take(Sample& sample) = 0;
+  virtual Guid guid() const = 0;
+  virtual int matched_writers() const = 0;
+};
+
+/// The one DomainParticipant of a process.
+class Participant {
+ public:
+  explicit Participant(const ParticipantOptions& options);
+  ~Participant();
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+
+  std::unique_ptr<Writer> create_writer(const EndpointOptions& options);
+  /// `on_sample` runs on a DDS thread with endpoint locks held: it may only enqueue.
+  std::unique_ptr<Reader> create_reader(const EndpointOptions& options, std::function<void()> on_sample);
+
+  Guid guid() const;
+  /// Every endpoint known now, own and remote, sorted by topic, kind and guid.
+  std::vector<Endpoint> endpoints() const;
+  /// Remote participants alive now.
+  std::vector<Guid> remote_participants() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace bw::dds
