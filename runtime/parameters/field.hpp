@@ -4,14 +4,14 @@
 //     double command_timeout = 0.2;
 //     template <class Visitor>
 //     void fields(Visitor& v) {
-//       v("command_timeout", command_timeout, {.unit = "s", .min = 0.01, .max = 5.0, .doc = "oldest usable command"});
+//       v("command_timeout", command_timeout, {.unit = "s", .min = 0.01, .max = 5, .doc = "maximum age"});
 //     }
 //   };
 //
-// That one list feeds YAML, validation, `bandwagon param`, the wire and the documentation. A field may be bool, int,
-// std::int64_t, double, std::string, a nested struct with fields(), or a std::vector of any of these. A rule over several fields
-// is `std::optional<std::string> violated_rule() const`, which returns the broken rule as a sentence.
-// Plain C++ only: algorithms include this header.
+// That one list feeds YAML, validation, `bandwagon param`, the wire and the documentation. A field may be
+// bool, int, std::int64_t, double, std::string, a nested struct with fields(), or a std::vector of any of
+// these. A rule over several fields is `std::optional<std::string> violated_rule() const`, which returns the
+// broken rule as a sentence. Plain C++ only: algorithms include this header.
 #pragma once
 
 #include <limits>
@@ -21,11 +21,13 @@
 namespace bw {
 
 struct Field {
-  std::string_view unit = {};                            ///< SI unit, empty when dimensionless
+  std::string_view unit = {};                             ///< SI unit, empty when dimensionless
   double min = -std::numeric_limits<double>::infinity();  ///< smallest allowed number, inclusive
   double max = std::numeric_limits<double>::infinity();   ///< largest allowed number, inclusive
-  std::vector<std::string_view> choices = {};            ///< allowed texts; empty: any
-  std::string_view doc = {};                             ///< one line: what it does, when to raise it
+  bool infinity = false;  ///< .inf and -.inf are numbers here, as far as min and max allow
+  std::vector<std::string_view> choices = {};  ///< allowed texts; empty: any
+  bool path = false;                           ///< a file, read as relative to the YAML that names it
+  std::string_view doc = {};                   ///< one line: what it does, when to raise it
 };
 
 }  // namespace bw
