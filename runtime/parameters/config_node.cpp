@@ -1,6 +1,9 @@
 #include "runtime/parameters/config_node.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "runtime/parameters/scalar_text.hpp"
 
 namespace bw {
 
@@ -28,6 +31,24 @@ std::string ConfigNode::text() const {
       return "a map";
   }
   return {};
+}
+
+const ConfigNode* find_dotted(const ConfigNode& root, std::string_view key) {
+  const ConfigNode* node = &root;
+  while (node != nullptr) {
+    const std::size_t dot = key.find('.');
+    const std::string_view part = key.substr(0, dot);
+    if (node->is_sequence()) {
+      const std::optional<std::int64_t> index = parse_integer(part);
+      const bool exists = index && *index >= 0 && std::cmp_less(*index, node->sequence.size());
+      node = exists ? &node->sequence[static_cast<std::size_t>(*index)] : nullptr;
+    } else {
+      node = node->find(part);
+    }
+    if (dot == std::string_view::npos) break;
+    key.remove_prefix(dot + 1);
+  }
+  return node;
 }
 
 std::filesystem::path resolve_path(const Location& where, const std::string& text) {

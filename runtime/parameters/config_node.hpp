@@ -42,6 +42,9 @@ struct ConfigEntry {
   ConfigNode value;
 };
 
+/// The value of a dotted key, list elements by index (walls.0.x); nullptr if it is not given.
+const ConfigNode* find_dotted(const ConfigNode& root, std::string_view key);
+
 /// A path written at `where`: relative to that file's folder, or to the current folder if it was given by
 /// --set.
 std::filesystem::path resolve_path(const Location& where, const std::string& text);

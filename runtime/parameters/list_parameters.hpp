@@ -78,7 +78,7 @@ class ParameterLister {
 
 /// In the order of the field lists.
 template <HasFields T>
-std::vector<ParameterRow> list_parameters(T& value, std::string_view prefix) {
+std::vector<ParameterRow> list_parameters(T& value, std::string_view prefix = "") {
   std::vector<ParameterRow> rows, defaults;
   T default_value{};
   detail::ParameterLister lister{std::string(prefix), rows}, default_lister{std::string(prefix), defaults};
