@@ -1,0 +1,127 @@
+#include "components/robot_base/encoder_odometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "components/model/differential_drive.hpp"
+
+namespace bw {
+namespace {
+
+/// Difference of two wrapping counters, the short way round.
+std::int64_t difference(std::int32_t from, std::int32_t to) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from));
+}
+
+}  // namespace
+
+EncoderOdometry::EncoderOdometry(const Robot& robot, const OdometryOptions& options)
+    : options_(options),
+      separation_(robot.wheel_separation),
+      radius_(robot.wheel_radius),
+      metres_per_tick_(2.0 * std::numbers::pi * robot.wheel_radius /
+                       static_cast<double>(robot.ticks_per_revolution)),
+      wheel_speed_max_(std::max(robot.limits.v_max, robot.limits.v_back_max) +
+                       robot.limits.omega_max * robot.wheel_separation / 2.0) {}
+
+CountsStatus EncoderOdometry::add(const EncoderCounts& counts) {
+  if (!reference_) {
+    reference_ = counts;
+    state_.time = counts.time;
+    history_[0] = {counts.time, 0.0, 0.0};
+    history_size_ = 1;
+    return CountsStatus::first;
+  }
+  const Time newest = suspect_ ? suspect_->time : reference_->time;
+  if (counts.time <= newest) {
+    ++faults_.stale;
+    return CountsStatus::stale;
+  }
+
+  const EncoderCounts* from = &*reference_;
+  CountsStatus status = CountsStatus::moved;
+  if (!possible(*reference_, counts)) {
+    if (!suspect_ || !possible(*suspect_, counts)) {
+      const EncoderCounts power_up{reference_->time, 0, 0};
+      const bool reset = possible(power_up, counts);
+      ++(reset ? faults_.resets : faults_.jumps);
+      suspect_ = counts;
+      return reset ? CountsStatus::reset : CountsStatus::jump;
+    }
+    from = &*suspect_;
+    status = CountsStatus::rebased;
+  }
+  const double ds_left = static_cast<double>(difference(from->left, counts.left)) * metres_per_tick_;
+  const double ds_right = static_cast<double>(difference(from->right, counts.right)) * metres_per_tick_;
+  if (status == CountsStatus::rebased) {
+    const Travelled last = history_[history_size_ - 1];
+    history_[0] = {from->time, last.distance, last.turn};
+    history_size_ = 1;
+  }
+  reference_ = counts;
+  suspect_.reset();
+  state_.time = counts.time;
+  integrate(ds_left, ds_right);
+  measure_twist();
+  return status;
+}
+
+bool EncoderOdometry::possible(const EncoderCounts& from, const EncoderCounts& to) const {
+  constexpr double kRoundingTicks = 2.0;
+  const double seconds = (to.time - from.time).to_seconds();
+  const double reach = options_.speed_margin * wheel_speed_max_ * seconds / metres_per_tick_ + kRoundingTicks;
+  return static_cast<double>(std::abs(difference(from.left, to.left))) <= reach &&
+         static_cast<double>(std::abs(difference(from.right, to.right))) <= reach;
+}
+
+void EncoderOdometry::integrate(double ds_left, double ds_right) {
+  const double ds = (ds_right + ds_left) / 2.0;
+  const double turn = (ds_right - ds_left) / separation_;
+  const double mid = state_.X_OB.theta + turn / 2.0;
+  const double c = std::cos(mid);
+  const double s = std::sin(mid);
+
+  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+  F(0, 2) = -ds * s;
+  F(1, 2) = ds * c;
+  const double half = ds / (2.0 * separation_);
+  Eigen::Matrix<double, 3, 2> G;
+  G << c / 2.0 - half * s, c / 2.0 + half * s,  //
+      s / 2.0 + half * c, s / 2.0 - half * c,   //
+      1.0 / separation_, -1.0 / separation_;
+  const Eigen::Vector2d variances =
+      options_.variance_per_metre * Eigen::Vector2d(std::abs(ds_right), std::abs(ds_left));
+  state_.pose_covariance =
+      F * state_.pose_covariance * F.transpose() + G * variances.asDiagonal() * G.transpose();
+
+  state_.X_OB = advance_exact(state_.X_OB, {ds, turn}, 1.0);
+  state_.left_angle += ds_left / radius_;
+  state_.right_angle += ds_right / radius_;
+
+  if (history_size_ == kHistory) {
+    std::copy(history_ + 1, history_ + kHistory, history_);
+    --history_size_;
+  }
+  const Travelled& last = history_[history_size_ - 1];
+  history_[history_size_++] = {state_.time, last.distance + ds, last.turn + turn};
+}
+
+void EncoderOdometry::measure_twist() {
+  const Travelled& now = history_[history_size_ - 1];
+  const Duration window = Duration::seconds(options_.velocity_window);
+  int oldest = history_size_ - 2;
+  while (oldest > 0 && now.time - history_[oldest - 1].time <= window) --oldest;
+  const Travelled& then = history_[oldest];
+  const double seconds = (now.time - then.time).to_seconds();
+  state_.twist = {(now.distance - then.distance) / seconds, (now.turn - then.turn) / seconds};
+
+  // Each wheel's travel over the window is known to a rounding at both ends (tick^2 / 12 each) and to its
+  // slip.
+  const double slip = options_.variance_per_metre * std::abs(now.distance - then.distance);
+  const double wheel_variance = (slip + metres_per_tick_ * metres_per_tick_ / 6.0) / (seconds * seconds);
+  state_.twist_covariance(0, 0) = wheel_variance / 2.0;
+  state_.twist_covariance(1, 1) = 2.0 * wheel_variance / (separation_ * separation_);
+}
+
+}  // namespace bw

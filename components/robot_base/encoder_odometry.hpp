@@ -1,0 +1,114 @@
+// Pose and twist from two wrapping encoder counters: exact arcs (spec 2.1), covariance by the wheel noise
+// model of spec 2.2.
+//
+//   ds = (ds_R + ds_L) / 2,  dtheta = (ds_R - ds_L) / b
+//   P+ = F P F^T + G diag(k |ds_R|, k |ds_L|) G^T,  F = d pose+ / d pose,  G = d pose+ / d (ds_R, ds_L)
+//
+// A counter that moves further than the wheels can is not motion. One such reading is dropped and the next
+// good one bridges it; two that agree with each other are a new count (the board restarted or lost counts):
+// odometry goes on from there and leaves the unknown part out.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "components/model/pose2.hpp"
+#include "components/model/robot.hpp"
+#include "components/model/time.hpp"
+
+namespace bw {
+
+/// Encoder counts since power-up; int32 counters wrap.
+struct EncoderCounts {
+  Time time;
+  std::int32_t left = 0;
+  std::int32_t right = 0;
+};
+
+struct OdometryOptions {
+  double variance_per_metre = 1e-3;
+  double speed_margin = 2.0;
+  double velocity_window = 0.06;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("variance_per_metre", variance_per_metre,
+      {.unit = "m",
+       .min = 0,
+       .max = 1,
+       .doc = "wheel travel variance per metre (k of spec 2.2); raise it on slippery floors"});
+    v("speed_margin", speed_margin,
+      {.min = 1.1,
+       .max = 100,
+       .doc = "a wheel faster than this many times its top speed is an encoder fault"});
+    v("velocity_window", velocity_window,
+      {.unit = "s",
+       .min = 0.001,
+       .max = 1,
+       .doc = "time over which speed is averaged; raise it for coarse encoders"});
+  }
+};
+
+/// What became of a reading.
+enum class CountsStatus {
+  first,   ///< sets the reference
+  moved,   ///< integrated
+  stale,   ///< stamp not after the previous one; ignored
+  jump,    ///< further than the wheels can go; ignored
+  reset,   ///< like jump, and the counters are back near zero
+  rebased  ///< second reading that agrees with a jump or reset: the new reference
+};
+
+struct OdometryState {
+  Time time;
+  Pose2 X_OB;                                                  ///< base_link in odom
+  Twist2 twist;                                                ///< body velocity over the window
+  Eigen::Matrix3d pose_covariance = Eigen::Matrix3d::Zero();   ///< of (x, y, theta) [m, rad]
+  Eigen::Matrix2d twist_covariance = Eigen::Matrix2d::Zero();  ///< of (v, omega)
+  double left_angle = 0.0;  ///< turned by the left wheel since the start [rad]
+  double right_angle = 0.0;
+};
+
+struct OdometryFaults {
+  std::uint64_t jumps = 0;
+  std::uint64_t resets = 0;
+  std::uint64_t stale = 0;
+};
+
+class EncoderOdometry {
+ public:
+  EncoderOdometry(const Robot& robot, const OdometryOptions& options);
+
+  CountsStatus add(const EncoderCounts& counts);
+  const OdometryState& state() const { return state_; }
+  const OdometryFaults& faults() const { return faults_; }
+
+ private:
+  bool possible(const EncoderCounts& from, const EncoderCounts& to) const;
+  void integrate(double ds_left, double ds_right);
+  void measure_twist();
+
+  OdometryOptions options_;
+  double separation_;
+  double radius_;
+  double metres_per_tick_;
+  double wheel_speed_max_;
+  OdometryState state_;
+  OdometryFaults faults_;
+  std::optional<EncoderCounts> reference_;
+  std::optional<EncoderCounts> suspect_;
+
+  /// Travel and turn up to a moment; the difference of two gives the mean twist between them.
+  struct Travelled {
+    Time time;
+    double distance = 0.0;
+    double turn = 0.0;
+  };
+  static constexpr int kHistory = 64;
+  Travelled history_[kHistory];
+  int history_size_ = 0;
+};
+
+}  // namespace bw
