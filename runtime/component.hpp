@@ -1,0 +1,195 @@
+// What a component is, and how it declares its ends. A component is an actor: its callbacks never run at the same time.
+//
+//   class Doubler final : public bw::Component {
+//     void configure(bw::Setup& setup) override {
+//       out_ = setup.output<std_msgs::msg::Float64>("doubled");
+//       setup.input<std_msgs::msg::Float64>("value", bw::Qos::standard(), [this](const auto& message, const bw::Tick&) { ... });
+//     }
+//     bw::Output<std_msgs::msg::Float64> out_;
+//   };
+//   BW_COMPONENT(Doubler, "doubler")
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "components/model/time.hpp"
+#include "runtime/graph/qos.hpp"
+#include "runtime/logger.hpp"
+#include "runtime/parameters/list_parameters.hpp"
+#include "runtime/parameters/read_parameters.hpp"
+#include "runtime/ports.hpp"
+#include "runtime/wire/serialization.hpp"
+
+namespace bw {
+
+class TransformTree;
+
+/// Writes messages to a topic. A copyable handle; valid from configure() on, writes only while the component is active.
+template <class M>
+class Output {
+ public:
+  Output() = default;
+  explicit Output(OutputPort* port) : port_(port) {}
+
+  void publish(const M& message) {
+    serialize(message, port_->buffer);
+    port_->publish(port_->buffer);
+  }
+  bool has_readers() const { return port_->has_readers(); }
+
+ private:
+  OutputPort* port_ = nullptr;
+};
+
+/// The newest message of a topic; empty until the first one came.
+template <class M>
+class Latest {
+ public:
+  explicit operator bool() const { return state_ && state_->message.has_value(); }
+  const M& operator*() const { return *state_->message; }
+  const M* operator->() const { return &*state_->message; }
+  /// When it came, on the component clock.
+  Time received() const { return state_->received; }
+
+ private:
+  friend class Setup;
+  struct State {
+    std::optional<M> message;
+    Time received;
+  };
+  std::shared_ptr<State> state_;
+};
+
+/// What the diagnostics topic says of a component, republished every second.
+class DiagnosticReporter {
+ public:
+  enum class Level : std::uint8_t { ok = 0, warn = 1, error = 2 };
+  virtual ~DiagnosticReporter() = default;
+  virtual void report(Level level, std::string message) = 0;
+};
+
+/// Handed to configure(): the place where a component declares everything it will use.
+class Setup {
+ public:
+  virtual ~Setup() = default;
+
+  /// The parameters of this instance, read strictly from the graph over the defaults of P.
+  template <class P>
+  P parameters() {
+    P values;
+    declare_parameters(values);
+    return values;
+  }
+  /// A section shared by components, such as `robot`.
+  template <class S>
+  S shared(std::string_view section) {
+    S values;
+    read_into(values, shared_section(section), section);
+    return values;
+  }
+  /// The file a text parameter names, relative to the YAML that says so. Empty path when the text is empty.
+  virtual std::filesystem::path file_parameter(std::string_view key) const = 0;
+
+  template <class M>
+  Output<M> output(const std::string& topic, const Qos& qos = Qos::standard()) {
+    return Output<M>(add_output(topic, message_type<M>(), qos, false));
+  }
+  /// An output that moves something: one publisher in the whole graph, checked.
+  template <class M>
+  Output<M> command(const std::string& topic) {
+    return Output<M>(add_output(topic, message_type<M>(), Qos::command(), true));
+  }
+  /// Calls `on_message` for every message.
+  template <class M, class Callback>
+  void input(const std::string& topic, const Qos& qos, Callback on_message) {
+    auto message = std::make_shared<M>();  // kept, so that its buffers are reused
+    add_input(topic, message_type<M>(), qos, true,
+              [message, callback = std::move(on_message)](std::span<const std::uint8_t> cdr, const Tick& tick) {
+                if (!deserialize(cdr, *message)) return false;
+                callback(std::as_const(*message), tick);
+                return true;
+              });
+  }
+  /// Keeps the newest message; calls nothing and costs the component no latency.
+  template <class M>
+  Latest<M> latest(const std::string& topic, const Qos& qos) {
+    Latest<M> handle;
+    handle.state_ = std::make_shared<typename Latest<M>::State>();
+    auto incoming = std::make_shared<M>();
+    add_input(topic, message_type<M>(), qos, false,
+              [state = handle.state_, incoming](std::span<const std::uint8_t> cdr, const Tick& tick) {
+                if (!deserialize(cdr, *incoming)) return false;
+                if (!state->message) state->message.emplace();
+                std::swap(*state->message, *incoming);
+                state->received = tick.now;
+                return true;
+              });
+    return handle;
+  }
+  /// Calls `on_tick` every `period`, first at one period after activation. Ticks missed while busy become one.
+  virtual void every(Duration period, const std::string& name, TickHandler on_tick) = 0;
+
+  /// A transform tree fed from /tf and /tf_static.
+  std::shared_ptr<const TransformTree> transforms();
+  /// `name` with the graph's frame prefix.
+  virtual std::string frame(std::string_view name) const = 0;
+  /// A seed for this component's random numbers: the run's seed mixed with the instance name.
+  virtual std::uint64_t seed() const = 0;
+  virtual Logger log() = 0;
+  virtual DiagnosticReporter& diagnostics() = 0;
+  /// Ends the run; scripts see exit status 0 when `ok`, 1 otherwise. Callable from callbacks.
+  virtual std::function<void(bool ok, const std::string& reason)> finish_run() = 0;
+
+ protected:
+  template <class M>
+  static MessageType message_type() {
+    return {MessageTraits<M>::ros_name, MessageTraits<M>::dds_name, MessageTraits<M>::type_hash};
+  }
+  template <class P>
+  void declare_parameters(P& values) {
+    P defaults;
+    keep_parameters(list_parameters(defaults));
+    read_into(values, parameter_section(), parameter_path());
+  }
+
+  virtual OutputPort* add_output(const std::string& topic, const MessageType& type, const Qos& qos, bool command) = 0;
+  virtual void add_input(const std::string& topic, const MessageType& type, const Qos& qos, bool is_callback,
+                         SampleHandler handler) = 0;
+  virtual const ConfigNode& parameter_section() const = 0;
+  virtual std::string parameter_path() const = 0;
+  virtual const ConfigNode& shared_section(std::string_view section) const = 0;
+  virtual void keep_parameters(std::vector<ParameterRow> rows) = 0;
+};
+
+class Component {
+ public:
+  virtual ~Component() = default;
+  /// Reads parameters and declares ends. Throws ConfigError or std::runtime_error; moves nothing, opens no device.
+  virtual void configure(Setup& setup) = 0;
+  /// The graph is connected; from now on callbacks run.
+  virtual void activate(const Tick&) {}
+  /// The last call that may publish; a component that moves something leaves it at rest.
+  virtual void deactivate(const Tick&) {}
+  virtual void cleanup() {}
+};
+
+using ComponentFactory = std::function<std::unique_ptr<Component>()>;
+
+/// Makes a component type known by name. Throws std::logic_error when the name is taken.
+bool register_component(const std::string& type_name, ComponentFactory factory);
+
+}  // namespace bw
+
+/// Once per component, in its source file.
+#define BW_COMPONENT(Class, type_name)                        \
+  namespace {                                                 \
+  [[maybe_unused]] const bool registered_##Class =            \
+      ::bw::register_component(type_name, [] { return std::make_unique<Class>(); }); \
+  }
