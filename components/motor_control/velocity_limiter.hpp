@@ -1,0 +1,92 @@
+// Turns commanded twists into twists the base can follow: bounded speed, acceleration and jerk, and a stop
+// when the command is unusable.
+//
+// Saturation scales v and omega together, so the curvature omega / v of the command stays (spec 2.1). Linear
+// speed then approaches the command with the largest acceleration a' that can still be taken back by the jerk
+// limit j before the command is passed:
+//
+//   v + a' dt + a' |a'| / (2 j) = command   =>   |a'| = 2 |e| / (dt + sqrt(dt^2 + 2 |e| / j)),   e = command
+//   - v
+//
+// clipped to |a'| <= acc_max and |a' - a| <= j dt. The turn rate approaches with alpha_max, within what the
+// wheels have left.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "components/model/differential_drive.hpp"
+#include "components/model/robot.hpp"
+#include "components/model/time.hpp"
+
+namespace bw {
+
+struct LimiterOptions {
+  double command_timeout = 0.2;
+  double plausible_factor = 10.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("command_timeout", command_timeout,
+      {.unit = "s",
+       .min = 0.02,
+       .max = 1,
+       .doc = "oldest usable command; raise it for slow or remote planners"});
+    v("plausible_factor", plausible_factor,
+      {.min = 1,
+       .max = 1000,
+       .doc = "a command beyond this many times the limits is a fault, not a wish: the robot stops"});
+  }
+};
+
+enum class LimiterState {
+  waiting,      ///< no command yet
+  following,    ///< the command is fresh and sound
+  stale,        ///< the newest command is older than command_timeout: safety stop
+  not_finite,   ///< it holds NaN or infinity: safety stop
+  implausible,  ///< it lies far beyond the limits: safety stop
+  told_to       ///< stop() was called: safety stop
+};
+
+/// One sentence for people.
+std::string_view describe(LimiterState state);
+
+struct LimitedTwist {
+  Twist2 twist;
+  LimiterState state = LimiterState::waiting;
+};
+
+/// Times are of the component clock: the moment a command arrived, not its stamp.
+class VelocityLimiter {
+ public:
+  VelocityLimiter(const Robot& robot, const LimiterOptions& options);
+
+  void command(Time now, const Twist2& twist);
+  /// The twist from now until the next step. Call at a steady rate.
+  LimitedTwist step(Time now);
+  /// Like step(), but brakes with stop_deceleration whatever the command is.
+  LimitedTwist stop(Time now);
+
+ private:
+  double elapsed(Time now);
+  LimiterState judge(Time now) const;
+  void follow(const Twist2& wish, double dt);
+  void brake_to_rest(double dt);
+
+  Limits limits_;
+  double half_separation_;
+  double wheel_speed_max_;
+  Duration timeout_;
+  double plausible_factor_;
+
+  std::optional<Time> arrival_;
+  Twist2 command_;
+  std::optional<Time> last_step_;
+  Twist2 twist_;               ///< given out last
+  double acceleration_ = 0.0;  ///< of the last step, linear
+};
+
+/// The nearest twist of the same curvature and direction within the speed limits of body and wheels.
+Twist2 saturate(const Twist2& twist, const Limits& limits, double wheel_separation, double wheel_speed_max);
+
+}  // namespace bw
