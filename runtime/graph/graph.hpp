@@ -1,0 +1,87 @@
+// A graph file as values: which components run where, and how their names are joined. Nothing here starts
+// anything.
+//
+//   ros_distro: jazzy               # humble | jazzy
+//   namespace: ""                   # relative names go below it
+//   frame_prefix: ""
+//   transport: localhost            # localhost | lan
+//   plugins: [path.so]              # paths are relative to the file they stand in
+//   robot: ../robots/generic.yaml   # a shared section: a file or a map
+//   components:
+//     local_planner:                # the node's name; the order is the rank
+//       type: local_planner         # default: the name
+//       process: planning           # default: main
+//       lane: planner               # default: main
+//       latency: 20ms
+//       namespace: robot1           # below the graph's, unless absolute
+//       parameters: {...}           # or a file
+//       remap: {cmd_vel_nav: cmd_vel}
+//       inputs: {odom: {max_age: 500ms, on_stale: stop, external: false}}
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "components/model/time.hpp"
+#include "runtime/graph/names.hpp"
+#include "runtime/parameters/config_node.hpp"
+
+namespace bw {
+
+/// What happens to a component when an input is older than its max_age.
+enum class OnStale { stop, degrade, ignore };
+
+struct InputSettings {
+  std::string name;  ///< as the component declares it
+  std::optional<Duration> max_age = std::nullopt;
+  OnStale on_stale = OnStale::stop;
+  bool external = false;  ///< somebody outside of this graph publishes it
+  Location where;
+};
+
+struct ComponentNode {
+  std::string name;
+  std::string type;
+  std::string process = "main";
+  std::string lane = "main";
+  Duration latency;                  ///< computing time in lock-step, at least 0
+  std::string node_namespace = "/";  ///< absolute
+  ConfigNode parameters;             ///< a map or nothing, overrides applied
+  std::vector<Remap> remaps;
+  std::vector<InputSettings> inputs;
+  Location where;
+
+  /// The absolute topic behind a declared name.
+  std::string topic_of(std::string_view declared) const;
+  const InputSettings* input(std::string_view declared) const;
+};
+
+struct GraphSettings {
+  std::string ros_distro = "jazzy";
+  std::string graph_namespace;
+  std::string frame_prefix;
+  std::string transport = "localhost";
+  std::vector<std::string> plugins;  ///< resolved
+};
+
+struct Graph {
+  std::filesystem::path path;
+  GraphSettings settings;
+  std::map<std::string, ConfigNode>
+      shared;  ///< sections such as `robot`, overrides applied; absent if not given
+  std::vector<ComponentNode> components;  ///< in rank order
+
+  const ComponentNode* find(std::string_view component) const;
+  /// Names of the processes, in the order of their first components.
+  std::vector<std::string> processes() const;
+};
+
+/// Overrides are `component.param=value` or `section.param=value`. Throws ConfigError with all violations
+/// that were found.
+Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+}  // namespace bw

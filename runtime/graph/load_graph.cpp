@@ -1,0 +1,245 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "runtime/graph/graph.hpp"
+#include "runtime/parameters/nearest.hpp"
+#include "runtime/parameters/overrides.hpp"
+#include "runtime/parameters/read_parameters.hpp"
+#include "runtime/parameters/scalar_text.hpp"
+#include "runtime/parameters/yaml_file.hpp"
+
+namespace bw {
+namespace {
+
+constexpr std::array<std::string_view, 1> kSharedSections = {"robot"};
+constexpr Duration kMaxLatency = Duration::milliseconds(10'000);
+constexpr Duration kMaxAge = Duration::milliseconds(3'600'000);
+constexpr Duration kShortestAge = Duration::milliseconds(1);
+
+class GraphReader {
+ public:
+  Graph read(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+    graph_.path = path;
+    const ConfigNode root = load_yaml(path);
+    if (!root.is_map()) add(root.where, "", "", "must be a map with the key components");
+    throw_if_any(violations_);
+    read_top(root);
+    for (const std::string& text : overrides) apply(text);
+    throw_if_any(std::move(violations_));
+    return std::move(graph_);
+  }
+
+ private:
+  using Rule = std::optional<std::string> (*)(std::string_view);
+
+  void add(const Location& where, const std::string& key, const std::string& value, const std::string& rule) {
+    violations_.push_back({where, key, value, rule});
+  }
+
+  /// A text that must also keep a rule.
+  void read_text(ParameterReader& reader, const ConfigNode& map, std::string_view name, std::string& value,
+                 Rule rule) {
+    const std::size_t before = violations_.size();
+    reader(name, value);
+    const ConfigNode* node = map.find(name);
+    if (node == nullptr || violations_.size() > before) return;
+    if (std::optional<std::string> broken = rule(value)) reader.refuse(*node, name, *broken);
+  }
+
+  static std::optional<std::string> label_rule(std::string_view name) {
+    const auto is_allowed = [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+             c == '-' || c == '+';
+    };
+    if (!name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), is_allowed))
+      return std::nullopt;
+    return "must be a name: at most 64 letters, digits, _, - and +";
+  }
+
+  static std::optional<std::string> frame_prefix_rule(std::string_view prefix) {
+    const std::string_view trimmed = prefix.ends_with('/') ? prefix.substr(0, prefix.size() - 1) : prefix;
+    if (prefix.empty() || (!trimmed.starts_with('/') && !namespace_rule(trimmed))) return std::nullopt;
+    return "must be a prefix of frame names, such as robot1_ or robot1/";
+  }
+
+  std::optional<Duration> read_duration(ParameterReader& reader, std::string_view name, Duration least,
+                                        Duration most) {
+    const ConfigNode* node = reader.find(name);
+    if (node == nullptr) return std::nullopt;
+    const std::optional<Duration> duration = node->is_scalar() ? parse_duration(node->scalar) : std::nullopt;
+    if (!duration) {
+      reader.refuse(*node, name, "must be a duration, such as 20ms, 0.5s or a number of seconds");
+    } else if (*duration < least || *duration > most) {
+      reader.refuse(*node, name,
+                    "must be between " + short_text(least.to_seconds()) + " and " +
+                        short_text(most.to_seconds()) + " s");
+    } else {
+      return duration;
+    }
+    return std::nullopt;
+  }
+
+  /// A section written in place or in a file of its own.
+  ConfigNode read_section(ParameterReader& reader, const ConfigNode& node, std::string_view name) {
+    if (node.is_map() || node.is_null()) return node;
+    if (!node.is_scalar()) {
+      reader.refuse(node, name, "must be a map or the path of a YAML file");
+      return {};
+    }
+    try {
+      ConfigNode section = load_yaml(resolve_path(node.where, node.scalar));
+      if (section.is_map() || section.is_null()) return section;
+      violations_.push_back(
+          {section.where, std::string(name), section.text(), "must be a map of parameters"});
+    } catch (const ConfigError& error) {
+      for (const Violation& violation : error.violations()) {
+        if (violation.where.line > 0) {
+          violations_.push_back(violation);
+        } else {
+          reader.refuse(node, name, violation.text());
+        }
+      }
+    }
+    return {};
+  }
+
+  void read_top(const ConfigNode& root) {
+    ParameterReader reader(root, "", violations_);
+    GraphSettings& settings = graph_.settings;
+    reader("ros_distro", settings.ros_distro, {.choices = {"humble", "jazzy"}});
+    read_text(reader, root, "namespace", settings.graph_namespace, namespace_rule);
+    read_text(reader, root, "frame_prefix", settings.frame_prefix, frame_prefix_rule);
+    reader("transport", settings.transport, {.choices = {"localhost", "lan"}});
+    reader("plugins", settings.plugins, {.path = true});
+    for (const std::string_view section : kSharedSections) {
+      if (const ConfigNode* node = reader.find(section)) {
+        graph_.shared[std::string(section)] = read_section(reader, *node, section);
+      }
+    }
+    if (const ConfigNode* components = reader.find("components")) {
+      if (components->is_map()) {
+        for (const ConfigEntry& entry : components->map) read_component(entry);
+      } else {
+        reader.refuse(*components, "components", "must be a map of components");
+      }
+    } else {
+      add(root.where, "components", "", "must be given");
+    }
+    reader.refuse_unknown_keys();
+  }
+
+  void read_component(const ConfigEntry& entry) {
+    ComponentNode node;
+    node.name = node.type = entry.key;
+    node.where = entry.where;
+    const std::string key = joined("components", entry.key);
+    if (const auto rule = node_name_rule(entry.key)) add(entry.where, key, "", *rule);
+    if (std::find(kSharedSections.begin(), kSharedSections.end(), entry.key) != kSharedSections.end()) {
+      add(entry.where, key, "", "must not be the name of a shared section");
+    }
+    if (!entry.value.is_map() && !entry.value.is_null()) {
+      add(entry.value.where, key, entry.value.text(), "must be a map");
+      return;
+    }
+    const ConfigNode& map = entry.value;
+    ParameterReader reader(map, key, violations_);
+    read_text(reader, map, "type", node.type, label_rule);
+    read_text(reader, map, "process", node.process, label_rule);
+    read_text(reader, map, "lane", node.lane, label_rule);
+    node.latency = read_duration(reader, "latency", Duration{}, kMaxLatency).value_or(Duration{});
+    std::string inner;
+    read_text(reader, map, "namespace", inner, namespace_rule);
+    node.node_namespace = join_namespaces(graph_.settings.graph_namespace, inner);
+    if (const ConfigNode* parameters = reader.find("parameters")) {
+      node.parameters = read_section(reader, *parameters, "parameters");
+    }
+    if (node.parameters.where.file.empty()) node.parameters.where = entry.where;
+    if (const ConfigNode* remap = reader.find("remap")) read_remaps(*remap, joined(key, "remap"), node);
+    if (const ConfigNode* inputs = reader.find("inputs")) read_inputs(*inputs, joined(key, "inputs"), node);
+    reader.refuse_unknown_keys();
+    graph_.components.push_back(std::move(node));
+  }
+
+  void read_remaps(const ConfigNode& map, const std::string& key, ComponentNode& node) {
+    if (!detail::is_section(map, key, violations_)) return;
+    for (const ConfigEntry& entry : map.map) {
+      const std::string entry_key = joined(key, entry.key);
+      Remap remap{entry.key, "", entry.where};
+      const std::size_t before = violations_.size();
+      detail::read_string(entry.value, entry_key, {}, remap.to, violations_);
+      if (violations_.size() > before) continue;
+      if (const auto rule = topic_name_rule(remap.from)) add(entry.where, entry_key, "", *rule);
+      if (const auto rule = topic_name_rule(remap.to)) {
+        add(entry.value.where, entry_key, entry.value.text(), *rule);
+      }
+      node.remaps.push_back(std::move(remap));
+    }
+  }
+
+  void read_inputs(const ConfigNode& map, const std::string& key, ComponentNode& node) {
+    if (!detail::is_section(map, key, violations_)) return;
+    for (const ConfigEntry& entry : map.map) {
+      const std::string entry_key = joined(key, entry.key);
+      if (!detail::is_section(entry.value, entry_key, violations_)) continue;
+      ParameterReader reader(entry.value, entry_key, violations_);
+      InputSettings input;
+      input.name = entry.key;
+      input.where = entry.where;
+      std::string on_stale = "stop";
+      input.max_age = read_duration(reader, "max_age", kShortestAge, kMaxAge);
+      reader("on_stale", on_stale, {.choices = {"stop", "degrade", "ignore"}});
+      reader("external", input.external);
+      input.on_stale = on_stale == "degrade"  ? OnStale::degrade
+                       : on_stale == "ignore" ? OnStale::ignore
+                                              : OnStale::stop;
+      if (entry.value.find("on_stale") != nullptr && entry.value.find("max_age") == nullptr) {
+        violations_.push_back(
+            {entry.where, joined(entry_key, "on_stale"), on_stale, "needs a max_age beside it"});
+      }
+      reader.refuse_unknown_keys();
+      node.inputs.push_back(std::move(input));
+    }
+  }
+
+  void apply(const std::string& text) {
+    try {
+      const Override change = parse_override(text);
+      if (ConfigNode* section = section_of(change)) apply_override(*section, change, 1);
+    } catch (const ConfigError& error) {
+      violations_.insert(violations_.end(), error.violations().begin(), error.violations().end());
+    }
+  }
+
+  /// The parameters that the first part of an override names; nullptr, and a violation, if nothing has that
+  /// name.
+  ConfigNode* section_of(const Override& change) {
+    const std::string& name = change.path.front();
+    std::vector<std::string_view> known(kSharedSections.begin(), kSharedSections.end());
+    std::string rule;
+    if (change.path.size() < 2) {
+      rule = "must have the form component.param=value";
+    } else if (std::find(known.begin(), known.end(), name) != known.end()) {
+      return &graph_.shared[name];
+    } else {
+      for (ComponentNode& node : graph_.components) {
+        if (node.name == name) return &node.parameters;
+        known.push_back(node.name);
+      }
+      rule = unknown_rule("component", name, known);
+    }
+    add({std::string(kOverrideFile), 0}, change.key(), change.value.text(), rule);
+    return nullptr;
+  }
+
+  Graph graph_;
+  std::vector<Violation> violations_;
+};
+
+}  // namespace
+
+Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  return GraphReader().read(path, overrides);
+}
+
+}  // namespace bw
