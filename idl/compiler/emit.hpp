@@ -1,0 +1,26 @@
+// The C++ that the compiler writes. Everything is a pure function of the parsed types.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "idl/compiler/parser.hpp"
+
+namespace bw::idl {
+
+/// "nav_msgs/msg/Odometry.idl" -> "nav_msgs/msg/odometry.hpp", the header name ROS 2 gives a message.
+[[nodiscard]] std::string header_path(const std::string& idl_path);
+
+/// <package>/<category>/<name>.hpp: the generated class and its bw::MessageTraits.
+[[nodiscard]] std::string message_header(const File& file, const Types& types);
+
+/// <package>/wire.cpp: serialisation of a package's messages through Fast CDR.
+[[nodiscard]] std::string package_source(const std::vector<File>& files_of_package);
+
+/// type_registry.cpp: all descriptions as constants, and the functions of runtime/wire/type_registry.hpp.
+[[nodiscard]] std::string registry_source(const std::vector<File>& files, const Types& types);
+
+/// all_messages.hpp: bw::for_each_message(f) calls f.operator()<M>() for every type. Heavy; for tests.
+[[nodiscard]] std::string all_messages_header(const std::vector<File>& files);
+
+}  // namespace bw::idl

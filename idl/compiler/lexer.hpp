@@ -1,0 +1,21 @@
+// Splits IDL text into words, each with its line; drops comments and include guards, keeps include
+// directives.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bw::idl {
+
+struct Token {
+  enum class Type { kWord, kSymbol, kInclude, kEnd };
+  Type type;
+  std::string text;  ///< identifier or number, one symbol ("::" counts as one), or the included path
+  int line;
+};
+
+/// The last token is kEnd. Throws std::runtime_error "<path>:<line>: ..." on text outside the subset.
+[[nodiscard]] std::vector<Token> tokenize(std::string_view text, const std::string& path);
+
+}  // namespace bw::idl

@@ -1,0 +1,40 @@
+// What the compiler knows of an IDL file: its structs, in the kinds the wire knows
+// (runtime/wire/type_description.hpp).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/wire/type_description.hpp"
+
+namespace bw::idl {
+
+struct Member {
+  std::string name;
+  Kind kind = Kind::kBoolean;
+  Shape shape = Shape::kSingle;
+  std::uint32_t capacity = 0;
+  std::uint32_t string_capacity = 0;
+  std::string message;  ///< ROS name of the nested type if kind is kMessage
+};
+
+struct Struct {
+  std::string package;   ///< "nav_msgs"
+  std::string category;  ///< "msg", "srv" or "action"
+  std::string name;      ///< "Odometry"
+  std::vector<Member> members;
+
+  [[nodiscard]] std::string ros_name() const { return package + "/" + category + "/" + name; }
+  [[nodiscard]] std::string cpp_name() const { return package + "::" + category + "::" + name; }
+  [[nodiscard]] std::string dds_name() const { return package + "::" + category + "::dds_::" + name + "_"; }
+};
+
+/// One IDL file. Includes and the file's own path are relative to the root of the interfaces.
+struct File {
+  std::string path;  ///< "nav_msgs/msg/Odometry.idl"
+  std::vector<std::string> includes;
+  std::vector<Struct> structs;
+};
+
+}  // namespace bw::idl

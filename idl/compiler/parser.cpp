@@ -1,0 +1,194 @@
+#include "idl/compiler/parser.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <set>
+#include <stdexcept>
+
+#include "idl/compiler/lexer.hpp"
+
+namespace bw::idl {
+namespace {
+
+constexpr std::pair<std::string_view, Kind> kPrimitives[] = {
+    {"boolean", Kind::kBoolean}, {"octet", Kind::kByte},    {"int8", Kind::kInt8},
+    {"uint8", Kind::kUint8},     {"int16", Kind::kInt16},   {"uint16", Kind::kUint16},
+    {"int32", Kind::kInt32},     {"uint32", Kind::kUint32}, {"int64", Kind::kInt64},
+    {"uint64", Kind::kUint64},   {"float", Kind::kFloat32}, {"double", Kind::kFloat64},
+};
+
+class Parser {
+ public:
+  Parser(std::string_view text, const std::string& path) : path_(path), tokens_(tokenize(text, path)) {}
+
+  File run() {
+    File file{path_, {}, {}};
+    while (now().type == Token::Type::kInclude) file.includes.push_back(next().text);
+    while (now().type != Token::Type::kEnd) {
+      const std::string package = open_module();
+      while (!accept("}")) {
+        const std::string category = open_module();
+        while (!accept("}")) definition(package, category, file);
+        expect(";");
+      }
+      expect(";");
+    }
+    return file;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& expected) const {
+    throw std::runtime_error(path_ + ":" + std::to_string(now().line) + ": expected " + expected +
+                             ", found '" + now().text + "'");
+  }
+
+  [[nodiscard]] const Token& now() const { return tokens_[at_]; }
+  const Token& next() { return tokens_[now().type == Token::Type::kEnd ? at_ : at_++]; }
+
+  bool accept(std::string_view text) {
+    if (now().type == Token::Type::kEnd || now().text != text) return false;
+    next();
+    return true;
+  }
+  void expect(std::string_view text) {
+    if (!accept(text)) fail("'" + std::string(text) + "'");
+  }
+  std::string word(const char* expected) {
+    if (now().type != Token::Type::kWord) fail(expected);
+    return next().text;
+  }
+  std::uint32_t positive() {
+    const std::string text = word("a positive number");
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || value == 0)
+      fail("a positive number before");
+    return value;
+  }
+
+  std::string open_module() {
+    expect("module");
+    std::string name = word("a module's name");
+    expect("{");
+    return name;
+  }
+
+  void definition(const std::string& package, const std::string& category, File& file) {
+    if (accept("module")) {
+      if (!word("a module's name").ends_with("_Constants")) fail("a module named <Name>_Constants before");
+      while (!accept("}")) {
+        if (now().type == Token::Type::kEnd) fail("'}'");
+        next();
+      }
+    } else {
+      expect("struct");
+      Struct result{package, category, word("a struct's name"), {}};
+      expect("{");
+      while (!accept("}")) result.members.push_back(member());
+      if (result.members.empty())
+        fail("a member (ROS 2 writes '" + std::string(kEmptyMessageMember) + "') before");
+      file.structs.push_back(std::move(result));
+    }
+    expect(";");
+  }
+
+  Member member() {
+    Member result;
+    if (accept("sequence")) {
+      result.shape = Shape::kSequence;
+      expect("<");
+      element(result);
+      if (accept(",")) result.capacity = positive();
+      expect(">");
+    } else {
+      element(result);
+    }
+    result.name = word("a member's name");
+    if (accept("[")) {
+      if (result.shape == Shape::kSequence) fail("';' (no arrays of sequences)");
+      result.shape = Shape::kArray;
+      result.capacity = positive();
+      expect("]");
+    }
+    expect(";");
+    return result;
+  }
+
+  void element(Member& result) {
+    const std::string name = word("a type");
+    const auto* primitive = std::find_if(std::begin(kPrimitives), std::end(kPrimitives),
+                                         [&](const auto& entry) { return entry.first == name; });
+    if (primitive != std::end(kPrimitives)) {
+      result.kind = primitive->second;
+    } else if (name == "string") {
+      result.kind = Kind::kString;
+      if (accept("<")) {
+        result.string_capacity = positive();
+        expect(">");
+      }
+    } else {
+      result.kind = Kind::kMessage;
+      expect("::");
+      const std::string category = word("msg, srv or action");
+      expect("::");
+      result.message = name + "/" + category + "/" + word("a type's name");
+    }
+  }
+
+  const std::string& path_;
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0;
+};
+
+/// A struct may use what its file defines before it and what the file's includes define, directly or through
+/// theirs.
+class Linker {
+ public:
+  explicit Linker(const std::vector<File>& files) {
+    for (const File& file : files) files_.emplace(file.path, file);
+  }
+
+  Types run() {
+    for (const auto& [path, file] : files_) visible_from(file);
+    return std::move(types_);
+  }
+
+ private:
+  const std::set<std::string>& visible_from(const File& file) {
+    if (const auto done = visible_.find(file.path); done != visible_.end()) return done->second;
+    if (!open_.insert(file.path).second) throw std::runtime_error(file.path + ": includes itself");
+    std::set<std::string> visible;
+    for (const std::string& include : file.includes) {
+      const auto found = files_.find(include);
+      if (found == files_.end()) throw std::runtime_error(file.path + ": no such file: " + include);
+      visible.merge(std::set<std::string>(visible_from(found->second)));
+    }
+    for (const Struct& type : file.structs) {
+      for (const Member& member : type.members) {
+        if (member.kind == Kind::kMessage && !visible.contains(member.message)) {
+          throw std::runtime_error(file.path + ": " + type.name + "." + member.name + " has unknown type " +
+                                   member.message + " (missing #include?)");
+        }
+      }
+      if (!types_.emplace(type.ros_name(), type).second) {
+        throw std::runtime_error(file.path + ": " + type.ros_name() + " is defined twice");
+      }
+      visible.insert(type.ros_name());
+    }
+    return visible_.emplace(file.path, std::move(visible)).first->second;
+  }
+
+  std::map<std::string, File> files_;
+  std::map<std::string, std::set<std::string>> visible_;
+  std::set<std::string> open_;
+  Types types_;
+};
+
+}  // namespace
+
+File parse(std::string_view text, const std::string& path) { return Parser(text, path).run(); }
+
+Types link(const std::vector<File>& files) { return Linker(files).run(); }
+
+}  // namespace bw::idl
