@@ -1,0 +1,35 @@
+// What a person may tune about the global planner.
+#pragma once
+
+#include "runtime/parameters/field.hpp"
+
+namespace bw {
+
+struct GlobalPlannerOptions {
+  double clearance_range = 1.0;     ///< paths keep this far from obstacles where there is room [m]
+  double clearance_weight = 3.0;    ///< a metre at the smallest clearance costs 1 + this many free metres
+  bool unknown_is_obstacle = true;  ///< never plan through cells nobody has seen
+  int occupied_at = 65;             ///< smallest occupancy that is an obstacle
+  double start_tolerance = 0.5;     ///< a start too close to an obstacle moves to a free cell this near [m]
+  double goal_tolerance = 0.25;     ///< a goal that cannot be reached moves to a free cell this near [m]
+  double spacing = 0.1;             ///< distance between the poses of a path [m]
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("clearance_range", clearance_range,
+      {.unit = "m", .min = 0, .max = 10, .doc = "paths keep this far from obstacles where there is room"});
+    v("clearance_weight", clearance_weight,
+      {.min = 0, .max = 10, .doc = "price of closeness; raise it to stay in the middle of corridors"});
+    v("unknown_is_obstacle", unknown_is_obstacle, {.doc = "never plan through cells nobody has seen"});
+    v("occupied_at", occupied_at,
+      {.min = 1, .max = 100, .doc = "smallest occupancy of a map cell that is an obstacle"});
+    v("start_tolerance", start_tolerance,
+      {.unit = "m", .min = 0, .max = 5, .doc = "a start too close to an obstacle may move this far"});
+    v("goal_tolerance", goal_tolerance,
+      {.unit = "m", .min = 0, .max = 50, .doc = "a goal that cannot be reached may move this far"});
+    v("spacing", spacing,
+      {.unit = "m", .min = 0.01, .max = 5, .doc = "distance between the poses of a path"});
+  }
+};
+
+}  // namespace bw

@@ -1,0 +1,61 @@
+// The global planner: a map once, then paths on it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "components/global_planner/astar.hpp"
+#include "components/global_planner/options.hpp"
+#include "components/global_planner/search_grid.hpp"
+#include "components/model/obstacles.hpp"
+#include "components/model/occupancy_grid.hpp"
+#include "components/model/pose2.hpp"
+
+namespace bw {
+
+enum class PathStatus {
+  ok,
+  no_map,         ///< set_map was not called, or refused its map
+  bad_request,    ///< a number of the request is not finite
+  start_blocked,  ///< the start is off the map or too close to obstacles, and so is everything within the
+                  ///< tolerance
+  goal_blocked,   ///< the same for the goal
+  disconnected,   ///< start and goal are free, but nothing joins them
+};
+
+std::string_view to_string(PathStatus status);
+
+struct PathResult {
+  PathStatus status = PathStatus::no_map;
+  std::string reason;  ///< one sentence when status is not ok
+  std::vector<Pose2>
+      path;  ///< in the map's frame, from the start to the goal (or as near as the tolerance allows)
+  double length = 0.0;       ///< [m]
+  double cost = 0.0;         ///< of the cells searched [free metres]
+  double goal_offset = 0.0;  ///< distance of the path's end from the goal asked for [m]
+  std::size_t expanded = 0;  ///< cells the search visited
+};
+
+class Planner {
+ public:
+  explicit Planner(GlobalPlannerOptions options = {}) : options_(options) {}
+
+  /// Prepares a map for a disc robot of this radius [m]. Returns why it cannot be used (sizes, numbers), or
+  /// nothing.
+  std::string set_map(const OccupancyGrid& map, double robot_radius);
+
+  /// Path from `start` to `goal`, around `temporary` discs (people who stand in the way) as well.
+  PathResult plan(const Pose2& start, const Pose2& goal, const std::vector<Disc>& temporary = {});
+
+  const SearchGrid& grid() const { return grid_; }
+
+ private:
+  PathResult plan_unblocked(const Pose2& start, const Pose2& goal, bool has_temporary);
+
+  GlobalPlannerOptions options_;
+  SearchGrid grid_;
+  AStar search_;
+};
+
+}  // namespace bw

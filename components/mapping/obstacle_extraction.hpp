@@ -1,0 +1,49 @@
+// Turns the occupied cells around the robot into a few points and segments that a local planner can keep away
+// from.
+#pragma once
+
+#include <cstddef>
+
+#include "components/mapping/obstacle_rule.hpp"
+#include "components/model/obstacles.hpp"
+#include "components/model/occupancy_grid.hpp"
+#include "runtime/parameters/field.hpp"
+
+namespace bw {
+
+struct ExtractionOptions {
+  double radius = 4.0;           ///< boundary cells farther than this from the robot are left out [m]
+  double tolerance_cells = 0.5;  ///< largest distance of a boundary cell's centre from its shape [cells]
+  int max_obstacles = 200;       ///< the nearest this many shapes are kept
+  int occupied_at = 65;          ///< smallest occupancy that is an obstacle
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("radius", radius,
+      {.unit = "m", .min = 0.1, .max = 50, .doc = "how far around the robot obstacles are given"});
+    v("tolerance_cells", tolerance_cells,
+      {.unit = "cells",
+       .min = 0.1,
+       .max = 2,
+       .doc = "how closely segments follow the cells; raise it for fewer"});
+    v("max_obstacles", max_obstacles, {.min = 1, .max = 10000, .doc = "the nearest this many are kept"});
+    v("occupied_at", occupied_at,
+      {.min = 1, .max = 100, .doc = "smallest occupancy of a map cell that is an obstacle"});
+  }
+};
+
+struct ExtractionResult {
+  StaticObstacles obstacles;  ///< in the frame of the grid; points and segments, each list nearest first
+  std::size_t dropped = 0;    ///< farthest shapes left out because of max_obstacles
+  std::size_t boundary_cells = 0;
+};
+
+/// Boundary cells (obstacle cells with a 4-neighbour that is none, inside the grid) whose centre lies within
+/// `radius` of `position` are chained to contours, and each contour is simplified (Douglas and Peucker 1973).
+/// Unless shapes were dropped, every boundary cell's centre lies within the tolerance of a shape. Shapes run
+/// through cell centres: the surface may stand half a cell before them. Deterministic. A position that is not
+/// finite gives nothing.
+ExtractionResult extract_obstacles(const OccupancyGrid& grid, const Vector2& position,
+                                   const ExtractionOptions& options);
+
+}  // namespace bw

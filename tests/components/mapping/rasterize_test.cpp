@@ -1,0 +1,75 @@
+#include "components/mapping/rasterize.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/components/mapping/grids.hpp"
+
+namespace bw {
+namespace {
+
+// Points of the segment, at 1000 fractions: the cell of each must be occupied; nothing farther than one cell
+// may be.
+TEST(Rasterize, CoversEverySegmentAndLittleMore) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    OccupancyGrid grid = test::empty_grid(40, 30, 0.1, {-2.0, -1.5});
+    const auto point = [&] { return Vector2{random.uniform(-3.0, 3.0), random.uniform(-2.5, 2.5)}; };
+    const Segment s{point(), point()};
+    draw_segment(grid, s);
+    for (int i = 0; i <= 1000; ++i) {
+      const Vector2 p = s.a + (s.b - s.a) * (i / 1000.0);
+      const int column = grid.column_of(p.x());
+      const int row = grid.row_of(p.y());
+      if (!grid.contains(column, row)) continue;
+      ASSERT_EQ(grid.at(column, row), OccupancyGrid::kOccupied) << p.transpose();
+    }
+    for (int row = 0; row < grid.height; ++row) {
+      for (int column = 0; column < grid.width; ++column) {
+        if (grid.at(column, row) != OccupancyGrid::kOccupied) continue;
+        const Vector2 c = grid.center(column, row);
+        const Vector2 d = s.b - s.a;
+        const double t = std::clamp((c - s.a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+        // A cell that touches the segment has its centre within half a diagonal.
+        ASSERT_LE((c - s.a - t * d).norm(), 0.1 * std::numbers::sqrt2 / 2.0 + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Rasterize, DrawsAxisParallelSegmentsAndPoints) {
+  OccupancyGrid grid = test::empty_grid(10, 10, 1.0);
+  draw_segment(grid, {{1.5, 2.5}, {4.5, 2.5}});
+  draw_segment(grid, {{7.5, 1.5}, {7.5, 3.5}});
+  draw_segment(grid, {{0.5, 8.5}, {0.5, 8.5}});
+  int occupied = 0;
+  for (const auto cell : grid.cells) occupied += cell == OccupancyGrid::kOccupied ? 1 : 0;
+  EXPECT_EQ(occupied, 4 + 3 + 1);
+  EXPECT_EQ(grid.at(4, 2), OccupancyGrid::kOccupied);
+  EXPECT_EQ(grid.at(7, 3), OccupancyGrid::kOccupied);
+  EXPECT_EQ(grid.at(0, 8), OccupancyGrid::kOccupied);
+}
+
+TEST(Rasterize, FillsBoxesFromAnyCorner) {
+  OccupancyGrid grid = test::empty_grid(10, 10, 1.0);
+  draw_box(grid, {4.2, 6.9}, {2.5, 5.1});
+  int occupied = 0;
+  for (const auto cell : grid.cells) occupied += cell == OccupancyGrid::kOccupied ? 1 : 0;
+  EXPECT_EQ(occupied, 3 * 2);  // columns 2, 3, 4 and rows 5, 6
+}
+
+TEST(Rasterize, ClipsHugeShapesAndIgnoresNonFiniteOnes) {
+  OccupancyGrid grid = test::empty_grid(4, 4, 1.0);
+  draw_segment(grid, {{std::numeric_limits<double>::quiet_NaN(), 0.0}, {1.0, 1.0}});
+  draw_box(grid, {0.0, 0.0}, {std::numeric_limits<double>::infinity(), 1.0});
+  for (const auto cell : grid.cells) EXPECT_EQ(cell, OccupancyGrid::kFree);
+  draw_segment(grid, {{-1e30, 1.5}, {1e30, 1.5}});
+  for (int column = 0; column < 4; ++column) EXPECT_EQ(grid.at(column, 1), OccupancyGrid::kOccupied);
+  draw_box(grid, {-1e300, -1e300}, {1e300, 1e300});
+  for (const auto cell : grid.cells) EXPECT_EQ(cell, OccupancyGrid::kOccupied);
+}
+
+}  // namespace
+}  // namespace bw
