@@ -75,6 +75,12 @@ class DiagnosticReporter {
   virtual void report(Level level, std::string message) = 0;
 };
 
+/// Whether a graph without a publisher for the input is refused.
+enum class Need { required, optional };
+
+/// Whether a message calls the component, or only waits to be looked at.
+enum class InputKind { callback, keep_newest };
+
 /// Handed to configure(): the place where a component declares everything it will use.
 class Setup {
  public:
@@ -108,9 +114,9 @@ class Setup {
   }
   /// Calls `on_message` for every message.
   template <class M, class Callback>
-  void input(const std::string& topic, const Qos& qos, Callback on_message) {
+  void input(const std::string& topic, const Qos& qos, Callback on_message, Need need = Need::required) {
     auto message = std::make_shared<M>();  // kept, so that its buffers are reused
-    add_input(topic, message_type<M>(), qos, true,
+    add_input(topic, message_type<M>(), qos, InputKind::callback, need,
               [message, callback = std::move(on_message)](std::span<const std::uint8_t> cdr, const Tick& tick) {
                 if (!deserialize(cdr, *message)) return false;
                 callback(std::as_const(*message), tick);
@@ -119,11 +125,11 @@ class Setup {
   }
   /// Keeps the newest message; calls nothing and costs the component no latency.
   template <class M>
-  Latest<M> latest(const std::string& topic, const Qos& qos) {
+  Latest<M> latest(const std::string& topic, const Qos& qos, Need need = Need::required) {
     Latest<M> handle;
     handle.state_ = std::make_shared<typename Latest<M>::State>();
     auto incoming = std::make_shared<M>();
-    add_input(topic, message_type<M>(), qos, false,
+    add_input(topic, message_type<M>(), qos, InputKind::keep_newest, need,
               [state = handle.state_, incoming](std::span<const std::uint8_t> cdr, const Tick& tick) {
                 if (!deserialize(cdr, *incoming)) return false;
                 if (!state->message) state->message.emplace();
@@ -160,7 +166,7 @@ class Setup {
   }
 
   virtual OutputPort* add_output(const std::string& topic, const MessageType& type, const Qos& qos, bool command) = 0;
-  virtual void add_input(const std::string& topic, const MessageType& type, const Qos& qos, bool is_callback,
+  virtual void add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind, Need need,
                          SampleHandler handler) = 0;
   virtual const ConfigNode& parameter_section() const = 0;
   virtual std::string parameter_path() const = 0;

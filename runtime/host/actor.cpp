@@ -1,0 +1,52 @@
+#include "runtime/host/actor.hpp"
+
+#include <algorithm>
+
+namespace bw {
+
+Health Actor::health(Time now) const {
+  if (stop_requested) return Health::stop;
+  Health worst = Health::ok;
+  for (const auto& input : inputs) {
+    if (!input->max_age || now - input->last_received <= *input->max_age) continue;
+    if (input->on_stale == OnStale::stop) worst = Health::stop;
+    if (input->on_stale == OnStale::degrade) worst = std::max(worst, Health::degraded);
+  }
+  return worst;
+}
+
+std::vector<std::string> Actor::stale_inputs(Time now) const {
+  std::vector<std::string> stale;
+  for (const auto& input : inputs) {
+    if (input->max_age && now - input->last_received > *input->max_age) stale.push_back(input->name);
+  }
+  return stale;
+}
+
+bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
+  if (!input.reader->take(sample_)) return false;
+  {
+    const std::lock_guard lock(mutex);
+    input.last_received = now;
+  }
+  const Duration start = thread_cpu_time();
+  const bool accepted = input.handler(sample_.cdr, Tick{.now = now, .health = health(now), .sequence = input.calls});
+  const Duration spent = thread_cpu_time() - start;
+  if (accepted) ++input.calls;
+  const std::lock_guard lock(mutex);
+  input.statistics.run.add(spent);
+  if (waited) input.statistics.wait.add(*waited);
+  if (!accepted) ++input.statistics.rejected;
+  return true;
+}
+
+void Actor::fire(Timer& timer, Time now, std::optional<Duration> waited) {
+  const Duration start = thread_cpu_time();
+  timer.handler(Tick{.now = now, .health = health(now), .sequence = timer.calls++});
+  const Duration spent = thread_cpu_time() - start;
+  const std::lock_guard lock(mutex);
+  timer.statistics.run.add(spent);
+  if (waited) timer.statistics.wait.add(*waited);
+}
+
+}  // namespace bw

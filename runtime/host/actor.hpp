@@ -1,0 +1,116 @@
+// One component at run time: its ends, its timers, and the one way its callbacks are entered.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/component.hpp"
+#include "runtime/dds/participant.hpp"
+#include "runtime/graph/graph.hpp"
+#include "runtime/host/statistics.hpp"
+
+namespace bw {
+
+struct Actor;
+
+struct Input {
+  Actor* actor = nullptr;
+  std::string name;   ///< as the component declared it
+  std::string topic;  ///< resolved, absolute
+  MessageType type;
+  Qos qos;
+  SampleHandler handler;
+  InputKind kind = InputKind::callback;
+  Need need = Need::required;
+  std::optional<Duration> max_age;
+  OnStale on_stale = OnStale::ignore;
+  std::unique_ptr<dds::Reader> reader;
+  Time last_received;  ///< activation time until the first sample
+  std::uint64_t calls = 0;
+  CallbackStatistics statistics;
+  std::atomic<bool> queued = false;      ///< wall clock: an event waits in the lane
+  std::atomic<std::int64_t> queued_at_ns = 0;
+};
+
+struct Timer {
+  Actor* actor = nullptr;
+  std::string name;
+  Duration period;
+  TickHandler handler;
+  Time next;
+  std::uint64_t calls = 0;
+  CallbackStatistics statistics;
+};
+
+/// Where an actor's outputs go: straight to DDS, or held back for the declared latency.
+class SampleSink {
+ public:
+  virtual ~SampleSink() = default;
+  virtual void publish(class OutputEnd& output, std::span<const std::uint8_t> cdr) = 0;
+};
+
+class OutputEnd final : public OutputPort {
+ public:
+  OutputEnd(Actor& actor, std::string topic_name, const MessageType& message_type, const Qos& topic_qos, bool is_command)
+      : owner(actor), topic(std::move(topic_name)), type(message_type), qos(topic_qos), command(is_command) {}
+  void publish(std::span<const std::uint8_t> cdr) override {
+    if (sink != nullptr) sink->publish(*this, cdr);
+  }
+  bool has_readers() const override { return always_read || (writer && writer->matched_readers() > 0); }
+
+  Actor& owner;
+  std::string name;
+  std::string topic;
+  MessageType type;
+  Qos qos;
+  bool command;
+  bool always_read = false;
+  std::unique_ptr<dds::Writer> writer;
+  SampleSink* sink = nullptr;  ///< null until the component is active
+};
+
+struct Actor final : DiagnosticReporter {
+  std::string name;
+  std::string node_namespace;  ///< "/" or "/robot1"
+  std::string type;
+  std::string process;
+  std::string lane;
+  std::size_t rank = 0;
+  Duration latency;
+  std::unique_ptr<Component> component;
+  std::vector<std::unique_ptr<Input>> inputs;
+  std::vector<std::unique_ptr<OutputEnd>> outputs;
+  std::vector<std::unique_ptr<Timer>> timers;
+  std::vector<ParameterRow> parameters;
+
+  /// Guards what the diagnostics read while the lane works: statistics, arrival times, the two below.
+  mutable std::mutex mutex;
+  Level diagnostic_level = Level::ok;
+  std::string diagnostic_message = "ok";
+  std::atomic<bool> stop_requested = false;  ///< the host is shutting down: Health::stop whatever the inputs say
+
+  void report(Level level, std::string message) override {
+    const std::lock_guard lock(mutex);
+    diagnostic_level = level;
+    diagnostic_message = std::move(message);
+  }
+  /// From the ages of the watched inputs at `now`.
+  Health health(Time now) const;
+  /// Names of the watched inputs that are too old at `now`. With `mutex` held.
+  std::vector<std::string> stale_inputs(Time now) const;
+
+  /// Takes one sample and gives it to the component; false when none was waiting.
+  bool deliver(Input& input, Time now, std::optional<Duration> waited);
+  void fire(Timer& timer, Time now, std::optional<Duration> waited);
+
+ private:
+  dds::Sample sample_;
+};
+
+}  // namespace bw

@@ -1,0 +1,246 @@
+#include "runtime/host/host.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <ranges>
+#include <stdexcept>
+
+#include "runtime/host/host_setup.hpp"
+#include "runtime/host/lockstep_runner.hpp"
+#include "runtime/host/process_services.hpp"
+#include "runtime/host/wall_runner.hpp"
+#include "runtime/parameters/nearest.hpp"
+#include "runtime/registry.hpp"
+#include "runtime/ros/discovery_info.hpp"
+#include "runtime/stamps.hpp"
+
+namespace bw {
+namespace {
+
+/// What a robot at top speed needs to stand still, and a little more.
+constexpr Duration kStopGrace = Duration::milliseconds(1'000);
+
+spdlog::logger& terminal() {
+  static const std::shared_ptr<spdlog::logger> kLogger = [] {
+    auto logger = spdlog::stderr_color_mt("bandwagon");
+    logger->set_pattern("%^%L%$ %v");
+    return logger;
+  }();
+  return *kLogger;
+}
+
+std::unique_ptr<Component> make_or_refuse(const ComponentNode& node) {
+  if (auto component = make_component(node.type)) return component;
+  const std::vector<std::string> known = registered_components();
+  const std::vector<std::string_view> views(known.begin(), known.end());
+  throw ConfigError({.where = node.where,
+                     .key = "components." + node.name + ".type",
+                     .value = node.type,
+                     .rule = unknown_rule("component", node.type, views)});
+}
+
+ComponentDeclaration declaration_of(const Actor& actor) {
+  ComponentDeclaration d{.name = actor.name, .inputs = {}, .outputs = {}};
+  for (const auto& input : actor.inputs) {
+    d.inputs.push_back({.name = input->name,
+                        .type = std::string(input->type.ros_name),
+                        .qos = input->qos,
+                        .optional = input->need == Need::optional});
+  }
+  for (const auto& output : actor.outputs) {
+    d.outputs.push_back({.name = output->name,
+                         .type = std::string(output->type.ros_name),
+                         .qos = output->qos,
+                         .command = output->command});
+  }
+  return d;
+}
+
+dds::EndpointOptions endpoint_options(const std::string& topic, const MessageType& type, const Qos& qos) {
+  return {.topic = "rt" + topic,
+          .type = std::string(type.dds_name),
+          .qos = qos,
+          .user_data = "typehash=" + std::string(type.type_hash) + ";"};
+}
+
+}  // namespace
+
+Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
+    : graph_(std::move(graph)), options_(std::move(options)) {
+  const std::vector<std::string> processes = graph_.processes();
+  const std::string& only = options_.only_process;
+  if (!only.empty() && std::ranges::find(processes, only) == processes.end()) {
+    throw std::runtime_error("the graph has no process \"" + only + "\"; it has: " + fmt::format("{}", fmt::join(processes, ", ")));
+  }
+  if (!only.empty() && options_.clock == ClockMode::lockstep) {
+    throw std::runtime_error("lock-step runs the whole graph in one process: --only needs --clock wall");
+  }
+  for (const std::string& plugin : graph_.settings.plugins) load_plugin(plugin);
+  for (ExtraComponent& e : extra) {
+    graph_.components.push_back({.name = e.name, .type = e.name, .process = only.empty() ? "main" : only, .lane = "main"});
+  }
+
+  const bool lockstep = options_.clock == ClockMode::lockstep;
+  auto services = std::make_unique<ProcessServices>(lockstep, !lockstep, local_);
+  services_ = services.get();
+  const ComponentNode services_node{.name = "bandwagon" + (only.empty() ? "" : "_" + only), .lane = "services"};
+  add_component(services_node, std::move(services), true);
+  std::vector<Violation> violations;
+  for (const ComponentNode& node : graph_.components) {
+    const auto own = std::ranges::find(extra, node.name, &ExtraComponent::name);
+    try {
+      add_component(node, own != extra.end() ? std::move(own->component) : make_or_refuse(node),
+                    only.empty() || node.process == only);
+    } catch (const ConfigError& error) {
+      for (const Violation& violation : error.violations()) violations.push_back(violation);
+    } catch (const std::runtime_error& error) {
+      violations.push_back({.where = node.where, .key = node.name, .value = {}, .rule = error.what()});
+    }
+  }
+  throw_if_any(std::move(violations));
+  for (const auto& actor : actors_) {
+    if (actor->rank > 0) declarations_.push_back(declaration_of(*actor));
+  }
+  throw_if_any(check_graph(declarations_, graph_));
+}
+
+Host::~Host() {
+  for (const auto& actor : actors_) {
+    actor->inputs.clear();
+    actor->outputs.clear();
+  }
+}
+
+void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here) {
+  auto actor = std::make_unique<Actor>();
+  actor->name = node.name;
+  actor->node_namespace = node.node_namespace;
+  actor->type = node.type;
+  actor->process = node.process;
+  actor->lane = node.lane;
+  actor->rank = actors_.size();
+  actor->latency = node.latency;
+  actor->component = std::move(component);
+  if (here) local_.push_back(actor.get());
+  actors_.push_back(std::move(actor));
+  Actor& added = *actors_.back();
+  HostSetup setup(*this, added, node);
+  added.component->configure(setup);
+}
+
+void Host::connect() {
+  const bool lockstep = options_.clock == ClockMode::lockstep;
+  const dds::Transport transport =
+      graph_.settings.transport == "lan" ? dds::Transport::lan : dds::Transport::localhost;
+  participant_ = std::make_unique<dds::Participant>(dds::ParticipantOptions{
+      .network = dds::Network::from_environment(transport),
+      .private_partition = lockstep ? "lockstep" + std::to_string(getpid()) : ""});
+  if (lockstep) {
+    runner_ = std::make_unique<LockstepRunner>(local_, options_.pace);
+  } else {
+    if (options_.clock == ClockMode::topic) {
+      auto topic_clock = std::make_unique<TopicClock>();
+      clock_reader_ = participant_->create_reader(
+          endpoint_options("/clock", {MessageTraits<rosgraph_msgs::msg::Clock>::ros_name,
+                                      MessageTraits<rosgraph_msgs::msg::Clock>::dds_name,
+                                      MessageTraits<rosgraph_msgs::msg::Clock>::type_hash},
+                           Qos::clock()),
+          [this, clock = topic_clock.get()] {
+            dds::Sample sample;
+            rosgraph_msgs::msg::Clock message;
+            while (clock_reader_ && clock_reader_->take(sample)) {
+              if (deserialize(sample.cdr, message)) clock->set(from_stamp(message.clock()));
+            }
+          });
+      clock_ = std::move(topic_clock);
+    } else {
+      clock_ = std::make_unique<MonotonicClock>();
+    }
+    runner_ = std::make_unique<WallRunner>(local_, *clock_);
+  }
+  // Writers first: in one participant a match is immediate, so no reader misses a latched first sample.
+  for (Actor* actor : local_) {
+    for (const auto& output : actor->outputs) {
+      output->writer = participant_->create_writer(endpoint_options(output->topic, output->type, output->qos));
+      output->always_read = lockstep;
+    }
+  }
+  for (Actor* actor : local_) {
+    for (const auto& input : actor->inputs) {
+      input->reader = participant_->create_reader(endpoint_options(input->topic, input->type, input->qos),
+                                                  [this, end = input.get()] { runner_->sample_arrived(*end); });
+    }
+  }
+  announce_nodes();
+}
+
+void Host::announce_nodes() {
+  ParticipantEntities entities{.participant = participant_->guid(), .nodes = {}};
+  for (const Actor* actor : local_) {
+    NodeEntities node{.node_namespace = actor->node_namespace, .name = actor->name, .readers = {}, .writers = {}};
+    for (const auto& input : actor->inputs) node.readers.push_back(input->reader->guid());
+    for (const auto& output : actor->outputs) node.writers.push_back(output->writer->guid());
+    entities.nodes.push_back(std::move(node));
+  }
+  node_writer_ = participant_->create_writer(
+      {.topic = kDiscoveryTopic, .type = kDiscoveryType, .qos = Qos::latched(), .user_data = {}});
+  node_writer_->write(encode(entities, graph_.settings.ros_distro == "humble" ? GidFormat::humble : GidFormat::iron_and_later));
+}
+
+RunEnd Host::run(std::optional<Duration> duration) {
+  connect();
+  started_ = runner_->now();
+  for (Actor* actor : local_) {
+    for (const auto& output : actor->outputs) output->sink = runner_.get();
+  }
+  for (Actor* actor : local_) actor->component->activate({.now = runner_->now()});
+  RunEnd end = runner_->run(duration);
+  for (Actor* actor : std::views::reverse(local_)) actor->component->deactivate({.now = runner_->now(), .health = Health::stop});
+  for (Actor* actor : std::views::reverse(local_)) actor->component->cleanup();
+  return end;
+}
+
+void Host::finish(RunEnd end, bool at_rest) {
+  if (!runner_) return;
+  const bool drives = graph_.shared.contains("robot");
+  runner_->finish(std::move(end), drives && !at_rest ? kStopGrace : Duration{});
+}
+
+void Host::log(const Actor& actor, LogLevel level, const std::string& text) {
+  const Time now = started_ ? runner_->now() : Time{};
+  const double seconds = started_ ? (now - *started_).to_seconds() : 0.0;
+  const auto terminal_level = static_cast<spdlog::level::level_enum>(static_cast<int>(level) / 10);
+  terminal().log(terminal_level, "{:8.3f} [{}] {}", seconds, actor.name, text);
+  if (started_) services_->log(actor.name, now, level, text);
+}
+
+std::vector<std::pair<std::string, std::vector<ParameterRow>>> Host::parameters() const {
+  std::vector<std::pair<std::string, std::vector<ParameterRow>>> all;
+  for (const auto& actor : actors_) {
+    if (actor->rank > 0) all.emplace_back(actor->name, actor->parameters);
+  }
+  return all;
+}
+
+std::vector<CallbackStatistics> Host::statistics() const {
+  std::vector<CallbackStatistics> all;
+  for (const Actor* actor : local_) {
+    const std::lock_guard lock(actor->mutex);
+    for (const auto& timer : actor->timers) all.push_back(timer->statistics);
+    for (const auto& input : actor->inputs) all.push_back(input->statistics);
+  }
+  return all;
+}
+
+std::string Host::samples_sha256() const {
+  const auto* lockstep = dynamic_cast<const LockstepRunner*>(runner_.get());
+  return lockstep == nullptr ? "" : lockstep->samples_sha256();
+}
+
+double Host::elapsed_seconds() const { return started_ ? (runner_->now() - *started_).to_seconds() : 0.0; }
+
+}  // namespace bw

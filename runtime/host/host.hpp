@@ -1,0 +1,88 @@
+// One process of a graph: configures every component, checks the whole, connects the ends, runs, and leaves everything at rest.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/dds/participant.hpp"
+#include "runtime/graph/check_graph.hpp"
+#include "runtime/graph/graph.hpp"
+#include "runtime/host/actor.hpp"
+#include "runtime/host/component_clock.hpp"
+#include "runtime/host/runner.hpp"
+
+namespace bw {
+
+enum class ClockMode {
+  wall,      ///< real time, one thread per lane
+  lockstep,  ///< virtual time, one thread
+  topic,     ///< time from /clock, as ROS 2's use_sim_time
+};
+
+struct HostOptions {
+  ClockMode clock = ClockMode::wall;
+  std::uint64_t seed = 1;
+  std::string only_process;  ///< empty: all processes of the graph in this one
+  double pace = 0.0;         ///< lock-step: virtual seconds per real second; 0 as fast as possible
+};
+
+/// A component that is not in the graph file, such as a program's own observer of a run.
+struct ExtraComponent {
+  std::string name;
+  std::unique_ptr<Component> component;
+};
+
+class Host {
+ public:
+  /// Configures and checks everything; nothing is on the wire yet. Throws ConfigError or std::runtime_error.
+  Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra = {});
+  ~Host();
+  Host(const Host&) = delete;
+  Host& operator=(const Host&) = delete;
+
+  /// Connects, activates, runs to the end, deactivates. Once.
+  RunEnd run(std::optional<Duration> duration);
+  /// Ends the run from any thread. With `at_rest` false the robot gets time to stop first.
+  void finish(RunEnd end, bool at_rest);
+
+  const Graph& graph() const { return graph_; }
+  const std::vector<ComponentDeclaration>& declarations() const { return declarations_; }
+  /// The parameters of every component of the graph, by instance name.
+  std::vector<std::pair<std::string, std::vector<ParameterRow>>> parameters() const;
+  /// Of this process's callbacks, after the run.
+  std::vector<CallbackStatistics> statistics() const;
+  /// Lock-step only, else empty.
+  std::string samples_sha256() const;
+  /// Seconds on the component clock since the run began.
+  double elapsed_seconds() const;
+
+ private:
+  friend class HostSetup;
+  friend class ProcessServices;
+
+  void add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here);
+  void connect();
+  void announce_nodes();
+  void log(const Actor& actor, LogLevel level, const std::string& text);
+  std::vector<Actor*> local_actors() const;
+
+  Graph graph_;
+  HostOptions options_;
+  std::vector<std::unique_ptr<Actor>> actors_;  ///< by rank; the process's own services first
+  std::vector<Actor*> local_;
+  std::vector<ComponentDeclaration> declarations_;
+  std::unique_ptr<ComponentClock> clock_;
+  std::unique_ptr<Runner> runner_;
+  std::unique_ptr<dds::Participant> participant_;
+  std::unique_ptr<dds::Writer> node_writer_;
+  std::unique_ptr<dds::Reader> clock_reader_;
+  class ProcessServices* services_ = nullptr;
+  std::optional<Time> started_;
+  std::mutex log_mutex_;
+};
+
+}  // namespace bw

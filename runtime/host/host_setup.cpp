@@ -1,0 +1,83 @@
+#include "runtime/host/host_setup.hpp"
+
+#include <stdexcept>
+
+#include "runtime/host/host.hpp"
+
+namespace bw {
+
+std::filesystem::path HostSetup::file_parameter(std::string_view key) const {
+  const ConfigNode* value = find_dotted(node_.parameters, key);
+  if (value == nullptr || !value->is_scalar() || value->scalar.empty()) return {};
+  return resolve_path(value->where, value->scalar);
+}
+
+void HostSetup::every(Duration period, const std::string& name, TickHandler on_tick) {
+  if (period <= Duration{}) throw std::logic_error(actor_.name + ": the timer " + name + " has no positive period");
+  auto timer = std::make_unique<Timer>();
+  timer->actor = &actor_;
+  timer->name = name;
+  timer->period = period;
+  timer->handler = std::move(on_tick);
+  timer->statistics.component = actor_.name;
+  timer->statistics.callback = name;
+  actor_.timers.push_back(std::move(timer));
+}
+
+std::string HostSetup::frame(std::string_view name) const {
+  return host_.graph().settings.frame_prefix + std::string(name);
+}
+
+std::uint64_t HostSetup::seed() const {
+  // FNV-1a of the name, so that a component's numbers do not depend on its neighbours in the graph.
+  std::uint64_t hash = 14695981039346656037ULL ^ host_.options_.seed;
+  for (const char c : actor_.name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  return hash;
+}
+
+Logger HostSetup::log() {
+  return Logger([&host = host_, &actor = actor_](LogLevel level, const std::string& text) { host.log(actor, level, text); });
+}
+
+std::function<void(bool, const std::string&)> HostSetup::finish_run() {
+  return [&host = host_](bool ok, const std::string& reason) { host.finish({.ok = ok, .reason = reason}, true); };
+}
+
+OutputPort* HostSetup::add_output(const std::string& topic, const MessageType& type, const Qos& qos, bool command) {
+  auto output = std::make_unique<OutputEnd>(actor_, node_.topic_of(topic), type, qos, command);
+  output->name = topic;
+  actor_.outputs.push_back(std::move(output));
+  return actor_.outputs.back().get();
+}
+
+void HostSetup::add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind, Need need,
+                          SampleHandler handler) {
+  auto input = std::make_unique<Input>();
+  input->actor = &actor_;
+  input->name = topic;
+  input->topic = node_.topic_of(topic);
+  input->type = type;
+  input->qos = qos;
+  input->handler = std::move(handler);
+  input->kind = kind;
+  input->need = need;
+  if (const InputSettings* settings = node_.input(topic)) {
+    input->max_age = settings->max_age;
+    input->on_stale = settings->on_stale;
+  }
+  input->statistics.component = actor_.name;
+  input->statistics.callback = topic;
+  actor_.inputs.push_back(std::move(input));
+}
+
+const ConfigNode& HostSetup::shared_section(std::string_view section) const {
+  static const ConfigNode kNothing{};
+  const auto found = host_.graph().shared.find(std::string(section));
+  return found == host_.graph().shared.end() ? kNothing : found->second;
+}
+
+void HostSetup::keep_parameters(std::vector<ParameterRow> rows) {
+  for (ParameterRow& row : rows) actor_.parameters.push_back(std::move(row));
+}
+
+}  // namespace bw

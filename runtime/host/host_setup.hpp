@@ -1,0 +1,41 @@
+// Records what a component declares into its actor; connects nothing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runtime/graph/graph.hpp"
+#include "runtime/host/actor.hpp"
+
+namespace bw {
+
+class Host;
+
+class HostSetup final : public Setup {
+ public:
+  HostSetup(Host& host, Actor& actor, const ComponentNode& node) : host_(host), actor_(actor), node_(node) {}
+
+  std::filesystem::path file_parameter(std::string_view key) const override;
+  void every(Duration period, const std::string& name, TickHandler on_tick) override;
+  std::string frame(std::string_view name) const override;
+  std::uint64_t seed() const override;
+  Logger log() override;
+  DiagnosticReporter& diagnostics() override { return actor_; }
+  std::function<void(bool, const std::string&)> finish_run() override;
+
+ protected:
+  OutputPort* add_output(const std::string& topic, const MessageType& type, const Qos& qos, bool command) override;
+  void add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind, Need need,
+                 SampleHandler handler) override;
+  const ConfigNode& parameter_section() const override { return node_.parameters; }
+  std::string parameter_path() const override { return node_.name; }
+  const ConfigNode& shared_section(std::string_view section) const override;
+  void keep_parameters(std::vector<ParameterRow> rows) override;
+
+ private:
+  Host& host_;
+  Actor& actor_;
+  const ComponentNode& node_;
+};
+
+}  // namespace bw

@@ -1,0 +1,147 @@
+#include "runtime/host/lockstep_runner.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+namespace bw {
+
+LockstepRunner::LockstepRunner(std::vector<Actor*> actors, double pace) : actors_(std::move(actors)), pace_(pace) {}
+
+void LockstepRunner::push(Event event) {
+  event.sequence = next_sequence_++;
+  events_.push(event);
+}
+
+void LockstepRunner::sample_arrived(Input& input) {
+  push({.time = now_, .rank = input.actor->rank, .actor = input.actor, .input = &input});
+}
+
+void LockstepRunner::publish(OutputEnd& output, std::span<const std::uint8_t> cdr) {
+  if (collecting_ != nullptr) {
+    collecting_->held.push_back({&output, {cdr.begin(), cdr.end()}});
+  } else {
+    write(output, cdr);
+  }
+}
+
+void LockstepRunner::write(OutputEnd& output, std::span<const std::uint8_t> cdr) {
+  hash_.add(output.topic, now_, cdr);
+  if (!output.writer->write(cdr)) throw std::runtime_error("DDS refused a sample on " + output.topic);
+}
+
+RunEnd LockstepRunner::run(std::optional<Duration> duration) {
+  real_start_ = steady_time();
+  for (Actor* actor : actors_) {
+    for (const auto& input : actor->inputs) input->last_received = now_;
+    for (const auto& timer : actor->timers) schedule_next(*timer, now_);
+  }
+  std::optional<Time> last = duration ? std::optional(now_ + *duration) : std::nullopt;
+  bool stopping = false;
+  while (!events_.empty()) {
+    if (end_requested_ && !stopping) {
+      stopping = true;
+      for (Actor* actor : actors_) actor->stop_requested = grace_ > Duration{};
+      const Time end_time = now_ + grace_;
+      last = last ? std::min(*last, end_time) : end_time;
+    }
+    const Event event = events_.top();
+    if (last && event.time > *last) break;
+    events_.pop();
+    if (event.time != now_) {
+      now_ = event.time;
+      events_at_now_ = 0;
+      instant_callbacks_.clear();
+      wait_for_pace();
+    }
+    count_event(event);
+    dispatch(event);
+    if (stopping && grace_ == Duration{}) break;
+  }
+  const std::lock_guard lock(finish_mutex_);
+  return end_.value_or(RunEnd{.ok = true, .reason = "the time is over"});
+}
+
+void LockstepRunner::dispatch(const Event& event) {
+  Actor& actor = *event.actor;
+  if (event.input == nullptr && event.timer == nullptr) {
+    complete(actor);
+    return;
+  }
+  // Keeping the newest message runs no user code, so it costs nothing and happens even while the actor is busy.
+  if (event.input != nullptr && event.input->kind == InputKind::keep_newest) {
+    actor.deliver(*event.input, now_, std::nullopt);
+    return;
+  }
+  if (const auto busy = busy_.find(actor.rank); busy != busy_.end()) {
+    auto& deferred = busy->second.deferred;
+    const bool already_due =
+        event.timer != nullptr && std::ranges::any_of(deferred, [&](const Event& e) { return e.timer == event.timer; });
+    if (already_due) {
+      ++event.timer->statistics.missed;
+    } else {
+      deferred.push_back(event);
+    }
+    if (event.timer != nullptr && !event.was_deferred) schedule_next(*event.timer, event.time);
+    return;
+  }
+  if (actor.latency > Duration{}) {
+    collecting_ = &busy_[actor.rank];
+    push({.time = now_ + actor.latency, .rank = actor.rank, .actor = &actor});
+  }
+  if (event.input != nullptr) {
+    actor.deliver(*event.input, now_, std::nullopt);
+  } else {
+    // The successor of a deferred tick is already scheduled.
+    if (!event.was_deferred) schedule_next(*event.timer, event.time);
+    actor.fire(*event.timer, now_, std::nullopt);
+  }
+  collecting_ = nullptr;
+}
+
+void LockstepRunner::complete(Actor& actor) {
+  Busy done = std::move(busy_.at(actor.rank));
+  busy_.erase(actor.rank);
+  for (const HeldSample& sample : done.held) write(*sample.output, sample.cdr);
+  for (Event event : done.deferred) {
+    event.time = now_;
+    event.was_deferred = true;
+    push(event);
+  }
+}
+
+void LockstepRunner::schedule_next(Timer& timer, Time due) {
+  timer.next = due + timer.period;
+  push({.time = timer.next, .rank = timer.actor->rank, .actor = timer.actor, .timer = &timer});
+}
+
+void LockstepRunner::count_event(const Event& event) {
+  ++events_at_now_;
+  if (events_at_now_ <= kMaxEventsPerInstant / 2) return;
+  const std::string what = event.input != nullptr   ? event.input->topic
+                           : event.timer != nullptr ? event.timer->name
+                                                    : "latency";
+  ++instant_callbacks_[event.actor->name + " (" + what + ")"];
+  if (events_at_now_ <= kMaxEventsPerInstant) return;
+  std::string message = "more than " + std::to_string(kMaxEventsPerInstant) + " events at one instant; the loop runs through";
+  for (const auto& [name, count] : instant_callbacks_) message += " " + name;
+  throw std::runtime_error(message);
+}
+
+void LockstepRunner::wait_for_pace() const {
+  if (pace_ <= 0.0) return;
+  const double real = static_cast<double>((now_ - kStart).nanoseconds) / pace_;
+  const Duration ahead = Duration{static_cast<std::int64_t>(real)} - (steady_time() - real_start_);
+  if (ahead > Duration{}) std::this_thread::sleep_for(std::chrono::nanoseconds(ahead.nanoseconds));
+}
+
+void LockstepRunner::finish(RunEnd end, Duration grace) {
+  const std::lock_guard lock(finish_mutex_);
+  if (end_) return;
+  end_ = std::move(end);
+  grace_ = grace;
+  end_requested_ = true;
+}
+
+}  // namespace bw

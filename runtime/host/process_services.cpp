@@ -1,0 +1,78 @@
+#include "runtime/host/process_services.hpp"
+
+#include <fmt/format.h>
+
+#include "runtime/stamps.hpp"
+
+namespace bw {
+namespace {
+
+void add_value(diagnostic_msgs::msg::DiagnosticStatus& status, std::string key, std::string value) {
+  diagnostic_msgs::msg::KeyValue pair;
+  pair.key(std::move(key));
+  pair.value(std::move(value));
+  status.values().push_back(std::move(pair));
+}
+
+void add_statistics(diagnostic_msgs::msg::DiagnosticStatus& status, const CallbackStatistics& s) {
+  add_value(status, s.callback,
+            fmt::format("calls {} missed {} run p50 {:.3f} p99 {:.3f} max {:.3f} ms wait p50 {:.3f} p99 {:.3f} max {:.3f} ms",
+                        s.run.count(), s.missed, s.run.quantile_ms(0.5), s.run.quantile_ms(0.99),
+                        s.run.max().to_seconds() * 1e3, s.wait.quantile_ms(0.5), s.wait.quantile_ms(0.99),
+                        s.wait.max().to_seconds() * 1e3));
+}
+
+}  // namespace
+
+void ProcessServices::configure(Setup& setup) {
+  rosout_ = setup.output<rcl_interfaces::msg::Log>("/rosout", Qos::rosout());
+  diagnostics_ = setup.output<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics");
+  setup.every(Duration::milliseconds(1000), "diagnostics", [this](const Tick& tick) { publish_diagnostics(tick.now); });
+  if (!publishes_clock_) return;
+  clock_ = setup.output<rosgraph_msgs::msg::Clock>("/clock");
+  setup.every(Duration::milliseconds(10), "clock", [this](const Tick& tick) {
+    rosgraph_msgs::msg::Clock message;
+    message.clock(to_stamp(tick.now));
+    clock_.publish(message);
+  });
+}
+
+void ProcessServices::log(const std::string& name, Time stamp, LogLevel level, const std::string& text) {
+  rcl_interfaces::msg::Log message;
+  message.stamp(to_stamp(stamp));
+  message.level(static_cast<std::uint8_t>(level));
+  message.name(name);
+  message.msg(text);
+  const std::lock_guard lock(log_mutex_);
+  rosout_.publish(message);
+}
+
+void ProcessServices::publish_diagnostics(Time now) {
+  diagnostic_msgs::msg::DiagnosticArray message;
+  message.header().stamp(to_stamp(now));
+  for (const Actor* actor : watched_) {
+    const std::lock_guard lock(actor->mutex);
+    diagnostic_msgs::msg::DiagnosticStatus status;
+    status.name(actor->name);
+    status.level(static_cast<std::uint8_t>(actor->diagnostic_level));
+    status.message(actor->diagnostic_message);
+    for (const std::string& input : actor->stale_inputs(now)) {
+      add_value(status, input, "stale");
+      status.level(static_cast<std::uint8_t>(DiagnosticReporter::Level::error));
+      status.message("input " + input + " is stale");
+    }
+    for (const auto& input : actor->inputs) {
+      if (input->statistics.rejected > 0) {
+        add_value(status, input->name, fmt::format("{} samples rejected", input->statistics.rejected));
+      }
+      if (timings_ && input->kind == InputKind::callback) add_statistics(status, input->statistics);
+    }
+    if (timings_) {
+      for (const auto& timer : actor->timers) add_statistics(status, timer->statistics);
+    }
+    message.status().push_back(std::move(status));
+  }
+  diagnostics_.publish(message);
+}
+
+}  // namespace bw

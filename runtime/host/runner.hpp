@@ -1,0 +1,32 @@
+// Drives the actors of one process through time. Two implementations, one code path above them.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/host/actor.hpp"
+
+namespace bw {
+
+/// How a run ended.
+struct RunEnd {
+  bool ok = true;
+  std::string reason;
+};
+
+class Runner : public SampleSink {
+ public:
+  /// The component clock.
+  virtual Time now() const = 0;
+  /// A sample waits in the input's reader. Called by DDS with its locks held.
+  virtual void sample_arrived(Input& input) = 0;
+  /// Runs until finish() or, with a duration, until it has passed.
+  virtual RunEnd run(std::optional<Duration> duration) = 0;
+  /// Ends the run; with a grace every actor first sees Health::stop for that long. Callable from any thread.
+  virtual void finish(RunEnd end, Duration grace) = 0;
+};
+
+}  // namespace bw

@@ -1,0 +1,54 @@
+#include "runtime/host/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+namespace bw {
+namespace {
+
+constexpr double kFirstBucketNs = 100.0;
+const double kLogGrowth = std::log(1.02);
+constexpr std::size_t kBuckets = 1200;  // up to 100 ns * 1.02^1200 = 2000 s
+
+Duration read_clock(clockid_t id) {
+  timespec t{};
+  clock_gettime(id, &t);
+  return {static_cast<std::int64_t>(t.tv_sec) * 1'000'000'000 + t.tv_nsec};
+}
+
+}  // namespace
+
+void DurationHistogram::add(Duration d) {
+  if (buckets_.empty()) buckets_.resize(kBuckets);
+  const double ratio = static_cast<double>(std::max<std::int64_t>(d.nanoseconds, 1)) / kFirstBucketNs;
+  const double bucket = ratio <= 1.0 ? 0.0 : std::log(ratio) / kLogGrowth;
+  ++buckets_[std::min(static_cast<std::size_t>(bucket), kBuckets - 1)];
+  ++count_;
+  sum_ns_ += d.nanoseconds;
+  max_ = std::max(max_, d);
+}
+
+double DurationHistogram::mean_ms() const {
+  return count_ == 0 ? 0.0 : static_cast<double>(sum_ns_) * 1e-6 / static_cast<double>(count_);
+}
+
+double DurationHistogram::quantile_ms(double q) const {
+  if (count_ == 0) return 0.0;
+  const double wanted = q * static_cast<double>(count_);
+  double seen = 0.0;
+  for (std::size_t i = 0; i < kBuckets; ++i) {
+    seen += buckets_[i];
+    if (seen >= wanted) {
+      const double middle_ns = kFirstBucketNs * std::exp((static_cast<double>(i) + 0.5) * kLogGrowth);
+      return std::min(middle_ns, static_cast<double>(max_.nanoseconds)) * 1e-6;
+    }
+  }
+  return static_cast<double>(max_.nanoseconds) * 1e-6;
+}
+
+Duration thread_cpu_time() { return read_clock(CLOCK_THREAD_CPUTIME_ID); }
+
+Duration steady_time() { return read_clock(CLOCK_MONOTONIC); }
+
+}  // namespace bw

@@ -1,0 +1,141 @@
+#include "runtime/host/wall_runner.hpp"
+
+#include <pthread.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace bw {
+
+WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock) : actors_(std::move(actors)), clock_(clock) {
+  for (Actor* actor : actors_) {
+    auto& lane = lanes_[actor->lane];
+    if (!lane) {
+      lane = std::make_unique<Lane>();
+      lane->name = actor->lane;
+    }
+    lane_of_[actor] = lane.get();
+    for (const auto& timer : actor->timers) lane->timers.push_back(timer.get());
+  }
+  clock_.on_step([this] {
+    for (const auto& [name, lane] : lanes_) {
+      const std::lock_guard lock(lane->mutex);
+      lane->wake.notify_one();
+    }
+  });
+}
+
+WallRunner::~WallRunner() { clock_.on_step(nullptr); }
+
+void WallRunner::sample_arrived(Input& input) {
+  if (input.queued.exchange(true)) return;  // the waiting event takes this sample too
+  input.queued_at_ns = steady_time().nanoseconds;
+  Lane& lane = *lane_of_.at(input.actor);
+  const std::lock_guard lock(lane.mutex);
+  lane.queue.push_back(&input);
+  lane.wake.notify_one();
+}
+
+RunEnd WallRunner::run(std::optional<Duration> duration) {
+  const Time start = clock_.now();
+  for (Actor* actor : actors_) {
+    for (const auto& input : actor->inputs) input->last_received = start;
+    for (const auto& timer : actor->timers) timer->next = start + timer->period;
+  }
+  for (const auto& [name, lane] : lanes_) {
+    lane->thread = std::thread([this, worker = lane.get()] { work(*worker); });
+    pthread_setname_np(lane->thread.native_handle(), name.substr(0, 15).c_str());
+  }
+  std::unique_lock lock(end_mutex_);
+  const auto ended = [this] { return end_.has_value(); };
+  if (duration) {
+    if (!end_wake_.wait_for(lock, std::chrono::nanoseconds(duration->nanoseconds), ended)) {
+      end_ = RunEnd{.ok = true, .reason = "the time is over"};
+    }
+  } else {
+    end_wake_.wait(lock, ended);
+  }
+  const Duration grace = grace_;
+  lock.unlock();
+  if (grace > Duration{}) {
+    for (Actor* actor : actors_) actor->stop_requested = true;
+    std::this_thread::sleep_for(std::chrono::nanoseconds(grace.nanoseconds));
+  }
+  for (const auto& [name, lane] : lanes_) {
+    const std::lock_guard lane_lock(lane->mutex);
+    lane->stop = true;
+    lane->wake.notify_one();
+  }
+  for (const auto& [name, lane] : lanes_) lane->thread.join();
+  lock.lock();
+  return *end_;
+}
+
+void WallRunner::work(Lane& lane) {
+  std::unique_lock lock(lane.mutex);
+  while (!lane.stop) {
+    // Timers first, but each once only: a late timer is moved past now, so it cannot starve the queue.
+    for (Timer* timer : lane.timers) fire_if_due(lane, *timer, lock);
+    if (lane.queue.empty()) {
+      wait(lane, lock);
+      continue;
+    }
+    Input* input = lane.queue.front();
+    lane.queue.pop_front();
+    lock.unlock();
+    drain(*input);
+    lock.lock();
+  }
+}
+
+void WallRunner::fire_if_due(Lane& lane, Timer& timer, std::unique_lock<std::mutex>& lock) {
+  const Time now = clock_.now();
+  if (lane.stop) return;
+  if (now < timer.next) {
+    // An outside clock that went back: start counting anew.
+    if (timer.next - now > timer.period) timer.next = now + timer.period;
+    return;
+  }
+  const Duration late = now - timer.next;
+  const std::int64_t skipped = late.nanoseconds / timer.period.nanoseconds;
+  if (skipped > 0) {
+    const std::lock_guard statistics_lock(timer.actor->mutex);
+    timer.statistics.missed += static_cast<std::uint64_t>(skipped);
+  }
+  timer.next = timer.next + timer.period * (skipped + 1);
+  lock.unlock();
+  timer.actor->fire(timer, now, late);
+  lock.lock();
+}
+
+void WallRunner::drain(Input& input) {
+  const Duration waited = steady_time() - Duration{input.queued_at_ns};
+  input.queued = false;  // before the take: a sample that arrives from now on makes a new event
+  constexpr int kMostAtOnce = 16;
+  for (int i = 0; i < kMostAtOnce; ++i) {
+    if (!input.actor->deliver(input, clock_.now(), waited)) return;
+  }
+  sample_arrived(input);  // others on this lane first
+}
+
+void WallRunner::wait(Lane& lane, std::unique_lock<std::mutex>& lock) {
+  std::optional<Time> next;
+  for (const Timer* timer : lane.timers) next = next ? std::min(*next, timer->next) : timer->next;
+  const std::optional<Duration> sleep = next ? clock_.real_time_until(*next) : std::nullopt;
+  if (!sleep) {
+    // Without timers, or with a clock that wakes us by itself.
+    if (!next || clock_.now() < *next) lane.wake.wait(lock);
+  } else if (*sleep > Duration{}) {
+    lane.wake.wait_for(lock, std::chrono::nanoseconds(sleep->nanoseconds));
+  }
+}
+
+void WallRunner::finish(RunEnd end, Duration grace) {
+  const std::lock_guard lock(end_mutex_);
+  if (end_) return;
+  end_ = std::move(end);
+  grace_ = grace;
+  end_wake_.notify_one();
+}
+
+}  // namespace bw
