@@ -1,0 +1,44 @@
+// Counts what the robot touched. A contact begins when two bodies meet, and counts once until they are
+// clearly apart.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "components/model/time.hpp"
+#include "components/world/person.hpp"
+
+namespace bw {
+
+enum class ContactKind { wall, person };
+
+struct Contact {
+  Duration time;  ///< world time of the first touch
+  ContactKind kind = ContactKind::wall;
+  std::uint32_t person = 0;  ///< id, for people
+  double robot_speed = 0.0;  ///< ground speed at the first touch [m/s]
+};
+
+class ContactLog {
+ public:
+  /// Bodies this far apart [m] are no longer in contact: trembling at the edge is one contact.
+  static constexpr double kApart = 0.02;
+
+  /// `held_by_wall`: the base was stopped by a wall in this step; `wall_gap` [m]: from the robot's rim to the
+  /// nearest wall; `speed_before` [m/s]: ground speed as the step began, before a wall took it.
+  void step(Duration now, const RobotBody& robot, double speed_before, bool held_by_wall, double wall_gap,
+            const std::vector<Person>& people);
+
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  int count(ContactKind kind) const;
+  bool touching_wall() const { return touching_wall_; }
+  bool touching_person() const { return !touched_people_.empty(); }
+
+ private:
+  std::vector<Contact> contacts_;
+  bool touching_wall_ = false;
+  std::set<std::uint32_t> touched_people_;
+};
+
+}  // namespace bw

@@ -1,0 +1,38 @@
+// A person in the world, and the one interface of everything that makes people move. Frame: map; SI units.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "components/model/pose2.hpp"
+
+namespace bw {
+
+struct Person {
+  std::uint32_t id = 0;
+  Vector2 position{0.0, 0.0};
+  Vector2 velocity{0.0, 0.0};
+  double radius = 0.3;
+};
+
+/// The robot as people see it.
+struct RobotBody {
+  Vector2 position{0.0, 0.0};
+  Vector2 velocity{0.0, 0.0};
+  double radius = 0.3;
+};
+
+/// What a group of people may react to.
+struct Surroundings {
+  const std::vector<Person>& others;  ///< people of other groups, already moved
+  const RobotBody* robot = nullptr;   ///< null: the robot is not seen
+};
+
+class PeopleModel {
+ public:
+  virtual ~PeopleModel() = default;
+  /// Moves everybody by dt [s] and appends those present to `people`, in an order that never changes.
+  virtual void step(double dt, const Surroundings& surroundings, std::vector<Person>& people) = 0;
+};
+
+}  // namespace bw

@@ -1,0 +1,68 @@
+// People whose real walks were recorded, walked again. They do not react to anything.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "components/world/person.hpp"
+#include "runtime/parameters/field.hpp"
+
+namespace bw {
+
+/// Where one recorded person was at `time` [s], in the frame of the recording [m].
+struct TrackSample {
+  double time = 0.0;
+  Vector2 position{0.0, 0.0};
+};
+
+/// One person's samples, rising in time.
+struct Track {
+  std::uint32_t id = 0;
+  std::vector<TrackSample> samples;
+};
+
+struct ReplayOptions {
+  std::string tracks;
+  std::string walls;
+  std::string circles;
+  double start_time = 0.0;
+  double duration = 1e6;
+  double x = 0.0;
+  double y = 0.0;
+  double theta = 0.0;
+  double radius = 0.3;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("tracks", tracks,
+      {.doc = "file of recorded people (CSV t_s,frame,ped_id,x_m,y_m,vx_mps,vy_mps); empty: none"});
+    v("walls", walls, {.doc = "file of the recording's walls (CSV x1_m,y1_m,x2_m,y2_m); empty: none"});
+    v("circles", circles,
+      {.doc = "file of the recording's trees and pillars (CSV x_m,y_m,r_m); empty: none"});
+    v("start_time", start_time,
+      {.unit = "s", .min = 0, .max = 1e6, .doc = "recorded time at which the world starts"});
+    v("duration", duration,
+      {.unit = "s", .min = 0, .max = 1e6, .doc = "after this time of replay nobody is left"});
+    v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "origin of the recording in map"});
+    v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "origin of the recording in map"});
+    v("theta", theta, {.unit = "rad", .min = -6.3, .max = 6.3, .doc = "turn of the recording in map"});
+    v("radius", radius, {.unit = "m", .min = 0.05, .max = 2, .doc = "of the disc that counts as contact"});
+  }
+};
+
+class ReplayedPeople final : public PeopleModel {
+ public:
+  /// A person is present from the first to the last sample and moves linearly between samples; ids are the
+  /// recorded ones plus `id_offset`.
+  ReplayedPeople(const ReplayOptions& options, std::vector<Track> tracks, std::uint32_t id_offset);
+  void step(double dt, const Surroundings& surroundings, std::vector<Person>& people) override;
+
+ private:
+  ReplayOptions options_;
+  std::vector<Track> tracks_;
+  std::uint32_t id_offset_;
+  double time_ = 0.0;  ///< since the start of the world [s]
+};
+
+}  // namespace bw

@@ -1,0 +1,71 @@
+#include "components/world/scripted_people.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace bw {
+namespace {
+
+Vector2 place(const WaypointOptions& waypoint) { return {waypoint.x, waypoint.y}; }
+
+double path_length(const std::vector<WaypointOptions>& waypoints) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < waypoints.size(); ++i)
+    length += (place(waypoints[i]) - place(waypoints[i - 1])).norm();
+  return length;
+}
+
+/// Position and direction of travel after `distance` [m] along the waypoints.
+void walk(const std::vector<WaypointOptions>& waypoints, double distance, Vector2& position,
+          Vector2& heading) {
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    const Vector2 leg = place(waypoints[i]) - place(waypoints[i - 1]);
+    const double length = leg.norm();
+    if (length > 0.0) heading = leg / length;
+    if (distance <= length) {
+      position = place(waypoints[i - 1]) + heading * distance;
+      return;
+    }
+    distance -= length;
+  }
+  position = place(waypoints.back());
+}
+
+Person locate(const ScriptedPersonOptions& script, std::uint32_t id, double time) {
+  Person person{id, place(script.waypoints.front()), {0.0, 0.0}, script.radius};
+  const double length = path_length(script.waypoints);
+  const double walked = script.speed * (time - script.start_time);
+  if (walked < 0.0 || length == 0.0 || (walked >= length && !script.turn_round)) {
+    if (walked > 0.0) person.position = place(script.waypoints.back());
+    return person;
+  }
+  const double phase = std::fmod(walked, 2.0 * length);
+  const bool forth = phase < length;
+  Vector2 heading{0.0, 0.0};
+  walk(script.waypoints, forth ? phase : 2.0 * length - phase, person.position, heading);
+  person.velocity = heading * (forth ? script.speed : -script.speed);
+  return person;
+}
+
+}  // namespace
+
+ScriptedPeople::ScriptedPeople(std::vector<ScriptedPersonOptions> people, std::uint32_t first_id)
+    : people_(std::move(people)), first_id_(first_id) {
+  const auto nowhere = [](const ScriptedPersonOptions& p) { return p.waypoints.empty(); };
+  const auto found = std::find_if(people_.begin(), people_.end(), nowhere);
+  if (found != people_.end()) {
+    throw std::runtime_error("people.scripted[" + std::to_string(found - people_.begin()) +
+                             "].waypoints is empty: a person needs at least one place");
+  }
+}
+
+void ScriptedPeople::step(double dt, const Surroundings&, std::vector<Person>& people) {
+  time_ += dt;
+  std::uint32_t id = first_id_;
+  for (const ScriptedPersonOptions& script : people_) people.push_back(locate(script, id++, time_));
+}
+
+}  // namespace bw

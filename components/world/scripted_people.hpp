@@ -1,0 +1,54 @@
+// People who follow waypoints at constant speed, whatever happens around them. One waypoint: somebody who
+// stands.
+#pragma once
+
+#include <vector>
+
+#include "components/world/person.hpp"
+#include "runtime/parameters/field.hpp"
+
+namespace bw {
+
+struct WaypointOptions {
+  double x = 0.0;
+  double y = 0.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
+    v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
+  }
+};
+
+struct ScriptedPersonOptions {
+  std::vector<WaypointOptions> waypoints;
+  double speed = 1.0;
+  double start_time = 0.0;
+  bool turn_round = false;
+  double radius = 0.3;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("waypoints", waypoints, {.doc = "places in order; a single one: the person stands"});
+    v("speed", speed, {.unit = "m/s", .min = 0, .max = 10, .doc = "walking speed"});
+    v("start_time", start_time,
+      {.unit = "s", .min = 0, .max = 1e6, .doc = "stands at the first waypoint until then"});
+    v("turn_round", turn_round, {.doc = "walks back at the end, to and fro; else stands there"});
+    v("radius", radius, {.unit = "m", .min = 0.05, .max = 2, .doc = "of the disc that counts as contact"});
+  }
+};
+
+/// A closed form of time: where one scripted person is `time` [s] after the start.
+class ScriptedPeople final : public PeopleModel {
+ public:
+  /// Ids count up from `first_id`. Throws std::runtime_error when somebody has no waypoint.
+  ScriptedPeople(std::vector<ScriptedPersonOptions> people, std::uint32_t first_id);
+  void step(double dt, const Surroundings& surroundings, std::vector<Person>& people) override;
+
+ private:
+  std::vector<ScriptedPersonOptions> people_;
+  std::uint32_t first_id_;
+  double time_ = 0.0;
+};
+
+}  // namespace bw

@@ -1,0 +1,35 @@
+#include "components/world/social_force.hpp"
+
+#include <cmath>
+
+namespace bw {
+
+Vector2 desired_force(const SocialForceOptions& options, const Vector2& desired_velocity,
+                      const Vector2& velocity) {
+  return options.desired_factor / options.relaxation_time * (desired_velocity - velocity);
+}
+
+Vector2 social_force(const SocialForceOptions& options, const Vector2& p_ij, const Vector2& v_ij) {
+  const double distance = p_ij.norm();
+  if (distance == 0.0) return {0.0, 0.0};
+  const Vector2 e = p_ij / distance;
+  const Vector2 D = options.lambda * v_ij + e;
+  const double D_norm = D.norm();
+  if (D_norm == 0.0) return {0.0, 0.0};
+  const Vector2 t = D / D_norm;
+  const double B = options.gamma * D_norm;
+  const double q = std::atan2(cross(t, e), t.dot(e));
+  const auto strength = [&](double width) { return std::exp(-distance / B - std::pow(width * B * q, 2)); };
+  const double slowing = -strength(options.n_prime);
+  const double sideways = (q >= 0.0 ? -1.0 : 1.0) * strength(options.n);
+  return options.social_factor * (slowing * t + sideways * Vector2(-t.y(), t.x()));
+}
+
+Vector2 obstacle_force(const SocialForceOptions& options, const Vector2& from_wall, double radius) {
+  const double distance = from_wall.norm();
+  if (distance == 0.0) return {0.0, 0.0};
+  return options.obstacle_factor * std::exp(-(distance - radius) / options.obstacle_sigma) / distance *
+         from_wall;
+}
+
+}  // namespace bw

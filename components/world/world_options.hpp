@@ -1,0 +1,129 @@
+// What a world is made of: section `world` of a graph. Frame: map; SI units.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "components/world/drive_model.hpp"
+#include "components/world/gps.hpp"
+#include "components/world/imu.hpp"
+#include "components/world/laser_scanner.hpp"
+#include "components/world/legs.hpp"
+#include "components/world/replayed_people.hpp"
+#include "components/world/scripted_people.hpp"
+#include "components/world/social_walkers.hpp"
+#include "runtime/parameters/field.hpp"
+
+namespace bw {
+
+struct WallOptions {
+  double x1 = 0.0;
+  double y1 = 0.0;
+  double x2 = 0.0;
+  double y2 = 0.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("x1", x1, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "one end, in map"});
+    v("y1", y1, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "one end, in map"});
+    v("x2", x2, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "other end, in map"});
+    v("y2", y2, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "other end, in map"});
+  }
+};
+
+struct BoxOptions {
+  double x = 0.0;
+  double y = 0.0;
+  double length = 1.0;
+  double width = 1.0;
+  double theta = 0.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "centre, in map"});
+    v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "centre, in map"});
+    v("length", length, {.unit = "m", .min = 0.001, .max = 1e4, .doc = "edge along its own x"});
+    v("width", width, {.unit = "m", .min = 0.001, .max = 1e4, .doc = "edge along its own y"});
+    v("theta", theta, {.unit = "rad", .min = -6.3, .max = 6.3, .doc = "turn of the box"});
+  }
+};
+
+struct StartOptions {
+  double x = 0.0;
+  double y = 0.0;
+  double theta = 0.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
+    v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
+    v("theta", theta, {.unit = "rad", .min = -6.3, .max = 6.3, .doc = "heading in map"});
+  }
+};
+
+struct PeopleOptions {
+  bool react = true;
+  std::vector<ScriptedPersonOptions> scripted;
+  SocialWalkersOptions social;
+  ReplayOptions replay;
+  LegOptions legs;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("react", react,
+      {.doc = "walkers see the robot and keep clear of it; claims on safety only with false"});
+    v("scripted", scripted, {.doc = "people who follow waypoints or stand"});
+    v("social", social, {.doc = "people who walk by the social force model"});
+    v("replay", replay, {.doc = "recorded people"});
+    v("legs", legs, {.doc = "what the laser sees of a person"});
+  }
+};
+
+struct WorldOptions {
+  std::int64_t seed_offset = 0;
+  double physics_step = 0.01;
+  double encoder_rate = 50.0;
+  double truth_rate = 50.0;
+  StartOptions start;
+  std::string map;
+  std::vector<WallOptions> walls;
+  std::vector<BoxOptions> boxes;
+  PeopleOptions people;
+  DriveOptions drive;
+  LaserOptions laser;
+  ImuOptions imu;
+  GpsOptions gps;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("seed_offset", seed_offset, {.min = 0, .max = 1e9, .doc = "added to the seed of the run"});
+    v("physics_step", physics_step, {.unit = "s", .min = 0.001, .max = 0.1, .doc = "one step of the world"});
+    v("encoder_rate", encoder_rate,
+      {.unit = "Hz", .min = 0.1, .max = 1000, .doc = "encoder readings per second"});
+    v("truth_rate", truth_rate,
+      {.unit = "Hz", .min = 0.1, .max = 1000, .doc = "ground truth messages per second"});
+    v("start", start, {.doc = "pose of the robot at the start"});
+    v("map", map, {.doc = "map file (YAML beside a PGM or PNG); empty: none"});
+    v("walls", walls, {.doc = "thin walls"});
+    v("boxes", boxes, {.doc = "boxes that stand about"});
+    v("people", people, {.doc = "who walks where"});
+    v("drive", drive, {.doc = "wheels and encoders"});
+    v("laser", laser, {.doc = "laser scanner"});
+    v("imu", imu, {.doc = "gyro and compass"});
+    v("gps", gps, {.doc = "satellite receiver"});
+  }
+
+  std::optional<std::string> violated_rule() const {
+    for (const double rate : {encoder_rate, truth_rate, laser.rate, imu.rate, gps.rate}) {
+      if (rate * physics_step > 1.0 + 1e-9) return "no rate may exceed one per physics_step";
+    }
+    return std::nullopt;
+  }
+};
+
+/// The inline walls, and the outlines of the boxes.
+std::vector<Segment> wall_segments(const WorldOptions& options);
+
+}  // namespace bw
