@@ -1,0 +1,242 @@
+#include "components/navigator/navigator.hpp"
+
+#include <utility>
+
+namespace bw {
+namespace {
+
+constexpr double kSoonestReplan = 0.2;      // after becoming blocked [s]
+constexpr double kRecoveredDistance = 1.0;  // farther from the last recovery than this is progress [m]
+constexpr double kCancelPatience = 5.0;     // for the robot to come to rest [s]
+
+}  // namespace
+
+std::uint64_t Navigator::accept(const Pose2& X_MG, const Situation& situation) {
+  if (!is_finite(X_MG)) return refuse({}, "the goal is not a finite pose");
+  const std::uint64_t id = ++last_goal_id_;
+  if (has_goal()) {
+    if (phase_ == Phase::backing_off) order(FollowMode::stop, situation.now);
+    set_status(GoalStatus::aborted, "preempted by goal " + std::to_string(id), situation);
+  }
+  goal_id_ = id;
+  X_MG_ = X_MG;
+  started_ = situation.now;
+  recoveries_ = 0;
+  recoveries_in_row_ = 0;
+  plan_failures_in_row_ = 0;
+  recovery_position_.reset();
+  set_status(GoalStatus::accepted, "", situation);
+  begin_planning(situation);
+  return id;
+}
+
+std::uint64_t Navigator::refuse(const Pose2& X_MG, const std::string& reason) {
+  actions_.reports.push_back({++last_goal_id_, GoalStatus::aborted, reason, X_MG, 0.0, 0, {}});
+  return last_goal_id_;
+}
+
+void Navigator::cancel(const Situation& situation) {
+  if (!has_goal() || phase_ == Phase::canceling) return;
+  order(FollowMode::stop, situation.now);
+  plan_id_ = 0;
+  phase_ = Phase::canceling;
+  phase_since_ = situation.now;
+  set_status(GoalStatus::canceling, "canceled by request", situation);
+}
+
+void Navigator::on_plan(const PlanAnswer& answer, const Situation& situation) {
+  if (plan_id_ == 0 || answer.id != plan_id_) return;
+  plan_id_ = 0;
+  if (phase_ != Phase::planning && phase_ != Phase::following) return;
+  if (answer.outcome == PlanOutcome::succeeded && !answer.path.empty()) {
+    plan_failures_in_row_ = 0;
+    if (phase_ == Phase::planning) {
+      phase_ = Phase::following;
+      phase_since_ = situation.now;
+      progress_.reset();
+      blocked_since_.reset();
+      within_since_.reset();
+      set_status(GoalStatus::executing, "", situation);
+    }
+    path_ = answer.path;
+    order(FollowMode::follow, situation.now, answer.path);
+  } else {
+    plan_failed(answer, situation);
+  }
+}
+
+void Navigator::plan_failed(const PlanAnswer& answer, const Situation& situation) {
+  const std::string reason =
+      answer.outcome == PlanOutcome::succeeded ? "the plan is empty" : "no plan: " + answer.reason;
+  if (phase_ == Phase::following)
+    return;  // the path in hand is still good; a drive that gets stuck is seen elsewhere
+  if (answer.outcome == PlanOutcome::bad_request) return finish(GoalStatus::aborted, reason, situation);
+  const bool out_of_reach =
+      answer.outcome == PlanOutcome::goal_blocked || answer.outcome == PlanOutcome::disconnected;
+  if (out_of_reach && ++plan_failures_in_row_ >= options_.max_plan_failures) {
+    return finish(GoalStatus::aborted, reason, situation);
+  }
+  recover(reason, situation,
+          answer.outcome == PlanOutcome::start_blocked ? Cure::back_off_then_wait : Cure::wait);
+}
+
+void Navigator::on_follow(const FollowReport& report, const Situation& situation) {
+  if (report.id != follow_id_ || !has_goal()) return;
+  follow_heard_ = situation.now;
+  const bool stuck = report.state == FollowState::blocked || report.state == FollowState::failed;
+  if (phase_ == Phase::backing_off && (stuck || report.state == FollowState::reached)) {
+    return begin_planning(situation);
+  }
+  if (phase_ != Phase::following) return;
+  if (report.state == FollowState::failed)
+    return recover("the local planner failed: " + report.reason, situation);
+  if (report.state != FollowState::blocked) {
+    blocked_since_.reset();
+    return;
+  }
+  blocked_reason_ = report.reason;
+  if (blocked_since_) return;
+  blocked_since_ = situation.now;
+  if (plan_id_ == 0 && older_than(plan_requested_, kSoonestReplan, situation.now))
+    request_plan(situation.now);
+}
+
+NavigatorActions Navigator::step(const Situation& situation) {
+  if (has_goal()) {
+    advance(situation);
+    if (has_goal()) navigation_time_ = situation.now - started_;
+  }
+  return std::exchange(actions_, {});
+}
+
+void Navigator::advance(const Situation& situation) {
+  if (phase_ == Phase::canceling) {
+    if (is_standing(situation.twist, options_))
+      return finish(GoalStatus::canceled, "canceled by request", situation);
+    if (older_than(phase_since_, kCancelPatience, situation.now)) {
+      finish(GoalStatus::canceled, "canceled by request, but the robot does not come to rest", situation);
+    }
+    return;
+  }
+  if (phase_ == Phase::lost || !situation.X_MB) return advance_lost(situation);
+  if (recovery_position_ && (situation.X_MB->position() - *recovery_position_).norm() > kRecoveredDistance) {
+    recovery_position_.reset();
+    recoveries_in_row_ = 0;
+  }
+  if (plan_id_ != 0 && older_than(plan_requested_, options_.plan_timeout, situation.now)) {
+    plan_id_ = 0;
+    if (phase_ == Phase::planning) return recover("the global planner does not answer", situation);
+  }
+  if (phase_ == Phase::following) return advance_following(situation);
+  if (phase_ == Phase::waiting || phase_ == Phase::backing_off) advance_recovery(situation);
+}
+
+void Navigator::advance_following(const Situation& situation) {
+  const Time now = situation.now;
+  if (is_within_tolerance(*situation.X_MB, X_MG_, options_)) {
+    if (is_standing(situation.twist, options_)) return finish(GoalStatus::succeeded, "reached", situation);
+    if (!within_since_) within_since_ = now;
+    if (follow_mode_ == FollowMode::follow && older_than(*within_since_, options_.settle_time, now)) {
+      order(FollowMode::stop, now);
+    }
+    return;
+  }
+  within_since_.reset();
+  if (follow_mode_ == FollowMode::stop)
+    return begin_planning(situation);  // rolled out of the tolerance again
+
+  if (!progress_.update(now, *situation.X_MB, options_))
+    return recover("no progress towards the goal", situation);
+  if (older_than(follow_heard_, options_.follow_timeout, now)) {
+    return recover("the local planner does not answer", situation);
+  }
+  if (blocked_since_ && older_than(*blocked_since_, options_.blocked_patience, now)) {
+    return recover("blocked: " + blocked_reason_, situation);
+  }
+  if (plan_id_ == 0 && (now - plan_requested_).to_seconds() >= options_.replan_period) request_plan(now);
+}
+
+void Navigator::advance_recovery(const Situation& situation) {
+  const double limit = phase_ == Phase::waiting ? options_.wait_time : options_.back_off_time;
+  const bool moved = phase_ == Phase::backing_off && recovery_position_ &&
+                     (situation.X_MB->position() - *recovery_position_).norm() >= options_.back_off_distance;
+  if (moved || older_than(phase_since_, limit, situation.now)) begin_planning(situation);
+}
+
+void Navigator::advance_lost(const Situation& situation) {
+  if (situation.X_MB) return begin_planning(situation);
+  if (phase_ != Phase::lost) {
+    order(FollowMode::stop, situation.now);
+    plan_id_ = 0;
+    phase_ = Phase::lost;
+    phase_since_ = situation.now;
+    reason_ = "waiting for a pose in the map";
+  } else if (older_than(phase_since_, options_.lost_patience, situation.now)) {
+    finish(GoalStatus::aborted, "the robot does not know where it is", situation);
+  }
+}
+
+void Navigator::begin_planning(const Situation& situation) {
+  if (phase_ == Phase::backing_off) order(FollowMode::stop, situation.now);
+  phase_ = Phase::planning;
+  phase_since_ = situation.now;
+  request_plan(situation.now);
+}
+
+void Navigator::request_plan(Time now) {
+  plan_id_ = ++last_order_id_;
+  plan_requested_ = now;
+  actions_.plan = PlanOrder{plan_id_, X_MG_};
+}
+
+void Navigator::order(FollowMode mode, Time now, std::vector<Pose2> path) {
+  follow_id_ = ++last_order_id_;
+  if (mode != follow_mode_) follow_heard_ = now;  // a path renewed each second must not excuse silence
+  follow_mode_ = mode;
+  actions_.follow = FollowOrder{follow_id_, mode, std::move(path)};
+}
+
+void Navigator::recover(const std::string& problem, const Situation& situation, Cure cure) {
+  if (recoveries_in_row_ >= options_.max_recoveries) {
+    return finish(GoalStatus::aborted,
+                  problem + "; gave up after " + std::to_string(recoveries_in_row_) + " recoveries in a row",
+                  situation);
+  }
+  const bool odd = recoveries_in_row_ % 2 == 1;
+  const bool back_off = cure == Cure::wait_then_back_off ? odd : cure == Cure::back_off_then_wait && !odd;
+  ++recoveries_in_row_;
+  ++recoveries_;
+  plan_id_ = 0;
+  recovery_position_ = situation.X_MB ? std::optional(situation.X_MB->position()) : std::nullopt;
+  order(back_off ? FollowMode::back_off : FollowMode::stop, situation.now);
+  phase_ = back_off ? Phase::backing_off : Phase::waiting;
+  phase_since_ = situation.now;
+  set_status(status_, (back_off ? "backing off: " : "waiting: ") + problem, situation);
+}
+
+void Navigator::finish(GoalStatus status, const std::string& reason, const Situation& situation) {
+  if (follow_mode_ != FollowMode::stop) order(FollowMode::stop, situation.now);
+  plan_id_ = 0;
+  set_status(status, reason, situation);
+  phase_ = Phase::idle;
+  path_.clear();
+}
+
+void Navigator::set_status(GoalStatus status, const std::string& reason, const Situation& situation) {
+  status_ = status;
+  reason_ = reason;
+  navigation_time_ = situation.now - started_;
+  actions_.reports.push_back(report(situation));
+}
+
+GoalReport Navigator::report(const Situation& situation) const {
+  double distance = 0.0;
+  if (situation.X_MB) {
+    const Vector2 position = situation.X_MB->position();
+    distance = phase_ == Phase::following && !path_.empty() ? remaining_length(path_, position)
+                                                            : (X_MG_.position() - position).norm();
+  }
+  return {goal_id_, status_, reason_, X_MG_, distance, recoveries_, navigation_time_};
+}
+
+}  // namespace bw

@@ -1,0 +1,93 @@
+// The goal state machine: one goal at a time, from acceptance to an honest end. Events in, orders out.
+//
+//   idle -> planning -> following -> (standing within tolerance) succeeded
+//              ^   |        |  blocked, failed, silent or without progress
+//              |   v        v
+//              +-- waiting, backing_off          ... max_recoveries in a row without progress: aborted
+//
+//   A newer goal preempts: the older one ends `aborted`, and its path is followed until the first plan of the
+//   newer one. cancel(): canceling until the robot stands, then canceled.  No pose: stop, and abort after
+//   lost_patience.
+//
+// Answers and reports count only when they carry the id of the newest order. After every event call step();
+// it is also called at a steady rate, since silence is an event too.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "components/navigator/drive_checks.hpp"
+#include "components/navigator/goal_messages.hpp"
+#include "components/navigator/navigator_options.hpp"
+
+namespace bw {
+
+class Navigator {
+ public:
+  explicit Navigator(const NavigatorOptions& options) : options_(options) {}
+
+  /// A new goal; preempts the one in hand. Returns its id. A goal that is not finite is aborted at once and
+  /// preempts nothing.
+  std::uint64_t accept(const Pose2& X_MG, const Situation& situation);
+  /// Reports a goal that cannot be taken (another frame, say) as aborted; the one in hand goes on.
+  std::uint64_t refuse(const Pose2& X_MG, const std::string& reason);
+  void cancel(const Situation& situation);
+  void on_plan(const PlanAnswer& answer, const Situation& situation);
+  void on_follow(const FollowReport& report, const Situation& situation);
+
+  /// Advances to `situation.now` and returns all that is to be sent since the last call.
+  NavigatorActions step(const Situation& situation);
+
+  bool has_goal() const { return phase_ != Phase::idle; }
+  /// The goal in hand, or how the last one ended.
+  GoalReport report(const Situation& situation) const;
+
+ private:
+  enum class Cure { wait, wait_then_back_off, back_off_then_wait };
+  enum class Phase { idle, planning, following, waiting, backing_off, lost, canceling };
+
+  void advance(const Situation& situation);
+  void advance_following(const Situation& situation);
+  void advance_recovery(const Situation& situation);
+  void advance_lost(const Situation& situation);
+  void begin_planning(const Situation& situation);
+  void request_plan(Time now);
+  void order(FollowMode mode, Time now, std::vector<Pose2> path = {});
+  void plan_failed(const PlanAnswer& answer, const Situation& situation);
+  void recover(const std::string& problem, const Situation& situation, Cure cure = Cure::wait_then_back_off);
+  void finish(GoalStatus status, const std::string& reason, const Situation& situation);
+  void set_status(GoalStatus status, const std::string& reason, const Situation& situation);
+  bool older_than(Time since, double seconds, Time now) const { return (now - since).to_seconds() > seconds; }
+
+  NavigatorOptions options_;
+  NavigatorActions actions_;
+  Phase phase_ = Phase::idle;
+
+  std::uint64_t goal_id_ = 0;
+  std::uint64_t last_goal_id_ = 0;  ///< given out, refused ones included
+  Pose2 X_MG_;
+  GoalStatus status_ = GoalStatus::accepted;
+  std::string reason_;
+  Time started_;
+  Duration navigation_time_;
+
+  std::uint64_t last_order_id_ = 0;
+  std::uint64_t plan_id_ = 0;  ///< awaited; 0: none
+  Time plan_requested_;
+  std::uint64_t follow_id_ = 0;
+  Time follow_heard_;
+  FollowMode follow_mode_ = FollowMode::stop;
+  std::vector<Pose2> path_;
+
+  ProgressChecker progress_;
+  std::optional<Time> blocked_since_;
+  std::string blocked_reason_;
+  std::optional<Time> within_since_;
+  Time phase_since_;
+  std::optional<Vector2> recovery_position_;  ///< where the last recovery began
+  int recoveries_in_row_ = 0;
+  std::uint32_t recoveries_ = 0;
+  int plan_failures_in_row_ = 0;
+};
+
+}  // namespace bw

@@ -1,0 +1,77 @@
+// When the navigator calls a goal reached, a drive stuck and a job hopeless.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "runtime/parameters/field.hpp"
+
+namespace bw {
+
+struct NavigatorOptions {
+  double xy_tolerance = 0.2;
+  double yaw_tolerance = 0.3;
+  double stopped_speed = 0.05;
+  double stopped_turn_rate = 0.1;
+  double settle_time = 1.5;
+  double replan_period = 1.0;
+  double plan_timeout = 2.0;
+  double follow_timeout = 1.0;
+  double required_movement = 0.3;
+  double required_turn = 0.5;
+  double movement_time = 10.0;
+  double blocked_patience = 5.0;
+  double lost_patience = 10.0;
+  double wait_time = 2.0;
+  double back_off_distance = 0.3;
+  double back_off_time = 4.0;
+  int max_recoveries = 6;
+  int max_plan_failures = 3;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("xy_tolerance", xy_tolerance,
+      {.unit = "m", .min = 0.01, .max = 5, .doc = "distance to the goal that counts as there"});
+    v("yaw_tolerance", yaw_tolerance,
+      {.unit = "rad", .min = 0.01, .max = 3.15, .doc = "heading error that counts as there; 3.15: any"});
+    v("stopped_speed", stopped_speed,
+      {.unit = "m/s", .min = 0.001, .max = 1, .doc = "slower than this is standing"});
+    v("stopped_turn_rate", stopped_turn_rate,
+      {.unit = "rad/s", .min = 0.001, .max = 2, .doc = "turning slower than this is standing"});
+    v("settle_time", settle_time,
+      {.unit = "s",
+       .min = 0,
+       .max = 30,
+       .doc = "time within tolerance after which it is told to stop there"});
+    v("replan_period", replan_period,
+      {.unit = "s", .min = 0.1, .max = 60, .doc = "time between plans while driving"});
+    v("plan_timeout", plan_timeout, {.unit = "s", .min = 0.1, .max = 60, .doc = "longest wait for a plan"});
+    v("follow_timeout", follow_timeout,
+      {.unit = "s", .min = 0.1, .max = 60, .doc = "longest silence of the local planner"});
+    v("required_movement", required_movement,
+      {.unit = "m", .min = 0.01, .max = 10, .doc = "movement within movement_time that is progress"});
+    v("required_turn", required_turn,
+      {.unit = "rad", .min = 0.01, .max = 6.3, .doc = "turn within movement_time that is progress"});
+    v("movement_time", movement_time,
+      {.unit = "s", .min = 0.5, .max = 600, .doc = "time without progress before a recovery"});
+    v("blocked_patience", blocked_patience,
+      {.unit = "s", .min = 0, .max = 600, .doc = "time blocked before a recovery; raise it in crowds"});
+    v("lost_patience", lost_patience,
+      {.unit = "s", .min = 0.1, .max = 600, .doc = "time without a pose before giving up"});
+    v("wait_time", wait_time, {.unit = "s", .min = 0, .max = 60, .doc = "length of the recovery `wait`"});
+    v("back_off_distance", back_off_distance,
+      {.unit = "m", .min = 0.02, .max = 5, .doc = "way of the recovery `back off`"});
+    v("back_off_time", back_off_time, {.unit = "s", .min = 0.1, .max = 60, .doc = "longest `back off`"});
+    v("max_recoveries", max_recoveries,
+      {.min = 0, .max = 1000, .doc = "recoveries in a row without progress before giving up"});
+    v("max_plan_failures", max_plan_failures,
+      {.min = 1, .max = 1000, .doc = "answers in a row that the goal cannot be reached before giving up"});
+  }
+
+  std::optional<std::string> violated_rule() const {
+    if (blocked_patience > movement_time) return "blocked_patience must not exceed movement_time";
+    return std::nullopt;
+  }
+};
+
+}  // namespace bw
