@@ -39,7 +39,8 @@ struct PathResult {
 
 class Planner {
  public:
-  explicit Planner(GlobalPlannerOptions options = {}) : options_(options) {}
+  Planner() = default;
+  explicit Planner(const GlobalPlannerOptions& options) : options_(options) {}
 
   /// Prepares a map for a disc robot of this radius [m]. Returns why it cannot be used (sizes, numbers), or
   /// nothing.
