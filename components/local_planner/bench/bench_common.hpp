@@ -1,0 +1,27 @@
+// Timing and statistics of the benches.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "nlohmann/json_fwd.hpp"
+
+namespace bw {
+
+/// CPU time of this process [ms].
+double process_cpu_ms();
+
+/// Value below which `share` in [0, 1] of the samples lie (nearest rank); 0 without samples.
+double quantile(std::vector<double> samples, double share);
+
+/// Wilson interval of a success rate at 95 %.
+struct Interval {
+  double low = 0.0;
+  double high = 0.0;
+};
+Interval wilson95(int successes, int count);
+
+/// Throws std::runtime_error when the file cannot be written. An empty path writes nothing.
+void write_json(const std::string& path, const nlohmann::ordered_json& value);
+
+}  // namespace bw

@@ -1,0 +1,19 @@
+// Commands that the base can follow: reachable from the present velocity within one control period. Shared by
+// every local planner.
+#pragma once
+
+#include "components/model/limits.hpp"
+#include "components/model/pose2.hpp"
+
+namespace bw {
+
+/// The velocity nearest to `wanted` that keeps v and omega limits (scaled together, so that the curvature
+/// stays) and, from `now`, the acceleration limits over `period` [s]. A velocity that is outside the limits
+/// already is led back by the accelerations allowed.
+Twist2 reachable_twist(const Twist2& wanted, const Twist2& now, const Limits& limits, double period);
+
+/// Braking of a safety stop: stop_deceleration and alpha_max over `period` [s]. Zero when `now` is not
+/// finite.
+Twist2 stop_twist(const Twist2& now, const Limits& limits, double period);
+
+}  // namespace bw

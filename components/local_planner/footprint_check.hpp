@@ -1,0 +1,20 @@
+// Gap between the footprint and what is around it, along motions and at the time the robot is there. Shared
+// by every local planner.
+#pragma once
+
+#include "components/model/planning.hpp"
+
+namespace bw {
+
+/// Smallest gap [m] between the footprint at `pose` and the obstacles `time` seconds from now; negative on
+/// contact (a lower bound of the depth). Infinite without obstacles.
+double gap_at(const Pose2& pose, double time, const Footprint& footprint, const StaticObstacles& statics,
+              const std::vector<Mover>& movers);
+
+/// The same, over the first `horizon` seconds of a trajectory, tested at least every `step` [m] of travel or
+/// 0.1 s.
+double gap_along(const std::vector<TrajectoryPoint>& trajectory, double horizon, double step,
+                 const Footprint& footprint, const StaticObstacles& statics,
+                 const std::vector<Mover>& movers);
+
+}  // namespace bw

@@ -1,0 +1,28 @@
+// Local planners by the name a graph gives them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "components/local_planner/teb/teb_options.hpp"
+#include "components/model/planning.hpp"
+
+namespace bw {
+
+/// Parameters of all local planners; each reads its own section.
+struct LocalPlannerOptions {
+  teb::TebOptions teb;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("teb", teb, {.doc = "timed elastic band"});
+  }
+};
+
+std::vector<std::string> planner_names();
+
+/// Throws std::runtime_error naming the known planners when `name` is none of them.
+std::unique_ptr<LocalPlanner> make_planner(const std::string& name, const LocalPlannerOptions& options);
+
+}  // namespace bw

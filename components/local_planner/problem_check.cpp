@@ -1,0 +1,54 @@
+#include "components/local_planner/problem_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bw {
+namespace {
+
+constexpr double kLargest = 1e6;  // [m], [m/s], [rad]; beyond it squares lose the digits that planning needs
+
+bool sane(double value) { return std::abs(value) <= kLargest; }  // false for NaN
+bool sane(const Vector2& p) { return sane(p.x()) && sane(p.y()); }
+bool sane(const Pose2& p) { return sane(p.x) && sane(p.y) && sane(p.theta); }
+bool size(double value) { return value >= 0.0 && value <= kLargest; }
+
+bool sane(const Mover& m) {
+  return sane(m.position) && sane(m.velocity) && size(m.radius) &&
+         std::all_of(m.predictions.begin(), m.predictions.end(), [](const PredictedPosition& p) {
+           return sane(p.time) && sane(p.position) && p.covariance.allFinite();
+         });
+}
+
+bool sane(const Limits& l) {
+  const auto positive = [](double value) { return value > 0.0 && value <= kLargest; };
+  return positive(l.v_max) && size(l.v_back_max) && positive(l.omega_max) && positive(l.acc_max) &&
+         positive(l.alpha_max) && positive(l.jerk_max) && positive(l.stop_deceleration);
+}
+
+}  // namespace
+
+std::string fault_of(const PlanningProblem& problem) {
+  if (!sane(problem.pose)) return "the robot pose is not finite";
+  if (!sane(problem.twist.v) || !sane(problem.twist.omega)) return "the robot velocity is not finite";
+  if (!sane(problem.limits)) return "a motion limit is not a positive number";
+  if (!size(problem.footprint.radius)) return "the footprint radius is not a positive number";
+  const auto fine = [](const auto& list) {
+    return std::all_of(list.begin(), list.end(), [](const auto& item) { return sane(item); });
+  };
+  if (!fine(problem.footprint.polygon)) return "a footprint corner is not finite";
+  if (!fine(problem.plan)) return "a pose of the plan is not finite";
+  if (!fine(problem.obstacles.points)) return "an obstacle point is not finite";
+  if (!std::all_of(problem.obstacles.discs.begin(), problem.obstacles.discs.end(),
+                   [](const Disc& d) { return sane(d.center) && size(d.radius); })) {
+    return "an obstacle disc is not finite or has a negative radius";
+  }
+  if (!std::all_of(problem.obstacles.segments.begin(), problem.obstacles.segments.end(),
+                   [](const Segment& s) { return sane(s.a) && sane(s.b); })) {
+    return "an obstacle segment is not finite";
+  }
+  if (!fine(problem.movers)) return "a mover is not finite or has a negative radius";
+  return {};
+}
+
+}  // namespace bw

@@ -1,0 +1,177 @@
+#include "components/local_planner/teb/band.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bw::teb {
+namespace {
+
+constexpr double kShortestInterval = 0.02;  // [s] of a band just made; well above the guard of the solver
+constexpr double kMeanIntervalDrift =
+    0.03;  // relative; keeps costs of different bands comparable (time cost ~ duration * dt)
+
+BandPose make(const Pose2& pose, double dt) { return {pose.x, pose.y, pose.theta, dt}; }
+
+std::size_t wanted_count(double duration, const BandOptions& options) {
+  const double intervals =
+      std::clamp(std::round(duration / options.dt_ref), options.min_samples - 1.0, options.max_samples - 1.0);
+  return static_cast<std::size_t>(intervals) + 1;
+}
+
+// Positions from `start` along the part of the path ahead of it.
+std::vector<Vector2> route_from(const Vector2& start, const std::vector<Pose2>& path) {
+  std::size_t next = path.size() - 1;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const Vector2 a = path[i].position();
+    const Vector2 d = path[i + 1].position() - a;
+    const double s = std::clamp((start - a).dot(d) / std::max(d.squaredNorm(), 1e-12), 0.0, 1.0);
+    const double distance = (a + s * d - start).squaredNorm();
+    if (distance < nearest) {
+      nearest = distance;
+      next = i + 1;
+    }
+  }
+  std::vector<Vector2> route{start};
+  for (std::size_t i = next; i < path.size(); ++i) route.push_back(path[i].position());
+  return route;
+}
+
+}  // namespace
+
+double Band::duration() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i) sum += poses[i].dt;
+  return sum;
+}
+
+Pose2 Band::pose_at(double time) const {
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
+    if (time < poses[i].dt)
+      return interpolate(poses[i].pose(), poses[i + 1].pose(), std::max(time, 0.0) / poses[i].dt);
+    time -= poses[i].dt;
+  }
+  return poses.back().pose();
+}
+
+bool Band::is_finite() const {
+  return std::all_of(poses.begin(), poses.end(),
+                     [](const BandPose& p) { return bw::is_finite(p.pose()) && std::isfinite(p.dt); });
+}
+
+Pose2 interpolate(const Pose2& a, const Pose2& b, double s) {
+  const double turn = wrap_angle(b.theta - a.theta);
+  const Vector2 chord = b.position() - a.position();
+  const double theta = wrap_angle(a.theta + s * turn);
+  constexpr double kLargestArc = 1.0;  // [rad]; beyond it the poses are a first guess, not an arc
+  if (std::abs(turn) < 1e-6 || std::abs(turn) > kLargestArc) {
+    return {a.x + s * chord.x(), a.y + s * chord.y(), theta};
+  }
+  const double ratio = std::sin(s * turn / 2.0) / std::sin(turn / 2.0);
+  const double bend = -(1.0 - s) * turn / 2.0;
+  const double c = ratio * std::cos(bend);
+  const double n = ratio * std::sin(bend);
+  return {a.x + c * chord.x() - n * chord.y(), a.y + n * chord.x() + c * chord.y(), theta};
+}
+
+Band band_along(const std::vector<Pose2>& path, const Pose2& start, const Limits& limits,
+                const BandOptions& options) {
+  const std::vector<Vector2> route = route_from(start.position(), path);
+  const Pose2& goal = path.back();
+  double length = 0.0;
+  for (std::size_t i = 1; i < route.size(); ++i) length += (route[i] - route[i - 1]).norm();
+  const double spacing = std::max(limits.v_max * options.dt_ref, length / (options.max_samples - 1.0));
+
+  Band band;
+  band.poses.reserve(static_cast<std::size_t>(options.max_samples) + 1);
+  band.poses.push_back(make(start, 0.0));
+  double carried = 0.0;  // length since the last pose
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const Vector2 step = route[i] - route[i - 1];
+    const double step_length = step.norm();
+    if (step_length < 1e-9) continue;
+    const double heading = std::atan2(step.y(), step.x());
+    double along = spacing - carried;
+    for (; along < step_length - 1e-9; along += spacing) {
+      const Vector2 p = route[i - 1] + step * (along / step_length);
+      band.poses.push_back({p.x(), p.y(), heading, 0.0});
+    }
+    carried = spacing - (along - step_length);
+  }
+  band.poses.push_back(make(goal, 0.0));
+  for (std::size_t i = 0; i + 1 < band.size(); ++i) {
+    const Pose2 a = band.poses[i].pose();
+    const Pose2 b = band.poses[i + 1].pose();
+    band.poses[i].dt =
+        std::max({(b.position() - a.position()).norm() / limits.v_max,
+                  std::abs(wrap_angle(b.theta - a.theta)) / limits.omega_max, kShortestInterval});
+  }
+  resample(band, wanted_count(band.duration(), options));
+  return band;
+}
+
+void resample(Band& band, std::size_t count) {
+  const double interval = band.duration() / static_cast<double>(count - 1);
+  std::vector<BandPose> sampled;
+  sampled.reserve(std::max(band.poses.capacity(), count));
+  sampled.push_back(make(band.poses.front().pose(), interval));
+  std::size_t i = 0;
+  double begin = 0.0;  // time of pose i
+  for (std::size_t k = 1; k + 1 < count; ++k) {
+    const double time = static_cast<double>(k) * interval;
+    while (i + 2 < band.size() && begin + band.poses[i].dt <= time) begin += band.poses[i++].dt;
+    const double s = std::min((time - begin) / band.poses[i].dt, 1.0);
+    sampled.push_back(make(interpolate(band.poses[i].pose(), band.poses[i + 1].pose(), s), interval));
+  }
+  sampled.push_back(make(band.poses.back().pose(), 0.0));
+  band.poses = std::move(sampled);
+}
+
+void resize(Band& band, const BandOptions& options) {
+  const double duration = band.duration();
+  const std::size_t wanted = wanted_count(duration, options);
+  bool drifted = band.size() < static_cast<std::size_t>(options.min_samples) ||
+                 band.size() > static_cast<std::size_t>(options.max_samples);
+  if (wanted != band.size()) {
+    const double mean = duration / static_cast<double>(band.size() - 1);
+    drifted = drifted || std::abs(mean - options.dt_ref) > kMeanIntervalDrift * options.dt_ref;
+  }
+  for (std::size_t i = 1; i + 1 < band.size() && wanted > static_cast<std::size_t>(options.min_samples);
+       ++i) {
+    drifted = drifted || std::abs(band.poses[i].dt - options.dt_ref) > options.dt_hysteresis;
+  }
+  if (drifted) resample(band, wanted);
+}
+
+double advance(Band& band, const Pose2& start, double horizon, const BandOptions& options) {
+  std::size_t segment = 0;
+  double fraction = 0.0;
+  double nearest = std::numeric_limits<double>::infinity();
+  double begin = 0.0;
+  for (std::size_t i = 0; i + 1 < band.size() && begin <= horizon; begin += band.poses[i++].dt) {
+    const BandPose& a = band.poses[i];
+    const Vector2 d = band.poses[i + 1].position() - a.position();
+    const double turn = kHeadingLength * wrap_angle(band.poses[i + 1].theta - a.theta);
+    const Vector2 offset = start.position() - a.position();
+    const double offset_turn = kHeadingLength * wrap_angle(start.theta - a.theta);
+    const double s = std::clamp(
+        (offset.dot(d) + offset_turn * turn) / std::max(d.squaredNorm() + turn * turn, 1e-12), 0.0, 1.0);
+    const double distance = std::hypot((offset - s * d).norm(), offset_turn - s * turn);
+    if (distance < nearest - 1e-9) {
+      nearest = distance;
+      segment = i;
+      fraction = s;
+    }
+  }
+  double first = (1.0 - fraction) * band.poses[segment].dt;
+  // A short first interval would make the start acceleration stiff: let the next one absorb it.
+  if (first < 0.5 * options.dt_ref && segment + 2 < band.size()) first += band.poses[++segment].dt;
+  band.poses.erase(band.poses.begin(), band.poses.begin() + static_cast<std::ptrdiff_t>(segment));
+  band.poses.front() = make(start, std::max(first, kShortestInterval));
+  return nearest;
+}
+
+void set_goal(Band& band, const Pose2& goal) { band.poses.back() = make(goal, 0.0); }
+
+}  // namespace bw::teb

@@ -1,0 +1,31 @@
+// Optimises one timed elastic band among obstacles: damped Gauss-Newton in Ceres over (x, y, theta, dt) of
+// every pose. No state of its own: candidates may be optimised in parallel, each with its own Band.
+#pragma once
+
+#include "components/local_planner/teb/band.hpp"
+#include "components/local_planner/teb/band_options.hpp"
+#include "components/local_planner/teb/clearance_cost.hpp"
+#include "components/model/limits.hpp"
+
+namespace bw::teb {
+
+/// What a band is optimised for. The first pose of the band is the robot, the last one the goal; both stay.
+struct BandScene {
+  Limits limits;
+  Twist2 start_twist;
+  bool goal_at_rest = true;
+  const ObstacleField* obstacles = nullptr;
+};
+
+struct BandReport {
+  bool usable = false;         ///< finite, and the solver did not fail
+  double cost = 0.0;           ///< sum of squared weighted residuals, without growth of the obstacle weights
+  double obstacle_cost = 0.0;  ///< the part of `cost` that obstacles cause
+  int iterations = 0;
+};
+
+/// A band with trust_radius 0 gets the outer and inner iterations of a first plan, any other those of a warm
+/// start. At most `max_iterations` solver iterations are spent.
+BandReport optimize(Band& band, const BandScene& scene, const BandOptions& options, int max_iterations);
+
+}  // namespace bw::teb

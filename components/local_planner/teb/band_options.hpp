@@ -1,0 +1,123 @@
+// What a timed elastic band is asked to be: resolution, clearances and the weights of its cost. Names and
+// meanings follow the public teb_local_planner package; defaults differ where noted. One set serves every
+// candidate band.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "runtime/parameters/field.hpp"
+
+namespace bw::teb {
+
+/// Weights of the squared residuals (spec 6.1). Limits are stiffer than the package's 2/1/1/1, so that plans
+/// keep them.
+struct BandWeights {
+  double time = 1.0;
+  double kinematics_nh = 1000.0;
+  double forward_drive = 1.0;
+  double max_vel_x = 40.0;
+  double max_vel_theta = 20.0;
+  double acc_lim_x = 10.0;
+  double acc_lim_theta = 10.0;
+  double obstacle = 50.0;
+  double inflation = 0.1;
+  double dynamic_obstacle = 50.0;
+  double dynamic_inflation = 0.1;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("time", time,
+      {.min = 1e-6, .max = 1e4, .doc = "sum of squared time intervals; higher is faster and bolder"});
+    v("kinematics_nh", kinematics_nh,
+      {.min = 0, .max = 1e6, .doc = "both poses of a segment lie on one arc"});
+    v("forward_drive", forward_drive, {.min = 0, .max = 1e6, .doc = "dislike of driving backward"});
+    v("max_vel_x", max_vel_x, {.min = 0, .max = 1e6, .doc = "speed outside its limits"});
+    v("max_vel_theta", max_vel_theta, {.min = 0, .max = 1e6, .doc = "turn rate outside its limits"});
+    v("acc_lim_x", acc_lim_x, {.min = 0, .max = 1e6, .doc = "linear acceleration outside its limits"});
+    v("acc_lim_theta", acc_lim_theta,
+      {.min = 0, .max = 1e6, .doc = "angular acceleration outside its limits"});
+    v("obstacle", obstacle,
+      {.min = 0, .max = 1e6, .doc = "closer than min_obstacle_dist to a static obstacle"});
+    v("inflation", inflation,
+      {.min = 0, .max = 1e6, .doc = "closer than inflation_dist to a static obstacle"});
+    v("dynamic_obstacle", dynamic_obstacle, {.min = 0, .max = 1e6, .doc = "as obstacle, for movers"});
+    v("dynamic_inflation", dynamic_inflation, {.min = 0, .max = 1e6, .doc = "as inflation, for movers"});
+  }
+};
+
+struct BandOptions {
+  double dt_ref = 0.3;
+  double dt_hysteresis = 0.1;
+  int min_samples = 3;
+  int max_samples = 150;
+
+  double min_obstacle_dist = 0.2;
+  double inflation_dist = 0.3;
+  double dynamic_obstacle_inflation_dist = 0.3;
+  double clearance_step = 0.25;
+  int max_obstacles = 200;
+  int max_obstacles_per_pose = 8;
+
+  double penalty_epsilon = 0.05;
+  bool consistent_motion = true;
+
+  int no_outer_iterations = 4;
+  int no_inner_iterations = 8;
+  int warm_outer_iterations = 1;
+  int warm_inner_iterations = 15;
+  double function_tolerance = 1e-4;
+  double weight_adapt_factor = 2.0;
+  BandWeights weights;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("dt_ref", dt_ref,
+      {.unit = "s", .min = 0.02, .max = 2, .doc = "wanted time between poses; lower is finer and slower"});
+    v("dt_hysteresis", dt_hysteresis,
+      {.unit = "s", .min = 0, .max = 2, .doc = "an interval further from dt_ref resamples"});
+    v("min_samples", min_samples, {.min = 3, .max = 500, .doc = "fewest poses of a band"});
+    v("max_samples", max_samples,
+      {.min = 3, .max = 500, .doc = "most poses of a band; bounds the time of a cycle"});
+    v("min_obstacle_dist", min_obstacle_dist,
+      {.unit = "m", .min = 0, .max = 10, .doc = "wanted gap between footprint and obstacle"});
+    v("inflation_dist", inflation_dist,
+      {.unit = "m", .min = 0, .max = 10, .doc = "gap below which a static obstacle begins to cost a little"});
+    v("dynamic_obstacle_inflation_dist", dynamic_obstacle_inflation_dist,
+      {.unit = "m", .min = 0, .max = 10, .doc = "as inflation_dist, for movers"});
+    v("clearance_step", clearance_step,
+      {.unit = "m",
+       .min = 0.02,
+       .max = 10,
+       .doc = "motion relative to an obstacle between two clearance tests"});
+    v("max_obstacles", max_obstacles,
+      {.min = 1, .max = 1000, .doc = "nearest obstacles that a cycle looks at"});
+    v("max_obstacles_per_pose", max_obstacles_per_pose,
+      {.min = 1, .max = 100, .doc = "nearest obstacles in one pose's cost"});
+    v("penalty_epsilon", penalty_epsilon,
+      {.min = 0, .max = 1, .doc = "margin inside every limit at which its cost begins"});
+    v("consistent_motion", consistent_motion,
+      {.doc = "speed along the mean heading, linear between segment middles; false: the package's formulas"});
+    v("no_outer_iterations", no_outer_iterations,
+      {.min = 1, .max = 20, .doc = "solves of a first plan, resampled between"});
+    v("no_inner_iterations", no_inner_iterations,
+      {.min = 1, .max = 100, .doc = "solver iterations in each of them"});
+    v("warm_outer_iterations", warm_outer_iterations,
+      {.min = 1, .max = 20, .doc = "solves of a band that is kept"});
+    v("warm_inner_iterations", warm_inner_iterations,
+      {.min = 1, .max = 100, .doc = "solver iterations in each of them"});
+    v("function_tolerance", function_tolerance,
+      {.min = 0, .max = 0.1, .doc = "relative gain of an iteration below which a solve ends"});
+    v("weight_adapt_factor", weight_adapt_factor,
+      {.min = 1, .max = 10, .doc = "growth of obstacle weights per outer iteration"});
+    v("weights", weights, {.doc = "weights of the cost"});
+  }
+
+  std::optional<std::string> violated_rule() const {
+    if (max_samples < min_samples) return "max_samples must be at least min_samples";
+    if (dt_hysteresis >= dt_ref) return "dt_hysteresis must be below dt_ref";
+    return std::nullopt;
+  }
+};
+
+}  // namespace bw::teb

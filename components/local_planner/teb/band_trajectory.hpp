@@ -1,0 +1,21 @@
+// What a band means in time: its velocity profile and the command at its start (spec 6.6).
+#pragma once
+
+#include <vector>
+
+#include "components/local_planner/teb/band.hpp"
+#include "components/model/planning.hpp"
+
+namespace bw::teb {
+
+/// Mean velocity of segment i: motion along the mean heading, turn, both over dt.
+Twist2 segment_velocity(const Band& band, std::size_t i);
+
+/// Velocity `time` [s] after the start: segment velocities hold at the middles of their segments and are
+/// linear between; `start` at 0.
+Twist2 velocity_at(const Band& band, const Twist2& start, double time);
+
+/// Poses of the band with times from now and velocities; the last one at rest if `goal_at_rest`.
+std::vector<TrajectoryPoint> to_trajectory(const Band& band, const Twist2& start, bool goal_at_rest);
+
+}  // namespace bw::teb

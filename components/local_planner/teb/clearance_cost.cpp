@@ -1,0 +1,165 @@
+#include "components/local_planner/teb/clearance_cost.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace bw::teb {
+namespace {
+
+constexpr double kAssociationMargin =
+    0.4;  // [m] that a pose may move in one solve and still know its obstacles
+constexpr int kMostSamplesPerSegment = 4;
+
+struct Near {
+  double distance;
+  ClearanceTerm term;
+};
+
+// Keeps the nearest terms; equal distances keep their order, so that equal input gives equal output.
+void keep_nearest(std::vector<Near>& near, std::size_t count, std::vector<ClearanceTerm>& terms) {
+  if (near.size() > count) {
+    std::stable_sort(near.begin(), near.end(),
+                     [](const Near& l, const Near& r) { return l.distance < r.distance; });
+    near.resize(count);
+  }
+  terms.reserve(near.size());
+  for (const Near& n : near) terms.push_back(n.term);
+}
+
+Capsule mover_at(const Mover& mover, double time) {
+  const Vector2 p = mover.position_at(time);
+  return {p, p, mover.radius};
+}
+
+double squared_distance(const Capsule& capsule, const Vector2& point) {
+  const Vector2 d = capsule.b - capsule.a;
+  const double length = d.squaredNorm();
+  if (length == 0.0) return (point - capsule.a).squaredNorm();
+  const double s = std::clamp((point - capsule.a).dot(d) / length, 0.0, 1.0);
+  return (point - capsule.a - s * d).squaredNorm();
+}
+
+bool in_reach(const Capsule& capsule, const Vector2& point, double reach, double& distance) {
+  const double squared = squared_distance(capsule, point);
+  const double limit = reach + capsule.radius;
+  if (squared > limit * limit) return false;
+  distance = std::sqrt(squared) - capsule.radius;
+  return true;
+}
+
+}  // namespace
+
+ObstacleField nearby_obstacles(const StaticObstacles& statics, const std::vector<Mover>& movers,
+                               const Vector2& position, double robot_radius, std::size_t max_count) {
+  std::vector<Capsule> capsules;
+  capsules.reserve(statics.size());
+  for (const Vector2& p : statics.points) capsules.push_back({p, p, robot_radius});
+  for (const Disc& d : statics.discs) capsules.push_back({d.center, d.center, d.radius + robot_radius});
+  for (const Segment& s : statics.segments) capsules.push_back({s.a, s.b, robot_radius});
+
+  const auto nearest = [](const std::vector<double>& distances, std::size_t count) {
+    std::vector<std::size_t> order(distances.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (count < order.size()) {
+      std::stable_sort(order.begin(), order.end(),
+                       [&](std::size_t l, std::size_t r) { return distances[l] < distances[r]; });
+      order.resize(count);
+    }
+    return order;
+  };
+  ObstacleField field;
+  std::vector<double> distances;
+  for (const Mover& m : movers) distances.push_back((m.position - position).norm() - m.radius);
+  for (const std::size_t i : nearest(distances, max_count)) {
+    field.movers.push_back(movers[i]);
+    field.movers.back().radius += robot_radius;
+  }
+  distances.clear();
+  for (const Capsule& c : capsules) distances.push_back(std::sqrt(squared_distance(c, position)) - c.radius);
+  for (const std::size_t i : nearest(distances, max_count - field.movers.size()))
+    field.statics.push_back(capsules[i]);
+  return field;
+}
+
+Clearance clearance_to(const Capsule& capsule, const Vector2& point) {
+  const Vector2 d = capsule.b - capsule.a;
+  const double length = d.squaredNorm();
+  const double s = length == 0.0 ? 0.0 : std::clamp((point - capsule.a).dot(d) / length, 0.0, 1.0);
+  const Vector2 away = point - capsule.a - s * d;
+  const double distance = away.norm();
+  return {distance - capsule.radius, distance > 1e-9 ? Vector2(away / distance) : Vector2(0.0, 0.0)};
+}
+
+ClearanceModel::ClearanceModel(const BandOptions& options, double growth)
+    : fixed{options.weights.obstacle * growth, options.weights.inflation, options.inflation_dist},
+      moving{options.weights.dynamic_obstacle * growth, options.weights.dynamic_inflation,
+             options.dynamic_obstacle_inflation_dist},
+      min_dist(options.min_obstacle_dist + options.penalty_epsilon) {}
+
+double evaluate_clearance(const ClearanceModel& model, const ClearanceTerm& term, const Vector2& point,
+                          Vector2* gradient) {
+  const ClearanceModel::Kind& kind = term.moving ? model.moving : model.fixed;
+  const Clearance clearance = clearance_to(term.capsule, point);
+  const double close = std::max(0.0, model.min_dist - clearance.distance);
+  const double inflated = std::max(0.0, kind.inflation_dist - clearance.distance);
+  const double cost = kind.obstacle * close * close + kind.inflation * inflated * inflated;
+  if (cost <= 0.0) {
+    if (gradient != nullptr) gradient->setZero();
+    return 0.0;
+  }
+  const double residual = std::sqrt(cost);
+  if (gradient != nullptr) {
+    *gradient = clearance.gradient * (-(kind.obstacle * close + kind.inflation * inflated) / residual);
+  }
+  return residual;
+}
+
+std::vector<PoseTerms> associate(const Band& band, const ObstacleField& field, const BandOptions& options) {
+  const auto count = static_cast<std::size_t>(options.max_obstacles_per_pose);
+  const double near = options.min_obstacle_dist + options.penalty_epsilon;
+  const double static_reach = std::max(near, options.inflation_dist) + kAssociationMargin;
+  const double moving_reach = std::max(near, options.dynamic_obstacle_inflation_dist) + kAssociationMargin;
+
+  std::vector<PoseTerms> result(band.size());
+  std::vector<Near> at_pose;
+  std::vector<Near> along;
+  double time = 0.0;
+  for (std::size_t k = 0; k + 1 < band.size(); time += band.poses[k++].dt) {
+    const Vector2 p = band.poses[k].position();
+    const Vector2 step = band.poses[k + 1].position() - p;
+    const double dt = band.poses[k].dt;
+    at_pose.clear();
+    along.clear();
+    const auto add = [&](const Capsule& now, bool moving, double reach, auto&& capsule_at,
+                         double relative_motion) {
+      double distance = 0.0;
+      if (k > 0 && in_reach(now, p, reach, distance)) at_pose.push_back({distance, {now, 0.0, moving}});
+      const int samples =
+          std::min(static_cast<int>(relative_motion / options.clearance_step), kMostSamplesPerSegment);
+      for (int i = 1; i <= samples; ++i) {
+        const double s = static_cast<double>(i) / (samples + 1);
+        const Capsule then = capsule_at(s);
+        if (in_reach(then, p + s * step, reach, distance)) along.push_back({distance, {then, s, moving}});
+      }
+    };
+    for (const Mover& m : field.movers) {
+      const Capsule now = mover_at(m, time);
+      const Vector2 drift = m.position_at(time + dt) - now.a;
+      const double motion = (step - drift).norm();
+      if ((p - now.a).norm() - m.radius > moving_reach + motion) continue;
+      add(
+          now, true, moving_reach, [&](double s) { return mover_at(m, time + s * dt); }, motion);
+    }
+    for (const Capsule& c : field.statics) {
+      add(
+          c, false, static_reach, [&](double) { return c; }, step.norm());
+    }
+    keep_nearest(at_pose, count, result[k].at_pose);
+    keep_nearest(along, count, result[k].along_segment);
+  }
+  return result;
+}
+
+}  // namespace bw::teb
