@@ -24,7 +24,9 @@ struct SocialForceOptions {
       {.unit = "s", .min = 0.05, .max = 10, .doc = "time to regain the desired velocity"});
     v("desired_factor", desired_factor, {.min = 0, .max = 100, .doc = "weight of the pull to the goal"});
     v("social_factor", social_factor,
-      {.min = 0, .max = 100, .doc = "weight of keeping clear of others; 5.1 is shy"});
+      {.min = 0,
+       .max = 100,
+       .doc = "weight of keeping clear of others; below 5 shoulders may brush head-on"});
     v("obstacle_factor", obstacle_factor, {.min = 0, .max = 100, .doc = "weight of keeping clear of walls"});
     v("obstacle_sigma", obstacle_sigma,
       {.unit = "m", .min = 0.01, .max = 10, .doc = "reach of walls; 0.2 for narrow doors"});

@@ -1,0 +1,195 @@
+// The whole world: contacts, rates, and that one seed is one run.
+#include "components/world/world.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/components/world/hallway.hpp"
+
+namespace bw {
+namespace {
+
+WheelCommand forward(double speed) { return {speed / Robot().wheel_radius, speed / Robot().wheel_radius}; }
+
+void run(World& world, double seconds) {
+  for (int i = 0; i < std::lround(seconds * 100.0); ++i) world.step();
+}
+
+TEST(World, CountsAPersonOncePerMeeting) {
+  // Walks over the standing robot at 1 m/s, turns after 10 m and comes back: two meetings, at rest.
+  WorldOptions options;
+  options.people.scripted.resize(1);
+  options.people.scripted[0].waypoints = {{-5.0, 0.1}, {5.0, 0.1}};
+  options.people.scripted[0].turn_round = true;
+  World world(options, Robot(), {}, 1);
+  run(world, 4.0);
+  EXPECT_EQ(world.contacts().count(ContactKind::person), 0);
+  run(world, 2.0);
+  ASSERT_EQ(world.contacts().count(ContactKind::person), 1);
+  const Contact contact = world.contacts().contacts()[0];
+  EXPECT_EQ(contact.person, 1u);
+  EXPECT_EQ(contact.robot_speed, 0.0);
+  // Touch at |x| = sqrt(0.6^2 - 0.1^2) before the robot, walking from x = -5.
+  EXPECT_NEAR(contact.time.to_seconds(), 5.0 - std::sqrt(0.35), 0.011);
+  run(world, 10.0);
+  EXPECT_EQ(world.contacts().count(ContactKind::person), 2);
+  EXPECT_EQ(world.contacts().count(ContactKind::wall), 0);
+}
+
+TEST(World, CountsAWallOncePerTouch) {
+  WorldOptions options;
+  options.walls = {{3.0, -5.0, 3.0, 5.0}};
+  World world(options, Robot(), {}, 1);
+  ASSERT_TRUE(world.command(forward(1.0)));
+  run(world, 10.0);
+  ASSERT_EQ(world.contacts().count(ContactKind::wall), 1);
+  EXPECT_NEAR(world.contacts().contacts()[0].robot_speed, 1.0, 1e-9);
+  EXPECT_LE(world.pose().x, 2.7);
+  ASSERT_TRUE(world.command(forward(-1.0)));
+  run(world, 1.0);
+  ASSERT_TRUE(world.command(forward(0.5)));
+  run(world, 5.0);
+  ASSERT_EQ(world.contacts().count(ContactKind::wall), 2);
+  EXPECT_NEAR(world.contacts().contacts()[1].robot_speed, 0.5, 1e-9);
+}
+
+TEST(World, StopsAtTheSolidCellsOfAMap) {
+  OccupancyGrid map{0.05, {-5.0, -5.0}, 200, 200, std::vector<std::int8_t>(40000, 0)};
+  for (int row = 0; row < 200; ++row)
+    map.cells[map.index(140, row)] = OccupancyGrid::kOccupied;  // x = 2.0 ... 2.05
+  WorldFiles files;
+  files.map = map;
+  World world({}, Robot(), files, 1);
+  ASSERT_TRUE(world.command(forward(1.0)));
+  run(world, 5.0);
+  EXPECT_LE(world.pose().x, 1.7);
+  EXPECT_GT(world.pose().x, 1.69);
+  EXPECT_EQ(world.contacts().count(ContactKind::wall), 1);
+}
+
+TEST(World, RefusesAStartInsideAWall) {
+  WorldOptions options;
+  options.walls = {{0.2, -5.0, 0.2, 5.0}};
+  EXPECT_THROW(World(options, Robot(), {}, 1), std::runtime_error);
+}
+
+TEST(World, MovesARecordingWithItsWalls) {
+  WorldOptions options;
+  options.people.replay.x = 10.0;
+  options.people.replay.theta = 1.5707963267948966;
+  WorldFiles files;
+  files.shapes.segments = {{{1.0, -1.0}, {1.0, 1.0}}};
+  files.shapes.discs = {{{3.0, 0.0}, 0.2}};
+  const World world(options, Robot(), files, 1);
+  EXPECT_NEAR(world.scene().clearance({10.0, 0.0}, 5.0), 1.0, 1e-9);
+  EXPECT_NEAR(world.scene().clearance({10.0, 4.0}, 5.0), 0.8, 1e-9);
+}
+
+TEST(World, SensorsKeepTheirRates) {
+  WorldOptions options = hallway();
+  options.encoder_rate = 30.0;  // not a whole number of steps
+  options.gps.latency = 0.25;
+  World world(options, Robot(), {}, 1);
+  int ticks = 0;
+  int scans = 0;
+  int readings = 0;
+  int fixes = 0;
+  int truths = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const WorldSample sample = world.step();
+    EXPECT_EQ(sample.time.nanoseconds, (i + 1) * 10'000'000LL);
+    ticks += sample.ticks.has_value();
+    scans += sample.scan.has_value();
+    readings += sample.imu.has_value();
+    truths += sample.truth_due;
+    fixes += static_cast<int>(sample.fixes.size());
+    for (const GpsFix& fix : sample.fixes)
+      EXPECT_NEAR((sample.time - fix.measured_at).to_seconds(), 0.25, 1e-9);
+  }
+  EXPECT_EQ(ticks, 300);
+  EXPECT_EQ(scans, 100);
+  EXPECT_EQ(readings, 500);
+  EXPECT_EQ(truths, 500);
+  EXPECT_EQ(fixes, 9);  // the tenth is still on its way
+}
+
+TEST(World, WalkersCrossTheHallwayBetweenItsWalls) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    World world(hallway(), Robot(), {}, seed);
+    std::vector<double> east(6, 0.0);
+    std::vector<double> west(6, 20.0);
+    for (int i = 0; i < 6000; ++i) {
+      world.step();
+      ASSERT_EQ(world.people().size(), 8u);
+      for (std::size_t k = 0; k < 6; ++k) {
+        const Person& person = world.people()[k + 2];
+        ASSERT_EQ(person.id, k + 3);
+        ASSERT_LT(std::abs(person.position.y()), 3.0) << "seed " << seed;
+        ASSERT_TRUE(person.position.x() > 0.0 && person.position.x() < 20.0) << "seed " << seed;
+        east[k] = std::max(east[k], person.position.x());
+        west[k] = std::min(west[k], person.position.x());
+      }
+    }
+    for (std::size_t k = 0; k < 6; ++k) {
+      // Everybody has been at both ends (goals at 18 and about 4; 18 and 2) within a minute.
+      EXPECT_GT(east[k], 16.5) << "seed " << seed << " walker " << k;
+      EXPECT_LT(west[k], 5.9) << "seed " << seed << " walker " << k;
+    }
+  }
+}
+
+template <class Value>
+void append(std::string& bytes, const Value& value) {
+  char raw[sizeof(Value)];
+  std::memcpy(raw, &value, sizeof(Value));
+  bytes.append(raw, sizeof(Value));
+}
+
+std::string everything_of_a_run(std::uint64_t seed) {
+  WorldOptions options = hallway();
+  options.drive.noise = 1e-4;
+  World world(options, Robot(), {}, seed);
+  world.command({8.0, 9.0});
+  std::string bytes;
+  for (int i = 0; i < 1500; ++i) {
+    const WorldSample sample = world.step();
+    append(bytes, world.pose().x);
+    append(bytes, world.pose().theta);
+    for (const Person& person : world.people()) append(bytes, person.position.y());
+    if (sample.ticks) append(bytes, sample.ticks->right);
+    if (sample.imu) append(bytes, sample.imu->heading);
+    for (const GpsFix& fix : sample.fixes) append(bytes, fix.latitude);
+    if (!sample.scan) continue;
+    for (const float range : sample.scan->ranges) append(bytes, range);
+  }
+  return bytes;
+}
+
+TEST(World, OneSeedIsOneRun) {
+  const std::string seven = everything_of_a_run(7);
+  EXPECT_TRUE(seven == everything_of_a_run(7)) << "seed 7";
+  EXPECT_FALSE(seven == everything_of_a_run(8)) << "seeds 7 and 8";
+}
+
+TEST(World, ASwitchedOffSensorDoesNotShiftTheOthers) {
+  WorldOptions options = hallway();
+  World with_all(options, Robot(), {}, 3);
+  options.laser.rate = 0.0;
+  options.gps.rate = 0.0;
+  World without(options, Robot(), {}, 3);
+  for (int i = 0; i < 500; ++i) {
+    const WorldSample a = with_all.step();
+    const WorldSample b = without.step();
+    ASSERT_FALSE(b.scan.has_value());
+    ASSERT_EQ(a.imu.has_value(), b.imu.has_value());
+    if (a.imu) {
+      ASSERT_EQ(a.imu->heading, b.imu->heading);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bw
