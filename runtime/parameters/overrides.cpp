@@ -51,7 +51,8 @@ Override parse_override(std::string_view text) {
   try {
     change.value = parse_yaml(text.substr(equals + 1), std::string(kOverrideFile));
   } catch (const ConfigError& error) {
-    refuse(name, std::string(text.substr(equals + 1)), error.violations().front().rule);
+    refuse(name, std::string(text.substr(equals + 1)),
+           "must be a YAML value; " + error.violations().front().rule);
   }
   return change;
 }

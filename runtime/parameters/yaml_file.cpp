@@ -12,6 +12,8 @@
 #include <yaml-cpp/mark.h>
 #include <yaml-cpp/parser.h>
 
+#include "runtime/parameters/field_types.hpp"
+
 namespace bw {
 namespace {
 
@@ -46,6 +48,16 @@ class TreeBuilder : public YAML::EventHandler {
 
   ConfigNode take_root() { return std::move(root_); }
 
+  /// The dotted key whose value is being read.
+  std::string open_key() const {
+    std::string key;
+    for (const Open& open : open_) {
+      if (open.node.is_sequence()) key = joined(key, std::to_string(open.node.sequence.size()));
+      if (open.has_key) key = joined(key, open.node.map.back().key);
+    }
+    return key;
+  }
+
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (documents_++ > 0) refuse(mark, "only one YAML document is allowed in a file");
     root_.where = location(mark);
@@ -55,7 +67,9 @@ class TreeBuilder : public YAML::EventHandler {
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     if (key_expected()) refuse(mark, "a key must be text");
     ConfigNode node;
-    node.where = location(mark);
+    // The parser marks the token after the missing value, maybe lines below its key.
+    const bool has_key = !open_.empty() && open_.back().has_key;
+    node.where = has_key ? open_.back().node.map.back().where : location(mark);
     add(std::move(node), anchor, mark);
   }
 
@@ -104,12 +118,7 @@ class TreeBuilder : public YAML::EventHandler {
   Location location(const YAML::Mark& mark) const { return {file_, mark.line + 1}; }
 
   [[noreturn]] void refuse(const YAML::Mark& mark, std::string rule) const {
-    std::string key;
-    for (const Open& open : open_) {
-      if (!open.has_key) continue;
-      key += (key.empty() ? "" : ".") + open.node.map.back().key;
-    }
-    throw ConfigError(Violation{location(mark), key, {}, std::move(rule)});
+    throw ConfigError(Violation{location(mark), open_key(), {}, std::move(rule)});
   }
 
   void check_tag(const YAML::Mark& mark, const std::string& tag) const {
@@ -206,9 +215,10 @@ std::size_t character_length(std::string_view text, std::size_t i) {
   return length;
 }
 
-[[noreturn]] void refuse_file(const std::string& file, int line, std::string rule) {
+[[noreturn]] void refuse_file(const std::string& file, int line, std::string rule, std::string key = {}) {
   Violation violation;
   violation.where = {file, line};
+  violation.key = std::move(key);
   violation.rule = std::move(rule);
   throw ConfigError(std::move(violation));
 }
@@ -236,7 +246,7 @@ ConfigNode parse_yaml(std::string_view text, const std::string& file) {
     while (parser.HandleNextDocument(builder)) {
     }
   } catch (const YAML::Exception& error) {
-    refuse_file(file, std::max(error.mark.line, 0) + 1, "not YAML: " + error.msg);
+    refuse_file(file, std::max(error.mark.line, 0) + 1, "not YAML: " + error.msg, builder.open_key());
   }
   ConfigNode root = builder.take_root();
   if (root.where.file.empty()) root.where = {file, 1};

@@ -1,0 +1,226 @@
+// The graph file: what is read, and what is refused in which words.
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/graph/graph.hpp"
+
+namespace bw {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// A folder of files that lives as long as the test.
+class Folder {
+ public:
+  Folder() {
+    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+    path_ = std::filesystem::path(testing::TempDir()) / (std::string("bw_graph_") + test->name());
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories((path_ / name).parent_path());
+    std::ofstream(path_ / name) << text;
+    return path_ / name;
+  }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The refusal with the folder taken out of it.
+std::string refusal(const std::string& yaml, const std::vector<std::string>& overrides = {}) {
+  const Folder folder;
+  const std::filesystem::path path = folder.write("g.yaml", yaml);
+  try {
+    load_graph(path, overrides);
+  } catch (const ConfigError& error) {
+    std::string text = error.what();
+    const std::string prefix = folder.path().string() + "/";
+    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix)) {
+      text.erase(at, prefix.size());
+    }
+    return text;
+  }
+  return "accepted";
+}
+
+TEST(LoadGraph, ReadsEverythingItNames) {
+  const Folder folder;
+  folder.write("robots/r.yaml", "radius: 0.2\n");
+  folder.write("planners/p.yaml", "horizon: 3\n");
+  const Graph graph = load_graph(folder.write("graphs/g.yaml", R"(
+ros_distro: humble
+namespace: house
+frame_prefix: robot1/
+transport: lan
+plugins: [lib/own.so]
+robot: ../robots/r.yaml
+components:
+  world:
+    process: world+base
+    parameters: {seed: 4}
+  planner:
+    type: local_planner
+    process: planning
+    lane: planner
+    latency: 20ms
+    namespace: robot1
+    parameters: ../planners/p.yaml
+    remap: {cmd_vel_nav: cmd_vel, ~/debug: /debug}
+    inputs:
+      odom: {max_age: 500 ms, on_stale: degrade}
+      tracks: {external: true}
+  base:
+    process: world+base
+    namespace: /robot2
+)"),
+                                 {"planner.weights.speed=2", "robot.radius=0.25", "base.port=/dev/ttyUSB0"});
+
+  EXPECT_EQ(graph.settings.ros_distro, "humble");
+  EXPECT_EQ(graph.settings.frame_prefix, "robot1/");
+  EXPECT_EQ(graph.settings.transport, "lan");
+  EXPECT_THAT(graph.settings.plugins, ElementsAre((folder.path() / "graphs/lib/own.so").string()));
+  EXPECT_EQ(graph.shared.at("robot").find("radius")->scalar, "0.25");
+  EXPECT_THAT(graph.processes(), ElementsAre("world+base", "planning"));
+
+  ASSERT_EQ(graph.components.size(), 3U);
+  const ComponentNode& world = graph.components[0];
+  EXPECT_EQ(world.type, "world");
+  EXPECT_EQ(world.lane, "main");
+  EXPECT_EQ(world.latency, Duration{});
+  EXPECT_EQ(world.node_namespace, "/house");
+  EXPECT_EQ(world.where.line, 9);
+
+  const ComponentNode& planner = graph.components[1];
+  EXPECT_EQ(planner.type, "local_planner");
+  EXPECT_EQ(planner.lane, "planner");
+  EXPECT_EQ(planner.latency, Duration::milliseconds(20));
+  EXPECT_EQ(planner.node_namespace, "/house/robot1");
+  EXPECT_EQ(planner.parameters.find("horizon")->where.file, (folder.path() / "planners/p.yaml").string());
+  EXPECT_EQ(find_dotted(planner.parameters, "weights.speed")->scalar, "2");
+  EXPECT_EQ(planner.topic_of("cmd_vel_nav"), "/house/robot1/cmd_vel");
+  EXPECT_EQ(planner.topic_of("~/debug"), "/debug");
+  EXPECT_EQ(planner.input("odom")->max_age, Duration::milliseconds(500));
+  EXPECT_EQ(planner.input("odom")->on_stale, OnStale::degrade);
+  EXPECT_FALSE(planner.input("odom")->external);
+  EXPECT_TRUE(planner.input("tracks")->external);
+  EXPECT_EQ(planner.input("tracks")->max_age, std::nullopt);
+  EXPECT_EQ(planner.input("scan"), nullptr);
+
+  EXPECT_EQ(graph.find("base")->node_namespace, "/robot2");
+  EXPECT_EQ(graph.find("base")->parameters.find("port")->scalar, "/dev/ttyUSB0");
+}
+
+TEST(LoadGraph, RefusesUnknownKeysWithTheNearestKnown) {
+  EXPECT_EQ(
+      refusal("component:\n  world:\n"),
+      "g.yaml:1: components: must be given\ng.yaml:1: component: unknown key; did you mean 'components'?");
+  EXPECT_EQ(refusal("components:\n  world:\n    proces: a\n"),
+            "g.yaml:3: components.world.proces: unknown key; did you mean 'process'?");
+  EXPECT_EQ(refusal("components:\n  world:\n    inputs:\n      odom: {maxage: 1}\n"),
+            "g.yaml:4: components.world.inputs.odom.maxage: unknown key; did you mean 'max_age'?");
+  EXPECT_EQ(refusal("components:\n  world:\n    colour: a\n"),
+            "g.yaml:3: components.world.colour: unknown key; known: type, process, lane, latency, namespace, "
+            "parameters, remap, inputs");
+}
+
+TEST(LoadGraph, RefusesWrongValues) {
+  EXPECT_EQ(refusal("ros_distro: iron\ncomponents: {a: }"),
+            "g.yaml:1: ros_distro = iron: must be one of humble, jazzy");
+  EXPECT_EQ(refusal("transport: [wifi]\ncomponents: {a: }"), "g.yaml:1: transport = a list: must be text");
+  EXPECT_EQ(refusal("namespace: a//b\ncomponents: {a: }"),
+            "g.yaml:1: namespace = a//b: must be a namespace: letters, digits and _ between single /, no "
+            "digit after a /");
+  EXPECT_EQ(refusal("frame_prefix: /a\ncomponents: {a: }"),
+            "g.yaml:1: frame_prefix = /a: must be a prefix of frame names, such as robot1_ or robot1/");
+  EXPECT_EQ(refusal("components:\n"), "g.yaml:1: components = nothing: must be a map of components");
+  EXPECT_EQ(refusal("components: [a]"), "g.yaml:1: components = a list: must be a map of components");
+  EXPECT_EQ(refusal(""), "g.yaml:1: must be a map with the key components");
+  EXPECT_EQ(refusal("components:\n  a: 3\n"), "g.yaml:2: components.a = 3: must be a map");
+  EXPECT_EQ(refusal("components:\n  a-b:\n"),
+            "g.yaml:2: components.a-b: must be a node name: letters, digits and _, no digit first");
+  EXPECT_EQ(refusal("components:\n  robot:\n"),
+            "g.yaml:2: components.robot: must not be the name of a shared section");
+  EXPECT_EQ(refusal("components:\n  a:\n  a:\n"), "g.yaml:3: components.a: this key is given twice");
+  EXPECT_EQ(refusal("components: {a: {latency: 20 parsecs}}"),
+            "g.yaml:1: components.a.latency = 20 parsecs: must be a duration, such as 20ms, 0.5s or a number "
+            "of seconds");
+  EXPECT_EQ(refusal("components: {a: {latency: -1ms}}"),
+            "g.yaml:1: components.a.latency = -1ms: must be between 0 and 10 s");
+  EXPECT_EQ(refusal("components: {a: {process: a b}}"),
+            "g.yaml:1: components.a.process = a b: must be a name: at most 64 letters, digits, _, - and +");
+  EXPECT_EQ(
+      refusal("components: {a: {remap: {x: 1y}}}"),
+      "g.yaml:1: components.a.remap.x = 1y: must be a topic name: letters, digits and _ between single /, no "
+      "digit after a /");
+  EXPECT_EQ(refusal("components: {a: {inputs: {x: {max_age: 0}}}}"),
+            "g.yaml:1: components.a.inputs.x.max_age = 0: must be between 0.001 and 3600 s");
+  EXPECT_EQ(refusal("components: {a: {inputs: {x: {on_stale: stop}}}}"),
+            "g.yaml:1: components.a.inputs.x.on_stale = stop: needs a max_age beside it");
+  EXPECT_EQ(refusal("components: {a: {inputs: [x]}}"),
+            "g.yaml:1: components.a.inputs = a list: must be a map of parameters");
+}
+
+TEST(LoadGraph, RefusesFilesThatAreNotThere) {
+  EXPECT_EQ(refusal("components:\n  a:\n    parameters: p.yaml\n"),
+            "g.yaml:3: components.a.parameters = p.yaml: p.yaml: no such file");
+  EXPECT_EQ(refusal("robot: r.yaml\ncomponents: {a: }"), "g.yaml:1: robot = r.yaml: r.yaml: no such file");
+  EXPECT_EQ(refusal("robot: [1]\ncomponents: {a: }"),
+            "g.yaml:1: robot = a list: must be a map or the path of a YAML file");
+}
+
+TEST(LoadGraph, LocatesViolationsInsideOtherFiles) {
+  const Folder folder;
+  folder.write("p.yaml", "a: 1\na: 2\n");
+  const auto path = folder.write("g.yaml", "components: {w: {parameters: p.yaml}}");
+  EXPECT_THAT([&] { load_graph(path); },
+              testing::ThrowsMessage<ConfigError>((folder.path() / "p.yaml").string() +
+                                                  ":2: a: this key is given twice"));
+}
+
+TEST(LoadGraph, RefusesOverridesOfWhatIsNotThere) {
+  EXPECT_EQ(refusal("components: {world: }", {"wrold.seed=1"}),
+            "--set: wrold.seed = 1: unknown component; did you mean 'world'?");
+  EXPECT_EQ(refusal("components: {world: }", {"world=1"}),
+            "--set: world = 1: must have the form component.param=value");
+  EXPECT_EQ(refusal("components: {world: {parameters: {a: 1}}}", {"world.a.b=1", "x.y=2", "world.c=3"}),
+            "--set: world.a.b = 1: 'a' has no parts, it is 1\n"
+            "--set: x.y = 2: unknown component; known: robot, world");
+}
+
+TEST(ResolveName, FollowsTheRulesOfRos) {
+  EXPECT_EQ(resolve_name("/", "node", "odom"), "/odom");
+  EXPECT_EQ(resolve_name("/r1", "node", "odom"), "/r1/odom");
+  EXPECT_EQ(resolve_name("/r1", "node", "a/b"), "/r1/a/b");
+  EXPECT_EQ(resolve_name("/r1", "node", "/odom"), "/odom");
+  EXPECT_EQ(resolve_name("/r1", "node", "~/debug"), "/r1/node/debug");
+  EXPECT_EQ(resolve_name("/r1", "node", "odom", {{"odom", "pose/odom", {}}}), "/r1/pose/odom");
+  EXPECT_EQ(resolve_name("/r1", "node", "odom", {{"/r1/odom", "/odom", {}}}), "/odom");
+  EXPECT_EQ(resolve_name("/r1", "node", "a", {{"a", "b", {}}, {"b", "c", {}}}), "/r1/b");
+  EXPECT_EQ(join_namespaces("", ""), "/");
+  EXPECT_EQ(join_namespaces("/", "a"), "/a");
+  EXPECT_EQ(join_namespaces("a", "b/"), "/a/b");
+}
+
+TEST(TopicNameRule, AcceptsWhatRosAccepts) {
+  for (const std::string good : {"odom", "/odom", "~/a", "a/b_2", "/_a"}) {
+    EXPECT_EQ(topic_name_rule(good), std::nullopt) << good;
+  }
+  for (const std::string bad :
+       {"", "/", "~", "~a", "/~/a", "a//b", "a/", "2a", "a/2b", "a b", "a-b", "\xc3\xa9"}) {
+    EXPECT_NE(topic_name_rule(bad), std::nullopt) << bad;
+  }
+  EXPECT_EQ(topic_name_rule(std::string(247, 'a')), std::nullopt);
+  EXPECT_EQ(topic_name_rule(std::string(248, 'a')), "must be at most 247 characters long");
+}
+
+}  // namespace
+}  // namespace bw
