@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "components/world/person.hpp"
@@ -23,9 +22,6 @@ struct Track {
 };
 
 struct ReplayOptions {
-  std::string tracks;
-  std::string walls;
-  std::string circles;
   double start_time = 0.0;
   double duration = 1e6;
   double x = 0.0;
@@ -35,11 +31,6 @@ struct ReplayOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("tracks", tracks,
-      {.doc = "file of recorded people (CSV t_s,frame,ped_id,x_m,y_m,vx_mps,vy_mps); empty: none"});
-    v("walls", walls, {.doc = "file of the recording's walls (CSV x1_m,y1_m,x2_m,y2_m); empty: none"});
-    v("circles", circles,
-      {.doc = "file of the recording's trees and pillars (CSV x_m,y_m,r_m); empty: none"});
     v("start_time", start_time,
       {.unit = "s", .min = 0, .max = 1e6, .doc = "recorded time at which the world starts"});
     v("duration", duration,
