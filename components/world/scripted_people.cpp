@@ -1,6 +1,5 @@
 #include "components/world/scripted_people.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -54,11 +53,8 @@ Person locate(const ScriptedPersonOptions& script, std::uint32_t id, double time
 
 ScriptedPeople::ScriptedPeople(std::vector<ScriptedPersonOptions> people, std::uint32_t first_id)
     : people_(std::move(people)), first_id_(first_id) {
-  const auto nowhere = [](const ScriptedPersonOptions& p) { return p.waypoints.empty(); };
-  const auto found = std::find_if(people_.begin(), people_.end(), nowhere);
-  if (found != people_.end()) {
-    throw std::runtime_error("people.scripted[" + std::to_string(found - people_.begin()) +
-                             "].waypoints is empty: a person needs at least one place");
+  for (const ScriptedPersonOptions& script : people_) {
+    if (const auto rule = script.violated_rule()) throw std::runtime_error("scripted person: " + *rule);
   }
 }
 

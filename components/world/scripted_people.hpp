@@ -2,6 +2,8 @@
 // stands.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "components/world/person.hpp"
@@ -36,12 +38,17 @@ struct ScriptedPersonOptions {
     v("turn_round", turn_round, {.doc = "walks back at the end, to and fro; else stands there"});
     v("radius", radius, {.unit = "m", .min = 0.05, .max = 2, .doc = "of the disc that counts as contact"});
   }
+
+  std::optional<std::string> violated_rule() const {
+    if (waypoints.empty()) return "waypoints must name at least one place";
+    return std::nullopt;
+  }
 };
 
 /// A closed form of time: where one scripted person is `time` [s] after the start.
 class ScriptedPeople final : public PeopleModel {
  public:
-  /// Ids count up from `first_id`. Throws std::runtime_error when somebody has no waypoint.
+  /// Ids count up from `first_id`. Throws std::runtime_error when somebody breaks their rule.
   ScriptedPeople(std::vector<ScriptedPersonOptions> people, std::uint32_t first_id);
   void step(double dt, const Surroundings& surroundings, std::vector<Person>& people) override;
 

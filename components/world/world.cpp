@@ -55,12 +55,16 @@ RobotBody World::robot_body() const {
   return {pose().position(), direction(pose().theta) * twist().v, robot_.radius};
 }
 
+double World::wall_gap(double limit) const {
+  return scene_.clearance(pose().position(), robot_.radius + limit) - robot_.radius;
+}
+
 void World::move_people(double dt) {
   const RobotBody robot = robot_body();
   std::vector<Person> moved;
   for (const auto& group : groups_) {
     const std::vector<Person> others = moved;
-    group->step(dt, {others, options_.people.react ? &robot : nullptr}, moved);
+    group->step(dt, {others, options_.people_react ? &robot : nullptr}, moved);
   }
   people_ = std::move(moved);
   legs_.step(dt, people_);
@@ -81,9 +85,8 @@ WorldSample World::step() {
   const double speed_before = std::abs(twist().v);
   const bool held_by_wall = drive_.step(options_.physics_step, scene_);
   move_people(options_.physics_step);
-  const double wall_gap =
-      scene_.clearance(pose().position(), robot_.radius + 2.0 * ContactLog::kApart) - robot_.radius;
-  contacts_.step(time(), robot_body(), speed_before, held_by_wall, wall_gap, people_);
+  contacts_.step(time(), robot_body(), speed_before, held_by_wall, wall_gap(2.0 * ContactLog::kApart),
+                 people_);
 
   WorldSample sample;
   sample.time = time();

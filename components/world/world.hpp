@@ -53,6 +53,7 @@ class World {
   Twist2 twist() const { return drive_.twist(); }      ///< true body velocity
   const std::vector<Person>& people() const { return people_; }
   const ContactLog& contacts() const { return contacts_; }
+  double wall_gap(double limit) const;  ///< from the robot's rim to the nearest wall, at most `limit` [m]
   const StaticScene& scene() const { return scene_; }
 
  private:

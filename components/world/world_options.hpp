@@ -64,7 +64,6 @@ struct StartOptions {
 };
 
 struct PeopleOptions {
-  bool react = true;
   std::vector<ScriptedPersonOptions> scripted;
   SocialWalkersOptions social;
   ReplayOptions replay;
@@ -72,8 +71,6 @@ struct PeopleOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("react", react,
-      {.doc = "walkers see the robot and keep clear of it; claims on safety only with false"});
     v("scripted", scripted, {.doc = "people who follow waypoints or stand"});
     v("social", social, {.doc = "people who walk by the social force model"});
     v("replay", replay, {.doc = "recorded people"});
@@ -88,8 +85,12 @@ struct WorldOptions {
   double truth_rate = 50.0;
   StartOptions start;
   std::string map;
+  std::string tracks;
+  std::string track_walls;
+  std::string track_circles;
   std::vector<WallOptions> walls;
   std::vector<BoxOptions> boxes;
+  bool people_react = true;
   PeopleOptions people;
   DriveOptions drive;
   LaserOptions laser;
@@ -106,8 +107,16 @@ struct WorldOptions {
       {.unit = "Hz", .min = 0.1, .max = 1000, .doc = "ground truth messages per second"});
     v("start", start, {.doc = "pose of the robot at the start"});
     v("map", map, {.doc = "map file (YAML beside a PGM or PNG); empty: none"});
+    v("tracks", tracks,
+      {.doc = "file of recorded people (CSV t_s,frame,ped_id,x_m,y_m,vx_mps,vy_mps); empty: none"});
+    v("track_walls", track_walls,
+      {.doc = "file of the recording's walls (CSV x1_m,y1_m,x2_m,y2_m); empty: none"});
+    v("track_circles", track_circles,
+      {.doc = "file of the recording's trees and pillars (CSV x_m,y_m,r_m); empty: none"});
     v("walls", walls, {.doc = "thin walls"});
     v("boxes", boxes, {.doc = "boxes that stand about"});
+    v("people_react", people_react,
+      {.doc = "walkers see the robot and keep clear of it; claims on safety only with false"});
     v("people", people, {.doc = "who walks where"});
     v("drive", drive, {.doc = "wheels and encoders"});
     v("laser", laser, {.doc = "laser scanner"});
