@@ -1,9 +1,11 @@
-// What a component is, and how it declares its ends. A component is an actor: its callbacks never run at the same time.
+// What a component is, and how it declares its ends. A component is an actor: its callbacks never run at the
+// same time.
 //
 //   class Doubler final : public bw::Component {
 //     void configure(bw::Setup& setup) override {
 //       out_ = setup.output<std_msgs::msg::Float64>("doubled");
-//       setup.input<std_msgs::msg::Float64>("value", bw::Qos::standard(), [this](const auto& message, const bw::Tick&) { ... });
+//       setup.input<std_msgs::msg::Float64>("value", bw::Qos::standard(), [this](const auto& message, const
+//       bw::Tick&) { ... });
 //     }
 //     bw::Output<std_msgs::msg::Float64> out_;
 //   };
@@ -31,7 +33,8 @@ namespace bw {
 
 class TransformTree;
 
-/// Writes messages to a topic. A copyable handle; valid from configure() on, writes only while the component is active.
+/// Writes messages to a topic. A copyable handle; valid from configure() on, writes only while the component
+/// is active.
 template <class M>
 class Output {
  public:
@@ -65,6 +68,12 @@ class Latest {
     Time received;
   };
   std::shared_ptr<State> state_;
+};
+
+/// The parameters of an instance as people read them.
+struct ParameterReport {
+  std::vector<ParameterRow> rows;
+  std::string yaml;  ///< reads back to the same values
 };
 
 /// What the diagnostics topic says of a component, republished every second.
@@ -116,12 +125,13 @@ class Setup {
   template <class M, class Callback>
   void input(const std::string& topic, const Qos& qos, Callback on_message, Need need = Need::required) {
     auto message = std::make_shared<M>();  // kept, so that its buffers are reused
-    add_input(topic, message_type<M>(), qos, InputKind::callback, need,
-              [message, callback = std::move(on_message)](std::span<const std::uint8_t> cdr, const Tick& tick) {
-                if (!deserialize(cdr, *message)) return false;
-                callback(std::as_const(*message), tick);
-                return true;
-              });
+    add_input(
+        topic, message_type<M>(), qos, InputKind::callback, need,
+        [message, callback = std::move(on_message)](std::span<const std::uint8_t> cdr, const Tick& tick) {
+          if (!deserialize(cdr, *message)) return false;
+          callback(std::as_const(*message), tick);
+          return true;
+        });
   }
   /// Keeps the newest message; calls nothing and costs the component no latency.
   template <class M>
@@ -139,7 +149,8 @@ class Setup {
               });
     return handle;
   }
-  /// Calls `on_tick` every `period`, first at one period after activation. Ticks missed while busy become one.
+  /// Calls `on_tick` every `period`, first at one period after activation. Ticks missed while busy become
+  /// one.
   virtual void every(Duration period, const std::string& name, TickHandler on_tick) = 0;
 
   /// A transform tree fed from /tf and /tf_static.
@@ -160,24 +171,25 @@ class Setup {
   }
   template <class P>
   void declare_parameters(P& values) {
-    P defaults;
-    keep_parameters(list_parameters(defaults));
     read_into(values, parameter_section(), parameter_path());
+    keep_parameters({.rows = list_parameters(values), .yaml = to_yaml(values)});
   }
 
-  virtual OutputPort* add_output(const std::string& topic, const MessageType& type, const Qos& qos, bool command) = 0;
-  virtual void add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind, Need need,
-                         SampleHandler handler) = 0;
+  virtual OutputPort* add_output(const std::string& topic, const MessageType& type, const Qos& qos,
+                                 bool command) = 0;
+  virtual void add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind,
+                         Need need, SampleHandler handler) = 0;
   virtual const ConfigNode& parameter_section() const = 0;
   virtual std::string parameter_path() const = 0;
   virtual const ConfigNode& shared_section(std::string_view section) const = 0;
-  virtual void keep_parameters(std::vector<ParameterRow> rows) = 0;
+  virtual void keep_parameters(ParameterReport report) = 0;
 };
 
 class Component {
  public:
   virtual ~Component() = default;
-  /// Reads parameters and declares ends. Throws ConfigError or std::runtime_error; moves nothing, opens no device.
+  /// Reads parameters and declares ends. Throws ConfigError or std::runtime_error; moves nothing, opens no
+  /// device.
   virtual void configure(Setup& setup) = 0;
   /// The graph is connected; from now on callbacks run.
   virtual void activate(const Tick&) {}
@@ -194,8 +206,8 @@ bool register_component(const std::string& type_name, ComponentFactory factory);
 }  // namespace bw
 
 /// Once per component, in its source file.
-#define BW_COMPONENT(Class, type_name)                        \
-  namespace {                                                 \
-  [[maybe_unused]] const bool registered_##Class =            \
+#define BW_COMPONENT(Class, type_name)                                               \
+  namespace {                                                                        \
+  [[maybe_unused]] const bool registered_##Class =                                   \
       ::bw::register_component(type_name, [] { return std::make_unique<Class>(); }); \
   }

@@ -1,11 +1,11 @@
 // What a component says to people: one line on the terminal and one rcl_interfaces/Log on /rosout.
 #pragma once
 
-#include <fmt/core.h>
-
 #include <functional>
 #include <string>
 #include <utility>
+
+#include <fmt/core.h>
 
 namespace bw {
 

@@ -1,4 +1,5 @@
-// The type-erased ends of topics: what the templates of component.hpp hand to the host, which alone knows lanes, clocks and DDS.
+// The type-erased ends of topics: what the templates of component.hpp hand to the host, which alone knows
+// lanes, clocks and DDS.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +19,8 @@ enum class Health { ok, degraded, stop };
 /// One call of a component: the frozen time and the state of its inputs. No other clock may be read.
 struct Tick {
   Time now;
-  Health health = Health::ok;      ///< stop: bring the robot to a safe stop in this very call
-  std::uint64_t sequence = 0;      ///< counts the calls of this callback from 0
+  Health health = Health::ok;  ///< stop: bring the robot to a safe stop in this very call
+  std::uint64_t sequence = 0;  ///< counts the calls of this callback from 0
 };
 
 /// Names of a message type as the wire knows them.
@@ -33,7 +34,8 @@ class OutputPort {
  public:
   virtual ~OutputPort() = default;
   virtual void publish(std::span<const std::uint8_t> cdr) = 0;
-  /// Somebody listens; a costly message may be skipped when nobody does. Always true in lock-step, so that runs stay equal.
+  /// Somebody listens; a costly message may be skipped when nobody does. Always true in lock-step, so that
+  /// runs stay equal.
   virtual bool has_readers() const = 0;
   std::vector<std::uint8_t> buffer;  ///< reused by Output::publish
 };

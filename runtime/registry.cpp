@@ -1,9 +1,9 @@
 #include "runtime/registry.hpp"
 
-#include <dlfcn.h>
-
 #include <map>
 #include <stdexcept>
+
+#include <dlfcn.h>
 
 #include "runtime/parameters/nearest.hpp"
 

@@ -16,7 +16,8 @@ std::vector<std::string> registered_components();
 /// Null when the type is unknown.
 std::unique_ptr<Component> make_component(const std::string& type_name);
 
-/// Loads a shared library whose BW_COMPONENT lines register themselves. Throws std::runtime_error with the loader's reason.
+/// Loads a shared library whose BW_COMPONENT lines register themselves. Throws std::runtime_error with the
+/// loader's reason.
 void load_plugin(const std::filesystem::path& library);
 
 }  // namespace bw

@@ -30,7 +30,8 @@ bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
     input.last_received = now;
   }
   const Duration start = thread_cpu_time();
-  const bool accepted = input.handler(sample_.cdr, Tick{.now = now, .health = health(now), .sequence = input.calls});
+  const bool accepted =
+      input.handler(sample_.cdr, Tick{.now = now, .health = health(now), .sequence = input.calls});
   const Duration spent = thread_cpu_time() - start;
   if (accepted) ++input.calls;
   const std::lock_guard lock(mutex);

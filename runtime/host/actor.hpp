@@ -34,7 +34,7 @@ struct Input {
   Time last_received;  ///< activation time until the first sample
   std::uint64_t calls = 0;
   CallbackStatistics statistics;
-  std::atomic<bool> queued = false;      ///< wall clock: an event waits in the lane
+  std::atomic<bool> queued = false;  ///< wall clock: an event waits in the lane
   std::atomic<std::int64_t> queued_at_ns = 0;
 };
 
@@ -57,7 +57,8 @@ class SampleSink {
 
 class OutputEnd final : public OutputPort {
  public:
-  OutputEnd(Actor& actor, std::string topic_name, const MessageType& message_type, const Qos& topic_qos, bool is_command)
+  OutputEnd(Actor& actor, std::string topic_name, const MessageType& message_type, const Qos& topic_qos,
+            bool is_command)
       : owner(actor), topic(std::move(topic_name)), type(message_type), qos(topic_qos), command(is_command) {}
   void publish(std::span<const std::uint8_t> cdr) override {
     if (sink != nullptr) sink->publish(*this, cdr);
@@ -87,13 +88,14 @@ struct Actor final : DiagnosticReporter {
   std::vector<std::unique_ptr<Input>> inputs;
   std::vector<std::unique_ptr<OutputEnd>> outputs;
   std::vector<std::unique_ptr<Timer>> timers;
-  std::vector<ParameterRow> parameters;
+  ParameterReport parameters;
 
   /// Guards what the diagnostics read while the lane works: statistics, arrival times, the two below.
   mutable std::mutex mutex;
   Level diagnostic_level = Level::ok;
   std::string diagnostic_message = "ok";
-  std::atomic<bool> stop_requested = false;  ///< the host is shutting down: Health::stop whatever the inputs say
+  std::atomic<bool> stop_requested =
+      false;  ///< the host is shutting down: Health::stop whatever the inputs say
 
   void report(Level level, std::string message) override {
     const std::lock_guard lock(mutex);

@@ -19,7 +19,8 @@ class ComponentClock {
   virtual void on_step(std::function<void()> wake) = 0;
 };
 
-/// System time when the process started, advanced by the monotonic clock: never jumps, and stamps agree with ROS 2 nodes.
+/// System time when the process started, advanced by the monotonic clock: never jumps, and stamps agree with
+/// ROS 2 nodes.
 class MonotonicClock final : public ComponentClock {
  public:
   MonotonicClock();

@@ -1,13 +1,13 @@
 #include "runtime/host/host.hpp"
 
+#include <algorithm>
+#include <ranges>
+#include <stdexcept>
+
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <ranges>
-#include <stdexcept>
 
 #include "runtime/host/host_setup.hpp"
 #include "runtime/host/lockstep_runner.hpp"
@@ -74,20 +74,23 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
   const std::vector<std::string> processes = graph_.processes();
   const std::string& only = options_.only_process;
   if (!only.empty() && std::ranges::find(processes, only) == processes.end()) {
-    throw std::runtime_error("the graph has no process \"" + only + "\"; it has: " + fmt::format("{}", fmt::join(processes, ", ")));
+    throw std::runtime_error("the graph has no process \"" + only +
+                             "\"; it has: " + fmt::format("{}", fmt::join(processes, ", ")));
   }
   if (!only.empty() && options_.clock == ClockMode::lockstep) {
     throw std::runtime_error("lock-step runs the whole graph in one process: --only needs --clock wall");
   }
   for (const std::string& plugin : graph_.settings.plugins) load_plugin(plugin);
   for (ExtraComponent& e : extra) {
-    graph_.components.push_back({.name = e.name, .type = e.name, .process = only.empty() ? "main" : only, .lane = "main"});
+    graph_.components.push_back(
+        {.name = e.name, .type = e.name, .process = only.empty() ? "main" : only, .lane = "main"});
   }
 
   const bool lockstep = options_.clock == ClockMode::lockstep;
   auto services = std::make_unique<ProcessServices>(lockstep, !lockstep, local_);
   services_ = services.get();
-  const ComponentNode services_node{.name = "bandwagon" + (only.empty() ? "" : "_" + only), .lane = "services"};
+  const ComponentNode services_node{.name = "bandwagon" + (only.empty() ? "" : "_" + only),
+                                    .lane = "services"};
   add_component(services_node, std::move(services), true);
   std::vector<Violation> violations;
   for (const ComponentNode& node : graph_.components) {
@@ -136,26 +139,28 @@ void Host::connect() {
   const bool lockstep = options_.clock == ClockMode::lockstep;
   const dds::Transport transport =
       graph_.settings.transport == "lan" ? dds::Transport::lan : dds::Transport::localhost;
-  participant_ = std::make_unique<dds::Participant>(dds::ParticipantOptions{
-      .network = dds::Network::from_environment(transport),
-      .private_partition = lockstep ? "lockstep" + std::to_string(getpid()) : ""});
+  participant_ = std::make_unique<dds::Participant>(
+      dds::ParticipantOptions{.network = dds::Network::from_environment(transport),
+                              .private_partition = lockstep ? "lockstep" + std::to_string(getpid()) : ""});
   if (lockstep) {
     runner_ = std::make_unique<LockstepRunner>(local_, options_.pace);
   } else {
     if (options_.clock == ClockMode::topic) {
       auto topic_clock = std::make_unique<TopicClock>();
-      clock_reader_ = participant_->create_reader(
-          endpoint_options("/clock", {MessageTraits<rosgraph_msgs::msg::Clock>::ros_name,
-                                      MessageTraits<rosgraph_msgs::msg::Clock>::dds_name,
-                                      MessageTraits<rosgraph_msgs::msg::Clock>::type_hash},
-                           Qos::clock()),
-          [this, clock = topic_clock.get()] {
-            dds::Sample sample;
-            rosgraph_msgs::msg::Clock message;
-            while (clock_reader_ && clock_reader_->take(sample)) {
-              if (deserialize(sample.cdr, message)) clock->set(from_stamp(message.clock()));
-            }
-          });
+      clock_reader_ =
+          participant_->create_reader(endpoint_options("/clock",
+                                                       {MessageTraits<rosgraph_msgs::msg::Clock>::ros_name,
+                                                        MessageTraits<rosgraph_msgs::msg::Clock>::dds_name,
+                                                        MessageTraits<rosgraph_msgs::msg::Clock>::type_hash},
+                                                       Qos::clock()),
+                                      [this, clock = topic_clock.get()] {
+                                        dds::Sample sample;
+                                        rosgraph_msgs::msg::Clock message;
+                                        while (clock_reader_ && clock_reader_->take(sample)) {
+                                          if (deserialize(sample.cdr, message))
+                                            clock->set(from_stamp(message.clock()));
+                                        }
+                                      });
       clock_ = std::move(topic_clock);
     } else {
       clock_ = std::make_unique<MonotonicClock>();
@@ -165,14 +170,16 @@ void Host::connect() {
   // Writers first: in one participant a match is immediate, so no reader misses a latched first sample.
   for (Actor* actor : local_) {
     for (const auto& output : actor->outputs) {
-      output->writer = participant_->create_writer(endpoint_options(output->topic, output->type, output->qos));
+      output->writer =
+          participant_->create_writer(endpoint_options(output->topic, output->type, output->qos));
       output->always_read = lockstep;
     }
   }
   for (Actor* actor : local_) {
     for (const auto& input : actor->inputs) {
-      input->reader = participant_->create_reader(endpoint_options(input->topic, input->type, input->qos),
-                                                  [this, end = input.get()] { runner_->sample_arrived(*end); });
+      input->reader =
+          participant_->create_reader(endpoint_options(input->topic, input->type, input->qos),
+                                      [this, end = input.get()] { runner_->sample_arrived(*end); });
     }
   }
   announce_nodes();
@@ -181,14 +188,16 @@ void Host::connect() {
 void Host::announce_nodes() {
   ParticipantEntities entities{.participant = participant_->guid(), .nodes = {}};
   for (const Actor* actor : local_) {
-    NodeEntities node{.node_namespace = actor->node_namespace, .name = actor->name, .readers = {}, .writers = {}};
+    NodeEntities node{
+        .node_namespace = actor->node_namespace, .name = actor->name, .readers = {}, .writers = {}};
     for (const auto& input : actor->inputs) node.readers.push_back(input->reader->guid());
     for (const auto& output : actor->outputs) node.writers.push_back(output->writer->guid());
     entities.nodes.push_back(std::move(node));
   }
   node_writer_ = participant_->create_writer(
       {.topic = kDiscoveryTopic, .type = kDiscoveryType, .qos = Qos::latched(), .user_data = {}});
-  node_writer_->write(encode(entities, graph_.settings.ros_distro == "humble" ? GidFormat::humble : GidFormat::iron_and_later));
+  node_writer_->write(encode(
+      entities, graph_.settings.ros_distro == "humble" ? GidFormat::humble : GidFormat::iron_and_later));
 }
 
 RunEnd Host::run(std::optional<Duration> duration) {
@@ -199,7 +208,8 @@ RunEnd Host::run(std::optional<Duration> duration) {
   }
   for (Actor* actor : local_) actor->component->activate({.now = runner_->now()});
   RunEnd end = runner_->run(duration);
-  for (Actor* actor : std::views::reverse(local_)) actor->component->deactivate({.now = runner_->now(), .health = Health::stop});
+  for (Actor* actor : std::views::reverse(local_))
+    actor->component->deactivate({.now = runner_->now(), .health = Health::stop});
   for (Actor* actor : std::views::reverse(local_)) actor->component->cleanup();
   return end;
 }
@@ -218,8 +228,8 @@ void Host::log(const Actor& actor, LogLevel level, const std::string& text) {
   if (started_) services_->log(actor.name, now, level, text);
 }
 
-std::vector<std::pair<std::string, std::vector<ParameterRow>>> Host::parameters() const {
-  std::vector<std::pair<std::string, std::vector<ParameterRow>>> all;
+std::vector<std::pair<std::string, ParameterReport>> Host::parameters() const {
+  std::vector<std::pair<std::string, ParameterReport>> all;
   for (const auto& actor : actors_) {
     if (actor->rank > 0) all.emplace_back(actor->name, actor->parameters);
   }

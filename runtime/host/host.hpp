@@ -1,4 +1,5 @@
-// One process of a graph: configures every component, checks the whole, connects the ends, runs, and leaves everything at rest.
+// One process of a graph: configures every component, checks the whole, connects the ends, runs, and leaves
+// everything at rest.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +53,7 @@ class Host {
   const Graph& graph() const { return graph_; }
   const std::vector<ComponentDeclaration>& declarations() const { return declarations_; }
   /// The parameters of every component of the graph, by instance name.
-  std::vector<std::pair<std::string, std::vector<ParameterRow>>> parameters() const;
+  std::vector<std::pair<std::string, ParameterReport>> parameters() const;
   /// Of this process's callbacks, after the run.
   std::vector<CallbackStatistics> statistics() const;
   /// Lock-step only, else empty.

@@ -13,7 +13,8 @@ std::filesystem::path HostSetup::file_parameter(std::string_view key) const {
 }
 
 void HostSetup::every(Duration period, const std::string& name, TickHandler on_tick) {
-  if (period <= Duration{}) throw std::logic_error(actor_.name + ": the timer " + name + " has no positive period");
+  if (period <= Duration{})
+    throw std::logic_error(actor_.name + ": the timer " + name + " has no positive period");
   auto timer = std::make_unique<Timer>();
   timer->actor = &actor_;
   timer->name = name;
@@ -36,22 +37,27 @@ std::uint64_t HostSetup::seed() const {
 }
 
 Logger HostSetup::log() {
-  return Logger([&host = host_, &actor = actor_](LogLevel level, const std::string& text) { host.log(actor, level, text); });
+  return Logger([&host = host_, &actor = actor_](LogLevel level, const std::string& text) {
+    host.log(actor, level, text);
+  });
 }
 
 std::function<void(bool, const std::string&)> HostSetup::finish_run() {
-  return [&host = host_](bool ok, const std::string& reason) { host.finish({.ok = ok, .reason = reason}, true); };
+  return [&host = host_](bool ok, const std::string& reason) {
+    host.finish({.ok = ok, .reason = reason}, true);
+  };
 }
 
-OutputPort* HostSetup::add_output(const std::string& topic, const MessageType& type, const Qos& qos, bool command) {
+OutputPort* HostSetup::add_output(const std::string& topic, const MessageType& type, const Qos& qos,
+                                  bool command) {
   auto output = std::make_unique<OutputEnd>(actor_, node_.topic_of(topic), type, qos, command);
   output->name = topic;
   actor_.outputs.push_back(std::move(output));
   return actor_.outputs.back().get();
 }
 
-void HostSetup::add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind, Need need,
-                          SampleHandler handler) {
+void HostSetup::add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind,
+                          Need need, SampleHandler handler) {
   auto input = std::make_unique<Input>();
   input->actor = &actor_;
   input->name = topic;
@@ -74,10 +80,6 @@ const ConfigNode& HostSetup::shared_section(std::string_view section) const {
   static const ConfigNode kNothing{};
   const auto found = host_.graph().shared.find(std::string(section));
   return found == host_.graph().shared.end() ? kNothing : found->second;
-}
-
-void HostSetup::keep_parameters(std::vector<ParameterRow> rows) {
-  for (ParameterRow& row : rows) actor_.parameters.push_back(std::move(row));
 }
 
 }  // namespace bw

@@ -24,13 +24,14 @@ class HostSetup final : public Setup {
   std::function<void(bool, const std::string&)> finish_run() override;
 
  protected:
-  OutputPort* add_output(const std::string& topic, const MessageType& type, const Qos& qos, bool command) override;
+  OutputPort* add_output(const std::string& topic, const MessageType& type, const Qos& qos,
+                         bool command) override;
   void add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind, Need need,
                  SampleHandler handler) override;
   const ConfigNode& parameter_section() const override { return node_.parameters; }
   std::string parameter_path() const override { return node_.name; }
   const ConfigNode& shared_section(std::string_view section) const override;
-  void keep_parameters(std::vector<ParameterRow> rows) override;
+  void keep_parameters(ParameterReport report) override { actor_.parameters = std::move(report); }
 
  private:
   Host& host_;

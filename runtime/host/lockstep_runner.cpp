@@ -7,7 +7,8 @@
 
 namespace bw {
 
-LockstepRunner::LockstepRunner(std::vector<Actor*> actors, double pace) : actors_(std::move(actors)), pace_(pace) {}
+LockstepRunner::LockstepRunner(std::vector<Actor*> actors, double pace)
+    : actors_(std::move(actors)), pace_(pace) {}
 
 void LockstepRunner::push(Event event) {
   event.sequence = next_sequence_++;
@@ -69,15 +70,17 @@ void LockstepRunner::dispatch(const Event& event) {
     complete(actor);
     return;
   }
-  // Keeping the newest message runs no user code, so it costs nothing and happens even while the actor is busy.
+  // Keeping the newest message runs no user code, so it costs nothing and happens even while the actor is
+  // busy.
   if (event.input != nullptr && event.input->kind == InputKind::keep_newest) {
     actor.deliver(*event.input, now_, std::nullopt);
     return;
   }
   if (const auto busy = busy_.find(actor.rank); busy != busy_.end()) {
     auto& deferred = busy->second.deferred;
-    const bool already_due =
-        event.timer != nullptr && std::ranges::any_of(deferred, [&](const Event& e) { return e.timer == event.timer; });
+    const bool already_due = event.timer != nullptr && std::ranges::any_of(deferred, [&](const Event& e) {
+                               return e.timer == event.timer;
+                             });
     if (already_due) {
       ++event.timer->statistics.missed;
     } else {
@@ -124,7 +127,8 @@ void LockstepRunner::count_event(const Event& event) {
                                                     : "latency";
   ++instant_callbacks_[event.actor->name + " (" + what + ")"];
   if (events_at_now_ <= kMaxEventsPerInstant) return;
-  std::string message = "more than " + std::to_string(kMaxEventsPerInstant) + " events at one instant; the loop runs through";
+  std::string message =
+      "more than " + std::to_string(kMaxEventsPerInstant) + " events at one instant; the loop runs through";
   for (const auto& [name, count] : instant_callbacks_) message += " " + name;
   throw std::runtime_error(message);
 }

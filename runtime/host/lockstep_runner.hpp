@@ -1,4 +1,5 @@
-// Virtual time on one thread: events in a total order of (time, rank in the graph, sequence), as fast as the machine allows.
+// Virtual time on one thread: events in a total order of (time, rank in the graph, sequence), as fast as the
+// machine allows.
 #pragma once
 
 #include <atomic>
@@ -38,8 +39,8 @@ class LockstepRunner final : public Runner {
     std::size_t rank = 0;
     std::uint64_t sequence = 0;
     Actor* actor = nullptr;
-    Input* input = nullptr;  ///< a sample arrived
-    Timer* timer = nullptr;  ///< a tick is due; with neither: the actor's latency has passed
+    Input* input = nullptr;     ///< a sample arrived
+    Timer* timer = nullptr;     ///< a tick is due; with neither: the actor's latency has passed
     bool was_deferred = false;  ///< waited for a busy actor
     bool operator>(const Event& other) const {
       return std::tie(time, rank, sequence) > std::tie(other.time, other.rank, other.sequence);

@@ -16,7 +16,8 @@ void add_value(diagnostic_msgs::msg::DiagnosticStatus& status, std::string key, 
 
 void add_statistics(diagnostic_msgs::msg::DiagnosticStatus& status, const CallbackStatistics& s) {
   add_value(status, s.callback,
-            fmt::format("calls {} missed {} run p50 {:.3f} p99 {:.3f} max {:.3f} ms wait p50 {:.3f} p99 {:.3f} max {:.3f} ms",
+            fmt::format("calls {} missed {} run p50 {:.3f} p99 {:.3f} max {:.3f} ms wait p50 {:.3f} p99 "
+                        "{:.3f} max {:.3f} ms",
                         s.run.count(), s.missed, s.run.quantile_ms(0.5), s.run.quantile_ms(0.99),
                         s.run.max().to_seconds() * 1e3, s.wait.quantile_ms(0.5), s.wait.quantile_ms(0.99),
                         s.wait.max().to_seconds() * 1e3));
@@ -27,7 +28,8 @@ void add_statistics(diagnostic_msgs::msg::DiagnosticStatus& status, const Callba
 void ProcessServices::configure(Setup& setup) {
   rosout_ = setup.output<rcl_interfaces::msg::Log>("/rosout", Qos::rosout());
   diagnostics_ = setup.output<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics");
-  setup.every(Duration::milliseconds(1000), "diagnostics", [this](const Tick& tick) { publish_diagnostics(tick.now); });
+  setup.every(Duration::milliseconds(1000), "diagnostics",
+              [this](const Tick& tick) { publish_diagnostics(tick.now); });
   if (!publishes_clock_) return;
   clock_ = setup.output<rosgraph_msgs::msg::Clock>("/clock");
   setup.every(Duration::milliseconds(10), "clock", [this](const Tick& tick) {

@@ -1,8 +1,10 @@
-// What every process offers beside its components, as one more node: /clock in lock-step, /rosout, /diagnostics.
+// What every process offers beside its components, as one more node: /clock in lock-step, /rosout,
+// /diagnostics.
 #pragma once
 
-#include <diagnostic_msgs/msg/diagnostic_array.hpp>
 #include <mutex>
+
+#include <diagnostic_msgs/msg/diagnostic_array.hpp>
 #include <rcl_interfaces/msg/log.hpp>
 #include <rosgraph_msgs/msg/clock.hpp>
 
@@ -13,7 +15,8 @@ namespace bw {
 
 class ProcessServices final : public Component {
  public:
-  /// `timings`: statistics go into the diagnostics. Off in lock-step, where nothing measured on a real clock may enter a sample.
+  /// `timings`: statistics go into the diagnostics. Off in lock-step, where nothing measured on a real clock
+  /// may enter a sample.
   ProcessServices(bool publishes_clock, bool timings, const std::vector<Actor*>& watched)
       : publishes_clock_(publishes_clock), timings_(timings), watched_(watched) {}
 

@@ -1,9 +1,9 @@
 #include "runtime/host/sample_hash.hpp"
 
-#include <openssl/evp.h>
-
 #include <array>
 #include <stdexcept>
+
+#include <openssl/evp.h>
 
 namespace bw {
 

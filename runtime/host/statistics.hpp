@@ -1,4 +1,5 @@
-// Distribution of durations in constant memory: counts in buckets that grow by 2 %, so that a quantile is right within 2 %.
+// Distribution of durations in constant memory: counts in buckets that grow by 2 %, so that a quantile is
+// right within 2 %.
 #pragma once
 
 #include <cstdint>
@@ -28,9 +29,9 @@ class DurationHistogram {
 /// One callback of one component.
 struct CallbackStatistics {
   std::string component;
-  std::string callback;    ///< timer name or input topic
-  DurationHistogram run;   ///< thread CPU time
-  DurationHistogram wait;  ///< from the event to the start of the callback; empty in lock-step
+  std::string callback;        ///< timer name or input topic
+  DurationHistogram run;       ///< thread CPU time
+  DurationHistogram wait;      ///< from the event to the start of the callback; empty in lock-step
   std::uint64_t rejected = 0;  ///< samples that did not hold the message
   std::uint64_t missed = 0;    ///< timer ticks that were coalesced
 };

@@ -1,13 +1,14 @@
 #include "runtime/host/wall_runner.hpp"
 
-#include <pthread.h>
-
 #include <algorithm>
 #include <chrono>
 
+#include <pthread.h>
+
 namespace bw {
 
-WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock) : actors_(std::move(actors)), clock_(clock) {
+WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock)
+    : actors_(std::move(actors)), clock_(clock) {
   for (Actor* actor : actors_) {
     auto& lane = lanes_[actor->lane];
     if (!lane) {

@@ -39,7 +39,8 @@ class Encoder {
 
 class Decoder {
  public:
-  Decoder(std::span<const std::uint8_t> cdr, GidFormat format) : reader_(cdr), size_(cdr.size()), gid_size_(gid_size(format)) {}
+  Decoder(std::span<const std::uint8_t> cdr, GidFormat format)
+      : reader_(cdr), size_(cdr.size()), gid_size_(gid_size(format)) {}
 
   std::optional<ParticipantEntities> run() {
     ParticipantEntities result;
@@ -47,7 +48,8 @@ class Decoder {
     if (!reader_.open() || !gid(result.participant) || !reader_.read(nodes)) return std::nullopt;
     for (std::uint32_t i = 0; i < nodes; ++i) {
       NodeEntities node;
-      if (!text(node.node_namespace) || !text(node.name) || !gids(node.readers) || !gids(node.writers)) return std::nullopt;
+      if (!text(node.node_namespace) || !text(node.name) || !gids(node.readers) || !gids(node.writers))
+        return std::nullopt;
       if (!node.node_namespace.starts_with('/') || node.name.empty()) return std::nullopt;
       result.nodes.push_back(std::move(node));
     }

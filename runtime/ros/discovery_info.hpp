@@ -1,5 +1,6 @@
-// The topic by which ROS 2 tools learn which nodes a process holds: rmw_dds_common/msg/ParticipantEntitiesInfo on ros_discovery_info.
-// Its gid is 24 bytes in Humble and 16 from Iron on, under one type name; both are written and read here.
+// The topic by which ROS 2 tools learn which nodes a process holds:
+// rmw_dds_common/msg/ParticipantEntitiesInfo on ros_discovery_info. Its gid is 24 bytes in Humble and 16 from
+// Iron on, under one type name; both are written and read here.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +32,8 @@ struct ParticipantEntities {
 
 std::vector<std::uint8_t> encode(const ParticipantEntities& entities, GidFormat format);
 
-/// Tries both formats and takes the one that consumes the bytes; nothing when neither does. Never allocates beyond the input's size.
+/// Tries both formats and takes the one that consumes the bytes; nothing when neither does. Never allocates
+/// beyond the input's size.
 std::optional<ParticipantEntities> decode_participant_entities(std::span<const std::uint8_t> cdr);
 
 }  // namespace bw

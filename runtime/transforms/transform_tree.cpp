@@ -11,18 +11,20 @@ constexpr std::size_t kMaxDepth = 64;  // a longer chain is a loop
 Eigen::Isometry3d interpolate(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double share) {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   result.translation() = (1.0 - share) * a.translation() + share * b.translation();
-  result.linear() = Eigen::Quaterniond(a.linear()).slerp(share, Eigen::Quaterniond(b.linear())).toRotationMatrix();
+  result.linear() =
+      Eigen::Quaterniond(a.linear()).slerp(share, Eigen::Quaterniond(b.linear())).toRotationMatrix();
   return result;
 }
 
 }  // namespace
 
-bool TransformTree::set(const std::string& parent, const std::string& child, Time stamp, const Eigen::Isometry3d& X_PC,
-                        bool is_static) {
+bool TransformTree::set(const std::string& parent, const std::string& child, Time stamp,
+                        const Eigen::Isometry3d& X_PC, bool is_static) {
   if (parent.empty() || child.empty() || parent == child || !X_PC.matrix().allFinite()) return false;
   if (std::abs(X_PC.linear().determinant() - 1.0) > 1e-3) return false;
   Link& link = links_[child];
-  if (link.parent != parent || link.is_static != is_static) link = {.parent = parent, .is_static = is_static, .samples = {}};
+  if (link.parent != parent || link.is_static != is_static)
+    link = {.parent = parent, .is_static = is_static, .samples = {}};
   if (is_static) link.samples.clear();
   const auto later = std::ranges::upper_bound(link.samples, stamp, {}, &Stamped::stamp);
   if (later != link.samples.begin() && std::prev(later)->stamp == stamp) {
@@ -37,13 +39,15 @@ bool TransformTree::set(const std::string& parent, const std::string& child, Tim
 
 std::vector<std::string> TransformTree::chain_to_root(const std::string& frame) const {
   std::vector<std::string> chain = {frame};
-  for (auto link = links_.find(frame); link != links_.end() && chain.size() < kMaxDepth; link = links_.find(chain.back())) {
+  for (auto link = links_.find(frame); link != links_.end() && chain.size() < kMaxDepth;
+       link = links_.find(chain.back())) {
     chain.push_back(link->second.parent);
   }
   return chain;
 }
 
-std::optional<Eigen::Isometry3d> TransformTree::pose_in_ancestor(const std::string& frame, const std::string& ancestor,
+std::optional<Eigen::Isometry3d> TransformTree::pose_in_ancestor(const std::string& frame,
+                                                                 const std::string& ancestor,
                                                                  Time time) const {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   for (std::string at = frame; at != ancestor;) {
@@ -80,7 +84,8 @@ Time TransformTree::newest_common(const std::vector<std::string>& a, const std::
   return newest;
 }
 
-std::optional<Eigen::Isometry3d> TransformTree::lookup(const std::string& target, const std::string& source, Time time) const {
+std::optional<Eigen::Isometry3d> TransformTree::lookup(const std::string& target, const std::string& source,
+                                                       Time time) const {
   const std::vector<std::string> from_target = chain_to_root(target);
   const std::vector<std::string> from_source = chain_to_root(source);
   const auto ancestor = std::ranges::find_first_of(from_source, from_target);
@@ -92,7 +97,8 @@ std::optional<Eigen::Isometry3d> TransformTree::lookup(const std::string& target
   return X_AT->inverse() * *X_AS;
 }
 
-std::optional<Pose2> TransformTree::lookup_planar(const std::string& target, const std::string& source, Time time) const {
+std::optional<Pose2> TransformTree::lookup_planar(const std::string& target, const std::string& source,
+                                                  Time time) const {
   const auto X = lookup(target, source, time);
   if (!X) return std::nullopt;
   return planar(*X);

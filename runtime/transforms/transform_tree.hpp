@@ -1,13 +1,15 @@
-// Which frame is where, over time: the last seconds of every parent-child transform, looked up along the tree with interpolation.
-// X_PC is the pose of the child frame C in its parent P. Plain C++: fed by whoever reads /tf.
+// Which frame is where, over time: the last seconds of every parent-child transform, looked up along the tree
+// with interpolation. X_PC is the pose of the child frame C in its parent P. Plain C++: fed by whoever reads
+// /tf.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <deque>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "components/model/pose2.hpp"
 #include "components/model/time.hpp"
@@ -18,15 +20,18 @@ class TransformTree {
  public:
   explicit TransformTree(Duration history = Duration::milliseconds(10'000)) : history_(history) {}
 
-  /// Ignores (false) a transform that is not finite, has no unit quaternion within 1e-3, is from itself to itself, or is older than the
-  /// history. A later parent for the same child replaces the former one.
-  bool set(const std::string& parent, const std::string& child, Time stamp, const Eigen::Isometry3d& X_PC, bool is_static);
+  /// Ignores (false) a transform that is not finite, has no unit quaternion within 1e-3, is from itself to
+  /// itself, or is older than the history. A later parent for the same child replaces the former one.
+  bool set(const std::string& parent, const std::string& child, Time stamp, const Eigen::Isometry3d& X_PC,
+           bool is_static);
 
-  /// X_TS: pose of `source` in `target` at `time`; Time{} means the newest common instant. Nothing when the frames are not connected or
-  /// when `time` lies outside what is known (no extrapolation).
-  std::optional<Eigen::Isometry3d> lookup(const std::string& target, const std::string& source, Time time = {}) const;
+  /// X_TS: pose of `source` in `target` at `time`; Time{} means the newest common instant. Nothing when the
+  /// frames are not connected or when `time` lies outside what is known (no extrapolation).
+  std::optional<Eigen::Isometry3d> lookup(const std::string& target, const std::string& source,
+                                          Time time = {}) const;
   /// The same, projected to the plane.
-  std::optional<Pose2> lookup_planar(const std::string& target, const std::string& source, Time time = {}) const;
+  std::optional<Pose2> lookup_planar(const std::string& target, const std::string& source,
+                                     Time time = {}) const;
 
  private:
   struct Stamped {
@@ -40,8 +45,10 @@ class TransformTree {
   };
 
   std::vector<std::string> chain_to_root(const std::string& frame) const;
-  std::optional<Eigen::Isometry3d> pose_in_ancestor(const std::string& frame, const std::string& ancestor, Time time) const;
-  Time newest_common(const std::vector<std::string>& a, const std::vector<std::string>& b, const std::string& ancestor) const;
+  std::optional<Eigen::Isometry3d> pose_in_ancestor(const std::string& frame, const std::string& ancestor,
+                                                    Time time) const;
+  Time newest_common(const std::vector<std::string>& a, const std::vector<std::string>& b,
+                     const std::string& ancestor) const;
 
   Duration history_;
   std::map<std::string, Link> links_;  ///< by child

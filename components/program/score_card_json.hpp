@@ -1,0 +1,31 @@
+// The score card of a run as the JSON that scripts and benchmarks rely on (fields: README of evaluation).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <bandwagon_msgs/msg/score_card.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+#include "runtime/host/statistics.hpp"
+
+namespace bw {
+
+struct RunFacts {
+  std::string graph;
+  std::uint64_t seed = 0;
+  std::string planner_component;  ///< instance whose timer callback is the planner's cycle
+  std::string planner_name;
+  double realtime_factor = 0.0;
+  std::string samples_sha256;
+  std::string end_reason;
+};
+
+nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card, const RunFacts& facts,
+                       const std::vector<CallbackStatistics>& statistics);
+
+/// The same for people, a few lines.
+std::string in_words(const nlohmann::json& score_card);
+
+}  // namespace bw

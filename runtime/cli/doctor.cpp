@@ -1,0 +1,115 @@
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include <CLI/App.hpp>
+#include <fmt/format.h>
+#include <sys/socket.h>
+
+#include "runtime/cli/outside.hpp"
+#include "runtime/cli/verbs.hpp"
+#include "runtime/dds/loopback_sockets.hpp"
+
+namespace bw::cli {
+namespace {
+
+class Report {
+ public:
+  void ok(const std::string& text) { std::cout << "ok    " << text << "\n"; }
+  void warn(const std::string& text) { std::cout << "warn  " << text << "\n"; }
+  void fail(const std::string& text) {
+    std::cout << "FAIL  " << text << "\n";
+    failed_ = true;
+  }
+  int status() const { return failed_ ? 1 : 0; }
+
+ private:
+  bool failed_ = false;
+};
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+void check_environment(Report& report) {
+  for (const char* name : {"ROS_DOMAIN_ID", "ROS_LOCALHOST_ONLY", "ROS_AUTOMATIC_DISCOVERY_RANGE",
+                           "ROS_STATIC_PEERS", "FASTRTPS_DEFAULT_PROFILES_FILE"}) {
+    if (const std::string value = variable(name); !value.empty())
+      report.ok(fmt::format("{} = {}", name, value));
+  }
+}
+
+void check_receive_buffer(Report& report) {
+  constexpr long kWanted = 2'000'000;  // a map of 1000 x 1000 cells in one burst
+  long bytes = 0;
+  std::ifstream("/proc/sys/net/core/rmem_max") >> bytes;
+  const std::string text = fmt::format("largest socket receive buffer: {} bytes", bytes);
+  if (bytes >= kWanted) {
+    report.ok(text);
+  } else {
+    report.warn(text +
+                "; large maps to other processes may need several sends. Raise it: sysctl -w "
+                "net.core.rmem_max=4194304");
+  }
+}
+
+void check_shared_memory(Report& report) {
+  std::size_t leftovers = 0;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator("/dev/shm", error)) {
+    if (entry.path().filename().string().starts_with("fastrtps_")) ++leftovers;
+  }
+  if (leftovers == 0) {
+    report.ok("no shared-memory files of other DDS programs");
+  } else {
+    report.warn(fmt::format("{} shared-memory files of other DDS programs in /dev/shm (Bandwagon makes none)",
+                            leftovers));
+  }
+}
+
+void check_discovery(Report& report) {
+  Outside one;
+  const dds::Network network = dds::Network::from_environment(dds::Transport::localhost);
+  if (network.transport == dds::Transport::localhost) {
+    bool all_bound = true;
+    for (const int descriptor : dds::open_datagram_sockets()) {
+      char device[16] = {};
+      socklen_t length = sizeof(device);
+      getsockopt(descriptor, SOL_SOCKET, SO_BINDTODEVICE, static_cast<char*>(device), &length);
+      all_bound = all_bound && std::string(static_cast<const char*>(device)) == "lo";
+    }
+    if (all_bound) {
+      report.ok("every DDS socket is bound to the loopback device");
+    } else {
+      report.fail("a DDS socket is open to the network although the transport is localhost");
+    }
+  } else {
+    report.warn("the transport is open to the network (ROS_AUTOMATIC_DISCOVERY_RANGE)");
+  }
+  Outside two;
+  two.settle();
+  if (two.participant().remote_participants().empty()) {
+    report.fail("two participants of this host do not discover each other");
+  } else {
+    report.ok(fmt::format("discovery works on domain {}; other programs there: {}", network.domain_id,
+                          two.participant().remote_participants().size() - 1));
+  }
+}
+
+}  // namespace
+
+void add_doctor(CLI::App& app, int& status) {
+  app.add_subcommand("doctor", "Checks this machine: sockets, discovery, buffers, leftovers")
+      ->callback([&status] {
+        Report report;
+        check_environment(report);
+        check_receive_buffer(report);
+        check_shared_memory(report);
+        check_discovery(report);
+        status = report.status();
+      });
+}
+
+}  // namespace bw::cli

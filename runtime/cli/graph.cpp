@@ -1,0 +1,61 @@
+#include <iostream>
+#include <memory>
+
+#include <CLI/App.hpp>
+#include <fmt/format.h>
+
+#include "runtime/cli/verbs.hpp"
+#include "runtime/graph/dot.hpp"
+#include "runtime/host/host.hpp"
+#include "runtime/registry.hpp"
+
+namespace bw::cli {
+namespace {
+
+struct GraphOptions {
+  std::string path;
+  std::vector<std::string> set;
+  bool dot = false;
+  bool processes = false;
+};
+
+void show(const GraphOptions& options) {
+  const Host host(load_graph(options.path, options.set), {});
+  if (options.dot) {
+    std::cout << to_dot(host.declarations(), host.graph());
+    return;
+  }
+  if (options.processes) {
+    for (const std::string& process : host.graph().processes()) std::cout << process << "\n";
+    return;
+  }
+  for (const ComponentDeclaration& declaration : host.declarations()) {
+    const ComponentNode& node = *host.graph().find(declaration.name);
+    std::cout << fmt::format("{} ({}, process {}, lane {})\n", node.name, node.type, node.process, node.lane);
+    for (const auto& input : declaration.inputs)
+      std::cout << fmt::format("  in  {} [{}]\n", node.topic_of(input.name), input.type);
+    for (const auto& output : declaration.outputs) {
+      std::cout << fmt::format("  out {} [{}]\n", node.topic_of(output.name), output.type);
+    }
+  }
+}
+
+}  // namespace
+
+void add_graph(CLI::App& app, int&) {
+  auto options = std::make_shared<GraphOptions>();
+  CLI::App* graph = app.add_subcommand("graph", "Checks a graph file and shows its components and topics");
+  graph->add_option("GRAPH", options->path, "Graph file")->required();
+  graph->add_option("--set", options->set, "component.param=value")->allow_extra_args(false);
+  graph->add_flag("--dot", options->dot, "As a Graphviz picture");
+  graph->add_flag("--processes", options->processes, "Only the names of its processes");
+  graph->callback([options] { show(*options); });
+}
+
+void add_list(CLI::App& app, int&) {
+  app.add_subcommand("list", "Component types this program knows")->callback([] {
+    for (const std::string& name : registered_components()) std::cout << name << "\n";
+  });
+}
+
+}  // namespace bw::cli

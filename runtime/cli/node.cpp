@@ -1,0 +1,26 @@
+#include <iostream>
+#include <set>
+
+#include <CLI/App.hpp>
+
+#include "runtime/cli/outside.hpp"
+#include "runtime/cli/verbs.hpp"
+
+namespace bw::cli {
+
+void add_node(CLI::App& app, int&) {
+  CLI::App* node = app.add_subcommand("node", "Nodes on the wire")->require_subcommand(1);
+  node->add_subcommand("list", "Full names of all nodes")->callback([] {
+    Outside outside;
+    outside.settle();
+    std::multiset<std::string> names;
+    for (const ParticipantEntities& participant : outside.nodes()) {
+      for (const NodeEntities& entities : participant.nodes) {
+        names.insert((entities.node_namespace == "/" ? "" : entities.node_namespace) + "/" + entities.name);
+      }
+    }
+    for (const std::string& name : names) std::cout << name << "\n";
+  });
+}
+
+}  // namespace bw::cli
