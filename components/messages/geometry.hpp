@@ -1,0 +1,108 @@
+// Between the planar vocabulary of model/ and ROS 2's messages. For adaptors only.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <geometry_msgs/msg/pose.hpp>
+#include <geometry_msgs/msg/pose_stamped.hpp>
+#include <geometry_msgs/msg/transform_stamped.hpp>
+#include <geometry_msgs/msg/twist.hpp>
+#include <nav_msgs/msg/path.hpp>
+#include <std_msgs/msg/header.hpp>
+
+#include "components/model/pose2.hpp"
+#include "runtime/stamps.hpp"
+
+namespace bw {
+
+inline std_msgs::msg::Header make_header(const std::string& frame, Time stamp) {
+  std_msgs::msg::Header header;
+  header.frame_id(frame);
+  header.stamp(to_stamp(stamp));
+  return header;
+}
+
+inline geometry_msgs::msg::Point to_point(const Vector2& p) {
+  geometry_msgs::msg::Point point;
+  point.x(p.x());
+  point.y(p.y());
+  return point;
+}
+
+inline geometry_msgs::msg::Vector3 to_vector3(const Vector2& v) {
+  geometry_msgs::msg::Vector3 vector;
+  vector.x(v.x());
+  vector.y(v.y());
+  return vector;
+}
+
+inline geometry_msgs::msg::Quaternion to_quaternion(double yaw) {
+  geometry_msgs::msg::Quaternion q;
+  q.z(std::sin(yaw / 2.0));
+  q.w(std::cos(yaw / 2.0));
+  return q;
+}
+
+/// Heading [rad] of a rotation; NaN for a quaternion that is none (not of unit length within 1 %).
+inline double yaw_of(const geometry_msgs::msg::Quaternion& q) {
+  const double norm = q.x() * q.x() + q.y() * q.y() + q.z() * q.z() + q.w() * q.w();
+  if (!(std::abs(norm - 1.0) < 0.02)) return std::numeric_limits<double>::quiet_NaN();
+  return std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()), 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
+}
+
+inline geometry_msgs::msg::Pose to_pose(const Pose2& X) {
+  geometry_msgs::msg::Pose pose;
+  pose.position(to_point(X.position()));
+  pose.orientation(to_quaternion(X.theta));
+  return pose;
+}
+
+/// May hold NaN when the message does: check with is_finite().
+inline Pose2 from_pose(const geometry_msgs::msg::Pose& pose) {
+  return {pose.position().x(), pose.position().y(), yaw_of(pose.orientation())};
+}
+
+inline geometry_msgs::msg::Twist to_twist_message(const Twist2& t) {
+  geometry_msgs::msg::Twist twist;
+  twist.linear().x(t.v);
+  twist.angular().z(t.omega);
+  return twist;
+}
+
+inline Twist2 from_twist(const geometry_msgs::msg::Twist& twist) {
+  return {twist.linear().x(), twist.angular().z()};
+}
+
+inline geometry_msgs::msg::TransformStamped to_transform(const std::string& parent, const std::string& child,
+                                                         Time stamp, const Pose2& X_PC) {
+  geometry_msgs::msg::TransformStamped transform;
+  transform.header(make_header(parent, stamp));
+  transform.child_frame_id(child);
+  transform.transform().translation(to_vector3(X_PC.position()));
+  transform.transform().rotation(to_quaternion(X_PC.theta));
+  return transform;
+}
+
+inline nav_msgs::msg::Path to_path(const std::string& frame, Time stamp, const std::vector<Pose2>& poses) {
+  nav_msgs::msg::Path path;
+  path.header(make_header(frame, stamp));
+  path.poses().reserve(poses.size());
+  for (const Pose2& X : poses) {
+    geometry_msgs::msg::PoseStamped stamped;
+    stamped.header(path.header());
+    stamped.pose(to_pose(X));
+    path.poses().push_back(std::move(stamped));
+  }
+  return path;
+}
+
+inline std::vector<Pose2> from_path(const nav_msgs::msg::Path& path) {
+  std::vector<Pose2> poses;
+  poses.reserve(path.poses().size());
+  for (const auto& stamped : path.poses()) poses.push_back(from_pose(stamped.pose()));
+  return poses;
+}
+
+}  // namespace bw
