@@ -1,0 +1,80 @@
+#include "components/evaluation/picture_view.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "components/evaluation/svg_writer.hpp"
+
+namespace bw {
+namespace {
+
+constexpr double kRoom = 2.0;          // about the drive [m]
+constexpr double kFlattest = 1 / 3.0;  // height over width
+constexpr double kSteepest = 1.0;
+
+void widen(Eigen::AlignedBox2d& box, int axis, double size) {
+  const double missing = size - box.sizes()[axis];
+  if (missing <= 0.0) return;
+  box.min()[axis] -= missing / 2.0;
+  box.max()[axis] += missing / 2.0;
+}
+
+}  // namespace
+
+PictureView view_of(const RunRecording& recording, double width, const Vector2& corner) {
+  Eigen::AlignedBox2d box(recording.goal);
+  for (const RecordedMoment& moment : recording.moments) box.extend(moment.X_MB.position());
+  box.min().array() -= kRoom;
+  box.max().array() += kRoom;
+  if (recording.map) {
+    const OccupancyGrid& map = *recording.map;
+    const Vector2 size(map.width * map.resolution, map.height * map.resolution);
+    constexpr double kRim = 0.25;
+    const Eigen::AlignedBox2d border(map.origin - Vector2::Constant(kRim),
+                                     map.origin + size + Vector2::Constant(kRim));
+    if (border.intersects(box)) box = box.intersection(border);
+  }
+  widen(box, 1, box.sizes().x() * kFlattest);
+  widen(box, 0, box.sizes().y() / kSteepest);
+  return {box, width / box.sizes().x(), corner};
+}
+
+std::string cells_path(const OccupancyGrid& grid, const PictureView& view, int lowest, int highest) {
+  using Run = std::pair<int, int>;  // first column, one past the last
+  std::map<Run, int> open;          // run -> first row in which it began
+  std::string data;
+  const auto close = [&](const Run& run, int first_row, int end_row) {
+    const Vector2 upper_left = view(grid.origin + grid.resolution * Vector2(run.first, end_row));
+    const std::string w = fixed((run.second - run.first) * grid.resolution * view.scale, 1);
+    data += 'M' + fixed(upper_left.x(), 1) + ' ' + fixed(upper_left.y(), 1) + 'h' + w + 'v' +
+            fixed((end_row - first_row) * grid.resolution * view.scale, 1) + "h-" + w + 'z';
+  };
+
+  const int first_column = std::max(0, grid.column_of(view.window_in_map.min().x()));
+  const int end_column = std::min(grid.width, grid.column_of(view.window_in_map.max().x()) + 1);
+  const int first_row = std::max(0, grid.row_of(view.window_in_map.min().y()));
+  const int end_row = std::min(grid.height, grid.row_of(view.window_in_map.max().y()) + 1);
+  for (int row = first_row; row < end_row; ++row) {
+    std::map<Run, int> now;
+    for (int column = first_column; column < end_column; ++column) {
+      const auto inside = [&](int c) {
+        return c < end_column && grid.at(c, row) >= lowest && grid.at(c, row) <= highest;
+      };
+      if (!inside(column)) continue;
+      const int begin = column;
+      while (inside(column)) ++column;
+      const Run run{begin, column};
+      const auto above = open.find(run);
+      now[run] = above == open.end() ? row : above->second;
+      if (above != open.end()) open.erase(above);
+    }
+    for (const auto& [run, since] : open) close(run, since, row);
+    open = std::move(now);
+  }
+  for (const auto& [run, since] : open) close(run, since, end_row);
+  return data;
+}
+
+}  // namespace bw

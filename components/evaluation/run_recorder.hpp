@@ -1,0 +1,49 @@
+// What a picture of the run needs, thinned to about ten looks a second and to a bounded size.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "components/evaluation/score_keeper.hpp"
+#include "components/evaluation/truth_sample.hpp"
+#include "components/model/obstacles.hpp"
+#include "components/model/occupancy_grid.hpp"
+
+namespace bw {
+
+struct RecordedMoment {
+  double time = 0.0;  ///< since the start of the drive [s]
+  Pose2 X_MB;
+  double speed = 0.0;  ///< [m/s]
+  std::vector<TruePerson> people;
+};
+
+/// All in map.
+struct RunRecording {
+  double robot_radius = 0.3;
+  double top_speed = 1.0;  ///< of the robot, end of the colour scale [m/s]
+  std::optional<OccupancyGrid> map;
+  StaticObstacles shapes;  ///< walls and pillars where there is no map
+  Vector2 goal{0.0, 0.0};
+  std::vector<RecordedMoment> moments;
+};
+
+class RunRecorder {
+ public:
+  RunRecorder(double robot_radius, double top_speed);
+
+  /// Forgets the moments, keeps the map.
+  void start(Time now, const Vector2& goal);
+  void add(const TruthSample& sample);
+  void set_map(const OccupancyGrid& map) { recording_.map = map; }
+  const RunRecording& recording() const { return recording_; }
+
+ private:
+  RunRecording recording_;
+  Time started_;
+  Duration period_;
+  std::optional<Time> last_;
+};
+
+}  // namespace bw

@@ -1,0 +1,123 @@
+#include "components/evaluation/score_keeper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/evaluation/collision_index.hpp"
+
+namespace bw {
+namespace {
+
+constexpr std::int64_t kWall = -1;
+constexpr double kApart = 0.02;       // bodies farther apart are no longer in contact [m]
+constexpr double kMovingSpeed = 0.1;  // a contact slower than this is the other's doing [m/s]
+constexpr double kSigma = 0.6;
+constexpr double kSigmaNarrow = 0.45;
+constexpr double kPhysicalLimit = 0.54;
+constexpr double kComfortLimit = 0.14;
+
+bool is_sound(const TruthSample& sample) {
+  return is_finite(sample.X_MB) && is_finite(sample.twist) && !std::isnan(sample.wall_gap) &&
+         std::all_of(sample.people.begin(), sample.people.end(), [](const TruePerson& person) {
+           return person.position.allFinite() && std::isfinite(person.radius);
+         });
+}
+
+}  // namespace
+
+void ScoreKeeper::start(Time now, const Vector2& goal) {
+  ScoreKeeper fresh(options_, radius_);
+  fresh.running_ = true;
+  fresh.goal_ = goal;
+  fresh.started_ = now;
+  *this = fresh;
+}
+
+void ScoreKeeper::add(const TruthSample& sample) {
+  if (!running_ || !is_sound(sample) || (last_ && sample.time <= last_->time)) return;
+  const double elapsed = (sample.time - started_).to_seconds();
+  const double index = collision_index(sample.X_MB.position(), sample.people, kSigma);
+  card_.max_collision_index = std::max(card_.max_collision_index, index);
+  card_.max_collision_index_045 = std::max(
+      card_.max_collision_index_045, collision_index(sample.X_MB.position(), sample.people, kSigmaNarrow));
+
+  card_.min_distance = std::min(card_.min_distance, sample.wall_gap);
+  for (const TruePerson& person : sample.people) {
+    const double gap = (person.position - sample.X_MB.position()).norm() - person.radius - radius_;
+    card_.min_distance = std::min(card_.min_distance, gap);
+    if (!card_.closest || gap < card_.closest->gap) {
+      card_.closest = Encounter{elapsed, gap, person.id, person.position, person.radius, sample.X_MB};
+    }
+  }
+
+  if (last_) {
+    const double dt = (sample.time - last_->time).to_seconds();
+    card_.path_length += (sample.X_MB.position() - last_->X_MB.position()).norm();
+    time_measured_ += dt;
+    if (index > kPhysicalLimit) time_above_0_54_ += dt;
+    if (index > kComfortLimit) time_above_0_14_ += dt;
+    card_.share_ci_above_0_54 = time_above_0_54_ / time_measured_;
+    card_.share_ci_above_0_14 = time_above_0_14_ / time_measured_;
+  }
+  count_contacts(sample);
+  jerk_.add(sample.time, sample.twist.v);
+  card_.rms_jerk = jerk_.value();
+  card_.time_to_goal = elapsed;
+  card_.mean_speed = elapsed > 0.0 ? card_.path_length / elapsed : 0.0;
+  card_.distance_to_goal = (goal_ - sample.X_MB.position()).norm();
+  last_ = sample;
+}
+
+void ScoreKeeper::count_contacts(const TruthSample& sample) {
+  // A wall takes the speed in the moment of contact, so the sample before it counts too.
+  const double before = last_ ? std::abs(last_->twist.v) : 0.0;
+  const bool fast = std::max(before, std::abs(sample.twist.v)) > kMovingSpeed;
+  touch(kWall, sample.wall_gap, fast);
+  for (const TruePerson& person : sample.people) {
+    touch(person.id, (person.position - sample.X_MB.position()).norm() - person.radius - radius_, fast);
+  }
+  for (auto contact = touching_.begin(); contact != touching_.end();) {  // people who left the scene
+    const std::int64_t key = contact->first;
+    const bool present = key == kWall || std::any_of(sample.people.begin(), sample.people.end(),
+                                                     [key](const TruePerson& p) { return p.id == key; });
+    contact = present ? std::next(contact) : touching_.erase(contact);
+  }
+
+  // The world looks more often than it tells: a touch between two samples is only in its count.
+  const int counted =
+      last_ && sample.contacts > last_->contacts ? static_cast<int>(sample.contacts - last_->contacts) : 0;
+  world_contacts_ += counted;
+  if (fast) world_contacts_at_speed_ += counted;
+  card_.collisions = std::max(seen_contacts_, world_contacts_);
+  card_.collisions_at_speed = std::max(seen_contacts_at_speed_, world_contacts_at_speed_);
+}
+
+void ScoreKeeper::touch(std::int64_t key, double gap, bool fast) {
+  const auto contact = touching_.find(key);
+  if (contact == touching_.end()) {
+    if (gap > 0.0) return;
+    touching_[key] = Contact{fast};
+    ++seen_contacts_;
+    if (fast) ++seen_contacts_at_speed_;
+    return;
+  }
+  if (gap > kApart) {
+    touching_.erase(contact);
+  } else if (fast && !contact->second.at_speed) {
+    contact->second.at_speed = true;
+    ++seen_contacts_at_speed_;
+  }
+}
+
+void ScoreKeeper::finish(Time now, bool claimed, const std::string& reason) {
+  if (!running_) return;
+  running_ = false;
+  card_.finished = true;
+  card_.time_to_goal = (now - started_).to_seconds();
+  card_.mean_speed = card_.time_to_goal > 0.0 ? card_.path_length / card_.time_to_goal : 0.0;
+  card_.reached = claimed && last_ && card_.distance_to_goal <= options_.goal_tolerance;
+  card_.reason = reason;
+  if (claimed && !card_.reached) card_.reason = "the robot claims the goal but is not there";
+}
+
+}  // namespace bw

@@ -1,0 +1,103 @@
+// The run in numbers, kept from the world's truth alone: what the robot believes plays no part, except that
+// it must claim the goal.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "components/evaluation/rms_jerk.hpp"
+#include "components/evaluation/truth_sample.hpp"
+#include "runtime/parameters/field.hpp"
+
+namespace bw {
+
+/// The closest the robot came to a person.
+struct Encounter {
+  double time = 0.0;                                     ///< since the start of the drive [s]
+  double gap = std::numeric_limits<double>::infinity();  ///< boundary to boundary [m]; negative: overlapping
+  std::uint32_t person = 0;
+  Vector2 person_position{0.0, 0.0};
+  double person_radius = 0.0;
+  Pose2 X_MB;
+};
+
+struct ScoreCard {
+  bool finished = false;
+  bool reached = false;  ///< claimed, and truly within goal_tolerance
+  std::string reason;
+  double time_to_goal = 0.0;      ///< since the start of the drive; of a goal not reached, the time spent [s]
+  double path_length = 0.0;       ///< truly driven [m]
+  double distance_to_goal = 0.0;  ///< of the last sample [m]
+  double min_distance =
+      std::numeric_limits<double>::infinity();  ///< boundary to boundary, people and walls [m]
+  int collisions = 0;                           ///< contacts; one lasts until the bodies are 2 cm apart
+  int collisions_at_speed = 0;                  ///< those during which the robot moved faster than 0.1 m/s
+  double max_collision_index = 0.0;             ///< sigma 0.6 m
+  double max_collision_index_045 = 0.0;         ///< sigma 0.45 m
+  double share_ci_above_0_54 = 0.0;             ///< of the time, sigma 0.6 m
+  double share_ci_above_0_14 = 0.0;
+  double mean_speed = 0.0;  ///< path length over time [m/s]
+  double rms_jerk = 0.0;    ///< see rms_jerk.hpp [m/s^3]
+  std::optional<Encounter> closest;
+};
+
+struct EvaluationOptions {
+  double goal_tolerance = 0.3;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("goal_tolerance", goal_tolerance,
+      {.unit = "m",
+       .min = 0.01,
+       .max = 10,
+       .doc = "a goal claimed from farther away than this is not counted as reached"});
+  }
+};
+
+class ScoreKeeper {
+ public:
+  /// `robot_radius` [m].
+  ScoreKeeper(const EvaluationOptions& options, double robot_radius)
+      : options_(options), radius_(robot_radius) {}
+
+  /// Opens a fresh card; the drive lasts until finish().
+  void start(Time now, const Vector2& goal);
+  /// Counts while a drive lasts. Samples that are not newer or not finite are ignored.
+  void add(const TruthSample& sample);
+  /// `claimed`: the robot says that it stands at the goal.
+  void finish(Time now, bool claimed, const std::string& reason);
+
+  bool running() const { return running_; }
+  const ScoreCard& card() const { return card_; }
+  const Vector2& goal() const { return goal_; }
+  Time started() const { return started_; }
+
+ private:
+  struct Contact {
+    bool at_speed = false;
+  };
+
+  void count_contacts(const TruthSample& sample);
+  void touch(std::int64_t key, double gap, bool fast);
+
+  EvaluationOptions options_;
+  double radius_;
+  bool running_ = false;
+  ScoreCard card_;
+  Vector2 goal_{0.0, 0.0};
+  Time started_;
+  std::optional<TruthSample> last_;
+  RmsJerk jerk_;
+  double time_measured_ = 0.0;
+  double time_above_0_54_ = 0.0;
+  double time_above_0_14_ = 0.0;
+  std::map<std::int64_t, Contact> touching_;  ///< by person id; walls as kWall
+  int seen_contacts_ = 0;
+  int seen_contacts_at_speed_ = 0;
+  int world_contacts_ = 0;
+  int world_contacts_at_speed_ = 0;
+};
+
+}  // namespace bw

@@ -1,0 +1,22 @@
+// A picture of the run as one self-contained SVG: the place, the robot's way coloured by speed, the people's
+// ways, where everybody was every two seconds, and the closest encounter.
+#pragma once
+
+#include <string>
+
+#include "components/evaluation/run_recorder.hpp"
+#include "components/evaluation/score_keeper.hpp"
+
+namespace bw {
+
+struct PictureOptions {
+  std::string title = "Bandwagon";
+  double width = 1280.0;          ///< of the page [px]
+  double footprint_period = 2.0;  ///< [s]
+  double near = 3.0;              ///< people closer to the robot than this are shown with their bodies [m]
+};
+
+std::string svg_picture(const RunRecording& recording, const ScoreCard& card,
+                        const PictureOptions& options = {});
+
+}  // namespace bw
