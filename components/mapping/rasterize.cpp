@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bw {
 namespace {
@@ -12,46 +13,56 @@ int clamped_cell(double value, double origin, double resolution, int count) {
       std::clamp(std::floor((value - origin) / resolution), -1.0, static_cast<double>(count)));
 }
 
-void fill_row(OccupancyGrid& grid, int row, double x_low, double x_high) {
-  const int first = std::max(clamped_cell(x_low, grid.origin.x(), grid.resolution, grid.width), 0);
-  const int last =
-      std::min(clamped_cell(x_high, grid.origin.x(), grid.resolution, grid.width), grid.width - 1);
-  for (int column = first; column <= last; ++column)
-    grid.cells[grid.index(column, row)] = OccupancyGrid::kOccupied;
+struct Interval {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+// Adds the x of the part of edge a-b that lies between two heights.
+void include_edge(const Vector2& a, const Vector2& b, double bottom, double top, Interval& x) {
+  const Vector2& low = a.y() <= b.y() ? a : b;
+  const Vector2& high = a.y() <= b.y() ? b : a;
+  if (high.y() < bottom || low.y() > top) return;
+  const double rise = high.y() - low.y();
+  const auto x_at = [&](double y) {
+    return low.x() + std::clamp((y - low.y()) / rise, 0.0, 1.0) * (high.x() - low.x());
+  };
+  x.include(low.y() >= bottom || rise <= 0.0 ? low.x() : x_at(bottom));
+  x.include(high.y() <= top || rise <= 0.0 ? high.x() : x_at(top));
 }
 
 }  // namespace
 
-void draw_segment(OccupancyGrid& grid, const Segment& segment) {
-  if (!segment.a.allFinite() || !segment.b.allFinite()) return;
-  const bool upward = segment.a.y() <= segment.b.y();
-  const Vector2 low = upward ? segment.a : segment.b;
-  const Vector2 high = upward ? segment.b : segment.a;
-  const int first = std::max(clamped_cell(low.y(), grid.origin.y(), grid.resolution, grid.height), 0);
-  const int last =
-      std::min(clamped_cell(high.y(), grid.origin.y(), grid.resolution, grid.height), grid.height - 1);
-  const double rise = high.y() - low.y();
-  for (int row = first; row <= last; ++row) {
-    // The part of the segment inside this row of cells spans one interval of x.
-    const double bottom = std::max(low.y(), grid.origin.y() + row * grid.resolution);
-    const double top = std::min(high.y(), grid.origin.y() + (row + 1) * grid.resolution);
-    const auto x_at = [&](double y) {
-      return low.x() + std::clamp((y - low.y()) / rise, 0.0, 1.0) * (high.x() - low.x());
-    };
-    const double x_bottom = rise > 0.0 ? x_at(bottom) : low.x();
-    const double x_top = rise > 0.0 ? x_at(top) : high.x();
-    fill_row(grid, row, std::min(x_bottom, x_top), std::max(x_bottom, x_top));
+void draw_convex(OccupancyGrid& grid, const std::vector<Vector2>& corners) {
+  Interval y;
+  for (const Vector2& corner : corners) {
+    if (!corner.allFinite()) return;
+    y.include(corner.y());
   }
-}
-
-void draw_box(OccupancyGrid& grid, const Vector2& corner, const Vector2& opposite) {
-  if (!corner.allFinite() || !opposite.allFinite()) return;
-  const Vector2 low = corner.cwiseMin(opposite);
-  const Vector2 high = corner.cwiseMax(opposite);
-  const int first = std::max(clamped_cell(low.y(), grid.origin.y(), grid.resolution, grid.height), 0);
+  if (corners.empty()) return;
+  const int first = std::max(clamped_cell(y.low, grid.origin.y(), grid.resolution, grid.height), 0);
   const int last =
-      std::min(clamped_cell(high.y(), grid.origin.y(), grid.resolution, grid.height), grid.height - 1);
-  for (int row = first; row <= last; ++row) fill_row(grid, row, low.x(), high.x());
+      std::min(clamped_cell(y.high, grid.origin.y(), grid.resolution, grid.height), grid.height - 1);
+  for (int row = first; row <= last; ++row) {
+    // Inside one row of cells a convex shape spans one interval of x, found from its edges.
+    const double bottom = grid.origin.y() + row * grid.resolution;
+    const double top = bottom + grid.resolution;
+    Interval x;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      include_edge(corners[i], corners[(i + 1) % corners.size()], bottom, top, x);
+    }
+    const int left = std::max(clamped_cell(x.low, grid.origin.x(), grid.resolution, grid.width), 0);
+    const int right =
+        std::min(clamped_cell(x.high, grid.origin.x(), grid.resolution, grid.width), grid.width - 1);
+    for (int column = left; column <= right; ++column) {
+      grid.cells[grid.index(column, row)] = OccupancyGrid::kOccupied;
+    }
+  }
 }
 
 }  // namespace bw
