@@ -1,0 +1,63 @@
+#include "components/local_planner/back_off.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/local_planner/command_limits.hpp"
+#include "components/local_planner/problem_check.hpp"
+
+namespace bw {
+namespace {
+
+constexpr double kFarAway = 10.0;  // [m]
+
+/// How far a disc of `radius` can move along -x of the robot until it touches a point at `p_B` (base_link).
+double free_way(const Vector2& p_B, double radius) {
+  if (p_B.x() > 0.0 || std::abs(p_B.y()) >= radius) return kFarAway;
+  return std::max(0.0, -p_B.x() - std::sqrt(radius * radius - p_B.y() * p_B.y()));
+}
+
+double free_way_behind(const PlanningProblem& problem) {
+  const Pose2 X_BO = inverse(problem.pose);
+  const double radius = problem.footprint.radius;
+  double way = kFarAway;
+  for (const Vector2& p : problem.obstacles.points) way = std::min(way, free_way(X_BO * p, radius));
+  for (const Disc& disc : problem.obstacles.discs)
+    way = std::min(way, free_way(X_BO * disc.center, radius + disc.radius));
+  for (const Segment& segment : problem.obstacles.segments) {
+    const double length = (segment.b - segment.a).norm();
+    const int steps = 1 + static_cast<int>(length / 0.05);
+    for (int i = 0; i <= steps; ++i) {
+      way = std::min(way, free_way(X_BO * Vector2(segment.a + (segment.b - segment.a) * i / steps), radius));
+    }
+  }
+  for (const Mover& mover : problem.movers) {
+    for (const double t : {0.0, 0.5, 1.0})
+      way = std::min(way, free_way(X_BO * mover.position_at(t), radius + mover.radius));
+  }
+  return way;
+}
+
+}  // namespace
+
+PlanningResult back_off(const PlanningProblem& problem, double period, double margin) {
+  PlanningResult result;
+  result.command = stop_twist(problem.twist, problem.limits, period);
+  if (std::string fault = fault_of(problem); !fault.empty()) {
+    result.status = PlanningStatus::bad_input;
+    result.reason = std::move(fault);
+    return result;
+  }
+  const double way = free_way_behind(problem) - margin;
+  if (way <= 0.0 || problem.limits.v_back_max <= 0.0) {
+    result.status = PlanningStatus::infeasible;
+    result.reason = way <= 0.0 ? "something is close behind" : "the base does not drive backwards";
+    return result;
+  }
+  const double speed = std::min(problem.limits.v_back_max, std::sqrt(2.0 * problem.limits.acc_max * way));
+  result.status = PlanningStatus::ok;
+  result.command = reachable_twist({-speed, 0.0}, problem.twist, problem.limits, period);
+  return result;
+}
+
+}  // namespace bw
