@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and drives through the hallway. Options go to `bandwagon run`, for example: demo.sh --seed 3
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+"$root/launch_scripts/setup.sh"
+"$root/launch_scripts/build.sh" release
+
+out=$root/run/demo
+mkdir -p "$out"
+echo
+echo "A robot crosses a hallway with six walkers and two people who stand (4 times real time):"
+status=0
+"$root/build/release/bin/bandwagon" run "$root/config/graphs/hallway.yaml" \
+  --clock lockstep --pace "${BANDWAGON_PACE:-4}" --seed 7 --progress --fail-on-contact \
+  --json "$out/score_card.json" --svg "$out/drive.svg" "$@" || status=$?
+echo
+echo "Score card: $out/score_card.json"
+echo "Picture:    $out/drive.svg"
+exit "$status"
