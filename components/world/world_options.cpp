@@ -8,11 +8,7 @@ std::vector<Segment> wall_segments(const WorldOptions& options) {
   std::vector<Segment> segments;
   for (const WallOptions& wall : options.walls) segments.push_back({{wall.x1, wall.y1}, {wall.x2, wall.y2}});
   for (const BoxOptions& box : options.boxes) {
-    const Pose2 X_map_box{box.x, box.y, box.theta};
-    const Vector2 half{box.length / 2.0, box.width / 2.0};
-    const std::array<Vector2, 4> corners = {
-        X_map_box * Vector2(-half.x(), -half.y()), X_map_box * Vector2(half.x(), -half.y()),
-        X_map_box * Vector2(half.x(), half.y()), X_map_box * Vector2(-half.x(), half.y())};
+    const std::array<Vector2, 4> corners = box.corners();
     for (std::size_t i = 0; i < corners.size(); ++i)
       segments.push_back({corners[i], corners[(i + 1) % corners.size()]});
   }
