@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kSoonestReplan = 0.2;      // after becoming blocked [s]
 constexpr double kRecoveredDistance = 1.0;  // farther from the last recovery than this is progress [m]
+constexpr double kFailedPatience = 1.0;     // a missing input often comes back [s]
 constexpr double kCancelPatience = 5.0;     // for the robot to come to rest [s]
 
 }  // namespace
@@ -14,9 +15,12 @@ constexpr double kCancelPatience = 5.0;     // for the robot to come to rest [s]
 std::uint64_t Navigator::accept(const Pose2& X_MG, const Situation& situation) {
   if (!is_finite(X_MG)) return refuse({}, "the goal is not a finite pose");
   const std::uint64_t id = ++last_goal_id_;
+  std::optional<GoalReport> preempted;
   if (has_goal()) {
-    if (phase_ == Phase::backing_off) order(FollowMode::stop, situation.now);
-    set_status(GoalStatus::aborted, "preempted by goal " + std::to_string(id), situation);
+    preempted = report(situation);
+    preempted->status = GoalStatus::aborted;
+    preempted->reason = "preempted by goal " + std::to_string(id);
+    preempted->navigation_time = situation.now - started_;
   }
   goal_id_ = id;
   X_MG_ = X_MG;
@@ -26,6 +30,8 @@ std::uint64_t Navigator::accept(const Pose2& X_MG, const Situation& situation) {
   plan_failures_in_row_ = 0;
   recovery_position_.reset();
   set_status(GoalStatus::accepted, "", situation);
+  if (preempted)
+    actions_.reports.push_back(*preempted);  // after its successor, so that nobody thinks the job is over
   begin_planning(situation);
   return id;
 }
@@ -54,7 +60,7 @@ void Navigator::on_plan(const PlanAnswer& answer, const Situation& situation) {
       phase_ = Phase::following;
       phase_since_ = situation.now;
       progress_.reset();
-      blocked_since_.reset();
+      stuck_since_.reset();
       within_since_.reset();
       set_status(GoalStatus::executing, "", situation);
     }
@@ -88,15 +94,15 @@ void Navigator::on_follow(const FollowReport& report, const Situation& situation
     return begin_planning(situation);
   }
   if (phase_ != Phase::following) return;
-  if (report.state == FollowState::failed)
-    return recover("the local planner failed: " + report.reason, situation);
-  if (report.state != FollowState::blocked) {
-    blocked_since_.reset();
+  if (!stuck) {
+    stuck_since_.reset();
     return;
   }
-  blocked_reason_ = report.reason;
-  if (blocked_since_) return;
-  blocked_since_ = situation.now;
+  const bool failed = report.state == FollowState::failed;
+  stuck_patience_ = failed ? kFailedPatience : options_.blocked_patience;
+  stuck_reason_ = (failed ? "the local planner failed: " : "blocked: ") + report.reason;
+  if (stuck_since_) return;
+  stuck_since_ = situation.now;
   if (plan_id_ == 0 && older_than(plan_requested_, kSoonestReplan, situation.now))
     request_plan(situation.now);
 }
@@ -150,9 +156,8 @@ void Navigator::advance_following(const Situation& situation) {
   if (older_than(follow_heard_, options_.follow_timeout, now)) {
     return recover("the local planner does not answer", situation);
   }
-  if (blocked_since_ && older_than(*blocked_since_, options_.blocked_patience, now)) {
-    return recover("blocked: " + blocked_reason_, situation);
-  }
+  if (stuck_since_ && older_than(*stuck_since_, stuck_patience_, now))
+    return recover(stuck_reason_, situation);
   if (plan_id_ == 0 && (now - plan_requested_).to_seconds() >= options_.replan_period) request_plan(now);
 }
 

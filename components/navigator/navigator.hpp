@@ -80,8 +80,9 @@ class Navigator {
   std::vector<Pose2> path_;
 
   ProgressChecker progress_;
-  std::optional<Time> blocked_since_;
-  std::string blocked_reason_;
+  std::optional<Time> stuck_since_;
+  double stuck_patience_ = 0.0;  ///< [s]
+  std::string stuck_reason_;
   std::optional<Time> within_since_;
   Time phase_since_;
   std::optional<Vector2> recovery_position_;  ///< where the last recovery began
