@@ -1,0 +1,32 @@
+// Adaptor of the map server: one latched map.
+#include <nav_msgs/msg/occupancy_grid.hpp>
+
+#include "components/mapping/grid_messages.hpp"
+#include "components/mapping/map_file.hpp"
+#include "components/mapping/map_server_options.hpp"
+#include "runtime/component.hpp"
+
+namespace bw {
+
+class MapServerComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    const auto options = setup.parameters<MapServerOptions>();
+    const std::filesystem::path file = setup.file_parameter("map");
+    grid_ = file.empty() ? area_grid(options.area) : load_map(file);
+    draw_shapes(grid_, options.walls, options.boxes);
+    frame_ = setup.frame("map");
+    map_ = setup.output<nav_msgs::msg::OccupancyGrid>("map", Qos::latched());
+  }
+
+  void activate(const Tick& tick) override { map_.publish(to_message(grid_, frame_, tick.now)); }
+
+ private:
+  OccupancyGrid grid_;
+  std::string frame_;
+  Output<nav_msgs::msg::OccupancyGrid> map_;
+};
+
+BW_COMPONENT(MapServerComponent, "map_server")
+
+}  // namespace bw
