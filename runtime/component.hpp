@@ -41,7 +41,7 @@ class Output {
   Output() = default;
   explicit Output(OutputPort* port) : port_(port) {}
 
-  void publish(const M& message) {
+  void publish(const M& message) const {
     serialize(message, port_->buffer);
     port_->publish(port_->buffer);
   }
@@ -125,13 +125,13 @@ class Setup {
   template <class M, class Callback>
   void input(const std::string& topic, const Qos& qos, Callback on_message, Need need = Need::required) {
     auto message = std::make_shared<M>();  // kept, so that its buffers are reused
-    add_input(
-        topic, message_type<M>(), qos, InputKind::callback, need,
-        [message, callback = std::move(on_message)](std::span<const std::uint8_t> cdr, const Tick& tick) {
-          if (!deserialize(cdr, *message)) return false;
-          callback(std::as_const(*message), tick);
-          return true;
-        });
+    add_input(topic, message_type<M>(), qos, InputKind::callback, need,
+              [message, callback = std::move(on_message)](std::span<const std::uint8_t> cdr,
+                                                          const Tick& tick) mutable {
+                if (!deserialize(cdr, *message)) return false;
+                callback(std::as_const(*message), tick);
+                return true;
+              });
   }
   /// Keeps the newest message; calls nothing and costs the component no latency.
   template <class M>
@@ -140,7 +140,7 @@ class Setup {
     handle.state_ = std::make_shared<typename Latest<M>::State>();
     auto incoming = std::make_shared<M>();
     add_input(topic, message_type<M>(), qos, InputKind::keep_newest, need,
-              [state = handle.state_, incoming](std::span<const std::uint8_t> cdr, const Tick& tick) {
+              [state = handle.state_, incoming](std::span<const std::uint8_t> cdr, const Tick& tick) mutable {
                 if (!deserialize(cdr, *incoming)) return false;
                 if (!state->message) state->message.emplace();
                 std::swap(*state->message, *incoming);

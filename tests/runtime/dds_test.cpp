@@ -1,0 +1,129 @@
+// The border to DDS: what reaches whom, and that nothing but the loopback device carries it.
+#include <chrono>
+#include <condition_variable>
+#include <cstdlib>
+#include <mutex>
+
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+
+#include "runtime/dds/loopback_sockets.hpp"
+#include "runtime/dds/participant.hpp"
+
+namespace bw::dds {
+namespace {
+
+ParticipantOptions local() { return {.network = Network::from_environment(Transport::localhost)}; }
+
+TEST(LoopbackSockets, EverySocketOfAParticipantIsBoundToLo) {
+  const std::set<int> before = open_datagram_sockets();
+  const Participant participant(local());
+  int checked = 0;
+  for (const int descriptor : open_datagram_sockets()) {
+    if (before.contains(descriptor)) continue;
+    char device[16] = {};
+    socklen_t length = sizeof(device);
+    ASSERT_EQ(getsockopt(descriptor, SOL_SOCKET, SO_BINDTODEVICE, static_cast<char*>(device), &length), 0);
+    EXPECT_STREQ(static_cast<const char*>(device), "lo");
+    ++checked;
+  }
+  EXPECT_GE(checked, 2);  // metatraffic and user data at least
+}
+
+TEST(LoopbackSockets, LeavesNothingInSharedMemory) {
+  const auto count = [] {
+    return std::system("test -z \"$(ls /dev/shm | grep -E '^(fastrtps|fast_datasharing)')\"");
+  };
+  const int before = count();
+  const Participant participant(local());
+  EXPECT_EQ(count(), before);
+}
+
+TEST(Participant, TwoParticipantsDiscoverEachOtherAndExchangeASample) {
+  Participant one(local());
+  Participant two(local());
+  const EndpointOptions options{.topic = "rt/chatter",
+                                .type = "std_msgs::msg::dds_::String_",
+                                .qos = Qos::latched(),
+                                .user_data = "typehash=x;"};
+  std::mutex mutex;
+  std::condition_variable wake;
+  bool arrived = false;
+  const auto reader = two.create_reader(options, [&] {
+    const std::lock_guard lock(mutex);
+    arrived = true;
+    wake.notify_one();
+  });
+  const auto writer = one.create_writer(options);
+  const std::vector<std::uint8_t> cdr = {0, 1, 0, 0, 3, 0, 0, 0, 'h', 'i', 0};
+  ASSERT_TRUE(writer->write(cdr));
+  std::unique_lock lock(mutex);
+  ASSERT_TRUE(wake.wait_for(lock, std::chrono::seconds(20), [&] { return arrived; }));
+  lock.unlock();
+  Sample sample;
+  ASSERT_TRUE(reader->take(sample));
+  sample.cdr.resize(cdr.size());  // RTPS pads to four bytes
+  EXPECT_EQ(sample.cdr, cdr);
+  EXPECT_EQ(sample.writer, writer->guid());
+  bool seen = false;
+  for (const Endpoint& endpoint : two.endpoints()) {
+    if (!endpoint.is_writer || endpoint.is_local) continue;
+    seen = true;
+    EXPECT_EQ(endpoint.topic, "rt/chatter");
+    EXPECT_EQ(endpoint.type, "std_msgs::msg::dds_::String_");
+    EXPECT_EQ(endpoint.user_data, "typehash=x;");
+    EXPECT_EQ(endpoint.qos.durability, Durability::transient_local);
+  }
+  EXPECT_TRUE(seen);
+}
+
+TEST(Participant, ASecondTypeOnATopicIsRefused) {
+  Participant participant(local());
+  const auto writer = participant.create_writer(
+      {.topic = "rt/a", .type = "std_msgs::msg::dds_::String_", .qos = {}, .user_data = {}});
+  EXPECT_THROW(participant.create_writer(
+                   {.topic = "rt/a", .type = "std_msgs::msg::dds_::Bool_", .qos = {}, .user_data = {}}),
+               std::runtime_error);
+}
+
+class Environment : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* name : kNames) unsetenv(name);
+  }
+  static constexpr const char* kNames[] = {"ROS_DOMAIN_ID", "ROS_LOCALHOST_ONLY",
+                                           "ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_STATIC_PEERS"};
+};
+
+TEST_F(Environment, DefaultsToDomainZeroAndTheConfiguredTransport) {
+  const Network network = Network::from_environment(Transport::localhost);
+  EXPECT_EQ(network.domain_id, 0);
+  EXPECT_EQ(network.transport, Transport::localhost);
+  EXPECT_EQ(Network::from_environment(Transport::lan).transport, Transport::lan);
+}
+
+TEST_F(Environment, FollowsTheVariablesOfRos2) {
+  setenv("ROS_DOMAIN_ID", "42", 1);
+  setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "SUBNET", 1);
+  setenv("ROS_STATIC_PEERS", "192.0.2.1;192.0.2.7", 1);
+  Network network = Network::from_environment(Transport::localhost);
+  EXPECT_EQ(network.domain_id, 42);
+  EXPECT_EQ(network.transport, Transport::lan);
+  EXPECT_EQ(network.static_peers, (std::vector<std::string>{"192.0.2.1", "192.0.2.7"}));
+  setenv("ROS_LOCALHOST_ONLY", "1", 1);
+  EXPECT_EQ(Network::from_environment(Transport::lan).transport, Transport::localhost);
+  setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "nonsense", 1);
+  unsetenv("ROS_LOCALHOST_ONLY");
+  EXPECT_EQ(Network::from_environment(Transport::lan).transport, Transport::localhost)
+      << "an unknown value closes";
+}
+
+TEST_F(Environment, RefusesADomainThatIsNone) {
+  for (const char* bad : {"x", "-1", "233", "1.5", "1 "}) {
+    setenv("ROS_DOMAIN_ID", bad, 1);
+    EXPECT_THROW(Network::from_environment(Transport::localhost), std::runtime_error) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace bw::dds
