@@ -14,8 +14,8 @@ class Driver {
   using OnCounts = std::function<void(const EncoderCounts&)>;
 
   virtual ~Driver() = default;
-  /// Turns the wheels at these ground speeds [m/s] from now on.
-  virtual void command(const WheelSpeeds& wheels) = 0;
+  /// Turns the wheels at these ground speeds [m/s] from `now` on.
+  virtual void command(Time now, const WheelSpeeds& wheels) = 0;
   /// Every reading of the encoders goes to `sink`, in the order of its stamps.
   virtual void deliver_counts_to(OnCounts sink) = 0;
 };

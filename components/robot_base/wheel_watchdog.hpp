@@ -45,6 +45,8 @@ class WheelWatchdog {
   /// A command that arrived at `now`. One with a value that is not finite is refused (false) and does not
   /// count as fresh.
   bool command(Time now, const WheelSpeeds& wheels);
+  /// Makes the newest command stale at once.
+  void revoke(Time now) { arrival_ = arrival_ ? std::optional(now - timeout_) : std::nullopt; }
   WatchdogOutput step(Time now);
 
   std::uint64_t timeouts() const { return timeouts_; }

@@ -95,6 +95,16 @@ TEST(WheelWatchdog, ACommandThatIsNotFiniteIsNotFresh) {
   EXPECT_EQ(watchdog.step(Time::seconds(1.31)).state, WatchdogState::stopping);
 }
 
+TEST(WheelWatchdog, ARevokedCommandBrakesAtTheNextCheck) {
+  WheelWatchdog watchdog({}, kDeceleration);
+  watchdog.revoke(Time::seconds(0.5));
+  EXPECT_EQ(watchdog.step(Time::seconds(0.5)).state, WatchdogState::waiting);
+  watchdog.command(Time::seconds(1.0), {0.5, 0.5});
+  watchdog.step(Time::seconds(1.0));
+  watchdog.revoke(Time::seconds(1.01));
+  EXPECT_NEAR(watchdog.step(Time::seconds(1.01)).wheels.left, 0.48, 1e-12);
+}
+
 TEST(WheelWatchdog, AnArcIsBrakedAlongTheArc) {
   WheelWatchdog watchdog({}, kDeceleration);
   watchdog.command(Time::seconds(1.0), {0.4, 0.8});

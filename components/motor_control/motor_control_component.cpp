@@ -1,0 +1,83 @@
+// Adaptor of motor_control: /cmd_vel in, limited wheel commands out at a steady rate.
+#include <optional>
+#include <string>
+
+#include <geometry_msgs/msg/twist.hpp>
+
+#include "components/messages/geometry.hpp"
+#include "components/messages/wheel_joints.hpp"
+#include "components/motor_control/velocity_limiter.hpp"
+#include "runtime/component.hpp"
+
+namespace bw {
+namespace {
+
+struct MotorControlOptions : LimiterOptions {
+  double rate = 50.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("rate", rate, {.unit = "Hz", .min = 10, .max = 500, .doc = "wheel commands per second"});
+    LimiterOptions::fields(v);
+  }
+};
+
+class MotorControlComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    const auto options = setup.parameters<MotorControlOptions>();
+    robot_ = setup.shared<Robot>("robot");
+    limiter_.emplace(robot_, options);
+    log_ = setup.log();
+    diagnostics_ = &setup.diagnostics();
+    wheels_ = setup.command<sensor_msgs::msg::JointState>("wheel_commands");
+    setup.input<geometry_msgs::msg::Twist>(
+        "cmd_vel", Qos::command(),
+        [this](const auto& message, const Tick& tick) { limiter_->command(tick.now, from_twist(message)); });
+    setup.every(Duration::seconds(1.0 / options.rate), "wheel_commands",
+                [this](const Tick& tick) { step(tick); });
+  }
+
+  void deactivate(const Tick& tick) override { publish({}, tick.now); }
+
+ private:
+  void step(const Tick& tick) {
+    const LimitedTwist limited =
+        tick.health == Health::stop ? limiter_->stop(tick.now) : limiter_->step(tick.now);
+    if (limited.state != state_) report(limited);
+    state_ = limited.state;
+    last_ = limited.twist;
+    publish(limited.twist, tick.now);
+  }
+
+  /// A robot that stands because nobody drives it is no news for the log.
+  void report(const LimitedTwist& limited) {
+    using Level = DiagnosticReporter::Level;
+    const bool is_fault =
+        limited.state == LimiterState::not_finite || limited.state == LimiterState::implausible;
+    const bool drives = limited.state == LimiterState::following || limited.state == LimiterState::waiting;
+    const std::string text(describe(limited.state));
+    if (is_fault) log_.error("{}: stopping", text);
+    if (!is_fault && !drives && last_ != Twist2{}) log_.warn("{}: stopping", text);
+    diagnostics_->report(is_fault ? Level::error : drives ? Level::ok : Level::warn, text);
+  }
+
+  void publish(const Twist2& twist, Time now) {
+    wheels_.publish(
+        to_joint_state(to_wheel_speeds(twist, robot_.wheel_separation), robot_.wheel_radius, now));
+  }
+
+  Robot robot_;
+  std::optional<VelocityLimiter> limiter_;
+  LimiterState state_ = LimiterState::waiting;
+  Twist2 last_;
+  Logger log_;
+  DiagnosticReporter* diagnostics_ = nullptr;
+  Output<sensor_msgs::msg::JointState> wheels_;
+};
+
+}  // namespace
+
+BW_COMPONENT(MotorControlComponent, "motor_control")
+
+}  // namespace bw

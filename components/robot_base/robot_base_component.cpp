@@ -1,0 +1,140 @@
+// Adaptor of the base: wheel commands to the driver under the watchdog, encoder counts to odometry, joint
+// states and tf.
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <nav_msgs/msg/odometry.hpp>
+#include <tf2_msgs/msg/tf_message.hpp>
+
+#include "components/messages/geometry.hpp"
+#include "components/robot_base/encoder_odometry.hpp"
+#include "components/robot_base/simulated_driver.hpp"
+#include "components/robot_base/wheel_watchdog.hpp"
+#include "runtime/component.hpp"
+
+namespace bw {
+namespace {
+
+struct RobotBaseOptions {
+  std::string driver = "simulated";
+  OdometryOptions odometry;
+  WatchdogOptions watchdog;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("driver", driver, {.choices = {"simulated"}, .doc = "the base behind the wheel commands"});
+    v("odometry", odometry, {.doc = "from encoder counts to pose and twist"});
+    v("watchdog", watchdog, {.doc = "the stop when wheel commands stop"});
+  }
+};
+
+class RobotBaseComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    const auto options = setup.parameters<RobotBaseOptions>();
+    robot_ = setup.shared<Robot>("robot");
+    odometry_.emplace(robot_, options.odometry);
+    watchdog_.emplace(options.watchdog, robot_.limits.stop_deceleration);
+    log_ = setup.log();
+    diagnostics_ = &setup.diagnostics();
+    odom_frame_ = setup.frame("odom");
+    base_frame_ = setup.frame("base_link");
+    odom_ = setup.output<nav_msgs::msg::Odometry>("odom");
+    joints_ = setup.output<sensor_msgs::msg::JointState>("joint_states");
+    tf_ = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf());
+    driver_ = std::make_unique<SimulatedDriver>(setup, robot_.wheel_radius);
+    driver_->deliver_counts_to([this](const EncoderCounts& counts) { on_counts(counts); });
+    setup.input<sensor_msgs::msg::JointState>(
+        "wheel_commands", Qos::command(),
+        [this](const auto& message, const Tick& tick) { on_command(message, tick); });
+    setup.every(Duration::milliseconds(10), "watchdog", [this](const Tick& tick) { check(tick); });
+  }
+
+  void deactivate(const Tick& tick) override { driver_->command(tick.now, {}); }
+
+ private:
+  void on_command(const sensor_msgs::msg::JointState& message, const Tick& tick) {
+    const std::optional<WheelSpeeds> wheels = wheel_speeds_of(message, robot_.wheel_radius);
+    if (!wheels || !watchdog_->command(tick.now, *wheels)) {
+      log_.warn("refused a wheel command that is not two finite rates of {} and {}", wheel_joint_names()[0],
+                wheel_joint_names()[1]);
+      return;
+    }
+    check(tick);
+  }
+
+  void check(const Tick& tick) {
+    if (tick.health == Health::stop) watchdog_->revoke(tick.now);
+    const WatchdogOutput output = watchdog_->step(tick.now);
+    const bool is_news = !sent_ || sent_->wheels != output.wheels || sent_->state != output.state;
+    if (is_news) driver_->command(tick.now, output.wheels);
+    if (!sent_ || sent_->state != output.state) report(output.state);
+    sent_ = output;
+  }
+
+  void report(WatchdogState state) {
+    using Level = DiagnosticReporter::Level;
+    if (state == WatchdogState::obeying) diagnostics_->report(Level::ok, "obeying wheel commands");
+    if (state == WatchdogState::stopping) log_.warn("no fresh wheel command: stopping");
+    if (state == WatchdogState::stopping)
+      diagnostics_->report(Level::error, "wheel commands stopped: stopping");
+    if (state == WatchdogState::stopped)
+      diagnostics_->report(Level::warn, "standing: wheel commands stopped");
+  }
+
+  void on_counts(const EncoderCounts& counts) {
+    const CountsStatus status = odometry_->add(counts);
+    if (status == CountsStatus::jump || status == CountsStatus::reset) {
+      log_.warn("encoder {} dropped (jumps {}, resets {})", status == CountsStatus::jump ? "jump" : "reset",
+                odometry_->faults().jumps, odometry_->faults().resets);
+    }
+    if (status != CountsStatus::stale) publish(odometry_->state());
+  }
+
+  void publish(const OdometryState& state) {
+    nav_msgs::msg::Odometry odom;
+    odom.header(make_header(odom_frame_, state.time));
+    odom.child_frame_id(base_frame_);
+    odom.pose().pose(to_pose(state.X_OB));
+    odom.twist().twist(to_twist_message(state.twist));
+    constexpr int kPlanar[] = {0, 1, 5};  // x, y, yaw among x, y, z, roll, pitch, yaw
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        odom.pose().covariance()[static_cast<std::size_t>(kPlanar[i] * 6 + kPlanar[j])] =
+            state.pose_covariance(i, j);
+      }
+    }
+    odom.twist().covariance()[0] = state.twist_covariance(0, 0);
+    odom.twist().covariance()[35] = state.twist_covariance(1, 1);
+    odom_.publish(odom);
+
+    const WheelSpeeds wheels = to_wheel_speeds(state.twist, robot_.wheel_separation);
+    sensor_msgs::msg::JointState joints = to_joint_state(wheels, robot_.wheel_radius, state.time);
+    joints.position({state.left_angle, state.right_angle});
+    joints_.publish(joints);
+
+    tf2_msgs::msg::TFMessage tf;
+    tf.transforms().push_back(to_transform(odom_frame_, base_frame_, state.time, state.X_OB));
+    tf_.publish(tf);
+  }
+
+  Robot robot_;
+  std::optional<EncoderOdometry> odometry_;
+  std::optional<WheelWatchdog> watchdog_;
+  std::optional<WatchdogOutput> sent_;
+  std::unique_ptr<Driver> driver_;
+  Logger log_;
+  DiagnosticReporter* diagnostics_ = nullptr;
+  std::string odom_frame_;
+  std::string base_frame_;
+  Output<nav_msgs::msg::Odometry> odom_;
+  Output<sensor_msgs::msg::JointState> joints_;
+  Output<tf2_msgs::msg::TFMessage> tf_;
+};
+
+}  // namespace
+
+BW_COMPONENT(RobotBaseComponent, "robot_base")
+
+}  // namespace bw
