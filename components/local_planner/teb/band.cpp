@@ -8,14 +8,15 @@ namespace bw::teb {
 namespace {
 
 constexpr double kShortestInterval = 0.02;  // [s] of a band just made; well above the guard of the solver
+constexpr double kMeanInterval = 0.965;     // of dt_ref: what resampling aims at
 constexpr double kMeanIntervalDrift =
-    0.03;  // relative; keeps costs of different bands comparable (time cost ~ duration * dt)
+    0.015;  // of dt_ref: keeps bands comparable, as their time cost grows with it
 
 BandPose make(const Pose2& pose, double dt) { return {pose.x, pose.y, pose.theta, dt}; }
 
 std::size_t wanted_count(double duration, const BandOptions& options) {
-  const double intervals =
-      std::clamp(std::round(duration / options.dt_ref), options.min_samples - 1.0, options.max_samples - 1.0);
+  const double intervals = std::clamp(std::round(duration / (kMeanInterval * options.dt_ref)),
+                                      options.min_samples - 1.0, options.max_samples - 1.0);
   return static_cast<std::size_t>(intervals) + 1;
 }
 
@@ -135,7 +136,8 @@ void resize(Band& band, const BandOptions& options) {
                  band.size() > static_cast<std::size_t>(options.max_samples);
   if (wanted != band.size()) {
     const double mean = duration / static_cast<double>(band.size() - 1);
-    drifted = drifted || std::abs(mean - options.dt_ref) > kMeanIntervalDrift * options.dt_ref;
+    drifted =
+        drifted || std::abs(mean - kMeanInterval * options.dt_ref) > kMeanIntervalDrift * options.dt_ref;
   }
   for (std::size_t i = 1; i + 1 < band.size() && wanted > static_cast<std::size_t>(options.min_samples);
        ++i) {

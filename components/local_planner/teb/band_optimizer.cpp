@@ -171,8 +171,11 @@ BandReport optimize(Band& band, const BandScene& scene, const BandOptions& optio
   const bool warm = band.trust_radius > 0.0;
   const int outer = warm ? options.warm_outer_iterations : options.no_outer_iterations;
   const int inner = warm ? options.warm_inner_iterations : options.no_inner_iterations;
+  // A first plan is pushed out of obstacles step by step; a kept one is out already and keeps the true
+  // weights.
+  const double growth_factor = warm ? 1.0 : options.weight_adapt_factor;
   double growth = 1.0;
-  for (int i = 0; i < outer; ++i, growth *= options.weight_adapt_factor) {
+  for (int i = 0; i < outer; ++i, growth *= growth_factor) {
     resize(band, options);
     BandProblem problem(band, scene, options, growth);
     const double first_radius = kFirstRadiusScale / problem.largest_information();

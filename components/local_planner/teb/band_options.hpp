@@ -63,9 +63,9 @@ struct BandOptions {
   bool consistent_motion = true;
 
   int no_outer_iterations = 4;
-  int no_inner_iterations = 8;
-  int warm_outer_iterations = 1;
-  int warm_inner_iterations = 15;
+  int no_inner_iterations = 7;
+  int warm_outer_iterations = 2;
+  int warm_inner_iterations = 8;
   double function_tolerance = 1e-4;
   double weight_adapt_factor = 2.0;
   BandWeights weights;

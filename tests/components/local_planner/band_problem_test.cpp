@@ -1,0 +1,114 @@
+// The optimiser's residuals against the independent judge of the benchmark rules, and its solutions against
+// another solver.
+#include "components/local_planner/teb/band_problem.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "components/local_planner/bench/band_evaluator.hpp"
+#include "components/local_planner/bench/bench.hpp"
+#include "components/model/random.hpp"
+
+namespace bw::teb {
+namespace {
+
+constexpr std::uint64_t kSeed = 22;
+
+SceneFile rules() {
+  SceneFile file;
+  file.limits.v_max = 0.4;
+  file.limits.omega_max = 0.3;
+  file.limits.acc_max = file.limits.alpha_max = 0.5;
+  file.dt_ref = 0.3;
+  file.dt_hysteresis = 0.1;
+  file.min_dist = 0.5;
+  file.inflation_dist = file.dynamic_inflation_dist = 0.6;
+  file.weights = {2, 1, 1, 1, 1000, 1, 1, 50, 0.1, 50, 0.1, 0.05};
+  return file;
+}
+
+std::vector<SceneObstacle> random_obstacles(Random& random) {
+  std::vector<SceneObstacle> obstacles;
+  for (int j = 0; j < 8; ++j) {
+    SceneObstacle o;
+    o.position = {random.uniform(0.0, 4.0), random.uniform(-1.0, 1.0)};
+    o.radius = j % 3 == 0 ? 0.0 : random.uniform(0.0, 0.3);
+    if (j % 2 == 0) o.velocity = {random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)};
+    obstacles.push_back(o);
+  }
+  return obstacles;
+}
+
+ObstacleField field_of(const std::vector<SceneObstacle>& obstacles) {
+  ObstacleField field;
+  for (const SceneObstacle& o : obstacles) {
+    if (o.moves()) {
+      Mover m;
+      m.position = o.position;
+      m.velocity = o.velocity;
+      m.radius = o.radius;
+      field.movers.push_back(m);
+    } else {
+      field.statics.push_back({o.position, o.position, o.radius});
+    }
+  }
+  return field;
+}
+
+TEST(BandProblem, CostEqualsTheJudgeOfTheBenchmarkRules) {
+  Random random(kSeed);
+  const SceneFile file = rules();
+  BandOptions options = options_for(file, BenchWeights::file, {}, 0.0).teb.band;
+  options.max_obstacles_per_pose = 100;
+  options.clearance_step = 10.0;  // the rules judge obstacles at poses only
+  for (int i = 0; i < 200; ++i) {
+    Band band;
+    std::vector<EvaluatedPose> judged;
+    for (int k = 0; k < 20; ++k) {
+      const BandPose p{0.2 * k + random.uniform(-0.15, 0.15), random.uniform(-0.2, 0.2),
+                       random.uniform(-2.0, 2.0), k < 19 ? random.uniform(0.05, 0.5) : 0.0};
+      band.poses.push_back(p);
+      judged.push_back({p.pose(), p.dt});
+    }
+    const std::vector<SceneObstacle> obstacles = random_obstacles(random);
+    const ObstacleField field = field_of(obstacles);
+    const Twist2 start{random.uniform(-0.2, 0.5), random.uniform(-0.3, 0.3)};
+    const BandProblem problem(band, {file.limits, start, true, &field}, options, 1.0);
+    const BandCost cost = problem.cost(band.poses.data());
+    const BandCosts expected = evaluate_band(judged, start, file, obstacles).cost;
+    EXPECT_NEAR(cost.obstacle, expected.obstacle, 1e-9 * (1.0 + expected.obstacle))
+        << "seed " << kSeed << " case " << i;
+    EXPECT_NEAR(cost.total(), expected.total(), 1e-9 * expected.total()) << "seed " << kSeed << " case " << i;
+  }
+}
+
+TEST(Optimize, LowersTheCostOfEveryScene) {
+  Random random(kSeed);
+  const SceneFile file = rules();
+  BandOptions options = options_for(file, BenchWeights::file, {}, 0.0).teb.band;
+  options.weight_adapt_factor = 1.0;  // growing weights trade the other costs for clearance
+  for (int i = 0; i < 50; ++i) {
+    const ObstacleField field = field_of(random_obstacles(random));
+    Band band = band_along({{0, 0, 0}, {4, 0.5, 0}}, {0, 0, 0}, file.limits, options);
+    const BandScene scene{file.limits, {}, true, &field};
+    const double before = BandProblem(band, scene, options, 1.0).cost(band.poses.data()).total();
+    const BandReport report = optimize(band, scene, options, 100);
+    ASSERT_TRUE(report.usable);
+    EXPECT_LT(report.cost, before) << "seed " << kSeed << " case " << i;
+    EXPECT_LE(report.iterations, 100);
+    EXPECT_EQ(band.poses.front().pose(), (Pose2{0, 0, 0}));
+    EXPECT_EQ(band.poses.back().pose(), (Pose2{4, 0.5, 0}));
+  }
+}
+
+TEST(Optimize, SpendsNoMoreThanItsBudget) {
+  const SceneFile file = rules();
+  const BandOptions options = options_for(file, BenchWeights::file, {}, 0.0).teb.band;
+  const ObstacleField none;
+  Band band = band_along({{0, 0, 0}, {4, 1.5, 1}}, {0, 0, 0}, file.limits, options);
+  EXPECT_LE(optimize(band, {file.limits, {}, true, &none}, options, 3).iterations, 3);
+}
+
+}  // namespace
+}  // namespace bw::teb

@@ -1,0 +1,50 @@
+#include "components/local_planner/evasion.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace bw {
+namespace {
+
+PlanningProblem driving_at(double v) {
+  PlanningProblem problem;
+  problem.twist = {v, 0.0};
+  return problem;
+}
+
+TEST(Evasion, DrivesStraightToTheGoalWhenNothingIsNear) {
+  const EvasiveMove move = best_evasive_move(driving_at(0.5), {10.0, 0.0}, 2.0, 0.1, 0.2);
+  EXPECT_NEAR(move.trajectory[1].twist.v, 0.6, 1e-12);
+  EXPECT_NEAR(move.trajectory[1].twist.omega, 0.0, 1e-12);
+}
+
+TEST(Evasion, BacksAwayFromAWallAndAnApproachingMover) {
+  // A corridor 0.8 m wide with somebody coming at 0.3 m/s: backward is the only way out.
+  PlanningProblem problem = driving_at(0.0);
+  problem.limits.v_back_max = 0.4;
+  problem.obstacles.segments = {{{-9.0, 0.4}, {9.0, 0.4}}, {{-9.0, -0.4}, {9.0, -0.4}}};
+  Mover mover;
+  mover.position = {1.0, 0.0};
+  mover.velocity = {-0.3, 0.0};
+  problem.movers = {mover};
+  const EvasiveMove move = best_evasive_move(problem, {10.0, 0.0}, 2.0, 0.1, 0.2);
+  EXPECT_LT(move.trajectory[1].twist.v, 0.0);
+  EXPECT_GT(move.gap, 0.0);
+}
+
+TEST(Evasion, KeepsAccelerationLimits) {
+  PlanningProblem problem = driving_at(0.8);
+  problem.obstacles.segments = {{{1.0, -3.0}, {1.0, 3.0}}};
+  const EvasiveMove move = best_evasive_move(problem, {10.0, 0.0}, 2.0, 0.1, 0.2);
+  for (std::size_t i = 1; i < move.trajectory.size(); ++i) {
+    const double dv = move.trajectory[i].twist.v - move.trajectory[i - 1].twist.v;
+    EXPECT_LE(dv, problem.limits.acc_max * 0.1 + 1e-12);
+    EXPECT_GE(dv, -problem.limits.stop_deceleration * 0.1 - 1e-12);
+    EXPECT_LE(std::abs(move.trajectory[i].twist.omega - move.trajectory[i - 1].twist.omega),
+              problem.limits.alpha_max * 0.1 + 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace bw
