@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "components/evaluation/picture_view.hpp"
 #include "components/evaluation/svg_writer.hpp"
@@ -118,38 +119,54 @@ void draw_robot_path(SvgWriter& svg, const RunRecording& recording, const Pictur
   }
 }
 
-void draw_body(SvgWriter& svg, const PictureView& view, const RunRecording& recording,
-               const RecordedMoment& moment, const PictureOptions& options) {
-  const std::string seconds = fixed(moment.time, 0);
-  const double radius = recording.robot_radius * view.scale;
-  const bool has_room = radius > 11.0;
-  for (const TruePerson& person : moment.people) {
-    if ((person.position - moment.X_MB.position()).norm() > options.near) continue;
-    const Vector2 at = view(person.position);
-    svg.circle(at, person.radius * view.scale,
-               style({{"fill", std::string(kPeople)},
-                      {"fill-opacity", "0.13"},
-                      {"stroke", std::string(kPeople)},
-                      {"stroke-opacity", "0.75"},
-                      {"stroke-width", "1.2"}}));
-    if (has_room) svg.text(at + Vector2(0, 4), seconds, label_style(kPeople, 11, "middle"));
-  }
+void draw_person(SvgWriter& svg, const PictureView& view, const TruePerson& person,
+                 const std::string& label) {
+  const Vector2 at = view(person.position);
+  svg.circle(at, person.radius * view.scale,
+             style({{"fill", std::string(kPeople)},
+                    {"fill-opacity", "0.13"},
+                    {"stroke", std::string(kPeople)},
+                    {"stroke-opacity", "0.75"},
+                    {"stroke-width", "1.2"}}));
+  svg.text(at + Vector2(0, 4), label, label_style(kPeople, 11, "middle"));
+}
+
+void draw_robot(SvgWriter& svg, const PictureView& view, const RunRecording& recording,
+                const RecordedMoment& moment, const std::string& label) {
   const Vector2 at = view(moment.X_MB.position());
   const Vector2 front = view(moment.X_MB * Vector2(recording.robot_radius, 0.0));
   const std::string color = speed_color(moment.speed / recording.top_speed);
-  svg.circle(at, radius,
+  svg.circle(at, recording.robot_radius * view.scale,
              style({{"fill", "#ffffff"}, {"fill-opacity", "0.6"}, {"stroke", color}, {"stroke-width", "2"}}));
   svg.line(at + (front - at) * 0.55, front, style({{"stroke", color}, {"stroke-width", "3"}}));
-  if (has_room) svg.text(at + Vector2(0, 4), seconds, label_style(kInk, 11, "middle", 600));
+  svg.text(at + Vector2(0, 4), label, label_style(kInk, 11, "middle", 600));
 }
 
+/// Everybody every footprint_period, numbered by the second; whoever stands is drawn once.
 void draw_bodies(SvgWriter& svg, const RunRecording& recording, const PictureView& view,
                  const PictureOptions& options) {
+  const bool has_room = recording.robot_radius * view.scale > 11.0;
+  std::map<std::uint32_t, Vector2> drawn;
+  std::optional<Vector2> robot_drawn;
+  const auto stands = [](const Vector2& before, const Vector2& now, double radius) {
+    return (now - before).norm() < radius / 2.0;
+  };
   double next = 0.0;
   for (const RecordedMoment& moment : recording.moments) {
     if (moment.time + 1e-6 < next) continue;
-    draw_body(svg, view, recording, moment, options);
     next = (std::floor(moment.time / options.footprint_period + 1e-6) + 1.0) * options.footprint_period;
+    const std::string label = has_room ? fixed(moment.time, 0) : "";
+    const Vector2 robot = moment.X_MB.position();
+    for (const TruePerson& person : moment.people) {
+      if ((person.position - robot).norm() > options.near) continue;
+      const auto before = drawn.find(person.id);
+      if (before != drawn.end() && stands(before->second, person.position, person.radius)) continue;
+      draw_person(svg, view, person, label);
+      drawn[person.id] = person.position;
+    }
+    if (robot_drawn && stands(*robot_drawn, robot, recording.robot_radius)) continue;
+    draw_robot(svg, view, recording, moment, label);
+    robot_drawn = robot;
   }
 }
 
@@ -194,13 +211,14 @@ void draw_encounter(SvgWriter& svg, const RunRecording& recording, const Encount
 
 void draw_header(SvgWriter& svg, const ScoreCard& card, const PictureOptions& options) {
   svg.text({kMargin, 40}, options.title, label_style(kInk, 24, "start", 700));
-  const bool clean = card.reached && card.collisions == 0;
+  const bool failed = card.collisions > 0 || (card.finished && !card.reached);
+  const std::string_view color = failed ? kAlarm : card.finished ? "#0f868c" : kSoftInk;
   std::string result = !card.finished ? "still driving"
                        : card.reached ? "goal reached"
                                       : "goal not reached: " + card.reason;
   if (card.collisions > 0)
     result += ", " + std::to_string(card.collisions) + (card.collisions == 1 ? " contact" : " contacts");
-  svg.text({options.width - kMargin, 40}, result, label_style(clean ? "#0f868c" : kAlarm, 18, "end", 700));
+  svg.text({options.width - kMargin, 40}, result, label_style(color, 18, "end", 700));
   const std::string facts =
       fixed(card.time_to_goal, 1) + " s   ·   " + fixed(card.path_length, 1) + " m driven   ·   " +
       fixed(card.mean_speed, 2) + " m/s on average   ·   closest person " +

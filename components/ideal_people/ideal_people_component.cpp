@@ -1,0 +1,54 @@
+// People perception that cannot err (beyond the noise asked for): the world's truth as tracks, until a real
+// one takes its place.
+#include <optional>
+#include <string>
+
+#include "components/ideal_people/people_messages.hpp"
+#include "components/messages/geometry.hpp"
+#include "runtime/component.hpp"
+
+namespace bw {
+namespace {
+
+class IdealPeopleComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    options_ = setup.parameters<IdealPeopleOptions>();
+    random_.emplace(setup.seed());
+    period_ = Duration::seconds(1.0 / options_.rate);
+    map_frame_ = setup.frame("map");
+    tracks_ = setup.output<bandwagon_msgs::msg::Tracks>("tracks");
+    people_ = setup.output<people_msgs::msg::People>("people");
+    markers_ = setup.output<visualization_msgs::msg::MarkerArray>("people_markers");
+    setup.input<bandwagon_msgs::msg::GroundTruth>(
+        "sim/ground_truth", Qos::standard(), [this](const auto& message, const Tick&) { on_truth(message); });
+  }
+
+ private:
+  void on_truth(const bandwagon_msgs::msg::GroundTruth& truth) {
+    const Time stamp = from_stamp(truth.header().stamp());
+    if (last_ && stamp >= *last_ && stamp - *last_ < period_) return;
+    last_ = stamp;
+    const Vector2 robot(truth.pose().position().x(), truth.pose().position().y());
+    const std::vector<Mover> tracks = ideal_tracks(people_of(truth), robot, options_, *random_);
+    const std_msgs::msg::Header header = make_header(map_frame_, stamp);
+    tracks_.publish(to_tracks(tracks, options_, header));
+    people_.publish(to_people(tracks, header));
+    if (markers_.has_readers()) markers_.publish(to_markers(tracks, options_.rate, header));
+  }
+
+  IdealPeopleOptions options_;
+  std::optional<Random> random_;
+  Duration period_;
+  std::optional<Time> last_;
+  std::string map_frame_;
+  Output<bandwagon_msgs::msg::Tracks> tracks_;
+  Output<people_msgs::msg::People> people_;
+  Output<visualization_msgs::msg::MarkerArray> markers_;
+};
+
+}  // namespace
+
+BW_COMPONENT(IdealPeopleComponent, "ideal_people")
+
+}  // namespace bw

@@ -1,0 +1,59 @@
+// Tracks of people from the world's truth: those in range, with seeded noise if wanted, and a
+// constant-velocity prediction
+//
+//   p(t) = p + v t,   cov(t) = (s_p^2 + s_v^2 t^2 + (a t^2 / 2)^2) I,   a: what a walker may do against the
+//   prediction
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "components/model/obstacles.hpp"
+#include "components/model/random.hpp"
+#include "runtime/parameters/field.hpp"
+
+namespace bw {
+
+struct IdealPeopleOptions {
+  double rate = 10.0;
+  double range = 15.0;
+  double position_noise = 0.0;
+  double velocity_noise = 0.0;
+  double walker_acceleration = 0.2;
+  double prediction_horizon = 4.0;
+  double prediction_step = 0.5;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("rate", rate, {.unit = "Hz", .min = 1, .max = 100, .doc = "track messages per second"});
+    v("range", range,
+      {.unit = "m", .min = 0.5, .max = 1000, .doc = "people farther from the robot are not seen"});
+    v("position_noise", position_noise,
+      {.unit = "m", .min = 0, .max = 2, .doc = "standard deviation per axis and message"});
+    v("velocity_noise", velocity_noise,
+      {.unit = "m/s", .min = 0, .max = 2, .doc = "standard deviation per axis and message"});
+    v("walker_acceleration", walker_acceleration,
+      {.unit = "m/s^2",
+       .min = 0,
+       .max = 5,
+       .doc = "spread of the predictions; raise it for people who turn and stop"});
+    v("prediction_horizon", prediction_horizon,
+      {.unit = "s", .min = 0, .max = 20, .doc = "how far ahead positions are predicted"});
+    v("prediction_step", prediction_step,
+      {.unit = "s", .min = 0.05, .max = 5, .doc = "time between predicted positions"});
+  }
+
+  std::optional<std::string> violated_rule() const {
+    if (prediction_horizon / prediction_step > 200.0)
+      return "prediction_horizon must not exceed 200 prediction_step";
+    return std::nullopt;
+  }
+};
+
+/// `people` as they truly are (in map), `robot` in map. Predictions are filled in; one position covariance
+/// now is s_p^2 I.
+std::vector<Mover> ideal_tracks(const std::vector<Mover>& people, const Vector2& robot,
+                                const IdealPeopleOptions& options, Random& random);
+
+}  // namespace bw
