@@ -1,5 +1,5 @@
-// Quality of service of a topic end, as ROS 2's rmw profiles give it. What we publish is reliable, so that rviz2's default displays
-// match; what we read from sensors is best effort.
+// Quality of service of a topic end, as ROS 2's rmw profiles give it. What we publish is reliable, so that
+// rviz2's default displays match; what we read from sensors is best effort.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,8 @@ struct Qos {
   static Qos tf_static() { return {.durability = Durability::transient_local, .depth = 100}; }
   static Qos clock() { return {.reliability = Reliability::best_effort, .depth = 1}; }
   static Qos rosout() {
-    return {.durability = Durability::transient_local, .depth = 1000, .lifespan = Duration::milliseconds(10'000)};
+    return {
+        .durability = Durability::transient_local, .depth = 1000, .lifespan = Duration::milliseconds(10'000)};
   }
   bool operator==(const Qos&) const = default;
 };

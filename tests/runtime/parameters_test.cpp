@@ -214,6 +214,7 @@ TEST(ListParameters, GivesOneRowPerFieldInOrder) {
   world.walls = {{3.0, 4.0}, {5.0, 6.0}};
   const std::vector<ParameterRow> rows = list_parameters(world, "world");
   std::vector<std::string> lines;
+  lines.reserve(rows.size());
   for (const ParameterRow& row : rows) {
     lines.push_back(row.name + " " + row.type + " " + row.value + " " + row.default_value);
   }
@@ -268,8 +269,8 @@ TEST(ParseYaml, LimitsDepthValuesAndBytes) {
   std::string bytes = "a: &a " + std::string(100'000, 'a') + "\nb: [";
   std::string last = "x";
   for (const std::string name : {"y", "z", "u", "v", "w"}) {
-    values += name + ": &" + name + " [";
-    for (int i = 0; i < 10; ++i) values += "*" + last + ",";
+    values.append(name).append(": &").append(name).append(" [");
+    for (int i = 0; i < 10; ++i) values.append("*").append(last).append(",");
     values += "]\n";
     last = name;
   }
