@@ -13,6 +13,7 @@
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/verbs.hpp"
 #include "runtime/wire/type_registry.hpp"
+#include "runtime/wire/validate.hpp"
 #include "runtime/wire/yaml.hpp"
 
 namespace bw::cli {
