@@ -32,6 +32,7 @@ std::vector<Track> to_tracks(const std::vector<CsvRow>& rows, const std::string&
     track.samples.push_back(sample);
   }
   std::vector<Track> tracks;
+  tracks.reserve(by_id.size());
   for (auto& [id, track] : by_id) tracks.push_back(std::move(track));
   return tracks;
 }

@@ -1,6 +1,4 @@
 // Cost of one laser scan and of one second of the hallway. Figures are CPU time.
-#include <numbers>
-
 #include <benchmark/benchmark.h>
 
 #include "components/world/world.hpp"
@@ -36,6 +34,7 @@ void scan(benchmark::State& state, const StaticScene& scene) {
   options.range_max = 30.0;
   LaserScanner laser(options, Random(1));
   std::vector<Disc> legs;
+  legs.reserve(20);
   for (int i = 0; i < 20; ++i) legs.push_back({{20.0 + i, 40.0 + i % 7}, 0.07});
   double theta = 0.0;
   for (auto _ : state) {
@@ -65,6 +64,16 @@ void BM_HallwaySecond(benchmark::State& state) {
   }
 }
 
+/// What a walker asks of the map every step: the nearest solid cell within 5.8 m.
+void BM_NearestInMap(benchmark::State& state) {
+  const StaticScene scene({}, big_map(static_cast<double>(state.range(0)) / 100.0));
+  Random random(13);
+  for (auto _ : state) {
+    const Vector2 point{random.uniform(5.0, 45.0), random.uniform(5.0, 75.0)};
+    benchmark::DoNotOptimize(scene.nearest_point(point, 5.8));
+  }
+}
+
 void BM_BuildMap(benchmark::State& state) {
   const OccupancyGrid grid = big_map(0.1);
   for (auto _ : state) benchmark::DoNotOptimize(GridScene(grid));
@@ -74,6 +83,7 @@ BENCHMARK(BM_ScanEmptyMap)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_ScanPillarMap)->Arg(2)->Arg(30)->Arg(100)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_ScanSegments)->Arg(12)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_HallwaySecond)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_NearestInMap)->Arg(0)->Arg(2)->Arg(30)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_BuildMap)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -44,6 +44,7 @@ TEST(LaserScanner, AgreesWithBruteForceInClutter) {
   for (int trial = 0; trial < 100; ++trial) {
     StaticObstacles shapes;
     std::vector<Disc> movers;
+    movers.reserve(10);
     const auto place = [&] { return Vector2(random.uniform(-12, 12), random.uniform(-12, 12)); };
     for (int i = 0; i < 25; ++i) shapes.segments.push_back({place(), place()});
     for (int i = 0; i < 10; ++i) shapes.discs.push_back({place(), random.uniform(0.05, 1.0)});

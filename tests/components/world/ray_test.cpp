@@ -20,7 +20,7 @@ OccupancyGrid random_grid(Random& random, double solid_share) {
   grid.origin = {random.uniform(-5.0, 5.0), random.uniform(-5.0, 5.0)};
   grid.width = 1 + static_cast<int>(random.uniform(0.0, 60.0));
   grid.height = 1 + static_cast<int>(random.uniform(0.0, 60.0));
-  grid.cells.resize(static_cast<std::size_t>(grid.width * grid.height));
+  grid.cells.resize(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height));
   for (auto& cell : grid.cells) {
     const double draw = random.uniform();
     cell = draw < solid_share ? OccupancyGrid::kOccupied

@@ -107,6 +107,46 @@ TEST(WorldComponent, SaysWhereTheRobotIsAndWhatItSees) {
   EXPECT_TRUE(std::isnan(seen.fixes[0].altitude()));
 }
 
+TEST(WorldComponent, ReadsAHallwayOfWalkersFromYaml) {
+  const Seen seen = run(R"(
+      start: {x: 1.0, y: 0.0, theta: 0.0}
+      people_react: true
+      walls:
+        - {x1: 0, y1: -3, x2: 20, y2: -3}
+        - {x1: 20, y1: -3, x2: 20, y2: 3}
+        - {x1: 20, y1: 3, x2: 0, y2: 3}
+        - {x1: 0, y1: 3, x2: 0, y2: -3}
+      boxes:
+        - {x: 6.0, y: 2.2, length: 0.8, width: 0.8}
+        - {x: 13.0, y: -2.2, length: 0.8, width: 0.8}
+      people:
+        scripted:
+          - {waypoints: [{x: 9.0, y: -1.6}]}
+          - {waypoints: [{x: 9.6, y: -1.9}]}
+        social:
+          speed_min: 1.0
+          speed_max: 1.3
+          start_jitter: 0.3
+          turn_round: true
+          walkers:
+            - {x: 4, y: 1, goal_x: 18, goal_y: 1}
+            - {x: 5, y: 0, goal_x: 18, goal_y: 0}
+            - {x: 3, y: -1, goal_x: 18, goal_y: -1}
+            - {x: 18, y: 1, goal_x: 2, goal_y: 1}
+            - {x: 17, y: 0, goal_x: 2, goal_y: 0}
+            - {x: 19, y: -1, goal_x: 2, goal_y: -1}
+          forces: {social_factor: 5.1}
+)",
+                        0.0, 1);
+  ASSERT_EQ(seen.truths.back().people().size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const auto& person = seen.truths.back().people()[i];
+    EXPECT_EQ(person.id(), i + 1);
+    EXPECT_EQ(std::hypot(person.velocity().x(), person.velocity().y()) > 0.3, i >= 2)
+        << "two stand, six walk";
+  }
+}
+
 TEST(WorldComponent, TurnsWheelsAsCommanded) {
   const Seen seen = run(kQuiet, 5.0, 1);
   // 5 rad/s on 0.0762 m wheels from 0.1 s on: 0.381 m/s; the ramp at 4 m/s^2 loses v^2 / 2 a = 0.018 m.

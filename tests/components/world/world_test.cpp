@@ -117,8 +117,10 @@ TEST(World, SensorsKeepTheirRates) {
 }
 
 TEST(World, WalkersCrossTheHallwayBetweenItsWalls) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    World world(hallway(), Robot(), {}, seed);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    WorldOptions options = hallway();
+    options.people.social.forces.social_factor = seed <= 5 ? 2.1 : 5.1;
+    World world(options, Robot(), {}, seed);
     std::vector<double> east(6, 0.0);
     std::vector<double> west(6, 20.0);
     for (int i = 0; i < 6000; ++i) {
