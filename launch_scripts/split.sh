@@ -32,7 +32,11 @@ cp "$graph" "$logs/graph.yaml"
 "$program" param dump "$graph" "${set_options[@]}" >"$logs/parameters.yaml"
 
 declare -A process_of
+interrupted=0
 interrupt_all() {
+  # Once: a second interrupt would end a process before its robot stands.
+  ((interrupted)) && return
+  interrupted=1
   for pid in "${!process_of[@]}"; do kill -INT "$pid" 2>/dev/null || true; done
 }
 trap interrupt_all INT TERM
