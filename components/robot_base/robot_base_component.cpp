@@ -56,11 +56,13 @@ class RobotBaseComponent final : public Component {
  private:
   void on_command(const sensor_msgs::msg::JointState& message, const Tick& tick) {
     const std::optional<WheelSpeeds> wheels = wheel_speeds_of(message, robot_.wheel_radius);
-    if (!wheels || !watchdog_->command(tick.now, *wheels)) {
+    const bool is_sound = wheels && watchdog_->command(tick.now, *wheels);
+    if (!is_sound && was_sound_) {
       log_.warn("refused a wheel command that is not two finite rates of {} and {}", wheel_joint_names()[0],
                 wheel_joint_names()[1]);
-      return;
     }
+    was_sound_ = is_sound;
+    if (!is_sound) return;
     check(tick);
   }
 
@@ -124,6 +126,7 @@ class RobotBaseComponent final : public Component {
   std::optional<WheelWatchdog> watchdog_;
   std::optional<WatchdogOutput> sent_;
   std::unique_ptr<Driver> driver_;
+  bool was_sound_ = true;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
   std::string odom_frame_;

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <bandwagon_msgs/msg/ground_truth.hpp>
+#include <bandwagon_msgs/msg/navigation_status.hpp>
+#include <bandwagon_msgs/msg/score_card.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/msg/occupancy_grid.hpp>
+
+#include "components/messages/geometry.hpp"
+#include "tests/components/component_rig.hpp"
+
+namespace bw {
+namespace {
+
+using namespace bandwagon_msgs::msg;
+using ::testing::HasSubstr;
+
+/// A drive of 4 m at 1 m/s from 1 s to 5 s past a person 1.0 m aside; the goal ends with `status`.
+std::vector<ScoreCard> cards(const std::string& parameters, std::uint8_t end_status, double seconds = 6.0) {
+  std::vector<ScoreCard> list;
+  run_with_script("components: {evaluation: {parameters: " + parameters + "}}", seconds,
+                  [&](bw::Setup& setup) {
+                    setup.input<ScoreCard>("score_card", Qos::standard(50),
+                                           [&](const auto& card, const Tick&) { list.push_back(card); });
+                    setup.every(Duration::milliseconds(20), "world",
+                                [=, truth = setup.output<GroundTruth>("sim/ground_truth"),
+                                 navigation = setup.output<NavigationStatus>("navigation_status"),
+                                 map = setup.output<nav_msgs::msg::OccupancyGrid>("map", Qos::latched())](
+                                    const Tick& tick) mutable {
+                                  const double t = seconds_since_start(tick.now);
+                                  if (tick.sequence == 0) {
+                                    nav_msgs::msg::OccupancyGrid grid;
+                                    grid.info().resolution(0.5F);
+                                    grid.info().width(20);
+                                    grid.info().height(10);
+                                    grid.info().origin().position().x(-3.0);
+                                    grid.info().origin().position().y(-2.5);
+                                    grid.data().assign(200, 0);
+                                    map.publish(grid);
+                                  }
+                                  NavigationStatus status;
+                                  status.goal_id(1);
+                                  status.goal().pose(to_pose({4.0, 0, 0}));
+                                  status.status(NavigationStatus_Constants::EXECUTING);
+                                  if (std::abs(t - 1.0) < 1e-6) navigation.publish(status);
+                                  status.status(end_status);
+                                  status.reason("as told");
+                                  GroundTruth message;
+                                  message.header(make_header("map", tick.now));
+                                  message.pose(to_pose({std::clamp(t - 1.0, 0.0, 4.0), 0, 0}));
+                                  message.twist().linear().x(t > 1.0 && t < 5.0 ? 1.0 : 0.0);
+                                  message.wall_clearance(1.7);
+                                  GroundTruthPerson person;
+                                  person.id(3);
+                                  person.position(to_point({2.0, 1.0}));
+                                  person.radius(0.3);
+                                  message.people().push_back(person);
+                                  truth.publish(message);
+                                  if (std::abs(t - 5.0) < 1e-6) navigation.publish(status);
+                                });
+                  });
+  return list;
+}
+
+TEST(EvaluationComponent, ScoresTheDriveAndDrawsIt) {
+  const auto svg = std::filesystem::path(::testing::TempDir()) / "evaluation" / "run.svg";
+  std::filesystem::remove(svg);
+  const auto list =
+      cards("{svg: '" + svg.string() + "', title: A test}", NavigationStatus_Constants::SUCCEEDED);
+  ASSERT_GE(list.size(), 9U);  // twice a second for 4 s, and the final one
+  EXPECT_FALSE(list.front().finished());
+  const ScoreCard& card = list.back();
+  EXPECT_TRUE(card.finished());
+  EXPECT_TRUE(card.reached());
+  EXPECT_NEAR(card.time_to_goal_s(), 4.0, 1e-6);
+  EXPECT_NEAR(card.path_length_m(), 4.0, 0.021);
+  EXPECT_NEAR(card.closest_person_m(), 0.4, 1e-6);  // 1.0 - 0.3 - 0.3
+  EXPECT_NEAR(card.min_distance_m(), 0.4, 1e-6);
+  EXPECT_NEAR(card.max_collision_index(), std::exp(-1.0 / 0.72), 1e-6);
+  EXPECT_EQ(card.collisions(), 0U);
+
+  std::ifstream file(svg);
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_THAT(text.str(), HasSubstr("goal reached"));
+  EXPECT_THAT(text.str(), HasSubstr("A test"));
+  EXPECT_THAT(text.str(), HasSubstr("0.40 m at"));
+}
+
+TEST(EvaluationComponent, AnAbortedGoalKeepsItsReason) {
+  const auto list = cards("{}", NavigationStatus_Constants::ABORTED);
+  ASSERT_FALSE(list.empty());
+  EXPECT_TRUE(list.back().finished());
+  EXPECT_FALSE(list.back().reached());
+  EXPECT_EQ(list.back().reason(), "as told");
+}
+
+TEST(EvaluationComponent, ARunThatEndsEarlyStillHasItsPicture) {
+  const auto svg = std::filesystem::path(::testing::TempDir()) / "early.svg";
+  std::filesystem::remove(svg);
+  const auto list = cards("{svg: '" + svg.string() + "'}", NavigationStatus_Constants::SUCCEEDED, 3.0);
+  EXPECT_FALSE(list.back().finished());
+  EXPECT_TRUE(std::filesystem::exists(svg));
+}
+
+}  // namespace
+}  // namespace bw

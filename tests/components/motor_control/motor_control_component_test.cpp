@@ -1,0 +1,56 @@
+#include <cmath>
+
+#include <geometry_msgs/msg/twist.hpp>
+#include <gtest/gtest.h>
+
+#include "components/messages/geometry.hpp"
+#include "components/messages/wheel_joints.hpp"
+#include "tests/components/component_rig.hpp"
+
+namespace bw {
+namespace {
+
+constexpr double kRadius = 0.0762;  // wheel of the default robot [m]
+
+/// Forward speeds commanded to the wheels, every 20 ms from 0.02 s on, when /cmd_vel follows `wish` at 10 Hz.
+std::vector<double> speeds(double seconds, const std::function<std::optional<Twist2>(double t)>& wish) {
+  std::vector<double> list;
+  run_with_script("components: {motor_control: {}}", seconds, [&](bw::Setup& setup) {
+    setup.input<sensor_msgs::msg::JointState>(
+        "wheel_commands", Qos::standard(50), [&](const auto& m, const Tick&) {
+          const WheelSpeeds wheels = wheel_speeds_of(m, kRadius).value();
+          list.push_back((wheels.left + wheels.right) / 2.0);
+        });
+    setup.every(Duration::milliseconds(100), "wish",
+                [&, out = setup.command<geometry_msgs::msg::Twist>("cmd_vel")](const Tick& tick) mutable {
+                  if (const auto twist = wish(seconds_since_start(tick.now)))
+                    out.publish(to_twist_message(*twist));
+                });
+  });
+  return list;
+}
+
+double at(const std::vector<double>& list, double t) {
+  return list.at(static_cast<std::size_t>(std::lround(t / 0.02)) - 1);
+}
+
+TEST(MotorControlComponent, ReachesTheCommandAndStopsWhenCommandsStop) {
+  const auto list = speeds(4.0, [](double t) {
+    return t < 2.05 ? std::optional(Twist2{0.8, 0.0}) : std::nullopt;
+  });
+  EXPECT_NEAR(at(list, 2.0), 0.8, 1e-6);
+  EXPECT_NEAR(at(list, 2.2), 0.8, 1e-6);          // the command of 2.0 s is 200 ms old
+  EXPECT_NEAR(at(list, 2.22), 0.8 - 0.04, 1e-6);  // 2 m/s^2 from here
+  EXPECT_NEAR(at(list, 2.6), 0.0, 1e-6);
+  EXPECT_EQ(list.back(), 0.0);
+}
+
+TEST(MotorControlComponent, StopsOnACommandThatIsNotFinite) {
+  const auto list = speeds(4.0, [](double t) { return Twist2{t < 2.05 ? 0.8 : std::nan(""), 0.0}; });
+  EXPECT_NEAR(at(list, 2.1), 0.8, 0.041);
+  EXPECT_NEAR(at(list, 2.56), 0.0, 1e-6);
+  for (const double v : list) EXPECT_TRUE(std::isfinite(v));
+}
+
+}  // namespace
+}  // namespace bw

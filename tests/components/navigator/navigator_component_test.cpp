@@ -1,0 +1,133 @@
+#include <cmath>
+
+#include <bandwagon_msgs/msg/follow_request.hpp>
+#include <bandwagon_msgs/msg/follow_status.hpp>
+#include <bandwagon_msgs/msg/navigation_status.hpp>
+#include <bandwagon_msgs/msg/plan_request.hpp>
+#include <bandwagon_msgs/msg/plan_result.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/msg/odometry.hpp>
+#include <std_msgs/msg/empty.hpp>
+
+#include "components/messages/geometry.hpp"
+#include "tests/components/component_rig.hpp"
+
+namespace bw {
+namespace {
+
+using namespace bandwagon_msgs::msg;
+using ::testing::HasSubstr;
+
+/// Planners and a robot that runs along the x axis at 1 m/s while it is told to follow.
+struct World {
+  double x = 0.0;
+  double goal_x = 0.0;
+  std::uint8_t mode = FollowRequest_Constants::STOP;
+  std::uint64_t follow_id = 0;
+  int plans = 0;
+  std::vector<NavigationStatus> statuses;
+
+  void configure(bw::Setup& setup) {
+    setup.input<PlanRequest>("plan_request", Qos::standard(),
+                             [this, out = setup.output<PlanResult>("plan_result")](const PlanRequest& request,
+                                                                                   const Tick& tick) mutable {
+                               ++plans;
+                               PlanResult result;
+                               result.id(request.id());
+                               const Pose2 goal = from_pose(request.goal().pose());
+                               goal_x = goal.x;
+                               result.path(to_path("map", tick.now, {{x, 0, 0}, goal}));
+                               out.publish(result);
+                             });
+    setup.input<FollowRequest>("follow_request", Qos::standard(),
+                               [this](const FollowRequest& request, const Tick&) {
+                                 mode = request.mode();
+                                 follow_id = request.id();
+                               });
+    setup.input<NavigationStatus>("navigation_status", Qos::standard(50),
+                                  [this](const auto& status, const Tick&) { statuses.push_back(status); });
+    setup.every(Duration::milliseconds(50), "move",
+                [this, odometry = setup.output<nav_msgs::msg::Odometry>("odometry/filtered"),
+                 follow = setup.output<FollowStatus>("follow_status")](const Tick&) mutable {
+                  const double left = goal_x - x;
+                  const double v = mode == FollowRequest_Constants::FOLLOW && std::abs(left) > 1e-9
+                                       ? std::copysign(1.0, left)
+                                       : 0.0;
+                  x = std::abs(left) < 0.05 && v != 0.0 ? goal_x : x + 0.05 * v;
+                  nav_msgs::msg::Odometry message;
+                  message.pose().pose(to_pose({x, 0, 0}));
+                  message.twist().twist().linear().x(v);
+                  odometry.publish(message);
+                  FollowStatus status;
+                  status.id(follow_id);
+                  status.status(FollowStatus_Constants::FOLLOWING);
+                  follow.publish(status);
+                });
+  }
+};
+
+geometry_msgs::msg::PoseStamped goal(double x, const std::string& frame = "map") {
+  geometry_msgs::msg::PoseStamped message;
+  message.header().frame_id(frame);
+  message.pose(to_pose({x, 0, 0}));
+  return message;
+}
+
+TEST(NavigatorComponent, DrivesToTheGoalOfTheGraph) {
+  World world;
+  run_with_script("components: {navigator: {parameters: {goal: {enabled: true, x: 3.0}}}}", 6.0,
+                  [&](bw::Setup& setup) { world.configure(setup); });
+  ASSERT_FALSE(world.statuses.empty());
+  const NavigationStatus& end = world.statuses.back();
+  EXPECT_EQ(end.status(), NavigationStatus_Constants::SUCCEEDED);
+  EXPECT_EQ(end.reason(), "reached");
+  EXPECT_EQ(end.goal_id(), 1U);
+  EXPECT_NEAR(world.x, 3.0, 1e-9);
+  EXPECT_EQ(world.mode, FollowRequest_Constants::STOP);
+  EXPECT_EQ(world.plans, 3);  // at once, and after 1 and 2 s; at 3 s it is within the tolerance
+  // Accepted, executing, feedback each 0.2 s, succeeded.
+  EXPECT_EQ(world.statuses.front().status(), NavigationStatus_Constants::ACCEPTED);
+  EXPECT_NEAR(static_cast<double>(world.statuses.size()), 2 + 15 + 1, 2);
+}
+
+TEST(NavigatorComponent, TakesGoalsFromTheTopicAndRefusesUnknownFrames) {
+  World world;
+  run_with_script("components: {navigator: {}}", 10.0, [&](bw::Setup& setup) {
+    world.configure(setup);
+    setup.every(Duration::milliseconds(1000), "goals",
+                [out = setup.output<geometry_msgs::msg::PoseStamped>("goal_pose")](const Tick& tick) mutable {
+                  if (tick.sequence == 0) out.publish(goal(5.0));
+                  if (tick.sequence == 2) out.publish(goal(1.0, "mars"));
+                  if (tick.sequence == 3) out.publish(goal(-1.0));
+                });
+  });
+  EXPECT_EQ(world.statuses.back().status(), NavigationStatus_Constants::SUCCEEDED);
+  EXPECT_EQ(world.statuses.back().goal_id(), 3U);
+  EXPECT_NEAR(world.x, -1.0, 1e-9);
+  std::string refused;
+  std::string preempted;
+  for (const NavigationStatus& status : world.statuses) {
+    if (status.status() != NavigationStatus_Constants::ABORTED) continue;
+    (status.goal_id() == 2 ? refused : preempted) = status.reason();
+  }
+  EXPECT_THAT(refused, HasSubstr("frame 'mars'"));
+  EXPECT_EQ(preempted, "preempted by goal 3");
+}
+
+TEST(NavigatorComponent, CancelStandsStillAndSaysSo) {
+  World world;
+  run_with_script(
+      "components: {navigator: {parameters: {goal: {enabled: true, x: 30.0}}}}", 5.0, [&](bw::Setup& setup) {
+        world.configure(setup);
+        setup.every(Duration::milliseconds(3000), "cancel",
+                    [out = setup.output<std_msgs::msg::Empty>("cancel_goal")](const Tick&) mutable {
+                      out.publish({});
+                    });
+      });
+  EXPECT_EQ(world.statuses.back().status(), NavigationStatus_Constants::CANCELED);
+  EXPECT_NEAR(world.x, 2.0, 0.16);  // from 1 s to 3 s
+}
+
+}  // namespace
+}  // namespace bw
