@@ -83,7 +83,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
   for (const std::string& plugin : graph_.settings.plugins) load_plugin(plugin);
   for (ExtraComponent& e : extra) {
     graph_.components.push_back(
-        {.name = e.name, .type = e.name, .process = only.empty() ? "main" : only, .lane = "main"});
+        {.name = e.name, .type = e.name, .process = only.empty() ? "main" : only, .lane = e.lane});
   }
 
   const bool lockstep = options_.clock == ClockMode::lockstep;

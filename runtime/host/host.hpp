@@ -35,6 +35,7 @@ struct HostOptions {
 struct ExtraComponent {
   std::string name;
   std::unique_ptr<Component> component;
+  std::string lane = "main";
 };
 
 class Host {

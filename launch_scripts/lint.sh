@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Formatting, static analysis and shell checks of the project's own files. Needs the release build's compile commands.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${BANDWAGON_BUILD:-$root/build/release}
+cd "$root"
+for tool in clang-format clang-tidy shellcheck; do
+  command -v "$tool" >/dev/null || { echo "$tool is missing: apt-get install clang-format clang-tidy shellcheck" >&2; exit 2; }
+done
+shellcheck launch_scripts/*.sh .ci/run
+git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
+git ls-files 'runtime/*.cpp' 'components/*.cpp' 'idl/*.cpp' 'tests/*.cpp' |
+  xargs -P "${BANDWAGON_JOBS:-2}" -n 4 clang-tidy --quiet -p "$build"
+echo "Clean."
