@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::array kSpeedShares{1.0, 0.75, 0.5, 0.25, 0.0};  // of v_max; v_back_max is added
 constexpr std::array kTurnShares{0.0, 0.33, -0.33, 0.67, -0.67, 1.0, -1.0};
-constexpr double kGapWeight = 10.0;  // metres of progress that a metre of gap is worth below `enough`
+constexpr double kGapWeight = 10.0;   // metres of progress that a metre of gap is worth below `enough_gap`
+constexpr double kTestStep = 0.1;     // [m] between footprint tests
+constexpr double kWorthMoving = 0.2;  // [s] of later contact for which a robot that could stop moves instead
 
 double approach(double now, double target, double speeding_up, double slowing_down, double period) {
   const bool slower = std::abs(target) < std::abs(now) || target * now < 0.0;
@@ -36,19 +38,30 @@ std::vector<TrajectoryPoint> simulate(const PlanningProblem& problem, const Twis
 
 }  // namespace
 
-EvasiveMove best_evasive_move(const PlanningProblem& problem, const Vector2& goal, double horizon,
-                              double period, double enough) {
-  EvasiveMove best;
+EvasiveMove best_evasive_move(const PlanningProblem& problem, const Vector2& goal,
+                              const EvasionOptions& options) {
+  const auto move_to = [&](const Twist2& target) {
+    EvasiveMove move;
+    move.trajectory = simulate(problem, target, options.horizon, options.period);
+    const MotionGap met = gap_along(move.trajectory, options.horizon, kTestStep, options.asked_gap, problem);
+    move.gap = met.gap;
+    move.contact_time = met.contact_time;
+    return move;
+  };
+  EvasiveMove best_clear;
   double best_score = -std::numeric_limits<double>::infinity();
+  const EvasiveMove stop = move_to({0.0, 0.0});
+  EvasiveMove latest = stop;
   const auto consider = [&](double v, double omega) {
-    std::vector<TrajectoryPoint> trajectory = simulate(problem, {v, omega}, horizon, period);
-    const double gap =
-        gap_along(trajectory, horizon, 0.1, problem.footprint, problem.obstacles, problem.movers);
-    const double score =
-        kGapWeight * std::min(gap, enough) - (trajectory.back().pose.position() - goal).norm();
-    if (score > best_score) {
+    EvasiveMove move = move_to({v, omega});
+    if (std::isinf(move.contact_time)) {
+      const double score = kGapWeight * std::min(move.gap, options.enough_gap) -
+                           (move.trajectory.back().pose.position() - goal).norm();
+      if (score <= best_score) return;
       best_score = score;
-      best = {gap, std::move(trajectory)};
+      best_clear = std::move(move);
+    } else if (move.contact_time > latest.contact_time) {
+      latest = std::move(move);
     }
   };
   for (const double turn : kTurnShares) {
@@ -57,7 +70,11 @@ EvasiveMove best_evasive_move(const PlanningProblem& problem, const Vector2& goa
     if (problem.limits.v_back_max > 0.0)
       consider(-problem.limits.v_back_max, turn * problem.limits.omega_max);
   }
-  return best;
+  if (!best_clear.trajectory.empty()) return best_clear;
+  const double stopping_time = std::abs(latest.trajectory[1].twist.v) / problem.limits.stop_deceleration;
+  const bool worth_it = latest.contact_time > stop.contact_time + kWorthMoving &&
+                        latest.contact_time > options.period + stopping_time + kWorthMoving;
+  return worth_it ? latest : stop;
 }
 
 }  // namespace bw

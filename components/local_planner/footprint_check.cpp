@@ -71,10 +71,15 @@ double gap_at(const Pose2& pose, double time, const Footprint& footprint, const 
   return gap;
 }
 
-double gap_along(const std::vector<TrajectoryPoint>& trajectory, double horizon, double step,
-                 const Footprint& footprint, const StaticObstacles& statics,
-                 const std::vector<Mover>& movers) {
-  double gap = std::numeric_limits<double>::infinity();
+MotionGap gap_along(const std::vector<TrajectoryPoint>& trajectory, double horizon, double step,
+                    double asked_gap, const PlanningProblem& problem) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  MotionGap result{kNever, kNever};
+  const auto test = [&](const Pose2& pose, double time) {
+    const double gap = gap_at(pose, time, problem.footprint, problem.obstacles, problem.movers);
+    result.gap = std::min(result.gap, gap);
+    if (gap < asked_gap) result.contact_time = std::min(result.contact_time, time);
+  };
   for (std::size_t i = 0; i + 1 < trajectory.size() && trajectory[i].time < horizon; ++i) {
     const TrajectoryPoint& a = trajectory[i];
     const TrajectoryPoint& b = trajectory[i + 1];
@@ -86,15 +91,14 @@ double gap_along(const std::vector<TrajectoryPoint>& trajectory, double horizon,
       const double s = static_cast<double>(k) / samples;
       const double time = a.time + s * (b.time - a.time);
       if (time > horizon) break;
-      const Pose2 pose{a.pose.x + s * (b.pose.x - a.pose.x), a.pose.y + s * (b.pose.y - a.pose.y),
-                       a.pose.theta + s * turn};
-      gap = std::min(gap, gap_at(pose, time, footprint, statics, movers));
+      test({a.pose.x + s * (b.pose.x - a.pose.x), a.pose.y + s * (b.pose.y - a.pose.y),
+            a.pose.theta + s * turn},
+           time);
     }
   }
-  if (!trajectory.empty() && trajectory.back().time <= horizon) {
-    gap = std::min(gap, gap_at(trajectory.back().pose, trajectory.back().time, footprint, statics, movers));
-  }
-  return gap;
+  if (!trajectory.empty() && trajectory.back().time <= horizon)
+    test(trajectory.back().pose, trajectory.back().time);
+  return result;
 }
 
 }  // namespace bw

@@ -11,10 +11,15 @@ namespace bw {
 double gap_at(const Pose2& pose, double time, const Footprint& footprint, const StaticObstacles& statics,
               const std::vector<Mover>& movers);
 
-/// The same, over the first `horizon` seconds of a trajectory, tested at least every `step` [m] of travel or
+/// What a motion meets.
+struct MotionGap {
+  double gap = 0.0;           ///< smallest gap [m]
+  double contact_time = 0.0;  ///< when the gap first falls below the asked one [s]; infinite if it never does
+};
+
+/// The gap over the first `horizon` seconds of a trajectory, tested at least every `step` [m] of travel or
 /// 0.1 s.
-double gap_along(const std::vector<TrajectoryPoint>& trajectory, double horizon, double step,
-                 const Footprint& footprint, const StaticObstacles& statics,
-                 const std::vector<Mover>& movers);
+MotionGap gap_along(const std::vector<TrajectoryPoint>& trajectory, double horizon, double step,
+                    double asked_gap, const PlanningProblem& problem);
 
 }  // namespace bw

@@ -59,7 +59,7 @@ struct BandOptions {
   int max_obstacles = 200;
   int max_obstacles_per_pose = 8;
 
-  double penalty_epsilon = 0.05;
+  double penalty_epsilon = 0.02;
   bool consistent_motion = true;
 
   int no_outer_iterations = 4;

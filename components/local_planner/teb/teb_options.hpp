@@ -13,7 +13,7 @@ struct TebOptions {
   double force_reinit_new_goal_dist = 1.0;
   double force_reinit_new_goal_angular = 0.8;
   double force_reinit_start_dist = 0.5;
-  double feasibility_check_time = 1.5;
+  double feasibility_check_time = 3.0;
   double feasibility_margin = 0.0;
   double evasion_horizon = 2.0;
   double xy_goal_tolerance = 0.1;

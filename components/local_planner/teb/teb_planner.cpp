@@ -115,8 +115,9 @@ BandReport TebPlanner::improve(Band& band, const PlanningProblem& problem, const
 
 bool TebPlanner::is_free(const PlanningProblem& problem,
                          const std::vector<TrajectoryPoint>& trajectory) const {
-  return gap_along(trajectory, options_.feasibility_check_time, kCheckStep, problem.footprint,
-                   problem.obstacles, problem.movers) >= options_.feasibility_margin;
+  return std::isinf(
+      gap_along(trajectory, options_.feasibility_check_time, kCheckStep, options_.feasibility_margin, problem)
+          .contact_time);
 }
 
 PlanningResult TebPlanner::arrive(const PlanningProblem& problem) const {
@@ -139,9 +140,10 @@ void TebPlanner::evade(const PlanningProblem& problem, PlanningResult& result) c
   result.reason = "the band is not free and no evasive move is";
   result.command = stop_twist(problem.twist, problem.limits, options_.control_period);
   if (options_.evasion_horizon <= 0.0) return;
-  EvasiveMove move = best_evasive_move(problem, problem.plan.back().position(), options_.evasion_horizon,
-                                       options_.control_period, options_.band.min_obstacle_dist);
-  if (move.gap < options_.feasibility_margin || move.trajectory.size() < 2) return;
+  EvasiveMove move = best_evasive_move(problem, problem.plan.back().position(),
+                                       {options_.evasion_horizon, options_.control_period,
+                                        options_.feasibility_margin, options_.band.min_obstacle_dist});
+  if (move.trajectory[1].twist == result.command) return;
   result.status = PlanningStatus::ok;
   result.reason = "evading";
   result.command = move.trajectory[1].twist;

@@ -14,7 +14,7 @@ PlanningProblem driving_at(double v) {
 }
 
 TEST(Evasion, DrivesStraightToTheGoalWhenNothingIsNear) {
-  const EvasiveMove move = best_evasive_move(driving_at(0.5), {10.0, 0.0}, 2.0, 0.1, 0.2);
+  const EvasiveMove move = best_evasive_move(driving_at(0.5), {10.0, 0.0}, {});
   EXPECT_NEAR(move.trajectory[1].twist.v, 0.6, 1e-12);
   EXPECT_NEAR(move.trajectory[1].twist.omega, 0.0, 1e-12);
 }
@@ -28,7 +28,7 @@ TEST(Evasion, BacksAwayFromAWallAndAnApproachingMover) {
   mover.position = {1.0, 0.0};
   mover.velocity = {-0.3, 0.0};
   problem.movers = {mover};
-  const EvasiveMove move = best_evasive_move(problem, {10.0, 0.0}, 2.0, 0.1, 0.2);
+  const EvasiveMove move = best_evasive_move(problem, {10.0, 0.0}, {});
   EXPECT_LT(move.trajectory[1].twist.v, 0.0);
   EXPECT_GT(move.gap, 0.0);
 }
@@ -36,7 +36,7 @@ TEST(Evasion, BacksAwayFromAWallAndAnApproachingMover) {
 TEST(Evasion, KeepsAccelerationLimits) {
   PlanningProblem problem = driving_at(0.8);
   problem.obstacles.segments = {{{1.0, -3.0}, {1.0, 3.0}}};
-  const EvasiveMove move = best_evasive_move(problem, {10.0, 0.0}, 2.0, 0.1, 0.2);
+  const EvasiveMove move = best_evasive_move(problem, {10.0, 0.0}, {});
   for (std::size_t i = 1; i < move.trajectory.size(); ++i) {
     const double dv = move.trajectory[i].twist.v - move.trajectory[i - 1].twist.v;
     EXPECT_LE(dv, problem.limits.acc_max * 0.1 + 1e-12);
