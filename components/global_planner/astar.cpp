@@ -8,6 +8,15 @@ namespace bw {
 namespace {
 
 constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
+// Beyond this g a step and the heuristic could overflow.
+constexpr std::uint32_t kFarthest = kNever - kMaxStep - SearchGrid::kMaxSide * kDiagonalUnit;
+
+// After a step in direction d the three cells behind are dearer than from where the step began, so no search
+// goes there.
+constexpr std::uint8_t onward_moves(unsigned d) {
+  const unsigned behind = 1u << (d + 3) % 8 | 1u << (d + 4) % 8 | 1u << (d + 5) % 8;
+  return static_cast<std::uint8_t>(~behind);
+}
 
 std::uint32_t octile(int x, int y, const GridCell& goal) {
   const auto dx = static_cast<std::uint32_t>(std::abs(x - goal.x));
@@ -76,12 +85,12 @@ GridPath AStar::search(SearchGrid& grid, GridCell start, GridCell goal) {
         (best != kNever && entry.g + octile(entry.cell.x, entry.cell.y, goal) >= best)) {
       continue;
     }
-    if (entry.g > kNever - 4 * kMaxStep - octile(entry.cell.x, entry.cell.y, goal)) {
+    if (entry.g > kFarthest) {
       path.too_far = true;
       continue;
     }
     ++path.expanded;
-    for (unsigned moves = cells[i].moves; moves != 0; moves &= moves - 1) {
+    for (unsigned moves = cells[i].moves & entry.onward; moves != 0; moves &= moves - 1) {
       const auto d = static_cast<unsigned>(__builtin_ctz(moves));
       const std::size_t n = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + offset[d]);
       SearchCell& next = cells[n];
@@ -96,7 +105,7 @@ GridPath AStar::search(SearchGrid& grid, GridCell start, GridCell goal) {
       if (n == goal_index) {
         best = g;
       } else {
-        queue_.push(f, {{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)}, g});
+        queue_.push(f, {{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)}, g, onward_moves(d)});
       }
     }
   }

@@ -34,6 +34,7 @@ class AStar {
   struct Entry {
     GridCell cell;
     std::uint32_t g = 0;
+    std::uint8_t onward = 0xff;  ///< moves worth trying, by the step that led here
   };
 
   void next_generation(SearchGrid& grid);
