@@ -103,6 +103,7 @@ void draw_people_paths(SvgWriter& svg, const RunRecording& recording, const Scor
 void draw_robot_path(SvgWriter& svg, const RunRecording& recording, const PictureView& view) {
   const std::vector<RecordedMoment>& moments = recording.moments;
   std::vector<Vector2> whole;
+  whole.reserve(moments.size());
   for (const RecordedMoment& moment : moments) whole.push_back(view(moment.X_MB.position()));
   if (whole.size() < 2) return;
   svg.polyline(whole,

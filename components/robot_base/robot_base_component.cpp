@@ -100,11 +100,10 @@ class RobotBaseComponent final : public Component {
     odom.child_frame_id(base_frame_);
     odom.pose().pose(to_pose(state.X_OB));
     odom.twist().twist(to_twist_message(state.twist));
-    constexpr int kPlanar[] = {0, 1, 5};  // x, y, yaw among x, y, z, roll, pitch, yaw
+    constexpr std::size_t kPlanar[] = {0, 1, 5};  // x, y, yaw among x, y, z, roll, pitch, yaw
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
-        odom.pose().covariance()[static_cast<std::size_t>(kPlanar[i] * 6 + kPlanar[j])] =
-            state.pose_covariance(i, j);
+        odom.pose().covariance()[kPlanar[i] * 6 + kPlanar[j]] = state.pose_covariance(i, j);
       }
     }
     odom.twist().covariance()[0] = state.twist_covariance(0, 0);
