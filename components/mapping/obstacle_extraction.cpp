@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <tuple>
+#include <limits>
+#include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace bw {
@@ -45,7 +47,9 @@ class Window {
     const ObstacleRule rule{.occupied_at = options.occupied_at};
     const double squared_radius = std::pow(options.radius / grid.resolution, 2);
     const auto is_free = [&](int column, int row) {
-      return grid.contains(column, row) && !rule.blocks(grid.at(column, row));
+      if (!grid.contains(column, row)) return false;
+      const std::int8_t value = grid.at(column, row);
+      return value < 0 ? options.face_unknown : !rule.blocks(value);
     };
     for (int row = row0_; row < row0_ + height_; ++row) {
       for (int column = column0_; column < column0_ + width_; ++column) {
@@ -110,37 +114,81 @@ std::vector<Cell> trace_chain(Window& window, const Cell& seed) {
   return chain;
 }
 
-// Indices of the corners of a polyline that stays within `tolerance` [cells] of all cells of the chain.
+bool stays_within(const std::vector<Cell>& chain, std::size_t first, std::size_t last, double tolerance) {
+  const Vector2 a = to_vector(chain[first]);
+  const Vector2 b = to_vector(chain[last]);
+  for (std::size_t i = first + 1; i < last; ++i) {
+    if (distance_to_segment(to_vector(chain[i]), a, b) > tolerance) return false;
+  }
+  return true;
+}
+
+// Indices of the corners of a polyline that stays within `tolerance` [cells] of all cells of the chain. Each
+// segment reaches as far as doubling and then halving strides find.
 std::vector<std::size_t> corners_of(const std::vector<Cell>& chain, double tolerance) {
   std::vector<std::size_t> corners{0};
-  std::vector<std::size_t> ends{chain.size() - 1};
-  while (!ends.empty()) {
+  while (corners.back() + 1 < chain.size()) {
     const std::size_t first = corners.back();
-    const std::size_t last = ends.back();
-    std::size_t farthest = first;
-    double worst = tolerance;
-    for (std::size_t i = first + 1; i < last; ++i) {
-      const double d =
-          distance_to_segment(to_vector(chain[i]), to_vector(chain[first]), to_vector(chain[last]));
-      if (d > worst) {
-        worst = d;
-        farthest = i;
-      }
+    std::size_t last = first + 1;
+    std::size_t stride = 1;
+    while (last + stride < chain.size() && stays_within(chain, first, last + stride, tolerance)) {
+      last += stride;
+      stride *= 2;
     }
-    if (farthest != first) {
-      ends.push_back(farthest);
-    } else {
-      corners.push_back(last);
-      ends.pop_back();
+    for (; stride > 0; stride /= 2) {
+      if (last + stride < chain.size() && stays_within(chain, first, last + stride, tolerance))
+        last += stride;
     }
+    corners.push_back(last);
   }
   return corners;
 }
 
+// A disc [cells] whose rim passes within `tolerance` of all cells of a closed chain, if there is one of at
+// most `max_radius`: pillars, legs and specks. Nothing that fits inside so small a ring could be missed.
+std::optional<Disc> round_outline(const std::vector<Cell>& chain, double tolerance, double max_radius) {
+  if (chain.size() < 4 || !(chain.front() == chain.back())) return std::nullopt;
+  Vector2 center = Vector2::Zero();
+  for (std::size_t i = 1; i < chain.size(); ++i)
+    center += to_vector(chain[i]) / static_cast<double>(chain.size() - 1);
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (const Cell& cell : chain) {
+    const double distance = (to_vector(cell) - center).norm();
+    smallest = std::min(smallest, distance);
+    largest = std::max(largest, distance);
+  }
+  if (largest - smallest > 2.0 * tolerance || largest > max_radius) return std::nullopt;
+  return Disc{center, (smallest + largest) / 2.0};
+}
+
+// Nearest first; a point is a segment without length.
 struct Shape {
   double distance = 0.0;
-  Segment segment;
+  std::variant<Segment, Disc> form;
 };
+
+// Shapes of one chain, from cells to metres.
+void add_shapes(const OccupancyGrid& grid, const Vector2& position, const std::vector<Cell>& chain,
+                double tolerance, std::vector<Shape>& shapes) {
+  constexpr double kMaxDiscRadius = 0.5;  // [m]
+  if (auto disc = round_outline(chain, tolerance, kMaxDiscRadius / grid.resolution)) {
+    disc->center = grid.origin + (disc->center + Vector2{0.5, 0.5}) * grid.resolution;
+    disc->radius *= grid.resolution;
+    const double distance = (disc->center - position).norm() - disc->radius;
+    if (distance > 0.0) {
+      shapes.push_back({distance, *disc});
+      return;
+    }
+  }
+  const auto add = [&](const Cell& from, const Cell& to) {
+    const Segment segment{grid.center(from.column, from.row), grid.center(to.column, to.row)};
+    shapes.push_back({distance_to_segment(position, segment.a, segment.b), segment});
+  };
+  if (chain.size() == 1) add(chain[0], chain[0]);
+  const std::vector<std::size_t> corners = corners_of(chain, tolerance);
+  for (std::size_t i = 1; i < corners.size(); ++i) add(chain[corners[i - 1]], chain[corners[i]]);
+}
 
 }  // namespace
 
@@ -151,29 +199,25 @@ ExtractionResult extract_obstacles(const OccupancyGrid& grid, const Vector2& pos
   Window window(grid, position, options);
   result.boundary_cells = window.cells().size();
   std::vector<Shape> shapes;
-  const auto add = [&](const Cell& from, const Cell& to) {
-    const Vector2 a = grid.center(from.column, from.row);
-    const Vector2 b = grid.center(to.column, to.row);
-    shapes.push_back({distance_to_segment(position, a, b), {a, b}});
-  };
   for (const Cell& seed : window.cells()) {
-    if (!window.take(seed)) continue;
-    const std::vector<Cell> chain = trace_chain(window, seed);
-    const std::vector<std::size_t> corners = corners_of(chain, options.tolerance_cells);
-    if (chain.size() == 1) add(seed, seed);
-    for (std::size_t i = 1; chain.size() > 1 && i < corners.size(); ++i)
-      add(chain[corners[i - 1]], chain[corners[i]]);
+    if (window.take(seed)) {
+      add_shapes(grid, position, trace_chain(window, seed), options.tolerance_cells, shapes);
+    }
   }
   std::stable_sort(shapes.begin(), shapes.end(),
                    [](const Shape& a, const Shape& b) { return a.distance < b.distance; });
   const std::size_t kept = std::min(shapes.size(), static_cast<std::size_t>(options.max_obstacles));
   result.dropped = shapes.size() - kept;
   for (std::size_t i = 0; i < kept; ++i) {
-    const Segment& s = shapes[i].segment;
-    if (s.a == s.b) {
-      result.obstacles.points.push_back(s.a);
+    if (const Disc* disc = std::get_if<Disc>(&shapes[i].form)) {
+      result.obstacles.discs.push_back(*disc);
+      continue;
+    }
+    const Segment& segment = std::get<Segment>(shapes[i].form);
+    if (segment.a == segment.b) {
+      result.obstacles.points.push_back(segment.a);
     } else {
-      result.obstacles.segments.push_back(s);
+      result.obstacles.segments.push_back(segment);
     }
   }
   return result;

@@ -16,6 +16,7 @@ struct ExtractionOptions {
   double tolerance_cells = 0.5;  ///< largest distance of a boundary cell's centre from its shape [cells]
   int max_obstacles = 200;       ///< the nearest this many shapes are kept
   int occupied_at = 65;          ///< smallest occupancy that is an obstacle
+  bool face_unknown = false;     ///< outline obstacles towards unknown cells too
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -29,20 +30,23 @@ struct ExtractionOptions {
     v("max_obstacles", max_obstacles, {.min = 1, .max = 10000, .doc = "the nearest this many are kept"});
     v("occupied_at", occupied_at,
       {.min = 1, .max = 100, .doc = "smallest occupancy of a map cell that is an obstacle"});
+    v("face_unknown", face_unknown,
+      {.doc = "outline obstacles towards unknown cells too; for robots that enter them"});
   }
 };
 
 struct ExtractionResult {
-  StaticObstacles obstacles;  ///< in the frame of the grid; points and segments, each list nearest first
-  std::size_t dropped = 0;    ///< farthest shapes left out because of max_obstacles
-  std::size_t boundary_cells = 0;
+  StaticObstacles obstacles;       ///< in the frame of the grid; each list nearest first
+  std::size_t dropped = 0;         ///< farthest shapes left out because of max_obstacles
+  std::size_t boundary_cells = 0;  ///< that the shapes stand for
 };
 
-/// Boundary cells (obstacle cells with a 4-neighbour that is none, inside the grid) whose centre lies within
-/// `radius` of `position` are chained to contours, and each contour is simplified (Douglas and Peucker 1973).
-/// Unless shapes were dropped, every boundary cell's centre lies within the tolerance of a shape. Shapes run
-/// through cell centres: the surface may stand half a cell before them. Deterministic. A position that is not
-/// finite gives nothing.
+/// Boundary cells (obstacle cells beside a free cell, seen along rows and columns) whose centre lies within
+/// `radius` of `position` are chained to contours. A small round contour becomes a disc, others the fewest
+/// segments that doubling strides find, a single cell a point. Unless shapes were dropped, every boundary
+/// cell's centre lies within the tolerance of a shape (of its rim, for a disc). Shapes run through cell
+/// centres: the surface may stand half a cell before them. Deterministic. A position that is not finite gives
+/// nothing.
 ExtractionResult extract_obstacles(const OccupancyGrid& grid, const Vector2& position,
                                    const ExtractionOptions& options);
 

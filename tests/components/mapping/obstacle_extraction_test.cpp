@@ -21,6 +21,7 @@ double distance_to(const Vector2& p, const StaticObstacles& obstacles) {
   double best = std::numeric_limits<double>::infinity();
   for (const Vector2& q : obstacles.points) best = std::min(best, (p - q).norm());
   for (const Segment& s : obstacles.segments) best = std::min(best, distance_to(p, s));
+  for (const Disc& d : obstacles.discs) best = std::min(best, std::abs((p - d.center).norm() - d.radius));
   return best;
 }
 
@@ -81,6 +82,7 @@ TEST(ObstacleExtraction, DropsTheFarthestAndCountsThem) {
   EXPECT_EQ(few.obstacles.size(), 50u);
   EXPECT_EQ(few.dropped, all.obstacles.size() - 50u);
   EXPECT_DOUBLE_EQ(distance_to(position, few.obstacles), distance_to(position, all.obstacles));
+  EXPECT_FALSE(few.obstacles.discs.empty());
   double farthest_kept = 0.0;
   for (const Vector2& p : few.obstacles.points)
     farthest_kept = std::max(farthest_kept, (p - position).norm());
@@ -121,6 +123,52 @@ TEST(ObstacleExtraction, MakesAPointOfALonelyCell) {
   const ExtractionResult result = extract_obstacles(grid, {1.0, 1.0}, {});
   ASSERT_EQ(result.obstacles.points.size(), 1u);
   EXPECT_TRUE(result.obstacles.points[0].isApprox(Vector2{0.525, 1.025}));
+}
+
+// A pillar of 0.2 m radius at (1, 1), drawn cell by cell: one disc whose rim runs through the outermost
+// cells.
+TEST(ObstacleExtraction, MakesADiscOfAPillar) {
+  OccupancyGrid grid = test::empty_grid(40, 40, 0.05);
+  for (int row = 0; row < 40; ++row) {
+    for (int column = 0; column < 40; ++column) {
+      if ((grid.center(column, row) - Vector2{1.0, 1.0}).norm() <= 0.2)
+        grid.cells[grid.index(column, row)] = 100;
+    }
+  }
+  const ExtractionResult result = extract_obstacles(grid, {0.2, 0.2}, {});
+  ASSERT_EQ(result.obstacles.size(), 1u);
+  ASSERT_EQ(result.obstacles.discs.size(), 1u);
+  EXPECT_TRUE(result.obstacles.discs[0].center.isApprox(Vector2{1.0, 1.0}, 1e-9));
+  EXPECT_NEAR(result.obstacles.discs[0].radius, 0.2, 0.025);
+}
+
+// A ring of 0.45 m around the robot is no disc: the robot would stand inside it.
+TEST(ObstacleExtraction, KeepsTheWallsOfARingAroundTheRobot) {
+  OccupancyGrid grid = test::empty_grid(40, 40, 0.05);
+  for (int row = 0; row < 40; ++row) {
+    for (int column = 0; column < 40; ++column) {
+      const double distance = (grid.center(column, row) - Vector2{1.0, 1.0}).norm();
+      if (distance > 0.4 && distance < 0.46) grid.cells[grid.index(column, row)] = 100;
+    }
+  }
+  const ExtractionResult result = extract_obstacles(grid, {1.0, 1.0}, {});
+  EXPECT_TRUE(result.obstacles.discs.empty());
+  EXPECT_GE(distance_to({1.0, 1.0}, result.obstacles), 0.4 - 0.025);
+}
+
+// A wall of two cells with unknown behind it is one segment, on the free side; two when unknown counts as
+// free.
+TEST(ObstacleExtraction, OutlinesWallsOnTheirFreeSide) {
+  OccupancyGrid grid = test::empty_grid(20, 20, 0.1);
+  for (int column = 0; column < 20; ++column) {
+    for (int row = 10; row < 20; ++row) {
+      grid.cells[grid.index(column, row)] = row < 12 ? OccupancyGrid::kOccupied : OccupancyGrid::kUnknown;
+    }
+  }
+  const ExtractionResult result = extract_obstacles(grid, {1.0, 0.5}, {});
+  ASSERT_EQ(result.obstacles.segments.size(), 1u);
+  EXPECT_DOUBLE_EQ(result.obstacles.segments[0].a.y(), 1.05);
+  EXPECT_GT(extract_obstacles(grid, {1.0, 0.5}, {.face_unknown = true}).obstacles.segments.size(), 1u);
 }
 
 TEST(ObstacleExtraction, GivesNothingForNonsense) {
