@@ -16,6 +16,7 @@
 
 #include <bandwagon_msgs/msg/ground_truth.hpp>
 #include <geometry_msgs/msg/twist.hpp>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -35,8 +36,11 @@ class Process {
  public:
   explicit Process(const char* name) : pid_(fork()) {
     if (pid_ == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);  // no orphans, however this program ends
       execl(BANDWAGON_PROGRAM, "bandwagon", "run", BANDWAGON_SOURCE_DIR "/tests/faults/straight_drive.yaml",
-            "--only", name, nullptr);
+            "--only", name, "--set",
+            "robot.limits.v_max=1.06",  // the band keeps 0.05 m/s from its limit
+            nullptr);
       _exit(127);
     }
   }
