@@ -38,6 +38,14 @@ bandwagon_msgs::msg::LineSegment to_line(const Vector2& a, const Vector2& b) {
   return line;
 }
 
+bandwagon_msgs::msg::Disc to_disc(const Vector2& center, double radius) {
+  bandwagon_msgs::msg::Disc disc;
+  disc.x(static_cast<float>(center.x()));
+  disc.y(static_cast<float>(center.y()));
+  disc.radius(static_cast<float>(radius));
+  return disc;
+}
+
 }  // namespace
 
 class ObstaclesComponent final : public Component {
@@ -75,6 +83,7 @@ class ObstaclesComponent final : public Component {
     bandwagon_msgs::msg::Obstacles message;
     message.header(make_header(odom_frame_, now));
     for (const Vector2& p : near.obstacles.points) message.points().push_back(to_point32(*X_OM * p));
+    for (const Disc& d : near.obstacles.discs) message.discs().push_back(to_disc(*X_OM * d.center, d.radius));
     for (const Segment& s : near.obstacles.segments)
       message.segments().push_back(to_line(*X_OM * s.a, *X_OM * s.b));
     obstacles_.publish(message);
