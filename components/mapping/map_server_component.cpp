@@ -4,6 +4,8 @@
 #include "components/mapping/grid_messages.hpp"
 #include "components/mapping/map_file.hpp"
 #include "components/mapping/map_server_options.hpp"
+#include "components/mapping/rasterize.hpp"
+#include "components/world/shape_file.hpp"
 #include "runtime/component.hpp"
 
 namespace bw {
@@ -15,6 +17,12 @@ class MapServerComponent final : public Component {
     const std::filesystem::path file = setup.file_parameter("map");
     grid_ = file.empty() ? area_grid(options.area) : load_map(file);
     draw_shapes(grid_, options.walls, options.boxes);
+    if (const auto walls = setup.file_parameter("track_walls"); !walls.empty()) {
+      for (const Segment& wall : read_walls(walls.string())) draw_segment(grid_, wall);
+    }
+    if (const auto circles = setup.file_parameter("track_circles"); !circles.empty()) {
+      for (const Disc& circle : read_circles(circles.string())) draw_disc(grid_, circle);
+    }
     frame_ = setup.frame("map");
     map_ = setup.output<nav_msgs::msg::OccupancyGrid>("map", Qos::latched());
   }

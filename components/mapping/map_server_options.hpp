@@ -1,4 +1,5 @@
-// What the map server serves: a map file, an empty area, or either with walls and boxes drawn in.
+// What the map server serves: a map file, an empty area, or either with walls, boxes and the shapes of a
+// recording drawn in.
 #pragma once
 
 #include <optional>
@@ -32,6 +33,8 @@ struct AreaOptions {
 struct MapServerOptions {
   std::string map;
   AreaOptions area;
+  std::string track_walls;
+  std::string track_circles;
   std::vector<WallOptions> walls;
   std::vector<BoxOptions> boxes;
 
@@ -39,6 +42,11 @@ struct MapServerOptions {
   void fields(Visitor& v) {
     v("map", map, {.doc = "map file (YAML beside a PGM or PNG); empty: the area"});
     v("area", area, {.doc = "free floor to draw walls and boxes on"});
+    v("track_walls", track_walls,
+      {.doc =
+           "file of a recording's walls (CSV x1_m,y1_m,x2_m,y2_m), drawn over the map or area; empty: none"});
+    v("track_circles", track_circles,
+      {.doc = "file of a recording's trees (CSV x_m,y_m,r_m), drawn over the map or area; empty: none"});
     v("walls", walls, {.doc = "thin walls, drawn over the map or area"});
     v("boxes", boxes, {.doc = "filled boxes, drawn over the map or area"});
   }

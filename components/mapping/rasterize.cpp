@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace bw {
 namespace {
@@ -63,6 +64,16 @@ void draw_convex(OccupancyGrid& grid, const std::vector<Vector2>& corners) {
       grid.cells[grid.index(column, row)] = OccupancyGrid::kOccupied;
     }
   }
+}
+
+void draw_disc(OccupancyGrid& grid, const Disc& disc) {
+  constexpr int kEdges = 16;
+  const double corner_radius = disc.radius / std::cos(std::numbers::pi / kEdges);
+  std::vector<Vector2> corners;
+  for (int i = 0; i < kEdges; ++i) {
+    corners.push_back(disc.center + corner_radius * direction(2.0 * std::numbers::pi * i / kEdges));
+  }
+  draw_convex(grid, corners);
 }
 
 }  // namespace bw

@@ -17,6 +17,9 @@ inline void draw_segment(OccupancyGrid& grid, const Segment& segment) {
   draw_convex(grid, {segment.a, segment.b});
 }
 
+/// As the polygon of 16 edges around it, 2 % of the radius too large at its corners.
+void draw_disc(OccupancyGrid& grid, const Disc& disc);
+
 /// Axis-aligned box with these opposite corners.
 inline void draw_box(OccupancyGrid& grid, const Vector2& a, const Vector2& b) {
   draw_convex(grid, {a, {b.x(), a.y()}, b, {a.x(), b.y()}});

@@ -6,6 +6,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "components/program/bench.hpp"
+#include "components/program/evaluate.hpp"
 #include "components/program/run.hpp"
 #include "runtime/cli/verbs.hpp"
 
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
   int status = 0;
   bw::add_run(app, status);
   bw::add_bench(app, status);
+  bw::add_evaluate(app, status);
   bw::cli::add_list(app, status);
   bw::cli::add_graph(app, status);
   bw::cli::add_param(app, status);

@@ -1,19 +1,14 @@
 #include "components/program/run.hpp"
 
-#include <atomic>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <thread>
+#include <optional>
 
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "components/program/run_observer.hpp"
+#include "components/program/drive.hpp"
 #include "components/program/score_card_json.hpp"
 #include "runtime/atomic_file.hpp"
-#include "runtime/cli/signals.hpp"
-#include "runtime/host/host.hpp"
 
 namespace bw {
 namespace {
@@ -36,104 +31,21 @@ ClockMode clock_mode(const std::string& name) {
   return name == "lockstep" ? ClockMode::lockstep : name == "topic" ? ClockMode::topic : ClockMode::wall;
 }
 
-const ComponentNode* find_type(const Graph& graph, const std::string& type, const std::string& only) {
-  for (const ComponentNode& node : graph.components) {
-    if (node.type == type && (only.empty() || node.process == only)) return &node;
-  }
-  return nullptr;
-}
-
-/// The planner's own name, from the parameter that selects it.
-std::string algorithm_of(const Host& host, const std::string& component) {
-  for (const auto& [name, report] : host.parameters()) {
-    if (name != component) continue;
-    for (const ParameterRow& row : report.rows) {
-      if (row.name == "algorithm") return row.value;
-    }
-  }
-  return component;
-}
-
-double planner_median_ms(const Host& host, const std::string& component) {
-  for (const CallbackStatistics& s : host.statistics()) {
-    if (s.component == component && s.callback == "control_cycle") return s.run.quantile_ms(0.5);
-  }
-  return 0.0;
-}
-
-/// Asks the host to end when a person does.
-class InterruptWatch {
- public:
-  explicit InterruptWatch(Host& host)
-      : thread_([this, &host] {
-          while (!done_) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-            if (!cli::interrupted()) continue;
-            host.finish({.ok = true, .reason = "interrupted"}, false);
-            return;
-          }
-        }) {}
-  ~InterruptWatch() {
-    done_ = true;
-    thread_.join();
-  }
-  InterruptWatch(const InterruptWatch&) = delete;
-  InterruptWatch& operator=(const InterruptWatch&) = delete;
-
- private:
-  std::atomic<bool> done_ = false;
-  std::thread thread_;
-};
-
 int run(const RunOptions& options) {
-  Graph graph = load_graph(options.graph, options.set);
-  const ComponentNode* evaluation = find_type(graph, "evaluation", options.only);
-  const ComponentNode* planner = find_type(graph, "local_planner", options.only);
-  const std::string planner_name = planner == nullptr ? "" : planner->name;
-  std::vector<std::string> set = options.set;
-  if (evaluation != nullptr && !options.svg.empty()) {
-    set.push_back(evaluation->name + ".svg=" + std::filesystem::absolute(options.svg).string());
-    graph = load_graph(options.graph, set);
-    evaluation = find_type(graph, "evaluation", options.only);
-  }
-
-  auto seen = std::make_shared<Observation>();
-  Host* running = nullptr;
-  std::vector<ExtraComponent> extra;
-  if (evaluation != nullptr) {
-    extra.push_back({"run_observer",
-                     std::make_unique<RunObserver>(seen, options.progress || isatty(STDERR_FILENO) != 0, [&] {
-                       return running == nullptr ? 0.0 : planner_median_ms(*running, planner_name);
-                     })});
-  }
-  const bool judged = evaluation != nullptr;
-  Host host(std::move(graph),
-            {.clock = clock_mode(options.clock),
-             .seed = options.seed,
-             .only_process = options.only,
-             .pace = options.pace},
-            std::move(extra));
-  running = &host;
-  cli::catch_interrupts();
-  const InterruptWatch watch(host);
-  const Duration started = steady_time();
-  const RunEnd end =
-      host.run(options.for_s > 0.0 ? std::optional(Duration::seconds(options.for_s)) : std::nullopt);
-  const double real_s = (steady_time() - started).to_seconds();
-
-  const RunFacts facts{.graph = options.graph,
-                       .seed = options.seed,
-                       .planner_component = planner_name,
-                       .planner_name = planner_name.empty() ? "" : algorithm_of(host, planner_name),
-                       .realtime_factor = host.elapsed_seconds() / real_s,
-                       .samples_sha256 = host.samples_sha256(),
-                       .end_reason = end.reason};
-  const nlohmann::json json = to_json(seen->card, facts, host.statistics());
-  if (!options.json.empty()) write_file_atomically(options.json, json.dump(2) + "\n");
-  if (!judged) return end.ok ? 0 : 1;
-  std::cout << in_words(json);
-  const bool contact = seen->card && seen->card->collisions() > 0;
-  return json.value("reached", false) && !(options.fail_on_contact && contact) ? 0 : 1;
+  const DriveResult result =
+      drive(load_graph(options.graph, options.set),
+            {.host = {.clock = clock_mode(options.clock),
+                      .seed = options.seed,
+                      .only_process = options.only,
+                      .pace = options.pace},
+             .longest = options.for_s > 0.0 ? std::optional(Duration::seconds(options.for_s)) : std::nullopt,
+             .svg = options.svg,
+             .show_progress = options.progress || isatty(STDERR_FILENO) != 0});
+  if (!options.json.empty()) write_file_atomically(options.json, result.json.dump(2) + "\n");
+  if (!result.judged) return result.end.ok ? 0 : 1;
+  std::cout << in_words(result.json);
+  const bool contact = result.card && result.card->collisions() > 0;
+  return result.json.value("reached", false) && !(options.fail_on_contact && contact) ? 0 : 1;
 }
 
 }  // namespace

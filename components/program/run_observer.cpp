@@ -22,7 +22,7 @@ void RunObserver::show(const bandwagon_msgs::msg::ScoreCard& card, Time now) {
                                                            : std::string("   none");
   std::cerr
       << fmt::format(
-             "\r{:6.1f} s | to goal {:5.1f} m | planner {:5.2f} ms | closest person {} | contacts {}   ",
+             "\r{:6.1f} s | to goal {:5.1f} m | planner {:5.2f} ms | closest person so far {} | contacts {}   ",
              (now - *started_).to_seconds(), card.distance_to_goal_m(), planner_ms_(), person,
              card.collisions())
       << (card.finished() ? "\n" : "") << std::flush;

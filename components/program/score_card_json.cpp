@@ -63,6 +63,7 @@ nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card
     json["path_length_m"] = number(card->path_length_m());
     json["distance_to_goal_m"] = number(card->distance_to_goal_m());
     json["min_distance_m"] = number(card->min_distance_m());
+    json["closest_person_m"] = number(card->closest_person_m());
     json["collisions"] = card->collisions();
     json["collisions_at_speed"] = card->collisions_at_speed();
     json["max_collision_index"] = number(card->max_collision_index());
@@ -89,7 +90,7 @@ std::string in_words(const nlohmann::json& card) {
   text += fmt::format(
       "Closest to a person {} (boundary to boundary), collision index at most {:.2f}, above 0.54 for {:.1f} "
       "% of the time.\n",
-      meters(card["min_distance_m"]),
+      meters(card["closest_person_m"]),
       card["max_collision_index"].is_number() ? card["max_collision_index"].get<double>() : 0.0,
       100.0 * (card["share_ci_above_0_54"].is_number() ? card["share_ci_above_0_54"].get<double>() : 0.0));
   text += fmt::format("Mean speed {:.2f} m/s, RMS jerk {:.2f} m/s^3.\n",

@@ -32,6 +32,8 @@
 
 namespace bw {
 
+struct Override;
+
 /// What happens to a component when an input is older than its max_age.
 enum class OnStale { stop, degrade, ignore };
 
@@ -83,5 +85,8 @@ struct Graph {
 /// Overrides are `component.param=value` or `section.param=value`. Throws ConfigError with all violations
 /// that were found.
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// One more override of a graph that is loaded. Throws ConfigError.
+void apply_override(Graph& graph, const Override& change);
 
 }  // namespace bw

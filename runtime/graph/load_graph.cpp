@@ -204,39 +204,40 @@ class GraphReader {
 
   void apply(const std::string& text) {
     try {
-      const Override change = parse_override(text);
-      if (ConfigNode* section = section_of(change)) apply_override(*section, change, 1);
+      bw::apply_override(graph_, parse_override(text));
     } catch (const ConfigError& error) {
       violations_.insert(violations_.end(), error.violations().begin(), error.violations().end());
     }
-  }
-
-  /// The parameters that the first part of an override names; nullptr, and a violation, if nothing has that
-  /// name.
-  ConfigNode* section_of(const Override& change) {
-    const std::string& name = change.path.front();
-    std::vector<std::string_view> known(kSharedSections.begin(), kSharedSections.end());
-    std::string rule;
-    if (change.path.size() < 2) {
-      rule = "must have the form component.param=value";
-    } else if (std::find(known.begin(), known.end(), name) != known.end()) {
-      return &graph_.shared[name];
-    } else {
-      for (ComponentNode& node : graph_.components) {
-        if (node.name == name) return &node.parameters;
-        known.push_back(node.name);
-      }
-      rule = unknown_rule("component", name, known);
-    }
-    add({std::string(kOverrideFile), 0}, change.key(), change.value.text(), rule);
-    return nullptr;
   }
 
   Graph graph_;
   std::vector<Violation> violations_;
 };
 
+/// The parameters that the first part of an override names.
+ConfigNode& section_of(Graph& graph, const Override& change) {
+  const std::string& name = change.path.front();
+  std::vector<std::string_view> known(kSharedSections.begin(), kSharedSections.end());
+  std::string rule;
+  if (change.path.size() < 2) {
+    rule = "must have the form component.param=value";
+  } else if (std::find(known.begin(), known.end(), name) != known.end()) {
+    return graph.shared[name];
+  } else {
+    for (ComponentNode& node : graph.components) {
+      if (node.name == name) return node.parameters;
+      known.push_back(node.name);
+    }
+    rule = unknown_rule("component", name, known);
+  }
+  throw ConfigError(Violation{change.value.where, change.key(), change.value.text(), rule});
+}
+
 }  // namespace
+
+void apply_override(Graph& graph, const Override& change) {
+  apply_override(section_of(graph, change), change, 1);
+}
 
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   return GraphReader().read(path, overrides);

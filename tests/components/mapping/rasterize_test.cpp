@@ -71,5 +71,22 @@ TEST(Rasterize, ClipsHugeShapesAndIgnoresNonFiniteOnes) {
   for (const auto cell : grid.cells) EXPECT_EQ(cell, OccupancyGrid::kOccupied);
 }
 
+// Cells whose centre lies inside the disc are occupied; none that lies farther out than the polygon's corner
+// (radius / cos(pi / 16)) and half a cell's diagonal.
+TEST(Rasterize, CoversADiscAndLittleMore) {
+  OccupancyGrid grid = test::empty_grid(40, 30, 0.1, {-2.0, -1.5});
+  const Disc disc{{0.33, -0.21}, 0.7};
+  draw_disc(grid, disc);
+  const double farthest = disc.radius / std::cos(std::numbers::pi / 16.0) + 0.1 * std::numbers::sqrt2 / 2.0;
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      const double distance = (grid.center(column, row) - disc.center).norm();
+      const bool drawn = grid.at(column, row) == OccupancyGrid::kOccupied;
+      EXPECT_TRUE(drawn || distance > disc.radius) << distance;
+      EXPECT_TRUE(!drawn || distance <= farthest) << distance;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bw

@@ -1,0 +1,38 @@
+// One drive through a graph in this process, from start to score card.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <bandwagon_msgs/msg/score_card.hpp>
+#include <nlohmann/json.hpp>
+
+#include "runtime/graph/graph.hpp"
+#include "runtime/host/host.hpp"
+
+namespace bw {
+
+struct DriveOptions {
+  HostOptions host;
+  std::optional<Duration> longest;  ///< ends then, on the component clock
+  std::filesystem::path svg;        ///< picture of the drive; empty: none
+  bool show_progress = false;       ///< one refreshing line on stderr
+};
+
+struct DriveResult {
+  RunEnd end;
+  bool judged = false;  ///< the graph has an evaluation in the processes that ran
+  std::optional<bandwagon_msgs::msg::ScoreCard> card;
+  nlohmann::json json;  ///< the score card (score_card_json.hpp)
+};
+
+/// The first component of this type in `process` (empty: in any); nullptr if there is none.
+const ComponentNode* find_type(const Graph& graph, const std::string& type, const std::string& process);
+
+/// Runs until the goal is decided, `longest` is over, or a person interrupts. Throws ConfigError or
+/// std::runtime_error on a wrong configuration.
+DriveResult drive(Graph graph, const DriveOptions& options);
+
+}  // namespace bw

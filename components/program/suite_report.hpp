@@ -1,0 +1,34 @@
+// Many drives as one result: per planner how many succeeded, and the figures of all. A drive succeeds when
+// the goal is reached and nobody was touched while the robot moved (collisions_at_speed is 0): people who do
+// not see the robot may walk into one that stands.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace bw {
+
+/// One drive: name, seed, planner, and its score card (score_card_json.hpp).
+struct EpisodeResult {
+  std::string name;
+  std::int64_t seed = 0;
+  std::string planner;
+  nlohmann::json card;
+
+  bool succeeded() const;
+};
+
+/// {suite, planners: {name: {episodes, successes, wilson95, contacts, contacts_at_speed, min_distance_m,
+/// max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3}}, episodes: [{name, seed, planner,
+/// success, ... score card}]}. Times and jerk are means over reached goals and over all drives.
+nlohmann::json suite_json(const std::string& suite, const std::vector<EpisodeResult>& results);
+
+/// The drives that failed and the summary, for people.
+std::string in_words(const nlohmann::json& suite, const std::vector<EpisodeResult>& results);
+
+/// One drive on one line.
+std::string in_a_line(const EpisodeResult& result);
+
+}  // namespace bw
