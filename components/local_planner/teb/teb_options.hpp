@@ -13,6 +13,7 @@ struct TebOptions {
   double force_reinit_new_goal_dist = 1.0;
   double force_reinit_new_goal_angular = 0.8;
   double force_reinit_start_dist = 0.5;
+  double detour_factor = 1.3;
   double feasibility_check_time = 3.0;
   double feasibility_margin = 0.0;
   double evasion_horizon = 2.0;
@@ -30,6 +31,10 @@ struct TebOptions {
       {.unit = "rad", .min = 0, .max = 3.15, .doc = "a goal heading that turned further starts a new band"});
     v("force_reinit_start_dist", force_reinit_start_dist,
       {.unit = "m", .min = 0, .max = 100, .doc = "a robot further from its band starts a new one"});
+    v("detour_factor", detour_factor,
+      {.min = 1,
+       .max = 100,
+       .doc = "a band this many times slower than the free way is compared with a new one"});
     v("feasibility_check_time", feasibility_check_time,
       {.unit = "s",
        .min = 0,

@@ -15,7 +15,10 @@ namespace {
 constexpr double kCheckStep = 0.05;  // [m] between footprint tests
 constexpr double kAdvanceSlack =
     0.5;  // [s] around the expected place on the band in which the robot is searched
-constexpr double kOldestBand = 1.0;  // [s] without a call after which a band says nothing about the scene
+constexpr double kOldestBand = 1.0;   // [s] without a call after which a band says nothing about the scene
+constexpr double kDetourSlack = 1.0;  // [s] that any band may take longer than the unhindered drive
+constexpr double kSwitchFactor =
+    0.95;  // of the cost of the band driven: the cost at which another one replaces it
 constexpr double kLeaveGoalFactor =
     2.0;  // of xy_goal_tolerance: pushed out so far, a robot that had arrived drives again
 
@@ -56,41 +59,41 @@ PlanningResult TebPlanner::plan(const PlanningProblem& problem) {
   const ObstacleField field =
       nearby_obstacles(problem.obstacles, problem.movers, problem.pose.position(), problem.footprint.radius,
                        static_cast<std::size_t>(options_.band.max_obstacles));
-  PlanningResult result;
   const bool kept = keep_band(problem);
-  if (!kept) band_ = band_along(problem.plan, problem.pose, problem.limits, options_.band);
   planned_at_ = problem.now;
   goal_ = goal;
   const int budget = std::max(problem.budget.max_iterations, 1);
-  BandReport report = improve(band_, problem, field, budget);
-  result.iterations = report.iterations;
-  if (report.usable) result.trajectory = to_trajectory(band_, problem.twist, problem.goal_is_final);
-  bool free = report.usable && is_free(problem, result.trajectory);
-
-  if (!free && kept && report.iterations < budget) {
+  Band fresh = band_along(problem.plan, problem.pose, problem.limits, options_.band);
+  const double unhindered_time = fresh.duration();
+  Attempt attempt = improve(kept ? std::move(band_) : fresh, problem, field, budget);
+  int iterations = attempt.report.iterations;
+  const bool detour = attempt.band.duration() > options_.detour_factor * unhindered_time + kDetourSlack;
+  if (kept && (!attempt.free || detour) && iterations < budget) {
     // The kept band may be caught between obstacles that have moved on: try what a first call would do.
-    Band fresh = band_along(problem.plan, problem.pose, problem.limits, options_.band);
-    const BandReport again = improve(fresh, problem, field, budget - report.iterations);
-    result.iterations += again.iterations;
-    const std::vector<TrajectoryPoint> trajectory =
-        to_trajectory(fresh, problem.twist, problem.goal_is_final);
-    free = again.usable && is_free(problem, trajectory);
-    if (free || !report.usable) {
-      report = again;
-      band_ = std::move(fresh);
-      result.trajectory = trajectory;
-    }
+    Attempt again = improve(std::move(fresh), problem, field, budget - iterations);
+    iterations += again.report.iterations;
+    if (again.better_than(attempt)) attempt = std::move(again);
   }
-  if (free) {
-    result.status = PlanningStatus::ok;
-    result.command = reachable_twist(velocity_at(band_, problem.twist, options_.control_period),
-                                     problem.twist, problem.limits, options_.control_period);
-    result.candidates.push_back({"band", report.cost, true, result.trajectory});
+
+  PlanningResult result;
+  result.iterations = iterations;
+  result.trajectory = std::move(attempt.trajectory);
+  band_ = attempt.report.usable ? std::move(attempt.band) : Band{};
+  if (!attempt.free) {
+    evade(problem, result);
     return result;
   }
-  if (!report.usable) band_ = {};
-  evade(problem, result);
+  result.status = PlanningStatus::ok;
+  result.command = reachable_twist(velocity_at(band_, problem.twist, options_.control_period), problem.twist,
+                                   problem.limits, options_.control_period);
+  result.candidates.push_back({"band", attempt.report.cost, true, result.trajectory});
   return result;
+}
+
+bool TebPlanner::Attempt::better_than(const Attempt& other) const {
+  if (free != other.free) return free;
+  if (report.usable != other.report.usable) return report.usable;
+  return free && report.cost < kSwitchFactor * other.report.cost;
 }
 
 bool TebPlanner::keep_band(const PlanningProblem& problem) {
@@ -107,10 +110,16 @@ bool TebPlanner::keep_band(const PlanningProblem& problem) {
   return true;
 }
 
-BandReport TebPlanner::improve(Band& band, const PlanningProblem& problem, const ObstacleField& field,
-                               int budget) const {
-  return optimize(band, {problem.limits, problem.twist, problem.goal_is_final, &field}, options_.band,
-                  budget);
+TebPlanner::Attempt TebPlanner::improve(Band band, const PlanningProblem& problem, const ObstacleField& field,
+                                        int budget) const {
+  Attempt attempt;
+  attempt.band = std::move(band);
+  attempt.report = optimize(attempt.band, {problem.limits, problem.twist, problem.goal_is_final, &field},
+                            options_.band, budget);
+  if (!attempt.report.usable) return attempt;
+  attempt.trajectory = to_trajectory(attempt.band, problem.twist, problem.goal_is_final);
+  attempt.free = is_free(problem, attempt.trajectory);
+  return attempt;
 }
 
 bool TebPlanner::is_free(const PlanningProblem& problem,
