@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <ranges>
 
 #include "components/mapping/distance_transform.hpp"
 
@@ -125,9 +125,9 @@ void SearchGrid::block(const std::vector<Disc>& discs) {
 
 void SearchGrid::unblock() {
   // Backwards, because discs may overlap.
-  for (auto it = replaced_.rbegin(); it != replaced_.rend(); ++it) {
-    cells_[it->first].cost = it->second.cost;
-    cells_[it->first].moves = it->second.moves;
+  for (const auto& [i, cell] : std::views::reverse(replaced_)) {
+    cells_[i].cost = cell.cost;
+    cells_[i].moves = cell.moves;
   }
   replaced_.clear();
 }
