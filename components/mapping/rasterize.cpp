@@ -70,6 +70,7 @@ void draw_disc(OccupancyGrid& grid, const Disc& disc) {
   constexpr int kEdges = 16;
   const double corner_radius = disc.radius / std::cos(std::numbers::pi / kEdges);
   std::vector<Vector2> corners;
+  corners.reserve(kEdges);
   for (int i = 0; i < kEdges; ++i) {
     corners.push_back(disc.center + corner_radius * direction(2.0 * std::numbers::pi * i / kEdges));
   }
