@@ -1,32 +1,67 @@
-// The robot as every component sees it: geometry, encoders, limits. Section `robot:` of a graph, or a file in config/robots/.
+// The robot as every component sees it: geometry, encoders, limits. Section `robot:` of a graph, or a file in
+// config/robots/.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "components/model/limits.hpp"
+#include "components/model/pose2.hpp"
 #include "runtime/parameters/field.hpp"
 
 namespace bw {
 
+/// Where a sensor sits on the robot.
+struct SensorMount {
+  std::string frame;
+  double x = 0.0;
+  double y = 0.0;
+  double theta = 0.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("frame", frame, {.doc = "frame of the sensor's messages"});
+    v("x", x, {.unit = "m", .min = -10, .max = 10, .doc = "place on base_link, forward"});
+    v("y", y, {.unit = "m", .min = -10, .max = 10, .doc = "place on base_link, left"});
+    v("theta", theta, {.unit = "rad", .min = -6.3, .max = 6.3, .doc = "heading on base_link"});
+  }
+};
+
 struct Robot {
   std::string name = "generic";
-  double wheel_radius = 0.0762;          ///< [m]
-  double wheel_separation = 0.39;        ///< distance b between the wheels [m]
+  double wheel_radius = 0.0762;              ///< [m]
+  double wheel_separation = 0.39;            ///< distance b between the wheels [m]
   std::int64_t ticks_per_revolution = 2578;  ///< encoder counts per wheel turn
-  double wheel_speed_max = 2.0;          ///< top ground speed of one wheel [m/s]
-  double radius = 0.3;                   ///< footprint: disc around base_link [m]
+  double wheel_speed_max = 2.0;              ///< top ground speed of one wheel [m/s]
+  double radius = 0.3;                       ///< footprint: disc around base_link [m]
   Limits limits;
+  std::vector<SensorMount> sensors;  ///< one that is not listed sits at base_link
+
+  /// X_BS: pose of the sensor in base_link.
+  Pose2 mount_of(const std::string& frame) const {
+    for (const SensorMount& mount : sensors) {
+      if (mount.frame == frame) return {mount.x, mount.y, mount.theta};
+    }
+    return {};
+  }
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("name", name, {.doc = "name shown in reports"});
-    v("wheel_radius", wheel_radius, {.unit = "m", .min = 0.005, .max = 1, .doc = "radius (not diameter) of a driven wheel"});
-    v("wheel_separation", wheel_separation, {.unit = "m", .min = 0.02, .max = 5, .doc = "distance between the driven wheels"});
-    v("ticks_per_revolution", ticks_per_revolution, {.min = 4, .max = 10'000'000, .doc = "encoder counts per wheel turn"});
+    v("wheel_radius", wheel_radius,
+      {.unit = "m", .min = 0.005, .max = 1, .doc = "radius (not diameter) of a driven wheel"});
+    v("wheel_separation", wheel_separation,
+      {.unit = "m", .min = 0.02, .max = 5, .doc = "distance between the driven wheels"});
+    v("ticks_per_revolution", ticks_per_revolution,
+      {.min = 4, .max = 10'000'000, .doc = "encoder counts per wheel turn"});
     v("wheel_speed_max", wheel_speed_max,
-      {.unit = "m/s", .min = 0.01, .max = 20, .doc = "top ground speed of one wheel; bounds v and omega together"});
+      {.unit = "m/s",
+       .min = 0.01,
+       .max = 20,
+       .doc = "top ground speed of one wheel; bounds v and omega together"});
     v("radius", radius, {.unit = "m", .min = 0.02, .max = 5, .doc = "radius of the robot's disc footprint"});
     v("limits", limits, {.doc = "motion limits of the base"});
+    v("sensors", sensors, {.doc = "where the sensors sit; published on /tf_static"});
   }
 };
 

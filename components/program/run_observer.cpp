@@ -20,12 +20,12 @@ void RunObserver::configure(Setup& setup) {
 void RunObserver::show(const bandwagon_msgs::msg::ScoreCard& card, Time now) {
   const std::string person = card.closest_person_m() < 1e3 ? fmt::format("{:5.2f} m", card.closest_person_m())
                                                            : std::string("   none");
-  std::cerr
-      << fmt::format(
-             "\r{:6.1f} s | to goal {:5.1f} m | planner {:5.2f} ms | closest person so far {} | contacts {}   ",
-             (now - *started_).to_seconds(), card.distance_to_goal_m(), planner_ms_(), person,
-             card.collisions())
-      << (card.finished() ? "\n" : "") << std::flush;
+  std::cerr << fmt::format(
+                   "\r{:6.1f} s | to goal {:5.1f} m | planner {:5.2f} ms | closest person so far {} | "
+                   "contacts {}   ",
+                   (now - *started_).to_seconds(), card.distance_to_goal_m(), planner_ms_(), person,
+                   card.collisions())
+            << (card.finished() ? "\n" : "") << std::flush;
 }
 
 }  // namespace bw

@@ -43,12 +43,24 @@ class RobotBaseComponent final : public Component {
     odom_ = setup.output<nav_msgs::msg::Odometry>("odom");
     joints_ = setup.output<sensor_msgs::msg::JointState>("joint_states");
     tf_ = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf());
+    tf_static_ = setup.output<tf2_msgs::msg::TFMessage>("/tf_static", Qos::latched());
+    for (const SensorMount& mount : robot_.sensors) {
+      mounts_.emplace_back(setup.frame(mount.frame), robot_.mount_of(mount.frame));
+    }
     driver_ = std::make_unique<SimulatedDriver>(setup, robot_.wheel_radius);
     driver_->deliver_counts_to([this](const EncoderCounts& counts) { on_counts(counts); });
     setup.input<sensor_msgs::msg::JointState>(
         "wheel_commands", Qos::command(),
         [this](const auto& message, const Tick& tick) { on_command(message, tick); });
     setup.every(Duration::milliseconds(10), "watchdog", [this](const Tick& tick) { check(tick); });
+  }
+
+  void activate(const Tick& tick) override {
+    tf2_msgs::msg::TFMessage mounts;
+    for (const auto& [frame, X_BS] : mounts_) {
+      mounts.transforms().push_back(to_transform(base_frame_, frame, tick.now, X_BS));
+    }
+    tf_static_.publish(mounts);
   }
 
   void deactivate(const Tick& tick) override { driver_->command(tick.now, {}); }
@@ -133,6 +145,8 @@ class RobotBaseComponent final : public Component {
   Output<nav_msgs::msg::Odometry> odom_;
   Output<sensor_msgs::msg::JointState> joints_;
   Output<tf2_msgs::msg::TFMessage> tf_;
+  std::vector<std::pair<std::string, Pose2>> mounts_;  ///< frame and pose in base_link of every sensor
+  Output<tf2_msgs::msg::TFMessage> tf_static_;
 };
 
 }  // namespace

@@ -73,8 +73,8 @@ void LaserScanner::draw(const Disc& disc) {
 }
 
 LaserScan LaserScanner::scan(const StaticScene& scene, const std::vector<Disc>& movers,
-                             const Pose2& X_map_base) {
-  aim(X_map_base * Pose2{options_.x, options_.y, options_.theta});
+                             const Pose2& X_map_laser) {
+  aim(X_map_laser);
   for (const Segment& segment : scene.segments()) draw(segment);
   for (const Disc& disc : scene.discs()) draw(disc);
   for (const Disc& disc : movers) draw(disc);

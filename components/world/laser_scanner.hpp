@@ -22,9 +22,6 @@ struct LaserOptions {
   double range_min = 0.05;
   double range_max = 20.0;
   double range_noise = 0.01;
-  double x = 0.0;
-  double y = 0.0;
-  double theta = 0.0;
   std::string frame = "laser";
 
   template <class Visitor>
@@ -37,9 +34,6 @@ struct LaserOptions {
     v("range_max", range_max,
       {.unit = "m", .min = 0.1, .max = 1000, .doc = "without a return up to here: +inf"});
     v("range_noise", range_noise, {.unit = "m", .min = 0, .max = 1, .doc = "standard deviation of a range"});
-    v("x", x, {.unit = "m", .min = -10, .max = 10, .doc = "place on base_link, forward"});
-    v("y", y, {.unit = "m", .min = -10, .max = 10, .doc = "place on base_link, left"});
-    v("theta", theta, {.unit = "rad", .min = -6.3, .max = 6.3, .doc = "heading on base_link"});
     v("frame", frame, {.doc = "frame_id of the scans"});
   }
 
@@ -61,9 +55,9 @@ class LaserScanner {
  public:
   LaserScanner(const LaserOptions& options, Random random);
 
-  /// Scan from the robot's pose in map; `movers` are discs that stand in the way at this instant (legs), in
+  /// Scan from the laser's pose in map; `movers` are discs that stand in the way at this instant (legs), in
   /// map.
-  LaserScan scan(const StaticScene& scene, const std::vector<Disc>& movers, const Pose2& X_map_base);
+  LaserScan scan(const StaticScene& scene, const std::vector<Disc>& movers, const Pose2& X_map_laser);
 
  private:
   void aim(const Pose2& X_map_laser);

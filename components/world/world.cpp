@@ -31,6 +31,7 @@ World::World(const WorldOptions& options, const Robot& robot, const WorldFiles& 
       scene_(shapes_in_map(options, files.shapes), files.map),
       drive_(options.drive, robot, {options.start.x, options.start.y, wrap_angle(options.start.theta)},
              random_stream(seed, RandomPurpose::wheels)),
+      X_base_laser_(robot.mount_of(options.laser.frame)),
       laser_(options.laser, random_stream(seed, RandomPurpose::laser)),
       imu_(options.imu, random_stream(seed, RandomPurpose::imu)),
       gps_(options.gps, random_stream(seed, RandomPurpose::gps)),
@@ -93,7 +94,8 @@ WorldSample World::step() {
   sample.truth_due = due(options_.truth_rate);
   if (due(options_.encoder_rate)) sample.ticks = drive_.ticks();
   if (due(options_.imu.rate)) sample.imu = imu_.read(pose(), twist());
-  if (due(options_.laser.rate)) sample.scan = laser_.scan(scene_, legs_.discs(people_), pose());
+  if (due(options_.laser.rate))
+    sample.scan = laser_.scan(scene_, legs_.discs(people_), pose() * X_base_laser_);
   if (due(options_.gps.rate)) gps_.measure(time(), pose().position());
   sample.fixes = gps_.arrived(time());
   return sample;

@@ -67,6 +67,7 @@ class World {
   std::int64_t steps_ = 0;
   StaticScene scene_;
   DriveModel drive_;
+  Pose2 X_base_laser_;
   LaserScanner laser_;
   Imu imu_;
   Gps gps_;

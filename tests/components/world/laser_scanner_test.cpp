@@ -56,16 +56,13 @@ TEST(LaserScanner, AgreesWithBruteForceInClutter) {
     options.field_of_view = random.uniform(0.1, 2.0 * kPi);
     options.range_max = random.uniform(2.0, 20.0);
     options.range_min = 0.0;
-    options.x = 0.2;
-    options.theta = random.uniform(-3.0, 3.0);
     LaserScanner laser(options, Random(1));
-    const Pose2 base{random.uniform(-8, 8), random.uniform(-8, 8), random.uniform(-kPi, kPi)};
-    const LaserScan scan = laser.scan(scene, movers, base);
+    const Pose2 eye_pose{random.uniform(-8, 8), random.uniform(-8, 8), random.uniform(-kPi, kPi)};
+    const LaserScan scan = laser.scan(scene, movers, eye_pose);
 
-    const Vector2 eye = base * Vector2(options.x, options.y);
+    const Vector2 eye = eye_pose.position();
     for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-      const double angle =
-          base.theta + options.theta + scan.angle_min + static_cast<double>(i) * scan.angle_increment;
+      const double angle = eye_pose.theta + scan.angle_min + static_cast<double>(i) * scan.angle_increment;
       double expected = scene.grid()->ray_hit(eye, direction(angle), options.range_max);
       for (const Segment& s : shapes.segments)
         expected = std::min(expected, ray_hit(eye, direction(angle), s));
