@@ -73,6 +73,8 @@ Endpoint to_endpoint(const ProxyData& data, bool is_writer) {
   e.qos.durability = data.m_qos.m_durability.kind >= efd::TRANSIENT_LOCAL_DURABILITY_QOS
                          ? Durability::transient_local
                          : Durability::volatile_;
+  const eprosima::fastrtps::Duration_t& lifespan = data.m_qos.m_lifespan.duration;
+  if (lifespan != eprosima::fastrtps::c_TimeInfinite) e.qos.lifespan = Duration{lifespan.to_ns()};
   const auto& user_data = data.m_qos.m_userData.getValue();
   e.user_data.assign(user_data.begin(), user_data.end());
   return e;

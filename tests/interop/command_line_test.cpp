@@ -1,0 +1,87 @@
+// The verbs a ROS 2 user types, against a running graph.
+#include <gmock/gmock.h>
+
+#include "tests/interop/running_graph.hpp"
+
+namespace bw::test {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+class CommandLine : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { graph_ = std::make_unique<RunningGraph>(); }
+  static void TearDownTestSuite() {
+    EXPECT_EQ(graph_->stop(), 0) << graph_->process().err();
+    graph_.reset();
+  }
+  static Outcome bandwagon(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), BANDWAGON_PROGRAM);
+    return run_to_end(arguments, std::chrono::seconds(60));
+  }
+
+  static std::unique_ptr<RunningGraph> graph_;
+};
+
+std::unique_ptr<RunningGraph> CommandLine::graph_;
+
+TEST_F(CommandLine, TopicListNamesTopicsAndTypes) {
+  const Outcome list = bandwagon({"topic", "list", "-t"});
+  EXPECT_EQ(list.status, 0) << list.err;
+  for (const char* line : {"/cmd_vel [geometry_msgs/msg/Twist]\n", "/map [nav_msgs/msg/OccupancyGrid]\n",
+                           "/odom [nav_msgs/msg/Odometry]\n", "/rosout [rcl_interfaces/msg/Log]\n",
+                           "/scan [sensor_msgs/msg/LaserScan]\n", "/tf [tf2_msgs/msg/TFMessage]\n"}) {
+    EXPECT_THAT(list.out, HasSubstr(line));
+  }
+  EXPECT_THAT(list.out, testing::Not(HasSubstr("ros_discovery_info")));
+}
+
+TEST_F(CommandLine, TopicInfoNamesNodeQosAndHash) {
+  const Outcome info = bandwagon({"topic", "info", "-v", "/odom"});
+  EXPECT_EQ(info.status, 0) << info.err;
+  for (const char* line :
+       {"Type: nav_msgs/msg/Odometry\n", "Publisher count: 1\n", "Node name: /robot_base\n",
+        "Endpoint type: PUBLISHER\n", "QoS: RELIABLE VOLATILE\n",
+        "RIHS01_3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0"}) {
+    EXPECT_THAT(info.out, HasSubstr(line));
+  }
+}
+
+TEST_F(CommandLine, TopicInfoOfNothingFails) {
+  const Outcome info = bandwagon({"topic", "info", "/nobody"});
+  EXPECT_EQ(info.status, 1);
+  EXPECT_THAT(info.err, HasSubstr("/nobody"));
+}
+
+TEST_F(CommandLine, TopicEchoPrintsYaml) {
+  const Outcome echo = bandwagon({"topic", "echo", "--once", "/odom"});
+  EXPECT_EQ(echo.status, 0) << echo.err;
+  EXPECT_THAT(echo.out, testing::StartsWith("header:\n  stamp:\n    sec: "));
+  EXPECT_THAT(echo.out,
+              HasSubstr("\n  frame_id: odom\nchild_frame_id: base_link\npose:\n  pose:\n    position:\n"));
+  EXPECT_THAT(echo.out, testing::EndsWith("---\n"));
+}
+
+TEST_F(CommandLine, TopicEchoPrintsALatchedMap) {
+  const Outcome echo = bandwagon({"topic", "echo", "--once", "/map", "--for", "20"});
+  EXPECT_EQ(echo.status, 0) << echo.err;
+  EXPECT_THAT(echo.out, HasSubstr("  width: 800\n  height: 800\n"));
+}
+
+TEST_F(CommandLine, TopicHzMeasures) {
+  // The laser's 10 Hz; wide, because a loaded machine may be late.
+  const Outcome hz = bandwagon({"topic", "hz", "/scan", "--for", "3"});
+  EXPECT_EQ(hz.status, 0) << hz.err;
+  EXPECT_THAT(hz.out, ContainsRegex("average rate: ([6-9]|1[0-4])\\."));
+  EXPECT_THAT(hz.out, ContainsRegex("min: [0-9.]+s max: [0-9.]+s window: [0-9]+"));
+}
+
+TEST_F(CommandLine, NodeListNamesEveryComponent) {
+  const Outcome list = bandwagon({"node", "list"});
+  EXPECT_EQ(list.status, 0) << list.err;
+  EXPECT_EQ(list.out, "/bandwagon\n/map_server\n/motor_control\n/robot_base\n/world\n");
+}
+
+}  // namespace
+}  // namespace bw::test
