@@ -15,8 +15,9 @@ endif()
 function(bw_algorithm name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_library(bw_${name} STATIC ${ARG_SOURCES})
-  target_link_libraries(bw_${name} PRIVATE bw_compile_options PUBLIC Eigen3::Eigen ${ARG_LINK})
-  target_include_directories(bw_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(bw_${name} PRIVATE $<BUILD_INTERFACE:bw_compile_options> PUBLIC Eigen3::Eigen ${ARG_LINK})
+  target_include_directories(bw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  set_property(GLOBAL APPEND PROPERTY BANDWAGON_ALGORITHMS bw_${name})
 endfunction()
 
 # bw_component(<name> SOURCES ... [LINK ...]): adaptor, linked into the program `bandwagon`.

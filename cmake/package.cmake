@@ -1,0 +1,39 @@
+# The installed package: find_package(bandwagon) gives bandwagon::runtime (all that a component links), bandwagon::program, and
+# bandwagon_add_component().
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+set(headers ${CMAKE_INSTALL_INCLUDEDIR}/bandwagon)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/bandwagon)
+
+# target and its name outside
+set(exported bandwagon_runtime runtime bandwagon_idl idl bw_graph graph bw_parameters parameters bw_wire wire bw_model model
+  bandwagon program)
+while(exported)
+  list(POP_FRONT exported target name)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS ${target} EXPORT bandwagon)
+  if(NOT target STREQUAL bandwagon)
+    target_include_directories(${target} SYSTEM INTERFACE $<INSTALL_INTERFACE:${headers}> $<INSTALL_INTERFACE:${headers}/idl>)
+  endif()
+endwhile()
+set_target_properties(bandwagon_runtime bandwagon_idl PROPERTIES INSTALL_RPATH $ORIGIN)
+file(RELATIVE_PATH libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+set_target_properties(bandwagon PROPERTIES INSTALL_RPATH $ORIGIN/${libraries})
+
+# What a component and its tests include; Fast DDS stays inside.
+install(DIRECTORY runtime DESTINATION ${headers} FILES_MATCHING PATTERN "*.hpp"
+  PATTERN cli EXCLUDE PATTERN raw_type.hpp EXCLUDE PATTERN loopback_sockets.hpp EXCLUDE)
+install(DIRECTORY components/model components/messages DESTINATION ${headers}/components FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY ${CMAKE_BINARY_DIR}/idl/ DESTINATION ${headers}/idl
+  FILES_MATCHING REGEX "/msg/[A-Za-z0-9_]+\\.(h|hpp)$" PATTERN CMakeFiles EXCLUDE PATTERN compiler EXCLUDE PATTERN scratch EXCLUDE)
+install(DIRECTORY idl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/bandwagon/idl
+  FILES_MATCHING PATTERN "*.idl" PATTERN compiler EXCLUDE)
+install(DIRECTORY config DESTINATION ${CMAKE_INSTALL_DATADIR}/bandwagon)
+
+install(EXPORT bandwagon NAMESPACE bandwagon:: FILE bandwagonTargets.cmake DESTINATION ${package})
+configure_package_config_file(cmake/bandwagonConfig.cmake.in ${CMAKE_BINARY_DIR}/bandwagonConfig.cmake
+  INSTALL_DESTINATION ${package})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/bandwagonConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/bandwagonConfig.cmake ${CMAKE_BINARY_DIR}/bandwagonConfigVersion.cmake
+  DESTINATION ${package})
