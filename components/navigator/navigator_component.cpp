@@ -5,16 +5,12 @@
 #include <optional>
 #include <string>
 
-#include <bandwagon_msgs/msg/follow_request.hpp>
-#include <bandwagon_msgs/msg/follow_status.hpp>
-#include <bandwagon_msgs/msg/navigation_status.hpp>
-#include <bandwagon_msgs/msg/plan_request.hpp>
-#include <bandwagon_msgs/msg/plan_result.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <std_msgs/msg/empty.hpp>
 
 #include "components/messages/geometry.hpp"
 #include "components/navigator/navigator.hpp"
+#include "components/navigator/navigator_messages.hpp"
 #include "components/navigator/navigator_parameters.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/transform_tree.hpp"
@@ -47,15 +43,11 @@ class NavigatorComponent final : public Component {
         },
         Need::optional);
     setup.input<PlanResult>("plan_result", Qos::standard(), [this](const auto& result, const Tick& tick) {
-      const auto outcome = static_cast<PlanOutcome>(
-          std::min<std::uint8_t>(result.status(), PlanResult_Constants::BAD_REQUEST));
-      navigator_->on_plan({result.id(), outcome, result.reason(), from_path(result.path())}, situation(tick));
+      navigator_->on_plan(from_message(result), situation(tick));
       send(tick);
     });
     setup.input<FollowStatus>("follow_status", Qos::standard(), [this](const auto& status, const Tick& tick) {
-      const auto state =
-          static_cast<FollowState>(std::min<std::uint8_t>(status.status(), FollowStatus_Constants::FAILED));
-      navigator_->on_follow({status.id(), state, status.reason()}, situation(tick));
+      navigator_->on_follow(from_message(status), situation(tick));
       send(tick);
     });
     setup.every(Duration::seconds(1.0 / parameters_.rate), "step", [this](const Tick& tick) { step(tick); });
@@ -109,22 +101,9 @@ class NavigatorComponent final : public Component {
       log(report);
       publish(report, tick);
     }
-    if (actions.follow) {
-      FollowRequest request;
-      request.header(make_header(map_frame_, tick.now));
-      request.id(actions.follow->id);
-      request.mode(static_cast<std::uint8_t>(actions.follow->mode));
-      request.path(to_path(map_frame_, tick.now, actions.follow->path));
-      follow_request_.publish(request);
-    }
-    if (actions.plan) {
-      PlanRequest request;
-      request.header(make_header(map_frame_, tick.now));
-      request.id(actions.plan->id);
-      request.goal().header(request.header());
-      request.goal().pose(to_pose(actions.plan->X_MG));
-      plan_request_.publish(request);
-    }
+    if (actions.follow)
+      follow_request_.publish(to_message(*actions.follow, make_header(map_frame_, tick.now)));
+    if (actions.plan) plan_request_.publish(to_message(*actions.plan, make_header(map_frame_, tick.now)));
   }
 
   void log(const GoalReport& report) const {
@@ -140,17 +119,7 @@ class NavigatorComponent final : public Component {
   }
 
   void publish(const GoalReport& report, const Tick& tick) {
-    NavigationStatus message;
-    message.header(make_header(map_frame_, tick.now));
-    message.goal_id(report.goal_id);
-    message.status(static_cast<std::uint8_t>(report.status));
-    message.reason(report.reason);
-    message.goal().header(message.header());
-    message.goal().pose(to_pose(report.X_MG));
-    message.distance_remaining(report.distance_remaining);
-    message.number_of_recoveries(report.recoveries);
-    message.navigation_time(to_message(report.navigation_time));
-    status_.publish(message);
+    status_.publish(to_message(report, make_header(map_frame_, tick.now)));
     last_feedback_ = tick.now;
   }
 

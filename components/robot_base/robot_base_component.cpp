@@ -4,11 +4,10 @@
 #include <optional>
 #include <string>
 
-#include <nav_msgs/msg/odometry.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/messages/geometry.hpp"
-#include "components/robot_base/encoder_odometry.hpp"
+#include "components/robot_base/odometry_message.hpp"
 #include "components/robot_base/simulated_driver.hpp"
 #include "components/robot_base/wheel_watchdog.hpp"
 #include "runtime/component.hpp"
@@ -107,20 +106,7 @@ class RobotBaseComponent final : public Component {
   }
 
   void publish(const OdometryState& state) {
-    nav_msgs::msg::Odometry odom;
-    odom.header(make_header(odom_frame_, state.time));
-    odom.child_frame_id(base_frame_);
-    odom.pose().pose(to_pose(state.X_OB));
-    odom.twist().twist(to_twist_message(state.twist));
-    constexpr std::size_t kPlanar[] = {0, 1, 5};  // x, y, yaw among x, y, z, roll, pitch, yaw
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        odom.pose().covariance()[kPlanar[i] * 6 + kPlanar[j]] = state.pose_covariance(i, j);
-      }
-    }
-    odom.twist().covariance()[0] = state.twist_covariance(0, 0);
-    odom.twist().covariance()[35] = state.twist_covariance(1, 1);
-    odom_.publish(odom);
+    odom_.publish(to_odometry(state, odom_frame_, base_frame_));
 
     const WheelSpeeds wheels = to_wheel_speeds(state.twist, robot_.wheel_separation);
     sensor_msgs::msg::JointState joints = to_joint_state(wheels, robot_.wheel_radius, state.time);

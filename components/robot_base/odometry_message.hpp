@@ -1,0 +1,31 @@
+// The state of the odometry as nav_msgs/Odometry. For the adaptor only.
+#pragma once
+
+#include <string>
+
+#include <nav_msgs/msg/odometry.hpp>
+
+#include "components/messages/geometry.hpp"
+#include "components/robot_base/encoder_odometry.hpp"
+
+namespace bw {
+
+inline nav_msgs::msg::Odometry to_odometry(const OdometryState& state, const std::string& odom_frame,
+                                           const std::string& base_frame) {
+  nav_msgs::msg::Odometry message;
+  message.header(make_header(odom_frame, state.time));
+  message.child_frame_id(base_frame);
+  message.pose().pose(to_pose(state.X_OB));
+  message.twist().twist(to_twist_message(state.twist));
+  constexpr std::size_t kPlanar[] = {0, 1, 5};  // x, y, yaw among x, y, z, roll, pitch, yaw
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      message.pose().covariance()[kPlanar[i] * 6 + kPlanar[j]] = state.pose_covariance(i, j);
+    }
+  }
+  message.twist().covariance()[0] = state.twist_covariance(0, 0);
+  message.twist().covariance()[35] = state.twist_covariance(1, 1);
+  return message;
+}
+
+}  // namespace bw
