@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "components/mapping/distance_transform.hpp"
 
@@ -125,11 +124,11 @@ void SearchGrid::block(const std::vector<Disc>& discs) {
 
 void SearchGrid::unblock() {
   // Backwards, because discs may overlap.
-  for (const auto& [i, cell] : std::views::reverse(replaced_)) {
+  for (; !replaced_.empty(); replaced_.pop_back()) {
+    const auto& [i, cell] = replaced_.back();
     cells_[i].cost = cell.cost;
     cells_[i].moves = cell.moves;
   }
-  replaced_.clear();
 }
 
 }  // namespace bw

@@ -62,7 +62,7 @@ void measure(benchmark::State& state, Plan plan) {
   std::vector<Course>& list = courses(static_cast<int>(state.range(0)));
   std::vector<double> times;
   double expanded = 0.0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (Course& course : list) {
       for (const test::Trip& trip : course.trips) {
         const double before = cpu_ms();
@@ -96,7 +96,7 @@ BENCHMARK(Unreachable)->Arg(1000)->Unit(benchmark::kMillisecond);
 
 void SetMap(benchmark::State& state) {
   std::vector<Course>& list = courses(static_cast<int>(state.range(0)));
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     Planner planner;
     benchmark::DoNotOptimize(planner.set_map(list[0].map, kRadius));
   }
@@ -113,8 +113,10 @@ void HeapAStar(benchmark::State& state) {
     const std::size_t goal = cell(trip.goal);
     const auto stride = static_cast<std::size_t>(grid.stride());
     const auto octile = [&](std::size_t i) {
+      const std::size_t row = i / stride;
+      const std::size_t goal_row = goal / stride;
       const double dx = std::abs(static_cast<double>(i % stride) - static_cast<double>(goal % stride));
-      const double dy = std::abs(static_cast<double>(i / stride) - static_cast<double>(goal / stride));
+      const double dy = std::abs(static_cast<double>(row) - static_cast<double>(goal_row));
       return std::max(dx, dy) + 0.41421356 * std::min(dx, dy);
     };
     std::vector<float> g(grid.cells().size(), 1e30F);

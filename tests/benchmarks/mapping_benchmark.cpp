@@ -14,7 +14,7 @@ void ExtractObstacles(benchmark::State& state) {
   const OccupancyGrid map = test::random_floor(random, 400);
   std::size_t shapes = 0;
   std::size_t dropped = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const Vector2 position = map.origin + Vector2{random.uniform(4.0, 16.0), random.uniform(4.0, 16.0)};
     const ExtractionResult result = extract_obstacles(map, position, {});
     shapes += result.obstacles.size();
@@ -29,7 +29,7 @@ BENCHMARK(ExtractObstacles)->Unit(benchmark::kMillisecond);
 void DistanceField(benchmark::State& state) {
   Random random(1);
   const OccupancyGrid map = test::random_floor(random, static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(distance_field(map, {}));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(distance_field(map, {}));
 }
 BENCHMARK(DistanceField)->Arg(200)->Arg(400)->Arg(1000)->Unit(benchmark::kMillisecond);
 

@@ -29,7 +29,8 @@ TEST(AStar, IsOptimalAgainstDijkstraOn1000RandomMaps) {
     const int width = 8 + static_cast<int>(random.uniform(0, 50));
     const int height = 8 + static_cast<int>(random.uniform(0, 50));
     OccupancyGrid map{.resolution = random.uniform(0.03, 0.2), .width = width, .height = height};
-    map.cells.assign(static_cast<std::size_t>(width * height), OccupancyGrid::kFree);
+    map.cells.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+                     OccupancyGrid::kFree);
     const double density = 0.25 * random.uniform() * random.uniform();
     for (auto& cell : map.cells) {
       const double u = random.uniform();

@@ -24,7 +24,7 @@ class DijkstraOracle {
         double nearest = std::numeric_limits<double>::infinity();
         for (int r = std::max(row - reach, 0); r <= std::min(row + reach, map.height - 1); ++r) {
           for (int c = std::max(column - reach, 0); c <= std::min(column + reach, map.width - 1); ++c) {
-            const int value = map.at(c, r);
+            const std::int8_t value = map.at(c, r);
             const bool obstacle = value < 0 ? options.unknown_is_obstacle : value >= options.occupied_at;
             if (obstacle) nearest = std::min(nearest, std::hypot(c - column, r - row) * map.resolution);
           }

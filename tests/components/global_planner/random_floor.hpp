@@ -26,14 +26,15 @@ inline OccupancyGrid random_floor(Random& random, int side) {
   for (const bool vertical : {false, true}) {
     wall(vertical, 0.02, 0.0, metres);
     wall(vertical, metres - 0.02, 0.0, metres);
-    for (double across = random.uniform(3.0, 6.0); across < metres - 2.0;
-         across += random.uniform(3.0, 7.0)) {
+    double across = random.uniform(3.0, 6.0);
+    while (across < metres - 2.0) {
       double from = 0.0;
       while (from < metres) {
         const double to = from + random.uniform(1.0, 8.0);
         wall(vertical, across, from, std::min(to, metres));
         from = to + random.uniform(1.0, 2.0);
       }
+      across += random.uniform(3.0, 7.0);
     }
   }
   const int clutter = static_cast<int>(metres * metres / 5.0);

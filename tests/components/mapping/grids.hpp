@@ -7,7 +7,7 @@
 namespace bw::test {
 
 inline OccupancyGrid empty_grid(int width, int height, double resolution = 0.05,
-                                Vector2 origin = {0.0, 0.0}) {
+                                const Vector2& origin = {0.0, 0.0}) {
   OccupancyGrid grid{.resolution = resolution, .origin = origin, .width = width, .height = height};
   grid.cells.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), OccupancyGrid::kFree);
   return grid;

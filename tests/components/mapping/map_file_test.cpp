@@ -179,7 +179,7 @@ TEST_F(MapFile, RefusesPicturesThatAreNotWhole) {
 TEST_F(MapFile, RefusesPngsThatAreNotWhole) {
   test::write_png(folder_ / "map.png", {8, 8, 8, PNG_COLOR_TYPE_GRAY, std::string(64, '\x01')});
   const std::string good = test::read_file(folder_ / "map.png");
-  const auto refused = [&](std::string bytes) {
+  const auto refused = [&](const std::string& bytes) {
     test::write_file(folder_ / "map.png", bytes);
     return refusal(test::yaml_for("map.png"));
   };
