@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "components/local_planner/bench/band_evaluator.hpp"
+#include "components/local_planner/bench/banded_solver.hpp"
 #include "components/local_planner/bench/bench.hpp"
 #include "components/model/random.hpp"
 
@@ -99,6 +100,37 @@ TEST(Optimize, LowersTheCostOfEveryScene) {
     EXPECT_LE(report.iterations, 100);
     EXPECT_EQ(band.poses.front().pose(), (Pose2{0, 0, 0}));
     EXPECT_EQ(band.poses.back().pose(), (Pose2{4, 0.5, 0}));
+  }
+}
+
+TEST(Optimize, FindsTheMinimumThatTheBandedSolverFinds) {
+  // Both solvers start from one band a hundred iterations from cold, association frozen: one minimum,
+  // relative difference <= 1e-3.
+  Random random(kSeed);
+  const SceneFile file = rules();
+  BandOptions options = options_for(file, BenchWeights::file, {}, 0.0).teb.band;
+  options.weight_adapt_factor = 1.0;
+  options.function_tolerance = 1e-10;
+  options.warm_outer_iterations = 1;
+  options.warm_inner_iterations = 200;
+  options.no_outer_iterations = 8;
+  options.no_inner_iterations = 20;
+  for (int i = 0; i < 20; ++i) {
+    std::vector<SceneObstacle> obstacles = random_obstacles(random);
+    for (SceneObstacle& o : obstacles) {
+      o.velocity = {0.0, 0.0};
+      o.position.y() += o.position.y() > 0.0 ? 0.5 : -0.5;  // a way through the middle
+    }
+    const ObstacleField field = field_of(obstacles);
+    const BandScene scene{file.limits, {}, true, &field};
+    Band band = band_along({{0, 0, 0}, {4, 0.0, 0}}, {-0.5, 0, 0}, file.limits, options);
+    ASSERT_TRUE(optimize(band, scene, options, 1000).usable);
+    resize(band, options);
+    Band other = band;
+    const BandReport report = optimize(band, scene, options, 1000);
+    const BandProblem problem(other, scene, options, 1.0);
+    const BandedReport expected = solve_banded(other, problem, 500, 1e-10);
+    EXPECT_NEAR(report.cost, expected.cost, 1e-3 * expected.cost) << "seed " << kSeed << " case " << i;
   }
 }
 
