@@ -1,4 +1,4 @@
-# cmake -DBUILD= -DPROJECT= -DSTAGE= -P package_test.cmake
+# cmake -DBUILD= -DPROJECT= -DREADME= -DSTAGE= -P package_test.cmake
 # What a user of the package does: installs it, builds a component of their own against it, and runs both together.
 function(run what)
   execute_process(COMMAND ${ARGN} TIMEOUT 240 RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE out)
@@ -42,3 +42,13 @@ foreach(wanted "wanderer scan" "motor_control cmd_vel")
     message(FATAL_ERROR "${wanted}: called ${count} times in a second, expected 9 to 10:\n${json}")
   endif()
 endforeach()
+
+# README.md shows this component, and nothing that was not built here.
+if(EXISTS ${README})
+  file(READ ${README} readme)
+  file(READ ${PROJECT}/wanderer.cpp source)
+  string(FIND "${readme}" "${source}" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "README.md must show ${PROJECT}/wanderer.cpp letter by letter")
+  endif()
+endif()

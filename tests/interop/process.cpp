@@ -18,6 +18,7 @@ using Clock = std::chrono::steady_clock;
 
 std::vector<char*> pointers(const std::vector<std::string>& texts) {
   std::vector<char*> result;
+  result.reserve(texts.size() + 1);
   for (const std::string& text : texts) result.push_back(const_cast<char*>(text.c_str()));
   result.push_back(nullptr);
   return result;
@@ -29,7 +30,8 @@ std::vector<std::string> with_own_environment(std::map<std::string, std::string>
     variables.emplace(text.substr(0, text.find('=')), text.substr(text.find('=') + 1));
   }
   std::vector<std::string> texts;
-  for (const auto& [name, value] : variables) texts.push_back(name + "=" + value);
+  texts.reserve(variables.size());
+  for (const auto& [name, value] : variables) texts.push_back(std::string(name).append("=").append(value));
   return texts;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <csignal>
-#include <filesystem>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -11,18 +11,19 @@
 
 namespace bw::test {
 
-/// drive.yaml for another ROS distribution, in a folder from which its robot is found too.
-inline std::filesystem::path graph_for(const std::string& distro) {
-  const std::filesystem::path folder = std::filesystem::path(BANDWAGON_SOURCE_DIR) / "tests/interop";
-  std::ifstream file(folder / "drive.yaml");
+/// drive.yaml for a ROS distribution, as a file of this test's own. Domains differ from test to test.
+inline std::string graph_for(const std::string& distro) {
+  const std::string source = BANDWAGON_SOURCE_DIR;
+  std::ifstream file(source + "/tests/interop/drive.yaml");
   std::string text = (std::ostringstream() << file.rdbuf()).str();
   const auto replace = [&text](const std::string& from, const std::string& to) {
     text.replace(text.find(from), from.size(), to);
   };
   replace("jazzy", distro);
-  replace("../..", BANDWAGON_SOURCE_DIR);
-  const std::filesystem::path path =
-      std::filesystem::path(BANDWAGON_BINARY_DIR) / ("drive_" + distro + ".yaml");
+  replace("../..", source);
+  const char* domain = std::getenv("ROS_DOMAIN_ID");
+  std::string path =
+      std::string(BANDWAGON_BINARY_DIR) + "/drive_" + distro + "_" + (domain ? domain : "0") + ".yaml";
   std::ofstream(path) << text;
   return path;
 }
@@ -30,7 +31,7 @@ inline std::filesystem::path graph_for(const std::string& distro) {
 class RunningGraph {
  public:
   explicit RunningGraph(const std::string& distro = "jazzy")
-      : process_({BANDWAGON_PROGRAM, "run", graph_for(distro).string(), "--for", "120"}) {}
+      : process_({BANDWAGON_PROGRAM, "run", graph_for(distro), "--for", "120"}) {}
 
   Process& process() { return process_; }
 

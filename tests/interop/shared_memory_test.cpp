@@ -1,7 +1,7 @@
 // Fast DDS 2.9.1 aborts beside other releases that use its shared-memory transport: a running process of ours
 // has none of it, and leaves nothing behind.
+#include <filesystem>
 #include <set>
-#include <thread>
 
 #include <gmock/gmock.h>
 
