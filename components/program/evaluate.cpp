@@ -19,7 +19,7 @@ namespace {
 
 struct EvaluateOptions {
   std::string suite;
-  std::vector<std::string> planners;
+  std::vector<std::string> planners = {""};  ///< empty: the graph's own
   std::vector<std::string> set;
   std::string seeds;
   std::string only_episode;
@@ -96,8 +96,15 @@ Graph graph_of(const Suite& suite, const Job& job, const std::vector<std::string
   if (find_type(graph, "evaluation", "") == nullptr) {
     throw std::runtime_error(suite.graph.string() + ": has no evaluation, nothing would be judged");
   }
-  apply_override(graph, parse_override(planner->name + ".algorithm=" + job.planner));
+  if (!job.planner.empty()) {
+    apply_override(graph, parse_override(planner->name + ".algorithm=" + job.planner));
+  }
   return graph;
+}
+
+std::string planner_of(const nlohmann::json& card, const Job& job) {
+  const nlohmann::json& planner = card["planner"];
+  return planner.is_object() ? planner.value("name", job.planner) : job.planner;
 }
 
 int evaluate(const EvaluateOptions& options) {
@@ -109,19 +116,21 @@ int evaluate(const EvaluateOptions& options) {
   std::vector<EpisodeResult> results;
   cli::catch_interrupts();
   for (const Job& job : jobs) {
-    EpisodeResult result{suite.options.episodes[job.episode].name, job.seed, job.planner, {}};
     DriveOptions drive_options{
         .host = {.clock = ClockMode::lockstep, .seed = static_cast<std::uint64_t>(job.seed)},
         .longest = Duration::seconds(suite.options.time_limit)};
+    const std::string& name = suite.options.episodes[job.episode].name;
     if (!options.svg_dir.empty()) {
-      drive_options.svg = std::filesystem::path(options.svg_dir) /
-                          fmt::format("{}_{}_seed{}.svg", result.name, result.planner, result.seed);
+      const std::string planner = job.planner.empty() ? "" : "_" + job.planner;
+      drive_options.svg =
+          std::filesystem::path(options.svg_dir) / fmt::format("{}{}_seed{}.svg", name, planner, job.seed);
     }
-    result.card = drive(graph_of(suite, job, options.set), drive_options).json;
+    const nlohmann::json card = drive(graph_of(suite, job, options.set), drive_options).json;
     if (cli::interrupted()) break;
+    const EpisodeResult result{name, job.seed, planner_of(card, job), card};
     std::cerr << fmt::format("[{}/{}] {}{}\n", results.size() + 1, jobs.size(),
                              result.succeeded() ? "" : "FAILED ", in_a_line(result));
-    results.push_back(std::move(result));
+    results.push_back(result);
   }
 
   const nlohmann::json report = suite_json(options.suite, results);
@@ -140,9 +149,9 @@ void add_evaluate(CLI::App& app, int& status) {
   auto options = std::make_shared<EvaluateOptions>();
   CLI::App* verb = app.add_subcommand("evaluate", "Drives a suite of episodes in lock-step and sums up");
   verb->add_option("SUITE", options->suite, "Suite file")->required();
-  verb->add_option("--planners", options->planners, "Algorithms of local_planner, separated by commas")
-      ->delimiter(',')
-      ->required();
+  verb->add_option("--planners", options->planners,
+                   "Algorithms of local_planner, separated by commas; default: the graph's own")
+      ->delimiter(',');
   verb->add_option("--seeds", options->seeds, "A..B instead of the suite's seeds");
   verb->add_option("--episode", options->only_episode, "Only the episode of this name");
   verb->add_option("--set", options->set, "component.param=value for all episodes, as often as needed")
