@@ -19,8 +19,8 @@ constexpr double kTestStep = 0.1;     // [m] between footprint tests
 constexpr double kWorthMoving = 0.2;  // [s] of later contact for which a robot that could stop moves instead
 
 double approach(double now, double target, double speeding_up, double slowing_down, double period) {
-  const bool slower = std::abs(target) < std::abs(now) || target * now < 0.0;
-  const double change = (slower ? slowing_down : speeding_up) * period;
+  if (target * now < 0.0) target = 0.0;  // first to rest: only braking may use the deceleration of a stop
+  const double change = (std::abs(target) < std::abs(now) ? slowing_down : speeding_up) * period;
   return std::clamp(target, now - change, now + change);
 }
 
@@ -35,7 +35,9 @@ std::vector<TrajectoryPoint> simulate(const PlanningProblem& problem, const Inte
                                       double period) {
   const Limits& limits = problem.limits;
   std::vector<TrajectoryPoint> trajectory{{0.0, problem.pose, problem.twist}};
-  for (double time = period; time < horizon + period / 2.0; time += period) {
+  const int steps = std::max(1, static_cast<int>(std::lround(horizon / period)));
+  for (int i = 1; i <= steps; ++i) {
+    const double time = i * period;
     const TrajectoryPoint& last = trajectory.back();
     const Twist2& target = time <= intent.switch_time ? intent.first : intent.then;
     const Twist2 twist{approach(last.twist.v, target.v, limits.acc_max, limits.stop_deceleration, period),
@@ -78,6 +80,8 @@ EvasiveMove best_evasive_move(const PlanningProblem& problem, const Vector2& goa
   EvasiveMove best_clear;
   double best_score = -std::numeric_limits<double>::infinity();
   const EvasiveMove stop = simulated({});
+  // Nothing comes closer to a robot that stands: stand, instead of pacing in front of what blocks the way.
+  if (stop.gap >= options.enough_gap) return stop;
   EvasiveMove latest = stop;
   for (const Intent& intent : intents(problem.limits)) {
     EvasiveMove move = simulated(intent);

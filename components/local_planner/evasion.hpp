@@ -21,10 +21,10 @@ struct EvasionOptions {
   double enough_gap = 0.2;  ///< gaps beyond it count as equal [m]
 };
 
-/// Accelerates to each of a grid of (v, omega) targets within the limits (stop_deceleration for slowing down)
-/// and holds it. Of the moves that stay clear: the largest gap, then the one that ends nearest to `goal`. If
-/// none does: the latest contact, provided that it is later than a stop's and leaves time to stop; else the
-/// stop.
+/// A stop that keeps enough_gap is taken at once. Else a grid of arcs, each reached within the limits
+/// (stop_deceleration for slowing down) and then held, and turns that end in a straight drive. Of the moves
+/// that stay clear: the largest gap, then the one that ends nearest to `goal`. If none does: the latest
+/// contact, provided that it is later than a stop's and leaves time to stop; else the stop.
 EvasiveMove best_evasive_move(const PlanningProblem& problem, const Vector2& goal,
                               const EvasionOptions& options);
 

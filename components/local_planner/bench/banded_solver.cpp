@@ -43,7 +43,7 @@ NormalEquations linearise(const Band& band, const BandProblem& problem) {
   double J[kSegmentResiduals * kSegmentColumns];
   for (std::size_t k = 0; k < problem.segments(); ++k) {
     if (!evaluate_segment(problem.segment_model, problem.segment(k, band.poses.data()), r, J)) continue;
-    for (int i = 0; i < kSegmentResiduals; ++i)
+    for (std::size_t i = 0; i < kSegmentResiduals; ++i)
       add(equations, 4 * k, J + i * kSegmentColumns, kSegmentColumns, r[i]);
     const auto add_term = [&](const ClearanceTerm& term) {
       const double s = term.fraction;

@@ -94,9 +94,10 @@ Band band_along(const std::vector<Pose2>& path, const Pose2& start, const Limits
     if (step_length < 1e-9) continue;
     const double heading = std::atan2(step.y(), step.x());
     double along = spacing - carried;
-    for (; along < step_length - 1e-9; along += spacing) {
+    while (along < step_length - 1e-9) {
       const Vector2 p = route[i - 1] + step * (along / step_length);
       band.poses.push_back({p.x(), p.y(), heading, 0.0});
+      along += spacing;
     }
     carried = spacing - (along - step_length);
   }

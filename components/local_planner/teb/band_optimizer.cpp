@@ -20,7 +20,7 @@ class SegmentFunction final : public ceres::CostFunction {
   SegmentFunction(const BandProblem& problem, std::size_t k) : problem_(problem), k_(k) {
     rows_ = k == 0 ? kSegmentResiduals : kSegmentResiduals - 2;
     if (k + 1 == problem.segments() && !problem.scene.goal_at_rest && k != 0) rows_ = 5;
-    set_num_residuals(rows_);
+    set_num_residuals(static_cast<int>(rows_));
     for (std::size_t pose = k; pose <= k + 2 && pose + 1 < problem.band.size(); ++pose) {
       mutable_parameter_block_sizes()->push_back(pose == 0 ? 1 : 4);
     }
@@ -43,13 +43,13 @@ class SegmentFunction final : public ceres::CostFunction {
     double J[kSegmentResiduals * kSegmentColumns];
     if (!evaluate_segment(problem_.segment_model, states, r, jacobians == nullptr ? nullptr : J))
       return false;
-    std::copy(r, r + rows_, residuals);
+    std::copy_n(r, rows_, residuals);
     if (jacobians == nullptr) return true;
     for (std::size_t block = 0; block < blocks; ++block) {
       if (jacobians[block] == nullptr) continue;
-      const int size = parameter_block_sizes()[block];
+      const auto size = static_cast<std::size_t>(parameter_block_sizes()[block]);
       const double* first = J + 4 * block + (size == 1 ? 3 : 0);
-      for (int row = 0; row < rows_; ++row) {
+      for (std::size_t row = 0; row < rows_; ++row) {
         std::copy_n(first + row * kSegmentColumns, size, jacobians[block] + row * size);
       }
     }
@@ -59,7 +59,7 @@ class SegmentFunction final : public ceres::CostFunction {
  private:
   const BandProblem& problem_;
   std::size_t k_;
-  int rows_;
+  std::size_t rows_;
 };
 
 // The clearance terms of pose k (one block), or of segment k (the blocks of those of its ends that are free).

@@ -71,6 +71,7 @@ ObstacleField nearby_obstacles(const StaticObstacles& statics, const std::vector
   };
   ObstacleField field;
   std::vector<double> distances;
+  distances.reserve(std::max(movers.size(), capsules.size()));
   for (const Mover& m : movers) distances.push_back((m.position - position).norm() - m.radius);
   for (const std::size_t i : nearest(distances, max_count)) {
     field.movers.push_back(movers[i]);

@@ -126,7 +126,9 @@ bool evaluate_segment(const SegmentModel& model, const SegmentStates& states, do
   if (!(dt > kShortestInterval) || (has_next && !(b[3] > kShortestInterval))) return false;
   std::fill(residuals, residuals + kSegmentResiduals, 0.0);
   if (jacobian != nullptr) std::fill(jacobian, jacobian + kSegmentResiduals * kSegmentColumns, 0.0);
-  const auto row = [&](int r) { return jacobian == nullptr ? nullptr : jacobian + r * kSegmentColumns; };
+  const auto row = [&](std::size_t r) {
+    return jacobian == nullptr ? nullptr : jacobian + r * kSegmentColumns;
+  };
 
   const Vector2 d(b[0] - a[0], b[1] - a[1]);
   const Vector2 u_a = direction(a[2]);

@@ -2,6 +2,8 @@
 // Jacobians. Plain C++ shared by the solver, the tests and the oracle.
 #pragma once
 
+#include <cstddef>
+
 #include "components/local_planner/teb/band_options.hpp"
 #include "components/model/limits.hpp"
 #include "components/model/pose2.hpp"
@@ -36,9 +38,9 @@ struct SegmentStates {
   const Twist2* start_twist;
 };
 
-inline constexpr int kSegmentResiduals =
+inline constexpr std::size_t kSegmentResiduals =
     9;  ///< time, non-holonomic, forward, v, omega, a, alpha, first a, first alpha
-inline constexpr int kSegmentColumns = 12;  ///< d / d (a, b, c)
+inline constexpr std::size_t kSegmentColumns = 12;  ///< d / d (a, b, c)
 
 /// residuals: kSegmentResiduals values. jacobian: row-major kSegmentResiduals x kSegmentColumns, or null.
 /// False, and nothing is written, when an interval is too short to divide by.

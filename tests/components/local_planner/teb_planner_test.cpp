@@ -51,8 +51,9 @@ void expect_limits_kept(const Drive& result, const Limits& limits) {
     EXPECT_LE(t.v, limits.v_max + 1e-9);
     EXPECT_GE(t.v, -limits.v_back_max - 1e-9);
     EXPECT_LE(std::abs(t.omega), limits.omega_max + 1e-9);
-    EXPECT_LE(t.v - last.v, limits.acc_max * kPeriod + 1e-9);
-    EXPECT_GE(t.v - last.v, -limits.stop_deceleration * kPeriod - 1e-9);
+    // Braking, forward or backward, may use the deceleration of a stop.
+    EXPECT_LE(t.v - last.v, (last.v < 0.0 ? limits.stop_deceleration : limits.acc_max) * kPeriod + 1e-9);
+    EXPECT_GE(t.v - last.v, -(last.v > 0.0 ? limits.stop_deceleration : limits.acc_max) * kPeriod - 1e-9);
     EXPECT_LE(std::abs(t.omega - last.omega), limits.alpha_max * kPeriod + 1e-9);
     last = t;
   }
@@ -120,6 +121,10 @@ TEST(TebPlanner, StopsWithinLimitsInFrontOfAClosedWall) {
   const Drive result = drive(planner, problem, 200);
   EXPECT_GT(result.smallest_gap, 0.0);
   expect_limits_kept(result, problem.limits);
+  double late_travel = 0.0;
+  for (std::size_t i = 150; i < result.twists.size(); ++i)
+    late_travel += kPeriod * std::abs(result.twists[i].v);
+  EXPECT_LT(late_travel, 0.2) << "stands in front of it instead of pacing";
 }
 
 TEST(TebPlanner, TypedStatusAndStopOnBadInput) {
