@@ -1,6 +1,7 @@
 #include "runtime/host/host.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <ranges>
 #include <stdexcept>
 
@@ -41,6 +42,14 @@ std::unique_ptr<Component> make_or_refuse(const ComponentNode& node) {
                      .key = "components." + node.name + ".type",
                      .value = node.type,
                      .rule = unknown_rule("component", node.type, views)});
+}
+
+/// A node name may hold letters, digits and underscores only; a process name anything.
+std::string services_name(const std::string& process) {
+  std::string name = process.empty() ? "bandwagon" : "bandwagon_" + process;
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
 }
 
 ComponentDeclaration declaration_of(const Actor& actor) {
@@ -87,10 +96,18 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
   }
 
   const bool lockstep = options_.clock == ClockMode::lockstep;
-  auto services = std::make_unique<ProcessServices>(lockstep, !lockstep, local_);
+  ProcessServiceOptions service_options{
+      .publishes_clock = lockstep, .on_clock = nullptr, .timings = !lockstep};
+  if (options_.clock == ClockMode::topic) {
+    auto topic_clock = std::make_unique<TopicClock>();
+    service_options.on_clock = [clock = topic_clock.get()](Time now) { clock->set(now); };
+    clock_ = std::move(topic_clock);
+  } else {
+    clock_ = std::make_unique<MonotonicClock>();
+  }
+  auto services = std::make_unique<ProcessServices>(std::move(service_options), local_);
   services_ = services.get();
-  const ComponentNode services_node{.name = "bandwagon" + (only.empty() ? "" : "_" + only),
-                                    .lane = "services"};
+  const ComponentNode services_node{.name = services_name(only), .lane = "services"};
   add_component(services_node, std::move(services), true);
   std::vector<Violation> violations;
   for (const ComponentNode& node : graph_.components) {
@@ -145,26 +162,6 @@ void Host::connect() {
   if (lockstep) {
     runner_ = std::make_unique<LockstepRunner>(local_, options_.pace);
   } else {
-    if (options_.clock == ClockMode::topic) {
-      auto topic_clock = std::make_unique<TopicClock>();
-      clock_reader_ =
-          participant_->create_reader(endpoint_options("/clock",
-                                                       {MessageTraits<rosgraph_msgs::msg::Clock>::ros_name,
-                                                        MessageTraits<rosgraph_msgs::msg::Clock>::dds_name,
-                                                        MessageTraits<rosgraph_msgs::msg::Clock>::type_hash},
-                                                       Qos::clock()),
-                                      [this, clock = topic_clock.get()] {
-                                        dds::Sample sample;
-                                        rosgraph_msgs::msg::Clock message;
-                                        while (clock_reader_ && clock_reader_->take(sample)) {
-                                          if (deserialize(sample.cdr, message))
-                                            clock->set(from_stamp(message.clock()));
-                                        }
-                                      });
-      clock_ = std::move(topic_clock);
-    } else {
-      clock_ = std::make_unique<MonotonicClock>();
-    }
     runner_ = std::make_unique<WallRunner>(local_, *clock_);
   }
   // Writers first: in one participant a match is immediate, so no reader misses a latched first sample.

@@ -81,7 +81,6 @@ class Host {
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
   std::unique_ptr<dds::Writer> node_writer_;
-  std::unique_ptr<dds::Reader> clock_reader_;
   class ProcessServices* services_ = nullptr;
   std::optional<Time> started_;
   std::mutex log_mutex_;

@@ -30,7 +30,12 @@ void ProcessServices::configure(Setup& setup) {
   diagnostics_ = setup.output<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics");
   setup.every(Duration::milliseconds(1000), "diagnostics",
               [this](const Tick& tick) { publish_diagnostics(tick.now); });
-  if (!publishes_clock_) return;
+  if (options_.on_clock) {
+    setup.input<rosgraph_msgs::msg::Clock>("/clock", Qos::clock(), [this](const auto& message, const Tick&) {
+      options_.on_clock(from_stamp(message.clock()));
+    });
+  }
+  if (!options_.publishes_clock) return;
   clock_ = setup.output<rosgraph_msgs::msg::Clock>("/clock");
   setup.every(Duration::milliseconds(10), "clock", [this](const Tick& tick) {
     rosgraph_msgs::msg::Clock message;
@@ -67,9 +72,9 @@ void ProcessServices::publish_diagnostics(Time now) {
       if (input->statistics.rejected > 0) {
         add_value(status, input->name, fmt::format("{} samples rejected", input->statistics.rejected));
       }
-      if (timings_ && input->kind == InputKind::callback) add_statistics(status, input->statistics);
+      if (options_.timings && input->kind == InputKind::callback) add_statistics(status, input->statistics);
     }
-    if (timings_) {
+    if (options_.timings) {
       for (const auto& timer : actor->timers) add_statistics(status, timer->statistics);
     }
     message.status().push_back(std::move(status));

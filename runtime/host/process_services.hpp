@@ -2,6 +2,7 @@
 // /diagnostics.
 #pragma once
 
+#include <functional>
 #include <mutex>
 
 #include <diagnostic_msgs/msg/diagnostic_array.hpp>
@@ -13,12 +14,17 @@
 
 namespace bw {
 
+struct ProcessServiceOptions {
+  bool publishes_clock = false;        ///< lock-step
+  std::function<void(Time)> on_clock;  ///< hears /clock, when time comes from outside; empty: deaf
+  bool timings = true;  ///< statistics go into the diagnostics; off in lock-step, where nothing measured on a
+                        ///< real clock may enter a sample
+};
+
 class ProcessServices final : public Component {
  public:
-  /// `timings`: statistics go into the diagnostics. Off in lock-step, where nothing measured on a real clock
-  /// may enter a sample.
-  ProcessServices(bool publishes_clock, bool timings, const std::vector<Actor*>& watched)
-      : publishes_clock_(publishes_clock), timings_(timings), watched_(watched) {}
+  ProcessServices(ProcessServiceOptions options, const std::vector<Actor*>& watched)
+      : options_(std::move(options)), watched_(watched) {}
 
   void configure(Setup& setup) override;
   /// From any thread.
@@ -27,8 +33,7 @@ class ProcessServices final : public Component {
  private:
   void publish_diagnostics(Time now);
 
-  bool publishes_clock_;
-  bool timings_;
+  ProcessServiceOptions options_;
   const std::vector<Actor*>& watched_;
   Output<rosgraph_msgs::msg::Clock> clock_;
   Output<diagnostic_msgs::msg::DiagnosticArray> diagnostics_;

@@ -2,16 +2,19 @@
 // rules in lockstep_runner.hpp.
 #include "runtime/host/host.hpp"
 
+#include <atomic>
 #include <functional>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rosgraph_msgs/msg/clock.hpp>
 #include <std_msgs/msg/float64.hpp>
 #include <std_msgs/msg/string.hpp>
 
 #include "runtime/host/lockstep_runner.hpp"
 #include "runtime/registry.hpp"
+#include "runtime/stamps.hpp"
 
 namespace bw {
 namespace {
@@ -307,6 +310,45 @@ TEST(WallClock, LanesExchangeMessagesAndFinishEndsTheRun) {
   for (const CallbackStatistics& s : host.statistics()) {
     if (s.component != "right") continue;
     EXPECT_GE(s.run.count(), static_cast<std::uint64_t>(kRounds));
+  }
+}
+
+TEST(TopicClock, TimersFollowTheClockFromOutside) {
+  // /clock advances by 10 ms from 100 s on: a timer of 50 ms ticks at multiples of 50 ms after the first
+  // stamp that was heard.
+  std::vector<Time> ticks;
+  TestGraph builder;
+  builder.add({.name = "user"}, [&](bw::Setup& setup) {
+    setup.every(Duration::milliseconds(50), "tick", [&ticks, finish = setup.finish_run()](const Tick& tick) {
+      ticks.push_back(tick.now);
+      if (ticks.size() == 20) finish(true, "enough");
+    });
+  });
+  std::atomic<bool> done = false;
+  std::thread outside([&done] {
+    dds::Participant participant({.network = dds::Network::from_environment({})});
+    const auto writer =
+        participant.create_writer({.topic = "rt/clock",
+                                   .type = std::string(MessageTraits<rosgraph_msgs::msg::Clock>::dds_name),
+                                   .qos = Qos::standard(),
+                                   .user_data = {}});
+    std::vector<std::uint8_t> cdr;
+    for (Time now = Time::seconds(100.0); !done; now = now + Duration::milliseconds(10)) {
+      rosgraph_msgs::msg::Clock message;
+      message.clock(to_stamp(now));
+      serialize(message, cdr);
+      writer->write(cdr);
+      std::this_thread::yield();
+    }
+  });
+  Host host(builder.graph(), {.clock = ClockMode::topic});
+  const RunEnd end = host.run(Duration::seconds(60));
+  done = true;
+  outside.join();
+  EXPECT_EQ(end.reason, "enough");
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    EXPECT_GT(ticks[i], ticks[i - 1]);
+    EXPECT_EQ(ticks[i].nanoseconds % 10'000'000, 0) << "a stamp of the clock, not a time of our own";
   }
 }
 
