@@ -79,7 +79,7 @@ EvasiveMove best_evasive_move(const PlanningProblem& problem, const Vector2& goa
   };
   EvasiveMove best_clear;
   double best_score = -std::numeric_limits<double>::infinity();
-  const EvasiveMove stop = simulated({});
+  EvasiveMove stop = simulated({});
   // Nothing comes closer to a robot that stands: stand, instead of pacing in front of what blocks the way.
   if (stop.gap >= options.enough_gap) return stop;
   EvasiveMove latest = stop;

@@ -26,7 +26,7 @@ scenes:
 )";
 
 std::string write(const std::string& text) {
-  const std::string path = ::testing::TempDir() + "scene_file_test.yaml";
+  std::string path = ::testing::TempDir() + "scene_file_test.yaml";
   std::ofstream(path) << text;
   return path;
 }

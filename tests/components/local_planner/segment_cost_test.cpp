@@ -34,9 +34,9 @@ Residuals evaluate(const SegmentModel& model, const States& s, const Case& c, co
 
 States random_states(Random& random) {
   States s{};
-  for (int pose = 0; pose < 3; ++pose) {
-    const auto i = static_cast<std::size_t>(4 * pose);
-    s[i] = pose * random.uniform(-0.2, 0.5) + random.uniform(-0.1, 0.1);
+  for (std::size_t pose = 0; pose < 3; ++pose) {
+    const std::size_t i = 4 * pose;
+    s[i] = static_cast<double>(pose) * random.uniform(-0.2, 0.5) + random.uniform(-0.1, 0.1);
     s[i + 1] = random.uniform(-0.3, 0.3);
     s[i + 2] = random.uniform(-3.1, 3.1);
     s[i + 3] = random.uniform(0.1, 0.6);
