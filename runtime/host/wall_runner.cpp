@@ -28,15 +28,40 @@ WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock)
 
 WallRunner::~WallRunner() { clock_.on_step(nullptr); }
 
+namespace {
+
+/// Inputs reached by the write this thread is in. They are woken when it returns: before, they would only
+/// block on the locks it holds.
+thread_local std::vector<Input*>* t_reached = nullptr;
+
+}  // namespace
+
+void WallRunner::publish(OutputEnd& output, std::span<const std::uint8_t> cdr) {
+  thread_local std::vector<Input*> reached;
+  t_reached = &reached;
+  output.writer->write(cdr);
+  t_reached = nullptr;
+  for (Input* input : reached) enqueue(*input);
+  reached.clear();
+}
+
 void WallRunner::sample_arrived(Input& input) {
   if (input.queued.exchange(true)) return;  // the waiting event takes this sample too
   input.queued_at_ns = steady_time().nanoseconds;
+  if (t_reached != nullptr) {
+    t_reached->push_back(&input);
+  } else {
+    enqueue(input);
+  }
+}
+
+void WallRunner::enqueue(Input& input) {
   Lane& lane = *lane_of_.at(input.actor);
   {
     const std::lock_guard lock(lane.mutex);
     lane.queue.push_back(&input);
   }
-  lane.wake.notify_one();  // unlocked, or the lane would wake into a closed door
+  lane.wake.notify_one();
 }
 
 RunEnd WallRunner::run(std::optional<Duration> duration) {

@@ -20,7 +20,7 @@ class WallRunner final : public Runner {
 
   Time now() const override { return clock_.now(); }
   void sample_arrived(Input& input) override;
-  void publish(OutputEnd& output, std::span<const std::uint8_t> cdr) override { output.writer->write(cdr); }
+  void publish(OutputEnd& output, std::span<const std::uint8_t> cdr) override;
   RunEnd run(std::optional<Duration> duration) override;
   void finish(RunEnd end, Duration grace) override;
 
@@ -36,6 +36,7 @@ class WallRunner final : public Runner {
     std::thread thread;
   };
 
+  void enqueue(Input& input);
   void work(Lane& lane);
   void fire_if_due(Lane& lane, Timer& timer, std::unique_lock<std::mutex>& lock);
   void drain(Input& input);
