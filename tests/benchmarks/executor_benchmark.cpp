@@ -1,11 +1,14 @@
 // The executor against the figures of rclcpp's single-threaded one on this class of machine (29 us median
 // with 1 subscription; 341 us and 456 us CPU per message with 200): publish-to-callback latency in one
 // process, CPU per message, idle CPU, latency between two processes.
-//   executor_benchmark [--json FILE]
+// The first rows are the floor of this machine: compare ratios, not microseconds of different machines.
+//   benchmark_executor [--json FILE]
 #include <algorithm>
+#include <condition_variable>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -115,6 +118,61 @@ Figures one_process(int topics, Duration period, std::uint64_t count) {
           1e6 * used / static_cast<double>(std::max<std::size_t>(received, 1)), received};
 }
 
+/// The floor: a DDS writer, a listener and a thread on a condition variable, nothing else. Woken after the
+/// write, as the executor does.
+Figures bare_dds(Duration period, std::uint64_t count) {
+  dds::Participant participant({.network = dds::Network::from_environment(dds::Transport::localhost)});
+  const dds::EndpointOptions options{.topic = "rt/floor",
+                                     .type = std::string(MessageTraits<String>::dds_name),
+                                     .qos = Qos::standard(),
+                                     .user_data = {}};
+  const auto reader = participant.create_reader(options, [] {});
+  const auto writer = participant.create_writer(options);
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::uint64_t waiting = 0;
+  bool done = false;
+  Samples samples;
+  const double before = cpu_seconds();
+  std::thread lane([&] {
+    dds::Sample sample;
+    String message;
+    std::unique_lock lock(mutex);
+    while (true) {
+      wake.wait(lock, [&] { return waiting > 0 || done; });
+      if (waiting == 0) return;
+      --waiting;
+      lock.unlock();
+      if (reader->take(sample) && deserialize(sample.cdr, message))
+        samples.latency_us.push_back(age_us(message));
+      lock.lock();
+    }
+  });
+  std::vector<std::uint8_t> cdr;
+  Duration next = steady_time();
+  for (std::uint64_t i = 0; i < count; ++i) {
+    next = next + period;
+    std::this_thread::sleep_for(std::chrono::nanoseconds((next - steady_time()).nanoseconds));
+    serialize(stamped(steady_time().nanoseconds), cdr);
+    writer->write(cdr);
+    {
+      const std::lock_guard lock(mutex);
+      ++waiting;
+    }
+    wake.notify_one();
+  }
+  {
+    const std::lock_guard lock(mutex);
+    done = true;
+  }
+  wake.notify_one();
+  lane.join();
+  const double used = cpu_seconds() - before;
+  const auto received = samples.latency_us.size();
+  return {samples.quantile(0.5), samples.quantile(0.99),
+          1e6 * used / static_cast<double>(std::max<std::size_t>(received, 1)), received};
+}
+
 double idle_percent(int topics, double seconds) {
   Samples samples;
   Graph graph;
@@ -170,6 +228,8 @@ int main(int argc, char** argv) {
   };
   // Forks while this process has no threads yet.
   report("two processes, localhost", bw::two_processes(4000));
+  report("floor (bare DDS and a thread), 1 kHz", bw::bare_dds(bw::Duration::milliseconds(1), 5000));
+  report("floor (bare DDS and a thread), 20 kHz", bw::bare_dds(bw::Duration{50'000}, 60000));
   for (const int topics : {1, 200}) {
     const std::string suffix = std::to_string(topics) + " subscriptions";
     report("one process, 1 kHz, " + suffix, bw::one_process(topics, bw::Duration::milliseconds(1), 5000));
