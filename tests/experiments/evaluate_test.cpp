@@ -20,7 +20,7 @@ struct Outcome {
 /// Each test in a folder of its own, empty at first.
 std::filesystem::path folder() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto path = std::filesystem::path(testing::TempDir()) / "bandwagon_evaluate" / test->name();
+  auto path = std::filesystem::path(testing::TempDir()) / "bandwagon_evaluate" / test->name();
   std::filesystem::create_directories(path);
   return path;
 }
