@@ -109,7 +109,6 @@ class EvaluationComponent final : public Component {
     try {
       write_file_atomically(
           svg_path_, svg_picture(recorder_->recording(), keeper_->card(), {.title = parameters_.title}));
-      log_.info("picture of the run: {}", svg_path_.string());
     } catch (const std::exception& error) {
       log_.error("no picture of the run: {}", error.what());
     }

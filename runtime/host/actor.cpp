@@ -7,8 +7,8 @@ namespace bw {
 Health Actor::health(Time now) const {
   if (stop_requested) return Health::stop;
   Health worst = Health::ok;
-  for (const auto& input : inputs) {
-    if (!input->max_age || now - input->last_received <= *input->max_age) continue;
+  for (const Input* input : watched) {
+    if (now - input->last_received <= *input->max_age) continue;
     if (input->on_stale == OnStale::stop) worst = Health::stop;
     if (input->on_stale == OnStale::degrade) worst = std::max(worst, Health::degraded);
   }
@@ -17,8 +17,8 @@ Health Actor::health(Time now) const {
 
 std::vector<std::string> Actor::stale_inputs(Time now) const {
   std::vector<std::string> stale;
-  for (const auto& input : inputs) {
-    if (input->max_age && now - input->last_received > *input->max_age) stale.push_back(input->name);
+  for (const Input* input : watched) {
+    if (now - input->last_received > *input->max_age) stale.push_back(input->name);
   }
   return stale;
 }

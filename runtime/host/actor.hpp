@@ -86,6 +86,7 @@ struct Actor final : DiagnosticReporter {
   Duration latency;
   std::unique_ptr<Component> component;
   std::vector<std::unique_ptr<Input>> inputs;
+  std::vector<const Input*> watched;  ///< inputs with a max_age
   std::vector<std::unique_ptr<OutputEnd>> outputs;
   std::vector<std::unique_ptr<Timer>> timers;
   ParameterReport parameters;

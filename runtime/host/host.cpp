@@ -130,6 +130,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
 
 Host::~Host() {
   for (const auto& actor : actors_) {
+    actor->watched.clear();
     actor->inputs.clear();
     actor->outputs.clear();
   }

@@ -70,6 +70,7 @@ void HostSetup::add_input(const std::string& topic, const MessageType& type, con
   if (const InputSettings* settings = node_.input(topic)) {
     input->max_age = settings->max_age;
     input->on_stale = settings->on_stale;
+    if (input->max_age) actor_.watched.push_back(input.get());
   }
   input->statistics.component = actor_.name;
   input->statistics.callback = topic;
