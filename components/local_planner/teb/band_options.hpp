@@ -23,7 +23,7 @@ struct BandWeights {
   double obstacle = 50.0;
   double inflation = 0.1;
   double dynamic_obstacle = 50.0;
-  double dynamic_inflation = 0.1;
+  double dynamic_inflation = 2.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -42,7 +42,10 @@ struct BandWeights {
     v("inflation", inflation,
       {.min = 0, .max = 1e6, .doc = "closer than inflation_dist to a static obstacle"});
     v("dynamic_obstacle", dynamic_obstacle, {.min = 0, .max = 1e6, .doc = "as obstacle, for movers"});
-    v("dynamic_inflation", dynamic_inflation, {.min = 0, .max = 1e6, .doc = "as inflation, for movers"});
+    v("dynamic_inflation", dynamic_inflation,
+      {.min = 0,
+       .max = 1e6,
+       .doc = "as inflation, for movers; higher passes people with a wider berth and takes longer"});
   }
 };
 
@@ -54,7 +57,7 @@ struct BandOptions {
 
   double min_obstacle_dist = 0.2;
   double inflation_dist = 0.3;
-  double dynamic_obstacle_inflation_dist = 0.3;
+  double dynamic_obstacle_inflation_dist = 0.6;
   double clearance_step = 0.25;
   int max_obstacles = 200;
   int max_obstacles_per_pose = 8;
