@@ -7,6 +7,8 @@ target_compile_options(bw_compile_options INTERFACE
   -Wno-restrict)  # GCC 12 sees overlaps that are not there in std::string operator+ (its bug 105651)
 target_include_directories(bw_compile_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 if(BANDWAGON_SANITIZE)
+  # GCC 12 warns of uninitialised memory inside its own library once code is instrumented.
+  target_compile_options(bw_compile_options INTERFACE -Wno-maybe-uninitialized)
   add_compile_options(-fsanitize=${BANDWAGON_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${BANDWAGON_SANITIZE})
 endif()
