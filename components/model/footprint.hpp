@@ -7,8 +7,8 @@
 
 namespace bw {
 
-/// A disc of `radius` [m] around base_link; when `polygon` is not empty, that polygon (counter-clockwise, base_link)
-/// is the exact outline and `radius` encloses it.
+/// A disc of `radius` [m] around base_link; when `polygon` is not empty, that polygon (counter-clockwise,
+/// base_link) is the exact outline and `radius` encloses it.
 struct Footprint {
   double radius = 0.3;
   std::vector<Vector2> polygon;

@@ -1,4 +1,5 @@
-// What the base can do. One set per robot (config/robots/*.yaml), shared by every component that commands or plans motion.
+// What the base can do. One set per robot (config/robots/*.yaml), shared by every component that commands or
+// plans motion.
 #pragma once
 
 #include <optional>
@@ -21,11 +22,13 @@ struct Limits {
   template <class Visitor>
   void fields(Visitor& v) {
     v("v_max", v_max, {.unit = "m/s", .min = 0.01, .max = 10, .doc = "top forward speed"});
-    v("v_back_max", v_back_max, {.unit = "m/s", .min = 0, .max = 10, .doc = "top backward speed; 0 forbids driving back"});
+    v("v_back_max", v_back_max,
+      {.unit = "m/s", .min = 0, .max = 10, .doc = "top backward speed; 0 forbids driving back"});
     v("omega_max", omega_max, {.unit = "rad/s", .min = 0.01, .max = 20, .doc = "top turn rate"});
     v("acc_max", acc_max, {.unit = "m/s^2", .min = 0.01, .max = 20, .doc = "linear acceleration"});
     v("alpha_max", alpha_max, {.unit = "rad/s^2", .min = 0.01, .max = 50, .doc = "angular acceleration"});
-    v("jerk_max", jerk_max, {.unit = "m/s^3", .min = 0.1, .max = 1000, .doc = "linear jerk; lower is smoother"});
+    v("jerk_max", jerk_max,
+      {.unit = "m/s^3", .min = 0.1, .max = 1000, .doc = "linear jerk; lower is smoother"});
     v("stop_deceleration", stop_deceleration,
       {.unit = "m/s^2", .min = 0.1, .max = 20, .doc = "deceleration of a safety stop; what the tyres hold"});
   }

@@ -1,4 +1,5 @@
-// What is in the way: static shapes, and movers with their predicted motion. All in one planning frame (odom); SI units.
+// What is in the way: static shapes, and movers with their predicted motion. All in one planning frame
+// (odom); SI units.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +42,8 @@ struct Mover {
   double radius = 0.3;
   std::vector<PredictedPosition> predictions;
 
-  /// Position at `t` [s] from now: linear between predictions, constant velocity before the first and after the last.
+  /// Position at `t` [s] from now: linear between predictions, constant velocity before the first and after
+  /// the last.
   Vector2 position_at(double t) const;
 };
 

@@ -20,7 +20,9 @@ struct OccupancyGrid {
   int height = 0;
   std::vector<std::int8_t> cells;  ///< width * height values: kUnknown, or 0 (free) to 100 (occupied)
 
-  bool contains(int column, int row) const { return column >= 0 && row >= 0 && column < width && row < height; }
+  bool contains(int column, int row) const {
+    return column >= 0 && row >= 0 && column < width && row < height;
+  }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
   }

@@ -1,4 +1,5 @@
-// The one interface of every local planner: a problem in, a result out. The algorithm owns no clock, thread or file.
+// The one interface of every local planner: a problem in, a result out. The algorithm owns no clock, thread
+// or file.
 #pragma once
 
 #include <functional>
@@ -13,7 +14,8 @@
 
 namespace bw {
 
-/// Work a planner may spend in one cycle. Iterations, not milliseconds, so that equal input gives equal output.
+/// Work a planner may spend in one cycle. Iterations, not milliseconds, so that equal input gives equal
+/// output.
 struct Budget {
   int max_iterations = 100;  ///< solver iterations over all candidates
 };
@@ -24,9 +26,9 @@ using ParallelFor = std::function<void(std::size_t count, const std::function<vo
 /// Everything a planner may look at. One frame (odom) throughout.
 struct PlanningProblem {
   Time now;
-  Pose2 pose;                 ///< of base_link
-  Twist2 twist;               ///< measured body velocity
-  std::vector<Pose2> plan;    ///< path to follow from near `pose` to the local goal, which is the last element
+  Pose2 pose;               ///< of base_link
+  Twist2 twist;             ///< measured body velocity
+  std::vector<Pose2> plan;  ///< path to follow from near `pose` to the local goal, which is the last element
   bool goal_is_final = true;  ///< the local goal is the end of the journey: arrive there at rest
   Footprint footprint;
   Limits limits;
@@ -37,10 +39,10 @@ struct PlanningProblem {
 };
 
 enum class PlanningStatus {
-  ok,           ///< the command follows a feasible trajectory
-  no_plan,      ///< the problem holds no path to follow
-  bad_input,    ///< something in the problem is not finite or makes no sense; the command is a stop
-  infeasible,   ///< no collision-free trajectory was found; the command is a stop within the limits
+  ok,          ///< the command follows a feasible trajectory
+  no_plan,     ///< the problem holds no path to follow
+  bad_input,   ///< something in the problem is not finite or makes no sense; the command is a stop
+  infeasible,  ///< no collision-free trajectory was found; the command is a stop within the limits
 };
 
 struct TrajectoryPoint {

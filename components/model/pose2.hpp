@@ -1,9 +1,10 @@
 // Planar poses and twists. x forward, y left, theta counter-clockwise in (-pi, pi]; SI units.
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
+
+#include <Eigen/Core>
 
 namespace bw {
 
@@ -64,7 +65,9 @@ inline Vector2 rotate(const Pose2& X_AB, const Vector2& v_B) {
   return {c * v_B.x() - s * v_B.y(), s * v_B.x() + c * v_B.y()};
 }
 
-inline bool is_finite(const Pose2& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.theta); }
+inline bool is_finite(const Pose2& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.theta);
+}
 inline bool is_finite(const Twist2& t) { return std::isfinite(t.v) && std::isfinite(t.omega); }
 
 }  // namespace bw

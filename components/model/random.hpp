@@ -1,4 +1,5 @@
-// Seeded random numbers that are the same on every standard library (library distributions differ between systems).
+// Seeded random numbers that are the same on every standard library (library distributions differ between
+// systems).
 #pragma once
 
 #include <cmath>

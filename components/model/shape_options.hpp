@@ -1,4 +1,5 @@
-// Walls and boxes written in a graph. The world and the map server read the same lists, so that one YAML anchor serves both.
+// Walls and boxes written in a graph. The world and the map server read the same lists, so that one YAML
+// anchor serves both.
 #pragma once
 
 #include <array>
