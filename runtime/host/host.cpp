@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <ranges>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -206,9 +205,10 @@ RunEnd Host::run(std::optional<Duration> duration) {
   }
   for (Actor* actor : local_) actor->component->activate({.now = runner_->now()});
   RunEnd end = runner_->run(duration);
-  for (Actor* actor : std::views::reverse(local_))
+  const std::vector<Actor*> backwards(local_.rbegin(), local_.rend());
+  for (Actor* actor : backwards)
     actor->component->deactivate({.now = runner_->now(), .health = Health::stop});
-  for (Actor* actor : std::views::reverse(local_)) actor->component->cleanup();
+  for (Actor* actor : backwards) actor->component->cleanup();
   return end;
 }
 

@@ -108,7 +108,7 @@ std::optional<Trial> run_trial() {
         trial.speed = v;
         killed = now;
         planning.end(SIGKILL);
-      } else if (killed && !braking_since && v < trial.speed - 0.05) {
+      } else if (killed && !braking_since && v < trial.speed - 0.02) {  // 10 ms of braking; noise is below
         braking_since = now;
         trial.to_deceleration_s = seconds_between(last_command, now);
       } else if (braking_since && std::abs(v) < 0.005) {
