@@ -40,6 +40,7 @@ struct Mover {
   Vector2 position{0.0, 0.0};
   Vector2 velocity{0.0, 0.0};
   double radius = 0.3;
+  bool reciprocal = false;  ///< known to avoid the robot by the same rule (HRVO): both share the way round
   std::vector<PredictedPosition> predictions;
 
   /// Position at `t` [s] from now: linear between predictions, constant velocity before the first and after

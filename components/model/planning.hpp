@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,12 +60,22 @@ struct Candidate {
   std::vector<TrajectoryPoint> trajectory;
 };
 
+/// Velocities [m/s, planning frame] that lead to a contact with one neighbour: between the legs that leave
+/// `apex` in the directions `right` and `left` (unit vectors, less than pi from right to left).
+struct VelocityCone {
+  Vector2 apex{0.0, 0.0};
+  Vector2 right{1.0, 0.0};
+  Vector2 left{0.0, 1.0};
+};
+
 struct PlanningResult {
   PlanningStatus status = PlanningStatus::no_plan;
   std::string reason;  ///< one sentence when status is not ok
   Twist2 command;      ///< finite always; a stop unless status is ok
   std::vector<TrajectoryPoint> trajectory;
   std::vector<Candidate> candidates;
+  std::vector<VelocityCone> velocity_cones;  ///< those the planner looked at
+  std::optional<Vector2> velocity_wanted;    ///< the best velocity outside them
   int iterations = 0;  ///< spent of the budget
 };
 
