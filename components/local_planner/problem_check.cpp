@@ -32,6 +32,10 @@ std::string fault_of(const PlanningProblem& problem) {
   if (!sane(problem.pose)) return "the robot pose is not finite";
   if (!sane(problem.twist.v) || !sane(problem.twist.omega)) return "the robot velocity is not finite";
   if (!sane(problem.limits)) return "a motion limit is not a positive number";
+  if (!(problem.control_period > 0.0) || !sane(problem.control_period)) {
+    return "the control period is not a positive number";
+  }
+  if (!size(problem.command_lead)) return "the command lead is negative or not finite";
   if (!size(problem.footprint.radius)) return "the footprint radius is not a positive number";
   const auto fine = [](const auto& list) {
     return std::all_of(list.begin(), list.end(), [](const auto& item) { return sane(item); });

@@ -33,6 +33,9 @@ struct PlanningProblem {
   bool goal_is_final = true;  ///< the local goal is the end of the journey: arrive there at rest
   Footprint footprint;
   Limits limits;
+  double control_period = 0.1;  ///< [s] between calls
+  double command_lead = 0.1;    ///< [s] after now that the command is for: latency, and what a jerk limit
+                                ///< holds back
   StaticObstacles obstacles;
   std::vector<Mover> movers;
   Budget budget;
@@ -76,7 +79,7 @@ struct PlanningResult {
   std::vector<Candidate> candidates;
   std::vector<VelocityCone> velocity_cones;  ///< those the planner looked at
   std::optional<Vector2> velocity_wanted;    ///< the best velocity outside them
-  int iterations = 0;  ///< spent of the budget
+  int iterations = 0;                        ///< spent of the budget
 };
 
 class LocalPlanner {
