@@ -82,6 +82,8 @@ class DiagnosticReporter {
   enum class Level : std::uint8_t { ok = 0, warn = 1, error = 2 };
   virtual ~DiagnosticReporter() = default;
   virtual void report(Level level, std::string message) = 0;
+  /// A figure beside the message, kept until it is set again. In lock-step nothing measured on a real clock.
+  virtual void set_value(const std::string& key, std::string value) = 0;
 };
 
 /// Whether a graph without a publisher for the input is refused.
@@ -159,6 +161,8 @@ class Setup {
   virtual std::string frame(std::string_view name) const = 0;
   /// A seed for this component's random numbers: the run's seed mixed with the instance name.
   virtual std::uint64_t seed() const = 0;
+  /// Time is virtual: no thread of one's own, and nothing measured on a real clock decides anything.
+  virtual bool is_lockstep() const = 0;
   virtual Logger log() = 0;
   virtual DiagnosticReporter& diagnostics() = 0;
   /// Ends the run; scripts see exit status 0 when `ok`, 1 otherwise. Callable from callbacks.

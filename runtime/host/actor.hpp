@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -91,10 +92,11 @@ struct Actor final : DiagnosticReporter {
   std::vector<std::unique_ptr<Timer>> timers;
   ParameterReport parameters;
 
-  /// Guards what the diagnostics read while the lane works: statistics, arrival times, the two below.
+  /// Guards what the diagnostics read while the lane works: statistics, arrival times, the three below.
   mutable std::mutex mutex;
   Level diagnostic_level = Level::ok;
   std::string diagnostic_message = "ok";
+  std::map<std::string, std::string> diagnostic_values;
   std::atomic<bool> stop_requested =
       false;  ///< the host is shutting down: Health::stop whatever the inputs say
 
@@ -102,6 +104,10 @@ struct Actor final : DiagnosticReporter {
     const std::lock_guard lock(mutex);
     diagnostic_level = level;
     diagnostic_message = std::move(message);
+  }
+  void set_value(const std::string& key, std::string value) override {
+    const std::lock_guard lock(mutex);
+    diagnostic_values[key] = std::move(value);
   }
   /// From the ages of the watched inputs at `now`.
   Health health(Time now) const;

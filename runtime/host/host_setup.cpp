@@ -36,6 +36,8 @@ std::uint64_t HostSetup::seed() const {
   return hash;
 }
 
+bool HostSetup::is_lockstep() const { return host_.options_.clock == ClockMode::lockstep; }
+
 Logger HostSetup::log() {
   return Logger([&host = host_, &actor = actor_](LogLevel level, const std::string& text) {
     host.log(actor, level, text);

@@ -19,6 +19,7 @@ class HostSetup final : public Setup {
   void every(Duration period, const std::string& name, TickHandler on_tick) override;
   std::string frame(std::string_view name) const override;
   std::uint64_t seed() const override;
+  bool is_lockstep() const override;
   Logger log() override;
   DiagnosticReporter& diagnostics() override { return actor_; }
   std::function<void(bool, const std::string&)> finish_run() override;

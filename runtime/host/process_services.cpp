@@ -63,6 +63,7 @@ void ProcessServices::publish_diagnostics(Time now) {
     status.name(actor->name);
     status.level(static_cast<std::uint8_t>(actor->diagnostic_level));
     status.message(actor->diagnostic_message);
+    for (const auto& [key, value] : actor->diagnostic_values) add_value(status, key, value);
     for (const std::string& input : actor->stale_inputs(now)) {
       add_value(status, input, "stale");
       status.level(static_cast<std::uint8_t>(DiagnosticReporter::Level::error));
