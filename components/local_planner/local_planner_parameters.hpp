@@ -17,7 +17,7 @@ struct LocalPlannerParameters {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("algorithm", algorithm, {.choices = {"teb"}, .doc = "local planner in use"});
+    v("algorithm", algorithm, {.choices = planner_names(), .doc = "local planner in use"});
     v("controller_frequency", controller_frequency,
       {.unit = "Hz", .min = 1, .max = 100, .doc = "planning cycles per second"});
     v("max_global_plan_lookahead_dist", max_global_plan_lookahead_dist,

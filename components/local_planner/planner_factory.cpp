@@ -5,14 +5,35 @@
 #include "components/local_planner/teb/teb_planner.hpp"
 
 namespace bw {
+namespace {
 
-std::vector<std::string> planner_names() { return {"teb"}; }
+using Made = std::unique_ptr<LocalPlanner>;
 
-std::unique_ptr<LocalPlanner> make_planner(const std::string& name, const LocalPlannerOptions& options) {
-  if (name == "teb") return std::make_unique<teb::TebPlanner>(options.teb);
+struct NamedPlanner {
+  std::string_view name;
+  Made (*make)(const LocalPlannerOptions& options);
+};
+
+/// A new planner is one line here, and its section in LocalPlannerOptions.
+const NamedPlanner kPlanners[] = {
+    {"teb", [](const LocalPlannerOptions& o) -> Made { return std::make_unique<teb::TebPlanner>(o.teb); }},
+};
+
+}  // namespace
+
+std::vector<std::string_view> planner_names() {
+  std::vector<std::string_view> names;
+  for (const NamedPlanner& planner : kPlanners) names.push_back(planner.name);
+  return names;
+}
+
+std::unique_ptr<LocalPlanner> make_planner(std::string_view name, const LocalPlannerOptions& options) {
   std::string known;
-  for (const std::string& candidate : planner_names()) known += (known.empty() ? "" : ", ") + candidate;
-  throw std::runtime_error("unknown local planner '" + name + "'; known: " + known);
+  for (const NamedPlanner& planner : kPlanners) {
+    if (planner.name == name) return planner.make(options);
+    known.append(known.empty() ? "" : ", ").append(planner.name);
+  }
+  throw std::runtime_error("unknown local planner '" + std::string(name) + "'; known: " + known);
 }
 
 }  // namespace bw

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "components/local_planner/teb/teb_options.hpp"
@@ -20,9 +21,10 @@ struct LocalPlannerOptions {
   }
 };
 
-std::vector<std::string> planner_names();
+/// As the parameter `algorithm` knows them; the texts live as long as the program.
+std::vector<std::string_view> planner_names();
 
 /// Throws std::runtime_error naming the known planners when `name` is none of them.
-std::unique_ptr<LocalPlanner> make_planner(const std::string& name, const LocalPlannerOptions& options);
+std::unique_ptr<LocalPlanner> make_planner(std::string_view name, const LocalPlannerOptions& options);
 
 }  // namespace bw

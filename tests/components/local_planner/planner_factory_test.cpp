@@ -9,7 +9,7 @@ namespace bw {
 namespace {
 
 TEST(PlannerFactory, MakesEveryPlannerItNames) {
-  for (const std::string& name : planner_names()) EXPECT_NE(make_planner(name, {}), nullptr) << name;
+  for (const std::string_view name : planner_names()) EXPECT_NE(make_planner(name, {}), nullptr) << name;
 }
 
 TEST(PlannerFactory, RefusesUnknownNamesAndNamesTheKnown) {
