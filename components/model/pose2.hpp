@@ -13,6 +13,7 @@ using Vector2 = Eigen::Vector2d;
 /// Maps any finite angle [rad] to (-pi, pi].
 inline double wrap_angle(double angle) {
   constexpr double kTwoPi = 2.0 * std::numbers::pi;
+  if (angle > -std::numbers::pi && angle <= std::numbers::pi) return angle;  // nearly always: no division
   double a = std::remainder(angle, kTwoPi);
   return a <= -std::numbers::pi ? a + kTwoPi : a;
 }

@@ -65,8 +65,8 @@ struct BandOptions {
   double penalty_epsilon = 0.02;
   bool consistent_motion = true;
 
-  int no_outer_iterations = 4;
-  int no_inner_iterations = 6;
+  int no_outer_iterations = 3;
+  int no_inner_iterations = 7;
   int warm_outer_iterations = 2;
   int warm_inner_iterations = 8;
   double function_tolerance = 1e-4;

@@ -11,6 +11,7 @@ namespace {
 constexpr double kAssociationMargin =
     0.4;  // [m] that a pose may move in one solve and still know its obstacles
 constexpr int kMostSamplesPerSegment = 4;
+constexpr std::size_t kStretch = 8;  // poses that share one selection of static obstacles
 
 struct Near {
   double distance;
@@ -47,6 +48,23 @@ bool in_reach(const Capsule& capsule, const Vector2& point, double reach, double
   if (squared > limit * limit) return false;
   distance = std::sqrt(squared) - capsule.radius;
   return true;
+}
+
+// Those statics that any pose of [first, first + kStretch] or the way between can be in reach of.
+void select_around(const Band& band, std::size_t first, double reach, const std::vector<Capsule>& statics,
+                   std::vector<const Capsule*>& selected) {
+  const std::size_t last = std::min(first + kStretch, band.size() - 1);
+  const Vector2 centre = band.poses[(first + last) / 2].position();
+  double extent = 0.0;
+  for (std::size_t k = first; k <= last; ++k) {
+    extent = std::max(extent, (band.poses[k].position() - centre).squaredNorm());
+  }
+  extent = std::sqrt(extent) + reach;
+  selected.clear();
+  for (const Capsule& c : statics) {
+    const double limit = extent + c.radius;
+    if (squared_distance(c, centre) <= limit * limit) selected.push_back(&c);
+  }
 }
 
 }  // namespace
@@ -126,8 +144,10 @@ std::vector<PoseTerms> associate(const Band& band, const ObstacleField& field, c
   std::vector<PoseTerms> result(band.size());
   std::vector<Near> at_pose;
   std::vector<Near> along;
+  std::vector<const Capsule*> statics;
   double time = 0.0;
   for (std::size_t k = 0; k + 1 < band.size(); time += band.poses[k++].dt) {
+    if (k % kStretch == 0) select_around(band, k, static_reach, field.statics, statics);
     const Vector2 p = band.poses[k].position();
     const Vector2 step = band.poses[k + 1].position() - p;
     const double dt = band.poses[k].dt;
@@ -153,9 +173,9 @@ std::vector<PoseTerms> associate(const Band& band, const ObstacleField& field, c
       add(
           now, true, moving_reach, [&](double s) { return mover_at(m, time + s * dt); }, motion);
     }
-    for (const Capsule& c : field.statics) {
+    for (const Capsule* c : statics) {
       add(
-          c, false, static_reach, [&](double) { return c; }, step.norm());
+          *c, false, static_reach, [&](double) { return *c; }, step.norm());
     }
     keep_nearest(at_pose, count, result[k].at_pose);
     keep_nearest(along, count, result[k].along_segment);

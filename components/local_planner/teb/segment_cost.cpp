@@ -38,17 +38,30 @@ Hinge outside(double z, double low, double high, double epsilon) {
   return {0.0, 0.0};
 }
 
+// One pose with the direction of its heading: computed once per evaluation, as it is what takes longest.
+struct Heading {
+  const double* pose;
+  Vector2 u;
+};
+
+Heading heading_of(const double* pose) { return {pose, direction(pose[2])}; }
+
+// dir(theta_a + turn / 2): the bisector of both headings, unless they are too far apart to have one.
+Vector2 mean_direction(const Heading& a, const Heading& b, double turn) {
+  constexpr double kLargestTurn = 2.5;  // [rad]
+  if (std::abs(turn) > kLargestTurn) return direction(a.pose[2] + turn / 2.0);
+  return (a.u + b.u).normalized();
+}
+
 // v = d . dir(mean heading) / dt
-void project_speed(const Vector2& d, double theta, double turn, double dt, Quantity& v) {
-  const Vector2 u = direction(theta + turn / 2.0);
+void project_speed(const Vector2& d, const Vector2& u, double dt, Quantity& v) {
   const double half_slope = cross(u, d) / (2.0 * dt);
   v.value = d.dot(u) / dt;
   v.gradient = {-u.x() / dt, -u.y() / dt, half_slope, -v.value / dt, u.x() / dt, u.y() / dt, half_slope};
 }
 
 // v = |d| / dt * z / (1 + |z|), z = 100 d . dir(heading of the first pose)
-void signed_length_speed(const Vector2& d, double theta, double dt, Quantity& v) {
-  const Vector2 u = direction(theta);
+void signed_length_speed(const Vector2& d, const Vector2& u, double dt, Quantity& v) {
   const double z = kSignSharpness * d.dot(u);
   const double sign = z / (1.0 + std::abs(z));
   const double length = std::sqrt(d.squaredNorm() + 1e-18);  // differentiable for coincident poses
@@ -58,15 +71,15 @@ void signed_length_speed(const Vector2& d, double theta, double dt, Quantity& v)
   v.gradient = {-slope.x(), -slope.y(), sign_slope * cross(u, d), -v.value / dt, slope.x(), slope.y(), 0.0};
 }
 
-Motion motion_of(const double* a, const double* b, bool consistent_motion) {
-  const Vector2 d(b[0] - a[0], b[1] - a[1]);
-  const double turn = wrap_angle(b[2] - a[2]);
-  const double dt = a[3];
+Motion motion_of(const Heading& a, const Heading& b, bool consistent_motion) {
+  const Vector2 d(b.pose[0] - a.pose[0], b.pose[1] - a.pose[1]);
+  const double turn = wrap_angle(b.pose[2] - a.pose[2]);
+  const double dt = a.pose[3];
   Motion m;
   if (consistent_motion) {
-    project_speed(d, a[2], turn, dt, m.v);
+    project_speed(d, mean_direction(a, b, turn), dt, m.v);
   } else {
-    signed_length_speed(d, a[2], dt, m.v);
+    signed_length_speed(d, a.u, dt, m.v);
   }
   m.omega.value = turn / dt;
   m.omega.gradient = {0.0, 0.0, -1.0 / dt, -m.omega.value / dt, 0.0, 0.0, 1.0 / dt};
@@ -131,8 +144,10 @@ bool evaluate_segment(const SegmentModel& model, const SegmentStates& states, do
   };
 
   const Vector2 d(b[0] - a[0], b[1] - a[1]);
-  const Vector2 u_a = direction(a[2]);
-  const Vector2 u_b = direction(b[2]);
+  const Heading at_a = heading_of(a);
+  const Heading at_b = heading_of(b);
+  const Vector2& u_a = at_a.u;
+  const Vector2& u_b = at_b.u;
   const Vector2 u_sum = u_a + u_b;
   residuals[0] = model.time * dt;
   residuals[1] = model.kinematics_nh * cross(u_sum, d);
@@ -159,7 +174,7 @@ bool evaluate_segment(const SegmentModel& model, const SegmentStates& states, do
     }
   }
 
-  const Motion motion = motion_of(a, b, model.consistent_motion);
+  const Motion motion = motion_of(at_a, at_b, model.consistent_motion);
   const Limits& limits = model.limits;
   const Hinge v = outside(motion.v.value, -limits.v_back_max, limits.v_max, model.epsilon);
   const Hinge omega = outside(motion.omega.value, -limits.omega_max, limits.omega_max, model.epsilon);
@@ -172,7 +187,7 @@ bool evaluate_segment(const SegmentModel& model, const SegmentStates& states, do
 
   const double span = model.consistent_motion ? dt / 2.0 : dt;
   if (has_next) {
-    const Motion next = motion_of(b, states.c, model.consistent_motion);
+    const Motion next = motion_of(at_b, heading_of(states.c), model.consistent_motion);
     const double dt_sum = dt + b[3];
     evaluate_change(motion.v, next.v, dt_sum, limits.acc_max, model.acc_lim_x, model.epsilon, residuals[5],
                     row(5));
