@@ -4,8 +4,19 @@
 #include <memory>
 
 #include "components/local_planner/bench/bench.hpp"
+#include "runtime/parameters/overrides.hpp"
+#include "runtime/parameters/parameters.hpp"
 
 namespace bw {
+namespace {
+
+void apply_overrides(LocalPlannerOptions& options, const std::vector<std::string>& set) {
+  ConfigNode root;
+  for (const std::string& text : set) apply_override(root, parse_override(text));
+  read_into(options, root, "");
+}
+
+}  // namespace
 
 void add_bench(CLI::App& app, int& status) {
   static const std::map<std::string, std::vector<BenchWeights>> kWeights = {
@@ -33,9 +44,19 @@ void add_bench(CLI::App& app, int& status) {
 
   auto crowd = std::make_shared<BenchCrowdArguments>();
   CLI::App* crowd_verb = bench->add_subcommand("crowd", "Closed loop among walkers that do not react");
-  crowd_verb->add_option("--scenes", crowd->scenes, "Scene file")->required();
+  crowd_verb->add_option("--scenes", crowd->scenes, "Scene file; may be left out with --generate");
+  crowd_verb
+      ->add_option("--generate", crowd->generate, "This many scenes by the same rule instead of the file's")
+      ->check(CLI::Range(1, 100000));
+  crowd_verb->add_option("--first-seed", crowd->first_seed, "Seed of the first generated scene");
   crowd_verb->add_option("--scene", crowd->scene, "Only scenes whose name begins so");
-  crowd_verb->add_option("--planner", crowd->planner, "Planner name");
+  crowd_verb->add_option("--planner", crowd->planners, "Planner names, separated by commas")->delimiter(',');
+  auto set = std::make_shared<std::vector<std::string>>();
+  crowd_verb->add_option("--set", *set, "Planner parameter, as teb.band.weights.time=2; as often as needed")
+      ->allow_extra_args(false);
+  crowd_verb->add_option("--jobs", crowd->jobs, "Episodes at a time; above 1 in thread CPU ms")
+      ->check(CLI::Range(1, 64));
+  crowd_verb->add_option("--write-scenes", crowd->write_scenes, "Writes the scenes driven here");
   crowd_verb
       ->add_option_function<std::string>(
           "--weights",
@@ -45,7 +66,10 @@ void add_bench(CLI::App& app, int& status) {
           "file or defaults")
       ->check(CLI::IsMember({"file", "defaults"}));
   crowd_verb->add_option("--json", crowd->json, "Writes the figures here");
-  crowd_verb->callback([crowd, &status] { status = bench_crowd(*crowd); });
+  crowd_verb->callback([crowd, set, &status] {
+    crowd->adjust = [set](LocalPlannerOptions& options) { apply_overrides(options, *set); };
+    status = bench_crowd(*crowd);
+  });
 }
 
 }  // namespace bw

@@ -2,6 +2,8 @@
 // the scenes.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,19 +29,25 @@ struct BenchTebArguments {
 };
 
 struct BenchCrowdArguments {
-  std::string scenes;
-  std::string scene;
-  std::string planner = "teb";
+  std::string scenes;            ///< path; may be empty when scenes are generated
+  int generate = 0;              ///< this many scenes of crowd_generator.hpp instead of those of the file
+  std::uint64_t first_seed = 1;  ///< of the generated ones
+  std::string scene;             ///< name (or its beginning) of one scene; empty: all
+  std::vector<std::string> planners = {"teb"};
   BenchWeights weights = BenchWeights::defaults;
-  LocalPlannerOptions options;
-  std::string json;
+  std::function<void(LocalPlannerOptions&)> adjust;  ///< last word on the options; may be empty
+  int jobs = 1;              ///< episodes at a time; above 1 the times are those of their threads
+  std::string write_scenes;  ///< scenes driven are written here as YAML; empty: not
+  std::string json;          ///< output file; empty: none
 };
 
 /// Open loop: one cold plan and the warm cycles of every scene. Prints a table to stdout, writes JSON.
 /// Returns the exit status (0). Throws std::runtime_error on unusable files or names.
 int bench_teb(const BenchTebArguments& arguments);
 
-/// Closed loop among walkers that do not react. Prints a table, writes JSON. Returns the exit status (0).
+/// Closed loop among walkers that do not react, one planner after the other. Prints a table, writes JSON: of
+/// one planner {planner, episodes, summary}, of several {planners: [that, ...]}. Returns the exit status (0).
+/// Throws std::runtime_error on unusable files or names.
 int bench_crowd(const BenchCrowdArguments& arguments);
 
 /// The planner's options for a scene file: its resolution and distances (from the footprint) and, for

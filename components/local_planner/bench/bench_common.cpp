@@ -3,20 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <fstream>
+#include <numeric>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
 #include "components/local_planner/bench/bench.hpp"
+#include "runtime/atomic_file.hpp"
 
 namespace bw {
 
-double process_cpu_ms() {
+namespace {
+
+double cpu_ms(clockid_t clock) {
   timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  clock_gettime(clock, &now);
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
+
+}  // namespace
+
+double process_cpu_ms() { return cpu_ms(CLOCK_PROCESS_CPUTIME_ID); }
+double thread_cpu_ms() { return cpu_ms(CLOCK_THREAD_CPUTIME_ID); }
 
 double quantile(std::vector<double> samples, double share) {
   if (samples.empty()) return 0.0;
@@ -24,6 +32,11 @@ double quantile(std::vector<double> samples, double share) {
   const auto nth = samples.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 0.0));
   std::nth_element(samples.begin(), nth, samples.end());
   return *nth;
+}
+
+double mean(const std::vector<double>& samples) {
+  if (samples.empty()) return 0.0;
+  return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
 }
 
 Interval wilson95(int successes, int count) {
@@ -38,9 +51,7 @@ Interval wilson95(int successes, int count) {
 
 void write_json(const std::string& path, const nlohmann::ordered_json& value) {
   if (path.empty()) return;
-  std::ofstream file(path);
-  file << value.dump(1) << "\n";
-  if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
+  write_file_atomically(path, value.dump(1) + "\n");
 }
 
 LocalPlannerOptions options_for(const SceneFile& file, BenchWeights weights, LocalPlannerOptions options,
