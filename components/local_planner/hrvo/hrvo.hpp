@@ -1,5 +1,5 @@
-// Hybrid reciprocal velocity obstacles (spec 5.3; Snape, van den Berg, Guy, Manocha 2011): which velocities of
-// the robot's disc lead to a contact, and the best of the others.
+// Hybrid reciprocal velocity obstacles (spec 5.3; Snape, van den Berg, Guy, Manocha 2011): which velocities
+// of the robot's disc lead to a contact, and the best of the others.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,14 @@ namespace bw::hrvo {
 
 /// What the rule says at one moment. Velocities in the planning frame [m/s].
 struct Advice {
-  Vector2 preferred{0.0, 0.0};  ///< straight to the goal
-  Vector2 velocity{0.0, 0.0};   ///< nearest to it outside all cones, at most v_max
-  bool free = true;             ///< false: there is none; `velocity` is the least bad one
-  std::vector<VelocityCone> cones;
+  Vector2 preferred{0.0, 0.0};      ///< straight to the goal
+  Vector2 velocity{0.0, 0.0};       ///< nearest to it outside all cones, at most v_max
+  bool free = true;                 ///< false: there is none; `velocity` meets the farthest neighbour first
+  std::vector<VelocityCone> cones;  ///< nearest neighbour first; a half plane has opposite legs
 };
 
-/// For the robot of `problem` on its way straight to `goal` [m, planning frame].
+/// For the robot of `problem` on its way straight to `goal` [m, planning frame], where it comes to rest if
+/// the problem's goal is final. The problem must be sound (fault_of). The robot's velocity is v dir(theta).
 Advice advise(const PlanningProblem& problem, const Vector2& goal, const HrvoOptions& options);
 
 }  // namespace bw::hrvo

@@ -1,17 +1,84 @@
-// Parameters of the velocity obstacles (spec 5.3).
+// Parameters of the velocity obstacles (spec 5.3) and of the planner that drives by them alone.
 #pragma once
+
+#include <cstdint>
+#include <string>
 
 #include "runtime/parameters/field.hpp"
 
 namespace bw::hrvo {
 
 struct HrvoOptions {
+  double margin = 0.2;
   double neighbour_range = 8.0;
+  double view_angle = 4.71238898038469;
+  std::int64_t max_neighbours = 10;
+  double point_spacing = 0.3;
+  std::string reciprocity = "known";
+  std::string passing_side = "actual";
+  double time_step = 0.25;
+  double sensing_margin = 0.0;
+  // The planner `hrvo` only.
+  double lookahead = 2.0;
+  double feasibility_margin = 0.0;
+  double evasion_horizon = 2.0;
+  double xy_goal_tolerance = 0.1;
+  double yaw_goal_tolerance = 0.1;
 
   template <class Visitor>
   void fields(Visitor& v) {
+    v("margin", margin,
+      {.unit = "m",
+       .min = 0,
+       .max = 5,
+       .doc = "added to the sum of the radii; raise it when the base follows velocities slowly"});
     v("neighbour_range", neighbour_range,
       {.unit = "m", .min = 0.1, .max = 100, .doc = "neighbours further away are not looked at"});
+    v("view_angle", view_angle,
+      {.unit = "rad",
+       .min = 0.1,
+       .max = 6.283185307179587,
+       .doc = "neighbours outside this angle, centred on the heading, are not looked at"});
+    v("max_neighbours", max_neighbours,
+      {.min = 1,
+       .max = 100,
+       .doc = "nearest movers looked at, and as many static obstacles: neither crowds out the other"});
+    v("point_spacing", point_spacing,
+      {.unit = "m",
+       .min = 0,
+       .max = 5,
+       .doc = "obstacle points closer than this to a nearer one are left out; at most the radius they get"});
+    v("reciprocity", reciprocity,
+      {.choices = {"known", "all"},
+       .doc = "who is trusted to do half of the avoiding: movers known to run HRVO, or all movers"});
+    v("passing_side", passing_side,
+      {.choices = {"actual", "preferred"},
+       .doc =
+           "velocity that decides on which side a reciprocal mover is passed: the paper's or the library's"});
+    v("time_step", time_step,
+      {.unit = "s",
+       .min = 0.01,
+       .max = 5,
+       .doc =
+           "time in which an overlap is left; nearer to the goal than this at v_max the robot slows down"});
+    v("sensing_margin", sensing_margin,
+      {.unit = "m/s", .min = 0, .max = 2, .doc = "error of the velocities that the cones allow for"});
+    v("lookahead", lookahead,
+      {.unit = "m",
+       .min = 0.2,
+       .max = 50,
+       .doc = "the planner aims at the point of the plan this far ahead"});
+    v("feasibility_margin", feasibility_margin,
+      {.unit = "m", .min = 0, .max = 5, .doc = "gap asked of one control period followed by a stop"});
+    v("evasion_horizon", evasion_horizon,
+      {.unit = "s", .min = 0, .max = 10, .doc = "simulated time of an evasive move; 0: only stop"});
+    v("xy_goal_tolerance", xy_goal_tolerance,
+      {.unit = "m",
+       .min = 0.005,
+       .max = 5,
+       .doc = "from here the robot only turns to the goal heading and stops"});
+    v("yaw_goal_tolerance", yaw_goal_tolerance,
+      {.unit = "rad", .min = 0.005, .max = 3.15, .doc = "heading error at which it has arrived"});
   }
 };
 

@@ -1,0 +1,126 @@
+#include "components/local_planner/hrvo/best_velocity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/local_planner/hrvo/cones.hpp"
+
+namespace bw::hrvo {
+namespace {
+
+constexpr double kInside = 1e-7;     // [m/s] from the legs: so near is outside
+constexpr double kTie = 1e-9;        // [m/s] distances to the wish that are one
+constexpr double kParallel = 1e-12;  // sine below which two legs do not meet
+constexpr double kTooFast = 1e-9;    // [m/s] above v_max that is rounding
+constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
+
+struct Leg {
+  Vector2 from;
+  Vector2 along;
+  std::size_t cone;
+};
+
+// A velocity on the border of the cones that made it: these are not asked again, rounding would answer.
+struct Choice {
+  Vector2 velocity;
+  std::size_t made_by = kNobody;
+  std::size_t and_by = kNobody;
+  double distance = 0.0;  // to the wish
+};
+
+class Search {
+ public:
+  Search(const std::vector<VelocityCone>& cones, const Vector2& preferred, double v_max)
+      : cones_(cones), preferred_(preferred), v_max_(v_max) {
+    for (std::size_t i = 0; i < cones.size(); ++i) {
+      legs_.push_back({cones[i].apex, cones[i].right, i});
+      legs_.push_back({cones[i].apex, cones[i].left, i});
+    }
+  }
+
+  BestVelocity run() {
+    add({preferred_});
+    for (const Leg& leg : legs_) add_points_of(leg);
+    for (std::size_t i = 0; i < legs_.size(); ++i) {
+      for (std::size_t j = i + 1; j < legs_.size(); ++j) add_crossing(legs_[i], legs_[j]);
+    }
+    std::stable_sort(choices_.begin(), choices_.end(),
+                     [](const Choice& a, const Choice& b) { return a.distance < b.distance; });
+    const Choice* best = nearest_free();
+    return best ? BestVelocity{best->velocity, true} : BestVelocity{latest_trouble().velocity, false};
+  }
+
+ private:
+  void add(Choice choice) {
+    const double speed = choice.velocity.norm();
+    if (!(speed <= v_max_ + kTooFast)) return;
+    if (speed > v_max_) choice.velocity *= v_max_ / speed;
+    choice.distance = (choice.velocity - preferred_).norm();
+    choices_.push_back(choice);
+  }
+
+  void add_points_of(const Leg& leg) {
+    const double to_foot = (preferred_ - leg.from).dot(leg.along);
+    add({to_foot > 0.0 ? Vector2(leg.from + to_foot * leg.along) : leg.from, leg.cone});
+    // Where it leaves and enters the circle of v_max.
+    const Vector2 normal(-leg.along.y(), leg.along.x());
+    const double offset = leg.from.dot(normal);
+    const double half_chord2 = v_max_ * v_max_ - offset * offset;
+    if (half_chord2 < 0.0) return;
+    const double start = leg.from.dot(leg.along);
+    for (const double end : {-std::sqrt(half_chord2), std::sqrt(half_chord2)}) {
+      if (end >= start) add({offset * normal + end * leg.along, leg.cone});
+    }
+  }
+
+  void add_crossing(const Leg& a, const Leg& b) {
+    const double sine = cross(a.along, b.along);
+    if (a.cone == b.cone || std::abs(sine) < kParallel) return;
+    const Vector2 apart = b.from - a.from;
+    const double on_a = cross(apart, b.along) / sine;
+    const double on_b = cross(apart, a.along) / sine;
+    if (on_a >= 0.0 && on_b >= 0.0) add({a.from + on_a * a.along, a.cone, b.cone});
+  }
+
+  std::size_t first_violated(const Choice& choice) const {
+    for (std::size_t i = 0; i < cones_.size(); ++i) {
+      if (i == choice.made_by || i == choice.and_by) continue;
+      if (is_inside(cones_[i], choice.velocity, kInside)) return i;
+    }
+    return kNobody;
+  }
+
+  const Choice* nearest_free() const {
+    const Choice* best = nullptr;
+    for (const Choice& choice : choices_) {
+      if (best && choice.distance > best->distance + kTie) break;
+      const bool further_right =
+          !best || cross(preferred_, choice.velocity) < cross(preferred_, best->velocity) - kTie;
+      if (further_right && first_violated(choice) == kNobody) best = &choice;
+    }
+    return best;
+  }
+
+  const Choice& latest_trouble() const {
+    const auto sooner = [&](const Choice& a, const Choice& b) {
+      return first_violated(a) < first_violated(b);
+    };
+    return *std::max_element(choices_.begin(), choices_.end(), sooner);
+  }
+
+  const std::vector<VelocityCone>& cones_;
+  Vector2 preferred_;
+  double v_max_;
+  std::vector<Leg> legs_;
+  std::vector<Choice> choices_;
+};
+
+}  // namespace
+
+BestVelocity best_velocity(const std::vector<VelocityCone>& cones, const Vector2& preferred, double v_max) {
+  const double speed = preferred.norm();
+  const Vector2 wish = speed > v_max ? Vector2(preferred * (v_max / speed)) : preferred;
+  return Search(cones, wish, v_max).run();
+}
+
+}  // namespace bw::hrvo

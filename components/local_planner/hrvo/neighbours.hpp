@@ -1,0 +1,33 @@
+// Whom the rule looks at: the nearest movers and static obstacles, all as one shape.
+#pragma once
+
+#include <vector>
+
+#include "components/local_planner/hrvo/hrvo_options.hpp"
+#include "components/model/planning.hpp"
+
+namespace bw::hrvo {
+
+/// Everything within `radius` of a core (a point for discs: a == b), where the robot is a point. [m], [m/s],
+/// planning frame.
+struct Neighbour {
+  Segment core;
+  double radius = 0.0;  ///< of robot and neighbour together, with the margin
+  Vector2 velocity{0.0, 0.0};
+  bool shares = false;    ///< does half of the avoiding
+  double distance = 0.0;  ///< of the robot from the core
+};
+
+/// Point of `segment` that is nearest to `p`.
+Vector2 nearest_point(const Segment& segment, const Vector2& p);
+
+/// The nearest max_neighbours movers and as many static obstacles within range and view, nearest first (by
+/// gap).
+///
+/// Static obstacles, beyond the spec: one that the robot cannot meet on the straight way to `goal` does not
+/// count; its margin is at most what the goal and the robot's own place leave, so that a goal near a wall can
+/// be reached and left.
+std::vector<Neighbour> neighbours(const PlanningProblem& problem, const Vector2& goal,
+                                  const HrvoOptions& options);
+
+}  // namespace bw::hrvo
