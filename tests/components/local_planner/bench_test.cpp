@@ -67,6 +67,61 @@ TEST_F(SharedScenes, CrowdReachesMostGoalsAmongWalkersThatDoNotReact) {
   EXPECT_GE(result()["summary"]["successes"].get<int>(), 27);
 }
 
+nlohmann::json crowd_result(BenchCrowdArguments arguments) {
+  arguments.json = ::testing::TempDir() + "bench_crowd_test.json";
+  arguments.generate = 4;
+  EXPECT_EQ(bench_crowd(arguments), 0);
+  return nlohmann::json::parse(std::ifstream(arguments.json));
+}
+
+nlohmann::json without_times(nlohmann::json result) {
+  for (nlohmann::json& episode : result["episodes"])
+    for (const char* key : {"mean_ms", "p95_ms", "max_ms"}) episode.erase(key);
+  for (const char* key : {"mean_ms", "p95_ms", "max_ms"}) result["summary"].erase(key);
+  return result;
+}
+
+TEST(BenchCrowd, TwoJobsGiveTheFiguresOfOne) {
+  const nlohmann::json serial = without_times(crowd_result({}));
+  EXPECT_EQ(serial["episodes"].size(), 4u);
+  BenchCrowdArguments parallel;
+  parallel.jobs = 2;
+  EXPECT_EQ(without_times(crowd_result(parallel)), serial);
+}
+
+TEST(BenchCrowd, SeveralPlannersAreAListOfResults) {
+  BenchCrowdArguments arguments;
+  arguments.planners = {"teb", "teb"};
+  arguments.scene = "seed1_";
+  const nlohmann::json result = crowd_result(arguments);
+  ASSERT_EQ(result["planners"].size(), 2u);
+  EXPECT_EQ(without_times(result["planners"][0]), without_times(result["planners"][1]));
+  EXPECT_EQ(result["planners"][0]["summary"]["episodes"], 1);
+}
+
+TEST(BenchCrowd, AdjustHasTheLastWordOnTheOptions) {
+  // The file's weights set dt_ref to 0.3; a coarser band drives otherwise.
+  BenchCrowdArguments arguments;
+  arguments.weights = BenchWeights::file;
+  arguments.scene = "seed1_";
+  const nlohmann::json before = without_times(crowd_result(arguments));
+  arguments.adjust = [](LocalPlannerOptions& options) {
+    EXPECT_EQ(options.teb.band.dt_ref, 0.3);
+    options.teb.band.dt_ref = 0.5;
+  };
+  EXPECT_NE(without_times(crowd_result(arguments)), before);
+}
+
+TEST(BenchCrowd, RefusesToDriveNothing) {
+  EXPECT_THROW(bench_crowd({}), std::runtime_error) << "neither a file nor scenes to generate";
+  BenchCrowdArguments arguments;
+  arguments.generate = 2;
+  arguments.planners = {"teb", "nobody"};
+  EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
+  arguments.planners = {};
+  EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
+}
+
 TEST_F(SharedScenes, UnknownNamesAreRefused) {
   BenchTebArguments arguments;
   arguments.scenes = folder_ + "teb_scenes.yaml";
