@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "components/local_planner/dwa/dwa_planner.hpp"
 #include "components/local_planner/teb/teb_planner.hpp"
 
 namespace bw {
@@ -16,6 +17,11 @@ struct NamedPlanner {
 
 /// A new planner is one line here, and its section in LocalPlannerOptions.
 const NamedPlanner kPlanners[] = {
+    {"dwa", [](const LocalPlannerOptions& o) -> Made { return std::make_unique<dwa::DwaPlanner>(o.dwa); }},
+    {"edwa",
+     [](const LocalPlannerOptions& o) -> Made {
+       return std::make_unique<dwa::DwaPlanner>(o.dwa, o.edwa, o.hrvo);
+     }},
     {"teb", [](const LocalPlannerOptions& o) -> Made { return std::make_unique<teb::TebPlanner>(o.teb); }},
 };
 

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "components/local_planner/dwa/dwa_options.hpp"
+#include "components/local_planner/hrvo/hrvo_options.hpp"
 #include "components/local_planner/teb/teb_options.hpp"
 #include "components/model/planning.hpp"
 
@@ -13,10 +15,16 @@ namespace bw {
 
 /// Parameters of all local planners; each reads its own section.
 struct LocalPlannerOptions {
+  dwa::DwaOptions dwa;
+  dwa::EdwaOptions edwa;
+  hrvo::HrvoOptions hrvo;
   teb::TebOptions teb;
 
   template <class Visitor>
   void fields(Visitor& v) {
+    v("dwa", dwa, {.doc = "dynamic window approach"});
+    v("edwa", edwa, {.doc = "what EDWA changes in it"});
+    v("hrvo", hrvo, {.doc = "hybrid reciprocal velocity obstacles"});
     v("teb", teb, {.doc = "timed elastic band"});
   }
 };

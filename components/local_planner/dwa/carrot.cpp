@@ -1,0 +1,34 @@
+#include "components/local_planner/dwa/carrot.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace bw::dwa {
+
+Vector2 carrot(const std::vector<Pose2>& plan, const Vector2& robot, double distance) {
+  const Vector2 end = plan.back().position();
+  if (distance <= 0.0) return end;
+  std::size_t nearest_leg = 0;
+  Vector2 at = end;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < plan.size(); ++i) {
+    const Vector2 a = plan[i].position();
+    const Vector2 d = plan[i + 1].position() - a;
+    const double share = std::clamp((robot - a).dot(d) / std::max(d.squaredNorm(), 1e-18), 0.0, 1.0);
+    const Vector2 p = a + share * d;
+    if ((robot - p).norm() >= smallest) continue;
+    smallest = (robot - p).norm();
+    nearest_leg = i;
+    at = p;
+  }
+  for (std::size_t i = nearest_leg + 1; i < plan.size(); ++i) {
+    const Vector2 next = plan[i].position();
+    const double leg = (next - at).norm();
+    if (leg > distance) return at + (distance / leg) * (next - at);
+    distance -= leg;
+    at = next;
+  }
+  return end;
+}
+
+}  // namespace bw::dwa

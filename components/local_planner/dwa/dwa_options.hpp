@@ -1,0 +1,98 @@
+// Parameters of DWA and of what EDWA changes in it. Motion limits are the robot's (PlanningProblem::limits);
+// Table 3.1 has 1 m/s, 0.35 rad/s and, by spec 2.3, 1 m/s^2 and 1 rad/s^2.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "runtime/parameters/field.hpp"
+
+namespace bw::dwa {
+
+struct DwaOptions {
+  std::string profile = "default";
+  double heading_weight = 3.0;
+  double clearance_weight = 0.1;
+  double velocity_weight = 0.1;
+  double sim_time = 3.0;
+  double sim_granularity = 0.1;
+  std::int64_t v_samples = 11;
+  std::int64_t omega_samples = 21;
+  double contact_margin = 0.1;
+  double clearance_cap = 3.0;
+  double carrot_distance = 4.0;
+  bool limit_turn_rate = false;
+  bool predict_movers = false;
+  bool leave_margin = true;
+  double evasion_horizon = 2.0;
+  double xy_goal_tolerance = 0.1;
+  double yaw_goal_tolerance = 0.1;
+  std::int64_t shown_candidates = 10;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("profile", profile,
+      {.choices = {"default", "sum", "minmax", "sample"},
+       .doc =
+           "scores by fixed scales, by the column's sum, by its range; sample: the MATLAB teaching sample"});
+    v("heading_weight", heading_weight, {.min = 0, .max = 1000, .doc = "alpha of (3.1)"});
+    v("clearance_weight", clearance_weight, {.min = 0, .max = 1000, .doc = "beta of (3.1)"});
+    v("velocity_weight", velocity_weight, {.min = 0, .max = 1000, .doc = "gamma of (3.1)"});
+    v("sim_time", sim_time,
+      {.unit = "s", .min = 0.1, .max = 20, .doc = "length of a roll-out, cut where the goal is reached"});
+    v("sim_granularity", sim_granularity, {.unit = "s", .min = 0.01, .max = 1, .doc = "step of a roll-out"});
+    v("v_samples", v_samples, {.min = 2, .max = 201, .doc = "speeds tried in the dynamic window"});
+    v("omega_samples", omega_samples,
+      {.min = 2, .max = 201, .doc = "turn rates tried in the dynamic window"});
+    v("contact_margin", contact_margin,
+      {.unit = "m", .min = 0, .max = 5, .doc = "a gap this small counts as contact when braking is judged"});
+    v("clearance_cap", clearance_cap,
+      {.unit = "m", .min = 0.01, .max = 100, .doc = "gaps beyond it count as equal (profile sample: 2 m)"});
+    v("carrot_distance", carrot_distance,
+      {.unit = "m",
+       .min = 0,
+       .max = 100,
+       .doc = "aims at the plan this far ahead; 0: at its end; shorter cuts corners less"});
+    v("limit_turn_rate", limit_turn_rate,
+      {.doc = "admissible also means that turning can end before the contact (Fox 1997)"});
+    v("predict_movers", predict_movers,
+      {.doc = "clearance to movers where they will be; false: where they are now, as published"});
+    v("leave_margin", leave_margin,
+      {.doc = "inside the contact margin, arcs that come no closer are admissible; false: none is"});
+    v("evasion_horizon", evasion_horizon,
+      {.unit = "s",
+       .min = 0,
+       .max = 10,
+       .doc = "when no velocity is admissible: simulated time of an evasive move; 0: only brake"});
+    v("xy_goal_tolerance", xy_goal_tolerance,
+      {.unit = "m",
+       .min = 0.005,
+       .max = 5,
+       .doc = "from here the robot only turns to the goal heading and stops"});
+    v("yaw_goal_tolerance", yaw_goal_tolerance,
+      {.unit = "rad", .min = 0.005, .max = 3.15, .doc = "heading error at which it has arrived"});
+    v("shown_candidates", shown_candidates,
+      {.min = 1, .max = 1000, .doc = "arcs handed out for display, the best first"});
+  }
+};
+
+struct EdwaOptions {
+  std::string heading = "hrvo";
+  double heading_time = 1.0;
+  bool hrvo_speed = true;
+  double min_hrvo_speed = 0.02;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("heading", heading,
+      {.choices = {"hrvo", "hrvo_printed", "goal"},
+       .doc = "turn towards the HRVO direction; hrvo_printed: (3.4) as printed, turns away; goal: as DWA"});
+    v("heading_time", heading_time,
+      {.unit = "s", .min = 0.05, .max = 10, .doc = "the heading after this time is compared"});
+    v("hrvo_speed", hrvo_speed, {.doc = "the best speed is that of HRVO; false: the highest"});
+    v("min_hrvo_speed", min_hrvo_speed,
+      {.unit = "m/s", .min = 0, .max = 1, .doc = "below it HRVO has no direction: heading as DWA"});
+  }
+};
+
+}  // namespace bw::dwa

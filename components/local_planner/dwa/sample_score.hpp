@@ -1,0 +1,43 @@
+// The objective (3.1), G = alpha head + beta dist + gamma vel, over the admissible samples.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bw::dwa {
+
+/// How a column of scores is made comparable with the others (D8).
+enum class Normalisation {
+  scale,   ///< divided by a fixed scale
+  sum,     ///< divided by the column's sum
+  minmax,  ///< its range mapped to [0, 1] (Fox, Burgard, Thrun 1997)
+};
+
+Normalisation normalisation_of(const std::string& profile);
+
+/// A column without sum or range becomes zeros: it tells the samples nothing.
+std::vector<double> normalised(std::vector<double> column, Normalisation how, double scale);
+
+/// One value per sample and column, each the larger the better.
+struct ScoreColumns {
+  std::vector<double> heading;    ///< pi less the heading error [rad]
+  std::vector<double> clearance;  ///< [m], capped
+  std::vector<double> velocity;   ///< [m/s]
+};
+
+struct ScoreWeights {
+  double heading = 3.0;
+  double clearance = 0.1;
+  double velocity = 0.1;
+};
+
+struct ScoreScales {
+  double clearance = 3.0;  ///< [m]
+  double velocity = 1.0;   ///< [m/s]
+};
+
+/// G of every sample. The heading's scale is pi.
+std::vector<double> objective(const ScoreColumns& columns, const ScoreWeights& weights, Normalisation how,
+                              const ScoreScales& scales);
+
+}  // namespace bw::dwa
