@@ -3,12 +3,19 @@
 #include <stdexcept>
 
 #include "components/local_planner/dwa/dwa_planner.hpp"
-#include "components/local_planner/teb/teb_planner.hpp"
+#include "components/local_planner/teb/band_planner.hpp"
 
 namespace bw {
 namespace {
 
 using Made = std::unique_ptr<LocalPlanner>;
+
+// What all planners of the band share.
+teb::BandPlannerOptions band_planner(const LocalPlannerOptions& o) {
+  teb::BandPlannerOptions options{.driving = o.driving, .teb = o.teb};
+  if (!o.teb.include_dynamic_obstacles) options.prediction.prediction = "present";
+  return options;
+}
 
 struct NamedPlanner {
   std::string_view name;
@@ -22,7 +29,30 @@ const NamedPlanner kPlanners[] = {
      [](const LocalPlannerOptions& o) -> Made {
        return std::make_unique<dwa::DwaPlanner>(o.dwa, o.edwa, o.hrvo);
      }},
-    {"teb", [](const LocalPlannerOptions& o) -> Made { return std::make_unique<teb::TebPlanner>(o.teb); }},
+    {"teb",
+     [](const LocalPlannerOptions& o) -> Made {
+       return std::make_unique<teb::BandPlanner>(band_planner(o));
+     }},
+    {"teb_homotopy",
+     [](const LocalPlannerOptions& o) -> Made {
+       teb::BandPlannerOptions options = band_planner(o);
+       options.homotopy = o.homotopy;
+       return std::make_unique<teb::BandPlanner>(options);
+     }},
+    {"pteb",
+     [](const LocalPlannerOptions& o) -> Made {
+       teb::BandPlannerOptions options = band_planner(o);
+       options.homotopy = o.homotopy;
+       options.hrvo = {o.hrvo, o.pteb.hrvo_angle_weight};
+       return std::make_unique<teb::BandPlanner>(options);
+     }},
+    {"eteb",
+     [](const LocalPlannerOptions& o) -> Made {
+       teb::BandPlannerOptions options = band_planner(o);
+       options.homotopy = o.homotopy;
+       options.prediction = o.eteb;
+       return std::make_unique<teb::BandPlanner>(options);
+     }},
 };
 
 }  // namespace

@@ -6,26 +6,50 @@
 #include <string_view>
 #include <vector>
 
+#include "components/local_planner/driving.hpp"
 #include "components/local_planner/dwa/dwa_options.hpp"
+#include "components/local_planner/homotopy/homotopy_options.hpp"
 #include "components/local_planner/hrvo/hrvo_options.hpp"
+#include "components/local_planner/teb/prediction_options.hpp"
 #include "components/local_planner/teb/teb_options.hpp"
 #include "components/model/planning.hpp"
 
 namespace bw {
 
-/// Parameters of all local planners; each reads its own section.
+/// What PTEB adds to the choice between topologies (spec 6.4).
+struct PtebOptions {
+  double hrvo_angle_weight = 0.5;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("hrvo_angle_weight", hrvo_angle_weight,
+      {.min = 0,
+       .max = 100,
+       .doc = "cost per radian between a candidate and the HRVO direction; delta_hrvo"});
+  }
+};
+
+/// Parameters of all local planners: what they share, then a section for each idea.
 struct LocalPlannerOptions {
+  DrivingOptions driving;
   dwa::DwaOptions dwa;
   dwa::EdwaOptions edwa;
   hrvo::HrvoOptions hrvo;
   teb::TebOptions teb;
+  homotopy::HomotopyOptions homotopy;
+  PtebOptions pteb;
+  teb::PredictionOptions eteb = teb::default_eteb_prediction();
 
   template <class Visitor>
   void fields(Visitor& v) {
+    driving.fields(v);
     v("dwa", dwa, {.doc = "dynamic window approach"});
     v("edwa", edwa, {.doc = "what EDWA changes in it"});
     v("hrvo", hrvo, {.doc = "hybrid reciprocal velocity obstacles"});
-    v("teb", teb, {.doc = "timed elastic band"});
+    v("teb", teb, {.doc = "timed elastic band; teb_homotopy, pteb and eteb too"});
+    v("homotopy", homotopy, {.doc = "bands in several topologies: teb_homotopy, pteb, eteb"});
+    v("pteb", pteb, {.doc = "what PTEB adds: the HRVO direction in the choice"});
+    v("eteb", eteb, {.doc = "what ETEB adds: predicted obstacles and how sure they are"});
   }
 };
 

@@ -1,6 +1,19 @@
 #include "components/model/obstacles.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace bw {
+namespace {
+
+// Root of the larger eigenvalue of a symmetric 2x2 matrix.
+double largest_sigma(const Eigen::Matrix2d& covariance) {
+  const double mean = 0.5 * covariance.trace();
+  const double half_difference = 0.5 * (covariance(0, 0) - covariance(1, 1));
+  return std::sqrt(std::max(0.0, mean + std::hypot(half_difference, covariance(0, 1))));
+}
+
+}  // namespace
 
 Vector2 Mover::position_at(double t) const {
   double t0 = 0.0;
@@ -14,6 +27,24 @@ Vector2 Mover::position_at(double t) const {
     p0 = next.position;
   }
   return p0 + velocity_after * (t - t0);
+}
+
+double Mover::sigma_at(double t) const {
+  double t0 = 0.0;
+  double sigma = 0.0;
+  double rate = 0.0;
+  for (const PredictedPosition& next : predictions) {
+    const double next_sigma = largest_sigma(next.covariance);
+    if (next.time <= t0) {
+      sigma = next_sigma;
+      continue;
+    }
+    rate = (next_sigma - sigma) / (next.time - t0);
+    if (t <= next.time) return sigma + rate * (t - t0);
+    t0 = next.time;
+    sigma = next_sigma;
+  }
+  return sigma + std::max(rate, 0.0) * (t - t0);
 }
 
 }  // namespace bw

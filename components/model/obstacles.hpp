@@ -46,6 +46,10 @@ struct Mover {
   /// Position at `t` [s] from now: linear between predictions, constant velocity before the first and after
   /// the last.
   Vector2 position_at(double t) const;
+
+  /// Largest standard deviation [m] of the position at `t` [s]: from the predictions' covariances, linear
+  /// between them and growing on at the last rate; 0 without any.
+  double sigma_at(double t) const;
 };
 
 }  // namespace bw

@@ -29,9 +29,9 @@ void keep_nearest(std::vector<Near>& near, std::size_t count, std::vector<Cleara
   for (const Near& n : near) terms.push_back(n.term);
 }
 
-Capsule mover_at(const Mover& mover, double time) {
+Capsule mover_at(const Mover& mover, double time, const Uncertainty& uncertainty) {
   const Vector2 p = mover.position_at(time);
-  return {p, p, mover.radius};
+  return {p, p, mover.radius + uncertainty.at(mover, time)};
 }
 
 double squared_distance(const Capsule& capsule, const Vector2& point) {
@@ -69,10 +69,28 @@ void select_around(const Band& band, std::size_t first, double reach, const std:
 
 }  // namespace
 
+double Uncertainty::at(const Mover& mover, double time) const {
+  if (factor <= 0.0) return 0.0;
+  const double sigma = mover.predictions.empty() ? growth * time : mover.sigma_at(time);
+  return std::min(most, factor * sigma);
+}
+
 ObstacleField nearby_obstacles(const StaticObstacles& statics, const std::vector<Mover>& movers,
-                               const Vector2& position, double robot_radius, std::size_t max_count) {
+                               const Vector2& position, double robot_radius, std::size_t max_count,
+                               const PredictionOptions& prediction) {
+  const Uncertainty uncertainty{prediction.uncertainty_factor, prediction.uncertainty_growth,
+                                prediction.max_uncertainty};
+  const bool time_indexed = prediction.prediction == "time_indexed";
   std::vector<Capsule> capsules;
-  capsules.reserve(statics.size());
+  capsules.reserve(statics.size() + (time_indexed ? 0 : 2 * movers.size()));
+  if (!time_indexed) {
+    for (const Mover& m : movers) {
+      capsules.push_back({m.position, m.position, m.radius + robot_radius});
+      if (prediction.prediction != "doubled") continue;
+      capsules.push_back(mover_at(m, prediction.prediction_time, uncertainty));
+      capsules.back().radius += robot_radius;
+    }
+  }
   for (const Vector2& p : statics.points) capsules.push_back({p, p, robot_radius});
   for (const Disc& d : statics.discs) capsules.push_back({d.center, d.center, d.radius + robot_radius});
   for (const Segment& s : statics.segments) capsules.push_back({s.a, s.b, robot_radius});
@@ -88,14 +106,17 @@ ObstacleField nearby_obstacles(const StaticObstacles& statics, const std::vector
     return order;
   };
   ObstacleField field;
+  field.uncertainty = uncertainty;
   std::vector<double> distances;
   distances.reserve(std::max(movers.size(), capsules.size()));
-  for (const Mover& m : movers) distances.push_back((m.position - position).norm() - m.radius);
-  for (const std::size_t i : nearest(distances, max_count)) {
-    field.movers.push_back(movers[i]);
-    field.movers.back().radius += robot_radius;
+  if (time_indexed) {
+    for (const Mover& m : movers) distances.push_back((m.position - position).norm() - m.radius);
+    for (const std::size_t i : nearest(distances, max_count)) {
+      field.movers.push_back(movers[i]);
+      field.movers.back().radius += robot_radius;
+    }
+    distances.clear();
   }
-  distances.clear();
   for (const Capsule& c : capsules) distances.push_back(std::sqrt(squared_distance(c, position)) - c.radius);
   for (const std::size_t i : nearest(distances, max_count - field.movers.size()))
     field.statics.push_back(capsules[i]);
@@ -166,12 +187,13 @@ std::vector<PoseTerms> associate(const Band& band, const ObstacleField& field, c
       }
     };
     for (const Mover& m : field.movers) {
-      const Capsule now = mover_at(m, time);
+      const Capsule now = mover_at(m, time, field.uncertainty);
       const Vector2 drift = m.position_at(time + dt) - now.a;
       const double motion = (step - drift).norm();
-      if ((p - now.a).norm() - m.radius > moving_reach + motion) continue;
+      if ((p - now.a).norm() - now.radius > moving_reach + motion) continue;
       add(
-          now, true, moving_reach, [&](double s) { return mover_at(m, time + s * dt); }, motion);
+          now, true, moving_reach, [&](double s) { return mover_at(m, time + s * dt, field.uncertainty); },
+          motion);
     }
     for (const Capsule* c : statics) {
       add(

@@ -6,6 +6,7 @@
 
 #include "components/local_planner/teb/band.hpp"
 #include "components/local_planner/teb/band_options.hpp"
+#include "components/local_planner/teb/prediction_options.hpp"
 #include "components/model/obstacles.hpp"
 #include "components/model/pose2.hpp"
 
@@ -18,17 +19,29 @@ struct Capsule {
   double radius = 0.0;
 };
 
+/// How much a mover grows with the time ahead, as its prediction becomes unsure.
+struct Uncertainty {
+  double factor = 0.0;  ///< standard deviations
+  double growth = 0.0;  ///< of the standard deviation where the mover has none [m/s]
+  double most = 0.0;    ///< [m]
+
+  double at(const Mover& mover, double time) const;
+};
+
 /// What a band keeps clear of. Radii are grown by the radius of the robot, so that the robot is a point.
 struct ObstacleField {
   std::vector<Capsule> statics;
   std::vector<Mover> movers;
+  Uncertainty uncertainty;
 
   std::size_t size() const { return statics.size() + movers.size(); }
 };
 
-/// The `max_count` obstacles nearest to `position`; movers are kept before static ones.
+/// The `max_count` obstacles nearest to `position`; movers are kept before static ones. Unless predictions
+/// are time-indexed, movers become static discs.
 ObstacleField nearby_obstacles(const StaticObstacles& statics, const std::vector<Mover>& movers,
-                               const Vector2& position, double robot_radius, std::size_t max_count);
+                               const Vector2& position, double robot_radius, std::size_t max_count,
+                               const PredictionOptions& prediction = {});
 
 /// Distance [m] from a point to the capsule, negative inside, and its gradient (zero exactly on the axis).
 struct Clearance {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "components/local_planner/teb/teb_planner.hpp"
+#include "components/local_planner/teb/band_planner.hpp"
 #include "components/model/random.hpp"
 
 namespace bw::teb {
@@ -47,7 +47,7 @@ PlanningProblem random_problem(Random& random, int index) {
 
 TEST(TebRobustness, CommandIsFiniteAndWithinLimitsInRandomScenes) {
   Random random(kSeed);
-  TebPlanner planner({});
+  BandPlanner planner({});
   for (int i = 0; i < 3000; ++i) {
     const PlanningProblem problem = random_problem(random, i);
     if (i % 3 == 0) planner.reset();

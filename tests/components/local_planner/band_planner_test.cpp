@@ -1,5 +1,5 @@
 // The planner in closed loop with an ideal unicycle that takes its commands as they are.
-#include "components/local_planner/teb/teb_planner.hpp"
+#include "components/local_planner/teb/band_planner.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ struct Drive {
   double smallest_gap = 1e9;
 };
 
-Drive drive(TebPlanner& planner, PlanningProblem problem, int cycles) {
+Drive drive(BandPlanner& planner, PlanningProblem problem, int cycles) {
   Drive result;
   for (int i = 0; i < cycles; ++i) {
     const PlanningResult plan = planner.plan(problem);
@@ -59,8 +59,8 @@ void expect_limits_kept(const Drive& result, const Limits& limits) {
   }
 }
 
-TEST(TebPlanner, ArrivesAtRestAndStaysThere) {
-  TebPlanner planner({});
+TEST(BandPlanner, ArrivesAtRestAndStaysThere) {
+  BandPlanner planner({});
   for (const Pose2& goal :
        {Pose2{4, 0, 0}, Pose2{3, 2, 1.5}, Pose2{2, -1, -2.0}, Pose2{-2, 0.5, 3.0}, Pose2{0.3, 0, 0}}) {
     planner.reset();
@@ -75,9 +75,9 @@ TEST(TebPlanner, ArrivesAtRestAndStaysThere) {
   }
 }
 
-TEST(TebPlanner, StraightDriveTakesAboutTheTimeTheLimitsAllow) {
+TEST(BandPlanner, StraightDriveTakesAboutTheTimeTheLimitsAllow) {
   // 8 m at 1 m/s and 1 m/s^2: 8 + 1 s; the penalty margins of speed and acceleration cost up to 15 %.
-  TebPlanner planner({});
+  BandPlanner planner({});
   const Drive result = drive(planner, problem_to({8, 0, 0}), 150);
   const auto arrived =
       std::find_if(result.poses.begin(), result.poses.end(), [](const Pose2& p) { return p.x > 7.9; });
@@ -85,8 +85,8 @@ TEST(TebPlanner, StraightDriveTakesAboutTheTimeTheLimitsAllow) {
   EXPECT_LE(kPeriod * static_cast<double>(arrived - result.poses.begin()), 9.0 * 1.15);
 }
 
-TEST(TebPlanner, GoesAroundStaticObstacles) {
-  TebPlanner planner({});
+TEST(BandPlanner, GoesAroundStaticObstacles) {
+  BandPlanner planner({});
   PlanningProblem problem = problem_to({8, 0, 0});
   problem.obstacles.discs = {{{3.0, 0.1}, 0.3}};
   problem.obstacles.points = {{5.0, -0.2}, {5.1, -0.3}};
@@ -97,8 +97,8 @@ TEST(TebPlanner, GoesAroundStaticObstacles) {
   expect_limits_kept(result, problem.limits);
 }
 
-TEST(TebPlanner, PassesCrossingWalkers) {
-  TebPlanner planner({});
+TEST(BandPlanner, PassesCrossingWalkers) {
+  BandPlanner planner({});
   PlanningProblem problem = problem_to({8, 0, 0});
   for (int i = 0; i < 3; ++i) {
     Mover m;
@@ -113,8 +113,8 @@ TEST(TebPlanner, PassesCrossingWalkers) {
   expect_limits_kept(result, problem.limits);
 }
 
-TEST(TebPlanner, StopsWithinLimitsInFrontOfAClosedWall) {
-  TebPlanner planner({});
+TEST(BandPlanner, StopsWithinLimitsInFrontOfAClosedWall) {
+  BandPlanner planner({});
   PlanningProblem problem = problem_to({8, 0, 0});
   problem.obstacles.segments = {
       {{3.0, -4.0}, {3.0, 4.0}}, {{-2.0, -4.0}, {3.0, -4.0}}, {{-2.0, 4.0}, {3.0, 4.0}}};
@@ -127,7 +127,7 @@ TEST(TebPlanner, StopsWithinLimitsInFrontOfAClosedWall) {
   EXPECT_LT(late_travel, 0.2) << "stands in front of it instead of pacing";
 }
 
-TEST(TebPlanner, TypedStatusAndStopOnBadInput) {
+TEST(BandPlanner, TypedStatusAndStopOnBadInput) {
   PlanningProblem good = problem_to({4, 0, 0});
   good.twist = {0.5, 0.2};
   const double bad = std::nan("");
@@ -142,7 +142,7 @@ TEST(TebPlanner, TypedStatusAndStopOnBadInput) {
   problems[6].footprint.radius = -0.1;
   problems[7].limits.v_max = 0.0;
   for (const PlanningProblem& problem : problems) {
-    TebPlanner planner({});
+    BandPlanner planner({});
     const PlanningResult result = planner.plan(problem);
     EXPECT_EQ(result.status, PlanningStatus::bad_input);
     EXPECT_FALSE(result.reason.empty());
@@ -151,8 +151,8 @@ TEST(TebPlanner, TypedStatusAndStopOnBadInput) {
   }
 }
 
-TEST(TebPlanner, NoPlanIsAStop) {
-  TebPlanner planner({});
+TEST(BandPlanner, NoPlanIsAStop) {
+  BandPlanner planner({});
   PlanningProblem problem = problem_to({4, 0, 0});
   problem.plan.clear();
   problem.twist = {0.5, 0.0};
@@ -161,8 +161,8 @@ TEST(TebPlanner, NoPlanIsAStop) {
   EXPECT_NEAR(result.command.v, 0.3, 1e-12) << "0.5 m/s less 2 m/s^2 over 0.1 s";
 }
 
-TEST(TebPlanner, StandsStillInsideAnObstacleItCannotLeave) {
-  TebPlanner planner({});
+TEST(BandPlanner, StandsStillInsideAnObstacleItCannotLeave) {
+  BandPlanner planner({});
   PlanningProblem problem = problem_to({8, 0, 0});
   problem.obstacles.discs = {{{0.0, 0.0}, 3.0}};
   const PlanningResult result = planner.plan(problem);
@@ -170,32 +170,32 @@ TEST(TebPlanner, StandsStillInsideAnObstacleItCannotLeave) {
   EXPECT_EQ(result.command, Twist2{});
 }
 
-TEST(TebPlanner, SameInputSameCommands) {
+TEST(BandPlanner, SameInputSameCommands) {
   PlanningProblem problem = problem_to({8, 1, 0});
   problem.obstacles.discs = {{{3.0, 0.1}, 0.3}, {{5.0, 0.7}, 0.3}};
-  TebPlanner first({}), second({});
+  BandPlanner first({}), second({});
   const Drive a = drive(first, problem, 100);
   const Drive b = drive(second, problem, 100);
   EXPECT_EQ(a.poses, b.poses);
   EXPECT_EQ(a.twists, b.twists);
 }
 
-TEST(TebPlanner, MirroredSceneGivesMirroredCommands) {
+TEST(BandPlanner, MirroredSceneGivesMirroredCommands) {
   PlanningProblem problem = problem_to({6, 1, 0.4});
   problem.obstacles.discs = {{{2.0, 0.1}, 0.3}, {{4.0, 0.9}, 0.2}};
   PlanningProblem mirrored = problem;
   mirrored.plan[1] = {6, -1, -0.4};
   for (Disc& d : mirrored.obstacles.discs) d.center.y() = -d.center.y();
-  TebPlanner left({}), right({});
+  BandPlanner left({}), right({});
   const PlanningResult a = left.plan(problem);
   const PlanningResult b = right.plan(mirrored);
   EXPECT_NEAR(a.command.v, b.command.v, 1e-6);
   EXPECT_NEAR(a.command.omega, -b.command.omega, 1e-6);
 }
 
-TEST(TebPlanner, FollowsARollingGoalAtSpeed) {
+TEST(BandPlanner, FollowsARollingGoalAtSpeed) {
   // The local goal is not the end of the journey: no slowing down towards it.
-  TebPlanner planner({});
+  BandPlanner planner({});
   PlanningProblem problem = problem_to({4, 0, 0});
   problem.goal_is_final = false;
   double v = 0.0;

@@ -1,0 +1,70 @@
+#include "components/local_planner/driving.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "components/local_planner/command_limits.hpp"
+#include "components/local_planner/evasion.hpp"
+#include "components/local_planner/footprint_check.hpp"
+
+namespace bw {
+namespace {
+
+constexpr double kCheckStep = 0.05;       // [m] between footprint tests
+constexpr double kLeaveGoalFactor = 2.0;  // of xy_goal_tolerance: pushed out so far, the robot drives again
+
+}  // namespace
+
+bool has_arrived(const PlanningProblem& problem, const DrivingOptions& options, bool had_arrived) {
+  const double tolerance = options.xy_goal_tolerance * (had_arrived ? kLeaveGoalFactor : 1.0);
+  return problem.goal_is_final &&
+         (problem.plan.back().position() - problem.pose.position()).norm() <= tolerance;
+}
+
+PlanningResult arrive(const PlanningProblem& problem, const DrivingOptions& options) {
+  const double error = wrap_angle(problem.plan.back().theta - problem.pose.theta);
+  Twist2 wanted;
+  if (std::abs(error) > options.yaw_goal_tolerance) {
+    // Turn rate from which half of alpha_max still stops at the heading.
+    const double rate = std::sqrt(2.0 * 0.5 * problem.limits.alpha_max * std::abs(error));
+    wanted.omega = std::copysign(std::min(rate, problem.limits.omega_max), error);
+  }
+  PlanningResult result;
+  result.status = PlanningStatus::ok;
+  result.command = reachable_twist(wanted, problem.twist, problem.limits, problem.command_lead);
+  result.trajectory = {{0.0, problem.pose, problem.twist}};
+  return result;
+}
+
+bool is_free(const std::vector<TrajectoryPoint>& trajectory, const PlanningProblem& problem,
+             const DrivingOptions& options) {
+  return std::isinf(
+      gap_along(trajectory, options.feasibility_check_time, kCheckStep, options.feasibility_margin, problem)
+          .contact_time);
+}
+
+PlanningResult stopped(const PlanningProblem& problem, PlanningStatus status, std::string reason) {
+  PlanningResult result;
+  result.status = status;
+  result.reason = std::move(reason);
+  result.command = stop_twist(problem.twist, problem.limits, problem.command_lead);
+  return result;
+}
+
+void evade(const PlanningProblem& problem, const DrivingOptions& options, PlanningResult& result) {
+  result.status = PlanningStatus::infeasible;
+  result.reason = "no motion is free and no evasive move is";
+  result.command = stop_twist(problem.twist, problem.limits, problem.command_lead);
+  if (options.evasion_horizon <= 0.0) return;
+  EvasiveMove move = best_evasive_move(
+      problem, problem.plan.back().position(),
+      {options.evasion_horizon, problem.command_lead, options.feasibility_margin, options.evasion_gap});
+  if (move.trajectory[1].twist == result.command) return;
+  result.status = PlanningStatus::ok;
+  result.reason = "evading";
+  result.command = move.trajectory[1].twist;
+  result.trajectory = std::move(move.trajectory);
+}
+
+}  // namespace bw

@@ -1,0 +1,36 @@
+// One band that is considered: optimised, checked and compared with the others.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "components/local_planner/driving.hpp"
+#include "components/local_planner/teb/band_optimizer.hpp"
+#include "components/model/planning.hpp"
+
+namespace bw::teb {
+
+struct BandCandidate {
+  Band band;
+  std::string label;    ///< where it came from, for people
+  bool kept = false;    ///< a band of the last cycle
+  bool driven = false;  ///< the one the robot followed in the last cycle
+
+  // Of improve():
+  BandReport report;
+  std::vector<TrajectoryPoint> trajectory;
+  bool free = false;  ///< the footprint stays clear for feasibility_check_time
+  double cost = 0.0;  ///< what selection compares (spec 3.10): report.cost and what a planner adds
+};
+
+/// Optimises the band of `candidate` and checks it.
+void improve(BandCandidate& candidate, const PlanningProblem& problem, const ObstacleField& field,
+             const BandOptions& options, const DrivingOptions& driving, int max_iterations);
+
+/// All of them, each with the same share of the budget, by problem.parallel_for when there is one. The result
+/// does not depend on the order in which that calls. Returns the iterations spent.
+int improve_all(std::vector<BandCandidate>& candidates, const PlanningProblem& problem,
+                const ObstacleField& field, const BandOptions& options, const DrivingOptions& driving,
+                int max_iterations);
+
+}  // namespace bw::teb

@@ -1,0 +1,56 @@
+#include "components/local_planner/teb/hrvo_preference.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace bw::teb {
+namespace {
+
+constexpr double kLookAhead = 4.0;        // [m] in which the first obstacle is looked for
+constexpr double kNear = 1.0;             // [m] clearance below which it counts as passed
+constexpr double kWithoutObstacle = 2.0;  // [m] ahead, when none is
+constexpr double kNoDirection = 0.02;     // [m/s] below which a velocity has none
+
+double clearance_at(const ObstacleField& field, const TrajectoryPoint& point) {
+  double nearest = std::numeric_limits<double>::infinity();
+  const Vector2 p = point.pose.position();
+  for (const Capsule& c : field.statics) nearest = std::min(nearest, clearance_to(c, p).distance);
+  for (const Mover& m : field.movers) {
+    nearest = std::min(nearest, (m.position_at(point.time) - p).norm() - m.radius);
+  }
+  return nearest;
+}
+
+// zeta_p.
+Vector2 first_passing_point(const std::vector<TrajectoryPoint>& trajectory, const ObstacleField& field) {
+  double nearest = kNear;
+  double travelled = 0.0;
+  bool found = false;
+  Vector2 point = trajectory.back().pose.position();
+  bool beyond = false;
+  for (std::size_t i = 1; i < trajectory.size() && travelled < kLookAhead; ++i) {
+    travelled += (trajectory[i].pose.position() - trajectory[i - 1].pose.position()).norm();
+    const double clearance = clearance_at(field, trajectory[i]);
+    if (clearance < nearest) {
+      nearest = clearance;
+      point = trajectory[i].pose.position();
+      found = true;
+    } else if (!found && !beyond && travelled >= kWithoutObstacle) {
+      beyond = true;
+      point = trajectory[i].pose.position();
+    }
+  }
+  return point;
+}
+
+}  // namespace
+
+double hrvo_cost(const hrvo::Advice& advice, const std::vector<TrajectoryPoint>& trajectory,
+                 const ObstacleField& field, double weight) {
+  if (advice.velocity.norm() < kNoDirection || trajectory.size() < 2) return 0.0;
+  const Vector2 way = first_passing_point(trajectory, field) - trajectory.front().pose.position();
+  if (way.norm() < 1e-6) return 0.0;
+  return weight * std::abs(std::atan2(cross(advice.velocity, way), advice.velocity.dot(way)));
+}
+
+}  // namespace bw::teb

@@ -1,0 +1,43 @@
+// How the band sees movers: where they are expected, and how sure that is (spec 6.5, D10).
+#pragma once
+
+#include <string>
+
+#include "runtime/parameters/field.hpp"
+
+namespace bw::teb {
+
+struct PredictionOptions {
+  std::string prediction = "time_indexed";
+  double prediction_time = 1.6;
+  double uncertainty_factor = 0.0;
+  double uncertainty_growth = 0.0;
+  double max_uncertainty = 0.3;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("prediction", prediction,
+      {.choices = {"time_indexed", "doubled", "present"},
+       .doc =
+           "time_indexed: every pose meets a mover where it is at the pose's time; doubled: movers are discs "
+           "that stand at their present and at their future place; present: at their present place only"});
+    v("prediction_time", prediction_time,
+      {.unit = "s", .min = 0, .max = 10, .doc = "how far ahead that future place is (doubled)"});
+    v("uncertainty_factor", uncertainty_factor,
+      {.min = 0, .max = 5, .doc = "standard deviations of a prediction by which a mover grows"});
+    v("uncertainty_growth", uncertainty_growth,
+      {.unit = "m/s",
+       .min = 0,
+       .max = 2,
+       .doc = "growth of that standard deviation for movers whose predictions have none"});
+    v("max_uncertainty", max_uncertainty,
+      {.unit = "m", .min = 0, .max = 2, .doc = "a mover grows at most by this"});
+  }
+};
+
+/// Those of `eteb`: predictions that grow unsure.
+inline PredictionOptions default_eteb_prediction() {
+  return {.uncertainty_factor = 1.0, .uncertainty_growth = 0.1};
+}
+
+}  // namespace bw::teb
