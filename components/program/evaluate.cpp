@@ -1,5 +1,6 @@
 #include "components/program/evaluate.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <iostream>
 #include <memory>
@@ -18,7 +19,7 @@ namespace bw {
 namespace {
 
 struct EvaluateOptions {
-  std::string suite;
+  std::vector<std::string> suites;
   std::vector<std::string> planners = {""};  ///< empty: the graph's own
   std::vector<std::string> set;
   std::string seeds;
@@ -31,6 +32,7 @@ struct EvaluateOptions {
 
 /// One drive still to be done.
 struct Job {
+  std::size_t suite = 0;
   std::size_t episode = 0;
   std::int64_t seed = 1;
   std::string planner;
@@ -63,7 +65,7 @@ SeedRange seeds_of(const EvaluateOptions& options, const Suite& suite) {
 }
 
 /// The jobs of this shard: every n-th, so that shards are alike in length.
-std::vector<Job> jobs_of(const EvaluateOptions& options, const Suite& suite) {
+std::vector<Job> jobs_of(const EvaluateOptions& options, const std::vector<Suite>& suites) {
   std::pair<std::int64_t, std::int64_t> shard{1, 1};
   if (!options.shard.empty()) {
     const auto given = number_pair(options.shard, "/");
@@ -72,19 +74,21 @@ std::vector<Job> jobs_of(const EvaluateOptions& options, const Suite& suite) {
     }
     shard = *given;
   }
-  const SeedRange seeds = seeds_of(options, suite);
   std::vector<Job> jobs;
   std::int64_t index = 0;
-  for (const std::string& planner : options.planners) {
-    for (std::size_t episode = 0; episode < suite.options.episodes.size(); ++episode) {
-      const std::string& name = suite.options.episodes[episode].name;
-      if (!options.only_episode.empty() && name != options.only_episode) continue;
-      for (std::int64_t seed = seeds.first; seed <= seeds.last; ++seed) {
-        if (index++ % shard.second == shard.first - 1) jobs.push_back({episode, seed, planner});
+  for (std::size_t suite = 0; suite < suites.size(); ++suite) {
+    const SeedRange seeds = seeds_of(options, suites[suite]);
+    const std::vector<SuiteEpisode>& episodes = suites[suite].options.episodes;
+    for (const std::string& planner : options.planners) {
+      for (std::size_t episode = 0; episode < episodes.size(); ++episode) {
+        if (!options.only_episode.empty() && episodes[episode].name != options.only_episode) continue;
+        for (std::int64_t seed = seeds.first; seed <= seeds.last; ++seed) {
+          if (index++ % shard.second == shard.first - 1) jobs.push_back({suite, episode, seed, planner});
+        }
       }
     }
   }
-  if (jobs.empty()) throw std::runtime_error("no episode of " + options.suite + " is chosen");
+  if (jobs.empty()) throw std::runtime_error("no episode is chosen");
   return jobs;
 }
 
@@ -107,48 +111,75 @@ std::string planner_of(const nlohmann::json& card, const Job& job) {
   return planner.is_object() ? planner.value("name", job.planner) : job.planner;
 }
 
-int evaluate(const EvaluateOptions& options) {
-  const Suite suite = load_suite(options.suite);
-  const std::vector<Job> jobs = jobs_of(options, suite);
-  // A mistake in the last episode is found before the first one is driven.
-  for (const Job& job : jobs) graph_of(suite, job, options.set);
+EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, const Job& job) {
+  DriveOptions drive_options{
+      .host = {.clock = ClockMode::lockstep, .seed = static_cast<std::uint64_t>(job.seed)},
+      .longest = Duration::seconds(suite.options.time_limit)};
+  const std::string& name = suite.options.episodes[job.episode].name;
+  if (!options.svg_dir.empty()) {
+    // Names of episodes are unique in a suite.
+    const std::string before = options.suites.size() == 1
+                                   ? ""
+                                   : std::filesystem::path(options.suites[job.suite]).stem().string() + "_";
+    const std::string planner = job.planner.empty() ? "" : "_" + job.planner;
+    drive_options.svg = std::filesystem::path(options.svg_dir) /
+                        fmt::format("{}{}{}_seed{}.svg", before, name, planner, job.seed);
+  }
+  const nlohmann::json card = drive(graph_of(suite, job, options.set), drive_options).json;
+  return {name, job.seed, planner_of(card, job), card};
+}
 
-  std::vector<EpisodeResult> results;
+/// One suite as an object, several as {suites: [...]}.
+void write_json(const std::string& file, const std::vector<SuiteResult>& results) {
+  nlohmann::json reports = nlohmann::json::array();
+  for (const SuiteResult& result : results) reports.push_back(to_json(result));
+  const nlohmann::json all =
+      reports.size() == 1 ? reports.front() : nlohmann::json{{"suites", std::move(reports)}};
+  write_file_atomically(file, all.dump(2) + "\n");
+}
+
+bool enough_succeeded(const SuiteResult& result, double share) {
+  const nlohmann::json summary = to_json(result)["summary"];
+  return std::all_of(summary.begin(), summary.end(), [share](const nlohmann::json& row) {
+    return row["successes"].get<double>() >= share * row["episodes"].get<double>();
+  });
+}
+
+int evaluate(const EvaluateOptions& options) {
+  std::vector<Suite> suites;
+  std::vector<SuiteResult> results;
+  for (const std::string& file : options.suites) {
+    suites.push_back(load_suite(file));
+    results.push_back({file, {}});
+  }
+  const std::vector<Job> jobs = jobs_of(options, suites);
+  // A mistake in the last episode is found before the first one is driven.
+  for (const Job& job : jobs) graph_of(suites[job.suite], job, options.set);
+
+  std::size_t driven = 0;
   cli::catch_interrupts();
   for (const Job& job : jobs) {
-    DriveOptions drive_options{
-        .host = {.clock = ClockMode::lockstep, .seed = static_cast<std::uint64_t>(job.seed)},
-        .longest = Duration::seconds(suite.options.time_limit)};
-    const std::string& name = suite.options.episodes[job.episode].name;
-    if (!options.svg_dir.empty()) {
-      const std::string planner = job.planner.empty() ? "" : "_" + job.planner;
-      drive_options.svg =
-          std::filesystem::path(options.svg_dir) / fmt::format("{}{}_seed{}.svg", name, planner, job.seed);
-    }
-    const nlohmann::json card = drive(graph_of(suite, job, options.set), drive_options).json;
+    const EpisodeResult result = drive_job(options, suites[job.suite], job);
     if (cli::interrupted()) break;
-    const EpisodeResult result{name, job.seed, planner_of(card, job), card};
-    std::cerr << fmt::format("[{}/{}] {}{}\n", results.size() + 1, jobs.size(),
-                             result.succeeded() ? "" : "FAILED ", in_a_line(result));
-    results.push_back(result);
+    std::cerr << fmt::format("[{}/{}] {}{}\n", ++driven, jobs.size(), result.succeeded() ? "" : "FAILED ",
+                             in_a_line(result));
+    results[job.suite].episodes.push_back(result);
   }
 
-  const nlohmann::json report = suite_json(options.suite, results);
-  if (!options.json.empty()) write_file_atomically(options.json, report.dump(2) + "\n");
-  std::cout << in_words(report, results);
-  if (results.size() < jobs.size()) return 1;
-  for (const auto& row : report["summary"]) {
-    if (row["successes"].get<double>() < options.at_least * row["episodes"].get<double>()) return 1;
-  }
-  return 0;
+  if (!options.json.empty()) write_json(options.json, results);
+  std::cout << in_words(results);
+  const bool enough = std::all_of(results.begin(), results.end(), [&](const SuiteResult& result) {
+    return enough_succeeded(result, options.at_least);
+  });
+  return driven == jobs.size() && enough ? 0 : 1;
 }
 
 }  // namespace
 
 void add_evaluate(CLI::App& app, int& status) {
   auto options = std::make_shared<EvaluateOptions>();
-  CLI::App* verb = app.add_subcommand("evaluate", "Drives a suite of episodes in lock-step and sums up");
-  verb->add_option("SUITE", options->suite, "Suite file")->required();
+  CLI::App* verb = app.add_subcommand("evaluate", "Drives suites of episodes in lock-step and sums up");
+  verb->add_option("SUITE", options->suites, "Suite files")->required();
   verb->add_option("--planners", options->planners,
                    "Algorithms of local_planner, separated by commas; default: the graph's own")
       ->delimiter(',');

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
@@ -44,10 +44,33 @@ nlohmann::json smallest(const std::vector<double>& values) {
   return *std::min_element(values.begin(), values.end());
 }
 
+/// Of the planner's own times; none where a card has no planner.
+std::vector<double> planner_figures(const std::vector<const EpisodeResult*>& drives, const char* key) {
+  std::vector<double> values;
+  for (const EpisodeResult* drive : drives) {
+    const auto planner = drive->card.find("planner");
+    if (planner == drive->card.end() || !planner->is_object()) continue;
+    if (const std::optional<double> value = figure(*planner, key)) values.push_back(*value);
+  }
+  return values;
+}
+
 std::int64_t total(const std::vector<const EpisodeResult*>& drives, const char* key) {
   std::int64_t sum = 0;
   for (const EpisodeResult* drive : drives) sum += drive->card.value(key, std::int64_t{0});
   return sum;
+}
+
+/// Drives by planner, in the order of their first drives.
+std::vector<std::pair<std::string, std::vector<const EpisodeResult*>>> by_planner(const SuiteResult& result) {
+  std::vector<std::pair<std::string, std::vector<const EpisodeResult*>>> groups;
+  for (const EpisodeResult& drive : result.episodes) {
+    const auto same = [&](const auto& group) { return group.first == drive.planner; };
+    auto found = std::find_if(groups.begin(), groups.end(), same);
+    if (found == groups.end()) found = groups.insert(found, {drive.planner, {}});
+    found->second.push_back(&drive);
+  }
+  return groups;
 }
 
 nlohmann::json summary(const std::vector<const EpisodeResult*>& drives) {
@@ -66,9 +89,14 @@ nlohmann::json summary(const std::vector<const EpisodeResult*>& drives) {
           {"contacts", total(drives, "collisions")},
           {"contacts_at_speed", total(drives, "collisions_at_speed")},
           {"min_distance_m", smallest(figures(drives, "min_distance_m"))},
+          {"closest_person_m", smallest(figures(drives, "closest_person_m"))},
           {"max_collision_index", {{"max", largest(index)}, {"median", quantile(index, 0.5)}}},
           {"mean_time_s", mean(figures(reached, "time_to_goal_s"))},
-          {"mean_rms_jerk_mps3", mean(figures(drives, "rms_jerk_mps3"))}};
+          {"mean_rms_jerk_mps3", mean(figures(drives, "rms_jerk_mps3"))},
+          {"planner_ms",
+           {{"mean", mean(planner_figures(drives, "mean_ms"))},
+            {"p95", largest(planner_figures(drives, "p95_ms"))},
+            {"max", largest(planner_figures(drives, "max_ms"))}}}};
 }
 
 std::string text(const nlohmann::json& value, int digits) {
@@ -81,40 +109,46 @@ bool EpisodeResult::succeeded() const {
   return card.value("reached", false) && card.value("collisions_at_speed", 1) == 0;
 }
 
-nlohmann::json suite_json(const std::string& suite, const std::vector<EpisodeResult>& results) {
-  std::map<std::string, std::vector<const EpisodeResult*>> by_planner;
+nlohmann::json to_json(const SuiteResult& result) {
   nlohmann::json episodes = nlohmann::json::array();
-  for (const EpisodeResult& result : results) {
-    by_planner[result.planner].push_back(&result);
-    nlohmann::json episode = result.card;
+  for (const EpisodeResult& drive : result.episodes) {
+    nlohmann::json episode = drive.card;
     episode["planner_ms"] = episode["planner"];
-    episode["name"] = result.name;
-    episode["seed"] = result.seed;
-    episode["planner"] = result.planner;
-    episode["success"] = result.succeeded();
+    episode["name"] = drive.name;
+    episode["seed"] = drive.seed;
+    episode["planner"] = drive.planner;
+    episode["success"] = drive.succeeded();
     episode.erase("callbacks");
     episodes.push_back(std::move(episode));
   }
   nlohmann::json planners = nlohmann::json::object();
-  for (const auto& [planner, drives] : by_planner) planners[planner] = summary(drives);
-  return {{"suite", suite}, {"summary", std::move(planners)}, {"episodes", std::move(episodes)}};
+  for (const auto& [planner, drives] : by_planner(result)) planners[planner] = summary(drives);
+  return {{"suite", result.suite}, {"summary", std::move(planners)}, {"episodes", std::move(episodes)}};
 }
 
-std::string in_words(const nlohmann::json& suite, const std::vector<EpisodeResult>& results) {
+std::string in_words(const std::vector<SuiteResult>& results) {
   std::string out;
-  for (const EpisodeResult& result : results) {
-    if (!result.succeeded()) out += "failed: " + in_a_line(result) + "\n";
+  for (const SuiteResult& result : results) {
+    for (const EpisodeResult& drive : result.episodes) {
+      if (!drive.succeeded()) out += "failed: " + in_a_line(drive) + "\n";
+    }
   }
-  out += fmt::format("{:<8} {:>9} {:>13} {:>9} {:>9} {:>8} {:>7} {:>7} {:>7} {:>8}\n", "planner", "success",
-                     "Wilson 95 %", "contacts", "at speed", "gap m", "CI max", "median", "time s", "jerk");
-  for (const auto& [planner, row] : suite["summary"].items()) {
-    out += fmt::format("{:<8} {:>9} {:>13} {:>9} {:>9} {:>8} {:>7} {:>7} {:>7} {:>8}\n", planner,
-                       fmt::format("{} of {}", row["successes"].get<int>(), row["episodes"].get<int>()),
-                       text(row["wilson95"][0], 2) + " - " + text(row["wilson95"][1], 2),
-                       row["contacts"].get<int>(), row["contacts_at_speed"].get<int>(),
-                       text(row["min_distance_m"], 2), text(row["max_collision_index"]["max"], 2),
-                       text(row["max_collision_index"]["median"], 2), text(row["mean_time_s"], 1),
-                       text(row["mean_rms_jerk_mps3"], 2));
+  constexpr auto kRow =
+      "{:<11} {:<13} {:>9} {:>11} {:>8} {:>8} {:>8} {:>6} {:>6} {:>7} {:>5} {:>7} {:>7} {:>7}\n";
+  out += fmt::format(kRow, "suite", "planner", "success", "Wilson 95 %", "contacts", "at speed", "person m",
+                     "CI max", "median", "time s", "jerk", "ms mean", "p95", "max");
+  for (const SuiteResult& result : results) {
+    for (const auto& [planner, drives] : by_planner(result)) {
+      const nlohmann::json row = summary(drives);
+      out += fmt::format(kRow, std::filesystem::path(result.suite).stem().string(), planner,
+                         fmt::format("{} of {}", row["successes"].get<int>(), row["episodes"].get<int>()),
+                         text(row["wilson95"][0], 2) + "-" + text(row["wilson95"][1], 2),
+                         row["contacts"].get<int>(), row["contacts_at_speed"].get<int>(),
+                         text(row["closest_person_m"], 2), text(row["max_collision_index"]["max"], 2),
+                         text(row["max_collision_index"]["median"], 2), text(row["mean_time_s"], 1),
+                         text(row["mean_rms_jerk_mps3"], 2), text(row["planner_ms"]["mean"], 2),
+                         text(row["planner_ms"]["p95"], 2), text(row["planner_ms"]["max"], 2));
+    }
   }
   return out;
 }

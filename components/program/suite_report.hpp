@@ -20,13 +20,22 @@ struct EpisodeResult {
   bool succeeded() const;
 };
 
-/// {suite, planners: {name: {episodes, successes, wilson95, contacts, contacts_at_speed, min_distance_m,
-/// max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3}}, episodes: [{name, seed, planner,
-/// success, ... score card}]}. Times and jerk are means over reached goals and over all drives.
-nlohmann::json suite_json(const std::string& suite, const std::vector<EpisodeResult>& results);
+/// The drives of one suite.
+struct SuiteResult {
+  std::string suite;  ///< its file
+  std::vector<EpisodeResult> episodes;
+};
 
-/// The drives that failed and the summary, for people.
-std::string in_words(const nlohmann::json& suite, const std::vector<EpisodeResult>& results);
+/// {suite, summary: {planner: {episodes, reached, successes, wilson95, contacts, contacts_at_speed,
+/// min_distance_m, closest_person_m, max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3,
+/// planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner, success, ... score card}]}. Times and
+/// jerk are means over reached goals and over all drives; p95 of the planner's time is that of the worst
+/// drive.
+nlohmann::json to_json(const SuiteResult& result);
+
+/// The drives that failed, and one table: a row for each suite and planner, planners in the order they were
+/// driven.
+std::string in_words(const std::vector<SuiteResult>& results);
 
 /// One drive on one line.
 std::string in_a_line(const EpisodeResult& result);

@@ -87,7 +87,7 @@ TEST_F(SuiteFile, AnOverrideOfNothingNamesTheSuite) {
   }
 }
 
-EpisodeResult result(const std::string& name, bool reached, int contacts, int at_speed, double index) {
+EpisodeResult drive(const std::string& name, bool reached, int contacts, int at_speed, double index) {
   return {name,
           1,
           "teb",
@@ -96,18 +96,21 @@ EpisodeResult result(const std::string& name, bool reached, int contacts, int at
            {"collisions", contacts},
            {"collisions_at_speed", at_speed},
            {"min_distance_m", 1.0 - index},
+           {"closest_person_m", 2.0 - index},
            {"max_collision_index", index},
            {"time_to_goal_s", reached ? 10.0 * contacts : 99.0},
            {"rms_jerk_mps3", index},
-           {"planner", {{"name", "teb"}, {"median_ms", 0.5}}}}};
+           {"planner",
+            {{"name", "teb"}, {"mean_ms", 10.0 * index}, {"p95_ms", 20.0 * index}, {"max_ms", 50.0}}}}};
 }
 
 // A contact of a standing robot is no failure; one at speed and a goal not reached are. Wilson 95 % of 2 of 4
 // is 0.150 to 0.850 (z = 1.96: (0.5 + 0.4802 -+ 1.96 sqrt(0.0625 + 0.06002)) / 1.9604 by hand).
 TEST(SuiteReport, SumsUpByPlanner) {
-  const std::vector<EpisodeResult> results = {result("a", true, 0, 0, 0.1), result("b", true, 1, 0, 0.2),
-                                              result("c", true, 2, 1, 0.4), result("d", false, 0, 0, 0.3)};
-  const nlohmann::json json = suite_json("suite.yaml", results);
+  const SuiteResult result{"suite.yaml",
+                           {drive("a", true, 0, 0, 0.1), drive("b", true, 1, 0, 0.2),
+                            drive("c", true, 2, 1, 0.4), drive("d", false, 0, 0, 0.3)}};
+  const nlohmann::json json = to_json(result);
   const nlohmann::json& row = json["summary"]["teb"];
   EXPECT_EQ(row["episodes"], 4);
   EXPECT_EQ(row["reached"], 3);
@@ -117,15 +120,42 @@ TEST(SuiteReport, SumsUpByPlanner) {
   EXPECT_EQ(row["contacts"], 3);
   EXPECT_EQ(row["contacts_at_speed"], 1);
   EXPECT_DOUBLE_EQ(row["min_distance_m"].get<double>(), 0.6);
+  EXPECT_DOUBLE_EQ(row["closest_person_m"].get<double>(), 1.6);
+  EXPECT_DOUBLE_EQ(row["planner_ms"]["mean"].get<double>(), 2.5);
+  EXPECT_DOUBLE_EQ(row["planner_ms"]["p95"].get<double>(), 8.0);
+  EXPECT_DOUBLE_EQ(row["planner_ms"]["max"].get<double>(), 50.0);
   EXPECT_DOUBLE_EQ(row["max_collision_index"]["max"].get<double>(), 0.4);
   EXPECT_DOUBLE_EQ(row["max_collision_index"]["median"].get<double>(), 0.2);
   EXPECT_DOUBLE_EQ(row["mean_time_s"].get<double>(), 10.0);
   EXPECT_DOUBLE_EQ(row["mean_rms_jerk_mps3"].get<double>(), 0.25);
   EXPECT_EQ(json["episodes"][2]["planner"], "teb");
   EXPECT_EQ(json["episodes"][2]["success"], false);
-  const std::string words = in_words(json, results);
+  const std::string words = in_words({result});
   EXPECT_NE(words.find("failed: d seed 1 teb: not reached (because)"), std::string::npos) << words;
   EXPECT_NE(words.find("2 of 4"), std::string::npos) << words;
+}
+
+// One row for each suite and planner, planners in the order of --planners and not of the alphabet.
+TEST(SuiteReport, OneTableForAllSuitesAndPlanners) {
+  const auto by = [](const std::string& planner) {
+    EpisodeResult result = drive("a", true, 0, 0, 0.1);
+    result.planner = planner;
+    return result;
+  };
+  const std::string words =
+      in_words({{"x/hall.yaml", {by("teb"), by("dwa"), by("teb")}}, {"x/eth.yaml", {by("teb_homotopy")}}});
+  std::vector<std::string> rows;
+  std::istringstream lines(words);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields(line);
+    std::string suite, planner, successes, of, drives;
+    fields >> suite >> planner >> successes >> of >> drives;
+    rows.push_back(suite + " " + planner + " " + successes + "/" + drives);
+  }
+  ASSERT_EQ(rows.size(), 4U) << words;
+  EXPECT_EQ(rows[1], "hall teb 2/2");
+  EXPECT_EQ(rows[2], "hall dwa 1/1");
+  EXPECT_EQ(rows[3], "eth teb_homotopy 1/1");
 }
 
 }  // namespace
