@@ -11,6 +11,7 @@ constexpr double kLargest = 1e6;  // [m], [m/s], [rad]; beyond it squares lose t
 bool sane(double value) { return std::abs(value) <= kLargest; }  // false for NaN
 bool sane(const Vector2& p) { return sane(p.x()) && sane(p.y()); }
 bool sane(const Pose2& p) { return sane(p.x) && sane(p.y) && sane(p.theta); }
+bool positive(double value) { return value > 0.0 && value <= kLargest; }
 bool size(double value) { return value >= 0.0 && value <= kLargest; }
 
 bool sane(const Mover& m) {
@@ -21,7 +22,6 @@ bool sane(const Mover& m) {
 }
 
 bool sane(const Limits& l) {
-  const auto positive = [](double value) { return value > 0.0 && value <= kLargest; };
   return positive(l.v_max) && size(l.v_back_max) && positive(l.omega_max) && positive(l.acc_max) &&
          positive(l.alpha_max) && positive(l.jerk_max) && positive(l.stop_deceleration);
 }
@@ -32,10 +32,8 @@ std::string fault_of(const PlanningProblem& problem) {
   if (!sane(problem.pose)) return "the robot pose is not finite";
   if (!sane(problem.twist.v) || !sane(problem.twist.omega)) return "the robot velocity is not finite";
   if (!sane(problem.limits)) return "a motion limit is not a positive number";
-  if (!(problem.control_period > 0.0) || !sane(problem.control_period)) {
-    return "the control period is not a positive number";
-  }
-  if (!size(problem.command_lead)) return "the command lead is negative or not finite";
+  if (!positive(problem.control_period)) return "the control period is not a positive number";
+  if (!positive(problem.command_lead)) return "the command lead is not a positive number";
   if (!size(problem.footprint.radius)) return "the footprint radius is not a positive number";
   const auto fine = [](const auto& list) {
     return std::all_of(list.begin(), list.end(), [](const auto& item) { return sane(item); });
