@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "components/local_planner/dwa/dwa_planner.hpp"
+#include "components/local_planner/hrvo/hrvo_planner.hpp"
 #include "components/local_planner/teb/band_planner.hpp"
 
 namespace bw {
@@ -28,6 +29,10 @@ const NamedPlanner kPlanners[] = {
     {"edwa",
      [](const LocalPlannerOptions& o) -> Made {
        return std::make_unique<dwa::DwaPlanner>(o.dwa, o.edwa, o.hrvo);
+     }},
+    {"hrvo",
+     [](const LocalPlannerOptions& o) -> Made {
+       return std::make_unique<hrvo::HrvoPlanner>(o.hrvo, o.driving);
      }},
     {"teb",
      [](const LocalPlannerOptions& o) -> Made {

@@ -18,12 +18,7 @@ struct HrvoOptions {
   std::string passing_side = "actual";
   double time_step = 0.25;
   double sensing_margin = 0.0;
-  // The planner `hrvo` only.
   double lookahead = 2.0;
-  double feasibility_margin = 0.0;
-  double evasion_horizon = 2.0;
-  double xy_goal_tolerance = 0.1;
-  double yaw_goal_tolerance = 0.1;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -67,18 +62,7 @@ struct HrvoOptions {
       {.unit = "m",
        .min = 0.2,
        .max = 50,
-       .doc = "the planner aims at the point of the plan this far ahead"});
-    v("feasibility_margin", feasibility_margin,
-      {.unit = "m", .min = 0, .max = 5, .doc = "gap asked of one control period followed by a stop"});
-    v("evasion_horizon", evasion_horizon,
-      {.unit = "s", .min = 0, .max = 10, .doc = "simulated time of an evasive move; 0: only stop"});
-    v("xy_goal_tolerance", xy_goal_tolerance,
-      {.unit = "m",
-       .min = 0.005,
-       .max = 5,
-       .doc = "from here the robot only turns to the goal heading and stops"});
-    v("yaw_goal_tolerance", yaw_goal_tolerance,
-      {.unit = "rad", .min = 0.005, .max = 3.15, .doc = "heading error at which it has arrived"});
+       .doc = "planner hrvo only: it aims at the point of the plan this far ahead"});
   }
 };
 

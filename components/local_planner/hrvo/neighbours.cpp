@@ -80,8 +80,12 @@ class StaticNeighbours {
     const auto seen = [&](const Vector2& p) { return in_view(problem_, p, options_.view_angle); };
     if (!seen(nearest) && !seen(core.a) && !seen(core.b)) return {};
     const double touching = problem_.footprint.radius + radius;
-    const double goal_distance = (nearest_point(core, goal_) - goal_).norm();
-    const double room = std::min(distance, goal_distance) - touching;
+    double room = distance - touching;
+    if (problem_.goal_is_final && !problem_.plan.empty()) {
+      const Vector2 end = problem_.plan.back().position();
+      const double room_there = (nearest_point(core, end) - end).norm() - touching;
+      if (room_there >= 0.0) room = std::min(room, room_there);
+    }
     const Neighbour n{core, touching + std::clamp(room, 0.0, options_.margin), {0.0, 0.0}, false, distance};
     if (n.radius < kSmallestRadius || gap(n) >= (goal_ - robot).norm()) return {};
     return n;

@@ -25,8 +25,8 @@ Vector2 nearest_point(const Segment& segment, const Vector2& p);
 /// gap).
 ///
 /// Static obstacles, beyond the spec: one that the robot cannot meet on the straight way to `goal` does not
-/// count; its margin is at most what the goal and the robot's own place leave, so that a goal near a wall can
-/// be reached and left.
+/// count; its margin is at most the room there is for the robot now and at the end of a final plan, so that a
+/// goal near a wall can be reached and left.
 std::vector<Neighbour> neighbours(const PlanningProblem& problem, const Vector2& goal,
                                   const HrvoOptions& options);
 
