@@ -7,7 +7,6 @@
 
 #include "components/local_planner/command_limits.hpp"
 #include "components/local_planner/problem_check.hpp"
-#include "components/local_planner/teb/band_class.hpp"
 #include "components/local_planner/teb/band_trajectory.hpp"
 
 namespace bw::teb {
@@ -17,6 +16,51 @@ constexpr double kAdvanceSlack =
     0.5;  // [s] around the expected place on the band in which the robot is searched
 constexpr double kOldestBand = 1.0;   // [s] without a call after which a band says nothing about the scene
 constexpr double kDetourSlack = 1.0;  // [s] that any band may take longer than the unhindered drive
+
+homotopy::Route route_of(const Band& band) {
+  homotopy::Route route;
+  route.reserve(band.size());
+  double time = 0.0;
+  for (const BandPose& pose : band.poses) {
+    route.push_back({pose.position(), time});
+    time += pose.dt;
+  }
+  return route;
+}
+
+std::vector<Pose2> path_of(const homotopy::Route& route, const Pose2& goal) {
+  std::vector<Pose2> path;
+  for (const homotopy::RoutePoint& point : route)
+    path.push_back({point.position.x(), point.position.y(), 0.0});
+  path.back() = goal;
+  return path;
+}
+
+// Bands that optimisation has led into one topology: the cheapest stays, and is the driven one if one was.
+void merge_classes(std::vector<BandCandidate>& candidates, const homotopy::Exploration& explored,
+                   const homotopy::HomotopyOptions& options) {
+  std::vector<BandCandidate> distinct;
+  std::vector<homotopy::Signature> signatures;
+  for (BandCandidate& candidate : candidates) {
+    if (!candidate.report.usable) continue;
+    homotopy::Signature signature =
+        homotopy::signature_of(route_of(candidate.band), explored.bodies, explored.course, options);
+    const auto same = std::find_if(signatures.begin(), signatures.end(), [&](const homotopy::Signature& s) {
+      return homotopy::same_class(s, signature, options);
+    });
+    if (same == signatures.end()) {
+      signatures.push_back(std::move(signature));
+      distinct.push_back(std::move(candidate));
+      continue;
+    }
+    BandCandidate& known = distinct[static_cast<std::size_t>(same - signatures.begin())];
+    const bool driven = known.driven || candidate.driven;
+    if (std::pair(!candidate.free, candidate.cost) < std::pair(!known.free, known.cost))
+      known = std::move(candidate);
+    known.driven = driven;
+  }
+  if (!distinct.empty()) candidates = std::move(distinct);
+}
 
 }  // namespace
 
@@ -48,7 +92,7 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
   std::vector<BandCandidate> candidates = kept_candidates(problem);
   planned_at_ = problem.now;
   goal_ = problem.plan.back();
-  add_new(problem, along_plan, candidates);
+  const std::optional<homotopy::Exploration> explored = add_new(problem, along_plan, candidates);
   const int budget = std::max(problem.budget.max_iterations, 1);
   int iterations = improve_all(candidates, problem, field, teb.band, options_.driving, budget);
 
@@ -59,6 +103,7 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
     if (advice) candidate.cost += hrvo_cost(*advice, candidate.trajectory, field, options_.hrvo->weight);
   };
   for (BandCandidate& candidate : candidates) judge(candidate);
+  if (explored) merge_classes(candidates, *explored, *options_.homotopy);
   std::size_t chosen = select(candidates);
   const bool detour =
       candidates[chosen].band.duration() > teb.detour_factor * along_plan.duration() + kDetourSlack;
@@ -117,12 +162,26 @@ std::vector<BandCandidate> BandPlanner::kept_candidates(const PlanningProblem& p
   return candidates;
 }
 
-void BandPlanner::add_new([[maybe_unused]] const PlanningProblem& problem, const Band& along_plan,
-                          std::vector<BandCandidate>& candidates) {
+std::optional<homotopy::Exploration> BandPlanner::add_new(const PlanningProblem& problem,
+                                                          const Band& along_plan,
+                                                          std::vector<BandCandidate>& candidates) const {
+  const BandOptions& options = options_.teb.band;
   if (!options_.homotopy) {
     if (candidates.empty()) candidates.push_back({.band = along_plan, .label = "plan"});
-    return;
+    return std::nullopt;
   }
+  std::vector<homotopy::Route> in_use;
+  for (const BandCandidate& candidate : candidates) in_use.push_back(route_of(candidate.band));
+  homotopy::Exploration explored =
+      homotopy::explore(problem, options.min_obstacle_dist, in_use, *options_.homotopy);
+  for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].label = explored.in_use_labels[i];
+  for (const homotopy::Path& path : explored.paths) {
+    candidates.push_back({.band = path.is_plan ? along_plan
+                                               : band_along(path_of(path.route, problem.plan.back()),
+                                                            problem.pose, problem.limits, options),
+                          .label = path.label});
+  }
+  return explored;
 }
 
 std::size_t BandPlanner::select(const std::vector<BandCandidate>& candidates) const {
@@ -138,12 +197,16 @@ std::size_t BandPlanner::select(const std::vector<BandCandidate>& candidates) co
 }
 
 void BandPlanner::keep(std::vector<BandCandidate> candidates, std::size_t chosen) {
-  bands_.clear();
-  candidates[chosen].driven = true;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (i != chosen) candidates[i].driven = false;
-    if (candidates[i].report.usable) bands_.push_back(std::move(candidates[i]));
-  }
+  for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].driven = i == chosen;
+  std::erase_if(candidates, [](const BandCandidate& c) { return !c.report.usable; });
+  std::stable_sort(candidates.begin(), candidates.end(), [](const BandCandidate& l, const BandCandidate& r) {
+    return std::tuple(!l.driven, !l.free, l.cost) < std::tuple(!r.driven, !r.free, r.cost);
+  });
+  // One place stays open for a topology that is new, or better by now.
+  const int most = options_.homotopy ? options_.homotopy->max_number_classes - 1 : 1;
+  const auto count = static_cast<std::size_t>(std::max(most, 1));
+  if (candidates.size() > count) candidates.resize(count);
+  bands_ = std::move(candidates);
 }
 
 }  // namespace bw::teb

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "components/local_planner/driving.hpp"
-#include "components/local_planner/homotopy/homotopy_options.hpp"
-#include "components/local_planner/hrvo/hrvo_options.hpp"
+#include "components/local_planner/homotopy/explore.hpp"
 #include "components/local_planner/teb/band_candidate.hpp"
 #include "components/local_planner/teb/hrvo_preference.hpp"
 #include "components/local_planner/teb/prediction_options.hpp"
@@ -39,8 +38,9 @@ class BandPlanner final : public LocalPlanner {
 
  private:
   std::vector<BandCandidate> kept_candidates(const PlanningProblem& problem);
-  void add_new(const PlanningProblem& problem, const Band& along_plan,
-               std::vector<BandCandidate>& candidates);
+  /// Adds bands in topologies that no candidate has; says how topologies are told apart in this cycle.
+  std::optional<homotopy::Exploration> add_new(const PlanningProblem& problem, const Band& along_plan,
+                                               std::vector<BandCandidate>& candidates) const;
   /// Index of the candidate to drive: free ones first, then the cheapest. At least one candidate.
   std::size_t select(const std::vector<BandCandidate>& candidates) const;
   void keep(std::vector<BandCandidate> candidates, std::size_t chosen);
