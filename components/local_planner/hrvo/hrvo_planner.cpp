@@ -14,32 +14,37 @@ namespace bw::hrvo {
 namespace {
 
 constexpr double kNoDirection = 0.02;  // [m/s] below which a velocity has none: stand (spec 5.3)
+constexpr double kStep = 0.1;          // [s] of the prediction
 constexpr std::array kSpeedShares{1.0, 0.75, 0.5, 0.25, 0.0};
 
 // Turns so fast that half of alpha_max ends the turn at the velocity's direction.
-Twist2 towards(const Vector2& velocity, const PlanningProblem& problem) {
+Twist2 towards(const Vector2& velocity, double heading, const Limits& limits, double period) {
   const double speed = velocity.norm();
   if (speed < kNoDirection) return {};
-  const double error = wrap_angle(std::atan2(velocity.y(), velocity.x()) - problem.pose.theta);
+  const double error = wrap_angle(std::atan2(velocity.y(), velocity.x()) - heading);
   const double rate =
-      std::min({problem.limits.omega_max, std::sqrt(problem.limits.alpha_max * std::abs(error)),
-                std::abs(error) / problem.command_lead});
+      std::min({limits.omega_max, std::sqrt(limits.alpha_max * std::abs(error)), std::abs(error) / period});
   return {speed * std::max(0.0, std::cos(error)), std::copysign(rate, error)};
 }
 
-// One control period of `command`, then a stop.
-std::vector<TrajectoryPoint> stopping_after(const Twist2& command, const PlanningProblem& problem) {
-  constexpr double kStep = 0.1;  // [s]
+// Follows `share` of the velocity's speed for `duration`, then stops. Point 1 holds the command.
+std::vector<TrajectoryPoint> followed(const Vector2& velocity, double share, double duration,
+                                      const PlanningProblem& problem) {
   std::vector<TrajectoryPoint> trajectory{{0.0, problem.pose, problem.twist}};
-  Twist2 twist = command;
-  double step = problem.control_period;
-  while (true) {
+  double step = problem.command_lead;
+  for (bool stopping = false; !(stopping && trajectory.back().twist == Twist2{});) {
     const TrajectoryPoint& last = trajectory.back();
+    Twist2 twist = stop_twist(last.twist, problem.limits, step);
+    if (!stopping) {
+      Twist2 wanted = towards(velocity, last.pose.theta, problem.limits, step);
+      wanted.v *= share;
+      twist = reachable_twist(wanted, last.twist, problem.limits, step);
+    }
     trajectory.push_back({last.time + step, advance_exact(last.pose, twist, step), twist});
-    if (twist == Twist2{}) return trajectory;
+    stopping = trajectory.back().time >= duration;
     step = kStep;
-    twist = stop_twist(twist, problem.limits, step);
   }
+  return trajectory;
 }
 
 }  // namespace
@@ -61,21 +66,20 @@ PlanningResult HrvoPlanner::plan(const PlanningProblem& problem) {
   const Vector2 aim =
       dwa::carrot(problem.plan, problem.pose.position(), std::max(options_.lookahead, braking));
   const Advice advice = advise(problem, aim, options_);
-  const Twist2 wanted = towards(advice.velocity, problem);
-
   PlanningResult result;
   result.iterations = 1;
   result.velocity_cones = advice.cones;
   result.velocity_wanted = advice.velocity;
+  const double way = (aim - problem.pose.position()).norm();
+  const double duration =
+      std::min(driving_.feasibility_check_time, way / std::max(advice.velocity.norm(), kNoDirection));
   for (const double share : kSpeedShares) {
-    const Twist2 command = reachable_twist({share * wanted.v, wanted.omega}, problem.twist, problem.limits,
-                                           problem.command_lead);
-    std::vector<TrajectoryPoint> trajectory = stopping_after(command, problem);
+    std::vector<TrajectoryPoint> trajectory = followed(advice.velocity, share, duration, problem);
     const bool free = is_free(trajectory, problem, driving_);
     result.candidates.push_back({"speed", 1.0 - share, free, trajectory});
     if (!free) continue;
     result.status = PlanningStatus::ok;
-    result.command = command;
+    result.command = trajectory[1].twist;
     result.trajectory = std::move(trajectory);
     return result;
   }
