@@ -1,5 +1,8 @@
 #include "components/local_planner/local_planner_component.hpp"
 
+#include <algorithm>
+#include <thread>
+
 #include "components/local_planner/back_off.hpp"
 #include "components/local_planner/command_limits.hpp"
 #include "components/local_planner/planner_markers.hpp"
@@ -17,15 +20,27 @@ std::uint8_t status_code(PlanningStatus status) {
   return status == PlanningStatus::infeasible ? follow::BLOCKED : follow::FAILED;
 }
 
+/// The parameter `threads`, for this machine and clock.
+std::size_t thread_count(std::int64_t wanted, bool lockstep) {
+  if (lockstep) return 1;
+  return wanted > 0 ? static_cast<std::size_t>(wanted)
+                    : std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 4);
+}
+
 }  // namespace
 
 void LocalPlannerComponent::configure(Setup& setup) {
   parameters_ = setup.parameters<LocalPlannerParameters>();
   robot_ = setup.shared<Robot>("robot");
   planner_ = make_planner(parameters_.algorithm, parameters_.planners);
+  period_ = 1.0 / parameters_.controller_frequency;
+  threads_ = thread_count(parameters_.threads, setup.is_lockstep());
+  watch_.emplace(period_, parameters_.max_cycle_time > 0.0 ? parameters_.max_cycle_time : 0.5 * period_,
+                 static_cast<int>(parameters_.max_iterations), !setup.is_lockstep());
   odom_frame_ = setup.frame("odom");
   log_ = setup.log();
   diagnostics_ = &setup.diagnostics();
+  diagnostics_->set_value("planner", parameters_.algorithm);
   odometry_ = setup.latest<nav_msgs::msg::Odometry>("odom", Qos::command());
   tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::command());
   obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::command());
@@ -36,8 +51,11 @@ void LocalPlannerComponent::configure(Setup& setup) {
   status_ = setup.output<bandwagon_msgs::msg::FollowStatus>("follow_status");
   trajectory_ = setup.output<nav_msgs::msg::Path>("local_plan");
   markers_ = setup.output<visualization_msgs::msg::MarkerArray>("local_planner_markers");
-  setup.every(Duration::seconds(1.0 / parameters_.controller_frequency), "control_cycle",
-              [this](const Tick& tick) { control_cycle(tick); });
+  setup.every(Duration::seconds(period_), "control_cycle", [this](const Tick& tick) { control_cycle(tick); });
+}
+
+void LocalPlannerComponent::activate(const Tick&) {
+  if (threads_ > 1) pool_.emplace(threads_);
 }
 
 void LocalPlannerComponent::on_request(const bandwagon_msgs::msg::FollowRequest& request) {
@@ -50,7 +68,12 @@ void LocalPlannerComponent::on_request(const bandwagon_msgs::msg::FollowRequest&
 
 PlanningProblem LocalPlannerComponent::make_problem(const Tick& tick, std::string& missing) {
   PlanningProblem problem{.now = tick.now, .footprint = {.radius = robot_.radius}, .limits = robot_.limits};
-  problem.budget.max_iterations = static_cast<int>(parameters_.max_iterations);
+  problem.control_period = period_;
+  problem.command_lead = parameters_.command_lead;
+  problem.budget = watch_->budget();
+  if (pool_) {
+    problem.parallel_for = [this](std::size_t count, const auto& body) { pool_->run(count, body); };
+  }
   const auto pose_of = [&](const std::string& frame) -> std::optional<Pose2> {
     if (frame == odom_frame_) return Pose2{};
     auto X_OF = transforms_->lookup_planar(odom_frame_, frame);
@@ -82,17 +105,17 @@ PlanningProblem LocalPlannerComponent::make_problem(const Tick& tick, std::strin
 }
 
 void LocalPlannerComponent::control_cycle(const Tick& tick) {
+  watch_->begin();
   std::string missing;
   PlanningProblem problem = make_problem(tick, missing);
-  const double period = 1.0 / parameters_.controller_frequency;
   PlanningResult result;
-  result.command = stop_twist(problem.twist, robot_.limits, period);
+  result.command = stop_twist(problem.twist, robot_.limits, parameters_.command_lead);
   if (tick.health == Health::stop) {
     result.reason = "a needed input is stale";
   } else if (!missing.empty()) {
     result.reason = missing;
   } else if (request_.mode() == mode::BACK_OFF) {
-    result = back_off(problem, period, parameters_.back_off_margin);
+    result = back_off(problem, parameters_.command_lead, parameters_.back_off_margin);
   } else if (request_.mode() == mode::FOLLOW) {
     result = planner_->plan(problem);
   }
@@ -113,24 +136,22 @@ void LocalPlannerComponent::publish(const Tick& tick, const PlanningProblem& pro
   status.distance_to_goal(window_.distance_to_goal);
   status.command(to_twist_message(result.command));
   status_.publish(status);
+  watch_->report(result, idle, *diagnostics_);
   if (idle) return;
-
-  if (result.status != last_status_) {
-    last_status_ = result.status;
-    if (result.status == PlanningStatus::ok) {
-      diagnostics_->report(DiagnosticReporter::Level::ok, "following");
-    } else {
-      log_.warn("{}", result.reason);
-      diagnostics_->report(DiagnosticReporter::Level::warn, result.reason);
-    }
+  if (result.status != last_status_ && result.status != PlanningStatus::ok) log_.warn("{}", result.reason);
+  last_status_ = result.status;
+  if (trajectory_.has_readers()) {
+    std::vector<Pose2> poses;
+    for (const TrajectoryPoint& point : result.trajectory) poses.push_back(point.pose);
+    trajectory_.publish(to_path(odom_frame_, tick.now, poses));
   }
-  std::vector<Pose2> poses;
-  for (const TrajectoryPoint& point : result.trajectory) poses.push_back(point.pose);
-  trajectory_.publish(to_path(odom_frame_, tick.now, poses));
   if (markers_.has_readers()) markers_.publish(to_markers(problem, result, odom_frame_));
+  watch_->end(result);
 }
 
 void LocalPlannerComponent::deactivate(const Tick&) { command_.publish({}); }
+
+void LocalPlannerComponent::cleanup() { pool_.reset(); }
 
 BW_COMPONENT(LocalPlannerComponent, "local_planner")
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include <bandwagon_msgs/msg/follow_request.hpp>
 #include <bandwagon_msgs/msg/follow_status.hpp>
@@ -12,18 +14,22 @@
 #include <nav_msgs/msg/path.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
+#include "components/local_planner/cycle_watch.hpp"
 #include "components/local_planner/local_planner_parameters.hpp"
 #include "components/local_planner/plan_window.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/transform_tree.hpp"
+#include "runtime/worker_pool.hpp"
 
 namespace bw {
 
 class LocalPlannerComponent final : public Component {
  public:
   void configure(Setup& setup) override;
+  void activate(const Tick& tick) override;
   void deactivate(const Tick& tick) override;
+  void cleanup() override;
 
  private:
   void on_request(const bandwagon_msgs::msg::FollowRequest& request);
@@ -34,6 +40,10 @@ class LocalPlannerComponent final : public Component {
 
   LocalPlannerParameters parameters_;
   Robot robot_;
+  double period_ = 0.1;  ///< [s] between cycles
+  std::size_t threads_ = 1;
+  std::optional<WorkerPool> pool_;  ///< none in lock-step
+  std::optional<CycleWatch> watch_;
   std::string odom_frame_;
   std::unique_ptr<LocalPlanner> planner_;
   bandwagon_msgs::msg::FollowRequest request_;

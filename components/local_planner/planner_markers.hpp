@@ -9,7 +9,15 @@
 
 namespace bw {
 
-/// Line strips of all candidates (chosen: green) and the predicted positions of the movers, in frame `frame`.
+/// All in `frame`, after a DELETEALL, by namespace:
+///   candidates        line of each candidate, the chosen one green and thick
+///   candidate_labels  its label and cost, at its middle
+///   predictions       where the movers are expected for 3 s: a dot each 0.5 s, and the ellipse of two
+///   standard
+///                     deviations where there is a covariance
+///   velocity_cones    forbidden velocities, drawn from the robot at 1 m for 1 m/s
+///   velocity_wanted   the best velocity outside them, likewise
+/// What is not finite is left out: one such number and rviz2 refuses the whole array.
 visualization_msgs::msg::MarkerArray to_markers(const PlanningProblem& problem, const PlanningResult& result,
                                                 const std::string& frame);
 

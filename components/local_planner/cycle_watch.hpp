@@ -1,0 +1,37 @@
+// Times the planning cycles where time is real: the budget of the next one, and figures for /diagnostics. In
+// lock-step it reads no clock, and the budget is what the parameters say.
+#pragma once
+
+#include <cstdint>
+
+#include "components/local_planner/iteration_budget.hpp"
+#include "components/model/planning.hpp"
+#include "runtime/component.hpp"
+#include "runtime/host/statistics.hpp"
+
+namespace bw {
+
+class CycleWatch {
+ public:
+  /// `period` [s] between cycles; `time_allowed` [s] in which one should end.
+  CycleWatch(double period, double time_allowed, int max_iterations, bool real_time);
+
+  /// For the cycle that begins.
+  Budget budget() const;
+  void begin();
+  /// Not called for a cycle that had nothing to plan.
+  void end(const PlanningResult& result);
+  /// The state of the planner and its figures, those of time up to the last cycle that ended.
+  void report(const PlanningResult& result, bool idle, DiagnosticReporter& diagnostics) const;
+
+ private:
+  double period_;
+  int max_iterations_;
+  bool real_time_;
+  IterationBudget iteration_budget_;
+  Duration began_;
+  DurationHistogram times_;  ///< of the whole run, by the steady clock: workers and waiting included
+  std::uint64_t overruns_ = 0;
+};
+
+}  // namespace bw
