@@ -1,0 +1,77 @@
+// Parameters of the exploration of distinctive topologies (spec 6.2). Names follow the public
+// teb_local_planner package where it has them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "runtime/parameters/field.hpp"
+
+namespace bw::homotopy {
+
+struct HomotopyOptions {
+  int max_number_classes = 4;
+  int max_bodies = 20;
+  int max_expansions = 2000;
+  std::string method = "keypoints";
+  std::string search = "best_first";
+  std::string signature = "winding";
+  std::string mover_topology = "time_indexed";
+  double prediction_horizon = 1.6;
+  double h_signature_threshold = 0.1;
+  double obstacle_keypoint_offset = 0.1;
+  double obstacle_heading_threshold = 0.1;
+  double edge_heading_threshold = 0.45;
+  int roadmap_graph_no_samples = 15;
+  double roadmap_graph_area_width = 6.0;
+  std::int64_t roadmap_graph_seed = 1;
+  double selection_cost_hysteresis = 0.95;
+  double switching_blocking_period = 0.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("max_number_classes", max_number_classes,
+      {.min = 1, .max = 20, .doc = "candidates in different topologies; each costs an optimisation"});
+    v("max_bodies", max_bodies,
+      {.min = 0, .max = 100, .doc = "obstacles (merged where the robot does not fit between) told apart"});
+    v("max_expansions", max_expansions,
+      {.min = 1, .max = 1e6, .doc = "vertices that the search may visit in one cycle; bounds its time"});
+    v("method", method,
+      {.choices = {"keypoints", "roadmap"}, .doc = "vertices beside each obstacle, or random ones"});
+    v("search", search,
+      {.choices = {"best_first", "depth_first"},
+       .doc = "the shortest classes first, or those met first (as published)"});
+    v("signature", signature,
+      {.choices = {"winding", "h_signature"},
+       .doc = "how classes are told apart; h_signature loses its digits beyond about 10 obstacles"});
+    v("mover_topology", mover_topology,
+      {.choices = {"time_indexed", "capsule", "present"},
+       .doc = "movers where they are when the robot passes; with their way of prediction_horizon; as they "
+              "stand"});
+    v("prediction_horizon", prediction_horizon,
+      {.unit = "s", .min = 0, .max = 20, .doc = "length of a mover's capsule"});
+    v("h_signature_threshold", h_signature_threshold,
+      {.min = 1e-6, .max = 10, .doc = "difference of H-signatures from which classes differ"});
+    v("obstacle_keypoint_offset", obstacle_keypoint_offset,
+      {.unit = "m", .min = 0, .max = 2, .doc = "vertices beyond the wanted clearance"});
+    v("obstacle_heading_threshold", obstacle_heading_threshold,
+      {.min = 0,
+       .max = 1,
+       .doc = "cosine between goal and a place beside an obstacle below which it is no vertex"});
+    v("edge_heading_threshold", edge_heading_threshold,
+      {.min = 0, .max = 1, .doc = "cosine between goal and edge above which the edge goes forward"});
+    v("roadmap_graph_no_samples", roadmap_graph_no_samples,
+      {.min = 1, .max = 200, .doc = "random vertices of method roadmap"});
+    v("roadmap_graph_area_width", roadmap_graph_area_width,
+      {.unit = "m", .min = 0.1, .max = 50, .doc = "strip around the line to the goal that is explored"});
+    v("roadmap_graph_seed", roadmap_graph_seed, {.min = 0, .doc = "of the random vertices"});
+    v("selection_cost_hysteresis", selection_cost_hysteresis,
+      {.min = 0,
+       .max = 1,
+       .doc = "share of the present candidate's cost that another must undercut; lower switches less"});
+    v("switching_blocking_period", switching_blocking_period,
+      {.unit = "s", .min = 0, .max = 60, .doc = "time after a switch before the next one"});
+  }
+};
+
+}  // namespace bw::homotopy
