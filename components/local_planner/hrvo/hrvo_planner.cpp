@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "components/local_planner/command_limits.hpp"
 #include "components/local_planner/dwa/carrot.hpp"
@@ -17,33 +18,39 @@ constexpr double kNoDirection = 0.02;  // [m/s] below which a velocity has none:
 constexpr double kStep = 0.1;          // [s] of the prediction
 constexpr std::array kSpeedShares{1.0, 0.75, 0.5, 0.25, 0.0};
 
+std::string label_of(double share) {
+  return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " % speed";
+}
+
 // Turns so fast that half of alpha_max ends the turn at the velocity's direction.
-Twist2 towards(const Vector2& velocity, double heading, const Limits& limits, double period) {
+Twist2 towards(const Vector2& velocity, double heading, const PlanningProblem& problem) {
   const double speed = velocity.norm();
   if (speed < kNoDirection) return {};
   const double error = wrap_angle(std::atan2(velocity.y(), velocity.x()) - heading);
   const double rate =
-      std::min({limits.omega_max, std::sqrt(limits.alpha_max * std::abs(error)), std::abs(error) / period});
+      std::min({problem.limits.omega_max, std::sqrt(problem.limits.alpha_max * std::abs(error)),
+                std::abs(error) / problem.control_period});
   return {speed * std::max(0.0, std::cos(error)), std::copysign(rate, error)};
 }
 
-// Follows `share` of the velocity's speed for `duration`, then stops. Point 1 holds the command.
-std::vector<TrajectoryPoint> followed(const Vector2& velocity, double share, double duration,
+// Follows `share` of the velocity's speed for `duration`, then stops; not longer than `longest` [s]. Point 1
+// holds the command.
+std::vector<TrajectoryPoint> followed(const Vector2& velocity, double share, double duration, double longest,
                                       const PlanningProblem& problem) {
   std::vector<TrajectoryPoint> trajectory{{0.0, problem.pose, problem.twist}};
   double step = problem.command_lead;
-  for (bool stopping = false; !(stopping && trajectory.back().twist == Twist2{});) {
+  do {
     const TrajectoryPoint& last = trajectory.back();
     Twist2 twist = stop_twist(last.twist, problem.limits, step);
-    if (!stopping) {
-      Twist2 wanted = towards(velocity, last.pose.theta, problem.limits, step);
+    if (last.time < duration) {
+      Twist2 wanted = towards(velocity, last.pose.theta, problem);
       wanted.v *= share;
       twist = reachable_twist(wanted, last.twist, problem.limits, step);
     }
     trajectory.push_back({last.time + step, advance_exact(last.pose, twist, step), twist});
-    stopping = trajectory.back().time >= duration;
     step = kStep;
-  }
+  } while (trajectory.back().time < duration ||
+           (trajectory.back().time < longest && trajectory.back().twist != Twist2{}));
   return trajectory;
 }
 
@@ -70,13 +77,13 @@ PlanningResult HrvoPlanner::plan(const PlanningProblem& problem) {
   result.iterations = 1;
   result.velocity_cones = advice.cones;
   result.velocity_wanted = advice.velocity;
+  const double horizon = driving_.feasibility_check_time;
   const double way = (aim - problem.pose.position()).norm();
-  const double duration =
-      std::min(driving_.feasibility_check_time, way / std::max(advice.velocity.norm(), kNoDirection));
+  const double duration = std::min(horizon, way / std::max(advice.velocity.norm(), kNoDirection));
   for (const double share : kSpeedShares) {
-    std::vector<TrajectoryPoint> trajectory = followed(advice.velocity, share, duration, problem);
+    std::vector<TrajectoryPoint> trajectory = followed(advice.velocity, share, duration, horizon, problem);
     const bool free = is_free(trajectory, problem, driving_);
-    result.candidates.push_back({"speed", 1.0 - share, free, trajectory});
+    result.candidates.push_back({label_of(share), 1.0 - share, free, trajectory});
     if (!free) continue;
     result.status = PlanningStatus::ok;
     result.command = trajectory[1].twist;

@@ -10,9 +10,10 @@
 
 namespace bw::hrvo {
 
-/// Each call: the advised velocity towards a point of the plan `lookahead` ahead; turn towards it, slower the
-/// further it points away from the heading, never backward; of several speeds the highest after which the
-/// robot could still stop without a contact. If none: an evasive move, then a stop (status infeasible).
+/// Each call: the advised velocity towards the point of the plan `lookahead` ahead; turn towards it, slower
+/// the further it points away from the heading, never backward. Of several speeds, down to turning on the
+/// spot, the highest whose motion over feasibility_check_time is free; if none is: an evasive move, then a
+/// stop (status infeasible).
 class HrvoPlanner final : public LocalPlanner {
  public:
   HrvoPlanner(const HrvoOptions& options, const DrivingOptions& driving)
