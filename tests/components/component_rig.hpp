@@ -1,6 +1,7 @@
 // A component of the program on its real topics in lock-step, with a script in place of its neighbours.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -29,8 +30,9 @@ class Script final : public Component {
 
 /// Runs the graph `yaml` with the script as one more component, after those of the graph.
 inline void run_with_script(const std::string& yaml, double seconds, std::function<void(Setup&)> script) {
-  const auto path = std::filesystem::path(::testing::TempDir()) /
-                    (std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".yaml");
+  std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::replace(name.begin(), name.end(), '/', '_');  // of a test over parameters
+  const auto path = std::filesystem::path(::testing::TempDir()) / (name + ".yaml");
   std::ofstream(path) << yaml;
   std::vector<ExtraComponent> extra;
   extra.push_back({"script", std::make_unique<Script>(std::move(script))});

@@ -1,0 +1,301 @@
+// The local planner on its topics in lock-step, with a script in place of robot, map and navigator.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <bandwagon_msgs/msg/follow_request.hpp>
+#include <bandwagon_msgs/msg/follow_status.hpp>
+#include <bandwagon_msgs/msg/obstacles.hpp>
+#include <bandwagon_msgs/msg/tracks.hpp>
+#include <diagnostic_msgs/msg/diagnostic_array.hpp>
+#include <geometry_msgs/msg/twist.hpp>
+#include <gtest/gtest.h>
+#include <nav_msgs/msg/odometry.hpp>
+#include <nav_msgs/msg/path.hpp>
+#include <tf2_msgs/msg/tf_message.hpp>
+#include <visualization_msgs/msg/marker_array.hpp>
+
+#include "components/local_planner/planner_factory.hpp"
+#include "components/messages/geometry.hpp"
+#include "components/model/differential_drive.hpp"
+#include "tests/components/component_rig.hpp"
+
+namespace bw {
+namespace {
+
+using namespace bandwagon_msgs::msg;
+
+constexpr double kStep = 0.02;      // [s] of the robot and of what it publishes
+const Pose2 kX_MO{4.0, -3.0, 2.0};  // odometry began somewhere in the map, and turned
+const Pose2 kStart{0.0, 0.0, 0.0};  // of the robot in the map
+constexpr std::uint64_t kRequestId = 17;
+
+/// The neighbours of the planner. The robot obeys at once; people and obstacles are in the map.
+struct Neighbours {
+  // What happens.
+  std::map<int, std::uint8_t> requests;  ///< mode by step
+  std::vector<Pose2> path = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+  Obstacles obstacles;
+  Tracks tracks;
+  double tracks_age = 0.0;  ///< [s] of their stamp
+  int odometry_ends = 1'000'000;
+  int odometry_begins = 0;
+  bool transforms = true;
+  // What is seen.
+  Pose2 X_MB = kStart;
+  Twist2 twist;
+  std::vector<std::pair<double, Twist2>> commands;  ///< [s] since the start
+  std::vector<FollowStatus> statuses;
+  nav_msgs::msg::Path plan;
+  visualization_msgs::msg::MarkerArray markers;
+  std::map<std::string, std::string> diagnostics;
+  std::string diagnostic_message;
+
+  void configure(bw::Setup& setup) {
+    setup.input<geometry_msgs::msg::Twist>("cmd_vel_nav", Qos::command(),
+                                           [this](const auto& m, const Tick& tick) {
+                                             twist = from_twist(m);
+                                             commands.emplace_back(seconds_since_start(tick.now), twist);
+                                           });
+    setup.input<FollowStatus>("follow_status", Qos::standard(50),
+                              [this](const auto& m, const Tick&) { statuses.push_back(m); });
+    setup.input<nav_msgs::msg::Path>("local_plan", Qos::standard(),
+                                     [this](const auto& m, const Tick&) { plan = m; });
+    setup.input<visualization_msgs::msg::MarkerArray>("local_planner_markers", Qos::standard(),
+                                                      [this](const auto& m, const Tick&) { markers = m; });
+    setup.input<diagnostic_msgs::msg::DiagnosticArray>(
+        "/diagnostics", Qos::standard(),
+        [this](const auto& m, const Tick&) {
+          for (const auto& status : m.status()) {
+            if (status.name() != "local_planner") continue;
+            diagnostic_message = status.message();
+            for (const auto& pair : status.values()) diagnostics[pair.key()] = pair.value();
+          }
+        },
+        Need::optional);
+    setup.every(
+        Duration::seconds(kStep), "neighbours",
+        [this, odometry = setup.output<nav_msgs::msg::Odometry>("odom"),
+         obstacles_out = setup.output<Obstacles>("obstacles"), tracks_out = setup.output<Tracks>("tracks"),
+         request = setup.output<FollowRequest>("follow_request"),
+         tf = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf())](const Tick& tick) mutable {
+          const int step = static_cast<int>(tick.sequence);
+          X_MB = advance_exact(X_MB, twist, kStep);
+          if (transforms) tf.publish(map_to_odom(tick.now));
+          if (step >= odometry_begins && step < odometry_ends) odometry.publish(odom(tick.now));
+          obstacles.header(make_header("map", tick.now));
+          obstacles_out.publish(obstacles);
+          tracks.header(make_header("map", tick.now - Duration::seconds(tracks_age)));
+          tracks_out.publish(tracks);
+          if (!requests.contains(step)) return;
+          FollowRequest message;
+          message.id(kRequestId);
+          message.mode(requests[step]);
+          message.path(to_path("map", tick.now, path));
+          request.publish(message);
+        });
+  }
+
+  nav_msgs::msg::Odometry odom(Time now) const {
+    nav_msgs::msg::Odometry message;
+    message.header(make_header("odom", now));
+    message.pose().pose(to_pose(inverse(kX_MO) * X_MB));
+    message.twist().twist(to_twist_message(twist));
+    return message;
+  }
+  static tf2_msgs::msg::TFMessage map_to_odom(Time now) {
+    geometry_msgs::msg::TransformStamped transform;
+    transform.header(make_header("map", now));
+    transform.child_frame_id("odom");
+    transform.transform().translation(to_vector3(kX_MO.position()));
+    transform.transform().rotation(to_quaternion(kX_MO.theta));
+    tf2_msgs::msg::TFMessage message;
+    message.transforms().push_back(transform);
+    return message;
+  }
+  void run(double seconds, const std::string& settings = "") {
+    run_with_script("components: {local_planner: {" + settings + "}}", seconds,
+                    [this](bw::Setup& setup) { configure(setup); });
+  }
+};
+
+Obstacles one_disc(double x, double y, double radius) {
+  Obstacles obstacles;
+  obstacles.discs().resize(1);
+  obstacles.discs()[0].x(static_cast<float>(x));
+  obstacles.discs()[0].y(static_cast<float>(y));
+  obstacles.discs()[0].radius(static_cast<float>(radius));
+  return obstacles;
+}
+
+class EveryPlanner : public testing::TestWithParam<std::string_view> {};
+INSTANTIATE_TEST_SUITE_P(LocalPlannerComponent, EveryPlanner, testing::ValuesIn(planner_names()),
+                         [](const auto& planner) { return std::string(planner.param); });
+
+// 3 m at 1 m/s and 1 m/s^2 take 4 s; every planner has arrived after 12 s, past a post beside the path, and
+// kept the limits of the base in every command.
+TEST_P(EveryPlanner, FollowsThePathOfTheMapToItsEnd) {
+  Neighbours n;
+  n.requests = {{5, FollowRequest_Constants::FOLLOW}};
+  n.obstacles = one_disc(1.5, 0.8, 0.2);
+  n.run(12.0, "parameters: {algorithm: " + std::string(GetParam()) + ", command_lead: 0.1}");
+  EXPECT_LT((n.X_MB.position() - Vector2(3.0, 0.0)).norm(), 0.15);
+  EXPECT_NEAR(n.twist.v, 0.0, 0.02);
+  ASSERT_FALSE(n.statuses.empty());
+  EXPECT_EQ(n.statuses.back().status(), FollowStatus_Constants::FOLLOWING) << n.statuses.back().reason();
+  EXPECT_EQ(n.statuses.back().id(), kRequestId);
+  EXPECT_LT(n.statuses.back().distance_to_goal(), 0.15);
+  EXPECT_EQ(n.plan.header().frame_id(), "odom");
+  const Limits limits;
+  for (std::size_t i = 0; i < n.commands.size(); ++i) {
+    const Twist2& now = n.commands[i].second;
+    const Twist2& before = i == 0 ? Twist2{} : n.commands[i - 1].second;
+    ASSERT_LE(now.v, limits.v_max + 1e-9);
+    ASSERT_LE(std::abs(now.omega), limits.omega_max + 1e-9);
+    ASSERT_LE(std::abs(now.v - before.v), limits.stop_deceleration * 0.1 + 1e-9) << i;
+  }
+  EXPECT_EQ(n.diagnostics["planner"], GetParam());
+}
+
+TEST(LocalPlannerComponent, IsSilentUntilToldAndAfterItStopped) {
+  Neighbours n;
+  n.requests = {{50, FollowRequest_Constants::FOLLOW}, {150, FollowRequest_Constants::STOP}};
+  n.run(5.0);
+  ASSERT_FALSE(n.commands.empty());
+  EXPECT_GE(n.commands.front().first, 1.0);  // 50 steps of 0.02 s
+  // Asked to stop at 3 s at 1 m/s at most; 2 m/s^2 take 0.5 s, and the last command is for standing.
+  EXPECT_LE(n.commands.back().first, 3.02 + 0.7);
+  EXPECT_EQ(n.commands.back().second, Twist2{});
+  EXPECT_GT(n.X_MB.x, 0.8);
+  EXPECT_NEAR(static_cast<double>(n.statuses.size()), 50.0, 1.0);  // ten a second, whatever happens
+  EXPECT_EQ(n.statuses.front().status(), FollowStatus_Constants::IDLE);
+  EXPECT_EQ(n.statuses[25].status(), FollowStatus_Constants::FOLLOWING);
+  EXPECT_EQ(n.statuses.back().status(), FollowStatus_Constants::IDLE);
+  EXPECT_EQ(n.diagnostic_message, "idle");
+}
+
+TEST(LocalPlannerComponent, SaysWhatIsMissing) {
+  Neighbours no_odometry;
+  no_odometry.odometry_begins = 1'000'000;
+  no_odometry.requests = {{0, FollowRequest_Constants::FOLLOW}};
+  no_odometry.run(1.0);
+  EXPECT_EQ(no_odometry.statuses.back().status(), FollowStatus_Constants::FAILED);
+  EXPECT_EQ(no_odometry.statuses.back().reason(), "no odometry yet");
+
+  Neighbours no_transform;
+  no_transform.transforms = false;
+  no_transform.requests = {{0, FollowRequest_Constants::FOLLOW}};
+  no_transform.run(1.5);
+  EXPECT_EQ(no_transform.statuses.back().status(), FollowStatus_Constants::FAILED);
+  EXPECT_EQ(no_transform.statuses.back().reason(), "no transform from map to odom");
+  EXPECT_EQ(no_transform.X_MB, kStart);
+  EXPECT_EQ(no_transform.diagnostic_message, "no transform from map to odom");
+}
+
+// Odometry ends at 2 s while the robot drives. It is stale 0.3 s later; the commands for standing follow at
+// the next cycle, since the velocity last heard of is all that is known: 2 m/s^2 over the lead of 0.5 s take
+// away 1 m/s at once.
+TEST(LocalPlannerComponent, StopsWhenOdometryIsStale) {
+  Neighbours n;
+  n.requests = {{0, FollowRequest_Constants::FOLLOW}};
+  n.path = {{0, 0, 0}, {10, 0, 0}};
+  n.odometry_ends = 100;
+  n.run(3.0, "parameters: {command_lead: 0.5}, inputs: {odom: {max_age: 300ms, on_stale: stop}}");
+  const auto moving = std::find_if(n.commands.rbegin(), n.commands.rend(),
+                                   [](const auto& command) { return command.second.v > 0.0; });
+  ASSERT_NE(moving, n.commands.rend());
+  EXPECT_GT(moving->first, 2.0);
+  EXPECT_LT(moving->first, 2.4);
+  EXPECT_EQ(n.statuses.back().status(), FollowStatus_Constants::FAILED);
+  EXPECT_EQ(n.statuses.back().reason(), "a needed input is stale");
+}
+
+TEST(LocalPlannerComponent, BacksOffUntilSomethingIsBehind) {
+  Neighbours n;
+  n.requests = {{0, FollowRequest_Constants::BACK_OFF}};
+  // Surface of the disc at x = -0.8; the robot (0.3 m) keeps 0.15 m: its centre ends at -0.35 m, within the
+  // 0.02 m of one cycle.
+  n.obstacles = one_disc(-1.0, 0.0, 0.2);
+  n.run(6.0, "parameters: {back_off_margin: 0.15, command_lead: 0.1}");
+  EXPECT_GT(n.X_MB.x, -0.37 - 1e-9);
+  EXPECT_LT(n.X_MB.x, -0.25);
+  for (const auto& [time, twist] : n.commands) EXPECT_GE(twist.v, -0.2 - 1e-9);
+  EXPECT_EQ(n.statuses.back().status(), FollowStatus_Constants::BLOCKED);
+  EXPECT_EQ(n.statuses.back().reason(), "something is close behind");
+}
+
+// A track of 0.5 s ago that walks at 1 m/s from (2, 2) in the map is at (2, 2.5) now; the first dot is half a
+// second further. All in odom.
+TEST(LocalPlannerComponent, TracksAreCarriedToNowAndIntoOdom) {
+  Neighbours n;
+  n.requests = {{0, FollowRequest_Constants::FOLLOW}};
+  n.tracks_age = 0.5;
+  Track track;
+  track.id(1);
+  track.radius(0.3);
+  track.position(to_point({2.0, 2.0}));
+  track.velocity(to_vector3({0.0, 1.0}));
+  n.tracks.tracks().push_back(track);
+  n.run(0.5);
+  const auto dots = std::find_if(n.markers.markers().begin(), n.markers.markers().end(),
+                                 [](const auto& m) { return m.ns() == "predictions"; });
+  ASSERT_NE(dots, n.markers.markers().end());
+  EXPECT_EQ(dots->header().frame_id(), "odom");
+  const Vector2 expected = inverse(kX_MO) * Vector2(2.0, 3.0);
+  EXPECT_NEAR(dots->points()[0].x(), expected.x(), 0.021);  // one step of 0.02 s at 1 m/s
+  EXPECT_NEAR(dots->points()[0].y(), expected.y(), 0.021);
+}
+
+// The picture in lock-step holds nothing measured: budget as the parameter says, no times.
+TEST(LocalPlannerComponent, DiagnosticsTellPlannerAndWork) {
+  Neighbours n;
+  n.requests = {{0, FollowRequest_Constants::FOLLOW}};
+  n.run(2.5, "parameters: {algorithm: teb, max_iterations: 77, max_cycle_time: 0.000001}");
+  EXPECT_EQ(n.diagnostic_message, "following");
+  EXPECT_EQ(n.diagnostics["planner"], "teb");
+  EXPECT_EQ(n.diagnostics["candidates"], "1");
+  EXPECT_EQ(n.diagnostics["iteration_budget"], "77");
+  EXPECT_GT(std::stoi(n.diagnostics["iterations"]), 0);
+  EXPECT_FALSE(n.diagnostics.contains("cycle_p95_ms"));
+  EXPECT_FALSE(n.diagnostics.contains("overruns"));
+}
+
+// On the wall clock the same component has workers and a budget in time. The run ends when its figures came.
+TEST(LocalPlannerComponent, OnTheWallClockDiagnosticsTellTimesToo) {
+  Neighbours n;
+  n.requests = {{0, FollowRequest_Constants::FOLLOW}};
+  const auto path = std::filesystem::path(testing::TempDir()) / "local_planner_wall.yaml";
+  std::ofstream(path) << "components: {local_planner: {parameters: {algorithm: teb, threads: 3, "
+                         "max_cycle_time: 0.000001, max_iterations: 50}}}";
+  std::vector<ExtraComponent> extra;
+  extra.push_back({"script", std::make_unique<Script>([&n](bw::Setup& setup) {
+                     n.configure(setup);
+                     setup.every(Duration::milliseconds(50), "until_seen",
+                                 [&n, finish = setup.finish_run()](const Tick&) {
+                                   if (n.diagnostics.contains("overruns") &&
+                                       n.diagnostics["iteration_budget"] == "10")
+                                     finish(true, "seen");
+                                 });
+                   })});
+  Host host(load_graph(path, {}), {.clock = ClockMode::wall}, std::move(extra));
+  const RunEnd end = host.run(Duration::seconds(60));
+  EXPECT_EQ(end.reason, "seen");
+  EXPECT_GT(std::stod(n.diagnostics["cycle_p95_ms"]), 0.0);
+  // A microsecond has room for no iteration: the floor of the budget.
+  EXPECT_EQ(n.diagnostics["iteration_budget"], "10");
+}
+
+TEST(LocalPlannerComponent, RefusesAnUnknownPlannerByName) {
+  Neighbours n;
+  try {
+    n.run(0.1, "parameters: {algorithm: tbe}");
+    FAIL();
+  } catch (const std::exception& e) {
+    const std::string text = e.what();
+    EXPECT_NE(text.find("tbe"), std::string::npos) << text;
+    for (const std::string_view name : planner_names()) EXPECT_NE(text.find(name), std::string::npos) << text;
+  }
+}
+
+}  // namespace
+}  // namespace bw
