@@ -25,10 +25,13 @@ struct NamedPlanner {
 
 /// A new planner is one line here, and its section in LocalPlannerOptions.
 const NamedPlanner kPlanners[] = {
-    {"dwa", [](const LocalPlannerOptions& o) -> Made { return std::make_unique<dwa::DwaPlanner>(o.dwa); }},
+    {"dwa",
+     [](const LocalPlannerOptions& o) -> Made {
+       return std::make_unique<dwa::DwaPlanner>(o.dwa, o.driving);
+     }},
     {"edwa",
      [](const LocalPlannerOptions& o) -> Made {
-       return std::make_unique<dwa::DwaPlanner>(o.dwa, o.edwa, o.hrvo);
+       return std::make_unique<dwa::DwaPlanner>(o.dwa, o.driving, o.edwa, o.hrvo);
      }},
     {"hrvo",
      [](const LocalPlannerOptions& o) -> Made {

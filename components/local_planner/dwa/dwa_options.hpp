@@ -22,11 +22,9 @@ struct DwaOptions {
   double clearance_cap = 3.0;
   double carrot_distance = 4.0;
   bool limit_turn_rate = false;
+  bool hold_before_braking = true;
   bool predict_movers = false;
   bool leave_margin = true;
-  double evasion_horizon = 2.0;
-  double xy_goal_tolerance = 0.1;
-  double yaw_goal_tolerance = 0.1;
   std::int64_t shown_candidates = 10;
 
   template <class Visitor>
@@ -55,22 +53,14 @@ struct DwaOptions {
        .doc = "aims at the plan this far ahead; 0: at its end; shorter cuts corners less"});
     v("limit_turn_rate", limit_turn_rate,
       {.doc = "admissible also means that turning can end before the contact (Fox 1997)"});
+    v("hold_before_braking", hold_before_braking,
+      {.doc =
+           "admissible is what stops in time when braking begins one control period later; false: at once, "
+           "as published"});
     v("predict_movers", predict_movers,
       {.doc = "clearance to movers where they will be; false: where they are now, as published"});
     v("leave_margin", leave_margin,
       {.doc = "inside the contact margin, arcs that come no closer are admissible; false: none is"});
-    v("evasion_horizon", evasion_horizon,
-      {.unit = "s",
-       .min = 0,
-       .max = 10,
-       .doc = "when no velocity is admissible: simulated time of an evasive move; 0: only brake"});
-    v("xy_goal_tolerance", xy_goal_tolerance,
-      {.unit = "m",
-       .min = 0.005,
-       .max = 5,
-       .doc = "from here the robot only turns to the goal heading and stops"});
-    v("yaw_goal_tolerance", yaw_goal_tolerance,
-      {.unit = "rad", .min = 0.005, .max = 3.15, .doc = "heading error at which it has arrived"});
     v("shown_candidates", shown_candidates,
       {.min = 1, .max = 1000, .doc = "arcs handed out for display, the best first"});
   }

@@ -4,7 +4,8 @@
 
 #include <optional>
 
-#include "components/local_planner/dwa/arc.hpp"
+#include "components/local_planner/driving.hpp"
+#include "components/local_planner/dwa/admissible_samples.hpp"
 #include "components/local_planner/dwa/dwa_options.hpp"
 #include "components/local_planner/dwa/sample_score.hpp"
 #include "components/local_planner/hrvo/hrvo.hpp"
@@ -12,16 +13,17 @@
 
 namespace bw::dwa {
 
-/// Each call: the velocities in reach (V_s and V_d), of those the ones that can brake before the first
-/// contact on their arc (V_a), of those the one with the largest G = alpha head + beta dist + gamma vel
-/// (3.1). Obstacles stand still where they are now. The footprint counts as a disc. If none is admissible:
-/// an evasive move, if one is asked for and clear; else braking with no turn, status infeasible. Keeps
-/// from call to call only that it has arrived.
+/// Each call: the velocities in reach, of those the ones that can brake before the first contact on their
+/// arc, of those the one with the largest G = alpha head + beta dist + gamma vel (3.1). The footprint counts
+/// as a disc. If none is admissible: an evasive move, if one is asked for and clear; else braking with no
+/// turn, status infeasible. Keeps from call to call only that it has arrived.
 class DwaPlanner final : public LocalPlanner {
  public:
-  explicit DwaPlanner(const DwaOptions& options) : options_(options) {}
-  DwaPlanner(const DwaOptions& options, const EdwaOptions& edwa, const hrvo::HrvoOptions& hrvo)
-      : options_(options), edwa_({edwa, hrvo}) {}
+  DwaPlanner(const DwaOptions& options, const DrivingOptions& driving)
+      : options_(options), driving_(driving) {}
+  DwaPlanner(const DwaOptions& options, const DrivingOptions& driving, const EdwaOptions& edwa,
+             const hrvo::HrvoOptions& hrvo)
+      : options_(options), driving_(driving), edwa_({edwa, hrvo}) {}
 
   PlanningResult plan(const PlanningProblem& problem) override;
   void reset() override { arrived_ = false; }
@@ -31,22 +33,14 @@ class DwaPlanner final : public LocalPlanner {
     EdwaOptions options;
     hrvo::HrvoOptions hrvo;
   };
-  // An admissible velocity and the time it is rolled out.
-  struct Sample {
-    Arc arc;
-    double horizon = 0.0;
-    double gap = 0.0;  // [m] from 0 to the cap
-  };
 
-  std::vector<Sample> admissible(const PlanningProblem& problem, const Vector2& aim) const;
-  ScoreColumns score(const std::vector<Sample>& samples, const PlanningProblem& problem, const Vector2& aim,
-                     const std::optional<hrvo::Advice>& advice) const;
-  void show(const std::vector<Sample>& samples, const std::vector<double>& scores,
-            PlanningResult& result) const;
-  PlanningResult arrive(const PlanningProblem& problem) const;
-  void evade(const PlanningProblem& problem, PlanningResult& result) const;
+  ScoreColumns columns_of(const std::vector<Sample>& samples, const PlanningProblem& problem,
+                          const Vector2& aim, const std::optional<hrvo::Advice>& advice) const;
+  void choose(const std::vector<Sample>& samples, const std::vector<double>& scores,
+              PlanningResult& result) const;
 
   DwaOptions options_;
+  DrivingOptions driving_;
   std::optional<Edwa> edwa_;
   bool arrived_ = false;
 };
