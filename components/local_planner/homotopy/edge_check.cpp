@@ -71,8 +71,11 @@ bool EdgeCheck::clear(const Vector2& from, const Vector2& to) const {
         ((low.array() > w.box.high.array()).any() || (high.array() < w.box.low.array()).any()))
       continue;
     double needed = clearance_;
-    if (leaves_start) needed = std::min(needed, w.at_start);
-    if (enters_goal) needed = std::min(needed, w.at_goal);
+    const auto allow_from = [&](double gap_there) {
+      if (gap_there < clearance_) needed = std::min(needed, gap_there - 0.5 * course_.robot_radius);
+    };
+    if (leaves_start) allow_from(w.at_start);
+    if (enters_goal) allow_from(w.at_goal);
     needed -= kRounding;
     if (gap(*w.body, from, to, needed) < needed) return false;
   }

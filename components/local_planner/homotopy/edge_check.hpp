@@ -13,8 +13,8 @@ class EdgeCheck {
   EdgeCheck(const Course& course, const std::vector<Body>& bodies, double clearance);
 
   /// The segment keeps the clearance from all bodies; movers with `motion` where they are when a robot at
-  /// v_max passes. From a body that the start or the goal is closer to, an edge at that end only has to keep
-  /// that distance.
+  /// v_max passes. A body that the start (goal) is already closer to may be approached by half a robot radius
+  /// more on an edge from (to) there: a way round what stands right ahead begins by coming closer.
   bool clear(const Vector2& from, const Vector2& to) const;
 
  private:

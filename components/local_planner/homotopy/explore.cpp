@@ -1,9 +1,11 @@
 #include "components/local_planner/homotopy/explore.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "components/local_planner/homotopy/class_search.hpp"
 #include "components/local_planner/homotopy/roadmap.hpp"
+#include "components/local_planner/homotopy/segment_distance.hpp"
 
 namespace bw::homotopy {
 namespace {
@@ -16,18 +18,20 @@ Path path_of(const std::vector<Vector2>& points, const Exploration& so_far, cons
   return path;
 }
 
-// From the robot on along the plan: what lies behind its nearest point is done with.
+// From the robot to the end of the plan's segment nearest to it, and on along the plan.
 std::vector<Vector2> plan_points(const PlanningProblem& problem) {
   const Vector2 robot = problem.pose.position();
-  const auto nearest =
-      std::min_element(problem.plan.begin(), problem.plan.end(), [&](const Pose2& l, const Pose2& r) {
-        return (l.position() - robot).squaredNorm() < (r.position() - robot).squaredNorm();
-      });
   std::vector<Vector2> points{robot};
-  for (auto it = nearest; it != problem.plan.end(); ++it) {
-    if (it == nearest && it + 1 != problem.plan.end()) continue;
-    points.push_back(it->position());
+  std::size_t next = problem.plan.size() - 1;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < problem.plan.size(); ++i) {
+    const Segment leg{problem.plan[i].position(), problem.plan[i + 1].position()};
+    const double distance = squared_distance(robot, leg);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    next = i + 1;
   }
+  for (std::size_t i = next; i < problem.plan.size(); ++i) points.push_back(problem.plan[i].position());
   return points;
 }
 

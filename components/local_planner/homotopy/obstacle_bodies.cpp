@@ -10,6 +10,7 @@
 namespace bw::homotopy {
 namespace {
 
+constexpr double kEquallyNear = 1e-6;    // [m]
 constexpr double kMeetingGap = 0.02;     // [m] between robot and mover that counts as met
 constexpr int kMeetingSteps = 200;       // most steps of that search
 constexpr double kPredictionStep = 0.4;  // [s] between the corners of a mover's capsule
@@ -42,16 +43,21 @@ StaticObstacles within(const StaticObstacles& all, const Course& course, double 
   return kept;
 }
 
-// The middle of the part nearest to the mean: on the body, and far from its edge where it has an inside.
-Vector2 middle_of(const std::vector<Part>& parts) {
+// The middle of the part nearest to the mean: on the body, and far from its edge where it has an inside. Of
+// equally near ones the first on the course, so that the choice does not depend on the frame.
+Vector2 middle_of(const std::vector<Part>& parts, const Course& course) {
   const auto middle = [](const Part& part) { return Vector2(0.5 * (part.axis.a + part.axis.b)); };
   Vector2 mean{0.0, 0.0};
   for (const Part& part : parts) mean += middle(part) / static_cast<double>(parts.size());
-  Vector2 best = middle(parts.front());
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Part& part : parts) nearest = std::min(nearest, (middle(part) - mean).norm());
+  std::optional<Vector2> best;
   for (const Part& part : parts) {
-    if ((middle(part) - mean).squaredNorm() < (best - mean).squaredNorm()) best = middle(part);
+    const Vector2 candidate = middle(part);
+    if ((candidate - mean).norm() > nearest + kEquallyNear) continue;
+    if (!best || course.heading().dot(candidate - *best) < 0.0) best = candidate;
   }
-  return best;
+  return *best;
 }
 
 double top_speed(const Mover& mover) {
@@ -102,7 +108,7 @@ std::optional<Body> body_of(const Mover& mover, const Course& course, const Homo
   } else {
     body.parts = {disc_at(mover.position)};
   }
-  body.representative = middle_of(body.parts);
+  body.representative = middle_of(body.parts, course);
   return body;
 }
 
@@ -142,7 +148,7 @@ std::vector<Body> bodies_of(const StaticObstacles& obstacles, const std::vector<
   for (std::vector<Part>& parts :
        clusters_of(within(obstacles, course, half_width, widest_gap), widest_gap)) {
     if (!matters(parts)) continue;
-    const Vector2 middle = middle_of(parts);
+    const Vector2 middle = middle_of(parts, course);
     bodies.push_back({std::move(parts), middle, std::nullopt, std::nullopt});
   }
   for (const Mover& mover : movers) {

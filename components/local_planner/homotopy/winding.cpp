@@ -16,13 +16,14 @@ constexpr double kSettlingTime = 5.0;    // ... and [s] on top
 double bearing(const Vector2& v) { return std::atan2(v.y() + 0.0, v.x()); }
 
 // How the straight way u-v crosses the negative x axis, where bearings jump: 1 counter-clockwise, -1
-// clockwise. Through the origin counts as counter-clockwise.
+// clockwise. Through the origin counts as half a turn counter-clockwise.
 int cut_crossing(const Vector2& u, const Vector2& v) {
+  const double turn = cross(u, v);
+  if (turn == 0.0 && u.dot(v) < 0.0) return u.y() > 0.0 || (u.y() == 0.0 && u.x() < 0.0) ? 1 : 0;
   const bool from_above = u.y() >= 0.0;
   const bool to_above = v.y() >= 0.0;
   if (from_above == to_above) return 0;
-  const double turn = cross(u, v);
-  if (from_above) return turn >= 0.0 ? 1 : 0;
+  if (from_above) return turn > 0.0 ? 1 : 0;
   return turn < 0.0 ? -1 : 0;
 }
 
