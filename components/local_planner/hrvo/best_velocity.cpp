@@ -30,8 +30,9 @@ struct Choice {
 
 class Search {
  public:
-  Search(const std::vector<VelocityCone>& cones, const Vector2& preferred, double v_max)
-      : cones_(cones), preferred_(preferred), v_max_(v_max) {
+  Search(const std::vector<VelocityCone>& cones, const Vector2& preferred, double v_max,
+         const std::optional<Favour>& favour)
+      : cones_(cones), preferred_(preferred), v_max_(v_max), favour_(favour) {
     for (std::size_t i = 0; i < cones.size(); ++i) {
       legs_.push_back({cones[i].apex, cones[i].right, i});
       legs_.push_back({cones[i].apex, cones[i].left, i});
@@ -90,13 +91,24 @@ class Search {
     return kNobody;
   }
 
+  // Nearest to the favoured velocity, then further right.
+  bool preferable(const Choice& a, const Choice& b) const {
+    const double nearer =
+        favour_ ? (b.velocity - favour_->velocity).norm() - (a.velocity - favour_->velocity).norm() : 0.0;
+    if (std::abs(nearer) > kTie) return nearer > 0.0;
+    return cross(preferred_, a.velocity) < cross(preferred_, b.velocity) - kTie;
+  }
+
   const Choice* nearest_free() const {
+    const double allowance = kTie + (favour_ ? favour_->allowance : 0.0);
     const Choice* best = nullptr;
+    double nearest = 0.0;
     for (const Choice& choice : choices_) {
-      if (best && choice.distance > best->distance + kTie) break;
-      const bool further_right =
-          !best || cross(preferred_, choice.velocity) < cross(preferred_, best->velocity) - kTie;
-      if (further_right && first_violated(choice) == kNobody) best = &choice;
+      if (best && choice.distance > nearest + allowance) break;
+      if (best && !preferable(choice, *best)) continue;
+      if (first_violated(choice) != kNobody) continue;
+      if (!best) nearest = choice.distance;
+      best = &choice;
     }
     return best;
   }
@@ -111,16 +123,18 @@ class Search {
   const std::vector<VelocityCone>& cones_;
   Vector2 preferred_;
   double v_max_;
+  const std::optional<Favour>& favour_;
   std::vector<Leg> legs_;
   std::vector<Choice> choices_;
 };
 
 }  // namespace
 
-BestVelocity best_velocity(const std::vector<VelocityCone>& cones, const Vector2& preferred, double v_max) {
+BestVelocity best_velocity(const std::vector<VelocityCone>& cones, const Vector2& preferred, double v_max,
+                           const std::optional<Favour>& favour) {
   const double speed = preferred.norm();
   const Vector2 wish = speed > v_max ? Vector2(preferred * (v_max / speed)) : preferred;
-  return Search(cones, wish, v_max).run();
+  return Search(cones, wish, v_max, favour).run();
 }
 
 }  // namespace bw::hrvo

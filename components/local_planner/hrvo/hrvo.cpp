@@ -21,14 +21,17 @@ Vector2 velocity_towards(const Vector2& goal, const PlanningProblem& problem, do
 
 }  // namespace
 
-Advice advise(const PlanningProblem& problem, const Vector2& goal, const HrvoOptions& options) {
+Advice advise(const PlanningProblem& problem, const Vector2& goal, const HrvoOptions& options,
+              const std::optional<Vector2>& last) {
   Advice advice;
   advice.preferred = velocity_towards(goal, problem, options.time_step);
   const RobotMotion robot{problem.pose.position(), problem.twist.v * direction(problem.pose.theta),
                           advice.preferred, problem.pose.theta};
   for (const Neighbour& neighbour : neighbours(problem, goal, options))
     advice.cones.push_back(cone_of(neighbour, robot, options));
-  const BestVelocity best = best_velocity(advice.cones, advice.preferred, problem.limits.v_max);
+  std::optional<Favour> favour;
+  if (last) favour = {*last, options.hysteresis};
+  const BestVelocity best = best_velocity(advice.cones, advice.preferred, problem.limits.v_max, favour);
   advice.velocity = best.velocity;
   advice.free = best.free;
   return advice;

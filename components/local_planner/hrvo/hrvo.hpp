@@ -2,6 +2,7 @@
 // of the robot's disc lead to a contact, and the best of the others.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "components/local_planner/hrvo/hrvo_options.hpp"
@@ -19,6 +20,8 @@ struct Advice {
 
 /// For the robot of `problem` on its way straight to `goal` [m, planning frame], where it comes to rest if
 /// the problem's goal is final. The problem must be sound (fault_of). The robot's velocity is v dir(theta).
-Advice advise(const PlanningProblem& problem, const Vector2& goal, const HrvoOptions& options);
+/// `last` is the velocity advised before: ways round that are almost as good as it do not replace it.
+Advice advise(const PlanningProblem& problem, const Vector2& goal, const HrvoOptions& options,
+              const std::optional<Vector2>& last = {});
 
 }  // namespace bw::hrvo

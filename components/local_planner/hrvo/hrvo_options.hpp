@@ -18,7 +18,9 @@ struct HrvoOptions {
   std::string passing_side = "actual";
   double time_step = 0.25;
   double sensing_margin = 0.0;
+  double hysteresis = 0.1;
   double lookahead = 2.0;
+  double margin_worth = 0.7;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -58,11 +60,23 @@ struct HrvoOptions {
            "time in which an overlap is left; nearer to the goal than this at v_max the robot slows down"});
     v("sensing_margin", sensing_margin,
       {.unit = "m/s", .min = 0, .max = 2, .doc = "error of the velocities that the cones allow for"});
+    v("hysteresis", hysteresis,
+      {.unit = "m/s",
+       .min = 0,
+       .max = 2,
+       .doc =
+           "a way round replaces the last one when its velocity is this much nearer to the preferred one"});
     v("lookahead", lookahead,
       {.unit = "m",
        .min = 0.2,
        .max = 50,
        .doc = "planner hrvo only: it aims at the point of the plan this far ahead"});
+    v("margin_worth", margin_worth,
+      {.min = 0,
+       .max = 100,
+       .doc =
+           "planner hrvo only: share of v_max that keeping the whole margin may cost; less is taken where it "
+           "costs more"});
   }
 };
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "components/local_planner/command_limits.hpp"
 #include "components/local_planner/dwa/carrot.hpp"
@@ -14,9 +16,29 @@
 namespace bw::hrvo {
 namespace {
 
-constexpr double kNoDirection = 0.02;  // [m/s] below which a velocity has none: stand (spec 5.3)
+constexpr double kNoDirection = 0.02;  // [m/s] below which a velocity has none (spec 5.3): blocked
 constexpr double kStep = 0.1;          // [s] of the prediction
+constexpr std::array kMarginShares{1.0, 0.5, 0.25};
 constexpr std::array kSpeedShares{1.0, 0.75, 0.5, 0.25, 0.0};
+
+// In a narrow place less margin beats turning back.
+Advice best_advice(const PlanningProblem& problem, const Vector2& aim, HrvoOptions options,
+                   const std::optional<Vector2>& last) {
+  const double margin = options.margin;
+  Advice best;
+  double smallest_cost = std::numeric_limits<double>::infinity();
+  for (const double share : kMarginShares) {
+    options.margin = share * margin;
+    Advice advice = advise(problem, aim, options, last);
+    const double cost = (advice.velocity - advice.preferred).norm() +
+                        options.margin_worth * (1.0 - share) * problem.limits.v_max;
+    const bool better = advice.free == best.free ? cost < smallest_cost : advice.free;
+    if (!std::isinf(smallest_cost) && !better) continue;
+    smallest_cost = cost;
+    best = std::move(advice);
+  }
+  return best;
+}
 
 std::string label_of(double share) {
   return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " % speed";
@@ -24,13 +46,11 @@ std::string label_of(double share) {
 
 // Turns so fast that half of alpha_max ends the turn at the velocity's direction.
 Twist2 towards(const Vector2& velocity, double heading, const PlanningProblem& problem) {
-  const double speed = velocity.norm();
-  if (speed < kNoDirection) return {};
   const double error = wrap_angle(std::atan2(velocity.y(), velocity.x()) - heading);
   const double rate =
       std::min({problem.limits.omega_max, std::sqrt(problem.limits.alpha_max * std::abs(error)),
                 std::abs(error) / problem.control_period});
-  return {speed * std::max(0.0, std::cos(error)), std::copysign(rate, error)};
+  return {velocity.norm() * std::max(0.0, std::cos(error)), std::copysign(rate, error)};
 }
 
 // Follows `share` of the velocity's speed for `duration`, then stops; not longer than `longest` [s]. Point 1
@@ -56,6 +76,11 @@ std::vector<TrajectoryPoint> followed(const Vector2& velocity, double share, dou
 
 }  // namespace
 
+void HrvoPlanner::reset() {
+  arrived_ = false;
+  last_.reset();
+}
+
 PlanningResult HrvoPlanner::plan(const PlanningProblem& problem) {
   if (std::string fault = fault_of(problem); !fault.empty()) {
     reset();
@@ -66,20 +91,28 @@ PlanningResult HrvoPlanner::plan(const PlanningProblem& problem) {
     return stopped(problem, PlanningStatus::no_plan, "the plan is empty");
   }
   arrived_ = has_arrived(problem, driving_, arrived_);
-  if (arrived_) return arrive(problem, driving_);
+  if (arrived_) {
+    last_.reset();
+    return arrive(problem, driving_);
+  }
 
   // The point aimed at is no goal to brake for unless it is the last one.
   const double braking = problem.limits.v_max * problem.limits.v_max / (2.0 * problem.limits.acc_max);
   const Vector2 aim =
       dwa::carrot(problem.plan, problem.pose.position(), std::max(options_.lookahead, braking));
-  const Advice advice = advise(problem, aim, options_);
+  const Advice advice = best_advice(problem, aim, options_, last_);
+  last_ = advice.velocity;
   PlanningResult result;
   result.iterations = 1;
   result.velocity_cones = advice.cones;
   result.velocity_wanted = advice.velocity;
+  if (advice.velocity.norm() < kNoDirection) {
+    evade(problem, driving_, result);
+    return result;
+  }
   const double horizon = driving_.feasibility_check_time;
   const double way = (aim - problem.pose.position()).norm();
-  const double duration = std::min(horizon, way / std::max(advice.velocity.norm(), kNoDirection));
+  const double duration = std::min(horizon, way / advice.velocity.norm());
   for (const double share : kSpeedShares) {
     std::vector<TrajectoryPoint> trajectory = followed(advice.velocity, share, duration, horizon, problem);
     const bool free = is_free(trajectory, problem, driving_);

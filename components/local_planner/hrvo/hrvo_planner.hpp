@@ -2,6 +2,7 @@
 // baseline that shows what the rule does on its own.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "components/local_planner/driving.hpp"
@@ -20,12 +21,13 @@ class HrvoPlanner final : public LocalPlanner {
       : options_(options), driving_(driving) {}
 
   PlanningResult plan(const PlanningProblem& problem) override;
-  void reset() override { arrived_ = false; }
+  void reset() override;
 
  private:
   HrvoOptions options_;
   DrivingOptions driving_;
   bool arrived_ = false;
+  std::optional<Vector2> last_;  ///< velocity advised
 };
 
 }  // namespace bw::hrvo

@@ -18,6 +18,22 @@ bool in_view(const PlanningProblem& problem, const Vector2& p, double view_angle
   return std::abs(wrap_angle(bearing - problem.pose.theta)) <= view_angle / 2.0;
 }
 
+// The part of `segment` at most `radius` from `center`, whose nearest point is no further.
+Segment part_within(const Segment& segment, const Vector2& center, const Vector2& nearest, double radius) {
+  const double half_chord2 = radius * radius - (nearest - center).squaredNorm();
+  const auto pulled_in = [&](const Vector2& end) {
+    const double distance2 = (end - center).squaredNorm();
+    if (distance2 <= radius * radius) return end;
+    // `end` is seen from `nearest` along the line; solve |nearest + s (end - nearest) - center| = radius.
+    const Vector2 d = end - nearest;
+    const double b = (nearest - center).dot(d);
+    const double a = d.squaredNorm();
+    const double s = (std::sqrt(b * b + a * half_chord2) - b) / a;
+    return Vector2(nearest + std::clamp(s, 0.0, 1.0) * d);
+  };
+  return {pulled_in(segment.a), pulled_in(segment.b)};
+}
+
 void keep_nearest(std::vector<Neighbour>& list, std::int64_t count) {
   std::stable_sort(list.begin(), list.end(),
                    [](const Neighbour& a, const Neighbour& b) { return gap(a) < gap(b); });
@@ -86,8 +102,10 @@ class StaticNeighbours {
       const double room_there = (nearest_point(core, end) - end).norm() - touching;
       if (room_there >= 0.0) room = std::min(room, room_there);
     }
-    const Neighbour n{core, touching + std::clamp(room, 0.0, options_.margin), {0.0, 0.0}, false, distance};
-    if (n.radius < kSmallestRadius || gap(n) >= (goal_ - robot).norm()) return {};
+    const double reach = (goal_ - robot).norm();
+    Neighbour n{core, touching + std::clamp(room, 0.0, options_.margin), {0.0, 0.0}, false, distance};
+    if (n.radius < kSmallestRadius || gap(n) >= reach) return {};
+    n.core = part_within(core, robot, nearest, n.radius + reach);
     return n;
   }
 

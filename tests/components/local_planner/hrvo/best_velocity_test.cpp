@@ -79,6 +79,17 @@ TEST(BestVelocity, OfTwoEquallyNearTheRight) {
   EXPECT_LT(best_velocity({cone}, {-0.5, 0.0}, 1.0).velocity.x(), 0.0) << "outside: untouched";
 }
 
+TEST(BestVelocity, AFavouredWayRoundMayCostItsAllowance) {
+  // Right leg: sin 0.3 = 0.296 from the wish; left leg: sin 0.35 = 0.343, 0.047 further.
+  const VelocityCone cone{{0.0, 0.0}, direction(-0.3), direction(0.35)};
+  const Vector2 left(0.9, 0.3);
+  const Vector2 wish(1.0, 0.0);
+  EXPECT_LT(best_velocity({cone}, wish, 1.0).velocity.y(), 0.0);
+  EXPECT_LT(best_velocity({cone}, wish, 1.0, Favour{left, 0.04}).velocity.y(), 0.0);
+  EXPECT_GT(best_velocity({cone}, wish, 1.0, Favour{left, 0.06}).velocity.y(), 0.0);
+  EXPECT_EQ(best_velocity({}, wish, 1.0, Favour{left, 0.06}).velocity, wish);
+}
+
 TEST(BestVelocity, OfNothingFreeWhatMeetsTheFarthestFirst) {
   // Two half planes that leave nothing: v_x must be below -2 (nearer one) and above 2 (farther one). With
   // 1 m/s no leg is reachable; the wish violates the nearer one first, as everything does.

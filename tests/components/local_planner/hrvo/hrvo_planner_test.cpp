@@ -130,6 +130,39 @@ TEST(HrvoPlanner, PassesSomebodyWhoComesHeadOnWithoutYielding) {
   }
 }
 
+TEST(HrvoPlanner, PassesSomebodyInACorridorTooNarrowForTheMargin) {
+  // 2 m wide, somebody 0.1 m left of its middle: 0.9 + 0.1 - 0.3 m are left for a robot of 0.6 m, not for the
+  // 0.8 m (and 0.2 m more to the wall) that the whole margin asks for.
+  PlanningProblem problem = problem_to({8, 0, 0});
+  problem.obstacles.segments = {{{-5.0, 1.0}, {20.0, 1.0}}, {{-5.0, -1.0}, {20.0, -1.0}}};
+  problem.movers = {mover({7.0, 0.1}, {-0.5, 0.0})};
+  const Drive result = drive(problem, 200);
+  EXPECT_GT(result.smallest_gap, 0.0);
+  expect_at(result, {8, 0});
+  EXPECT_GT(std::min_element(result.poses.begin(), result.poses.end(),
+                             [](const Pose2& a, const Pose2& b) { return a.x < b.x; })
+                ->x,
+            -0.05)
+      << "does not flee";
+}
+
+TEST(HrvoPlanner, StandsWhereNothingLeadsOn) {
+  PlanningProblem problem = problem_to({8, 0, 0});
+  problem.obstacles.segments = {
+      {{3.0, -4.0}, {3.0, 4.0}}, {{-2.0, -4.0}, {3.0, -4.0}}, {{-2.0, 4.0}, {3.0, 4.0}}};
+  HrvoPlanner planner({}, {});
+  PlanningResult result;
+  double late_travel = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    result = planner.plan(problem);
+    advance(problem, result.command);
+    if (i > 200) late_travel += kPeriod * std::abs(result.command.v);
+  }
+  EXPECT_EQ(result.status, PlanningStatus::infeasible) << "so that the navigator hears of it";
+  EXPECT_EQ(result.command, Twist2{});
+  EXPECT_LT(late_travel, 0.05);
+}
+
 TEST(HrvoPlanner, TwoOfThemShareTheWayRound) {
   PlanningProblem east = problem_to({10, 0, 0});
   PlanningProblem west = problem_to({0, 0, M_PI});

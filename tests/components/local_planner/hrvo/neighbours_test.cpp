@@ -1,6 +1,7 @@
 #include "components/local_planner/hrvo/neighbours.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -78,6 +79,17 @@ TEST(Neighbours, WallBehindTheGoalIsNoHindrance) {
   problem.goal_is_final = true;
   problem.plan.back().x = 6.2;
   EXPECT_EQ(neighbours(problem, {6.2, 0.0}, {}).size(), 1U) << "the footprint does not fit there";
+}
+
+TEST(Neighbours, OnlyThePartOfAWallThatIsInReach) {
+  // Radius 0.3 + 0.2 and 2 m to the goal: within 2.5 m of the robot, sqrt(6.25 - 1) to each side.
+  PlanningProblem problem;
+  problem.obstacles.segments = {{{-50.0, 1.0}, {1.5, 1.0}}};
+  const std::vector<Neighbour> seen = neighbours(problem, {2.0, 0.0}, {});
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_NEAR(seen[0].core.a.x(), -std::sqrt(5.25), 1e-12);
+  EXPECT_NEAR(seen[0].core.a.y(), 1.0, 1e-12);
+  EXPECT_EQ(seen[0].core.b, Vector2(1.5, 1.0));
 }
 
 TEST(Neighbours, MarginShrinksToTheRoomThatIsThere) {
