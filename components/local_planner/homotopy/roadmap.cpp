@@ -12,7 +12,9 @@ namespace {
 
 constexpr double kShortestEdge = 1e-6;              // [m]
 constexpr std::array kOffsetShares{1.0, 0.5, 0.0};  // of the way from the edge clearance to the wanted offset
-constexpr double kBesideEdgeClearance = 1e-3;       // [m] kept beyond it by the nearest of them
+constexpr double kVelocityStep = 0.1;               // [s] over which a mover's velocity is taken
+constexpr double kMostWidening = 3.0;
+constexpr double kBesideEdgeClearance = 1e-3;  // [m] kept beyond it by the nearest of them
 
 // Where a body reaches out furthest to one side of the course: how far, and from where to where along it.
 struct Side {
@@ -37,6 +39,18 @@ Side side_of(const Body& body, const Vector2& start, const Vector2& heading, con
     side.last = std::max(side.last, along);
   });
   return side;
+}
+
+// How much further out a robot that drives along the course must pass to keep a distance from a mover: seen
+// from the mover it comes aslant, so that d beside it means only d |v_rel along the course| / |v_rel|.
+double widening(const Body& body, const Course& course) {
+  if (!body.motion) return 1.0;
+  const double met = course.earliest_time(body.representative);
+  const Vector2 velocity =
+      (body.motion->position_at(met + kVelocityStep) - body.motion->position_at(met)) / kVelocityStep;
+  const Vector2 relative = course.v_max * course.heading() - velocity;
+  const double along = std::abs(relative.dot(course.heading()));
+  return relative.norm() < kMostWidening * along ? relative.norm() / along : kMostWidening;
 }
 
 void add_edges(Roadmap& map, const Course& course, const EdgeCheck& check, double heading_threshold) {
@@ -78,6 +92,7 @@ Roadmap keypoint_roadmap(const Course& course, const std::vector<Body>& bodies,
       std::max(nearest, course.robot_radius + course.clearance + options.obstacle_keypoint_offset);
   std::vector<Vector2> keypoints;
   for (const Body& body : bodies) {
+    const double factor = widening(body, course);
     for (const Vector2& outward : {course.left(), Vector2(-course.left())}) {
       const Side side = side_of(body, course.start, heading, outward, 0.5 * nearest);
       const bool is_long = side.last - side.first > 2.0 * nearest;
@@ -88,7 +103,8 @@ Roadmap keypoint_roadmap(const Course& course, const std::vector<Body>& bodies,
         const Vector2 beside_line{places[k], side.reach};
         if (places[k] < options.obstacle_heading_threshold * beside_line.norm()) continue;
         for (const double share : kOffsetShares) {
-          const double out = side.reach + nearest + share * (wanted - nearest);
+          const double beside = body.parts.front().radius + nearest + share * (wanted - nearest);
+          const double out = side.reach - body.parts.front().radius + factor * beside;
           const Vector2 p = course.start + places[k] * heading + out * outward;
           if (!check.clear(p, p)) continue;
           keypoints.push_back(p);

@@ -50,6 +50,23 @@ TEST(Explore, FindsEveryCombinationOfSides) {
   EXPECT_EQ(labels(explore(among({}), kClearance, {}, {})), std::multiset<std::string>{"-"});
 }
 
+TEST(Explore, PassesBeforeAndBehindSomebodyWhoCrosses) {
+  // Both at 1 m/s, they would meet at (4, -0.2) after 4 s: in front of the walker, who comes from the right,
+  // is left of it. Seen from the walker the robot comes at 45 degrees: vertices sqrt(2) further out.
+  PlanningProblem problem = among({});
+  problem.movers = {mover_at({4.0, -4.2}, {0.0, 1.0})};
+  problem.plan = {{0.0, 0.0, 0.0}, {4.0, 1.5, 0.0}, {10.0, 0.0, 0.0}};
+  const Exploration exploration = explore(problem, kClearance, {}, {});
+  ASSERT_EQ(exploration.paths.size(), 2u);
+  EXPECT_EQ(exploration.paths[0].label, "L");
+  EXPECT_EQ(exploration.paths[1].label, "R");
+  ASSERT_EQ(exploration.paths[1].route.size(), 3u);
+  const Vector2& met = exploration.bodies[0].representative;
+  const Vector2& behind = exploration.paths[1].route[1].position;
+  EXPECT_NEAR(behind.x(), 4.0, 1e-9);
+  EXPECT_NEAR(met.y() - behind.y(), std::sqrt(2.0) * (0.3 + 0.3 + 0.2 + 0.1), 1e-6);
+}
+
 TEST(Explore, AWallAcrossTheStripLeavesOnlyThePlan) {
   PlanningProblem problem = among({});
   problem.obstacles.segments = {{{5.0, -40.0}, {5.0, 40.0}}};
