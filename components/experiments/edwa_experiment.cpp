@@ -1,6 +1,7 @@
 #include "components/experiments/edwa_experiment.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -50,7 +51,25 @@ void sum_up(EdwaRow& row) {
   row.sd = row.success > 1 ? std::sqrt(squares / (row.success - 1)) : 0.0;
 }
 
+double gain(const EdwaRow& row, const EdwaRow& dwa) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < row.runs.size(); ++i) {
+    if (row.runs[i].outcome != FloorOutcome::reached || dwa.runs[i].outcome != FloorOutcome::reached)
+      continue;
+    sum += row.runs[i].mean_speed - dwa.runs[i].mean_speed;
+    ++count;
+  }
+  return sum / count;
+}
+
 }  // namespace
+
+std::string to_string(const EdwaPairing& pairing) {
+  std::string text = std::string(pairing.robot) + "-" + std::string(pairing.others);
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
 
 LocalPlannerOptions published_edwa_options() {
   LocalPlannerOptions options;
@@ -105,6 +124,8 @@ EdwaTable run_edwa_experiment(const EdwaExperimentOptions& options, const EdwaPr
       }
       sum_up(row);
       table.rows.push_back(std::move(row));
+      table.rows.back().gain_on_same_seeds =
+          gain(table.rows.back(), table.rows[table.rows.size() - 1 - pairing]);
       if (progress) {
         progress(table.rows.back(), static_cast<int>(table.rows.size()),
                  kEdwaScenes * static_cast<int>(kEdwaPairings.size()));

@@ -7,6 +7,7 @@
 
 #include "components/program/bench.hpp"
 #include "components/program/evaluate.hpp"
+#include "components/program/reproduce.hpp"
 #include "components/program/run.hpp"
 #include "runtime/cli/verbs.hpp"
 
@@ -18,6 +19,7 @@ int main(int argc, char** argv) {
   bw::add_run(app, status);
   bw::add_bench(app, status);
   bw::add_evaluate(app, status);
+  bw::add_reproduce(app, status);
   bw::cli::add_list(app, status);
   bw::cli::add_graph(app, status);
   bw::cli::add_param(app, status);

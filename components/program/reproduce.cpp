@@ -1,0 +1,34 @@
+#include "components/program/reproduce.hpp"
+
+#include <memory>
+#include <string_view>
+
+namespace bw {
+namespace {
+
+struct Subject {
+  const char* name;
+  const char* what;
+  bool (*reproduce)(const ReproduceArguments& arguments);
+};
+
+/// A new subject is one line here.
+const Subject kSubjects[] = {
+    {"edwa", "Table 3.2 and Figure 3.4: DWA against EDWA among robots", reproduce_edwa},
+};
+
+}  // namespace
+
+void add_reproduce(CLI::App& app, int& status) {
+  CLI::App* verb =
+      app.add_subcommand("reproduce", "A table or figure of the dissertation again")->require_subcommand(1);
+  for (const Subject& subject : kSubjects) {
+    auto arguments = std::make_shared<ReproduceArguments>();
+    CLI::App* one = verb->add_subcommand(subject.name, subject.what);
+    one->add_option("--out", arguments->out, "Folder for the page and results.json")->required();
+    one->add_flag("--quick", arguments->quick, "Few seeds, only the main rows");
+    one->callback([&subject, arguments, &status] { status = subject.reproduce(*arguments) ? 0 : 1; });
+  }
+}
+
+}  // namespace bw

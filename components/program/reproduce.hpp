@@ -1,0 +1,23 @@
+// bandwagon reproduce SUBJECT: a table or figure of the dissertation again, as a page and results.json.
+#pragma once
+
+#include <filesystem>
+
+#include <CLI/App.hpp>
+
+namespace bw {
+
+void add_reproduce(CLI::App& app, int& status);
+
+struct ReproduceArguments {
+  std::filesystem::path out;  ///< folder; made if missing
+  bool quick = false;         ///< few seeds, only the main rows
+};
+
+// Each subject writes its files, prints a summary to stdout, progress to stderr, and returns whether all its
+// criteria are met.
+
+/// E3 and E4 (Table 3.2, Figure 3.4): results.json and index.html.
+bool reproduce_edwa(const ReproduceArguments& arguments);
+
+}  // namespace bw
