@@ -85,6 +85,28 @@ TEST(Evaluate, FailsBelowTheShareAskedFor) {
   EXPECT_EQ(evaluate(suite).status, 0);
 }
 
+// Two suites of one drive each, cut short, with two planners: four drives.
+TEST(Evaluate, ComparesPlannersOverSeveralSuites) {
+  std::string suites;
+  for (const char* name : {"one", "two"}) {
+    const std::string file = (folder() / (std::string(name) + ".yaml")).string();
+    std::ofstream(file) << "graph: " << BANDWAGON_SOURCE_DIR
+                        << "/config/graphs/hallway.yaml\ntime_limit: 2.0\nepisodes: [{name: short}]\n";
+    suites += file + " ";
+  }
+  const Outcome run = evaluate(suites + "--planners teb,dwa --svg-dir " + (folder() / "svg").string());
+  ASSERT_EQ(run.status, 0);
+  ASSERT_EQ(run.json["suites"].size(), 2U);
+  for (const nlohmann::json& suite : run.json["suites"]) {
+    for (const char* planner : {"teb", "dwa"}) {
+      EXPECT_EQ(suite["summary"][planner]["episodes"], 1);
+      EXPECT_GT(suite["summary"][planner]["planner_ms"]["mean"].get<double>(), 0.0);
+    }
+  }
+  for (const char* picture : {"one_short_teb_seed1.svg", "two_short_dwa_seed1.svg"})
+    EXPECT_TRUE(std::filesystem::exists(folder() / "svg" / picture)) << picture;
+}
+
 TEST(Evaluate, RefusesWhatItCannotRun) {
   EXPECT_EQ(evaluate(kSuites + "no_such.yaml").status, 2);
   EXPECT_EQ(evaluate(kSuites + "hallway.yaml --planners no_such").status, 2);
