@@ -20,4 +20,8 @@ struct ReproduceArguments {
 /// E3 and E4 (Table 3.2, Figure 3.4): results.json and index.html.
 bool reproduce_edwa(const ReproduceArguments& arguments);
 
+/// E5 and E6 (Figures 3.7 to 3.9, 3.11, 3.12) without and with ETEB; quick: E6 without the published forms.
+bool reproduce_pteb(const ReproduceArguments& arguments);
+bool reproduce_eteb(const ReproduceArguments& arguments);
+
 }  // namespace bw
