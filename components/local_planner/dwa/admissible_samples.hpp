@@ -22,7 +22,8 @@ double gap_cap(const DwaOptions& options);
 /// Samples that can brake before the first contact on their arc, v <= sqrt(2 s_c acc_max) (option
 /// hold_before_braking: with one control period of driving on before it), all obstacles standing where they
 /// are. Profile `sample`: the gap at the end of the roll-out in place of s_c. Towards a final goal also
-/// v <= sqrt(2 d acc_max). The problem must be sound (fault_of) and hold a plan.
+/// v <= sqrt(2 d acc_max) (option arc_to_goal: and no faster than turning into it allows). The problem must
+/// be sound (fault_of) and hold a plan.
 std::vector<Sample> admissible_samples(const PlanningProblem& problem, const Vector2& aim,
                                        const DwaOptions& options);
 

@@ -21,6 +21,7 @@ struct DwaOptions {
   double contact_margin = 0.1;
   double clearance_cap = 3.0;
   double carrot_distance = 4.0;
+  bool arc_to_goal = true;
   bool limit_turn_rate = false;
   bool hold_before_braking = true;
   bool predict_movers = false;
@@ -51,6 +52,8 @@ struct DwaOptions {
        .min = 0,
        .max = 100,
        .doc = "aims at the plan this far ahead; 0: at its end; shorter cuts corners less"});
+    v("arc_to_goal", arc_to_goal,
+      {.doc = "slow enough to reach a final goal on one arc; false: as published, may circle it"});
     v("limit_turn_rate", limit_turn_rate,
       {.doc = "admissible also means that turning can end before the contact (Fox 1997)"});
     v("hold_before_braking", hold_before_braking,

@@ -92,6 +92,13 @@ TEST(Edwa, DrivesAtTheSpeedOfHrvo) {
   EXPECT_GT(fast.plan(problem).command.v, 0.7);
 }
 
+TEST(Edwa, ArrivesAtRest) {
+  for (const Pose2& goal : {Pose2{4, 0, 0}, Pose2{3, 2, 1.5}, Pose2{-2, 0.5, 3.0}, Pose2{0, 0.5, 0}}) {
+    DwaPlanner planner = edwa_with("hrvo");
+    EXPECT_TRUE(is_at_rest_at(goal, drive(planner, problem_to(goal), 300))) << goal.x << " " << goal.y;
+  }
+}
+
 TEST(Edwa, MirroredSceneGivesMirroredCommands) {
   Random random(9);
   for (int i = 0; i < 60; ++i) {

@@ -41,6 +41,27 @@ inline PlanningProblem problem_to(const Pose2& goal) {
   return problem;
 }
 
+/// Within twice the default tolerance, where an arrived robot stays, and standing.
+inline bool is_at_rest_at(const Pose2& goal, const Drive& drive) {
+  const Pose2& end = drive.poses.back();
+  return (end.position() - goal.position()).norm() <= 0.2 &&
+         std::abs(wrap_angle(end.theta - goal.theta)) <= 0.12 && drive.twists.back() == Twist2{};
+}
+
+/// The scene turned and shifted by `X`.
+inline PlanningProblem moved(PlanningProblem problem, const Pose2& X) {
+  problem.pose = X * problem.pose;
+  for (Pose2& p : problem.plan) p = X * p;
+  for (Vector2& p : problem.obstacles.points) p = X * p;
+  for (Disc& d : problem.obstacles.discs) d.center = X * d.center;
+  for (Segment& s : problem.obstacles.segments) s = {X * s.a, X * s.b};
+  for (Mover& m : problem.movers) {
+    m.position = X * m.position;
+    m.velocity = rotate(X, m.velocity);
+  }
+  return problem;
+}
+
 /// The scene seen in a mirror along the x axis.
 inline PlanningProblem mirrored(PlanningProblem problem) {
   const auto flip_pose = [](Pose2& p) { p = {p.x, -p.y, -p.theta}; };
