@@ -46,7 +46,7 @@ std::string to_svg(const LinePlot& plot) {
   for (const PlotCurve& curve : plot.curves) {
     std::vector<Vector2> pixels;
     for (const Vector2& p : curve.points) pixels.push_back(at(p.x(), p.y()));
-    const std::string stroke = R"(fill="none" stroke-width="1.6" stroke=")" + curve.color + '"';
+    const std::string stroke = R"(stroke-width="1.6" stroke=")" + curve.color + '"';
     svg.polyline(pixels, stroke);
     svg.line(legend + Vector2(0.0, -4.0), legend + Vector2(18.0, -4.0), stroke);
     svg.text(legend + Vector2(22.0, 0.0), curve.label, kSmall);
