@@ -75,6 +75,7 @@ LocalPlannerOptions published_edwa_options() {
   LocalPlannerOptions options;
   options.dwa.carrot_distance = 0.0;
   options.dwa.arc_to_goal = false;
+  options.dwa.check_movers = false;
   options.dwa.hold_before_braking = false;
   options.dwa.leave_margin = false;
   options.driving.evasion_horizon = 0.0;

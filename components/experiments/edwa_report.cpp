@@ -66,11 +66,11 @@ std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t l
       6, EdwaVariant{"default", "The default reading of the specification, Table 3.1.", base});
   variants[1].name = "as driven here";
   variants[1].meaning =
-      "Defaults of Bandwagon: braking is judged with the command held for one more period, arcs that lead "
-      "out of the contact margin are admissible, the goal is reached on one arc.";
-  variants[1].options.planners.dwa.arc_to_goal = true;
-  variants[1].options.planners.dwa.hold_before_braking = true;
-  variants[1].options.planners.dwa.leave_margin = true;
+      "Bandwagon's defaults for DWA: braking is judged with the command held for one more period, also among "
+      "moving robots; arcs that lead out of the contact margin are admissible; the goal is reached on one "
+      "arc.";
+  variants[1].options.planners.dwa = {};
+  variants[1].options.planners.dwa.carrot_distance = 0.0;
   variants[2].name = "sum";
   variants[2].meaning = "Each column of scores divided by its sum.";
   variants[2].options.planners.dwa.profile = "sum";

@@ -22,6 +22,7 @@ struct DwaOptions {
   double clearance_cap = 3.0;
   double carrot_distance = 4.0;
   bool arc_to_goal = true;
+  bool check_movers = true;
   bool limit_turn_rate = false;
   bool hold_before_braking = true;
   bool predict_movers = false;
@@ -54,6 +55,9 @@ struct DwaOptions {
        .doc = "aims at the plan this far ahead; 0: at its end; shorter cuts corners less"});
     v("arc_to_goal", arc_to_goal,
       {.doc = "slow enough to reach a final goal on one arc; false: as published, may circle it"});
+    v("check_movers", check_movers,
+      {.doc = "a velocity is taken only if braking one control period later stays clear of where movers will "
+              "be; false: as published"});
     v("limit_turn_rate", limit_turn_rate,
       {.doc = "admissible also means that turning can end before the contact (Fox 1997)"});
     v("hold_before_braking", hold_before_braking,

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "components/local_planner/dwa/carrot.hpp"
+#include "components/local_planner/dwa/stopping_motion.hpp"
 #include "components/local_planner/problem_check.hpp"
 
 namespace bw::dwa {
@@ -52,15 +53,12 @@ PlanningResult DwaPlanner::plan(const PlanningProblem& problem) {
   const std::vector<Sample> samples = admissible_samples(problem, aim, options_);
   PlanningResult result;
   result.iterations = 1;
-  if (samples.empty()) {
-    evade(problem, driving_, result);
-  } else {
-    const std::vector<double> scores =
-        objective(columns_of(samples, problem, aim, advice),
-                  {options_.heading_weight, options_.clearance_weight, options_.velocity_weight},
-                  normalisation_of(options_.profile), {gap_cap(options_), problem.limits.v_max});
-    choose(samples, scores, result);
-  }
+  const std::vector<double> scores =
+      objective(columns_of(samples, problem, aim, advice),
+                {options_.heading_weight, options_.clearance_weight, options_.velocity_weight},
+                normalisation_of(options_.profile), {gap_cap(options_), problem.limits.v_max});
+  choose(samples, scores, problem, result);
+  if (result.trajectory.empty()) evade(problem, driving_, result);
   if (advice) {
     result.velocity_cones = std::move(advice->cones);
     result.velocity_wanted = advice->velocity;
@@ -99,21 +97,37 @@ ScoreColumns DwaPlanner::columns_of(const std::vector<Sample>& samples, const Pl
 }
 
 void DwaPlanner::choose(const std::vector<Sample>& samples, const std::vector<double>& scores,
-                        PlanningResult& result) const {
+                        const PlanningProblem& problem, PlanningResult& result) const {
   std::vector<std::size_t> order(samples.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::size_t shown = std::min(samples.size(), static_cast<std::size_t>(options_.shown_candidates));
-  std::partial_sort(
-      order.begin(), order.begin() + static_cast<std::ptrdiff_t>(shown), order.end(),
-      [&](std::size_t a, std::size_t b) { return scores[a] != scores[b] ? scores[a] > scores[b] : a < b; });
-  for (std::size_t i = 0; i < shown; ++i) {
-    const Sample& sample = samples[order[i]];
-    result.candidates.push_back({label_of(sample.arc.twist), -scores[order[i]], i == 0,
-                                 rolled_out(sample, options_.sim_granularity)});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (scores[a] != scores[b]) return scores[a] > scores[b];
+    // Of equals the straightest, so that a mirrored scene is driven mirrored.
+    const double turn_a = std::abs(samples[a].arc.twist.omega);
+    const double turn_b = std::abs(samples[b].arc.twist.omega);
+    return turn_a != turn_b ? turn_a < turn_b : a < b;
+  });
+  const auto shown = static_cast<std::size_t>(options_.shown_candidates);
+  for (const std::size_t index : order) {
+    const Sample& sample = samples[index];
+    const bool chosen = result.trajectory.empty() && can_stop_among_movers(sample, problem);
+    if (result.candidates.size() < shown || chosen) {
+      result.candidates.push_back(
+          {label_of(sample.arc.twist), -scores[index], chosen, rolled_out(sample, options_.sim_granularity)});
+    }
+    if (chosen) {
+      result.status = PlanningStatus::ok;
+      result.command = sample.arc.twist;
+      result.trajectory = result.candidates.back().trajectory;
+    }
+    if (result.candidates.size() >= shown && !result.trajectory.empty()) break;
   }
-  result.status = PlanningStatus::ok;
-  result.command = samples[order[0]].arc.twist;
-  result.trajectory = result.candidates.front().trajectory;
+}
+
+bool DwaPlanner::can_stop_among_movers(const Sample& sample, const PlanningProblem& problem) const {
+  if (!options_.check_movers) return true;
+  return is_free(stopping_motion(sample.arc, problem.control_period, problem.limits.acc_max), problem,
+                 driving_);
 }
 
 }  // namespace bw::dwa

@@ -14,9 +14,10 @@
 namespace bw::dwa {
 
 /// Each call: the velocities in reach, of those the ones that can brake before the first contact on their
-/// arc, of those the one with the largest G = alpha head + beta dist + gamma vel (3.1). The footprint counts
-/// as a disc. If none is admissible: an evasive move, if one is asked for and clear; else braking with no
-/// turn, status infeasible. Keeps from call to call only that it has arrived.
+/// arc, of those the one with the largest G = alpha head + beta dist + gamma vel (3.1), and, by
+/// option, from which it can brake clear of where people will be. The footprint counts as a disc. If none is
+/// admissible: an evasive move, if one is asked for and clear; else braking with no turn, status infeasible.
+/// Keeps from call to call only that it has arrived.
 class DwaPlanner final : public LocalPlanner {
  public:
   DwaPlanner(const DwaOptions& options, const DrivingOptions& driving)
@@ -37,7 +38,8 @@ class DwaPlanner final : public LocalPlanner {
   ScoreColumns columns_of(const std::vector<Sample>& samples, const PlanningProblem& problem,
                           const Vector2& aim, const std::optional<hrvo::Advice>& advice) const;
   void choose(const std::vector<Sample>& samples, const std::vector<double>& scores,
-              PlanningResult& result) const;
+              const PlanningProblem& problem, PlanningResult& result) const;
+  bool can_stop_among_movers(const Sample& sample, const PlanningProblem& problem) const;
 
   DwaOptions options_;
   DrivingOptions driving_;

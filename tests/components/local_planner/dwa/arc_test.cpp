@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "components/local_planner/dwa/stopping_motion.hpp"
 #include "components/model/random.hpp"
 
 namespace bw::dwa {
@@ -69,6 +70,20 @@ TEST(SmallestGap, OfPredictedMoversIsWhereTheyWillBe) {
   mover.position = {2.0, -2.0};
   mover.velocity = {0.0, 1.0};
   EXPECT_NEAR(smallest_gap({{}, {1.0, 0.0}}, {mover}, kRobot, 3.0, 0.1), -0.6, 1e-9);
+}
+
+TEST(StoppingMotion, HoldsThenBrakesOnTheSameCurve) {
+  // 0.8 m/s held for 0.1 s and braked with 1 m/s^2: 0.08 + 0.32 m in 0.1 + 0.8 s, on a circle of 2 m radius.
+  const Arc arc{{}, {0.8, 0.4}};
+  const std::vector<TrajectoryPoint> motion = stopping_motion(arc, 0.1, 1.0);
+  EXPECT_NEAR(motion.back().time, 0.9, 1e-9);
+  EXPECT_EQ(motion.back().twist, Twist2{});
+  EXPECT_NEAR(motion.back().pose.theta, 0.4 / 2.0, 1e-9);
+  for (const TrajectoryPoint& point : motion) {
+    EXPECT_NEAR((point.pose.position() - Vector2(0.0, 2.0)).norm(), 2.0, 1e-9);
+    EXPECT_NEAR(point.twist.omega, 0.5 * point.twist.v, 1e-12);
+  }
+  EXPECT_EQ(stopping_motion({{}, {0.0, 0.5}}, 0.1, 1.0).size(), 2U) << "turning on the spot needs no way";
 }
 
 TEST(ArcSearches, AgreeWithFineSampling) {

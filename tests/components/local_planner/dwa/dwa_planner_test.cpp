@@ -17,6 +17,7 @@ DwaOptions published(const std::string& profile = "default") {
   options.profile = profile;
   options.carrot_distance = 0.0;
   options.arc_to_goal = false;
+  options.check_movers = false;
   options.hold_before_braking = false;
   options.leave_margin = false;
   return options;
@@ -183,6 +184,28 @@ TEST(DwaPlanner, FrozenMoversAreWhereTheyAre) {
   DwaPlanner predicting(options, no_evasion());
   EXPECT_NEAR(frozen.plan(problem).command.v, 0.4, 1e-9);
   EXPECT_NEAR(predicting.plan(problem).command.v, 0.6, 1e-9);
+}
+
+TEST(DwaPlanner, StandsWhenAMoverWouldMeetItBeforeItCouldStop) {
+  // Somebody comes at 1.5 m/s, gap 0.9 m. At 0.7 m/s a stop takes 0.8 s and 0.3 m: he is there before.
+  // Standing he would meet the robot too, but nothing that moves is trusted; frozen, 0.9 m are enough to
+  // drive on.
+  PlanningProblem problem = problem_to({8, 0, 0});
+  problem.twist = {0.7, 0.0};
+  problem.limits.omega_max = 0.01;
+  Mover m;
+  m.position = {1.5, 0.0};
+  m.velocity = {-1.5, 0.0};
+  problem.movers = {m};
+  DwaOptions options = published();
+  DwaPlanner frozen(options, no_evasion());
+  EXPECT_GT(frozen.plan(problem).command.v, 0.6);
+  options.check_movers = true;
+  DwaPlanner checking(options, no_evasion());
+  const PlanningResult result = checking.plan(problem);
+  EXPECT_EQ(result.status, PlanningStatus::infeasible);
+  EXPECT_NEAR(result.command.v, 0.5, 1e-12) << "stop_deceleration 2 m/s^2 over 0.1 s";
+  EXPECT_EQ(result.candidates.size(), 10U) << "what was considered is shown";
 }
 
 TEST(DwaPlanner, MirroredSceneGivesMirroredCommands) {
