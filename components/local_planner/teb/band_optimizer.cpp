@@ -128,7 +128,7 @@ ceres::Solver::Options solver_options(const BandOptions& options, int iterations
   solver.max_num_iterations = iterations;
   solver.function_tolerance = options.function_tolerance;
   solver.gradient_tolerance = 1e-8;
-  solver.parameter_tolerance = 1e-6;
+  solver.parameter_tolerance = 0.0;  // relative to the coordinates: it would ask less far from the origin
   return solver;
 }
 

@@ -30,7 +30,8 @@ struct BandProblem {
   /// Segment k with its states read from `poses` (band.size() of them).
   SegmentStates segment(std::size_t k, const BandPose* poses) const;
   BandCost cost(const BandPose* poses) const;
-  /// Largest diagonal entry of J'J over the free variables: the scale of the damping.
+  /// Largest diagonal entry of J'J over the free variables, x and y of a pose taken together: the scale of
+  /// the damping, in every frame the same.
   double largest_information() const;
 };
 
