@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 namespace bw::hrvo {
 namespace {
@@ -34,9 +35,17 @@ Segment part_within(const Segment& segment, const Vector2& center, const Vector2
   return {pulled_in(segment.a), pulled_in(segment.b)};
 }
 
+// By gap; what is equally near by all that tells neighbours apart, so that the order given does not matter.
+bool nearer(const Neighbour& l, const Neighbour& r) {
+  const auto key = [](const Neighbour& n) {
+    return std::tuple(gap(n), n.core.a.x(), n.core.a.y(), n.core.b.x(), n.core.b.y(), n.radius,
+                      n.velocity.x(), n.velocity.y(), n.shares);
+  };
+  return key(l) < key(r);
+}
+
 void keep_nearest(std::vector<Neighbour>& list, std::int64_t count) {
-  std::stable_sort(list.begin(), list.end(),
-                   [](const Neighbour& a, const Neighbour& b) { return gap(a) < gap(b); });
+  std::sort(list.begin(), list.end(), nearer);
   if (static_cast<std::int64_t>(list.size()) > count) list.resize(static_cast<std::size_t>(count));
 }
 
