@@ -63,28 +63,34 @@ Json criteria_json(const EdwaTable& table) {
 std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t last_seed) {
   const EdwaExperimentOptions base{.first_seed = first_seed, .last_seed = last_seed};
   std::vector<EdwaVariant> variants(
-      6, EdwaVariant{"default", "The default reading of the specification, Table 3.1.", base});
-  variants[1].name = "as driven here";
+      7, EdwaVariant{"default", "The default reading of the specification, Table 3.1.", base});
+  variants[1].name = "held braking";
   variants[1].meaning =
-      "Bandwagon's defaults for DWA: braking is judged with the command held for one more period, also among "
-      "moving robots; arcs that lead out of the contact margin are admissible; the goal is reached on one "
-      "arc.";
-  variants[1].options.planners.dwa = {};
-  variants[1].options.planners.dwa.carrot_distance = 0.0;
-  variants[2].name = "sum";
-  variants[2].meaning = "Each column of scores divided by its sum.";
-  variants[2].options.planners.dwa.profile = "sum";
-  variants[3].name = "sample";
-  variants[3].meaning =
+      "Braking is judged with the command held for one more period; arcs that lead out of the contact margin "
+      "are admissible.";
+  variants[1].options.planners.dwa.hold_before_braking = true;
+  variants[1].options.planners.dwa.leave_margin = true;
+  variants[2].name = "as driven here";
+  variants[2].meaning =
+      "Bandwagon's defaults: besides held braking, a velocity must leave room to brake clear of where the "
+      "others will be, the goal is reached on one arc, and evasive moves.";
+  variants[2].options.planners.dwa = {};
+  variants[2].options.planners.dwa.carrot_distance = 0.0;
+  variants[2].options.planners.driving.evasion_horizon = DrivingOptions{}.evasion_horizon;
+  variants[3].name = "sum";
+  variants[3].meaning = "Each column of scores divided by its sum.";
+  variants[3].options.planners.dwa.profile = "sum";
+  variants[4].name = "sample";
+  variants[4].meaning =
       "As the MATLAB teaching sample: distance from the end pose only, capped at 2 m, column sums.";
-  variants[3].options.planners.dwa.profile = "sample";
-  variants[4].name = "direction only";
-  variants[4].meaning = "EDWA without HRVO's speed, and everybody is taken to share the avoiding.";
-  variants[4].options.planners.edwa.hrvo_speed = false;
-  variants[4].options.planners.hrvo.reciprocity = "all";
-  variants[5].name = "as printed";
-  variants[5].meaning = "The heading term (3.4) as printed.";
-  variants[5].options.planners.edwa.heading = "hrvo_printed";
+  variants[4].options.planners.dwa.profile = "sample";
+  variants[5].name = "direction only";
+  variants[5].meaning = "EDWA without HRVO's speed, and everybody is taken to share the avoiding.";
+  variants[5].options.planners.edwa.hrvo_speed = false;
+  variants[5].options.planners.hrvo.reciprocity = "all";
+  variants[6].name = "as printed";
+  variants[6].meaning = "The heading term (3.4) as printed.";
+  variants[6].options.planners.edwa.heading = "hrvo_printed";
   return variants;
 }
 
