@@ -22,7 +22,8 @@ Twist2 reachable_twist(const Twist2& wanted, const Twist2& now, const Limits& li
 }
 
 Twist2 stop_twist(const Twist2& now, const Limits& limits, double period) {
-  if (!is_finite(now) || !(limits.stop_deceleration > 0.0) || !(limits.alpha_max > 0.0)) return {};
+  if (!is_finite(now) || !(limits.stop_deceleration > 0.0) || !(limits.alpha_max > 0.0) || !(period > 0.0))
+    return {};
   return {step_towards(0.0, now.v, limits.stop_deceleration * period),
           step_towards(0.0, now.omega, limits.alpha_max * period)};
 }

@@ -13,7 +13,7 @@ namespace bw {
 Twist2 reachable_twist(const Twist2& wanted, const Twist2& now, const Limits& limits, double period);
 
 /// Braking of a safety stop: stop_deceleration and alpha_max over `period` [s]. Zero when `now` is not
-/// finite.
+/// finite, or the others are not above zero.
 Twist2 stop_twist(const Twist2& now, const Limits& limits, double period);
 
 }  // namespace bw

@@ -12,6 +12,7 @@ namespace bw {
 namespace {
 
 constexpr double kCheckStep = 0.05;       // [m] between footprint tests
+constexpr double kWorthEvading = 0.03;    // [m] of comfort for which a free motion is left
 constexpr double kLeaveGoalFactor = 2.0;  // of xy_goal_tolerance: pushed out so far, the robot drives again
 
 }  // namespace
@@ -37,11 +38,11 @@ PlanningResult arrive(const PlanningProblem& problem, const DrivingOptions& opti
   return result;
 }
 
-bool is_free(const std::vector<TrajectoryPoint>& trajectory, const PlanningProblem& problem,
-             const DrivingOptions& options) {
-  return std::isinf(
-      gap_along(trajectory, options.feasibility_check_time, kCheckStep, options.feasibility_margin, problem)
-          .contact_time);
+Safety safety_of(const std::vector<TrajectoryPoint>& trajectory, const PlanningProblem& problem,
+                 const DrivingOptions& options) {
+  const MotionGap met =
+      gap_along(trajectory, options.feasibility_check_time, kCheckStep, options.feasibility_margin, problem);
+  return {std::isinf(met.contact_time), std::min(met.mover_gap, options.mover_margin)};
 }
 
 PlanningResult stopped(const PlanningProblem& problem, PlanningStatus status, std::string reason) {
@@ -52,19 +53,30 @@ PlanningResult stopped(const PlanningProblem& problem, PlanningStatus status, st
   return result;
 }
 
-void evade(const PlanningProblem& problem, const DrivingOptions& options, PlanningResult& result) {
-  result.status = PlanningStatus::infeasible;
-  result.reason = "no motion is free and no evasive move is";
-  result.command = stop_twist(problem.twist, problem.limits, problem.command_lead);
-  if (options.evasion_horizon <= 0.0) return;
+bool evade(const PlanningProblem& problem, const DrivingOptions& options, const Safety& safety,
+           PlanningResult& result) {
+  if (safety.free && safety.comfort >= options.mover_margin) return false;
+  const auto stop = [&] {
+    result.status = PlanningStatus::infeasible;
+    result.reason = "no motion is free and no evasive move is";
+    result.command = stop_twist(problem.twist, problem.limits, problem.command_lead);
+  };
+  if (options.evasion_horizon <= 0.0) {
+    if (!safety.free) stop();
+    return !safety.free;
+  }
   EvasiveMove move = best_evasive_move(
       problem, problem.plan.back().position(),
       {options.evasion_horizon, problem.command_lead, options.feasibility_margin, options.evasion_gap});
-  if (move.trajectory[1].twist == result.command) return;
+  if (safety.free && std::min(move.mover_gap, options.mover_margin) < safety.comfort + kWorthEvading)
+    return false;
+  stop();
+  if (!safety.free && move.trajectory[1].twist == result.command) return true;
   result.status = PlanningStatus::ok;
   result.reason = "evading";
   result.command = move.trajectory[1].twist;
   result.trajectory = std::move(move.trajectory);
+  return true;
 }
 
 }  // namespace bw

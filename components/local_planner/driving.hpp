@@ -14,8 +14,9 @@ struct DrivingOptions {
   double yaw_goal_tolerance = 0.1;
   double feasibility_check_time = 3.0;
   double feasibility_margin = 0.0;
-  double evasion_horizon = 2.0;
-  double evasion_gap = 0.2;
+  double mover_margin = 0.1;
+  double evasion_horizon = 3.0;
+  double evasion_gap = 0.3;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -33,6 +34,11 @@ struct DrivingOptions {
        .doc = "how far ahead the footprint must be free before the robot moves"});
     v("feasibility_margin", feasibility_margin,
       {.unit = "m", .min = 0, .max = 5, .doc = "gap that this check asks for"});
+    v("mover_margin", mover_margin,
+      {.unit = "m",
+       .min = 0,
+       .max = 5,
+       .doc = "a motion that passes a mover with a smaller gap is left for an evasive move that keeps more"});
     v("evasion_horizon", evasion_horizon,
       {.unit = "s", .min = 0, .max = 10, .doc = "simulated time of an evasive move; 0: only stop"});
     v("evasion_gap", evasion_gap,
@@ -46,15 +52,30 @@ bool has_arrived(const PlanningProblem& problem, const DrivingOptions& options, 
 /// Turns to the heading of the goal without leaving the place; then stands.
 PlanningResult arrive(const PlanningProblem& problem, const DrivingOptions& options);
 
-/// True when the footprint keeps feasibility_margin for the first feasibility_check_time of the motion.
-bool is_free(const std::vector<TrajectoryPoint>& trajectory, const PlanningProblem& problem,
-             const DrivingOptions& options);
+/// How far a motion can be trusted over the first feasibility_check_time.
+struct Safety {
+  bool free = false;     ///< the footprint keeps feasibility_margin
+  double comfort = 0.0;  ///< the gap to movers where it is below mover_margin, else mover_margin [m]
+};
+Safety safety_of(const std::vector<TrajectoryPoint>& trajectory, const PlanningProblem& problem,
+                 const DrivingOptions& options);
+
+inline bool is_free(const std::vector<TrajectoryPoint>& trajectory, const PlanningProblem& problem,
+                    const DrivingOptions& options) {
+  return safety_of(trajectory, problem, options).free;
+}
 
 /// A result whose command is a stop within stop_deceleration.
 PlanningResult stopped(const PlanningProblem& problem, PlanningStatus status, std::string reason);
 
-/// For a planner that found nothing free: the best evasive move (status ok, reason "evading"), or a stop
-/// (status infeasible) when standing is safe or nothing is better. Candidates and figures of `result` stay.
-void evade(const PlanningProblem& problem, const DrivingOptions& options, PlanningResult& result);
+/// For a planner whose best motion has `safety`: true, and `result` is an evasive move (status ok, reason
+/// "evading"), when one keeps clearly more comfort. Without a free motion: that, or a stop (status
+/// infeasible) when standing is safe or nothing is better; true always. Candidates and figures of `result`
+/// stay.
+bool evade(const PlanningProblem& problem, const DrivingOptions& options, const Safety& safety,
+           PlanningResult& result);
+inline void evade(const PlanningProblem& problem, const DrivingOptions& options, PlanningResult& result) {
+  evade(problem, options, Safety{}, result);
+}
 
 }  // namespace bw

@@ -4,18 +4,21 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "components/local_planner/footprint_check.hpp"
+#include "components/local_planner/timed_gaps.hpp"
 #include "components/model/differential_drive.hpp"
 
 namespace bw {
 namespace {
 
-constexpr std::array kSpeedShares{1.0, 0.75, 0.5, 0.25, 0.0};  // of v_max; v_back_max is added
-constexpr std::array kTurnShares{0.0, 0.33, -0.33, 0.67, -0.67, 1.0, -1.0};
-constexpr std::array kTurnTimes{0.5, 1.0, 1.5};  // [s]
-constexpr double kGapWeight = 10.0;   // metres of progress that a metre of gap is worth below `enough_gap`
-constexpr double kTestStep = 0.1;     // [m] between footprint tests
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::array kSpeedShares{1.0, 0.5, 0.0};  // of v_max; v_back_max is added
+constexpr std::array kTurnShares{0.0, 1.0, -1.0, 0.5, -0.5};
+constexpr std::array kFirstPhases{0.3, 0.6, 1.0, 1.5};  // [s]
+constexpr std::array kSecondPhases{0.5, 1.0};           // [s]; the third lasts as long as the horizon
+constexpr double kGapWeight = 100.0;  // metres of progress that a metre of gap is worth below enough_gap
+constexpr double kTestTime = 0.06;    // [s] at most between gap tests
 constexpr double kWorthMoving = 0.2;  // [s] of later contact for which a robot that could stop moves instead
 
 double approach(double now, double target, double speeding_up, double slowing_down, double period) {
@@ -24,82 +27,156 @@ double approach(double now, double target, double speeding_up, double slowing_do
   return std::clamp(target, now - change, now + change);
 }
 
-// Velocities to aim at: `first` until `switch_time` [s], `then` after it.
-struct Intent {
-  Twist2 first;
-  double switch_time = 0.0;
-  Twist2 then;
+// A motion so far and what it has met.
+struct Motion {
+  std::vector<TrajectoryPoint> trajectory;
+  double gap = kInfinity;
+  double mover_gap = kInfinity;
+  double contact_time = kInfinity;
 };
 
-std::vector<TrajectoryPoint> simulate(const PlanningProblem& problem, const Intent& intent, double horizon,
-                                      double period) {
-  const Limits& limits = problem.limits;
-  std::vector<TrajectoryPoint> trajectory{{0.0, problem.pose, problem.twist}};
-  const int steps = std::max(1, static_cast<int>(std::lround(horizon / period)));
-  for (int i = 1; i <= steps; ++i) {
-    const double time = i * period;
-    const TrajectoryPoint& last = trajectory.back();
-    const Twist2& target = time <= intent.switch_time ? intent.first : intent.then;
-    const Twist2 twist{approach(last.twist.v, target.v, limits.acc_max, limits.stop_deceleration, period),
-                       approach(last.twist.omega, target.omega, limits.alpha_max, limits.alpha_max, period)};
-    trajectory.push_back({time, advance_exact(last.pose, twist, period), twist});
+// Depth-first over the phases: moves that begin alike are simulated once, and given up when they fall behind.
+class Search {
+ public:
+  Search(const PlanningProblem& problem, const Vector2& goal, const EvasionOptions& options)
+      : problem_(problem),
+        goal_(goal),
+        options_(options),
+        tests_(static_cast<int>(std::ceil(options.period / kTestTime))),
+        steps_(std::max(1, static_cast<int>(std::lround(options.horizon / options.period)))),
+        gaps_(problem, steps_ * options.period, options.period / tests_, options.enough_gap) {
+    const Limits& limits = problem.limits;
+    for (const double turn : kTurnShares) {
+      for (const double speed : kSpeedShares)
+        targets_.push_back({speed * limits.v_max, turn * limits.omega_max});
+      if (limits.v_back_max > 0.0) targets_.push_back({-limits.v_back_max, turn * limits.omega_max});
+    }
   }
-  return trajectory;
-}
 
-// Steady arcs, and turning away before driving off.
-std::vector<Intent> intents(const Limits& limits) {
-  std::vector<Intent> list;
-  for (const double turn : kTurnShares) {
-    const double omega = turn * limits.omega_max;
-    for (const double speed : kSpeedShares) list.push_back({{}, 0.0, {speed * limits.v_max, omega}});
-    if (limits.v_back_max > 0.0) list.push_back({{}, 0.0, {-limits.v_back_max, omega}});
+  EvasiveMove run() {
+    Motion stop = start();
+    extend(stop, {}, steps_);
+    if (stop.gap >= options_.enough_gap) return as_move(stop);
+    latest_ = stop;
+    consider(stop);
+    for (const Twist2& first : targets_) {
+      Motion motion = start();
+      for (const double phase : kFirstPhases) {
+        extend(motion, first, steps_until(phase));
+        if (hopeless(motion)) break;
+        second_phase(motion);
+      }
+    }
+    if (best_score_ > -kInfinity) return as_move(best_);
+    const double stopping = std::abs(latest_.trajectory[1].twist.v) / problem_.limits.stop_deceleration;
+    const bool worth_it = latest_.contact_time > stop.contact_time + kWorthMoving &&
+                          latest_.contact_time > options_.period + stopping + kWorthMoving;
+    return as_move(worth_it ? latest_ : stop);
   }
-  for (const double switch_time : kTurnTimes) {
-    for (const double v : {0.0, -limits.v_back_max}) {
-      for (const double omega : {limits.omega_max, -limits.omega_max}) {
-        list.push_back({{v, omega}, switch_time, {limits.v_max, 0.0}});
+
+ private:
+  Motion start() const {
+    Motion motion;
+    motion.trajectory.reserve(static_cast<std::size_t>(steps_) + 1);
+    motion.trajectory.push_back({0.0, problem_.pose, problem_.twist});
+    test(motion, problem_.pose, 0);
+    return motion;
+  }
+
+  int steps_until(double time) const {
+    return std::clamp(static_cast<int>(std::lround(time / options_.period)), 1, steps_);
+  }
+
+  void second_phase(const Motion& so_far) {
+    const int begin = static_cast<int>(so_far.trajectory.size()) - 1;
+    for (const Twist2& second : targets_) {
+      Motion motion = so_far;
+      for (const double phase : kSecondPhases) {
+        extend(motion, second, std::min(steps_, begin + steps_until(phase)));
+        if (hopeless(motion)) break;
+        third_phase(motion);
       }
     }
   }
-  return list;
-}
+
+  void third_phase(const Motion& so_far) {
+    for (const double speed : kSpeedShares) {
+      Motion motion = so_far;
+      extend(motion, {speed * problem_.limits.v_max, 0.0}, steps_);
+      consider(motion);
+    }
+  }
+
+  // Simulates up to `last` steps from the start.
+  void extend(Motion& motion, const Twist2& target, int last) {
+    const Limits& limits = problem_.limits;
+    const double h = options_.period / tests_;
+    while (static_cast<int>(motion.trajectory.size()) <= last && !hopeless(motion)) {
+      const TrajectoryPoint from = motion.trajectory.back();
+      const auto i = motion.trajectory.size();
+      const double period = options_.period;
+      const Twist2 twist{
+          approach(from.twist.v, target.v, limits.acc_max, limits.stop_deceleration, period),
+          approach(from.twist.omega, target.omega, limits.alpha_max, limits.alpha_max, period)};
+      for (int test_step = 1; test_step <= tests_; ++test_step) {
+        test(motion, advance_exact(from.pose, twist, test_step * h),
+             (i - 1) * static_cast<std::size_t>(tests_) + static_cast<std::size_t>(test_step));
+      }
+      motion.trajectory.push_back(
+          {static_cast<double>(i) * period, advance_exact(from.pose, twist, period), twist});
+    }
+    if (motion.contact_time < kInfinity && motion.contact_time > latest_.contact_time) latest_ = motion;
+  }
+
+  void test(Motion& motion, const Pose2& pose, std::size_t k) const {
+    const TimedGaps::Gap gap = gaps_.at(pose, k);
+    motion.gap = std::min(motion.gap, gap.all);
+    motion.mover_gap = std::min(motion.mover_gap, gap.movers);
+    if (gap.all < options_.asked_gap)
+      motion.contact_time = std::min(motion.contact_time, static_cast<double>(k) * options_.period / tests_);
+  }
+
+  // It met something, or can no longer win.
+  bool hopeless(const Motion& motion) const {
+    if (best_score_ == -kInfinity && latest_.trajectory.empty())
+      return false;  // the stop is simulated to its end
+    return motion.contact_time < kInfinity || kGapWeight * motion.gap < best_score_;
+  }
+
+  double score(const Motion& motion) const {
+    return kGapWeight * motion.gap - (motion.trajectory.back().pose.position() - goal_).norm();
+  }
+
+  void consider(const Motion& motion) {
+    if (motion.contact_time < kInfinity) return;
+    if (static_cast<int>(motion.trajectory.size()) <= steps_) return;  // given up
+    const double s = score(motion);
+    if (s <= best_score_) return;
+    best_score_ = s;
+    best_ = motion;
+  }
+
+  static EvasiveMove as_move(const Motion& motion) {
+    return {motion.gap, motion.mover_gap, motion.contact_time, motion.trajectory};
+  }
+
+  const PlanningProblem& problem_;
+  Vector2 goal_;
+  EvasionOptions options_;
+  int tests_;
+  int steps_;
+  TimedGaps gaps_;
+  std::vector<Twist2> targets_;
+  Motion best_;
+  Motion latest_;
+  double best_score_ = -kInfinity;
+};
 
 }  // namespace
 
 EvasiveMove best_evasive_move(const PlanningProblem& problem, const Vector2& goal,
                               const EvasionOptions& options) {
-  const auto simulated = [&](const Intent& intent) {
-    EvasiveMove move;
-    move.trajectory = simulate(problem, intent, options.horizon, options.period);
-    const MotionGap met = gap_along(move.trajectory, options.horizon, kTestStep, options.asked_gap, problem);
-    move.gap = met.gap;
-    move.contact_time = met.contact_time;
-    return move;
-  };
-  EvasiveMove best_clear;
-  double best_score = -std::numeric_limits<double>::infinity();
-  EvasiveMove stop = simulated({});
-  // Nothing comes closer to a robot that stands: stand, instead of pacing in front of what blocks the way.
-  if (stop.gap >= options.enough_gap) return stop;
-  EvasiveMove latest = stop;
-  for (const Intent& intent : intents(problem.limits)) {
-    EvasiveMove move = simulated(intent);
-    if (std::isinf(move.contact_time)) {
-      const double score = kGapWeight * std::min(move.gap, options.enough_gap) -
-                           (move.trajectory.back().pose.position() - goal).norm();
-      if (score <= best_score) continue;
-      best_score = score;
-      best_clear = std::move(move);
-    } else if (move.contact_time > latest.contact_time) {
-      latest = std::move(move);
-    }
-  }
-  if (!best_clear.trajectory.empty()) return best_clear;
-  const double stopping_time = std::abs(latest.trajectory[1].twist.v) / problem.limits.stop_deceleration;
-  const bool worth_it = latest.contact_time > stop.contact_time + kWorthMoving &&
-                        latest.contact_time > options.period + stopping_time + kWorthMoving;
-  return worth_it ? latest : stop;
+  return Search(problem, goal, options).run();
 }
 
 }  // namespace bw

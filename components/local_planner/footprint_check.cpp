@@ -41,7 +41,18 @@ double polygon_distance(const std::vector<Vector2>& polygon, const Vector2& a, c
   return inside ? -nearest - 1e-3 : nearest;
 }
 
-// Gap to all points within `radius` of segment a-b. The enclosing disc decides alone where it is clear of it.
+double gap_to_movers(const Pose2& pose, double time, const Footprint& footprint,
+                     const std::vector<Mover>& movers) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (const Mover& m : movers) {
+    const Vector2 p = m.position_at(time);
+    gap = std::min(gap, gap_to(pose, footprint, p, p, m.radius));
+  }
+  return gap;
+}
+
+}  // namespace
+
 double gap_to(const Pose2& pose, const Footprint& footprint, const Vector2& a, const Vector2& b,
               double radius) {
   const double disc_gap = distance(pose.position(), a, b) - footprint.radius - radius;
@@ -59,24 +70,19 @@ double gap_to_statics(const Pose2& pose, const Footprint& footprint, const Stati
   return gap;
 }
 
-}  // namespace
-
 double gap_at(const Pose2& pose, double time, const Footprint& footprint, const StaticObstacles& statics,
               const std::vector<Mover>& movers) {
-  double gap = gap_to_statics(pose, footprint, statics);
-  for (const Mover& m : movers) {
-    const Vector2 p = m.position_at(time);
-    gap = std::min(gap, gap_to(pose, footprint, p, p, m.radius));
-  }
-  return gap;
+  return std::min(gap_to_statics(pose, footprint, statics), gap_to_movers(pose, time, footprint, movers));
 }
 
 MotionGap gap_along(const std::vector<TrajectoryPoint>& trajectory, double horizon, double step,
                     double asked_gap, const PlanningProblem& problem) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
-  MotionGap result{kNever, kNever};
+  MotionGap result{kNever, kNever, kNever};
   const auto test = [&](const Pose2& pose, double time) {
-    const double gap = gap_at(pose, time, problem.footprint, problem.obstacles, problem.movers);
+    const double mover_gap = gap_to_movers(pose, time, problem.footprint, problem.movers);
+    const double gap = std::min(mover_gap, gap_to_statics(pose, problem.footprint, problem.obstacles));
+    result.mover_gap = std::min(result.mover_gap, mover_gap);
     result.gap = std::min(result.gap, gap);
     if (gap < asked_gap) result.contact_time = std::min(result.contact_time, time);
   };

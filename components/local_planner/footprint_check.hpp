@@ -6,6 +6,15 @@
 
 namespace bw {
 
+/// Gap [m] between the footprint at `pose` and all points within `radius` of segment a-b (a point when a ==
+/// b); negative on contact (a lower bound of the depth). Where the enclosing disc of a polygon is clear, its
+/// gap.
+double gap_to(const Pose2& pose, const Footprint& footprint, const Vector2& a, const Vector2& b,
+              double radius);
+
+/// The smallest of these to static obstacles; infinite without any.
+double gap_to_statics(const Pose2& pose, const Footprint& footprint, const StaticObstacles& statics);
+
 /// Smallest gap [m] between the footprint at `pose` and the obstacles `time` seconds from now; negative on
 /// contact (a lower bound of the depth). Infinite without obstacles.
 double gap_at(const Pose2& pose, double time, const Footprint& footprint, const StaticObstacles& statics,
@@ -14,6 +23,7 @@ double gap_at(const Pose2& pose, double time, const Footprint& footprint, const 
 /// What a motion meets.
 struct MotionGap {
   double gap = 0.0;           ///< smallest gap [m]
+  double mover_gap = 0.0;     ///< smallest gap to a mover [m]
   double contact_time = 0.0;  ///< when the gap first falls below the asked one [s]; infinite if it never does
 };
 

@@ -27,6 +27,7 @@ struct HomotopyOptions {
   std::int64_t roadmap_graph_seed = 1;
   double selection_cost_hysteresis = 0.95;
   double switching_blocking_period = 0.0;
+  double max_ratio_detours_duration_best_duration = 3.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -71,6 +72,8 @@ struct HomotopyOptions {
        .doc = "share of the present candidate's cost that another must undercut; lower switches less"});
     v("switching_blocking_period", switching_blocking_period,
       {.unit = "s", .min = 0, .max = 60, .doc = "time after a switch before the next one"});
+    v("max_ratio_detours_duration_best_duration", max_ratio_detours_duration_best_duration,
+      {.min = 1, .max = 100, .doc = "a band this many times longer than the driven one is given up"});
   }
 };
 

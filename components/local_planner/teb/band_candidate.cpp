@@ -5,14 +5,18 @@
 #include "components/local_planner/teb/band_trajectory.hpp"
 
 namespace bw::teb {
+void check(BandCandidate& candidate, const PlanningProblem& problem, const DrivingOptions& driving) {
+  candidate.trajectory = to_trajectory(candidate.band, problem.twist, problem.goal_is_final);
+  candidate.safety = safety_of(candidate.trajectory, problem, driving);
+}
+
 void improve(BandCandidate& candidate, const PlanningProblem& problem, const ObstacleField& field,
              const BandOptions& options, const DrivingOptions& driving, int max_iterations) {
   candidate.report = optimize(candidate.band, {problem.limits, problem.twist, problem.goal_is_final, &field},
                               options, max_iterations);
   if (!candidate.report.usable) return;
   candidate.cost = candidate.report.cost;
-  candidate.trajectory = to_trajectory(candidate.band, problem.twist, problem.goal_is_final);
-  candidate.free = is_free(candidate.trajectory, problem, driving);
+  check(candidate, problem, driving);
 }
 
 int improve_all(std::vector<BandCandidate>& candidates, const PlanningProblem& problem,

@@ -19,9 +19,12 @@ struct BandCandidate {
   // Of improve():
   BandReport report;
   std::vector<TrajectoryPoint> trajectory;
-  bool free = false;  ///< the footprint stays clear for feasibility_check_time
+  Safety safety;
   double cost = 0.0;  ///< what selection compares (spec 3.10): report.cost and what a planner adds
 };
+
+/// Makes its trajectory and checks that; `report` is left alone.
+void check(BandCandidate& candidate, const PlanningProblem& problem, const DrivingOptions& driving);
 
 /// Optimises the band of `candidate` and checks it.
 void improve(BandCandidate& candidate, const PlanningProblem& problem, const ObstacleField& field,

@@ -36,6 +36,26 @@ std::vector<Pose2> path_of(const homotopy::Route& route, const Pose2& goal) {
   return path;
 }
 
+std::optional<BandCandidate> driven_of(const std::vector<BandCandidate>& candidates) {
+  for (const BandCandidate& candidate : candidates) {
+    if (candidate.driven) return candidate;
+  }
+  return std::nullopt;
+}
+
+// Along `motion`, then straight along the rest of the plan.
+Band band_through(const std::vector<TrajectoryPoint>& motion, const PlanningProblem& problem,
+                  const BandOptions& options) {
+  const Band rest = band_along(problem.plan, motion.back().pose, problem.limits, options);
+  Band band;
+  for (std::size_t i = 0; i + 1 < motion.size(); ++i) {
+    const Pose2& p = motion[i].pose;
+    band.poses.push_back({p.x, p.y, p.theta, motion[i + 1].time - motion[i].time});
+  }
+  band.poses.insert(band.poses.end(), rest.poses.begin(), rest.poses.end());
+  return band;
+}
+
 // Bands that optimisation has led into one topology: the cheapest stays, and is the driven one if one was.
 void merge_classes(std::vector<BandCandidate>& candidates, const homotopy::Exploration& explored,
                    const homotopy::HomotopyOptions& options) {
@@ -55,7 +75,7 @@ void merge_classes(std::vector<BandCandidate>& candidates, const homotopy::Explo
     }
     BandCandidate& known = distinct[static_cast<std::size_t>(same - signatures.begin())];
     const bool driven = known.driven || candidate.driven;
-    if (std::pair(!candidate.free, candidate.cost) < std::pair(!known.free, known.cost))
+    if (std::pair(!candidate.safety.free, candidate.cost) < std::pair(!known.safety.free, known.cost))
       known = std::move(candidate);
     known.driven = driven;
   }
@@ -90,6 +110,7 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
                        static_cast<std::size_t>(teb.band.max_obstacles), options_.prediction);
   const Band along_plan = band_along(problem.plan, problem.pose, problem.limits, teb.band);
   std::vector<BandCandidate> candidates = kept_candidates(problem);
+  const std::optional<BandCandidate> as_driven = driven_of(candidates);
   planned_at_ = problem.now;
   goal_ = problem.plan.back();
   const std::optional<homotopy::Exploration> explored = add_new(problem, along_plan, candidates);
@@ -100,6 +121,9 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
   if (options_.hrvo) advice = hrvo::advise(problem, goal_.position(), options_.hrvo->hrvo);
   const auto judge = [&](BandCandidate& candidate) {
     candidate.cost = candidate.report.cost;
+    if (const double margin = options_.driving.mover_margin; margin > 0.0)
+      candidate.cost +=
+          teb.mover_margin_cost * (1.0 - std::clamp(candidate.safety.comfort / margin, 0.0, 1.0));
     if (advice) candidate.cost += hrvo_cost(*advice, candidate.trajectory, field, options_.hrvo->weight);
   };
   for (BandCandidate& candidate : candidates) judge(candidate);
@@ -107,7 +131,7 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
   std::size_t chosen = select(candidates);
   const bool detour =
       candidates[chosen].band.duration() > teb.detour_factor * along_plan.duration() + kDetourSlack;
-  if (candidates[chosen].kept && (!candidates[chosen].free || detour) && iterations < budget) {
+  if (candidates[chosen].kept && (!candidates[chosen].safety.free || detour) && iterations < budget) {
     // The band may be caught between obstacles that have moved on: try what a first call would do.
     BandCandidate again{.band = along_plan, .label = "plan"};
     improve(again, problem, field, teb.band, options_.driving, budget - iterations);
@@ -115,6 +139,19 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
     judge(again);
     candidates.push_back(std::move(again));
     chosen = select(candidates);
+  }
+  const auto comfortable = [&](const BandCandidate& c) {
+    return c.safety.free && c.safety.comfort >= options_.driving.mover_margin;
+  };
+  if (!comfortable(candidates[chosen]) && as_driven) {
+    // Nothing new is: what was planned before may still be.
+    BandCandidate before = *as_driven;
+    check(before, problem, options_.driving);
+    before.report.usable = true;
+    if (comfortable(before) || (before.safety.free && !candidates[chosen].safety.free)) {
+      chosen = candidates.size();
+      candidates.push_back(std::move(before));
+    }
   }
 
   PlanningResult result;
@@ -129,13 +166,18 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
     result.velocity_wanted = advice->velocity;
   }
   result.trajectory = candidates[chosen].trajectory;
-  if (candidates[chosen].free) {
+  if (evade(problem, options_.driving, candidates[chosen].safety, result)) {
+    if (result.status == PlanningStatus::ok) {
+      // The next cycle goes on from the evasive move.
+      candidates[chosen].band = band_through(result.trajectory, problem, teb.band);
+      candidates[chosen].label = "evasion";
+      candidates[chosen].report.usable = true;
+    }
+  } else {
     result.status = PlanningStatus::ok;
     result.command =
         reachable_twist(velocity_at(candidates[chosen].band, problem.twist, problem.command_lead),
                         problem.twist, problem.limits, problem.command_lead);
-  } else {
-    evade(problem, options_.driving, result);
   }
   keep(std::move(candidates), chosen);
   return result;
@@ -156,8 +198,11 @@ std::vector<BandCandidate> BandPlanner::kept_candidates(const PlanningProblem& p
       continue;
     }
     set_goal(last.band, goal);
-    candidates.push_back(
-        {.band = std::move(last.band), .label = std::move(last.label), .kept = true, .driven = last.driven});
+    candidates.push_back({.band = std::move(last.band),
+                          .label = std::move(last.label),
+                          .kept = true,
+                          .driven = last.driven,
+                          .cost = last.cost});
   }
   return candidates;
 }
@@ -187,7 +232,7 @@ std::optional<homotopy::Exploration> BandPlanner::add_new(const PlanningProblem&
 std::size_t BandPlanner::select(const std::vector<BandCandidate>& candidates) const {
   const auto rank = [&](const BandCandidate& c) {
     const double hysteresis = options_.homotopy ? options_.homotopy->selection_cost_hysteresis : 0.95;
-    return std::tuple(!c.free, !c.report.usable, c.driven ? hysteresis * c.cost : c.cost);
+    return std::tuple(!c.safety.free, !c.report.usable, c.driven ? hysteresis * c.cost : c.cost);
   };
   std::size_t best = 0;
   for (std::size_t i = 1; i < candidates.size(); ++i) {
@@ -199,9 +244,19 @@ std::size_t BandPlanner::select(const std::vector<BandCandidate>& candidates) co
 void BandPlanner::keep(std::vector<BandCandidate> candidates, std::size_t chosen) {
   for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].driven = i == chosen;
   std::erase_if(candidates, [](const BandCandidate& c) { return !c.report.usable; });
+  if (candidates.empty()) {
+    bands_.clear();
+    return;
+  }
   std::stable_sort(candidates.begin(), candidates.end(), [](const BandCandidate& l, const BandCandidate& r) {
-    return std::tuple(!l.driven, !l.free, l.cost) < std::tuple(!r.driven, !r.free, r.cost);
+    return std::tuple(!l.driven, !l.safety.free, l.cost) < std::tuple(!r.driven, !r.safety.free, r.cost);
   });
+  if (options_.homotopy) {
+    const double longest =
+        options_.homotopy->max_ratio_detours_duration_best_duration * candidates.front().band.duration();
+    std::erase_if(candidates,
+                  [&](const BandCandidate& c) { return !c.driven && c.band.duration() > longest; });
+  }
   // One place stays open for a topology that is new, or better by now.
   const int most = options_.homotopy ? options_.homotopy->max_number_classes - 1 : 1;
   const auto count = static_cast<std::size_t>(std::max(most, 1));

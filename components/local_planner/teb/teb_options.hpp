@@ -12,6 +12,7 @@ struct TebOptions {
   double force_reinit_new_goal_angular = 0.8;
   double force_reinit_start_dist = 0.5;
   double detour_factor = 1.3;
+  double mover_margin_cost = 10.0;
   bool include_dynamic_obstacles = true;
   bool allow_init_with_backwards_motion = false;
 
@@ -28,6 +29,11 @@ struct TebOptions {
       {.min = 1,
        .max = 100,
        .doc = "a band this many times slower than the free way is compared with a new one"});
+    v("mover_margin_cost", mover_margin_cost,
+      {.min = 0,
+       .max = 1e4,
+       .doc =
+           "what a candidate that touches a mover costs more in the choice; nothing from mover_margin on"});
     v("include_dynamic_obstacles", include_dynamic_obstacles,
       {.doc =
            "movers are met where they will be; false: where they are, as if they stood (all planners of the "
