@@ -10,15 +10,29 @@ double step_towards(double wanted, double now, double largest_change) {
   return std::clamp(wanted, now - largest_change, now + largest_change);
 }
 
-}  // namespace
-
-Twist2 reachable_twist(const Twist2& wanted, const Twist2& now, const Limits& limits, double period) {
+// Scaled as a whole, so that the curvature stays.
+Twist2 within_limits(const Twist2& wanted, const Limits& limits) {
   double scale = 1.0;
   const double v_limit = wanted.v >= 0.0 ? limits.v_max : limits.v_back_max;
   if (std::abs(wanted.v) > v_limit) scale = v_limit / std::abs(wanted.v);
   if (std::abs(wanted.omega) * scale > limits.omega_max) scale = limits.omega_max / std::abs(wanted.omega);
-  return {step_towards(scale * wanted.v, now.v, limits.acc_max * period),
-          step_towards(scale * wanted.omega, now.omega, limits.alpha_max * period)};
+  return {scale * wanted.v, scale * wanted.omega};
+}
+
+}  // namespace
+
+Twist2 reachable_twist(const Twist2& wanted, const Twist2& now, const Limits& limits, double period) {
+  const Twist2 inside = within_limits(wanted, limits);
+  return {step_towards(inside.v, now.v, limits.acc_max * period),
+          step_towards(inside.omega, now.omega, limits.alpha_max * period)};
+}
+
+Twist2 evasive_twist(const Twist2& wanted, const Twist2& now, const Limits& limits, double period) {
+  const Twist2 inside = within_limits(wanted, limits);
+  const bool slowing = inside.v * now.v >= 0.0 && std::abs(inside.v) < std::abs(now.v);
+  const double acceleration = slowing ? limits.stop_deceleration : limits.acc_max;
+  return {step_towards(inside.v, now.v, acceleration * period),
+          step_towards(inside.omega, now.omega, limits.alpha_max * period)};
 }
 
 Twist2 stop_twist(const Twist2& now, const Limits& limits, double period) {

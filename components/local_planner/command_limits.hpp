@@ -12,6 +12,9 @@ namespace bw {
 /// already is led back by the accelerations allowed.
 Twist2 reachable_twist(const Twist2& wanted, const Twist2& now, const Limits& limits, double period);
 
+/// The same for a motion that gets out of somebody's way: slowing down may use stop_deceleration.
+Twist2 evasive_twist(const Twist2& wanted, const Twist2& now, const Limits& limits, double period);
+
 /// Braking of a safety stop: stop_deceleration and alpha_max over `period` [s]. Zero when `now` is not
 /// finite, or the others are not above zero.
 Twist2 stop_twist(const Twist2& now, const Limits& limits, double period);

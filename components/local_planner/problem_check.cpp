@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kLargest = 1e6;  // [m], [m/s], [rad]; beyond it squares lose the digits that planning needs
 constexpr double kShortestPeriod = 1e-3;  // [s]; motions simulated in such steps stay short
-constexpr double kEnclosing = 1e-6;       // [m] that rounding may leave of a corner outside
 constexpr double kLongestPeriod = 10.0;   // [s]
+constexpr double kEnclosing = 1e-6;       // [m] that rounding may leave a corner outside
 
 bool sane(double value) { return std::abs(value) <= kLargest; }  // false for NaN
 bool sane(const Vector2& p) { return sane(p.x()) && sane(p.y()); }

@@ -38,5 +38,12 @@ TEST(StopTwist, BrakesWithStopDecelerationAndEndsAtRest) {
   EXPECT_EQ(stop_twist({std::nan(""), 0.0}, limits, 0.1), Twist2{});
 }
 
+TEST(StopTwist, NeverSpeedsUp) {
+  // A period that is none says nothing about braking: a negative one would turn it round.
+  const Limits limits;
+  for (const double period : {0.0, -0.1, std::nan("")})
+    EXPECT_EQ(stop_twist({0.5, -0.2}, limits, period), Twist2{});
+}
+
 }  // namespace
 }  // namespace bw
