@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "components/model/differential_drive.hpp"
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kShortestMarch = 0.005;  // [m] so that a march along a wall ends
+constexpr int kMostMarches = 1000;        // what goes on longer is not known to be free
 
 }  // namespace
 
@@ -21,10 +23,13 @@ Pose2 Arc::at(double time) const { return advance_exact(start, twist, time); }
 double contact_distance(const Arc& arc, const ClearanceField& field, double margin, double up_to) {
   const double speed = std::abs(arc.twist.v);
   if (speed == 0.0) return kNever;
+  // What one whole circle does not meet, no second one does.
+  up_to = std::min(up_to, 2.0 * std::numbers::pi * speed / std::abs(arc.twist.omega));
   double travel = 0.0;
   double left = field.at(arc.start.position()) - margin;
   if (left <= 0.0) return 0.0;
-  while (travel < up_to) {
+  for (int marches = 0; travel < up_to; ++marches) {
+    if (marches == kMostMarches) return travel;
     const double step = std::min(std::max(left, kShortestMarch), up_to - travel);
     const double left_after = field.at(arc.at((travel + step) / speed).position()) - margin;
     if (left_after <= 0.0) return travel + step * left / (left - left_after);

@@ -86,6 +86,17 @@ TEST(StoppingMotion, HoldsThenBrakesOnTheSameCurve) {
   EXPECT_EQ(stopping_motion({{}, {0.0, 0.5}}, 0.1, 1.0).size(), 2U) << "turning on the spot needs no way";
 }
 
+TEST(ContactDistance, EndsOnEndlessWays) {
+  // 1e6 m along a wall 1 mm beyond the margin: 1000 looks 5 mm apart, then it is no longer called free.
+  StaticObstacles wall;
+  wall.segments.push_back({{-1e6, 0.401}, {1e6, 0.401}});  // robot radius 0.3, margin 0.1
+  EXPECT_NEAR(contact_distance({{}, {1.0, 0.0}}, field_of(wall), 0.1, 1e6), 5.0, 1e-6);
+  // A circle of 1 m radius past a point inside: free for one turn is free for a million.
+  StaticObstacles middle;
+  middle.points.push_back({0.0, 1.0});
+  EXPECT_EQ(contact_distance({{}, {1.0, 1.0}}, field_of(middle), 0.1, 1e6), INFINITY);
+}
+
 TEST(ArcSearches, AgreeWithFineSampling) {
   Random random(5);
   for (int scene = 0; scene < 300; ++scene) {
