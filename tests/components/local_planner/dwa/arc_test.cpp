@@ -84,6 +84,7 @@ TEST(StoppingMotion, HoldsThenBrakesOnTheSameCurve) {
     EXPECT_NEAR(point.twist.omega, 0.5 * point.twist.v, 1e-12);
   }
   EXPECT_EQ(stopping_motion({{}, {0.0, 0.5}}, 0.1, 1.0).size(), 2U) << "turning on the spot needs no way";
+  EXPECT_LE(stopping_motion({{}, {1e3, 0.5}}, 0.1, 1e-6).size(), 110U) << "braking for 1e9 s is 100 steps";
 }
 
 TEST(ContactDistance, EndsOnEndlessWays) {
