@@ -17,6 +17,8 @@ constexpr double kAdvanceSlack =
 constexpr double kOldestBand = 1.0;   // [s] without a call after which a band says nothing about the scene
 constexpr double kDetourSlack = 1.0;  // [s] that any band may take longer than the unhindered drive
 
+constexpr const char* kEvasion = "evasion";  // label of a band that goes on from an evasive move
+
 homotopy::Route route_of(const Band& band) {
   homotopy::Route route;
   route.reserve(band.size());
@@ -170,14 +172,16 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
     if (result.status == PlanningStatus::ok) {
       // The next cycle goes on from the evasive move.
       candidates[chosen].band = band_through(result.trajectory, problem, teb.band);
-      candidates[chosen].label = "evasion";
+      candidates[chosen].label = kEvasion;
       candidates[chosen].report.usable = true;
     }
   } else {
     result.status = PlanningStatus::ok;
-    result.command =
-        reachable_twist(velocity_at(candidates[chosen].band, problem.twist, problem.command_lead),
-                        problem.twist, problem.limits, problem.command_lead);
+    const BandCandidate& driven = candidates[chosen];
+    const Twist2 wanted = velocity_at(driven.band, problem.twist, problem.command_lead);
+    const bool hurried = driven.label == kEvasion || driven.safety.comfort < options_.driving.mover_margin;
+    result.command = (hurried ? evasive_twist : reachable_twist)(wanted, problem.twist, problem.limits,
+                                                                 problem.command_lead);
   }
   keep(std::move(candidates), chosen);
   return result;
