@@ -24,7 +24,10 @@ int improve_all(std::vector<BandCandidate>& candidates, const PlanningProblem& p
                 int max_iterations) {
   if (candidates.empty()) return 0;
   const int share = std::max(1, max_iterations / static_cast<int>(candidates.size()));
-  const auto body = [&](std::size_t i) { improve(candidates[i], problem, field, options, driving, share); };
+  const auto body = [&](std::size_t i) {
+    const int left = std::max(0, max_iterations - static_cast<int>(i) * share);
+    improve(candidates[i], problem, field, options, driving, std::min(share, left));
+  };
   if (problem.parallel_for) {
     problem.parallel_for(candidates.size(), body);
   } else {
