@@ -27,6 +27,18 @@ Twist2 reachable_twist(const Twist2& wanted, const Twist2& now, const Limits& li
           step_towards(inside.omega, now.omega, limits.alpha_max * period)};
 }
 
+Twist2 smooth_twist(const Twist2& wanted, const Twist2& now, double acceleration, const Limits& limits,
+                    double period, double cycle) {
+  Twist2 command = reachable_twist(wanted, now, limits, period);
+  const double change = command.v - now.v;
+  const double fading = std::sqrt(2.0 * limits.jerk_max * std::abs(change));
+  const double wanted_acceleration = std::copysign(std::min(std::abs(change) / period, fading), change);
+  const double step = limits.jerk_max * cycle;
+  const double smooth = std::clamp(wanted_acceleration, acceleration - step, acceleration + step);
+  command.v = std::clamp(now.v + smooth * period, -limits.v_back_max, limits.v_max);
+  return command;
+}
+
 Twist2 evasive_twist(const Twist2& wanted, const Twist2& now, const Limits& limits, double period) {
   const Twist2 inside = within_limits(wanted, limits);
   const bool slowing = inside.v * now.v >= 0.0 && std::abs(inside.v) < std::abs(now.v);

@@ -12,7 +12,13 @@ namespace bw {
 /// already is led back by the accelerations allowed.
 Twist2 reachable_twist(const Twist2& wanted, const Twist2& now, const Limits& limits, double period);
 
-/// The same for a motion that gets out of somebody's way: slowing down may use stop_deceleration.
+/// The same with the linear jerk limited as well: the acceleration changes by at most jerk_max * `cycle` [s]
+/// from `acceleration` [m/s^2], the one of the last command, and fades out towards the wanted speed. Speed and
+/// acceleration limits come first.
+Twist2 smooth_twist(const Twist2& wanted, const Twist2& now, double acceleration, const Limits& limits,
+                    double period, double cycle);
+
+/// reachable_twist for a motion that gets out of somebody's way: slowing down may use stop_deceleration.
 Twist2 evasive_twist(const Twist2& wanted, const Twist2& now, const Limits& limits, double period);
 
 /// Braking of a safety stop: stop_deceleration and alpha_max over `period` [s]. Zero when `now` is not

@@ -89,6 +89,7 @@ void merge_classes(std::vector<BandCandidate>& candidates, const homotopy::Explo
 void BandPlanner::reset() {
   bands_.clear();
   arrived_ = false;
+  acceleration_ = 0.0;
 }
 
 PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
@@ -180,9 +181,13 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
     const BandCandidate& driven = candidates[chosen];
     const Twist2 wanted = velocity_at(driven.band, problem.twist, problem.command_lead);
     const bool hurried = driven.label == kEvasion || driven.safety.comfort < options_.driving.mover_margin;
-    result.command = (hurried ? evasive_twist : reachable_twist)(wanted, problem.twist, problem.limits,
-                                                                 problem.command_lead);
+    result.command =
+        hurried ? evasive_twist(wanted, problem.twist, problem.limits, problem.command_lead)
+                : smooth_twist(wanted, problem.twist, acceleration_, problem.limits, problem.command_lead,
+                               problem.control_period);
   }
+  acceleration_ = std::clamp((result.command.v - problem.twist.v) / problem.command_lead,
+                             -problem.limits.acc_max, problem.limits.acc_max);
   keep(std::move(candidates), chosen);
   return result;
 }

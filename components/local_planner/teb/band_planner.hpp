@@ -50,6 +50,7 @@ class BandPlanner final : public LocalPlanner {
   Time planned_at_;
   Time switched_at_;
   Pose2 goal_;
+  double acceleration_ = 0.0;  ///< of the last command [m/s^2]
   bool arrived_ = false;
 };
 
