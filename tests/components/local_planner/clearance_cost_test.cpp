@@ -1,47 +1,9 @@
 #include "components/local_planner/teb/clearance_cost.hpp"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
-
-#include "components/model/random.hpp"
 
 namespace bw::teb {
 namespace {
-
-constexpr std::uint64_t kSeed = 21;
-
-TEST(ClearanceCost, GradientEqualsNumericalDifferentiation) {
-  Random random(kSeed);
-  const ClearanceModel model(BandOptions{}, 2.0);
-  const auto point = [&] { return Vector2(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)); };
-  int compared = 0;
-  for (int i = 0; i < 5000; ++i) {
-    ClearanceTerm term;
-    term.capsule = {point(), point(), random.uniform(0.0, 0.5)};
-    if (i % 2 == 0) term.capsule.b = term.capsule.a;
-    term.moving = i % 3 == 0;
-    const Vector2 p = point();
-    Vector2 gradient;
-    const double mid = evaluate_clearance(model, term, p, &gradient);
-    const double h = 1e-5;
-    for (int axis = 0; axis < 2; ++axis) {
-      Vector2 step(0.0, 0.0);
-      step[axis] = h;
-      const double m2 = evaluate_clearance(model, term, p - 2 * step, nullptr);
-      const double m1 = evaluate_clearance(model, term, p - step, nullptr);
-      const double p1 = evaluate_clearance(model, term, p + step, nullptr);
-      const double p2 = evaluate_clearance(model, term, p + 2 * step, nullptr);
-      const double forward = (p2 - mid) / (2 * h), backward = (mid - m2) / (2 * h);
-      if (std::abs(forward - backward) > 5e-3) continue;  // across a kink of the hinge or of the segment
-      EXPECT_NEAR((m2 - 8 * m1 + 8 * p1 - p2) / (12 * h), gradient[axis],
-                  1e-6 * (1.0 + std::abs(gradient[axis])))
-          << "seed " << kSeed << " case " << i;
-      ++compared;
-    }
-  }
-  EXPECT_GT(compared, 9000);
-}
 
 TEST(ClearanceCost, DistanceToPointDiscAndSegment) {
   EXPECT_DOUBLE_EQ(clearance_to({{0, 0}, {0, 0}, 0.0}, {3, 4}).distance, 5.0);
