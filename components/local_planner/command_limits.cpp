@@ -34,8 +34,11 @@ Twist2 smooth_twist(const Twist2& wanted, const Twist2& now, double acceleration
   const double fading = std::sqrt(2.0 * limits.jerk_max * std::abs(change));
   const double wanted_acceleration = std::copysign(std::min(std::abs(change) / period, fading), change);
   const double step = limits.jerk_max * cycle;
-  const double smooth = std::clamp(wanted_acceleration, acceleration - step, acceleration + step);
-  command.v = std::clamp(now.v + smooth * period, -limits.v_back_max, limits.v_max);
+  const double smooth = std::clamp(std::clamp(wanted_acceleration, acceleration - step, acceleration + step),
+                                   -limits.acc_max, limits.acc_max);
+  // From outside the speed limits no jump to them.
+  command.v =
+      std::clamp(now.v + smooth * period, std::min(-limits.v_back_max, now.v), std::max(limits.v_max, now.v));
   return command;
 }
 

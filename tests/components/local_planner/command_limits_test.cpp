@@ -27,6 +27,15 @@ TEST(ReachableTwist, LimitsBackwardSpeed) {
   EXPECT_NEAR(reachable_twist({-1.0, 0.0}, {-0.15, 0.0}, limits, 0.1).v, -0.2, 1e-12);
 }
 
+TEST(SmoothTwist, LeadsBackFromOutsideTheLimitsWithinTheAcceleration) {
+  // From 5 m/s, 4 above v_max, braking already: 1 m/s^2 for 0.1 s. Backward the same.
+  const Limits limits;
+  EXPECT_NEAR(smooth_twist({0.5, 0.0}, {5.0, 0.0}, -1.0, limits, 0.1, 0.1).v, 4.9, 1e-12);
+  EXPECT_NEAR(smooth_twist({0.5, 0.0}, {-5.0, 0.0}, 1.0, limits, 0.1, 0.1).v, -4.9, 1e-12);
+  // A last acceleration from other limits counts for no more than acc_max.
+  EXPECT_NEAR(smooth_twist({1.0, 0.0}, {0.0, 0.0}, 20.0, limits, 0.1, 0.1).v, 0.1, 1e-12);
+}
+
 TEST(StopTwist, BrakesWithStopDecelerationAndEndsAtRest) {
   const Limits limits;  // 2 m/s^2, 1.5 rad/s^2
   Twist2 t{0.5, -0.2};
