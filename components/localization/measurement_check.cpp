@@ -1,0 +1,89 @@
+#include "components/localization/measurement_check.hpp"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+namespace bw::localization {
+namespace {
+
+constexpr double kAsymmetry = 1e-6;  // of the larger diagonal element; messages round their numbers
+
+template <int N>
+Verdict check_covariance(const Eigen::Matrix<double, N, N>& C, double limit) {
+  if (!C.allFinite()) return Verdict::not_finite;
+  const double largest = C.diagonal().maxCoeff();
+  if (C.diagonal().minCoeff() <= 0.0 || largest > limit) return Verdict::bad_covariance;
+  if ((C - C.transpose()).cwiseAbs().maxCoeff() > kAsymmetry * largest) return Verdict::bad_covariance;
+  const Eigen::LLT<Eigen::Matrix<double, N, N>> cholesky(C);
+  return cholesky.info() == Eigen::Success ? Verdict::accepted : Verdict::bad_covariance;
+}
+
+Verdict check_variance(double variance, double limit) {
+  if (!std::isfinite(variance)) return Verdict::not_finite;
+  return variance > 0.0 && variance <= limit ? Verdict::accepted : Verdict::bad_covariance;
+}
+
+bool is_angle(double angle) {
+  return std::abs(angle) <= 1e3;
+}  // beyond, the wrapped rest has lost its digits
+
+struct Checker {
+  const MeasurementLimits& limits;
+
+  Verdict operator()(const GyroReading& m) const {
+    if (!std::isfinite(m.rate)) return Verdict::not_finite;
+    if (std::abs(m.rate) > limits.turn_rate) return Verdict::implausible;
+    return check_variance(m.variance, limits.variance);
+  }
+
+  Verdict operator()(const WheelStep& m) const {
+    if (!std::isfinite(m.distance) || !std::isfinite(m.turn) || !m.covariance.allFinite())
+      return Verdict::not_finite;
+    const double seconds = m.over.to_seconds();
+    if (m.over.nanoseconds <= 0 || seconds > limits.wheel_interval) return Verdict::bad_interval;
+    if (std::abs(m.distance) > limits.speed * seconds || std::abs(m.turn) > limits.turn_rate * seconds)
+      return Verdict::implausible;
+    // A standing base has zero covariance: semi-definite will do.
+    const Eigen::Matrix2d& C = m.covariance;
+    const double largest = C.diagonal().maxCoeff();
+    const double product = C(0, 0) * C(1, 1);
+    const bool sound = C.diagonal().minCoeff() >= 0.0 && largest <= limits.variance &&
+                       std::abs(C(0, 1) - C(1, 0)) <= kAsymmetry * largest &&
+                       C(0, 1) * C(1, 0) <= product * (1.0 + 1e-9);
+    return sound ? Verdict::accepted : Verdict::bad_covariance;
+  }
+
+  Verdict operator()(const PoseReading& m) const {
+    if (!is_finite(m.X_MB)) return Verdict::not_finite;
+    if (!within(m.X_MB.position()) || !is_angle(m.X_MB.theta)) return Verdict::implausible;
+    return check_covariance<3>(m.covariance, limits.variance);
+  }
+
+  Verdict operator()(const PositionFix& m) const {
+    if (!m.position.allFinite() || !m.antenna.allFinite()) return Verdict::not_finite;
+    if (!within(m.position) || m.antenna.norm() > 100.0) return Verdict::implausible;
+    return check_covariance<2>(m.covariance, limits.variance);
+  }
+
+  Verdict operator()(const HeadingReading& m) const { return check_direction(m.heading, m.variance); }
+  Verdict operator()(const CourseReading& m) const { return check_direction(m.course, m.variance); }
+
+  Verdict check_direction(double angle, double variance) const {
+    if (!std::isfinite(angle)) return Verdict::not_finite;
+    if (!is_angle(angle)) return Verdict::implausible;
+    return check_variance(variance, limits.variance);
+  }
+
+  bool within(const Vector2& p) const { return p.cwiseAbs().maxCoeff() <= limits.distance; }
+};
+
+}  // namespace
+
+Verdict check(const Measurement& measurement, const MeasurementLimits& limits) {
+  const int from = source(measurement);
+  if (from < 0 || from >= kMaxSources) return Verdict::bad_source;
+  return std::visit(Checker{limits}, measurement);
+}
+
+}  // namespace bw::localization

@@ -1,0 +1,80 @@
+// What sensors tell a localization: one vocabulary for every filter. Frames: B base_link, M map (x east, y
+// north where satellites are used). Stamps are of the measurement, not of its arrival.
+#pragma once
+
+#include <variant>
+
+#include <Eigen/Core>
+
+#include "components/model/pose2.hpp"
+#include "components/model/time.hpp"
+
+namespace bw::localization {
+
+/// Sources are numbered from 0; one source gives one kind of measurement.
+constexpr int kMaxSources = 8;
+
+/// Travel along an arc during [time - over, time], as wheels measure it. Makers: wheel_step.hpp.
+struct WheelStep {
+  Time time;
+  int source = 0;
+  Duration over;
+  double distance = 0.0;                                 ///< forward [m]
+  double turn = 0.0;                                     ///< counter-clockwise [rad]
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of (distance, turn); may be singular
+};
+
+/// Place of an antenna, e.g. a satellite fix taken to the local plane (local_plane.hpp).
+struct PositionFix {
+  Time time;
+  int source = 0;
+  Vector2 position{0.0, 0.0};                                ///< in M [m]
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< [m^2]
+  Vector2 antenna{0.0, 0.0};                                 ///< in B [m]
+};
+
+/// Heading of the base from a compass or an IMU's orientation, counter-clockwise from x of M.
+struct HeadingReading {
+  Time time;
+  int source = 0;
+  double heading = 0.0;   ///< [rad]
+  double variance = 1.0;  ///< [rad^2]
+};
+
+/// Turn rate about z.
+struct GyroReading {
+  Time time;
+  int source = 0;
+  double rate = 0.0;      ///< [rad/s]
+  double variance = 1.0;  ///< [rad^2/s^2], of one reading
+};
+
+/// Direction of motion over ground: the heading of a base that drives forward, its opposite in reverse.
+struct CourseReading {
+  Time time;
+  int source = 0;
+  double course = 0.0;    ///< in M [rad]
+  double variance = 1.0;  ///< [rad^2]
+};
+
+/// Pose from anything that knows all three, e.g. scan matching or markers.
+struct PoseReading {
+  Time time;
+  int source = 0;
+  Pose2 X_MB;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of (x, y, theta)
+};
+
+/// The order of the alternatives is the order in which measurements of one stamp are used: the gyro before
+/// the wheel step that it corrects, motion before what is compared with its end.
+using Measurement =
+    std::variant<GyroReading, WheelStep, PoseReading, PositionFix, HeadingReading, CourseReading>;
+
+inline Time stamp(const Measurement& m) {
+  return std::visit([](const auto& value) { return value.time; }, m);
+}
+inline int source(const Measurement& m) {
+  return std::visit([](const auto& value) { return value.source; }, m);
+}
+
+}  // namespace bw::localization
