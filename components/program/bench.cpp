@@ -39,8 +39,14 @@ void add_bench(CLI::App& app, int& status) {
           "--weights", [teb](const std::string& name) { teb->weights = kWeights.at(name); },
           "file (comparable costs), defaults or both")
       ->check(CLI::IsMember({"file", "defaults", "both"}));
+  auto teb_set = std::make_shared<std::vector<std::string>>();
+  teb_verb->add_option("--set", *teb_set, "Planner parameter, as teb.band.dt_ref=0.28; as often as needed")
+      ->allow_extra_args(false);
   teb_verb->add_option("--json", teb->json, "Writes the figures and plans here");
-  teb_verb->callback([teb, &status] { status = bench_teb(*teb); });
+  teb_verb->callback([teb, teb_set, &status] {
+    teb->adjust = [teb_set](LocalPlannerOptions& options) { apply_overrides(options, *teb_set); };
+    status = bench_teb(*teb);
+  });
 
   auto crowd = std::make_shared<BenchCrowdArguments>();
   CLI::App* crowd_verb = bench->add_subcommand("crowd", "Closed loop among walkers that do not react");

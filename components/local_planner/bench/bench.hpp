@@ -24,8 +24,8 @@ struct BenchTebArguments {
   std::string planner = "teb";
   int repetitions = 20;
   std::vector<BenchWeights> weights = {BenchWeights::file, BenchWeights::defaults};
-  LocalPlannerOptions options;
-  std::string json;  ///< output file; empty: none
+  std::function<void(LocalPlannerOptions&)> adjust;  ///< last word on the options; may be empty
+  std::string json;                                  ///< output file; empty: none
 };
 
 struct BenchCrowdArguments {

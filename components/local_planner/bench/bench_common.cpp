@@ -56,6 +56,8 @@ void write_json(const std::string& path, const nlohmann::ordered_json& value) {
 
 LocalPlannerOptions options_for(const SceneFile& file, BenchWeights weights, LocalPlannerOptions options,
                                 double robot_radius) {
+  // Open-loop scenes are about bands: what gets out of somebody's way is left to the closed loop.
+  if (!file.closed_loop) options.driving.evasion_horizon = options.driving.mover_margin = 0.0;
   teb::BandOptions& band = options.teb.band;
   band.dt_ref = file.dt_ref;
   band.dt_hysteresis = file.dt_hysteresis;

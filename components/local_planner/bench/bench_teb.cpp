@@ -65,10 +65,13 @@ void follow(const std::vector<EvaluatedPose>& band, double time, PlanningProblem
   }
 }
 
+constexpr int kCandidates = 4;
+
 struct Plan {
   std::vector<EvaluatedPose> band;
   BandQuality quality;
   int iterations = 0;
+  std::size_t candidates = 0;  ///< bands optimised
 };
 
 struct SceneRun {
@@ -121,7 +124,7 @@ SceneRun run(const Scene& scene, const SceneFile& file, int repetitions, const P
       const std::vector<EvaluatedPose> band = to_band(result.trajectory);
       if (cycle == 0 || cycle == file.warm_cycles) {
         (cycle == 0 ? run.cold : run.warm) = {band, evaluate_band(band, problem.twist, file, obstacles),
-                                              result.iterations};
+                                              result.iterations, result.candidates.size()};
       }
       follow(band, file.replan_period, problem);
       problem.now = problem.now + Duration::seconds(file.replan_period);
@@ -161,13 +164,14 @@ const char* name_of(BenchWeights weights) { return weights == BenchWeights::file
 void print(const char* which, const Plan& plan, const std::vector<double>& ms) {
   const BandQuality& q = plan.quality;
   std::printf(
-      "  %-4s %3zu poses %3d it  %6.2f ms (p99 %6.2f)  T %6.2f dt %.3f  h %.4f  excess v %.3f w %.3f a %.3f "
+      "  %-4s %zu bands %3zu poses %3d it  %6.2f ms (p99 %6.2f)  T %6.2f dt %.3f  h %.4f  excess v %.3f w "
+      "%.3f a %.3f "
       "al %.3f"
       "  clear %.3f/%.3f  cost %.2f+%.2f+%.2f+%.2f+%.2f = %.3f\n",
-      which, plan.band.size(), plan.iterations, quantile(ms, 0.5), quantile(ms, 0.99), q.time,
-      q.time / static_cast<double>(plan.band.size() - 1), q.max_nonholonomic, q.excess_v, q.excess_omega,
-      q.excess_a, q.excess_alpha, q.clearance_poses, q.clearance_segments, q.cost.time, q.cost.nonholonomic,
-      q.cost.velocity, q.cost.acceleration, q.cost.obstacle, q.cost.total());
+      which, plan.candidates, plan.band.size(), plan.iterations, quantile(ms, 0.5), quantile(ms, 0.99),
+      q.time, q.time / static_cast<double>(plan.band.size() - 1), q.max_nonholonomic, q.excess_v,
+      q.excess_omega, q.excess_a, q.excess_alpha, q.clearance_poses, q.clearance_segments, q.cost.time,
+      q.cost.nonholonomic, q.cost.velocity, q.cost.acceleration, q.cost.obstacle, q.cost.total());
 }
 
 }  // namespace
@@ -178,14 +182,21 @@ int bench_teb(const BenchTebArguments& arguments) {
   Json rows = Json::array();
   for (const Scene& scene : select_scenes(file, arguments.scene)) {
     for (const BenchWeights weights : arguments.weights) {
-      const LocalPlannerOptions options = options_for(file, weights, arguments.options, 0.0);
+      LocalPlannerOptions options = options_for(file, weights, {}, 0.0);
+      options.homotopy.max_number_classes = kCandidates;
+      if (arguments.adjust) arguments.adjust(options);
       const SceneRun result =
           run(scene, file, arguments.repetitions, [&] { return make_planner(arguments.planner, options); });
       const SceneRun limit = run(scene, file, arguments.repetitions,
                                  [&] { return std::make_unique<LimitPlanner>(options.teb.band); });
+      const SceneRun several =
+          run(scene, file, arguments.repetitions, [&] { return make_planner("teb_homotopy", options); });
       std::printf("%s, %s weights\n", scene.name.c_str(), name_of(weights));
       print("cold", result.cold, result.cold_ms);
       print("warm", result.warm, result.warm_ms);
+      std::printf("  up to %d candidates (teb_homotopy)\n", options.homotopy.max_number_classes);
+      print("cold", several.cold, several.cold_ms);
+      print("warm", several.warm, several.warm_ms);
       std::printf("  banded oracle %.2f ms cold (cost %.3f), %.2f ms warm (cost %.3f)\n",
                   quantile(limit.cold_ms, 0.5), limit.cold.quality.cost.total(), quantile(limit.warm_ms, 0.5),
                   limit.warm.quality.cost.total());
@@ -196,9 +207,11 @@ int bench_teb(const BenchTebArguments& arguments) {
            {"cold_ms", times(result.cold_ms)},
            {"warm_ms", times(result.warm_ms)},
            {"candidates",
-            {{"count", 1},
-             {"cold_ms", quantile(result.cold_ms, 0.5)},
-             {"warm_ms", quantile(result.warm_ms, 0.5)}}},
+            {{"count", several.warm.candidates},
+             {"cold_ms", quantile(several.cold_ms, 0.5)},
+             {"warm_ms", quantile(several.warm_ms, 0.5)},
+             {"cold", to_json(several.cold)},
+             {"warm", to_json(several.warm)}}},
            {"limit_ms", {{"cold", quantile(limit.cold_ms, 0.5)}, {"warm", quantile(limit.warm_ms, 0.5)}}},
            {"cold", to_json(result.cold)},
            {"warm", to_json(result.warm)}});

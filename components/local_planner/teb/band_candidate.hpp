@@ -12,9 +12,10 @@ namespace bw::teb {
 
 struct BandCandidate {
   Band band;
-  std::string label;    ///< where it came from, for people
-  bool kept = false;    ///< a band of the last cycle
-  bool driven = false;  ///< the one the robot followed in the last cycle
+  std::string label;     ///< where it came from, for people
+  bool kept = false;     ///< a band of the last cycle
+  bool driven = false;   ///< the one the robot followed in the last cycle
+  bool settled = false;  ///< was a kept band already when it was chosen: its cost had converged
 
   // Of improve():
   BandReport report;

@@ -181,10 +181,9 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
     const BandCandidate& driven = candidates[chosen];
     const Twist2 wanted = velocity_at(driven.band, problem.twist, problem.command_lead);
     const bool hurried = driven.label == kEvasion || driven.safety.comfort < options_.driving.mover_margin;
-    result.command =
-        hurried ? evasive_twist(wanted, problem.twist, problem.limits, problem.command_lead)
-                : smooth_twist(wanted, problem.twist, acceleration_, problem.limits, problem.command_lead,
-                               problem.control_period);
+    result.command = hurried ? evasive_twist(wanted, problem.twist, problem.limits, problem.command_lead)
+                             : smooth_twist(wanted, problem.twist, acceleration_, problem.limits,
+                                            problem.command_lead, problem.control_period);
   }
   acceleration_ = std::clamp((result.command.v - problem.twist.v) / problem.command_lead,
                              -problem.limits.acc_max, problem.limits.acc_max);
@@ -211,6 +210,7 @@ std::vector<BandCandidate> BandPlanner::kept_candidates(const PlanningProblem& p
                           .label = std::move(last.label),
                           .kept = true,
                           .driven = last.driven,
+                          .settled = last.settled,
                           .cost = last.cost});
   }
   return candidates;
@@ -241,7 +241,7 @@ std::optional<homotopy::Exploration> BandPlanner::add_new(const PlanningProblem&
 std::size_t BandPlanner::select(const std::vector<BandCandidate>& candidates) const {
   const auto rank = [&](const BandCandidate& c) {
     const double hysteresis = options_.homotopy ? options_.homotopy->selection_cost_hysteresis : 0.95;
-    return std::tuple(!c.safety.free, !c.report.usable, c.driven ? hysteresis * c.cost : c.cost);
+    return std::tuple(!c.safety.free, !c.report.usable, c.driven && c.settled ? hysteresis * c.cost : c.cost);
   };
   std::size_t best = 0;
   for (std::size_t i = 1; i < candidates.size(); ++i) {
@@ -252,6 +252,7 @@ std::size_t BandPlanner::select(const std::vector<BandCandidate>& candidates) co
 
 void BandPlanner::keep(std::vector<BandCandidate> candidates, std::size_t chosen) {
   for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].driven = i == chosen;
+  candidates[chosen].settled = candidates[chosen].kept;
   std::erase_if(candidates, [](const BandCandidate& c) { return !c.report.usable; });
   if (candidates.empty()) {
     bands_.clear();

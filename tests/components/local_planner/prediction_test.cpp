@@ -1,0 +1,96 @@
+// How the band sees movers: where and how large (spec 6.5, D10). Expected numbers are closed forms.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "components/local_planner/teb/clearance_cost.hpp"
+
+namespace bw::teb {
+namespace {
+
+Mover walker() {
+  Mover m;
+  m.position = {2.0, 0.0};
+  m.velocity = {0.0, 1.0};
+  m.radius = 0.3;
+  return m;
+}
+
+Eigen::Matrix2d covariance(double xx, double xy, double yy) {
+  Eigen::Matrix2d c;
+  c << xx, xy, xy, yy;
+  return c;
+}
+
+TEST(Prediction, TimeIndexedKeepsMovers) {
+  const ObstacleField field = nearby_obstacles({}, {walker()}, {0, 0}, 0.2, 10);
+  ASSERT_EQ(field.movers.size(), 1U);
+  EXPECT_TRUE(field.statics.empty());
+  EXPECT_DOUBLE_EQ(field.movers[0].radius, 0.5);
+}
+
+TEST(Prediction, PresentIsADiscWhereTheMoverStands) {
+  const ObstacleField field = nearby_obstacles({}, {walker()}, {0, 0}, 0.2, 10, {.prediction = "present"});
+  EXPECT_TRUE(field.movers.empty());
+  ASSERT_EQ(field.statics.size(), 1U);
+  EXPECT_EQ(field.statics[0].a, Vector2(2.0, 0.0));
+  EXPECT_DOUBLE_EQ(field.statics[0].radius, 0.5);
+}
+
+TEST(Prediction, DoubledAddsTheFuturePlaceGrownByItsUncertainty) {
+  // 1.6 s at 1 m/s is 1.6 m away; 1 sigma at 0.1 m/s is 0.16 m.
+  const ObstacleField field = nearby_obstacles({}, {walker()}, {0, 0}, 0.2, 10,
+                                               {.prediction = "doubled",
+                                                .prediction_time = 1.6,
+                                                .uncertainty_factor = 1.0,
+                                                .uncertainty_growth = 0.1});
+  ASSERT_EQ(field.statics.size(), 2U);
+  EXPECT_EQ(field.statics[0].a, Vector2(2.0, 0.0));
+  EXPECT_NEAR(field.statics[1].a.y(), 1.6, 1e-12);
+  EXPECT_NEAR(field.statics[1].radius, 0.5 + 0.16, 1e-12);
+}
+
+TEST(Prediction, GrowthIsCapped) {
+  const Uncertainty uncertainty{1.0, 0.1, 0.3};
+  EXPECT_NEAR(uncertainty.at(walker(), 2.0), 0.2, 1e-12);
+  EXPECT_NEAR(uncertainty.at(walker(), 10.0), 0.3, 1e-12);
+  EXPECT_DOUBLE_EQ(Uncertainty{}.at(walker(), 10.0), 0.0);
+}
+
+TEST(Prediction, CovariancesTakeThePlaceOfTheGrowth) {
+  Mover m = walker();
+  m.predictions = {{1.0, {2.0, 1.0}, covariance(0.01, 0.0, 0.04)}};
+  EXPECT_NEAR((Uncertainty{2.0, 5.0, 1.0}.at(m, 1.0)), 0.4, 1e-12);
+}
+
+TEST(Prediction, SigmaIsTheRootOfTheLargerEigenvalueAndGrowsLinearly) {
+  Mover m = walker();
+  // Eigenvalues 0.05 +- 0.03: 0.08 and 0.02.
+  m.predictions = {{0.0, {2.0, 0.0}, covariance(0.0, 0.0, 0.0)},
+                   {2.0, {2.0, 2.0}, covariance(0.05, 0.03, 0.05)}};
+  EXPECT_NEAR(m.sigma_at(2.0), std::sqrt(0.08), 1e-12);
+  EXPECT_NEAR(m.sigma_at(1.0), std::sqrt(0.08) / 2.0, 1e-12);
+  EXPECT_NEAR(m.sigma_at(4.0), 2.0 * std::sqrt(0.08), 1e-12);  // on at the last rate
+  EXPECT_DOUBLE_EQ(walker().sigma_at(3.0), 0.0);
+}
+
+TEST(Prediction, AUnsurePoseIsNearerToTheBand) {
+  // A band straight past a walker that stands 1 m aside: clearance terms see the grown disc at each pose's
+  // time.
+  Band band;
+  for (int k = 0; k <= 10; ++k) band.poses.push_back({0.3 * k, 0.0, 0.0, k < 10 ? 0.3 : 0.0});
+  Mover m = walker();
+  m.position = {1.5, 1.0};
+  m.velocity = {0.0, 0.0};
+  BandOptions options;
+  const auto radius_at_pose_5 = [&](const PredictionOptions& prediction) {
+    const ObstacleField field = nearby_obstacles({}, {m}, {0, 0}, 0.2, 10, prediction);
+    return associate(band, field, options)[5].at_pose.at(0).capsule.radius;
+  };
+  EXPECT_NEAR(radius_at_pose_5({}), 0.5, 1e-12);
+  EXPECT_NEAR(radius_at_pose_5({.uncertainty_factor = 1.0, .uncertainty_growth = 0.1}), 0.5 + 0.1 * 1.5,
+              1e-12);
+}
+
+}  // namespace
+}  // namespace bw::teb
