@@ -7,7 +7,7 @@ namespace bw {
 namespace {
 
 constexpr double kLargest = 1e6;  // [m], [m/s], [rad]; beyond it squares lose the digits that planning needs
-constexpr double kShortestPeriod = 1e-3;  // [s]; motions simulated in such steps stay short
+constexpr double kShortestPeriod = 5e-3;  // [s]; motions simulated in such steps stay short
 constexpr double kLongestPeriod = 10.0;   // [s]
 constexpr double kEnclosing = 1e-6;       // [m] that rounding may leave a corner outside
 
@@ -51,8 +51,8 @@ std::string fault_of(const PlanningProblem& problem) {
   if (!sane(problem.pose)) return "the robot pose is not finite";
   if (!sane(problem.twist.v) || !sane(problem.twist.omega)) return "the robot velocity is not finite";
   if (!sane(problem.limits)) return "a motion limit is not a positive number";
-  if (!period(problem.control_period)) return "the control period is not between 1 ms and 10 s";
-  if (!period(problem.command_lead)) return "the command lead is not between 1 ms and 10 s";
+  if (!period(problem.control_period)) return "the control period is not between 5 ms and 10 s";
+  if (!period(problem.command_lead)) return "the command lead is not between 5 ms and 10 s";
   if (!size(problem.footprint.radius)) return "the footprint radius is not a positive number";
   const auto fine = [](const auto& list) {
     return std::all_of(list.begin(), list.end(), [](const auto& item) { return sane(item); });
