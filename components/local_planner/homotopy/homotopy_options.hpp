@@ -26,6 +26,7 @@ struct HomotopyOptions {
   double roadmap_graph_area_width = 6.0;
   std::int64_t roadmap_graph_seed = 1;
   double selection_cost_hysteresis = 0.95;
+  double selection_obst_cost_scale = 1.0;
   double switching_blocking_period = 0.0;
   double max_ratio_detours_duration_best_duration = 3.0;
 
@@ -70,6 +71,10 @@ struct HomotopyOptions {
       {.min = 0,
        .max = 1,
        .doc = "share of the present candidate's cost that another must undercut; lower switches less"});
+    v("selection_obst_cost_scale", selection_obst_cost_scale,
+      {.min = 0,
+       .max = 1e4,
+       .doc = "weight of the cost of obstacles in the choice; 100 in teb_local_planner"});
     v("switching_blocking_period", switching_blocking_period,
       {.unit = "s", .min = 0, .max = 60, .doc = "time after a switch before the next one"});
     v("max_ratio_detours_duration_best_duration", max_ratio_detours_duration_best_duration,

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace bw::teb {
 namespace {
 
 constexpr double kShortestInterval = 0.02;  // [s] of a band just made; well above the guard of the solver
+constexpr double kShortestWay = 0.05;       // [m] that has a direction
 constexpr double kMeanInterval = 0.965;     // of dt_ref: what resampling aims at
 constexpr double kMeanIntervalDrift =
     0.015;  // of dt_ref: keeps bands comparable, as their time cost grows with it
@@ -76,13 +78,16 @@ Pose2 interpolate(const Pose2& a, const Pose2& b, double s) {
   return {a.x + c * chord.x() - n * chord.y(), a.y + n * chord.x() + c * chord.y(), theta};
 }
 
-Band band_along(const std::vector<Pose2>& path, const Pose2& start, const Limits& limits,
-                const BandOptions& options) {
+namespace {
+
+// Headings along the way (`heading_offset` 0) or against it (pi), at `speed`.
+Band band_with_headings(const std::vector<Pose2>& path, const Pose2& start, const Limits& limits,
+                        const BandOptions& options, double speed, double heading_offset) {
   const std::vector<Vector2> route = route_from(start.position(), path);
   const Pose2& goal = path.back();
   double length = 0.0;
   for (std::size_t i = 1; i < route.size(); ++i) length += (route[i] - route[i - 1]).norm();
-  const double spacing = std::max(limits.v_max * options.dt_ref, length / (options.max_samples - 1.0));
+  const double spacing = std::max(speed * options.dt_ref, length / (options.max_samples - 1.0));
 
   Band band;
   band.poses.reserve(static_cast<std::size_t>(options.max_samples) + 1);
@@ -92,7 +97,7 @@ Band band_along(const std::vector<Pose2>& path, const Pose2& start, const Limits
     const Vector2 step = route[i] - route[i - 1];
     const double step_length = step.norm();
     if (step_length < 1e-9) continue;
-    const double heading = std::atan2(step.y(), step.x());
+    const double heading = wrap_angle(std::atan2(step.y(), step.x()) + heading_offset);
     double along = spacing - carried;
     while (along < step_length - 1e-9) {
       const Vector2 p = route[i - 1] + step * (along / step_length);
@@ -106,11 +111,48 @@ Band band_along(const std::vector<Pose2>& path, const Pose2& start, const Limits
     const Pose2 a = band.poses[i].pose();
     const Pose2 b = band.poses[i + 1].pose();
     band.poses[i].dt =
-        std::max({(b.position() - a.position()).norm() / limits.v_max,
+        std::max({(b.position() - a.position()).norm() / speed,
                   std::abs(wrap_angle(b.theta - a.theta)) / limits.omega_max, kShortestInterval});
   }
   resample(band, wanted_count(band.duration(), options));
   return band;
+}
+
+}  // namespace
+
+Band band_along(const std::vector<Pose2>& path, const Pose2& start, const Limits& limits,
+                const BandOptions& options) {
+  return band_with_headings(path, start, limits, options, limits.v_max, 0.0);
+}
+
+std::optional<Band> band_turning_first(const std::vector<Pose2>& path, const Pose2& start,
+                                       const Limits& limits, const BandOptions& options, double least_turn) {
+  const std::vector<Vector2> route = route_from(start.position(), path);
+  const auto away = std::find_if(route.begin(), route.end(), [&](const Vector2& p) {
+    return (p - start.position()).norm() > kShortestWay;
+  });
+  if (away == route.end()) return std::nullopt;
+  const Vector2 way = *away - start.position();
+  const double heading = std::atan2(way.y(), way.x());
+  const double turn = wrap_angle(heading - start.theta);
+  if (std::abs(turn) < least_turn) return std::nullopt;
+  const double duration = std::abs(turn) / limits.omega_max;
+  const int steps = std::max(1, static_cast<int>(std::ceil(duration / options.dt_ref)));
+  Band band;
+  for (int i = 0; i < steps; ++i) {
+    band.poses.push_back(
+        make({start.x, start.y, wrap_angle(start.theta + turn * i / steps)}, duration / steps));
+  }
+  const Band drive = band_along(path, {start.x, start.y, heading}, limits, options);
+  band.poses.insert(band.poses.end(), drive.poses.begin(), drive.poses.end());
+  return band;
+}
+
+std::optional<Band> band_backward(const std::vector<Pose2>& path, const Pose2& start, const Limits& limits,
+                                  const BandOptions& options) {
+  const bool behind = (path.back().position() - start.position()).dot(direction(start.theta)) < 0.0;
+  if (!behind || limits.v_back_max <= 0.0) return std::nullopt;
+  return band_with_headings(path, start, limits, options, limits.v_back_max, std::numbers::pi);
 }
 
 void resample(Band& band, std::size_t count) {

@@ -1,6 +1,7 @@
 // The timed elastic band (spec 6.1): poses of base_link in the planning frame and the time between them.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "components/local_planner/teb/band_options.hpp"
@@ -39,6 +40,15 @@ Pose2 interpolate(const Pose2& a, const Pose2& b, double s);
 /// holds at least one pose.
 Band band_along(const std::vector<Pose2>& path, const Pose2& start, const Limits& limits,
                 const BandOptions& options);
+
+/// The same, but first turning on the spot towards where the path leads; nothing when that is less than
+/// `least_turn` [rad] away.
+std::optional<Band> band_turning_first(const std::vector<Pose2>& path, const Pose2& start,
+                                       const Limits& limits, const BandOptions& options, double least_turn);
+
+/// The same, driven backward; nothing unless the goal lies behind the robot and the base drives backward.
+std::optional<Band> band_backward(const std::vector<Pose2>& path, const Pose2& start, const Limits& limits,
+                                  const BandOptions& options);
 
 /// The same motion sampled at `count` >= 2 equal intervals. The position as a function of time stays.
 void resample(Band& band, std::size_t count);

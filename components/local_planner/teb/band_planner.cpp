@@ -17,6 +17,7 @@ constexpr double kAdvanceSlack =
 constexpr double kOldestBand = 1.0;   // [s] without a call after which a band says nothing about the scene
 constexpr double kDetourSlack = 1.0;  // [s] that any band may take longer than the unhindered drive
 
+constexpr double kLeastTurn = 0.8;           // [rad] from which turning on the spot is tried for a first plan
 constexpr const char* kEvasion = "evasion";  // label of a band that goes on from an evasive move
 
 homotopy::Route route_of(const Band& band) {
@@ -124,6 +125,8 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
   if (options_.hrvo) advice = hrvo::advise(problem, goal_.position(), options_.hrvo->hrvo);
   const auto judge = [&](BandCandidate& candidate) {
     candidate.cost = candidate.report.cost;
+    if (options_.homotopy)
+      candidate.cost += (options_.homotopy->selection_obst_cost_scale - 1.0) * candidate.report.obstacle_cost;
     if (const double margin = options_.driving.mover_margin; margin > 0.0)
       candidate.cost +=
           teb.mover_margin_cost * (1.0 - std::clamp(candidate.safety.comfort / margin, 0.0, 1.0));
@@ -216,19 +219,33 @@ std::vector<BandCandidate> BandPlanner::kept_candidates(const PlanningProblem& p
   return candidates;
 }
 
+void BandPlanner::add_other_starts(const PlanningProblem& problem,
+                                   std::vector<BandCandidate>& candidates) const {
+  const TebOptions& teb = options_.teb;
+  if (auto band = band_turning_first(problem.plan, problem.pose, problem.limits, teb.band, kLeastTurn))
+    candidates.push_back({.band = std::move(*band), .label = "turn first"});
+  if (!teb.allow_init_with_backwards_motion) return;
+  if (auto band = band_backward(problem.plan, problem.pose, problem.limits, teb.band))
+    candidates.push_back({.band = std::move(*band), .label = "backward"});
+}
+
 std::optional<homotopy::Exploration> BandPlanner::add_new(const PlanningProblem& problem,
                                                           const Band& along_plan,
                                                           std::vector<BandCandidate>& candidates) const {
   const BandOptions& options = options_.teb.band;
+  const bool first_plan = candidates.empty();
+  if (first_plan) add_other_starts(problem, candidates);
   if (!options_.homotopy) {
-    if (candidates.empty()) candidates.push_back({.band = along_plan, .label = "plan"});
+    if (first_plan) candidates.push_back({.band = along_plan, .label = "plan"});
     return std::nullopt;
   }
   std::vector<homotopy::Route> in_use;
-  for (const BandCandidate& candidate : candidates) in_use.push_back(route_of(candidate.band));
+  if (!first_plan) {
+    for (const BandCandidate& candidate : candidates) in_use.push_back(route_of(candidate.band));
+  }
   homotopy::Exploration explored =
       homotopy::explore(problem, options.min_obstacle_dist, in_use, *options_.homotopy);
-  for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].label = explored.in_use_labels[i];
+  for (std::size_t i = 0; i < in_use.size(); ++i) candidates[i].label = explored.in_use_labels[i];
   for (const homotopy::Path& path : explored.paths) {
     candidates.push_back({.band = path.is_plan ? along_plan
                                                : band_along(path_of(path.route, problem.plan.back()),
@@ -239,6 +256,12 @@ std::optional<homotopy::Exploration> BandPlanner::add_new(const PlanningProblem&
 }
 
 std::size_t BandPlanner::select(const std::vector<BandCandidate>& candidates) const {
+  if (options_.homotopy &&
+      (planned_at_ - switched_at_).to_seconds() < options_.homotopy->switching_blocking_period) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (candidates[i].driven && candidates[i].safety.free) return i;
+    }
+  }
   const auto rank = [&](const BandCandidate& c) {
     const double hysteresis = options_.homotopy ? options_.homotopy->selection_cost_hysteresis : 0.95;
     return std::tuple(!c.safety.free, !c.report.usable, c.driven && c.settled ? hysteresis * c.cost : c.cost);
@@ -251,6 +274,7 @@ std::size_t BandPlanner::select(const std::vector<BandCandidate>& candidates) co
 }
 
 void BandPlanner::keep(std::vector<BandCandidate> candidates, std::size_t chosen) {
+  if (!bands_.empty() && !candidates[chosen].driven) switched_at_ = planned_at_;
   for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].driven = i == chosen;
   candidates[chosen].settled = candidates[chosen].kept;
   std::erase_if(candidates, [](const BandCandidate& c) { return !c.report.usable; });

@@ -38,6 +38,8 @@ class BandPlanner final : public LocalPlanner {
 
  private:
   std::vector<BandCandidate> kept_candidates(const PlanningProblem& problem);
+  /// For a first plan: turning on the spot before driving, driving backward where that is allowed.
+  void add_other_starts(const PlanningProblem& problem, std::vector<BandCandidate>& candidates) const;
   /// Adds bands in topologies that no candidate has; says how topologies are told apart in this cycle.
   std::optional<homotopy::Exploration> add_new(const PlanningProblem& problem, const Band& along_plan,
                                                std::vector<BandCandidate>& candidates) const;

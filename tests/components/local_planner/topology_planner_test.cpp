@@ -102,6 +102,43 @@ TEST(TopologyPlanner, UnsurePredictionsKeepEtebFurtherFromAWalker) {
   EXPECT_GT(closest("eteb"), closest("teb_homotopy") + 0.05);
 }
 
+TEST(OtherStarts, AGoalBehindIsReachedWithoutALoop) {
+  PlanningProblem problem;
+  problem.now = Time::seconds(1.0);
+  problem.plan = {{0, 0, std::numbers::pi}, {-4, 0, std::numbers::pi}};
+  const auto planner = make_planner("teb", {});
+  PlanningResult result = planner->plan(problem);
+  ASSERT_EQ(result.candidates.size(), 2U);
+  EXPECT_EQ(result.candidates[0].label, "turn first");
+  for (const Candidate& c : result.candidates) EXPECT_GE(c.cost, chosen(result).cost);
+  double farthest = 0.0;
+  for (int i = 0; i < 150; ++i) {
+    problem.twist = result.command;
+    problem.pose = advance_exact(problem.pose, result.command, 0.1);
+    problem.now = problem.now + Duration::seconds(0.1);
+    farthest = std::max(farthest, std::abs(problem.pose.y));
+    result = planner->plan(problem);
+  }
+  EXPECT_LT((problem.pose.position() - Vector2(-4.0, 0.0)).norm(), 0.15);
+  EXPECT_LT(farthest, 0.7);
+}
+
+TEST(OtherStarts, DrivesBackwardOnlyWhereThatIsAllowed) {
+  PlanningProblem problem;
+  problem.now = Time::seconds(1.0);
+  problem.limits.v_back_max = 0.8;
+  problem.plan = {{0, 0, 0}, {-1.5, 0, 0}};
+  const auto offers_backward = [&](bool allowed) {
+    LocalPlannerOptions options;
+    options.teb.allow_init_with_backwards_motion = allowed;
+    const PlanningResult result = make_planner("teb", options)->plan(problem);
+    return std::any_of(result.candidates.begin(), result.candidates.end(),
+                       [](const Candidate& c) { return c.label == "backward"; });
+  };
+  EXPECT_TRUE(offers_backward(true));
+  EXPECT_FALSE(offers_backward(false));
+}
+
 TEST(HrvoPreference, IsTheAngleBetweenAdviceAndWay) {
   hrvo::Advice advice;
   advice.velocity = {0.5, 0.5};
