@@ -7,6 +7,7 @@
 
 #include "components/local_planner/command_limits.hpp"
 #include "components/local_planner/problem_check.hpp"
+#include "components/local_planner/teb/band_topology.hpp"
 #include "components/local_planner/teb/band_trajectory.hpp"
 
 namespace bw::teb {
@@ -19,25 +20,6 @@ constexpr double kDetourSlack = 1.0;  // [s] that any band may take longer than 
 
 constexpr double kLeastTurn = 0.8;           // [rad] from which turning on the spot is tried for a first plan
 constexpr const char* kEvasion = "evasion";  // label of a band that goes on from an evasive move
-
-homotopy::Route route_of(const Band& band) {
-  homotopy::Route route;
-  route.reserve(band.size());
-  double time = 0.0;
-  for (const BandPose& pose : band.poses) {
-    route.push_back({pose.position(), time});
-    time += pose.dt;
-  }
-  return route;
-}
-
-std::vector<Pose2> path_of(const homotopy::Route& route, const Pose2& goal) {
-  std::vector<Pose2> path;
-  for (const homotopy::RoutePoint& point : route)
-    path.push_back({point.position.x(), point.position.y(), 0.0});
-  path.back() = goal;
-  return path;
-}
 
 std::optional<BandCandidate> driven_of(const std::vector<BandCandidate>& candidates) {
   for (const BandCandidate& candidate : candidates) {
@@ -57,32 +39,6 @@ Band band_through(const std::vector<TrajectoryPoint>& motion, const PlanningProb
   }
   band.poses.insert(band.poses.end(), rest.poses.begin(), rest.poses.end());
   return band;
-}
-
-// Bands that optimisation has led into one topology: the cheapest stays, and is the driven one if one was.
-void merge_classes(std::vector<BandCandidate>& candidates, const homotopy::Exploration& explored,
-                   const homotopy::HomotopyOptions& options) {
-  std::vector<BandCandidate> distinct;
-  std::vector<homotopy::Signature> signatures;
-  for (BandCandidate& candidate : candidates) {
-    if (!candidate.report.usable) continue;
-    homotopy::Signature signature =
-        homotopy::signature_of(route_of(candidate.band), explored.bodies, explored.course, options);
-    const auto same = std::find_if(signatures.begin(), signatures.end(), [&](const homotopy::Signature& s) {
-      return homotopy::same_class(s, signature, options);
-    });
-    if (same == signatures.end()) {
-      signatures.push_back(std::move(signature));
-      distinct.push_back(std::move(candidate));
-      continue;
-    }
-    BandCandidate& known = distinct[static_cast<std::size_t>(same - signatures.begin())];
-    const bool driven = known.driven || candidate.driven;
-    if (std::pair(!candidate.safety.free, candidate.cost) < std::pair(!known.safety.free, known.cost))
-      known = std::move(candidate);
-    known.driven = driven;
-  }
-  if (!distinct.empty()) candidates = std::move(distinct);
 }
 
 }  // namespace
