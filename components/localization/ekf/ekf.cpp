@@ -1,0 +1,140 @@
+#include "components/localization/ekf/ekf.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/localization/ekf/motion.hpp"
+
+namespace bw::localization {
+
+Ekf::Ekf(const EkfOptions& options)
+    : fusion_(options),
+      ring_(fusion_, Duration::seconds(options.window), options.capacity),
+      initial_(options.initial, options.gate.probability),
+      stamps_(Duration::seconds(options.future_tolerance)) {}
+
+bool Ekf::start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time) {
+  PoseReading pose;
+  pose.X_MB = X_MB;
+  pose.covariance = covariance;
+  if (check(pose, fusion_.options().limits) != Verdict::accepted) return false;
+  begin(X_MB, covariance, time);
+  return true;
+}
+
+void Ekf::begin(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time) {
+  const BiasOptions& bias = fusion_.options().bias;
+  EkfState state;
+  if (initialised_) {
+    state = ring_.newest();
+    const Eigen::Matrix2d biases = state.P.bottomRightCorner<2, 2>();
+    state.P.setZero();
+    state.P.bottomRightCorner<2, 2>() = biases;
+    state.gyro = {};
+    state.slip = {};
+    for (SourceState& source : state.sources) source.run = {};
+  } else {
+    state.P(3, 3) = bias.gyro_bias ? bias.gyro_bias_sigma * bias.gyro_bias_sigma : 0.0;
+    state.P(4, 4) = bias.heading_offset ? bias.heading_offset_sigma * bias.heading_offset_sigma : 0.0;
+  }
+  state.x.head<3>() << X_MB.x, X_MB.y, wrap_angle(X_MB.theta);
+  state.P.topLeftCorner<3, 3>() = 0.5 * (covariance + covariance.transpose());
+  state.time = time;
+  state.last_wheel = time;
+  ring_.restart(state);
+  initialised_ = true;
+}
+
+Outcome Ekf::add(const Measurement& measurement, Time now) {
+  bool jumped = false;
+  if (stamps_.clock_went_back(now)) {
+    stamps_.forget_shift();
+    initial_.restart();
+    jump_to(now, Duration{});
+    jumped = true;
+  }
+  Outcome outcome = sort_in(measurement, now);
+  const auto* step = std::get_if<WheelStep>(&measurement);
+  if (step != nullptr && used(outcome.verdict)) stamps_.wheel_accepted();
+  const bool wrong_stamp = outcome.verdict == Verdict::future || outcome.verdict == Verdict::too_old;
+  if (step != nullptr && wrong_stamp && stamps_.jumped(*step, now)) {
+    jump_to(step->time, stamps_.lost());
+    jumped = true;
+  }
+  outcome.clock_jumped = jumped;
+  ++counts_[static_cast<std::size_t>(outcome.verdict)];
+  return outcome;
+}
+
+Outcome Ekf::sort_in(const Measurement& measurement, Time now) {
+  const Verdict sound = check(measurement, fusion_.options().limits);
+  if (sound != Verdict::accepted) return {sound};
+  if (kind_changed(measurement)) return {Verdict::bad_source};
+  if (stamps_.in_future(stamp(measurement), now)) return {Verdict::future};
+  if (!initialised_) {
+    const std::optional<StartPose> start = initial_.add(measurement);
+    if (start) begin(start->X_MB, start->covariance, start->time);
+    return {Verdict::collected};
+  }
+  const EventRing::Insertion insertion = ring_.insert(measurement);
+  return {insertion.result.verdict, insertion.result.nis, insertion.result.dof, insertion.replayed};
+}
+
+bool Ekf::kind_changed(const Measurement& measurement) {
+  std::optional<std::size_t>& kind = kinds_[static_cast<std::size_t>(source(measurement))];
+  if (!kind) kind = measurement.index();
+  return *kind != measurement.index();
+}
+
+void Ekf::jump_to(Time time, Duration lost) {
+  last_clock_jump_ = time;
+  ++clock_jumps_;
+  if (!initialised_) return;
+  if (fusion_.options().on_clock_jump == "reset") {
+    initialised_ = false;
+    initial_.restart();
+    return;
+  }
+  EkfState state = ring_.newest();
+  advance_unknown(state, state.time + lost, fusion_.options());
+  state.time = time;
+  state.last_wheel = time;
+  state.gyro = {};
+  state.slip = {};
+  state.last_reset = kNever;
+  for (SourceState& source : state.sources) {
+    source.run = {};
+    if (source.last_seen != kNever) source.last_seen = time;
+    if (source.last_used != kNever) source.last_used = time;
+  }
+  ring_.restart(state);
+}
+
+Estimate Ekf::estimate_at(Time time) const {
+  const EkfState& state = ring_.newest();
+  const MotionOptions& motion = fusion_.options().motion;
+  const Time reached = std::clamp(time, state.time, state.time + Duration::seconds(motion.extrapolation));
+  const Extrapolated at = extrapolate(state, reached, motion);
+  Estimate estimate;
+  estimate.time = reached;
+  estimate.X_MB = at.X_MB;
+  estimate.twist = state.twist;
+  const Eigen::Matrix3d C = at.by_pose * state.P.topLeftCorner<3, 3>() * at.by_pose.transpose();
+  estimate.covariance = 0.5 * (C + C.transpose());
+  estimate.covariance.diagonal() +=
+      Eigen::Vector3d(at.position_variance, at.position_variance, at.heading_variance);
+  estimate.gyro_bias = state.x(3);
+  estimate.heading_offset = state.x(4);
+  return estimate;
+}
+
+Health Ekf::health(Time now) const {
+  if (initialised_)
+    return assess(ring_.newest(), stamps_.on_stamps(now), last_clock_jump_, fusion_.options());
+  Health health;
+  if (!initial_.has_fixes()) health.reasons.push_back({HealthCause::no_position});
+  if (!initial_.has_headings()) health.reasons.push_back({HealthCause::no_heading});
+  return health;
+}
+
+}  // namespace bw::localization

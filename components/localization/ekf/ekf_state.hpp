@@ -1,0 +1,86 @@
+// All that the filter knows at one stamp. It is a value: a late measurement starts again from an older one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include <Eigen/Core>
+
+#include "components/localization/ekf/rigid_fit.hpp"
+#include "components/localization/measurements.hpp"
+
+namespace bw::localization {
+
+constexpr int kStates = 5;  ///< x, y, theta, gyro bias, heading offset; an unused one has variance zero
+using StateVector = Eigen::Matrix<double, kStates, 1>;
+using StateMatrix = Eigen::Matrix<double, kStates, kStates>;
+
+constexpr Time kNever{std::numeric_limits<std::int64_t>::min() / 4};
+
+/// Gyro readings since the last wheel step.
+struct GyroSum {
+  Time last = kNever;     ///< stamp of the last reading
+  double rate = 0.0;      ///< [rad/s]
+  double variance = 0.0;  ///< of it
+  double angle = 0.0;     ///< integral [rad]
+  double angle_variance = 0.0;
+  double covered = 0.0;  ///< time integrated over [s]
+};
+
+/// Turn of wheels against gyro, forgotten exponentially (slip.hpp).
+struct SlipWatch {
+  double disagreement = 0.0;  ///< [rad]
+  double variance = 0.0;      ///< of its white part [rad^2]
+  double time = 0.0;          ///< [s] that it spans; times the bias' variance, its common part
+  Time since = kNever;        ///< slip goes on since then; kNever: none
+  Time seen = kNever;         ///< last sign of it
+};
+
+/// Rejections of one source in a row that agree with each other.
+struct RejectedRun {
+  int count = 0;
+  int misfits = 0;  ///< rejections in a row that do not agree with the run
+  Time since = kNever;
+  Vector2 position{0.0, 0.0};  ///< the last one that agreed
+  double heading = 0.0;
+  double odometer = 0.0;  ///< of the robot then [m]
+  double turned = 0.0;    ///< the same of its turn [rad]
+  double start_odometer = 0.0;
+  RigidFit fit;  ///< map from odometry, of the run's positions
+};
+
+struct SourceState {
+  Time last_seen = kNever;
+  Time last_used = kNever;
+  bool gives_position = false;
+  bool gives_heading = false;
+  double period = 0.0;  ///< between stamps, smoothed [s]; 0: unknown
+  std::uint32_t used = 0;
+  std::uint32_t rejected = 0;
+  double acceptance = 1.0;  ///< share used, smoothed over about 50
+  double nis = 0.0;         ///< normalised innovation squared of those used, smoothed alike
+  double nis_all = 0.0;     ///< the same with those rejected, each counted at most 100
+  int dof = 0;              ///< expected value of an honest nis
+  RejectedRun run;
+};
+
+struct EkfState {
+  Time time;  ///< of x and P: the last wheel step's, or later when wheels are silent
+  StateVector x = StateVector::Zero();
+  StateMatrix P = StateMatrix::Zero();
+  Twist2 twist;              ///< over the last step
+  Time last_wheel = kNever;  ///< end of the last wheel step
+  Pose2 X_OB;                ///< wheels and gyro alone, from where the filter started
+  double odometer = 0.0;     ///< [m], forward and backward both counted
+  double turned = 0.0;       ///< [rad], signed, not wrapped
+  GyroSum gyro;
+  SlipWatch slip;
+  Time last_reset = kNever;  ///< last time a source took the estimate over
+  int reset_source = -1;
+  std::array<SourceState, kMaxSources> sources;
+
+  Pose2 pose() const { return {x(0), x(1), x(2)}; }
+};
+
+}  // namespace bw::localization

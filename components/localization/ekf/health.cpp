@@ -1,0 +1,158 @@
+#include "components/localization/ekf/health.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/localization/chi_square.hpp"
+#include "components/localization/ekf/slip.hpp"
+
+namespace bw::localization {
+namespace {
+
+constexpr double kPeriods = 2.5;  // of its own that a source may be silent
+
+class Assessment {
+ public:
+  Assessment(const EkfState& state, Time now, const EkfOptions& options)
+      : state_(state), now_(now), options_(options) {
+    health_.state = HealthState::ok;
+  }
+
+  void uncertainty() {
+    const Vector2 axes = ellipse_95(state_.P);
+    health_.two_sigma = 2.0 * axes.x() / std::sqrt(chi_square_quantile(0.95, 2));
+    health_.heading_sigma = std::sqrt(std::max(0.0, state_.P(2, 2)));
+    const HealthOptions& limits = options_.health;
+    if (health_.two_sigma > limits.degraded_two_sigma) {
+      worsen(health_.two_sigma > limits.lost_two_sigma ? HealthState::lost : HealthState::degraded,
+             {HealthCause::uncertain_position, -1, health_.two_sigma});
+    }
+    if (health_.heading_sigma > limits.lost_heading_sigma)
+      worsen(HealthState::lost, {HealthCause::uncertain_heading, -1, health_.heading_sigma});
+  }
+
+  void motion() {
+    const double silent = age(state_.last_wheel);
+    if (silent > options_.motion.extrapolation)
+      worsen(HealthState::degraded, {HealthCause::wheels_silent, -1, silent});
+    if (!slipping(state_.slip)) return;
+    const bool doubt = gyro_in_doubt(state_.slip, now_, options_.slip);
+    worsen(HealthState::degraded,
+           {doubt ? HealthCause::gyro_in_doubt : HealthCause::slipping, -1, age(state_.slip.since)});
+  }
+
+  void sources() {
+    bool positions_come = false;
+    Time position_used = kNever;
+    for (int i = 0; i < kMaxSources; ++i) {
+      const SourceState& s = state_.sources[static_cast<std::size_t>(i)];
+      if (s.last_seen == kNever) continue;
+      const double unseen = age(s.last_seen);
+      health_.sources.push_back(
+          {i, unseen, s.period, s.used, s.rejected, s.acceptance, s.nis, s.nis_all, s.dof});
+      const double patience = std::max(options_.health.source_timeout, kPeriods * s.period);
+      if (unseen > patience) {
+        worsen(HealthState::degraded, {HealthCause::source_silent, i, unseen});
+        continue;
+      }
+      const bool absolute = s.gives_position || s.gives_heading;
+      if (absolute && age(s.last_used) > patience)
+        worsen(HealthState::degraded, {HealthCause::source_rejected, i, age(s.last_used)});
+      if (!s.gives_position) continue;
+      positions_come = true;
+      position_used = std::max(position_used, s.last_used);
+    }
+    if (positions_come && age(position_used) > options_.health.lost_rejection)
+      worsen(HealthState::lost, {HealthCause::contradicted, -1, age(position_used)});
+  }
+
+  void jumps(Time last_clock_jump) {
+    const double recent = options_.health.report_jump;
+    if (state_.last_reset != kNever && age(state_.last_reset) <= recent) {
+      worsen(HealthState::degraded,
+             {HealthCause::estimate_reset, state_.reset_source, age(state_.last_reset)});
+    }
+    if (last_clock_jump != kNever && age(last_clock_jump) <= recent)
+      worsen(HealthState::degraded, {HealthCause::clock_jump, -1, age(last_clock_jump)});
+  }
+
+  const Health& health() const { return health_; }
+
+ private:
+  double age(Time time) const { return std::max(0.0, (now_ - time).to_seconds()); }
+
+  void worsen(HealthState to, const HealthReason& reason) {
+    health_.state = std::max(health_.state, to);
+    health_.reasons.push_back(reason);
+  }
+
+  const EkfState& state_;
+  Time now_;
+  const EkfOptions& options_;
+  Health health_;
+};
+
+}  // namespace
+
+std::string_view to_string(HealthState state) {
+  switch (state) {
+    case HealthState::init:
+      return "INIT";
+    case HealthState::ok:
+      return "OK";
+    case HealthState::degraded:
+      return "DEGRADED";
+    case HealthState::lost:
+      return "LOST";
+  }
+  return "unknown";
+}
+
+std::string_view to_string(HealthCause cause) {
+  switch (cause) {
+    case HealthCause::no_position:
+      return "waits for positions that agree";
+    case HealthCause::no_heading:
+      return "waits for a compass or a way driven";
+    case HealthCause::uncertain_position:
+      return "position uncertain";
+    case HealthCause::uncertain_heading:
+      return "heading uncertain";
+    case HealthCause::contradicted:
+      return "every position contradicts the estimate";
+    case HealthCause::wheels_silent:
+      return "wheels silent";
+    case HealthCause::source_silent:
+      return "source silent";
+    case HealthCause::source_rejected:
+      return "source rejected";
+    case HealthCause::slipping:
+      return "wheels slip";
+    case HealthCause::gyro_in_doubt:
+      return "gyro and wheels disagree";
+    case HealthCause::estimate_reset:
+      return "estimate reset";
+    case HealthCause::clock_jump:
+      return "clock jumped";
+  }
+  return "unknown";
+}
+
+Vector2 ellipse_95(const StateMatrix& P) {
+  const double mean = (P(0, 0) + P(1, 1)) / 2.0;
+  const double half = (P(0, 0) - P(1, 1)) / 2.0;
+  const double radius = std::hypot(half, P(0, 1));
+  const double scale = chi_square_quantile(0.95, 2);
+  return {std::sqrt(scale * std::max(0.0, mean + radius)), std::sqrt(scale * std::max(0.0, mean - radius))};
+}
+
+Health assess(const EkfState& state, Time now, Time last_clock_jump, const EkfOptions& options) {
+  Assessment assessment(state, now, options);
+  assessment.uncertainty();
+  assessment.motion();
+  assessment.sources();
+  assessment.jumps(last_clock_jump);
+  return assessment.health();
+}
+
+}  // namespace bw::localization

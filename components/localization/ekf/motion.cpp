@@ -1,0 +1,174 @@
+#include "components/localization/ekf/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/localization/ekf/arc.hpp"
+#include "components/localization/ekf/correction.hpp"
+#include "components/localization/ekf/slip.hpp"
+
+namespace bw::localization {
+namespace {
+
+constexpr int kJoint = kStates + 2;  // the state and (distance, turn)
+using JointVector = Eigen::Matrix<double, kJoint, 1>;
+using JointMatrix = Eigen::Matrix<double, kJoint, kJoint>;
+
+constexpr double kCoverage = 0.9;         // of a step that the gyro must have seen
+constexpr double kTurnFloor = 1e-9;       // [rad^2/s] that a turn is never known better than
+constexpr double kDistanceFloor = 1e-10;  // [m^2/s] the same
+constexpr double kMostVariance = 1e8;  // beyond, numbers lose their meaning before the estimate regains any
+
+double seconds(Duration d) { return d.to_seconds(); }
+
+// Extends the integral at the last reading's rate up to `time`, if the reading is recent enough.
+void hold_gyro(GyroSum& gyro, Time from, Time time, double gap) {
+  const double dt = seconds(time - std::max(gyro.last, from));
+  if (gyro.last == kNever || dt <= 0.0 || seconds(time - gyro.last) > gap) return;
+  gyro.angle += gyro.rate * dt;
+  gyro.angle_variance += gyro.variance * dt * dt;
+  gyro.covered += dt;
+}
+
+void restart(GyroSum& gyro) { gyro.angle = gyro.angle_variance = gyro.covered = 0.0; }
+
+void limit(StateMatrix& P) {
+  const double largest = P.diagonal().maxCoeff();
+  if (largest <= kMostVariance) return;
+  for (int i = 0; i < kStates; ++i) {
+    if (P(i, i) <= kMostVariance) continue;
+    const double scale = std::sqrt(kMostVariance / P(i, i));
+    P.row(i) *= scale;
+    P.col(i) *= scale;
+  }
+}
+
+void wander(StateMatrix& P, double dt, const BiasOptions& bias) {
+  if (bias.gyro_bias) P(3, 3) += bias.gyro_bias_walk * bias.gyro_bias_walk * dt;
+  if (bias.heading_offset) P(4, 4) += bias.heading_offset_walk * bias.heading_offset_walk * dt;
+}
+
+}  // namespace
+
+void add_gyro(EkfState& state, const GyroReading& reading, const EkfOptions& options) {
+  GyroSum& gyro = state.gyro;
+  const double since_last = seconds(reading.time - gyro.last);
+  const double dt = std::min(since_last, seconds(reading.time - state.time));
+  if (gyro.last != kNever && since_last <= options.motion.gyro_gap && dt > 0.0) {
+    gyro.angle += 0.5 * (gyro.rate + reading.rate) * dt;
+    gyro.angle_variance += reading.variance * dt * dt;
+    gyro.covered += dt;
+  }
+  gyro.last = reading.time;
+  gyro.rate = reading.rate;
+  gyro.variance = reading.variance;
+}
+
+bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) {
+  const Duration ahead = step.time - state.time;
+  if (ahead.nanoseconds <= 0) return false;
+  if (seconds(ahead - step.over) > options.motion.extrapolation)
+    advance_unknown(state, step.time - step.over, options);
+  const Duration span = step.time - state.time;
+  const double dt = seconds(span);
+  const double part = span == step.over ? 1.0 : dt / seconds(step.over);
+
+  JointVector joint;
+  joint << state.x, step.distance * part, step.turn * part;
+  JointMatrix covariance = JointMatrix::Zero();
+  covariance.topLeftCorner<kStates, kStates>() = state.P;
+  const double stretch = std::max(part, part * part);  // what is extended is guessed
+  covariance.bottomRightCorner<2, 2>() = step.covariance * stretch;
+  covariance(5, 5) += kDistanceFloor * dt;
+  covariance(6, 6) += kTurnFloor * dt;
+
+  GyroSum& gyro = state.gyro;
+  hold_gyro(gyro, state.time, step.time, options.motion.gyro_gap);
+  if (gyro.covered >= kCoverage * dt) {
+    const double scale = dt / gyro.covered;
+    Innovation<kJoint, 1> z;
+    z.H.setZero();
+    z.H(0, 3) = dt;
+    z.H(0, 6) = 1.0;
+    z.residual(0) = gyro.angle * scale - joint(6) - joint(3) * dt;
+    z.R(0, 0) = gyro.angle_variance * scale * scale;
+    if (options.slip.enabled) {
+      watch_slip(state.slip, {-z.residual(0), covariance(6, 6) + z.R(0, 0), dt}, state.P(3, 3), step.time,
+                 options.slip);
+      if (slipping(state.slip)) {
+        const double lost = options.slip.distance_share * joint(5);
+        covariance(5, 5) += lost * lost;
+        covariance(6, 6) += z.residual(0) * z.residual(0);
+      }
+    }
+    if (!gyro_in_doubt(state.slip, step.time, options.slip)) correct(joint, covariance, z);
+  }
+  restart(gyro);
+
+  const double distance = joint(5);
+  const double turn = joint(6);
+  const ArcStep arc = advance_arc({joint(0), joint(1), joint(2)}, distance, turn);
+  Eigen::Matrix<double, kStates, kJoint> J = Eigen::Matrix<double, kStates, kJoint>::Zero();
+  J.topLeftCorner<3, 3>() = arc.by_pose;
+  J(3, 3) = J(4, 4) = 1.0;
+  J.topRightCorner<3, 2>() = arc.by_step;
+  const StateMatrix P = J * covariance * J.transpose();
+  state.P = 0.5 * (P + P.transpose());
+  state.x << arc.pose.x, arc.pose.y, arc.pose.theta, joint(3), joint(4);
+  wander(state.P, dt, options.bias);
+  limit(state.P);
+
+  state.X_OB = advance_arc(state.X_OB, distance, turn).pose;
+  state.odometer += std::abs(distance);
+  state.turned += turn;
+  state.twist = {distance / dt, turn / dt};
+  state.time = step.time;
+  state.last_wheel = step.time;
+  return true;
+}
+
+void advance_unknown(EkfState& state, Time time, const EkfOptions& options) {
+  const Duration span = time - state.time;
+  if (span.nanoseconds <= 0) return;
+  const double dt = seconds(span);
+  const Time since = state.last_wheel == kNever ? state.time : std::min(state.last_wheel, state.time);
+  const double before = seconds(state.time - since);
+  const double squares = (before + dt) * (before + dt) - before * before;  // of a speed that stays unknown
+
+  const double moved = options.motion.silent_speed;
+  state.P(0, 0) += moved * moved * squares;
+  state.P(1, 1) += moved * moved * squares;
+  GyroSum& gyro = state.gyro;
+  hold_gyro(gyro, state.time, time, options.motion.gyro_gap);
+  double turn = 0.0;
+  if (gyro.covered >= kCoverage * dt) {
+    turn = gyro.angle - state.x(3) * dt;
+    StateMatrix F = StateMatrix::Identity();
+    F(2, 3) = -dt;
+    state.P = F * state.P * F.transpose();
+    state.P(2, 2) += gyro.angle_variance;
+  } else {
+    const double turned = options.motion.silent_turn_rate;
+    state.P(2, 2) += turned * turned * squares;
+  }
+  restart(gyro);
+  wander(state.P, dt, options.bias);
+  limit(state.P);
+
+  state.x(2) = wrap_angle(state.x(2) + turn);
+  state.X_OB.theta = wrap_angle(state.X_OB.theta + turn);
+  state.odometer += moved * dt;
+  state.turned += turn;
+  state.twist = {};
+  state.time = time;
+}
+
+Extrapolated extrapolate(const EkfState& state, Time time, const MotionOptions& options) {
+  const double tau = std::max(0.0, seconds(time - state.time));
+  const ArcStep arc = advance_arc(state.pose(), state.twist.v * tau, state.twist.omega * tau);
+  const double moved = options.acceleration * tau * tau / 2.0;
+  const double turned = options.turn_acceleration * tau * tau / 2.0;
+  return {arc.pose, arc.by_pose, moved * moved, turned * turned};
+}
+
+}  // namespace bw::localization

@@ -1,0 +1,139 @@
+#include "components/localization/ekf/reacquisition.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/localization/chi_square.hpp"
+#include "components/localization/ekf/arc.hpp"
+
+namespace bw::localization {
+namespace {
+
+constexpr double kWaySlack = 1.1;         // wheels may measure a way this much short
+constexpr double kTurnSlack = 0.1;        // and a turn
+constexpr int kMisfits = 3;               // in a row end a run
+constexpr double kKnownHeading = 0.0625;  // (0.25 rad)^2: a heading from a way is worth taking
+
+struct Odometry {
+  Pose2 X_OB;
+  double odometer;
+  double turned;
+};
+
+Odometry odometry_at(const EkfState& state, Time time) {
+  const double tau = std::max(0.0, (time - state.time).to_seconds());
+  const double distance = state.twist.v * tau;
+  const double turn = state.twist.omega * tau;
+  return {advance_arc(state.X_OB, distance, turn).pose, state.odometer + std::abs(distance),
+          state.turned + turn};
+}
+
+bool agrees(const RejectedRun& run, const Rejection& r, const Odometry& now, double probability) {
+  if (r.position) {
+    const double noise = std::sqrt(2.0 * chi_square_quantile(probability, 2) * r.position_variance);
+    const double way = kWaySlack * (now.odometer - run.odometer);
+    if ((*r.position - run.position).norm() > way + noise) return false;
+  }
+  if (r.heading) {
+    const double noise = std::sqrt(2.0 * chi_square_quantile(probability, 1) * r.heading_variance);
+    const double turned = now.turned - run.turned;
+    if (std::abs(wrap_angle(*r.heading - run.heading - turned)) > noise + kTurnSlack * std::abs(turned))
+      return false;
+  }
+  return true;
+}
+
+void append(RejectedRun& run, const Rejection& r, const Odometry& now) {
+  ++run.count;
+  run.misfits = 0;
+  run.odometer = now.odometer;
+  run.turned = now.turned;
+  if (r.position) {
+    run.position = *r.position;
+    run.fit.add(*r.position, now.X_OB * r.antenna);
+  }
+  if (r.heading) run.heading = *r.heading;
+}
+
+bool supported_by_others(const EkfState& state, const Rejection& r, const RejectedRun& run,
+                         const GateOptions& options) {
+  for (int i = 0; i < kMaxSources; ++i) {
+    const SourceState& other = state.sources[static_cast<std::size_t>(i)];
+    if (i == r.source || other.last_used < run.since) continue;
+    if (r.position && other.gives_position) return true;
+    if (!r.position && r.heading && other.gives_heading) return true;
+    const double driven = state.odometer - run.start_odometer;
+    if (!r.position && other.gives_position && driven >= options.heading_support) return true;
+  }
+  return false;
+}
+
+void replace(EkfState& state, int first, int count, const Eigen::Matrix3d& covariance) {
+  state.P.middleRows(first, count).setZero();
+  state.P.middleCols(first, count).setZero();
+  state.P.block(first, first, count, count) = covariance.block(first, first, count, count);
+}
+
+}  // namespace
+
+bool note_rejection(EkfState& state, const Rejection& r, const GateOptions& options) {
+  RejectedRun& run = state.sources[static_cast<std::size_t>(r.source)].run;
+  const Odometry now = odometry_at(state, r.time);
+  const bool fits = run.count > 0 && agrees(run, r, now, options.probability);
+  if (!fits && run.count > 0 && ++run.misfits < kMisfits) return false;
+  if (!fits) {
+    run = {};
+    run.since = r.time;
+    run.start_odometer = now.odometer;
+  }
+  append(run, r, now);
+  return run.count >= options.reacquire_count &&
+         r.time - run.since >= Duration::seconds(options.reacquire_after) &&
+         !supported_by_others(state, r, run, options);
+}
+
+void take_over(EkfState& state, const Rejection& r, const Eigen::Matrix3d& covariance,
+               const GateOptions& options) {
+  RejectedRun& run = state.sources[static_cast<std::size_t>(r.source)].run;
+  const Odometry now = odometry_at(state, r.time);
+  const Pose2 X_now_then = inverse(now.X_OB) * state.X_OB;  // back from the stamp to the state's time
+  const double theta_now = wrap_angle(state.x(2) - X_now_then.theta);
+  Eigen::Matrix3d C = covariance;
+  Pose2 X_MB{state.x(0), state.x(1), theta_now};
+  if (r.position && r.heading) {
+    X_MB = {r.position->x(), r.position->y(), *r.heading};
+    replace(state, 0, 3, C);
+  } else if (r.position) {
+    const double spread = run.fit.spread();
+    const double heading_variance = spread > 0.0 ? r.position_variance / spread : 1e9;
+    const Pose2 fitted = run.fit.X_AB() * now.X_OB;
+    const double away = wrap_angle(fitted.theta - theta_now);
+    const bool turned =
+        heading_variance < kKnownHeading &&
+        away * away > chi_square_quantile(options.probability, 1) * (state.P(2, 2) + heading_variance);
+    if (turned) {
+      X_MB = fitted;
+      C(2, 2) = 2.0 * heading_variance + 1e-4;  // twice: the wheels' own errors are not in it
+      replace(state, 0, 3, C);
+    } else {
+      const Vector2 base = *r.position - rotate({0.0, 0.0, theta_now}, r.antenna);
+      X_MB = {base.x(), base.y(), theta_now};
+      replace(state, 0, 2, C);
+    }
+  } else {
+    X_MB.theta = wrap_angle(*r.heading - state.x(4));
+    C(2, 2) += state.P(4, 4);
+    replace(state, 2, 1, C);
+  }
+  if (r.position) {
+    const Pose2 then = X_MB * X_now_then;
+    state.x.head<3>() << then.x, then.y, then.theta;
+  } else {
+    state.x(2) = wrap_angle(X_MB.theta + X_now_then.theta);
+  }
+  run = {};
+  state.last_reset = r.time;
+  state.reset_source = r.source;
+}
+
+}  // namespace bw::localization
