@@ -13,8 +13,8 @@ namespace bw {
 Twist2 reachable_twist(const Twist2& wanted, const Twist2& now, const Limits& limits, double period);
 
 /// The same with the linear jerk limited as well: the acceleration changes by at most jerk_max * `cycle` [s]
-/// from `acceleration` [m/s^2], the one of the last command, and fades out towards the wanted speed. Speed and
-/// acceleration limits come first.
+/// from `acceleration` [m/s^2], the one of the last command, and fades out towards the wanted speed. Speed
+/// and acceleration limits come first.
 Twist2 smooth_twist(const Twist2& wanted, const Twist2& now, double acceleration, const Limits& limits,
                     double period, double cycle);
 

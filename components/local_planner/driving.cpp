@@ -74,7 +74,8 @@ bool evade(const PlanningProblem& problem, const DrivingOptions& options, const 
   if (!safety.free && move.trajectory[1].twist == result.command) return true;
   result.status = PlanningStatus::ok;
   result.reason = "evading";
-  result.command = move.trajectory[1].twist;
+  result.command =
+      evasive_twist(move.trajectory[1].twist, problem.twist, problem.limits, problem.command_lead);
   result.trajectory = std::move(move.trajectory);
   return true;
 }

@@ -15,6 +15,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::array kSpeedShares{1.0, 0.5, 0.0};  // of v_max; v_back_max is added
 constexpr std::array kTurnShares{0.0, 1.0, -1.0, 0.5, -0.5};
+constexpr std::array kLaterTurns{0.0, 1.0, -1.0};
+constexpr std::array kLastSpeeds{1.0, 0.0};
+constexpr double kShortestPeriod = 0.05;                // [s] of the simulation
 constexpr std::array kFirstPhases{0.3, 0.6, 1.0, 1.5};  // [s]
 constexpr std::array kSecondPhases{0.5, 1.0};           // [s]; the third lasts as long as the horizon
 constexpr double kGapWeight = 100.0;  // metres of progress that a metre of gap is worth below enough_gap
@@ -46,11 +49,15 @@ class Search {
         steps_(std::max(1, static_cast<int>(std::lround(options.horizon / options.period)))),
         gaps_(problem, steps_ * options.period, options.period / tests_, options.enough_gap) {
     const Limits& limits = problem.limits;
-    for (const double turn : kTurnShares) {
-      for (const double speed : kSpeedShares)
-        targets_.push_back({speed * limits.v_max, turn * limits.omega_max});
-      if (limits.v_back_max > 0.0) targets_.push_back({-limits.v_back_max, turn * limits.omega_max});
-    }
+    const auto add = [&](const auto& turns, std::vector<Twist2>& targets) {
+      for (const double turn : turns) {
+        for (const double speed : kSpeedShares)
+          targets.push_back({speed * limits.v_max, turn * limits.omega_max});
+        if (limits.v_back_max > 0.0) targets.push_back({-limits.v_back_max, turn * limits.omega_max});
+      }
+    };
+    add(kTurnShares, first_targets_);
+    add(kLaterTurns, later_targets_);
   }
 
   EvasiveMove run() {
@@ -59,7 +66,7 @@ class Search {
     if (stop.gap >= options_.enough_gap) return as_move(stop);
     latest_ = stop;
     consider(stop);
-    for (const Twist2& first : targets_) {
+    for (const Twist2& first : first_targets_) {
       Motion motion = start();
       for (const double phase : kFirstPhases) {
         extend(motion, first, steps_until(phase));
@@ -89,7 +96,7 @@ class Search {
 
   void second_phase(const Motion& so_far) {
     const int begin = static_cast<int>(so_far.trajectory.size()) - 1;
-    for (const Twist2& second : targets_) {
+    for (const Twist2& second : later_targets_) {
       Motion motion = so_far;
       for (const double phase : kSecondPhases) {
         extend(motion, second, std::min(steps_, begin + steps_until(phase)));
@@ -100,7 +107,7 @@ class Search {
   }
 
   void third_phase(const Motion& so_far) {
-    for (const double speed : kSpeedShares) {
+    for (const double speed : kLastSpeeds) {
       Motion motion = so_far;
       extend(motion, {speed * problem_.limits.v_max, 0.0}, steps_);
       consider(motion);
@@ -166,7 +173,8 @@ class Search {
   int tests_;
   int steps_;
   TimedGaps gaps_;
-  std::vector<Twist2> targets_;
+  std::vector<Twist2> first_targets_;
+  std::vector<Twist2> later_targets_;
   Motion best_;
   Motion latest_;
   double best_score_ = -kInfinity;
@@ -176,7 +184,9 @@ class Search {
 
 EvasiveMove best_evasive_move(const PlanningProblem& problem, const Vector2& goal,
                               const EvasionOptions& options) {
-  return Search(problem, goal, options).run();
+  EvasionOptions stepped = options;
+  stepped.period = std::max(options.period, kShortestPeriod);
+  return Search(problem, goal, stepped).run();
 }
 
 }  // namespace bw

@@ -27,9 +27,20 @@ class TimedGaps {
     Vector2 position;
     double radius;
   };
+  /// Everything within `radius` of a-b (a point when a == b).
+  struct Core {
+    Vector2 a;
+    Vector2 b;
+    double radius;
+  };
+
+  std::size_t cell_of(const Vector2& position) const;
+
   const Footprint& footprint_;
   double reach_;
-  StaticObstacles statics_;
+  Vector2 corner_{0.0, 0.0};  ///< of the square that the robot cannot leave before the horizon
+  int cells_per_side_ = 1;
+  std::vector<std::vector<Core>> statics_;   ///< by cell
   std::vector<std::vector<Placed>> movers_;  ///< by time
 };
 

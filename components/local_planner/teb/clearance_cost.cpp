@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace bw::teb {
@@ -67,6 +68,21 @@ void select_around(const Band& band, std::size_t first, double reach, const std:
   }
 }
 
+// The first `count` by `key`, which tells apart all that differ: sums over them do not hang on the order
+// given.
+template <class T, class Key>
+std::vector<T> nearest_first(const std::vector<T>& list, std::size_t count, Key&& key) {
+  std::vector<std::pair<std::invoke_result_t<Key, const T&>, std::size_t>> order;
+  order.reserve(list.size());
+  for (std::size_t i = 0; i < list.size(); ++i) order.emplace_back(key(list[i]), i);
+  std::sort(order.begin(), order.end());
+  if (order.size() > count) order.resize(count);
+  std::vector<T> nearest;
+  nearest.reserve(order.size());
+  for (const auto& [unused, i] : order) nearest.push_back(list[i]);
+  return nearest;
+}
+
 }  // namespace
 
 double Uncertainty::at(const Mover& mover, double time) const {
@@ -95,31 +111,19 @@ ObstacleField nearby_obstacles(const StaticObstacles& statics, const std::vector
   for (const Disc& d : statics.discs) capsules.push_back({d.center, d.center, d.radius + robot_radius});
   for (const Segment& s : statics.segments) capsules.push_back({s.a, s.b, robot_radius});
 
-  const auto nearest = [](const std::vector<double>& distances, std::size_t count) {
-    std::vector<std::size_t> order(distances.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    if (count < order.size()) {
-      std::stable_sort(order.begin(), order.end(),
-                       [&](std::size_t l, std::size_t r) { return distances[l] < distances[r]; });
-      order.resize(count);
-    }
-    return order;
-  };
   ObstacleField field;
   field.uncertainty = uncertainty;
-  std::vector<double> distances;
-  distances.reserve(std::max(movers.size(), capsules.size()));
   if (time_indexed) {
-    for (const Mover& m : movers) distances.push_back((m.position - position).norm() - m.radius);
-    for (const std::size_t i : nearest(distances, max_count)) {
-      field.movers.push_back(movers[i]);
-      field.movers.back().radius += robot_radius;
-    }
-    distances.clear();
+    field.movers = nearest_first(movers, max_count, [&](const Mover& m) {
+      return std::tuple((m.position - position).norm() - m.radius, m.position.x(), m.position.y(),
+                        m.velocity.x(), m.velocity.y(), m.radius, m.id);
+    });
+    for (Mover& m : field.movers) m.radius += robot_radius;
   }
-  for (const Capsule& c : capsules) distances.push_back(std::sqrt(squared_distance(c, position)) - c.radius);
-  for (const std::size_t i : nearest(distances, max_count - field.movers.size()))
-    field.statics.push_back(capsules[i]);
+  field.statics = nearest_first(capsules, max_count - field.movers.size(), [&](const Capsule& c) {
+    return std::tuple(std::sqrt(squared_distance(c, position)) - c.radius, c.a.x(), c.a.y(), c.b.x(), c.b.y(),
+                      c.radius);
+  });
   return field;
 }
 

@@ -122,22 +122,13 @@ PlanningProblem grid_scene(Random& random) {
   return scene;
 }
 
-// Not by a bit where the least of gaps counts. The bands add up residuals in the order of the obstacles;
-// the last bits of such sums change, and were measured to change a command by 1.4e-14 at most.
+// Not by a bit: sums are taken in an order of their own.
 TEST_P(EveryPlanner, DoesNotDependOnTheOrderOfObstacles) {
-  const bool sums = GetParam().find("teb") != std::string_view::npos;
   Random random(kSeed);
   for (int i = 0; i < kScenes; ++i) {
     for (const bool on_grid : {false, true}) {
       const PlanningProblem scene = on_grid ? grid_scene(random) : scene_of(random, i);
-      const PlanningResult result = first_plan(scene);
-      const PlanningResult other = first_plan(shuffled(scene, random));
-      if (sums) {
-        EXPECT_EQ(result.status, other.status) << where(i);
-        EXPECT_LE(apart(result.command, other.command), 1e-9) << where(i);
-      } else {
-        EXPECT_EQ(difference(result, other), "") << where(i);
-      }
+      EXPECT_EQ(difference(first_plan(scene), first_plan(shuffled(scene, random))), "") << where(i);
     }
   }
 }
