@@ -93,11 +93,12 @@ struct GateOptions {
 struct SlipOptions {
   bool enabled = true;
   double window = 0.25;
-  double gate = 16.0;
+  double gate = 25.0;
   double least_rate = 0.1;
   double hold = 0.3;
   double longest = 5.0;
   double distance_share = 0.5;
+  double turn_share = 0.1;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -112,9 +113,14 @@ struct SlipOptions {
       {.unit = "s",
        .min = 0.1,
        .max = 1000,
-       .doc = "longer slip is a fault: then the gyro is not used either"});
+       .doc = "more slip within half a minute is a fault: then the gyro is not used either"});
     v("distance_share", distance_share,
-      {.min = 0, .max = 10, .doc = "standard deviation of the distance during slip, as a share of it"});
+      {.min = 0, .max = 10, .doc = "standard deviation of the way during slip, as a share of it"});
+    v("turn_share", turn_share,
+      {.min = 0,
+       .max = 10,
+       .doc =
+           "the same of the turn, as a share of what wheels and gyro disagree about: the gyro may be wrong"});
   }
 };
 

@@ -35,6 +35,9 @@ struct SlipWatch {
   double time = 0.0;          ///< [s] that it spans; times the bias' variance, its common part
   Time since = kNever;        ///< slip goes on since then; kNever: none
   Time seen = kNever;         ///< last sign of it
+  double way = 0.0;           ///< since the slip began [m]
+  double turn = 0.0;          ///< sum of the steps' disagreements since then [rad]
+  double lately = 0.0;        ///< [s] of slip, forgotten within half a minute
 };
 
 /// Rejections of one source in a row that agree with each other.

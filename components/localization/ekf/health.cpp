@@ -35,10 +35,11 @@ class Assessment {
     const double silent = age(state_.last_wheel);
     if (silent > options_.motion.extrapolation)
       worsen(HealthState::degraded, {HealthCause::wheels_silent, -1, silent});
-    if (!slipping(state_.slip)) return;
-    const bool doubt = gyro_in_doubt(state_.slip, now_, options_.slip);
-    worsen(HealthState::degraded,
-           {doubt ? HealthCause::gyro_in_doubt : HealthCause::slipping, -1, age(state_.slip.since)});
+    if (gyro_in_doubt(state_.slip, options_.slip)) {
+      worsen(HealthState::degraded, {HealthCause::gyro_in_doubt, -1, state_.slip.lately});
+    } else if (slipping(state_.slip)) {
+      worsen(HealthState::degraded, {HealthCause::slipping, -1, age(state_.slip.since)});
+    }
   }
 
   void sources() {

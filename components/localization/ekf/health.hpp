@@ -26,7 +26,7 @@ enum class HealthCause {
   source_silent,       ///< since [s]
   source_rejected,     ///< nothing of it used since [s]
   slipping,            ///< since [s]
-  gyro_in_doubt,       ///< wheels and gyro disagree since [s], for too long for slip
+  gyro_in_doubt,       ///< wheels and gyro disagreed for [s] of the last half minute: too long for slip
   estimate_reset,      ///< a source took the estimate over, that long ago [s]
   clock_jump           ///< that long ago [s]
 };

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostPlaces = 1024;
 constexpr std::size_t kMostFixes = 64;
 constexpr std::size_t kMostHeadings = 32;
-constexpr double kWayErrors = 2.0;  // variances are doubled: those of the wheels are not modelled here
+constexpr double kCaution = 2.0;  // times the variance: agreeing samples may share an error
 
 // Keeps the latest ones; the older half goes at once, so that adding is cheap on average.
 template <class T>
@@ -52,15 +52,16 @@ void InitialPose::restart() {
   headings_.clear();
 }
 
-Pose2 InitialPose::place_at(Time time) const {
+InitialPose::Place InitialPose::place_at(Time time) const {
   const auto after = std::upper_bound(way_.begin(), way_.end(), time,
                                       [](Time t, const Place& place) { return t < place.time; });
-  if (after == way_.begin()) return after->X_OB;
+  if (after == way_.begin()) return *after;
   const Place& before = *(after - 1);
-  if (after == way_.end() || before.time == kNever) return before.X_OB;
+  if (after == way_.end() || before.time == kNever) return before;
   const double part = (time - before.time).to_seconds() / (after->time - before.time).to_seconds();
   const Pose2 moved = inverse(before.X_OB) * after->X_OB;
-  return before.X_OB * Pose2{part * moved.x, part * moved.y, part * moved.theta};
+  return {time, before.X_OB * Pose2{part * moved.x, part * moved.y, part * moved.theta},
+          before.turn_variance + part * (after->turn_variance - before.turn_variance)};
 }
 
 std::optional<StartPose> InitialPose::add(const Measurement& measurement) {
@@ -69,13 +70,18 @@ std::optional<StartPose> InitialPose::add(const Measurement& measurement) {
   if (const auto* step = std::get_if<WheelStep>(&measurement)) {
     const Place& last = way_.back();
     if (step->time <= last.time) return std::nullopt;
-    push(way_, {step->time, advance_arc(last.X_OB, step->distance, step->turn).pose}, kMostPlaces);
+    push(way_,
+         {step->time, advance_arc(last.X_OB, step->distance, step->turn).pose,
+          last.turn_variance + step->covariance(1, 1)},
+         kMostPlaces);
   } else if (const auto* heading = std::get_if<HeadingReading>(&measurement)) {
-    push(headings_, {wrap_angle(heading->heading - place_at(heading->time).theta), heading->variance},
+    const Place at = place_at(heading->time);
+    push(headings_, {wrap_angle(heading->heading - at.X_OB.theta), heading->variance, at.turn_variance},
          kMostHeadings);
   } else if (const auto* fix = std::get_if<PositionFix>(&measurement)) {
-    push(fixes_, {place_at(fix->time) * fix->antenna, fix->position, fix->covariance.diagonal().maxCoeff()},
-         kMostFixes);
+    const Place at = place_at(fix->time);
+    const double variance = fix->covariance.diagonal().maxCoeff();
+    push(fixes_, {at.X_OB * fix->antenna, fix->position, variance, at.turn_variance}, kMostFixes);
   } else {
     return std::nullopt;
   }
@@ -108,7 +114,8 @@ std::optional<InitialPose::Angle> InitialPose::heading_from_compass() const {
   }
   if (2 * agreeing <= static_cast<int>(headings_.size()) || agreeing < options_.headings) return std::nullopt;
   // Not divided by their number: readings of a compass err alike.
-  return Angle{wrap_angle(headings_[middle].value + sum / agreeing), kWayErrors * variance};
+  const double wheels = way_.back().turn_variance - headings_[middle].turn_variance;
+  return Angle{wrap_angle(headings_[middle].value + sum / agreeing), kCaution * variance + wheels, 0.0};
 }
 
 std::optional<StartPose> InitialPose::with_heading(const Angle& theta_MO) const {
@@ -141,8 +148,8 @@ std::optional<StartPose> InitialPose::with_heading(const Angle& theta_MO) const 
   const Vector2 by_heading(-arm.y(), arm.x());
   Eigen::Matrix3d& C = start.covariance;
   C.topLeftCorner<2, 2>() = theta_MO.variance * by_heading * by_heading.transpose();
-  C(0, 0) += kWayErrors * variance / agreeing;
-  C(1, 1) += kWayErrors * variance / agreeing;
+  C(0, 0) += kCaution * variance / agreeing;
+  C(1, 1) += kCaution * variance / agreeing;
   C.topRightCorner<2, 1>() = theta_MO.variance * by_heading;
   C.bottomLeftCorner<1, 2>() = C.topRightCorner<2, 1>().transpose();
   C(2, 2) = theta_MO.variance;
@@ -170,13 +177,14 @@ std::optional<StartPose> InitialPose::from_way() const {
       worst_distance = distance;
       worst = i;
     }
-    if (worst_distance > kWayErrors * gate2_) {
+    if (worst_distance > kCaution * gate2_) {
       fitting.erase(fitting.begin() + static_cast<long>(worst));
       continue;
     }
     const double spread = fit.spread();
     if (longest < options_.distance || spread <= 0.0) return std::nullopt;
-    const Angle theta_MO{X_MO.theta, kWayErrors * variance / spread};
+    const double wheels = way_.back().turn_variance - fitting.front().turn_variance;
+    const Angle theta_MO{X_MO.theta, kCaution * variance / spread + wheels, 0.0};
     if (theta_MO.variance > options_.heading_sigma * options_.heading_sigma) return std::nullopt;
     return with_heading(theta_MO);
   }

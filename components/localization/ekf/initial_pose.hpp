@@ -37,18 +37,21 @@ class InitialPose {
   struct Place {
     Time time;
     Pose2 X_OB;
+    double turn_variance = 0.0;  ///< of the heading in O [rad^2]
   };
   struct Fix {
     Vector2 p_O;  ///< of the antenna
     Vector2 p_M;
     double variance = 0.0;
+    double turn_variance = 0.0;  ///< of the place
   };
   struct Angle {
     double value = 0.0;
     double variance = 0.0;
+    double turn_variance = 0.0;  ///< of the place
   };
 
-  Pose2 place_at(Time time) const;
+  Place place_at(Time time) const;
   std::optional<Angle> heading_from_compass() const;
   std::optional<StartPose> with_heading(const Angle& theta_MO) const;
   std::optional<StartPose> from_way() const;

@@ -96,12 +96,16 @@ bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) 
       watch_slip(state.slip, {-z.residual(0), covariance(6, 6) + z.R(0, 0), dt}, state.P(3, 3), step.time,
                  options.slip);
       if (slipping(state.slip)) {
-        const double lost = options.slip.distance_share * joint(5);
-        covariance(5, 5) += lost * lost;
+        // It began within the window before it was seen.
+        const double unseen = state.slip.way == 0.0 ? options.slip.window / dt : 0.0;
+        covariance(5, 5) +=
+            common_error(state.slip.way, joint(5) * (1.0 + unseen), options.slip.distance_share);
         covariance(6, 6) += z.residual(0) * z.residual(0);
       }
     }
-    if (!gyro_in_doubt(state.slip, step.time, options.slip)) correct(joint, covariance, z);
+    if (!gyro_in_doubt(state.slip, options.slip)) correct(joint, covariance, z);
+    if (slipping(state.slip))
+      covariance(6, 6) += common_error(state.slip.turn, z.residual(0), options.slip.turn_share);
   }
   restart(gyro);
 

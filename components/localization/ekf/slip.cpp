@@ -3,6 +3,9 @@
 #include <cmath>
 
 namespace bw::localization {
+namespace {
+constexpr double kForgetting = 30.0;  // [s] over which slip is added up for the doubt
+}
 
 void watch_slip(SlipWatch& watch, const TurnDifference& difference, double bias_variance, Time time,
                 const SlipOptions& options) {
@@ -15,14 +18,15 @@ void watch_slip(SlipWatch& watch, const TurnDifference& difference, double bias_
   const bool sign = e * e > options.gate * variance && std::abs(e) > options.least_rate * watch.time;
   if (sign) {
     watch.seen = time;
-    if (!slipping(watch)) watch.since = time;
+    if (!slipping(watch)) {
+      watch.since = time;
+      watch.way = watch.turn = 0.0;
+    }
   } else if (slipping(watch) && time - watch.seen > Duration::seconds(options.hold)) {
     watch.since = kNever;
   }
-}
-
-bool gyro_in_doubt(const SlipWatch& watch, Time time, const SlipOptions& options) {
-  return slipping(watch) && time - watch.since > Duration::seconds(options.longest);
+  watch.lately *= std::exp(-difference.seconds / kForgetting);
+  if (slipping(watch)) watch.lately += difference.seconds;
 }
 
 }  // namespace bw::localization

@@ -5,6 +5,8 @@
 // show only while turning, so that slip lasts for `hold` after its last sign.
 #pragma once
 
+#include <cmath>
+
 #include "components/localization/ekf/ekf_options.hpp"
 #include "components/localization/ekf/ekf_state.hpp"
 
@@ -21,9 +23,19 @@ struct TurnDifference {
 void watch_slip(SlipWatch& watch, const TurnDifference& difference, double bias_variance, Time time,
                 const SlipOptions& options);
 
+/// Variance that a way of |step| [m or rad] adds when all of it errs alike, as a share of its length:
+/// standard deviations add up, (share (sum + |step|))^2 - (share sum)^2. Adds |step| to `sum`.
+inline double common_error(double& sum, double step, double share) {
+  const double before = sum;
+  sum += std::abs(step);
+  return share * share * (sum * sum - before * before);
+}
+
 inline bool slipping(const SlipWatch& watch) { return watch.since != kNever; }
 
-/// Slip that lasts longer than slip: gyro or encoders are wrong, and nothing tells which.
-bool gyro_in_doubt(const SlipWatch& watch, Time time, const SlipOptions& options);
+/// More slip lately than wheels slip: gyro or encoders are wrong, and nothing tells which.
+inline bool gyro_in_doubt(const SlipWatch& watch, const SlipOptions& options) {
+  return watch.lately > options.longest;
+}
 
 }  // namespace bw::localization

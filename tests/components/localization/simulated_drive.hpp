@@ -20,7 +20,7 @@ struct DriveOptions {
   double turn_amplitude = 0.5;  ///< [rad/s], period 20 s
   Pose2 start;
   double separation = 0.4;
-  double wheel_variance = 1e-3;  ///< k [m]
+  double wheel_variance = 1e-4;  ///< k [m]
   double gyro_sigma = 0.01;      ///< 0: no gyro
   double gyro_bias = 0.0;
   double compass_sigma = 0.05;  ///< 0: no compass
