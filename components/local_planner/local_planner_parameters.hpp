@@ -10,7 +10,7 @@
 namespace bw {
 
 struct LocalPlannerParameters {
-  std::string algorithm = "teb";
+  std::string algorithm = "eteb";
   double controller_frequency = 10.0;
   double command_lead = 0.2;
   double max_global_plan_lookahead_dist = 6.0;

@@ -12,35 +12,50 @@ namespace {
 constexpr double kAssociationMargin =
     0.4;  // [m] that a pose may move in one solve and still know its obstacles
 constexpr int kMostSamplesPerSegment = 4;
+constexpr double kSameSpot = 0.05;   // [m]
 constexpr std::size_t kStretch = 8;  // poses that share one selection of static obstacles
 
 struct Near {
   double distance;
+  Vector2 spot;  // the point of the obstacle's axis that is nearest
   ClearanceTerm term;
 };
 
-// Keeps the nearest terms; equal distances keep their order, so that equal input gives equal output.
+// The nearest terms; equal distances keep their order, so that equal input gives equal output. Static ones
+// that touch the same spot of a surface (the corner of two walls, neighbouring points) count once: together
+// they would outweigh what stands on the other side of a gap.
 void keep_nearest(std::vector<Near>& near, std::size_t count, std::vector<ClearanceTerm>& terms) {
-  if (near.size() > count) {
-    std::stable_sort(near.begin(), near.end(),
-                     [](const Near& l, const Near& r) { return l.distance < r.distance; });
-    near.resize(count);
+  std::stable_sort(near.begin(), near.end(),
+                   [](const Near& l, const Near& r) { return l.distance < r.distance; });
+  std::vector<const Near*> kept;
+  for (const Near& n : near) {
+    if (terms.size() == count) return;
+    if (!n.term.moving) {
+      const bool known = std::any_of(kept.begin(), kept.end(), [&](const Near* other) {
+        return other->term.fraction == n.term.fraction &&
+               (other->spot - n.spot).squaredNorm() < kSameSpot * kSameSpot;
+      });
+      if (known) continue;
+      kept.push_back(&n);
+    }
+    terms.push_back(n.term);
   }
-  terms.reserve(near.size());
-  for (const Near& n : near) terms.push_back(n.term);
 }
 
-Capsule mover_at(const Mover& mover, double time, const Uncertainty& uncertainty) {
+Capsule mover_at(const Mover& mover, double time) {
   const Vector2 p = mover.position_at(time);
-  return {p, p, mover.radius + uncertainty.at(mover, time)};
+  return {p, p, mover.radius};
+}
+
+Vector2 nearest_spot(const Capsule& capsule, const Vector2& point) {
+  const Vector2 d = capsule.b - capsule.a;
+  const double length = d.squaredNorm();
+  if (length == 0.0) return capsule.a;
+  return capsule.a + std::clamp((point - capsule.a).dot(d) / length, 0.0, 1.0) * d;
 }
 
 double squared_distance(const Capsule& capsule, const Vector2& point) {
-  const Vector2 d = capsule.b - capsule.a;
-  const double length = d.squaredNorm();
-  if (length == 0.0) return (point - capsule.a).squaredNorm();
-  const double s = std::clamp((point - capsule.a).dot(d) / length, 0.0, 1.0);
-  return (point - capsule.a - s * d).squaredNorm();
+  return (point - nearest_spot(capsule, point)).squaredNorm();
 }
 
 bool in_reach(const Capsule& capsule, const Vector2& point, double reach, double& distance) {
@@ -103,8 +118,8 @@ ObstacleField nearby_obstacles(const StaticObstacles& statics, const std::vector
     for (const Mover& m : movers) {
       capsules.push_back({m.position, m.position, m.radius + robot_radius});
       if (prediction.prediction != "doubled") continue;
-      capsules.push_back(mover_at(m, prediction.prediction_time, uncertainty));
-      capsules.back().radius += robot_radius;
+      capsules.push_back(mover_at(m, prediction.prediction_time));
+      capsules.back().radius += robot_radius + uncertainty.at(m, prediction.prediction_time);
     }
   }
   for (const Vector2& p : statics.points) capsules.push_back({p, p, robot_radius});
@@ -147,7 +162,7 @@ double evaluate_clearance(const ClearanceModel& model, const ClearanceTerm& term
   const ClearanceModel::Kind& kind = term.moving ? model.moving : model.fixed;
   const Clearance clearance = clearance_to(term.capsule, point);
   const double close = std::max(0.0, model.min_dist - clearance.distance);
-  const double inflated = std::max(0.0, kind.inflation_dist - clearance.distance);
+  const double inflated = std::max(0.0, kind.inflation_dist + term.unsure - clearance.distance);
   const double cost = kind.obstacle * close * close + kind.inflation * inflated * inflated;
   if (cost <= 0.0) {
     if (gradient != nullptr) gradient->setZero();
@@ -178,30 +193,34 @@ std::vector<PoseTerms> associate(const Band& band, const ObstacleField& field, c
     const double dt = band.poses[k].dt;
     at_pose.clear();
     along.clear();
-    const auto add = [&](const Capsule& now, bool moving, double reach, auto&& capsule_at,
+    const auto add = [&](const Capsule& now, bool moving, double reach, auto&& capsule_at, auto&& unsure,
                          double relative_motion) {
       double distance = 0.0;
-      if (k > 0 && in_reach(now, p, reach, distance)) at_pose.push_back({distance, {now, 0.0, moving}});
+      if (k > 0 && in_reach(now, p, reach, distance))
+        at_pose.push_back({distance, nearest_spot(now, p), {now, 0.0, moving, unsure(time)}});
       const int samples =
           std::min(static_cast<int>(relative_motion / options.clearance_step), kMostSamplesPerSegment);
       for (int i = 1; i <= samples; ++i) {
         const double s = static_cast<double>(i) / (samples + 1);
         const Capsule then = capsule_at(s);
-        if (in_reach(then, p + s * step, reach, distance)) along.push_back({distance, {then, s, moving}});
+        const Vector2 point = p + s * step;
+        if (in_reach(then, point, reach, distance))
+          along.push_back({distance, nearest_spot(then, point), {then, s, moving, unsure(time + s * dt)}});
       }
     };
     for (const Mover& m : field.movers) {
-      const Capsule now = mover_at(m, time, field.uncertainty);
+      const auto unsure = [&](double then) { return field.uncertainty.at(m, then); };
+      const double reach = moving_reach + unsure(time + dt);
+      const Capsule now = mover_at(m, time);
       const Vector2 drift = m.position_at(time + dt) - now.a;
       const double motion = (step - drift).norm();
-      if ((p - now.a).norm() - now.radius > moving_reach + motion) continue;
+      if ((p - now.a).norm() - now.radius > reach + motion) continue;
       add(
-          now, true, moving_reach, [&](double s) { return mover_at(m, time + s * dt, field.uncertainty); },
-          motion);
+          now, true, reach, [&](double s) { return mover_at(m, time + s * dt); }, unsure, motion);
     }
     for (const Capsule* c : statics) {
       add(
-          *c, false, static_reach, [&](double) { return *c; }, step.norm());
+          *c, false, static_reach, [&](double) { return *c; }, [](double) { return 0.0; }, step.norm());
     }
     keep_nearest(at_pose, count, result[k].at_pose);
     keep_nearest(along, count, result[k].along_segment);

@@ -19,7 +19,8 @@ struct Capsule {
   double radius = 0.0;
 };
 
-/// How much a mover grows with the time ahead, as its prediction becomes unsure.
+/// How unsure a prediction becomes with the time ahead: it widens the inflation of a mover, so that a band
+/// keeps further away where that is cheap and a narrow way stays open.
 struct Uncertainty {
   double factor = 0.0;  ///< standard deviations
   double growth = 0.0;  ///< of the standard deviation where the mover has none [m/s]
@@ -55,6 +56,7 @@ struct ClearanceTerm {
   Capsule capsule;
   double fraction = 0.0;
   bool moving = false;
+  double unsure = 0.0;  ///< by which the inflation distance grows [m]
 };
 
 /// Weights and distances of clearance terms; `growth` multiplies the weights in later outer iterations.

@@ -24,14 +24,16 @@ struct PredictionOptions {
     v("prediction_time", prediction_time,
       {.unit = "s", .min = 0, .max = 10, .doc = "how far ahead that future place is (doubled)"});
     v("uncertainty_factor", uncertainty_factor,
-      {.min = 0, .max = 5, .doc = "standard deviations of a prediction by which a mover grows"});
+      {.min = 0,
+       .max = 5,
+       .doc = "standard deviations of a prediction by which the inflation of a mover grows"});
     v("uncertainty_growth", uncertainty_growth,
       {.unit = "m/s",
        .min = 0,
        .max = 2,
        .doc = "growth of that standard deviation for movers whose predictions have none"});
     v("max_uncertainty", max_uncertainty,
-      {.unit = "m", .min = 0, .max = 2, .doc = "a mover grows at most by this"});
+      {.unit = "m", .min = 0, .max = 2, .doc = "its inflation grows at most by this"});
   }
 };
 

@@ -74,7 +74,7 @@ TEST(Prediction, SigmaIsTheRootOfTheLargerEigenvalueAndGrowsLinearly) {
   EXPECT_DOUBLE_EQ(walker().sigma_at(3.0), 0.0);
 }
 
-TEST(Prediction, AUnsurePoseIsNearerToTheBand) {
+TEST(Prediction, InflationGrowsAlongTheBand) {
   // A band straight past a walker that stands 1 m aside: clearance terms see the grown disc at each pose's
   // time.
   Band band;
@@ -83,13 +83,12 @@ TEST(Prediction, AUnsurePoseIsNearerToTheBand) {
   m.position = {1.5, 1.0};
   m.velocity = {0.0, 0.0};
   BandOptions options;
-  const auto radius_at_pose_5 = [&](const PredictionOptions& prediction) {
+  const auto unsure_at_pose_5 = [&](const PredictionOptions& prediction) {
     const ObstacleField field = nearby_obstacles({}, {m}, {0, 0}, 0.2, 10, prediction);
-    return associate(band, field, options)[5].at_pose.at(0).capsule.radius;
+    return associate(band, field, options)[5].at_pose.at(0).unsure;
   };
-  EXPECT_NEAR(radius_at_pose_5({}), 0.5, 1e-12);
-  EXPECT_NEAR(radius_at_pose_5({.uncertainty_factor = 1.0, .uncertainty_growth = 0.1}), 0.5 + 0.1 * 1.5,
-              1e-12);
+  EXPECT_DOUBLE_EQ(unsure_at_pose_5({}), 0.0);
+  EXPECT_NEAR(unsure_at_pose_5({.uncertainty_factor = 1.0, .uncertainty_growth = 0.1}), 0.1 * 1.5, 1e-12);
 }
 
 }  // namespace
