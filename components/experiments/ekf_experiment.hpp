@@ -1,0 +1,51 @@
+// Experiment E1 (spec 8.1): the EKF of the dissertation's Figure 2.3 on a sine-like way and a circle, with
+// wheels alone, + receiver, + compass, + both. Setup of spec 3.3.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace bw {
+
+enum class EkfWay { sinus, circle };
+
+/// What the filter believes of its wheels.
+enum class EkfWheelNoise {
+  placed,  ///< k_f = 0.03 m: places the fused errors where they were published; far above the true noise
+  matched  ///< the true k and (0.0085 ds)^2 for the unequal wheels
+};
+
+struct EkfSensorSet {
+  std::string_view name;
+  bool receiver;
+  bool compass;
+  /// Published, sinus and circle: mean error [m] and "mean square error", a variance about the mean [m^2].
+  std::array<double, 2> published_mean;
+  std::array<double, 2> published_variance;
+};
+
+constexpr std::array<EkfSensorSet, 4> kEkfSensorSets{{
+    {"encoder", false, false, {37.4074, 35.1793}, {6.1162, 5.9312}},
+    {"encoder + GPS", true, false, {0.2303, 0.2477}, {0.0289, 0.0217}},
+    {"encoder + compass", false, true, {0.1630, 0.2032}, {0.0189, 0.0243}},
+    {"encoder + GPS + compass", true, true, {0.1455, 0.1533}, {0.0081, 0.0115}},
+}};
+
+/// Errors of the position along one run, (2.1) of the dissertation: NE_k = |estimate - truth| at every step.
+struct EkfErrors {
+  double mean = 0.0;      ///< ME [m]
+  double variance = 0.0;  ///< the published "MSE" [m^2]: mean of (NE - ME)^2
+  double rms = 0.0;       ///< root of the mean of NE^2 [m]
+};
+
+/// One run; the same seed draws the same noise for every sensor set and wheel noise.
+EkfErrors run_ekf_experiment(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
+                             std::uint64_t seed);
+
+/// Seeds 1 to `seeds`, in that order.
+std::vector<EkfErrors> run_ekf_experiments(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
+                                           int seeds);
+
+}  // namespace bw
