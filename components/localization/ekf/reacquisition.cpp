@@ -68,6 +68,14 @@ bool supported_by_others(const EkfState& state, const Rejection& r, const Reject
   return false;
 }
 
+bool heading_supported(const EkfState& state, int source, Time since) {
+  for (int i = 0; i < kMaxSources; ++i) {
+    const SourceState& other = state.sources[static_cast<std::size_t>(i)];
+    if (i != source && other.gives_heading && other.last_used >= since) return true;
+  }
+  return false;
+}
+
 void replace(EkfState& state, int first, int count, const Eigen::Matrix3d& covariance) {
   state.P.middleRows(first, count).setZero();
   state.P.middleCols(first, count).setZero();
@@ -106,20 +114,20 @@ void take_over(EkfState& state, const Rejection& r, const Eigen::Matrix3d& covar
   } else if (r.position) {
     const double spread = run.fit.spread();
     const double heading_variance = spread > 0.0 ? r.position_variance / spread : 1e9;
-    const Pose2 fitted = run.fit.X_AB() * now.X_OB;
-    const double away = wrap_angle(fitted.theta - theta_now);
-    const bool turned =
-        heading_variance < kKnownHeading &&
+    const double fitted = wrap_angle(run.fit.angle() + now.X_OB.theta);
+    const double away = wrap_angle(fitted - theta_now);
+    const bool disagrees =
         away * away > chi_square_quantile(options.probability, 1) * (state.P(2, 2) + heading_variance);
+    const bool turned =
+        heading_variance < kKnownHeading && (disagrees || !heading_supported(state, r.source, run.since));
     if (turned) {
-      X_MB = fitted;
-      C(2, 2) = 2.0 * heading_variance + 1e-4;  // twice: the wheels' own errors are not in it
-      replace(state, 0, 3, C);
-    } else {
-      const Vector2 base = *r.position - rotate({0.0, 0.0, theta_now}, r.antenna);
-      X_MB = {base.x(), base.y(), theta_now};
-      replace(state, 0, 2, C);
+      X_MB.theta = fitted;
+      C(2, 2) = 2.0 * heading_variance + state.P(2, 2);  // P has what the wheels added during the run
     }
+    const Vector2 base = *r.position - rotate({0.0, 0.0, X_MB.theta}, r.antenna);
+    X_MB.x = base.x();
+    X_MB.y = base.y();
+    replace(state, 0, turned ? 3 : 2, C);
   } else {
     X_MB.theta = wrap_angle(*r.heading - state.x(4));
     C(2, 2) += state.P(4, 4);

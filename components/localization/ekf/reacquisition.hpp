@@ -31,9 +31,9 @@ bool note_rejection(EkfState& state, const Rejection& rejection, const GateOptio
 
 /// Puts the estimate where the rejected run says, and ends the run.
 ///  - Position and heading: both, with the reading's covariance.
-///  - Position only: the way by wheels since the run began, turned and shifted onto its positions; the
-///  heading
-///    is replaced only if the way shows it well (0.25 rad) and disagrees with the estimate by the gate.
+///  - Position only: the reading's position. The heading is that of the way by wheels turned and shifted onto
+///    the run's positions, if they show it well (0.25 rad) and either no other heading was accepted meanwhile
+///    or it disagrees with the estimate by the gate; else the heading stays.
 ///  - Heading only: the heading; the offset state stays.
 void take_over(EkfState& state, const Rejection& rejection, const Eigen::Matrix3d& covariance,
                const GateOptions& options);
