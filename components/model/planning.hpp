@@ -64,7 +64,7 @@ struct Candidate {
 };
 
 /// Velocities [m/s, planning frame] that lead to a contact with one neighbour: between the legs that leave
-/// `apex` in the directions `right` and `left` (unit vectors, less than pi from right to left).
+/// `apex` in the directions `right` and `left` (unit vectors, at most pi from right to left).
 struct VelocityCone {
   Vector2 apex{0.0, 0.0};
   Vector2 right{1.0, 0.0};

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "components/local_planner/dwa/carrot.hpp"
+#include "components/local_planner/carrot.hpp"
 #include "components/local_planner/dwa/stopping_motion.hpp"
 #include "components/local_planner/problem_check.hpp"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "components/local_planner/carrot.hpp"
 #include "components/local_planner/command_limits.hpp"
-#include "components/local_planner/dwa/carrot.hpp"
 #include "components/local_planner/hrvo/hrvo.hpp"
 #include "components/local_planner/problem_check.hpp"
 #include "components/model/differential_drive.hpp"
@@ -98,8 +98,7 @@ PlanningResult HrvoPlanner::plan(const PlanningProblem& problem) {
 
   // The point aimed at is no goal to brake for unless it is the last one.
   const double braking = problem.limits.v_max * problem.limits.v_max / (2.0 * problem.limits.acc_max);
-  const Vector2 aim =
-      dwa::carrot(problem.plan, problem.pose.position(), std::max(options_.lookahead, braking));
+  const Vector2 aim = carrot(problem.plan, problem.pose.position(), std::max(options_.lookahead, braking));
   const Advice advice = best_advice(problem, aim, options_, last_);
   last_ = advice.velocity;
   PlanningResult result;

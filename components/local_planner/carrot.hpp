@@ -5,10 +5,10 @@
 
 #include "components/model/pose2.hpp"
 
-namespace bw::dwa {
+namespace bw {
 
 /// The point `distance` [m] along `plan` from where it is nearest to `robot`; its end if that is nearer, or
 /// when `distance` is 0. `plan` is not empty.
 Vector2 carrot(const std::vector<Pose2>& plan, const Vector2& robot, double distance);
 
-}  // namespace bw::dwa
+}  // namespace bw

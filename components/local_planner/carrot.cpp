@@ -1,9 +1,9 @@
-#include "components/local_planner/dwa/carrot.hpp"
+#include "components/local_planner/carrot.hpp"
 
 #include <algorithm>
 #include <limits>
 
-namespace bw::dwa {
+namespace bw {
 
 Vector2 carrot(const std::vector<Pose2>& plan, const Vector2& robot, double distance) {
   const Vector2 end = plan.back().position();
@@ -31,4 +31,4 @@ Vector2 carrot(const std::vector<Pose2>& plan, const Vector2& robot, double dist
   return end;
 }
 
-}  // namespace bw::dwa
+}  // namespace bw

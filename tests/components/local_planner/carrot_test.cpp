@@ -1,8 +1,8 @@
-#include "components/local_planner/dwa/carrot.hpp"
+#include "components/local_planner/carrot.hpp"
 
 #include <gtest/gtest.h>
 
-namespace bw::dwa {
+namespace bw {
 namespace {
 
 const std::vector<Pose2> kCorner = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}};
@@ -24,4 +24,4 @@ TEST(Carrot, OfDegeneratePlans) {
 }
 
 }  // namespace
-}  // namespace bw::dwa
+}  // namespace bw
