@@ -17,7 +17,10 @@ using JointMatrix = Eigen::Matrix<double, kJoint, kJoint>;
 constexpr double kCoverage = 0.9;         // of a step that the gyro must have seen
 constexpr double kTurnFloor = 1e-9;       // [rad^2/s] that a turn is never known better than
 constexpr double kDistanceFloor = 1e-10;  // [m^2/s] the same
-constexpr double kMostVariance = 1e8;  // beyond, numbers lose their meaning before the estimate regains any
+// Variances beyond these say no more, (1 km)^2 and any heading at all, and leave a correction no digits.
+constexpr double kMostVariances[kStates] = {1e6, 1e6, 10.0, 10.0, 10.0};
+constexpr double kLargeVariance = 1e4;  // from here on axes may become one but for rounding
+constexpr double kLoosening = 1e-9;     // of every variance then, so that P stays positive definite
 
 double seconds(Duration d) { return d.to_seconds(); }
 
@@ -33,11 +36,10 @@ void hold_gyro(GyroSum& gyro, Time from, Time time, double gap) {
 void restart(GyroSum& gyro) { gyro.angle = gyro.angle_variance = gyro.covered = 0.0; }
 
 void limit(StateMatrix& P) {
-  const double largest = P.diagonal().maxCoeff();
-  if (largest <= kMostVariance) return;
+  if (P.topLeftCorner<2, 2>().diagonal().maxCoeff() > kLargeVariance) P.diagonal() *= 1.0 + kLoosening;
   for (int i = 0; i < kStates; ++i) {
-    if (P(i, i) <= kMostVariance) continue;
-    const double scale = std::sqrt(kMostVariance / P(i, i));
+    if (P(i, i) <= kMostVariances[i]) continue;
+    const double scale = std::sqrt(kMostVariances[i] / P(i, i));
     P.row(i) *= scale;
     P.col(i) *= scale;
   }
