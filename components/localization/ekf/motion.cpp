@@ -80,7 +80,10 @@ bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) 
   JointMatrix covariance = JointMatrix::Zero();
   covariance.topLeftCorner<kStates, kStates>() = state.P;
   const double stretch = std::max(part, part * part);  // what is extended is guessed
-  covariance.bottomRightCorner<2, 2>() = step.covariance * stretch;
+  // A step over a nanosecond stretched to half a second has no variance that numbers could hold.
+  const double largest = step.covariance.diagonal().maxCoeff() * stretch;
+  const double held = largest > kMostVariances[0] ? kMostVariances[0] / largest : 1.0;
+  covariance.bottomRightCorner<2, 2>() = step.covariance * (stretch * held);
   covariance(5, 5) += kDistanceFloor * dt;
   covariance(6, 6) += kTurnFloor * dt;
 
