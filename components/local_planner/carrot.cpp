@@ -6,7 +6,7 @@
 namespace bw {
 
 Vector2 carrot(const std::vector<Pose2>& plan, const Vector2& robot, double distance) {
-  const Vector2 end = plan.back().position();
+  Vector2 end = plan.back().position();
   if (distance <= 0.0) return end;
   std::size_t nearest_leg = 0;
   Vector2 at = end;

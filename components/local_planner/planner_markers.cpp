@@ -119,8 +119,11 @@ std::vector<PredictedPosition> shown_predictions(const Mover& mover) {
       shown.push_back(prediction);
   }
   if (!mover.predictions.empty()) return shown;
-  for (double time = kPredictionStep; time <= kPredictionHorizon; time += kPredictionStep)
+  const auto steps = static_cast<int>(kPredictionHorizon / kPredictionStep);
+  for (int step = 1; step <= steps; ++step) {
+    const double time = step * kPredictionStep;
     shown.push_back({.time = time, .position = mover.position_at(time)});
+  }
   return shown;
 }
 

@@ -48,6 +48,7 @@ class CrowdRun {
       work(process_cpu_ms);
     } else {
       std::vector<std::future<void>> workers;
+      workers.reserve(static_cast<std::size_t>(jobs));
       for (int job = 0; job < jobs; ++job)
         workers.push_back(std::async(std::launch::async, [this] { work(thread_cpu_ms); }));
       for (std::future<void>& worker : workers) worker.get();

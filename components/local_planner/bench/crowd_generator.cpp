@@ -109,6 +109,7 @@ Scene generate_crowd_scene(std::uint64_t seed) {
 std::vector<Scene> generate_crowd(int count, std::uint64_t first_seed) {
   if (count < 0) throw std::runtime_error("the number of scenes must not be negative");
   std::vector<Scene> scenes;
+  scenes.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     scenes.push_back(generate_crowd_scene(first_seed + static_cast<std::uint64_t>(i)));
   return scenes;

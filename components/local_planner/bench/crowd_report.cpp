@@ -12,6 +12,7 @@ using Json = nlohmann::ordered_json;
 
 std::vector<double> figures(const std::vector<CrowdEpisode>& episodes, double CrowdEpisode::*figure) {
   std::vector<double> values;
+  values.reserve(episodes.size());
   for (const CrowdEpisode& e : episodes) values.push_back(e.*figure);
   return values;
 }

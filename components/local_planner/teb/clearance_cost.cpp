@@ -24,21 +24,27 @@ struct Near {
 // The nearest terms; equal distances keep their order, so that equal input gives equal output. Static ones
 // that touch the same spot of a surface (the corner of two walls, neighbouring points) count once: together
 // they would outweigh what stands on the other side of a gap.
-void keep_nearest(std::vector<Near>& near, std::size_t count, std::vector<ClearanceTerm>& terms) {
-  std::stable_sort(near.begin(), near.end(),
-                   [](const Near& l, const Near& r) { return l.distance < r.distance; });
-  std::vector<const Near*> kept;
-  for (const Near& n : near) {
+void keep_nearest(const std::vector<Near>& near, std::size_t count, std::vector<const Near*>& order,
+                  std::vector<ClearanceTerm>& terms) {
+  order.clear();
+  for (const Near& n : near) order.push_back(&n);
+  std::sort(order.begin(), order.end(), [](const Near* l, const Near* r) {
+    return l->distance < r->distance || (l->distance == r->distance && l < r);
+  });
+  std::size_t statics = 0;  // of `order`, moved to its front: those kept
+  terms.reserve(std::min(count, near.size()));
+  for (const Near* n : order) {
     if (terms.size() == count) return;
-    if (!n.term.moving) {
-      const bool known = std::any_of(kept.begin(), kept.end(), [&](const Near* other) {
-        return other->term.fraction == n.term.fraction &&
-               (other->spot - n.spot).squaredNorm() < kSameSpot * kSameSpot;
+    if (!n->term.moving) {
+      const auto kept = order.begin() + static_cast<std::ptrdiff_t>(statics);
+      const bool known = std::any_of(order.begin(), kept, [&](const Near* other) {
+        return other->term.fraction == n->term.fraction &&
+               (other->spot - n->spot).squaredNorm() < kSameSpot * kSameSpot;
       });
       if (known) continue;
-      kept.push_back(&n);
+      order[statics++] = n;
     }
-    terms.push_back(n.term);
+    terms.push_back(n->term);
   }
 }
 
@@ -184,6 +190,7 @@ std::vector<PoseTerms> associate(const Band& band, const ObstacleField& field, c
   std::vector<PoseTerms> result(band.size());
   std::vector<Near> at_pose;
   std::vector<Near> along;
+  std::vector<const Near*> order;
   std::vector<const Capsule*> statics;
   double time = 0.0;
   for (std::size_t k = 0; k + 1 < band.size(); time += band.poses[k++].dt) {
@@ -222,8 +229,8 @@ std::vector<PoseTerms> associate(const Band& band, const ObstacleField& field, c
       add(
           *c, false, static_reach, [&](double) { return *c; }, [](double) { return 0.0; }, step.norm());
     }
-    keep_nearest(at_pose, count, result[k].at_pose);
-    keep_nearest(along, count, result[k].along_segment);
+    keep_nearest(at_pose, count, order, result[k].at_pose);
+    keep_nearest(along, count, order, result[k].along_segment);
   }
   return result;
 }
