@@ -22,6 +22,7 @@ constexpr std::array kFirstPhases{0.3, 0.6, 1.0, 1.5};  // [s]
 constexpr std::array kSecondPhases{0.5, 1.0};           // [s]; the third lasts as long as the horizon
 constexpr double kGapWeight = 100.0;  // metres of progress that a metre of gap is worth below enough_gap
 constexpr double kTestTime = 0.06;    // [s] at most between gap tests
+constexpr std::size_t kMostLooks = 2'000'000;  // of all moves; bounds the time of a search
 constexpr double kWorthMoving = 0.2;  // [s] of later contact for which a robot that could stop moves instead
 
 double approach(double now, double target, double speeding_up, double slowing_down, double period) {
@@ -82,7 +83,7 @@ class Search {
   }
 
  private:
-  Motion start() const {
+  Motion start() {
     Motion motion;
     motion.trajectory.reserve(static_cast<std::size_t>(steps_) + 1);
     motion.trajectory.push_back({0.0, problem_.pose, problem_.twist});
@@ -135,19 +136,20 @@ class Search {
     if (motion.contact_time < kInfinity && motion.contact_time > latest_.contact_time) latest_ = motion;
   }
 
-  void test(Motion& motion, const Pose2& pose, std::size_t k) const {
+  void test(Motion& motion, const Pose2& pose, std::size_t k) {
     const TimedGaps::Gap gap = gaps_.at(pose, k);
+    looks_ += gap.looks;
     motion.gap = std::min(motion.gap, gap.all);
     motion.mover_gap = std::min(motion.mover_gap, gap.movers);
     if (gap.all < options_.asked_gap)
       motion.contact_time = std::min(motion.contact_time, static_cast<double>(k) * options_.period / tests_);
   }
 
-  // It met something, or can no longer win.
+  // It met something, can no longer win, or there is no time left to see.
   bool hopeless(const Motion& motion) const {
     if (best_score_ == -kInfinity && latest_.trajectory.empty())
       return false;  // the stop is simulated to its end
-    return motion.contact_time < kInfinity || kGapWeight * motion.gap < best_score_;
+    return motion.contact_time < kInfinity || kGapWeight * motion.gap < best_score_ || looks_ > kMostLooks;
   }
 
   double score(const Motion& motion) const {
@@ -178,6 +180,7 @@ class Search {
   Motion best_;
   Motion latest_;
   double best_score_ = -kInfinity;
+  std::size_t looks_ = 0;
 };
 
 }  // namespace

@@ -64,12 +64,15 @@ std::size_t TimedGaps::cell_of(const Vector2& position) const {
 }
 
 TimedGaps::Gap TimedGaps::at(const Pose2& pose, std::size_t k) const {
-  Gap gap{reach_, reach_};
-  for (const Placed& m : movers_[std::min(k, movers_.size() - 1)]) {
+  const std::vector<Placed>& movers = movers_[std::min(k, movers_.size() - 1)];
+  const std::vector<Core>& statics = statics_[cell_of(pose.position())];
+  const std::size_t edges = std::max<std::size_t>(1, footprint_.polygon.size());
+  Gap gap{reach_, reach_, edges * (movers.size() + statics.size())};
+  for (const Placed& m : movers) {
     gap.movers = std::min(gap.movers, gap_to(pose, footprint_, m.position, m.position, m.radius));
   }
   gap.all = gap.movers;
-  for (const Core& c : statics_[cell_of(pose.position())]) {
+  for (const Core& c : statics) {
     gap.all = std::min(gap.all, gap_to(pose, footprint_, c.a, c.b, c.radius));
   }
   return gap;

@@ -11,8 +11,9 @@ namespace bw {
 class TimedGaps {
  public:
   struct Gap {
-    double all = 0.0;     ///< [m]; at most `reach`
-    double movers = 0.0;  ///< [m] to movers alone; at most `reach`
+    double all = 0.0;       ///< [m]; at most `reach`
+    double movers = 0.0;    ///< [m] to movers alone; at most `reach`
+    std::size_t looks = 0;  ///< pairs of an obstacle and an edge of the footprint looked at
   };
 
   /// For times 0, step, 2 step, ... up to `horizon` [s] and gaps up to `reach` [m]. Keeps a reference to the

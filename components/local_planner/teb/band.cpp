@@ -137,7 +137,8 @@ std::optional<Band> band_turning_first(const std::vector<Pose2>& path, const Pos
   const double turn = wrap_angle(heading - start.theta);
   if (std::abs(turn) < least_turn) return std::nullopt;
   const double duration = std::abs(turn) / limits.omega_max;
-  const int steps = std::max(1, static_cast<int>(std::ceil(duration / options.dt_ref)));
+  const int steps = static_cast<int>(
+      std::clamp(std::ceil(duration / options.dt_ref), 1.0, static_cast<double>(options.max_samples)));
   Band band;
   for (int i = 0; i < steps; ++i) {
     band.poses.push_back(

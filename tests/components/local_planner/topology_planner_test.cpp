@@ -123,6 +123,16 @@ TEST(OtherStarts, AGoalBehindIsReachedWithoutALoop) {
   EXPECT_LT(farthest, 0.7);
 }
 
+TEST(OtherStarts, AVerySlowTurnDoesNotFillTheMemory) {
+  // Half a turn at 1e-6 rad/s takes 36 days: as many poses as a band may have, and no more.
+  PlanningProblem problem;
+  problem.now = Time::seconds(1.0);
+  problem.limits.omega_max = 1e-6;
+  problem.plan = {{0, 0, std::numbers::pi}, {-4, 0, std::numbers::pi}};
+  const PlanningResult result = make_planner("teb", {})->plan(problem);
+  for (const Candidate& c : result.candidates) EXPECT_LE(c.trajectory.size(), 150U);
+}
+
 TEST(OtherStarts, DrivesBackwardOnlyWhereThatIsAllowed) {
   PlanningProblem problem;
   problem.now = Time::seconds(1.0);
