@@ -8,42 +8,12 @@
 
 #include "components/local_planner/footprint_check.hpp"
 #include "components/model/differential_drive.hpp"
+#include "tests/components/local_planner/planner_drive.hpp"
 
 namespace bw::teb {
 namespace {
 
 constexpr double kPeriod = 0.1;
-
-struct Drive {
-  std::vector<Pose2> poses;
-  std::vector<Twist2> twists;
-  std::vector<PlanningStatus> statuses;
-  double smallest_gap = 1e9;
-};
-
-Drive drive(BandPlanner& planner, PlanningProblem problem, int cycles) {
-  Drive result;
-  for (int i = 0; i < cycles; ++i) {
-    const PlanningResult plan = planner.plan(problem);
-    problem.twist = plan.command;
-    problem.pose = advance_exact(problem.pose, plan.command, kPeriod);
-    problem.now = problem.now + Duration::seconds(kPeriod);
-    for (Mover& m : problem.movers) m.position += kPeriod * m.velocity;
-    result.poses.push_back(problem.pose);
-    result.twists.push_back(plan.command);
-    result.statuses.push_back(plan.status);
-    result.smallest_gap = std::min(
-        result.smallest_gap, gap_at(problem.pose, 0.0, problem.footprint, problem.obstacles, problem.movers));
-  }
-  return result;
-}
-
-PlanningProblem problem_to(const Pose2& goal) {
-  PlanningProblem problem;
-  problem.now = Time::seconds(1.0);
-  problem.plan = {{0, 0, 0}, goal};
-  return problem;
-}
 
 void expect_limits_kept(const Drive& result, const Limits& limits) {
   Twist2 last;

@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "components/model/random.hpp"
-#include "tests/components/local_planner/dwa/planner_drive.hpp"
+#include "tests/components/local_planner/planner_drive.hpp"
+#include "tests/components/local_planner/planner_scenes.hpp"
 
 namespace bw::dwa {
 namespace {

@@ -6,7 +6,8 @@
 
 #include "components/local_planner/dwa/dwa_planner.hpp"
 #include "components/model/random.hpp"
-#include "tests/components/local_planner/dwa/planner_drive.hpp"
+#include "tests/components/local_planner/planner_drive.hpp"
+#include "tests/components/local_planner/planner_scenes.hpp"
 
 namespace bw::dwa {
 namespace {

@@ -9,18 +9,12 @@
 #include "components/local_planner/footprint_check.hpp"
 #include "components/model/differential_drive.hpp"
 #include "components/model/random.hpp"
+#include "tests/components/local_planner/planner_drive.hpp"
 
 namespace bw::hrvo {
 namespace {
 
 constexpr double kPeriod = 0.1;
-
-PlanningProblem problem_to(const Pose2& goal) {
-  PlanningProblem problem;
-  problem.now = Time::seconds(1.0);
-  problem.plan = {{0, 0, 0}, goal};
-  return problem;
-}
 
 Mover mover(const Vector2& position, const Vector2& velocity) {
   Mover m;
@@ -29,30 +23,15 @@ Mover mover(const Vector2& position, const Vector2& velocity) {
   return m;
 }
 
-struct Drive {
-  std::vector<Pose2> poses;
-  std::vector<Twist2> twists;
-  double smallest_gap = 1e9;
-};
-
 void advance(PlanningProblem& problem, const Twist2& command) {
   problem.twist = command;
   problem.pose = advance_exact(problem.pose, command, kPeriod);
   problem.now = problem.now + Duration::seconds(kPeriod);
 }
 
-Drive drive(PlanningProblem problem, int cycles) {
+Drive drive(const PlanningProblem& problem, int cycles) {
   HrvoPlanner planner({}, {});
-  Drive result;
-  for (int i = 0; i < cycles; ++i) {
-    advance(problem, planner.plan(problem).command);
-    for (Mover& m : problem.movers) m.position += kPeriod * m.velocity;
-    result.poses.push_back(problem.pose);
-    result.twists.push_back(problem.twist);
-    const double gap = gap_at(problem.pose, 0.0, problem.footprint, problem.obstacles, problem.movers);
-    result.smallest_gap = std::min(result.smallest_gap, gap);
-  }
-  return result;
+  return bw::drive(planner, problem, cycles);
 }
 
 void expect_at(const Drive& result, const Vector2& goal) {

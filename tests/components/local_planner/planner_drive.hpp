@@ -8,7 +8,7 @@
 #include "components/model/differential_drive.hpp"
 #include "components/model/planning.hpp"
 
-namespace bw::dwa {
+namespace bw {
 
 struct Drive {
   std::vector<Pose2> poses;
@@ -48,38 +48,4 @@ inline bool is_at_rest_at(const Pose2& goal, const Drive& drive) {
          std::abs(wrap_angle(end.theta - goal.theta)) <= 0.12 && drive.twists.back() == Twist2{};
 }
 
-/// The scene turned and shifted by `X`.
-inline PlanningProblem moved(PlanningProblem problem, const Pose2& X) {
-  problem.pose = X * problem.pose;
-  for (Pose2& p : problem.plan) p = X * p;
-  for (Vector2& p : problem.obstacles.points) p = X * p;
-  for (Disc& d : problem.obstacles.discs) d.center = X * d.center;
-  for (Segment& s : problem.obstacles.segments) s = {X * s.a, X * s.b};
-  for (Mover& m : problem.movers) {
-    m.position = X * m.position;
-    m.velocity = rotate(X, m.velocity);
-  }
-  return problem;
-}
-
-/// The scene seen in a mirror along the x axis.
-inline PlanningProblem mirrored(PlanningProblem problem) {
-  const auto flip_pose = [](Pose2& p) { p = {p.x, -p.y, -p.theta}; };
-  const auto flip = [](Vector2& p) { p.y() = -p.y(); };
-  flip_pose(problem.pose);
-  problem.twist.omega = -problem.twist.omega;
-  for (Pose2& p : problem.plan) flip_pose(p);
-  for (Vector2& p : problem.obstacles.points) flip(p);
-  for (Disc& d : problem.obstacles.discs) flip(d.center);
-  for (Segment& s : problem.obstacles.segments) {
-    flip(s.a);
-    flip(s.b);
-  }
-  for (Mover& m : problem.movers) {
-    flip(m.position);
-    flip(m.velocity);
-  }
-  return problem;
-}
-
-}  // namespace bw::dwa
+}  // namespace bw
