@@ -66,6 +66,15 @@ struct Checker {
     return check_covariance<2>(m.covariance, limits.variance);
   }
 
+  Verdict operator()(const RangeReading& m) const {
+    if (!std::isfinite(m.range) || !m.anchor.allFinite() || !m.antenna.allFinite())
+      return Verdict::not_finite;
+    const bool plausible =
+        m.range >= 0.0 && m.range <= limits.distance && within(m.anchor) && m.antenna.norm() <= 100.0;
+    if (!plausible) return Verdict::implausible;
+    return check_variance(m.variance, limits.variance);
+  }
+
   Verdict operator()(const HeadingReading& m) const { return check_direction(m.heading, m.variance); }
   Verdict operator()(const CourseReading& m) const { return check_direction(m.course, m.variance); }
 

@@ -57,6 +57,16 @@ struct CourseReading {
   double variance = 1.0;  ///< [rad^2]
 };
 
+/// Distance to a known place, e.g. a radio anchor.
+struct RangeReading {
+  Time time;
+  int source = 0;
+  double range = 0.0;         ///< from the antenna [m]
+  double variance = 1.0;      ///< [m^2]
+  Vector2 anchor{0.0, 0.0};   ///< in M [m]
+  Vector2 antenna{0.0, 0.0};  ///< in B [m]
+};
+
 /// Pose from anything that knows all three, e.g. scan matching or markers.
 struct PoseReading {
   Time time;
@@ -67,8 +77,8 @@ struct PoseReading {
 
 /// The order of the alternatives is the order in which measurements of one stamp are used: the gyro before
 /// the wheel step that it corrects, motion before what is compared with its end.
-using Measurement =
-    std::variant<GyroReading, WheelStep, PoseReading, PositionFix, HeadingReading, CourseReading>;
+using Measurement = std::variant<GyroReading, WheelStep, PoseReading, PositionFix, HeadingReading,
+                                 CourseReading, RangeReading>;
 
 inline Time stamp(const Measurement& m) {
   return std::visit([](const auto& value) { return value.time; }, m);

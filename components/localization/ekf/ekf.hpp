@@ -19,48 +19,30 @@
 #include "components/localization/ekf/health.hpp"
 #include "components/localization/ekf/initial_pose.hpp"
 #include "components/localization/ekf/stamp_watch.hpp"
-#include "components/localization/measurements.hpp"
-#include "components/localization/verdict.hpp"
+#include "components/localization/estimate.hpp"
+#include "components/localization/localizer.hpp"
 
 namespace bw::localization {
 
-struct Outcome {
-  Verdict verdict = Verdict::accepted;
-  double nis = 0.0;  ///< 0 for motion
-  int dof = 0;       ///< 0 for motion
-  int replayed = 0;  ///< measurements computed again because this one was late
-  bool clock_jumped = false;
-};
-
-struct Estimate {
-  Time time;
-  Pose2 X_MB;
-  Twist2 twist;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta)
-  double gyro_bias = 0.0;                                ///< [rad/s]
-  double heading_offset = 0.0;                           ///< what the compass reads too much [rad]
-};
-
-class Ekf {
+class Ekf final : public Localizer {
  public:
   explicit Ekf(const EkfOptions& options);
   Ekf(const Ekf&) = delete;
   Ekf& operator=(const Ekf&) = delete;
 
-  /// A pose given from outside (known start, a person's click). What was learnt about biases is kept.
-  /// False, and nothing happens, unless finite and positive definite.
-  bool start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time);
+  using Localizer::add;
 
-  /// `now` is the time of arrival on the component's clock.
-  Outcome add(const Measurement& measurement, Time now);
+  /// What was learnt about biases is kept.
+  bool start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time) override;
+  Outcome add(const Measurement& measurement, Time now) override;
 
-  bool initialised() const { return initialised_; }
+  bool initialised() const override { return initialised_; }
   /// After all measurements, at the last wheel step. Meaningless before initialised().
   Estimate estimate() const { return estimate_at(ring_.newest().time); }
   /// Extrapolated with the last twist, as far as options.motion.extrapolation.
-  Estimate estimate_at(Time time) const;
+  Estimate estimate_at(Time time) const override;
 
-  Health health(Time now) const;
+  Health health(Time now) const override;
   const EkfState& state() const { return ring_.newest(); }
   /// Measurements by verdict on arrival; a replay may have changed its mind since (SourceHealth has that).
   std::uint64_t count(Verdict verdict) const { return counts_[static_cast<std::size_t>(verdict)]; }

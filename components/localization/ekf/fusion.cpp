@@ -88,6 +88,9 @@ struct Applier {
     source(m.source).gives_position = true;
     return compare(m, observe(m, reach(m.time)), true);
   }
+  FusionResult operator()(const RangeReading& m) const {
+    return compare(m, observe(m, reach(m.time)), false);
+  }
   FusionResult operator()(const PoseReading& m) const {
     source(m.source).gives_position = source(m.source).gives_heading = true;
     return compare(m, observe(m, reach(m.time)), true);
@@ -139,7 +142,7 @@ struct Applier {
     const bool passes = nis >= 0.0 && nis <= thresholds[N] && correct_soundly(z);
     if (!passes) result.verdict = Verdict::gated;
     note_used(source(m.source), m.time, passes, nis, N);
-    if constexpr (!std::is_same_v<M, CourseReading>) {
+    if constexpr (!std::is_same_v<M, CourseReading> && !std::is_same_v<M, RangeReading>) {
       if (!passes && may_take_over && note_rejection(state, as_rejection(m), options.gate)) {
         take_over(state, as_rejection(m), pose_covariance(m), options.gate);
         source(m.source).last_used = m.time;

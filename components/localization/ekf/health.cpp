@@ -5,6 +5,7 @@
 
 #include "components/localization/chi_square.hpp"
 #include "components/localization/ekf/slip.hpp"
+#include "components/localization/estimate.hpp"
 
 namespace bw::localization {
 namespace {
@@ -19,7 +20,7 @@ class Assessment {
   }
 
   void uncertainty() {
-    const Vector2 axes = ellipse_95(state_.P);
+    const Vector2 axes = ellipse_95(state_.P.topLeftCorner<2, 2>());
     health_.two_sigma = 2.0 * axes.x() / std::sqrt(chi_square_quantile(0.95, 2));
     health_.heading_sigma = std::sqrt(std::max(0.0, state_.P(2, 2)));
     const HealthOptions& limits = options_.health;
@@ -94,58 +95,6 @@ class Assessment {
 };
 
 }  // namespace
-
-std::string_view to_string(HealthState state) {
-  switch (state) {
-    case HealthState::init:
-      return "INIT";
-    case HealthState::ok:
-      return "OK";
-    case HealthState::degraded:
-      return "DEGRADED";
-    case HealthState::lost:
-      return "LOST";
-  }
-  return "unknown";
-}
-
-std::string_view to_string(HealthCause cause) {
-  switch (cause) {
-    case HealthCause::no_position:
-      return "waits for positions that agree";
-    case HealthCause::no_heading:
-      return "waits for a compass or a way driven";
-    case HealthCause::uncertain_position:
-      return "position uncertain";
-    case HealthCause::uncertain_heading:
-      return "heading uncertain";
-    case HealthCause::contradicted:
-      return "every position contradicts the estimate";
-    case HealthCause::wheels_silent:
-      return "wheels silent";
-    case HealthCause::source_silent:
-      return "source silent";
-    case HealthCause::source_rejected:
-      return "source rejected";
-    case HealthCause::slipping:
-      return "wheels slip";
-    case HealthCause::gyro_in_doubt:
-      return "gyro and wheels disagree";
-    case HealthCause::estimate_reset:
-      return "estimate reset";
-    case HealthCause::clock_jump:
-      return "clock jumped";
-  }
-  return "unknown";
-}
-
-Vector2 ellipse_95(const StateMatrix& P) {
-  const double mean = (P(0, 0) + P(1, 1)) / 2.0;
-  const double half = (P(0, 0) - P(1, 1)) / 2.0;
-  const double radius = std::hypot(half, P(0, 1));
-  const double scale = chi_square_quantile(0.95, 2);
-  return {std::sqrt(scale * std::max(0.0, mean + radius)), std::sqrt(scale * std::max(0.0, mean - radius))};
-}
 
 Health assess(const EkfState& state, Time now, Time last_clock_jump, const EkfOptions& options) {
   Assessment assessment(state, now, options);

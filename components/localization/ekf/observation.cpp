@@ -33,6 +33,22 @@ Innovation<kStates, 2> observe(const PositionFix& fix, const Extrapolated& at) {
   return z;
 }
 
+Innovation<kStates, 1> observe(const RangeReading& reading, const Extrapolated& at) {
+  const Vector2 arm = rotate(at.X_MB, reading.antenna);
+  const Vector2 from_anchor = at.X_MB.position() + arm - reading.anchor;
+  const double distance = from_anchor.norm();
+  // At the anchor itself a range has no direction: any will do, and none is believed.
+  const Vector2 direction = distance > 1e-6 ? Vector2(from_anchor / distance) : Vector2(0.0, 0.0);
+  Eigen::Matrix<double, 1, 3> by_pose;
+  by_pose << direction.x(), direction.y(), direction.y() * arm.x() - direction.x() * arm.y();
+  Innovation<kStates, 1> z;
+  z.residual(0) = reading.range - distance;
+  z.H.setZero();
+  z.H.leftCols<3>() = by_pose * at.by_pose;
+  z.R(0, 0) = reading.variance + at.position_variance + kVarianceFloor;
+  return z;
+}
+
 Innovation<kStates, 3> observe(const PoseReading& reading, const Extrapolated& at) {
   Innovation<kStates, 3> z;
   z.residual << reading.X_MB.x - at.X_MB.x, reading.X_MB.y - at.X_MB.y,

@@ -10,6 +10,7 @@ namespace bw::localization {
 
 Innovation<kStates, 2> observe(const PositionFix& fix, const Extrapolated& at);
 Innovation<kStates, 3> observe(const PoseReading& reading, const Extrapolated& at);
+Innovation<kStates, 1> observe(const RangeReading& reading, const Extrapolated& at);
 /// Reads theta + heading offset.
 Innovation<kStates, 1> observe(const HeadingReading& reading, const Extrapolated& at, double heading_offset);
 /// Reads theta, or theta + pi while driving backward.
