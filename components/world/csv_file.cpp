@@ -20,11 +20,19 @@ std::string excerpt(std::string_view text) {
   return "'" + shown + (text.size() > 40 ? "...'" : "'");
 }
 
-double to_number(std::string_view text, const std::string& file, std::size_t line) {
+}  // namespace
+
+void fail_at(const std::string& file, std::size_t line, const std::string& what) {
+  throw std::runtime_error(file + ":" + std::to_string(line) + ": " + what);
+}
+
+double to_number(std::string_view text, const std::string& file, std::size_t line, CsvNumbers numbers) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-    fail_at(file, line, excerpt(text) + " is not a finite number");
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  if (!is_number || std::isnan(value) || (std::isinf(value) && numbers == CsvNumbers::finite)) {
+    const char* const rule = numbers == CsvNumbers::finite ? " is not a finite number" : " is not a number";
+    fail_at(file, line, excerpt(text) + rule);
   }
   return value;
 }
@@ -37,13 +45,8 @@ bool next_line(std::istream& input, std::string& text, const std::string& file, 
   return true;
 }
 
-}  // namespace
-
-void fail_at(const std::string& file, std::size_t line, const std::string& what) {
-  throw std::runtime_error(file + ":" + std::to_string(line) + ": " + what);
-}
-
-std::vector<CsvRow> read_csv(std::istream& input, const std::string& file, std::string_view header) {
+std::vector<CsvRow> read_csv(std::istream& input, const std::string& file, std::string_view header,
+                             CsvNumbers numbers) {
   std::string text;
   if (!next_line(input, text, file, 1) || text != header) {
     fail_at(file, 1, "the first line must be '" + std::string(header) + "', found " + excerpt(text));
@@ -57,7 +60,7 @@ std::vector<CsvRow> read_csv(std::istream& input, const std::string& file, std::
     for (bool more = true; more;) {
       const std::size_t comma = rest.find(',');
       more = comma != std::string_view::npos;
-      row.values.push_back(to_number(rest.substr(0, comma), file, line));
+      row.values.push_back(to_number(rest.substr(0, comma), file, line, numbers));
       if (more) rest.remove_prefix(comma + 1);
     }
     if (row.values.size() != columns) {
@@ -70,10 +73,10 @@ std::vector<CsvRow> read_csv(std::istream& input, const std::string& file, std::
   return rows;
 }
 
-std::vector<CsvRow> read_csv(const std::string& file, std::string_view header) {
+std::vector<CsvRow> read_csv(const std::string& file, std::string_view header, CsvNumbers numbers) {
   std::ifstream input(file);
   if (!input) throw std::runtime_error(file + ": cannot be opened");
-  return read_csv(input, file, header);
+  return read_csv(input, file, header, numbers);
 }
 
 }  // namespace bw

@@ -13,12 +13,26 @@ struct CsvRow {
   std::vector<double> values;
 };
 
-/// Reads comma-separated finite numbers under a first line that must be exactly `header`. Windows line ends
-/// are accepted, an empty last line too. Throws std::runtime_error ("file:line: what is wrong") otherwise.
-std::vector<CsvRow> read_csv(std::istream& input, const std::string& file, std::string_view header);
+enum class CsvNumbers {
+  finite,
+  or_infinite  ///< "inf" is a value, such as a range without return; NaN is none
+};
+
+/// Reads comma-separated numbers under a first line that must be exactly `header`. Windows line ends are
+/// accepted, an empty last line too. Throws std::runtime_error ("file:line: what is wrong") otherwise.
+std::vector<CsvRow> read_csv(std::istream& input, const std::string& file, std::string_view header,
+                             CsvNumbers numbers = CsvNumbers::finite);
 
 /// Opens the file; throws std::runtime_error when that fails.
-std::vector<CsvRow> read_csv(const std::string& file, std::string_view header);
+std::vector<CsvRow> read_csv(const std::string& file, std::string_view header,
+                             CsvNumbers numbers = CsvNumbers::finite);
+
+/// One number of a table in another form, with the same complaints.
+double to_number(std::string_view text, const std::string& file, std::size_t line,
+                 CsvNumbers numbers = CsvNumbers::finite);
+
+/// Next line without its line end; false at the end of the file, a complaint when it is far too long.
+bool next_line(std::istream& input, std::string& text, const std::string& file, std::size_t line);
 
 [[noreturn]] void fail_at(const std::string& file, std::size_t line, const std::string& what);
 
