@@ -1,0 +1,24 @@
+// The few beams of a sweep that a pose is compared by, as end points.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "components/localization/laser_reading.hpp"
+
+namespace bw::localization {
+
+/// End points of beams in base_link [m].
+struct BeamEnds {
+  std::vector<float> x;
+  std::vector<float> y;
+
+  std::size_t size() const { return x.size(); }
+};
+
+/// At most one beam out of each of `max_beams` equal parts of the sweep: the one nearest the part's middle
+/// that returned something. No return (+inf, or range_max and more), too near (-inf, or below range_min) and
+/// NaN give no end: where a beam did not end says little, and the map may lack what it should have met.
+BeamEnds beam_ends(const LaserReading& reading, int max_beams);
+
+}  // namespace bw::localization
