@@ -85,14 +85,25 @@ class NavigatorComponent final : public Component {
   }
 
   void step(const Tick& tick) {
-    const GoalParameters& goal = parameters_.goal;
-    if (goal.enabled && !goal_sent_ && (tick.now - activated_).to_seconds() >= goal.delay) {
-      goal_sent_ = true;
-      navigator_->accept({goal.x, goal.y, goal.theta}, situation(tick));
-    }
+    send_own_goal(tick);
     send(tick);
     const bool feedback_is_due = (tick.now - last_feedback_).to_seconds() >= parameters_.feedback_period;
     if (navigator_->has_goal() && feedback_is_due) publish(navigator_->report(situation(tick)), tick);
+  }
+
+  /// The goal of the graph, as soon as it is known where the robot is.
+  void send_own_goal(const Tick& tick) {
+    const GoalParameters& goal = parameters_.goal;
+    const double waited = (tick.now - activated_).to_seconds() - goal.delay;
+    if (!goal.enabled || goal_sent_ || waited < 0.0) return;
+    const Situation now = situation(tick);
+    goal_sent_ = now.X_MB.has_value();
+    if (goal_sent_) navigator_->accept({goal.x, goal.y, goal.theta}, now);
+    constexpr double kPatience = 10.0;  // [s] until a person is told
+    if (!goal_sent_ && !told_ && waited > kPatience) {
+      log_.warn("the goal waits: no pose on odometry/filtered yet");
+      told_ = true;
+    }
   }
 
   void send(const Tick& tick) {
@@ -128,6 +139,7 @@ class NavigatorComponent final : public Component {
   Time activated_;
   Time last_feedback_;
   bool goal_sent_ = false;
+  bool told_ = false;
   Logger log_;
   std::string map_frame_;
   std::shared_ptr<const TransformTree> transforms_;

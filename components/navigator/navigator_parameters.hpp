@@ -20,7 +20,7 @@ struct GoalParameters {
     v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
     v("theta", theta, {.unit = "rad", .min = -3.1416, .max = 3.1416, .doc = "heading in map"});
     v("delay", delay,
-      {.unit = "s", .min = 0, .max = 3600, .doc = "after the start, so that maps and poses are there"});
+      {.unit = "s", .min = 0, .max = 3600, .doc = "after the start, and never before the pose is known"});
   }
 };
 

@@ -1,0 +1,63 @@
+// Adaptor: odometry and sensors in; pose, map->odom, particles and health out. Topics: README.md.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include <std_msgs/msg/empty.hpp>
+#include <tf2_msgs/msg/tf_message.hpp>
+
+#include "components/localization/localization_messages.hpp"
+#include "components/localization/localization_parameters.hpp"
+#include "components/localization/sensor_messages.hpp"
+#include "components/model/robot.hpp"
+#include "runtime/component.hpp"
+#include "runtime/transforms/transform_tree.hpp"
+
+namespace bw::localization {
+
+class LocalizationComponent final : public Component {
+ public:
+  void configure(Setup& setup) override;
+  void activate(const Tick& tick) override;
+
+ private:
+  void listen(Setup& setup);
+  void on_odometry(const nav_msgs::msg::Odometry& message, const Tick& tick);
+  void on_imu(const sensor_msgs::msg::Imu& message, const Tick& tick);
+  void on_fix(const sensor_msgs::msg::NavSatFix& message, const Tick& tick);
+  void on_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message, const Tick& tick);
+  void on_initial_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message, const Tick& tick);
+  void on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick);
+  void start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time);
+  void search(Time time);
+  void publish_pose(const Pose2& X_OB, Time time);
+  void report_health(const Tick& tick);
+  /// X_BS by /tf_static; base_link itself for a sensor that nobody placed, said once.
+  Pose2 mount_of(const std::string& frame);
+
+  LocalizationParameters parameters_;
+  Robot robot_;
+  std::unique_ptr<Localizer> filter_;
+  std::optional<LocalPlane> plane_;
+  std::optional<Pose2> X_OB_;  ///< of the newest odometry
+  Time odometry_time_;
+  HealthState state_ = HealthState::init;
+  std::set<std::string> unplaced_;  ///< frames of sensors whose place is unknown
+
+  std::string map_frame_;
+  std::string odom_frame_;
+  std::string base_frame_;
+  std::shared_ptr<const TransformTree> transforms_;
+  Output<nav_msgs::msg::Odometry> filtered_;
+  Output<tf2_msgs::msg::TFMessage> tf_;
+  Output<geometry_msgs::msg::PoseWithCovarianceStamped> pose_;
+  Output<nav2_msgs::msg::ParticleCloud> cloud_;
+  Output<geometry_msgs::msg::PoseArray> particle_poses_;
+  Logger log_;
+  DiagnosticReporter* diagnostics_ = nullptr;
+};
+
+}  // namespace bw::localization
