@@ -1,0 +1,24 @@
+#include "components/recordings/hold_out.hpp"
+
+#include <utility>
+
+namespace bw {
+
+std::vector<FixSample> hold_out(RecordedDrive& drive, const HoldOutOptions& options) {
+  std::vector<FixSample> given;
+  std::vector<FixSample> held_out;
+  const Duration period = Duration::seconds(options.period);
+  for (std::size_t i = 0; i < drive.fixes.size(); ++i) {
+    const FixSample& fix = drive.fixes[i];
+    const double t = fix.time.to_seconds();
+    bool held = false;
+    if (options.rule == "every_second") held = i % 2 == 1;
+    if (options.rule == "sparse") held = !given.empty() && fix.time - given.back().time < period;
+    if (options.rule == "outage") held = t >= options.from && t <= options.to;
+    (held ? held_out : given).push_back(fix);
+  }
+  drive.fixes = std::move(given);
+  return held_out;
+}
+
+}  // namespace bw

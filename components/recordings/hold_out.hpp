@@ -1,0 +1,33 @@
+// Fixes kept from the filter, to measure it against them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "components/recordings/recorded_drive.hpp"
+#include "runtime/parameters/field.hpp"
+
+namespace bw {
+
+struct HoldOutOptions {
+  std::string rule = "none";
+  double period = 10.0;
+  double from = 150.0;
+  double to = 250.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("rule", rule,
+      {.choices = {"none", "every_second", "sparse", "outage"},
+       .doc =
+           "which fixes are held out: none, every second one, all but one in a period, those of an outage"});
+    v("period", period, {.unit = "s", .min = 0, .max = 1e6, .doc = "sparse: from a fix given to the next"});
+    v("from", from, {.unit = "s", .min = 0, .max = 1e6, .doc = "outage: first second of the log"});
+    v("to", to, {.unit = "s", .min = 0, .max = 1e6, .doc = "outage: last second of the log"});
+  }
+};
+
+/// Takes the fixes held out from the drive and returns them, in their order.
+std::vector<FixSample> hold_out(RecordedDrive& drive, const HoldOutOptions& options);
+
+}  // namespace bw

@@ -1,0 +1,46 @@
+#include "components/recordings/recorded_drive.hpp"
+
+#include <algorithm>
+
+#include "components/model/differential_drive.hpp"
+
+namespace bw {
+
+OdometrySample advance(const OdometrySample& sample, const Twist2& twist, Time time) {
+  return {time, advance_exact(sample.X_OB, twist, (time - sample.time).to_seconds()), twist};
+}
+
+std::optional<ReferencePose> reference_at(const RecordedDrive& drive, Time time, Duration longest) {
+  const auto after =
+      std::lower_bound(drive.truth.begin(), drive.truth.end(), time,
+                       [](const ReferencePose& reference, Time t) { return reference.time < t; });
+  if (after == drive.truth.end()) return std::nullopt;
+  if (after->time == time) return *after;
+  if (after == drive.truth.begin()) return std::nullopt;
+  const ReferencePose& before = *(after - 1);
+  const Duration gap = after->time - before.time;
+  if (gap > longest) return std::nullopt;
+  const double part = (time - before.time).to_seconds() / gap.to_seconds();
+  ReferencePose reference{time, before.position + part * (after->position - before.position), {}};
+  if (before.heading && after->heading)
+    reference.heading = wrap_angle(*before.heading + part * wrap_angle(*after->heading - *before.heading));
+  return reference;
+}
+
+std::vector<RecordedEvent> in_time_order(const RecordedDrive& drive) {
+  std::vector<RecordedEvent> events;
+  const auto add = [&events](const auto& samples) {
+    for (const auto& sample : samples) events.emplace_back(&sample);
+  };
+  add(drive.odometry);
+  add(drive.imu);
+  add(drive.fixes);
+  add(drive.ranges);
+  add(drive.scans);
+  add(drive.truth);
+  std::stable_sort(events.begin(), events.end(),
+                   [](const RecordedEvent& a, const RecordedEvent& b) { return stamp(a) < stamp(b); });
+  return events;
+}
+
+}  // namespace bw

@@ -1,0 +1,93 @@
+// What a robot's log holds, whichever format it came in. Stamps count from the start of the log; lists are
+// sorted by stamp. Frames: B base_link, O odom, M map (x east, y north where there are satellites).
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "components/localization/local_plane.hpp"
+#include "components/model/pose2.hpp"
+#include "components/model/time.hpp"
+
+namespace bw {
+
+struct OdometrySample {
+  Time time;
+  Pose2 X_OB;
+  Twist2 twist;  ///< since the sample before
+};
+
+/// The part of an inertial unit that a robot on a floor can use.
+struct ImuSample {
+  Time time;
+  std::optional<double> heading;    ///< of the base in the unit's own world, counter-clockwise [rad]
+  std::optional<double> turn_rate;  ///< [rad/s]
+  double heading_variance = 0.0;    ///< [rad^2]; 0: not declared
+};
+
+struct FixSample {
+  Time time;
+  localization::Geodetic place;
+  Eigen::Vector3d variance{1.0, 1.0, 1.0};  ///< east, north, up [m^2]
+};
+
+/// Distance to a radio anchor.
+struct RangeSample {
+  Time time;
+  Vector2 anchor{0.0, 0.0};  ///< in M [m]
+  double range = 0.0;        ///< [m]
+  double variance = 1.0;     ///< [m^2]
+};
+
+struct ScanSample {
+  Time time;
+  std::vector<float> ranges;  ///< [m]; +inf: no return
+};
+
+struct ScanGeometry {
+  double angle_min = 0.0;        ///< of the first beam, in the scanner's frame [rad]
+  double angle_increment = 0.0;  ///< [rad]
+  double range_min = 0.0;        ///< [m]
+  double range_max = 0.0;        ///< [m]
+  double period = 0.1;           ///< from sweep to sweep [s]
+};
+
+/// Where the robot was by an independent measurement.
+struct ReferencePose {
+  Time time;
+  Vector2 position{0.0, 0.0};     ///< in M [m]
+  std::optional<double> heading;  ///< [rad]
+};
+
+struct RecordedDrive {
+  std::vector<OdometrySample> odometry;
+  std::vector<ImuSample> imu;
+  std::vector<FixSample> fixes;
+  std::vector<RangeSample> ranges;
+  std::vector<ScanSample> scans;
+  ScanGeometry scan_geometry;
+  std::vector<ReferencePose> truth;
+  localization::Geodetic datum;   ///< origin of M; without meaning where there are no fixes
+  double wheel_separation = 0.0;  ///< [m]
+  double wheel_variance = 0.0;    ///< declared for the speed of a wheel [m^2/s^2]; 0: not declared
+};
+
+/// Continues an odometry along the arc of `twist` until `time`.
+OdometrySample advance(const OdometrySample& sample, const Twist2& twist, Time time);
+
+/// Reference at a stamp by interpolation; nothing outside of the reference or in a gap longer than `longest`.
+std::optional<ReferencePose> reference_at(const RecordedDrive& drive, Time time, Duration longest);
+
+/// One entry of a drive, which must outlive it.
+using RecordedEvent = std::variant<const OdometrySample*, const ImuSample*, const FixSample*,
+                                   const RangeSample*, const ScanSample*, const ReferencePose*>;
+
+inline Time stamp(const RecordedEvent& event) {
+  return std::visit([](const auto* sample) { return sample->time; }, event);
+}
+
+/// All entries by stamp; those of one stamp in the order of the alternatives.
+std::vector<RecordedEvent> in_time_order(const RecordedDrive& drive);
+
+}  // namespace bw
