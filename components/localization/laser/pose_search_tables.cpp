@@ -1,0 +1,160 @@
+#include "components/localization/laser/pose_search_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "components/localization/particle_filter/vector_clones.hpp"
+
+namespace bw::localization {
+namespace {
+
+using Plane = std::vector<std::uint8_t>;
+
+// Largest level whose squares are not wider than `step`.
+int level_of(double step, double resolution) {
+  int level = 0;
+  while (level < 8 && resolution * (2 << level) <= step * 1.0001) ++level;
+  return level;
+}
+
+// Maxima over squares of twice the edge from those over squares of `edge` cells.
+Plane doubled(const Plane& from, std::int32_t width, std::int32_t height, std::int32_t edge) {
+  Plane to(from.size());
+  const auto at = [&](std::int32_t x, std::int32_t y) {
+    return from[static_cast<std::size_t>(std::min(y, height - 1)) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(std::min(x, width - 1))];
+  };
+  std::size_t i = 0;
+  for (std::int32_t y = 0; y < height; ++y) {
+    for (std::int32_t x = 0; x < width; ++x) {
+      to[i++] =
+          std::max(std::max(at(x, y), at(x + edge, y)), std::max(at(x, y + edge), at(x + edge, y + edge)));
+    }
+  }
+  return to;
+}
+
+BW_VECTOR_CLONES
+void add_row(const std::int16_t* from, std::int32_t count, std::int16_t* to) {
+  for (std::int32_t i = 0; i < count; ++i) to[i] = static_cast<std::int16_t>(to[i] + from[i]);
+}
+
+std::int32_t floor_divide(std::int32_t a, std::int32_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+
+}  // namespace
+
+PoseSearchTables::PoseSearchTables(const LikelihoodField& field, double step, double clearance)
+    : resolution_(field.resolution()), finest_(level_of(step, field.resolution())) {
+  // A square that starts left of the table may reach into it: with this border none does.
+  border_ = 2 << coarsest();
+  width_ = field.width() + border_;
+  height_ = field.height() + border_;
+  origin_ = field.origin() - Vector2::Constant(border_ * resolution_);
+  blocks_x_ = ((width_ - 1) >> coarsest()) + 1;
+  blocks_y_ = ((height_ - 1) >> coarsest()) + 1;
+  build_levels(field);
+  build_free(field, clearance);
+  build_phases();
+}
+
+void PoseSearchTables::build_levels(const LikelihoodField& field) {
+  const LikelihoodFieldOptions& o = field.options();
+  const double far = std::log(o.z_rand / o.laser_max_range);
+  const double scale = 255.0 / (std::log(o.z_hit + o.z_rand / o.laser_max_range) - far);
+  const auto value = [&](double log_p) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(scale * (log_p - far), 0.0, 255.0)));
+  };
+  const std::uint8_t outside = value(std::log(1.0 / o.laser_max_range));
+  outside_ = outside;
+  const auto width = static_cast<std::size_t>(width_);
+  levels_.resize(static_cast<std::size_t>(coarsest()) + 1);
+  Plane plane(width * static_cast<std::size_t>(height_), outside);
+  for (int row = 0; row < field.height(); ++row) {
+    for (int column = 0; column < field.width(); ++column) {
+      const auto from = static_cast<std::size_t>(row) * static_cast<std::size_t>(field.width()) +
+                        static_cast<std::size_t>(column);
+      const auto to =
+          static_cast<std::size_t>(row + border_) * width + static_cast<std::size_t>(column + border_);
+      plane[to] = value(static_cast<double>(field.log_table()[from]));
+    }
+  }
+  levels_[0] = plane;
+  for (int level = 1; level <= coarsest(); ++level) {
+    plane = doubled(plane, width_, height_, 1 << (level - 1));
+    if (level >= finest_) levels_[static_cast<std::size_t>(level)] = plane;
+  }
+}
+
+void PoseSearchTables::build_free(const LikelihoodField& field, double clearance) {
+  const auto stride = static_cast<std::size_t>(width_) + 1;
+  free_before_.assign(stride * (static_cast<std::size_t>(height_) + 1), 0);
+  for (std::int32_t y = 0; y < height_; ++y) {
+    for (std::int32_t x = 0; x < width_; ++x) {
+      const Vector2 p = center(x, y);
+      const double d = field.distance(p.x(), p.y());
+      const bool is_free = field.known(p.x(), p.y()) && d > 0.0 && d >= clearance;
+      const std::size_t i = (static_cast<std::size_t>(y) + 1) * stride + static_cast<std::size_t>(x) + 1;
+      free_before_[i] =
+          free_before_[i - 1] + free_before_[i - stride] - free_before_[i - stride - 1] + (is_free ? 1 : 0);
+    }
+  }
+}
+
+bool PoseSearchTables::free(int level, std::int32_t x, std::int32_t y) const {
+  const auto corner = [&](std::int32_t column, std::int32_t row) {
+    return free_before_[static_cast<std::size_t>(std::clamp(row, 0, height_)) *
+                            (static_cast<std::size_t>(width_) + 1) +
+                        static_cast<std::size_t>(std::clamp(column, 0, width_))];
+  };
+  const std::int32_t edge = 1 << level;
+  return corner(x + edge, y + edge) - corner(x, y + edge) - corner(x + edge, y) + corner(x, y) > 0;
+}
+
+void PoseSearchTables::build_phases() {
+  // An end is rounded down to a multiple of stride_: the square it may reach is that much wider.
+  stride_ = 1 << (coarsest() - 2);
+  phase_width_ = (width_ - 1) / (4 * stride_) + 1;
+  phase_height_ = (height_ - 1) / stride_ + 1;
+  phases_.resize(4 * static_cast<std::size_t>(phase_width_) * static_cast<std::size_t>(phase_height_));
+  std::size_t i = 0;
+  const std::int32_t last = stride_ - 1;
+  for (std::int32_t phase = 0; phase < 4; ++phase) {
+    for (std::int32_t row = 0; row < phase_height_; ++row) {
+      for (std::int32_t column = 0; column < phase_width_; ++column) {
+        const std::int32_t x = (4 * column + phase) * stride_;
+        const std::int32_t y = row * stride_;
+        const std::int32_t value =
+            std::max(std::max(at(coarsest(), x, y), at(coarsest(), x + last, y)),
+                     std::max(at(coarsest(), x, y + last), at(coarsest(), x + last, y + last)));
+        phases_[i++] = static_cast<std::int16_t>(value - outside_);
+      }
+    }
+  }
+}
+
+void PoseSearchTables::add_bounds(std::int32_t x, std::int32_t y, std::vector<std::int16_t>& bounds) const {
+  const std::int32_t k = floor_divide(x, stride_);
+  const std::int32_t shift = floor_divide(k, 4);
+  const std::int32_t phase = k - 4 * shift;
+  const std::int32_t row_shift = floor_divide(y, stride_);
+  const std::int32_t first = std::max(0, -shift);
+  const std::int32_t last = std::min(blocks_x_, phase_width_ - shift);
+  for (std::int32_t j = 0; j < blocks_y_; ++j) {
+    std::int16_t* to = bounds.data() + static_cast<std::ptrdiff_t>(j) * blocks_x_;
+    const std::int32_t row = 4 * j + row_shift;
+    if (row >= 0 && row < phase_height_ && first < last) {
+      const std::ptrdiff_t plane = static_cast<std::ptrdiff_t>(phase) * phase_height_ + row;
+      add_row(phases_.data() + plane * phase_width_ + first + shift, last - first, to + first);
+    }
+  }
+}
+
+std::int32_t PoseSearchTables::column_of(double x) const {
+  return static_cast<std::int32_t>(std::floor((x - origin_.x()) / resolution_));
+}
+std::int32_t PoseSearchTables::row_of(double y) const {
+  return static_cast<std::int32_t>(std::floor((y - origin_.y()) / resolution_));
+}
+
+}  // namespace bw::localization
