@@ -18,14 +18,14 @@ struct SinCos {
   constexpr float kFirst = 1.5703125F;
   constexpr float kSecond = 4.83751296997e-4F;
   constexpr float kThird = 7.54978995489e-8F;
-  constexpr float kRounder = 12582912.0F;  // 1.5 * 2^23: adding it drops the fraction
-  const float quarters = (angle * 0.636619772F + kRounder) - kRounder;
+  const float exact = angle * 0.636619772F;
+  const auto turn = static_cast<std::int32_t>(exact + (exact < 0.0F ? -0.5F : 0.5F));
+  const auto quarters = static_cast<float>(turn);
   const float r = ((angle - quarters * kFirst) - quarters * kSecond) - quarters * kThird;
   const float q = r * r;
   // Taylor series; the first term left out is below 4e-8 for |r| <= pi/4.
   const float s = r + r * q * (-1.0F / 6 + q * (1.0F / 120 + q * (-1.0F / 5040 + q * (1.0F / 362880))));
   const float c = 1.0F + q * (-0.5F + q * (1.0F / 24 + q * (-1.0F / 720 + q * (1.0F / 40320))));
-  const auto turn = static_cast<std::int32_t>(quarters);
   const bool swapped = (turn & 1) != 0;
   const float sine = swapped ? c : s;
   const float cosine = swapped ? s : c;
@@ -46,7 +46,7 @@ struct SinCos {
 
 /// exp of a value <= 0, relative error below 1e-6; 0 below -87.
 [[gnu::always_inline]] inline float fast_exp(float value) {
-  constexpr float kRounder = 12582912.0F;
+  constexpr float kRounder = 12582912.0F;  // 1.5 * 2^23: adding it drops the fraction
   const float x = value < -87.0F ? -87.0F : value;
   const float halvings = (x * std::numbers::log2e_v<float> + kRounder) - kRounder;
   const float r = (x - halvings * 0.693359375F) + halvings * 2.12194440e-4F;  // ln 2 in two parts

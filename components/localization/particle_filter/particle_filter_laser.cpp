@@ -1,0 +1,113 @@
+// The laser's part of the particle filter.
+#include <algorithm>
+#include <cmath>
+
+#include "components/localization/laser/laser_model.hpp"
+#include "components/localization/particle_filter/particle_filter.hpp"
+
+namespace bw::localization {
+namespace {
+
+constexpr std::size_t kLaserKind = 100;  // no Measurement has this index
+
+Verdict check(const LaserReading& r) {
+  if (r.source < 0 || r.source >= kMaxSources) return Verdict::bad_source;
+  const bool finite = std::isfinite(r.angle_min) && std::isfinite(r.angle_increment) &&
+                      std::isfinite(r.range_min) && std::isfinite(r.range_max) && is_finite(r.X_BL);
+  if (!finite) return Verdict::not_finite;
+  const bool plausible = std::abs(r.angle_min) <= 10.0 && r.X_BL.position().norm() <= 100.0 &&
+                         r.range_min >= 0.0 && r.range_max > r.range_min && r.range_max <= 1e4;
+  return plausible ? Verdict::accepted : Verdict::implausible;
+}
+
+// The same ends from where the base is now.
+BeamEnds seen_from(const Pose2& X_BS, const BeamEnds& ends) {
+  BeamEnds moved = ends;
+  const auto c = static_cast<float>(std::cos(X_BS.theta));
+  const auto s = static_cast<float>(std::sin(X_BS.theta));
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    moved.x[i] = static_cast<float>(X_BS.x) + c * ends.x[i] - s * ends.y[i];
+    moved.y[i] = static_cast<float>(X_BS.y) + s * ends.x[i] + c * ends.y[i];
+  }
+  return moved;
+}
+
+}  // namespace
+
+void ParticleFilter::set_map(const OccupancyGrid& map) {
+  field_.emplace(map, options_.field);
+  free_cells_.clear();
+  cell_ = map.resolution;
+  for (int row = 0; row < map.height; ++row) {
+    for (int column = 0; column < map.width; ++column) {
+      const int value = map.at(column, row);
+      if (value >= 0 && value < options_.field.occupied_at) free_cells_.push_back(map.center(column, row));
+    }
+  }
+  use_next_sweep_ = true;
+}
+
+bool ParticleFilter::start_anywhere(Time time) {
+  if (free_cells_.empty()) return false;
+  particles_.resize(static_cast<std::size_t>(options_.count.max_particles));
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    const double place = random_.uniform() * static_cast<double>(free_cells_.size());
+    const Vector2& cell = free_cells_[std::min(static_cast<std::size_t>(place), free_cells_.size() - 1)];
+    particles_.x[i] = cell.x() + cell_ * (random_.uniform() - 0.5);
+    particles_.y[i] = cell.y() + cell_ * (random_.uniform() - 0.5);
+    particles_.theta[i] = random_.uniform(-std::numbers::pi, std::numbers::pi);
+  }
+  everywhere_ = true;
+  begin(time);
+  return true;
+}
+
+Outcome ParticleFilter::add(const LaserReading& reading, Time now) {
+  const bool jumped = look_at_clock(now);
+  Outcome outcome{check(reading)};
+  if (outcome.verdict == Verdict::accepted) {
+    SourceWatch& watch = source_watch(reading.source);
+    if (!watch.is_kind(kLaserKind)) {
+      outcome.verdict = Verdict::bad_source;
+    } else if (stamps_.in_future(reading.time, now)) {
+      outcome.verdict = Verdict::future;
+    } else if (!initialised_) {
+      laser_heard_ = true;
+      outcome.verdict = Verdict::unusable;
+    } else if (reading.time < track_.oldest()) {
+      outcome.verdict = Verdict::too_old;
+    } else if (watch.is_duplicate(reading.time)) {
+      outcome.verdict = Verdict::duplicate;
+    } else {
+      laser_heard_ = true;
+      watch.note_seen(reading.time);
+      outcome = use(reading);
+    }
+  }
+  outcome.clock_jumped = jumped;
+  return noted(outcome);
+}
+
+Outcome ParticleFilter::use(const LaserReading& reading) {
+  if (!field_) return {Verdict::unusable};
+  track_.bridge_silence(reading.time);
+  const Pose2 X_OS = track_.at(reading.time);
+  const Pose2 moved = inverse(X_OB_last_sweep_) * X_OS;
+  const LaserUseOptions& laser = options_.laser;
+  const bool far =
+      moved.position().norm() >= laser.update_min_d || std::abs(moved.theta) >= laser.update_min_a;
+  if (!far && !use_next_sweep_) return {Verdict::unusable};
+  ends_ = beam_ends(reading, laser.max_beams);
+  if (ends_.size() == 0) return {Verdict::unusable};
+  follow();
+  ends_ = seen_from(inverse(X_OB_) * X_OS, ends_);
+  log_weight_.assign(particles_.size(), 0.0);
+  add_log_weights(*field_, ends_, particles_, log_weight_);
+  weigh(reading.time);
+  X_OB_last_sweep_ = X_OS;
+  use_next_sweep_ = false;
+  source_watch(reading.source).note_compared(reading.time, true, 0.0, 0);
+  return {};
+}
+
+}  // namespace bw::localization
