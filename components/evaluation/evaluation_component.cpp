@@ -10,6 +10,7 @@
 #include <bandwagon_msgs/msg/navigation_status.hpp>
 #include <bandwagon_msgs/msg/score_card.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
+#include <nav_msgs/msg/odometry.hpp>
 
 #include "components/evaluation/run_recorder.hpp"
 #include "components/evaluation/score_keeper.hpp"
@@ -53,6 +54,9 @@ class EvaluationComponent final : public Component {
     card_ = setup.output<bandwagon_msgs::msg::ScoreCard>("score_card");
     setup.input<bandwagon_msgs::msg::GroundTruth>(
         "sim/ground_truth", Qos::standard(), [this](const auto& message, const Tick&) { on_truth(message); });
+    setup.input<nav_msgs::msg::Odometry>(
+        "odometry/filtered", Qos::standard(50),
+        [this](const auto& message, const Tick&) { on_pose(message); }, Need::optional);
     setup.input<NavigationStatus>(
         "navigation_status", Qos::standard(),
         [this](const auto& message, const Tick& tick) { on_status(message, tick); });
@@ -74,7 +78,13 @@ class EvaluationComponent final : public Component {
     if (!keeper_->running()) return;
     const TruthSample sample = to_truth(message);
     keeper_->add(sample);
+    errors_.set_truth(sample);
     recorder_->add(sample);
+  }
+
+  void on_pose(const nav_msgs::msg::Odometry& message) {
+    if (keeper_->running())
+      errors_.add(from_stamp(message.header().stamp()), from_pose(message.pose().pose()));
   }
 
   void on_status(const NavigationStatus& message, const Tick& tick) {
@@ -84,6 +94,7 @@ class EvaluationComponent final : public Component {
       goal_id_ = message.goal_id();
       const Vector2 goal = from_pose(message.goal().pose()).position();
       keeper_->start(tick.now, goal);
+      errors_ = {};
       recorder_->start(tick.now, goal);
     }
     if (!is_final || message.goal_id() != goal_id_ || !keeper_->running()) return;
@@ -101,7 +112,7 @@ class EvaluationComponent final : public Component {
   }
 
   void publish(const Tick& tick) {
-    card_.publish(to_message(keeper_->card(), make_header(map_frame_, tick.now)));
+    card_.publish(to_message(keeper_->card(), errors_, make_header(map_frame_, tick.now)));
   }
 
   void draw() {
@@ -117,6 +128,7 @@ class EvaluationComponent final : public Component {
   EvaluationParameters parameters_;
   std::filesystem::path svg_path_;
   std::optional<ScoreKeeper> keeper_;
+  PoseErrors errors_;
   std::optional<RunRecorder> recorder_;
   std::uint64_t goal_id_ = 0;
   Logger log_;

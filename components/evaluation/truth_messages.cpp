@@ -41,7 +41,8 @@ std::optional<OccupancyGrid> to_grid(const nav_msgs::msg::OccupancyGrid& message
   return grid;
 }
 
-bandwagon_msgs::msg::ScoreCard to_message(const ScoreCard& card, const std_msgs::msg::Header& header) {
+bandwagon_msgs::msg::ScoreCard to_message(const ScoreCard& card, const PoseErrors& errors,
+                                          const std_msgs::msg::Header& header) {
   bandwagon_msgs::msg::ScoreCard message;
   message.header(header);
   message.finished(card.finished);
@@ -60,6 +61,9 @@ bandwagon_msgs::msg::ScoreCard to_message(const ScoreCard& card, const std_msgs:
   message.share_ci_above_0_14(card.share_ci_above_0_14);
   message.mean_speed_mps(card.mean_speed);
   message.rms_jerk_mps3(card.rms_jerk);
+  message.localization_rms_m(errors.rms_position());
+  message.localization_max_m(errors.max_position());
+  message.localization_rms_rad(errors.rms_heading());
   return message;
 }
 

@@ -7,6 +7,7 @@
 #include <bandwagon_msgs/msg/score_card.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 
+#include "components/evaluation/pose_errors.hpp"
 #include "components/evaluation/score_keeper.hpp"
 #include "components/evaluation/truth_sample.hpp"
 #include "components/model/occupancy_grid.hpp"
@@ -16,6 +17,7 @@ namespace bw {
 TruthSample to_truth(const bandwagon_msgs::msg::GroundTruth& message);
 /// Nothing when sizes and cells disagree or the resolution is no length.
 std::optional<OccupancyGrid> to_grid(const nav_msgs::msg::OccupancyGrid& message);
-bandwagon_msgs::msg::ScoreCard to_message(const ScoreCard& card, const std_msgs::msg::Header& header);
+bandwagon_msgs::msg::ScoreCard to_message(const ScoreCard& card, const PoseErrors& errors,
+                                          const std_msgs::msg::Header& header);
 
 }  // namespace bw

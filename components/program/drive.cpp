@@ -61,7 +61,7 @@ class InterruptWatch {
 
 const ComponentNode* find_type(const Graph& graph, const std::string& type, const std::string& process) {
   for (const ComponentNode& node : graph.components) {
-    if (node.type == type && (process.empty() || node.process == process)) return &node;
+    if (node.enabled && node.type == type && (process.empty() || node.process == process)) return &node;
   }
   return nullptr;
 }

@@ -72,6 +72,9 @@ nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card
     json["share_ci_above_0_14"] = number(card->share_ci_above_0_14());
     json["mean_speed_mps"] = number(card->mean_speed_mps());
     json["rms_jerk_mps3"] = number(card->rms_jerk_mps3());
+    json["localization"] = {{"rms_m", number(card->localization_rms_m())},
+                            {"max_m", number(card->localization_max_m())},
+                            {"rms_rad", number(card->localization_rms_rad())}};
   }
   json["planner"] = planner_json(facts, statistics);
   json["realtime_factor"] = number(facts.realtime_factor);
@@ -96,6 +99,11 @@ std::string in_words(const nlohmann::json& card) {
   text += fmt::format("Mean speed {:.2f} m/s, RMS jerk {:.2f} m/s^3.\n",
                       card["mean_speed_mps"].is_number() ? card["mean_speed_mps"].get<double>() : 0.0,
                       card["rms_jerk_mps3"].is_number() ? card["rms_jerk_mps3"].get<double>() : 0.0);
+  if (const auto& pose = card["localization"]; pose.is_object() && pose["rms_m"].is_number()) {
+    text +=
+        fmt::format("Localization off by {:.3f} m and {:.4f} rad rms, {:.3f} m at most.\n",
+                    pose["rms_m"].get<double>(), pose["rms_rad"].get<double>(), pose["max_m"].get<double>());
+  }
   if (const auto& planner = card["planner"]; planner.is_object()) {
     text +=
         fmt::format("Planner {}: {} cycles, CPU median {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms.\n",

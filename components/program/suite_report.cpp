@@ -44,13 +44,14 @@ nlohmann::json smallest(const std::vector<double>& values) {
   return *std::min_element(values.begin(), values.end());
 }
 
-/// Of the planner's own times; none where a card has no planner.
-std::vector<double> planner_figures(const std::vector<const EpisodeResult*>& drives, const char* key) {
+/// Of a part of the card, such as the planner's own times; none where a card has no such part.
+std::vector<double> part_figures(const std::vector<const EpisodeResult*>& drives, const char* part,
+                                 const char* key) {
   std::vector<double> values;
   for (const EpisodeResult* drive : drives) {
-    const auto planner = drive->card.find("planner");
-    if (planner == drive->card.end() || !planner->is_object()) continue;
-    if (const std::optional<double> value = figure(*planner, key)) values.push_back(*value);
+    const auto found = drive->card.find(part);
+    if (found == drive->card.end() || !found->is_object()) continue;
+    if (const std::optional<double> value = figure(*found, key)) values.push_back(*value);
   }
   return values;
 }
@@ -93,10 +94,13 @@ nlohmann::json summary(const std::vector<const EpisodeResult*>& drives) {
           {"max_collision_index", {{"max", largest(index)}, {"median", quantile(index, 0.5)}}},
           {"mean_time_s", mean(figures(reached, "time_to_goal_s"))},
           {"mean_rms_jerk_mps3", mean(figures(drives, "rms_jerk_mps3"))},
+          {"localization",
+           {{"mean_rms_m", mean(part_figures(drives, "localization", "rms_m"))},
+            {"max_m", largest(part_figures(drives, "localization", "max_m"))}}},
           {"planner_ms",
-           {{"mean", mean(planner_figures(drives, "mean_ms"))},
-            {"p95", largest(planner_figures(drives, "p95_ms"))},
-            {"max", largest(planner_figures(drives, "max_ms"))}}}};
+           {{"mean", mean(part_figures(drives, "planner", "mean_ms"))},
+            {"p95", largest(part_figures(drives, "planner", "p95_ms"))},
+            {"max", largest(part_figures(drives, "planner", "max_ms"))}}}};
 }
 
 std::string text(const nlohmann::json& value, int digits) {
@@ -134,9 +138,9 @@ std::string in_words(const std::vector<SuiteResult>& results) {
     }
   }
   constexpr auto kRow =
-      "{:<11} {:<13} {:>9} {:>11} {:>8} {:>8} {:>8} {:>6} {:>6} {:>7} {:>5} {:>7} {:>7} {:>7}\n";
+      "{:<11} {:<13} {:>9} {:>11} {:>8} {:>8} {:>8} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6} {:>7} {:>7} {:>7}\n";
   out += fmt::format(kRow, "suite", "planner", "success", "Wilson 95 %", "contacts", "at speed", "person m",
-                     "CI max", "median", "time s", "jerk", "ms mean", "p95", "max");
+                     "CI max", "median", "time s", "jerk", "pose m", "max", "ms mean", "p95", "max");
   for (const SuiteResult& result : results) {
     for (const auto& [planner, drives] : by_planner(result)) {
       const nlohmann::json row = summary(drives);
@@ -146,7 +150,8 @@ std::string in_words(const std::vector<SuiteResult>& results) {
                          row["contacts"].get<int>(), row["contacts_at_speed"].get<int>(),
                          text(row["closest_person_m"], 2), text(row["max_collision_index"]["max"], 2),
                          text(row["max_collision_index"]["median"], 2), text(row["mean_time_s"], 1),
-                         text(row["mean_rms_jerk_mps3"], 2), text(row["planner_ms"]["mean"], 2),
+                         text(row["mean_rms_jerk_mps3"], 2), text(row["localization"]["mean_rms_m"], 3),
+                         text(row["localization"]["max_m"], 2), text(row["planner_ms"]["mean"], 2),
                          text(row["planner_ms"]["p95"], 2), text(row["planner_ms"]["max"], 2));
     }
   }

@@ -28,7 +28,7 @@ struct SuiteResult {
 
 /// {suite, summary: {planner: {episodes, reached, successes, wilson95, contacts, contacts_at_speed,
 /// min_distance_m, closest_person_m, max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3,
-/// planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner, success, ... score card}]}. Times and
+/// localization: {mean_rms_m, max_m}, planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner, success, ... score card}]}. Times and
 /// jerk are means over reached goals and over all drives; p95 of the planner's time is that of the worst
 /// drive.
 nlohmann::json to_json(const SuiteResult& result);

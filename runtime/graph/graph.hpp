@@ -12,6 +12,7 @@
 //       type: local_planner         # default: the name
 //       process: planning           # default: main
 //       lane: planner               # default: main
+//       enabled: true               # false: left out; --set local_planner.enabled=true brings it back
 //       latency: 20ms
 //       namespace: robot1           # below the graph's, unless absolute
 //       parameters: {...}           # or a file
@@ -50,6 +51,7 @@ struct ComponentNode {
   std::string type;
   std::string process = "main";
   std::string lane = "main";
+  bool enabled = true;               ///< hosts leave out what is not
   Duration latency;                  ///< computing time in lock-step, at least 0
   std::string node_namespace = "/";  ///< absolute
   ConfigNode parameters;             ///< a map or nothing, overrides applied
@@ -82,8 +84,8 @@ struct Graph {
   std::vector<std::string> processes() const;
 };
 
-/// Overrides are `component.param=value` or `section.param=value`. Throws ConfigError with all violations
-/// that were found.
+/// Overrides are `component.param=value`, `component.enabled=true|false` or `section.param=value`. Throws
+/// ConfigError with all violations that were found.
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 /// One more override of a graph that is loaded. Throws ConfigError.

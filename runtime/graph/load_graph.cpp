@@ -147,6 +147,7 @@ class GraphReader {
     read_text(reader, map, "type", node.type, label_rule);
     read_text(reader, map, "process", node.process, label_rule);
     read_text(reader, map, "lane", node.lane, label_rule);
+    reader("enabled", node.enabled);
     node.latency = read_duration(reader, "latency", Duration{}, kMaxLatency).value_or(Duration{});
     std::string inner;
     read_text(reader, map, "namespace", inner, namespace_rule);
@@ -214,6 +215,17 @@ class GraphReader {
   std::vector<Violation> violations_;
 };
 
+/// Switches a component on or off; false when the override means something else.
+bool switch_component(Graph& graph, const Override& change) {
+  if (change.path.size() != 2 || change.path.back() != "enabled") return false;
+  const auto node = std::ranges::find(graph.components, change.path.front(), &ComponentNode::name);
+  if (node == graph.components.end()) return false;
+  std::vector<Violation> violations;
+  detail::read_bool(change.value, change.key(), node->enabled, violations);
+  throw_if_any(std::move(violations));
+  return true;
+}
+
 /// The parameters that the first part of an override names.
 ConfigNode& section_of(Graph& graph, const Override& change) {
   const std::string& name = change.path.front();
@@ -236,7 +248,7 @@ ConfigNode& section_of(Graph& graph, const Override& change) {
 }  // namespace
 
 void apply_override(Graph& graph, const Override& change) {
-  apply_override(section_of(graph, change), change, 1);
+  if (!switch_component(graph, change)) apply_override(section_of(graph, change), change, 1);
 }
 
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides) {

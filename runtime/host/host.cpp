@@ -79,6 +79,7 @@ dds::EndpointOptions endpoint_options(const std::string& topic, const MessageTyp
 
 Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
     : graph_(std::move(graph)), options_(std::move(options)) {
+  std::erase_if(graph_.components, [](const ComponentNode& node) { return !node.enabled; });
   const std::vector<std::string> processes = graph_.processes();
   const std::string& only = options_.only_process;
   if (!only.empty() && std::ranges::find(processes, only) == processes.end()) {

@@ -100,6 +100,7 @@ EpisodeResult drive(const std::string& name, bool reached, int contacts, int at_
            {"max_collision_index", index},
            {"time_to_goal_s", reached ? 10.0 * contacts : 99.0},
            {"rms_jerk_mps3", index},
+           {"localization", {{"rms_m", index / 10.0}, {"max_m", index}}},
            {"planner",
             {{"name", "teb"}, {"mean_ms", 10.0 * index}, {"p95_ms", 20.0 * index}, {"max_ms", 50.0}}}}};
 }
@@ -128,6 +129,8 @@ TEST(SuiteReport, SumsUpByPlanner) {
   EXPECT_DOUBLE_EQ(row["max_collision_index"]["median"].get<double>(), 0.2);
   EXPECT_DOUBLE_EQ(row["mean_time_s"].get<double>(), 10.0);
   EXPECT_DOUBLE_EQ(row["mean_rms_jerk_mps3"].get<double>(), 0.25);
+  EXPECT_DOUBLE_EQ(row["localization"]["mean_rms_m"].get<double>(), 0.025);
+  EXPECT_DOUBLE_EQ(row["localization"]["max_m"].get<double>(), 0.4);
   EXPECT_EQ(json["episodes"][2]["planner"], "teb");
   EXPECT_EQ(json["episodes"][2]["success"], false);
   const std::string words = in_words({result});

@@ -128,8 +128,8 @@ TEST(LoadGraph, RefusesUnknownKeysWithTheNearestKnown) {
   EXPECT_EQ(refusal("components:\n  world:\n    inputs:\n      odom: {maxage: 1}\n"),
             "g.yaml:4: components.world.inputs.odom.maxage: unknown key; did you mean 'max_age'?");
   EXPECT_EQ(refusal("components:\n  world:\n    colour: a\n"),
-            "g.yaml:3: components.world.colour: unknown key; known: type, process, lane, latency, namespace, "
-            "parameters, remap, inputs");
+            "g.yaml:3: components.world.colour: unknown key; known: type, process, lane, enabled, latency, "
+            "namespace, parameters, remap, inputs");
 }
 
 TEST(LoadGraph, RefusesWrongValues) {
@@ -184,6 +184,21 @@ TEST(LoadGraph, LocatesViolationsInsideOtherFiles) {
   EXPECT_THAT([&] { load_graph(path); },
               testing::ThrowsMessage<ConfigError>((folder.path() / "p.yaml").string() +
                                                   ":2: a: this key is given twice"));
+}
+
+TEST(LoadGraph, SwitchesComponentsOffAndOn) {
+  const Folder folder;
+  const auto path = folder.write("g.yaml", "components: {a: {enabled: false}, b: }");
+  const auto enabled = [&](const std::vector<std::string>& overrides) {
+    const Graph graph = load_graph(path, overrides);
+    return std::pair(graph.find("a")->enabled, graph.find("b")->enabled);
+  };
+  EXPECT_EQ(enabled({}), std::pair(false, true));
+  EXPECT_EQ(enabled({"a.enabled=true", "b.enabled=false"}), std::pair(true, false));
+  EXPECT_EQ(refusal("components: {a: }", {"a.enabled=maybe"}),
+            "--set: a.enabled = maybe: must be true or false");
+  EXPECT_EQ(refusal("components: {a: {enabled: 2}}"),
+            "g.yaml:1: components.a.enabled = 2: must be true or false");
 }
 
 TEST(LoadGraph, RefusesOverridesOfWhatIsNotThere) {

@@ -275,6 +275,15 @@ TEST(Host, RefusesTwoOwnersOfACommandAndOpenInputs) {
   }
 }
 
+TEST(Host, LeavesOutWhatIsNotEnabled) {
+  const auto commander = [](bw::Setup& setup) { setup.command<Float64>("motor"); };
+  TestGraph builder;
+  builder.add({.name = "one"}, commander).add({.name = "two", .enabled = false}, commander);
+  const Host host(builder.graph(), {});
+  EXPECT_EQ(host.graph().components.size(), 1U);
+  EXPECT_EQ(host.graph().components[0].name, "one");
+}
+
 TEST(Host, RefusesLockstepForOneProcessOfMany) {
   TestGraph builder;
   builder.add({.name = "only"}, [](bw::Setup&) {});

@@ -1,0 +1,47 @@
+// Figures by hand: root mean squares of a few errors, with the truth carried along its arc.
+#include "components/evaluation/pose_errors.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bw {
+namespace {
+
+TruthSample truth(double seconds, const Pose2& X_MB, const Twist2& twist = {}) {
+  return {.time = Time{} + Duration::seconds(seconds), .X_MB = X_MB, .twist = twist};
+}
+Time at(double seconds) { return Time{} + Duration::seconds(seconds); }
+
+TEST(PoseErrors, SumsUpSquaresAndTheWorst) {
+  PoseErrors errors;
+  errors.set_truth(truth(1.0, {1.0, 2.0, 3.1}));
+  errors.add(at(1.0), {1.3, 2.4, -3.1});  // 0.5 m; 2 pi - 6.2 rad across the wrap
+  errors.add(at(1.0), {1.0, 2.0, 3.1});
+  EXPECT_EQ(errors.count(), 2);
+  EXPECT_NEAR(errors.rms_position(), 0.5 / std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(errors.rms_heading(), (2.0 * std::numbers::pi - 6.2) / std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(errors.max_position(), 0.5, 1e-12);
+}
+
+// 1 m/s at 1 rad/s for 0.1 s: the arc of radius 1 m ends at (sin 0.1, 1 - cos 0.1, 0.1).
+TEST(PoseErrors, CarriesTheTruthToTheStampOfTheEstimate) {
+  PoseErrors errors;
+  errors.set_truth(truth(5.0, {}, {1.0, 1.0}));
+  errors.add(at(5.1), {std::sin(0.1), 1.0 - std::cos(0.1), 0.1});
+  EXPECT_NEAR(errors.rms_position(), 0.0, 1e-12);
+  EXPECT_NEAR(errors.rms_heading(), 0.0, 1e-12);
+}
+
+TEST(PoseErrors, LeavesOutWhatCannotBeCompared) {
+  PoseErrors errors;
+  errors.add(at(0.0), {});  // no truth yet
+  errors.set_truth(truth(5.0, {}));
+  errors.add(at(5.3), {});
+  errors.add(at(4.7), {});
+  errors.add(at(5.0), {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0});
+  EXPECT_EQ(errors.count(), 0);
+  EXPECT_TRUE(std::isnan(errors.rms_position()));
+  EXPECT_TRUE(std::isnan(errors.max_position()));
+}
+
+}  // namespace
+}  // namespace bw
