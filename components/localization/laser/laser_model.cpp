@@ -14,12 +14,14 @@ namespace {
 // Particles per round: their columns stay in the first cache while all beams pass over them.
 constexpr std::size_t kBlock = 1024;
 
+using Column = std::array<float, kBlock>;
+
 struct Block {
-  alignas(64) std::array<float, kBlock> column;  // of the particle in the table [cells]
-  alignas(64) std::array<float, kBlock> row;
-  alignas(64) std::array<float, kBlock> cos;  // [cells per metre]
-  alignas(64) std::array<float, kBlock> sin;
-  alignas(64) std::array<float, kBlock> sum;
+  Column column;  // of the particle in the table [cells]
+  Column row;
+  Column cos;  // [cells per metre]
+  Column sin;
+  Column sum;
 };
 
 struct Table {
@@ -32,17 +34,21 @@ struct Table {
   double cells_per_metre;
 };
 
+// Loops below get what they read and write as plain, unaliased arguments: else they do not vectorise.
 BW_VECTOR_CLONES
-void load(const Table& table, const double* x, const double* y, const double* theta, std::size_t count,
-          Block& block) {
-  const auto scale = static_cast<float>(table.cells_per_metre);
+void to_cells(const double* __restrict metres, double origin, double cells_per_metre, std::size_t count,
+              float* __restrict cells) {
+  for (std::size_t i = 0; i < count; ++i)
+    cells[i] = static_cast<float>((metres[i] - origin) * cells_per_metre);
+}
+
+BW_VECTOR_CLONES
+void turn(const double* __restrict theta, float scale, std::size_t count, float* __restrict cosine,
+          float* __restrict sine) {
   for (std::size_t i = 0; i < count; ++i) {
-    block.column[i] = static_cast<float>((x[i] - table.origin_x) * table.cells_per_metre);
-    block.row[i] = static_cast<float>((y[i] - table.origin_y) * table.cells_per_metre);
     const SinCos turn = sin_cos(static_cast<float>(theta[i]));
-    block.cos[i] = turn.cos * scale;
-    block.sin[i] = turn.sin * scale;
-    block.sum[i] = 0.0F;
+    cosine[i] = turn.cos * scale;
+    sine[i] = turn.sin * scale;
   }
 }
 
@@ -53,13 +59,13 @@ void load(const Table& table, const double* x, const double* y, const double* th
 }
 
 BW_VECTOR_CLONES
-void add_beam(const Table& table, float x, float y, std::size_t count, Block& block) {
-  const float* const log_p = table.log_p;
+void add_end(const Table table, float x, float y, std::size_t count, const float* __restrict log_p,
+             const float* __restrict column, const float* __restrict row, const float* __restrict cosine,
+             const float* __restrict sine, float* __restrict sum) {
   for (std::size_t i = 0; i < count; ++i) {
-    const std::int32_t column =
-        clamped(block.column[i] + block.cos[i] * x - block.sin[i] * y, table.last_column);
-    const std::int32_t row = clamped(block.row[i] + block.sin[i] * x + block.cos[i] * y, table.last_row);
-    block.sum[i] += log_p[row * table.width + column];
+    const std::int32_t to_column = clamped(column[i] + cosine[i] * x - sine[i] * y, table.last_column);
+    const std::int32_t to_row = clamped(row[i] + sine[i] * x + cosine[i] * y, table.last_row);
+    sum[i] += log_p[to_row * table.width + to_column];
   }
 }
 
@@ -79,8 +85,15 @@ void add_log_weights(const LikelihoodField& field, const BeamEnds& ends, const P
   Block block;
   for (std::size_t first = 0; first < particles.size(); first += kBlock) {
     const std::size_t count = std::min(kBlock, particles.size() - first);
-    load(table, &particles.x[first], &particles.y[first], &particles.theta[first], count, block);
-    for (std::size_t b = 0; b < ends.size(); ++b) add_beam(table, ends.x[b], ends.y[b], count, block);
+    to_cells(&particles.x[first], table.origin_x, table.cells_per_metre, count, block.column.data());
+    to_cells(&particles.y[first], table.origin_y, table.cells_per_metre, count, block.row.data());
+    turn(&particles.theta[first], static_cast<float>(table.cells_per_metre), count, block.cos.data(),
+         block.sin.data());
+    block.sum.fill(0.0F);
+    for (std::size_t b = 0; b < ends.size(); ++b) {
+      add_end(table, ends.x[b], ends.y[b], count, table.log_p, block.column.data(), block.row.data(),
+              block.cos.data(), block.sin.data(), block.sum.data());
+    }
     for (std::size_t i = 0; i < count; ++i)
       log_weight[first + i] += share * static_cast<double>(block.sum[i]);
   }
