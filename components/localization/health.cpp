@@ -48,6 +48,8 @@ std::string_view to_string(HealthCause cause) {
       return "the scan does not fit the map";
     case HealthCause::searching:
       return "searches the whole map";
+    case HealthCause::several_places:
+      return "several places fit";
   }
   return "unknown";
 }

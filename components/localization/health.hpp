@@ -29,7 +29,8 @@ enum class HealthCause {
   clock_jump,          ///< that long ago [s]
   no_map,              ///< a laser and no map to compare it with
   scan_mismatch,       ///< the scan does not fit the map since [s]
-  searching            ///< the whole map is searched since [s]
+  searching,           ///< the whole map is searched since [s]
+  several_places       ///< the scan fits in several places; weight of the best one
 };
 
 std::string_view to_string(HealthState state);

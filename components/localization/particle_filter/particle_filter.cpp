@@ -27,7 +27,8 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, std::uint64
       motion_(random_.bits()),
       track_(options.motion, Duration::seconds(options.window)),
       initial_(options.initial, options.gate.probability),
-      stamps_(Duration::seconds(options.future_tolerance)) {
+      stamps_(Duration::seconds(options.future_tolerance)),
+      recovery_(options.recovery, options.search) {
   for (int dof = 1; dof <= 3; ++dof) {
     gates_[static_cast<std::size_t>(dof)] = options.gate.enabled
                                                 ? chi_square_quantile(options.gate.probability, dof)
@@ -42,20 +43,19 @@ bool ParticleFilter::start_at(const Pose2& X_MB, const Eigen::Matrix3d& covarian
   if (check(pose, options_.limits) != Verdict::accepted) return false;
   particles_.resize(static_cast<std::size_t>(options_.count.max_particles));
   motion_.scatter(particles_, 0, particles_.size(), X_MB, covariance);
-  everywhere_ = false;
-  begin(time);
+  begin(time, false);
   return true;
 }
 
 // From particles that have their places.
-void ParticleFilter::begin(Time time) {
+void ParticleFilter::begin(Time time, bool anywhere) {
   std::fill(particles_.weight.begin(), particles_.weight.end(), 1.0 / static_cast<double>(particles_.size()));
   track_.restart(time);
   X_OB_ = track_.at(time);
   for (SourceWatch& source : sources_) source.end_run();
   initialised_ = true;
   use_next_sweep_ = true;
-  mismatch_since_.reset();
+  recovery_.restart(anywhere, time);
   effective_size_ = static_cast<double>(particles_.size());
   refresh_estimate();
 }
@@ -77,7 +77,7 @@ bool ParticleFilter::look_at_clock(Time now) {
 void ParticleFilter::jump_to(Time time) {
   last_clock_jump_ = time;
   last_reset_.reset();
-  mismatch_since_.reset();
+  recovery_.move_stamps(time);
   for (SourceWatch& source : sources_) source.move_stamps(time);
   if (!initialised_) return;
   follow();
@@ -156,7 +156,7 @@ Outcome ParticleFilter::use(const M& reading) {
   }
   log_weight_.assign(particles_.size(), 0.0);
   add_log_weights(c, differences_, law_, log_weight_);
-  weigh(reading.time);
+  weigh();
   return outcome;
 }
 
@@ -227,7 +227,7 @@ void ParticleFilter::refresh_estimate() {
 }
 
 // The set takes log_weight_ in, answers, and is drawn anew if few particles count.
-void ParticleFilter::weigh(Time) {
+void ParticleFilter::weigh() {
   if (!reweigh(particles_.weight, log_weight_)) {
     ++weightless_;
     return;

@@ -28,6 +28,7 @@
 #include "components/localization/particle_filter/particle_motion.hpp"
 #include "components/localization/particle_filter/particle_set.hpp"
 #include "components/localization/particle_filter/pose_histogram.hpp"
+#include "components/localization/particle_filter/recovery.hpp"
 #include "components/localization/particle_filter/set_estimate.hpp"
 #include "components/localization/particle_filter/source_watch.hpp"
 #include "components/model/random.hpp"
@@ -76,12 +77,14 @@ class ParticleFilter final : public Localizer {
   bool take_over(const Comparison& c, int source, Time time);
   bool supported_by_others(const Comparison& c, int source, const RejectionRun& run) const;
 
-  void begin(Time time);
+  void begin(Time time, bool anywhere);
   void follow();
-  void weigh(Time time);
+  void weigh();
   void refresh_estimate();
   void draw_anew();
   Outcome use(const LaserReading& reading);
+  /// `poses` at the sweep's stamp, X_SB from there to now; `ends` as seen from now.
+  bool inject(const std::vector<PoseHypothesis>& poses, const Pose2& X_SB, const BeamEnds& ends);
   SourceWatch& source_watch(int source) { return sources_[static_cast<std::size_t>(source)]; }
 
   ParticleFilterOptions options_;
@@ -112,8 +115,7 @@ class ParticleFilter final : public Localizer {
   bool laser_heard_ = false;
   bool use_next_sweep_ = true;
   Pose2 X_OB_last_sweep_;
-  std::optional<Time> mismatch_since_;
-  bool everywhere_ = false;  ///< started anywhere, no single place found yet
+  Recovery recovery_;
 
   // Kept between calls for their memory.
   Differences differences_;

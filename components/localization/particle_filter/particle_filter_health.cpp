@@ -84,6 +84,18 @@ Health ParticleFilter::health(Time now) const {
   }
   if (last_clock_jump_ && report.age(*last_clock_jump_) <= recent)
     report.worsen(HealthState::degraded, {HealthCause::clock_jump, -1, report.age(*last_clock_jump_)});
+  if (estimate_.share < options_.particle_health.several_places) {
+    report.worsen(estimate_.share < options_.particle_health.lost_several_places ? HealthState::lost
+                                                                                 : HealthState::degraded,
+                  {HealthCause::several_places, -1, estimate_.share});
+  }
+  if (const std::optional<Time> since = recovery_.searching_since())
+    report.worsen(HealthState::lost, {HealthCause::searching, -1, report.age(*since)});
+  if (const std::optional<Time> since = recovery_.mismatch_since()) {
+    const double lasting = report.age(*since);
+    report.worsen(lasting >= options_.recovery.lost_mismatch ? HealthState::lost : HealthState::degraded,
+                  {HealthCause::scan_mismatch, -1, lasting});
+  }
   if (laser_heard_ && !field_) report.worsen(HealthState::degraded, {HealthCause::no_map});
   return report.health;
 }

@@ -9,6 +9,7 @@ namespace bw::localization {
 namespace {
 
 constexpr std::size_t kLaserKind = 100;  // no Measurement has this index
+constexpr double kClearlyBetter = 0.05;  // share of beams that a pose found must fit better by
 
 Verdict check(const LaserReading& r) {
   if (r.source < 0 || r.source >= kMaxSources) return Verdict::bad_source;
@@ -36,6 +37,7 @@ BeamEnds seen_from(const Pose2& X_BS, const BeamEnds& ends) {
 
 void ParticleFilter::set_map(const OccupancyGrid& map) {
   field_.emplace(map, options_.field);
+  recovery_.set_field(*field_);
   free_cells_.clear();
   cell_ = map.resolution;
   for (int row = 0; row < map.height; ++row) {
@@ -57,8 +59,7 @@ bool ParticleFilter::start_anywhere(Time time) {
     particles_.y[i] = cell.y() + cell_ * (random_.uniform() - 0.5);
     particles_.theta[i] = random_.uniform(-std::numbers::pi, std::numbers::pi);
   }
-  everywhere_ = true;
-  begin(time);
+  begin(time, true);
   return true;
 }
 
@@ -92,22 +93,58 @@ Outcome ParticleFilter::use(const LaserReading& reading) {
   if (!field_) return {Verdict::unusable};
   track_.bridge_silence(reading.time);
   const Pose2 X_OS = track_.at(reading.time);
-  const Pose2 moved = inverse(X_OB_last_sweep_) * X_OS;
   const LaserUseOptions& laser = options_.laser;
+  const BeamEnds ends = beam_ends(reading, laser.max_beams);
+  if (ends.size() == 0) return {Verdict::unusable};
+  // The sweep is looked at even if it is not used: a robot that was carried away may stand still.
+  recovery_.watch(scan_fit(*field_, ends, estimate_.X_MB * (inverse(X_OB_) * X_OS)), reading.time);
+  const std::vector<PoseHypothesis> poses = recovery_.search(ends, X_OS, reading.time);
+
+  const Pose2 moved = inverse(X_OB_last_sweep_) * X_OS;
   const bool far =
       moved.position().norm() >= laser.update_min_d || std::abs(moved.theta) >= laser.update_min_a;
-  if (!far && !use_next_sweep_) return {Verdict::unusable};
-  ends_ = beam_ends(reading, laser.max_beams);
-  if (ends_.size() == 0) return {Verdict::unusable};
+  if (poses.empty() && !far && !use_next_sweep_) return {Verdict::unusable};
   follow();
-  ends_ = seen_from(inverse(X_OB_) * X_OS, ends_);
+  ends_ = seen_from(inverse(X_OB_) * X_OS, ends);
+  const bool injected = inject(poses, inverse(X_OS) * X_OB_, ends_);
+  if (!injected && !far && !use_next_sweep_) return {Verdict::unusable};
   log_weight_.assign(particles_.size(), 0.0);
   add_log_weights(*field_, ends_, particles_, log_weight_);
-  weigh(reading.time);
+  weigh();
+  if (injected && particles_.size() > static_cast<std::size_t>(options_.count.max_particles)) draw_anew();
   X_OB_last_sweep_ = X_OS;
   use_next_sweep_ = false;
   source_watch(reading.source).note_compared(reading.time, true, 0.0, 0);
+  if (estimate_.share >= options_.particle_health.several_places &&
+      scan_fit(*field_, ends_, estimate_.X_MB).hit >= options_.recovery.scan_ok)
+    recovery_.found();
   return {};
+}
+
+// Particles at the poses found, beside those that are there: the sweep decides between them.
+bool ParticleFilter::inject(const std::vector<PoseHypothesis>& poses, const Pose2& X_SB,
+                            const BeamEnds& ends) {
+  // Where the set has been looking all along needs no new particles.
+  const double fit =
+      recovery_.searching_since() ? 0.0 : scan_fit(*field_, ends, estimate_.X_MB).hit + kClearlyBetter;
+  std::vector<Pose2> better;
+  for (const PoseHypothesis& pose : poses) {
+    const Pose2 X_MB = pose.X_MB * X_SB;
+    if (scan_fit(*field_, ends, X_MB).hit > fit) better.push_back(X_MB);
+  }
+  if (better.empty()) return false;
+  const std::size_t before = particles_.size();
+  const RecoveryOptions& o = options_.recovery;
+  const std::size_t each =
+      std::max<std::size_t>(20, static_cast<std::size_t>(options_.count.max_particles) / better.size());
+  particles_.resize(before + each * better.size());
+  for (double& w : particles_.weight) w *= 1.0 - o.share;
+  const Eigen::Vector3d variances(o.sigma * o.sigma, o.sigma * o.sigma, o.heading_sigma * o.heading_sigma);
+  for (std::size_t i = 0; i < better.size(); ++i)
+    motion_.scatter(particles_, before + i * each, each, better[i], variances.asDiagonal());
+  std::fill(particles_.weight.begin() + static_cast<std::ptrdiff_t>(before), particles_.weight.end(),
+            o.share / static_cast<double>(each * better.size()));
+  return true;
 }
 
 }  // namespace bw::localization

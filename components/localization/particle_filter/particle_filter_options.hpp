@@ -6,7 +6,9 @@
 
 #include "components/localization/ekf/ekf_options.hpp"
 #include "components/localization/laser/likelihood_field_options.hpp"
+#include "components/localization/laser/pose_search_options.hpp"
 #include "components/localization/measurement_check.hpp"
+#include "components/localization/particle_filter/recovery_options.hpp"
 #include "runtime/parameters/field.hpp"
 
 namespace bw::localization {
@@ -145,6 +147,8 @@ struct ParticleFilterOptions {
   ResamplingOptions resampling;
   LaserUseOptions laser;
   LikelihoodFieldOptions field;
+  PoseSearchOptions search;
+  RecoveryOptions recovery;
   GateOptions gate;
   InitialOptions initial;
   HealthOptions health;
@@ -165,6 +169,8 @@ struct ParticleFilterOptions {
     v("resampling", resampling, {.doc = "when particles are drawn anew"});
     v("laser", laser, {.doc = "which sweeps and beams count"});
     v("field", field, {.doc = "what a beam says"});
+    v("search", search, {.doc = "the search over the whole map"});
+    v("recovery", recovery, {.doc = "when to search, and what to do with what was found"});
     v("gate", gate, {.doc = "outliers, and when they are none"});
     v("initial", initial, {.doc = "the first pose from measurements"});
     v("health", health, {.doc = "OK, DEGRADED, LOST"});

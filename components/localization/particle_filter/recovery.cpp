@@ -1,0 +1,72 @@
+#include "components/localization/particle_filter/recovery.hpp"
+
+namespace bw::localization {
+
+Recovery::Recovery(const RecoveryOptions& options, const PoseSearchOptions& search)
+    : options_(options), search_options_(search) {}
+
+void Recovery::set_field(const LikelihoodField& field) {
+  search_.reset();
+  if (options_.enabled) search_.emplace(field, search_options_);
+  under_way_ = false;
+  w_slow_ = w_fast_ = 0.0;
+}
+
+void Recovery::restart(bool anywhere, Time time) {
+  under_way_ = false;
+  last_end_.reset();
+  mismatch_since_.reset();
+  searching_since_.reset();
+  if (anywhere) searching_since_ = time;
+  w_slow_ = w_fast_ = 0.0;
+}
+
+void Recovery::move_stamps(Time time) {
+  under_way_ = false;
+  last_end_.reset();
+  if (mismatch_since_) mismatch_since_ = time;
+  if (searching_since_) searching_since_ = time;
+}
+
+void Recovery::watch(const ScanFit& fit, Time time) {
+  if (fit.known < options_.least_known) return;
+  fit_ = fit.hit;
+  if (!searching_since_) {  // before, there is no place that a scan could fit from
+    if (w_slow_ == 0.0) w_slow_ = w_fast_ = fit_;
+    w_slow_ += options_.recovery_alpha_slow * (fit_ - w_slow_);
+    w_fast_ += options_.recovery_alpha_fast * (fit_ - w_fast_);
+  }
+  if (fit_ >= options_.scan_ok) {
+    mismatch_since_.reset();
+  } else if (!mismatch_since_) {
+    mismatch_since_ = time;
+  }
+}
+
+bool Recovery::needed(Time time) const {
+  if (last_end_ && time - *last_end_ < Duration::seconds(options_.search_again)) return false;
+  if (searching_since_) return true;
+  if (mismatch_since_ && time - *mismatch_since_ >= Duration::seconds(options_.search_after)) return true;
+  const double low =
+      options_.fallen_to * w_slow_;  // and still there: the short average takes its time to rise
+  return options_.recovery_alpha_slow > 0.0 && w_fast_ < low && fit_ < low;
+}
+
+std::vector<PoseHypothesis> Recovery::search(const BeamEnds& ends, const Pose2& X_OB, Time time) {
+  if (!search_) return {};
+  if (!under_way_) {
+    if (!needed(time)) return {};
+    search_->begin(ends);
+    X_OB_then_ = X_OB;
+    under_way_ = true;
+  }
+  if (!search_->advance(options_.search_nodes)) return {};
+  under_way_ = false;
+  last_end_ = time;
+  const Pose2 moved = inverse(X_OB_then_) * X_OB;
+  std::vector<PoseHypothesis> poses = search_->results();
+  for (PoseHypothesis& pose : poses) pose.X_MB = pose.X_MB * moved;
+  return poses;
+}
+
+}  // namespace bw::localization

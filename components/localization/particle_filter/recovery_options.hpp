@@ -1,0 +1,56 @@
+// Parameters of finding the way back: after a start anywhere, and when the scan no longer fits.
+#pragma once
+
+#include "runtime/parameters/field.hpp"
+
+namespace bw::localization {
+
+struct RecoveryOptions {
+  bool enabled = true;
+  double recovery_alpha_slow = 0.001;
+  double recovery_alpha_fast = 0.1;
+  double fallen_to = 0.7;
+  double scan_ok = 0.6;
+  double least_known = 0.3;
+  double search_after = 0.5;
+  double search_again = 1.0;
+  int search_nodes = 20000;
+  double share = 0.5;
+  double sigma = 0.1;
+  double heading_sigma = 0.05;
+  double lost_mismatch = 2.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("enabled", enabled,
+      {.doc = "search the whole map when the scan does not fit, or after a start anywhere"});
+    v("recovery_alpha_slow", recovery_alpha_slow,
+      {.min = 0, .max = 1, .doc = "share of a new scan in the long average of how well scans fit; 0: off"});
+    v("recovery_alpha_fast", recovery_alpha_fast, {.min = 0, .max = 1, .doc = "the same, short average"});
+    v("fallen_to", fallen_to,
+      {.min = 0,
+       .max = 1,
+       .doc = "a search begins when the short average falls to this share of the long one"});
+    v("scan_ok", scan_ok,
+      {.min = 0,
+       .max = 1,
+       .doc = "share of beams that end at obstacles of the map; less is a mismatch. Lower it in crowds"});
+    v("least_known", least_known,
+      {.min = 0, .max = 1, .doc = "share of beams that must end in the known part of the map to judge"});
+    v("search_after", search_after,
+      {.unit = "s", .min = 0, .max = 100, .doc = "a search begins when the mismatch has lasted so long"});
+    v("search_again", search_again,
+      {.unit = "s", .min = 0, .max = 100, .doc = "between the end of a search and the next one"});
+    v("search_nodes", search_nodes,
+      {.min = 100,
+       .max = 10000000,
+       .doc = "poses looked at per sweep (1000: some 0.1 ms); more finds earlier"});
+    v("share", share, {.min = 0.01, .max = 0.99, .doc = "weight that the poses found get together"});
+    v("sigma", sigma, {.unit = "m", .min = 0.001, .max = 5, .doc = "spread of particles about a pose found"});
+    v("heading_sigma", heading_sigma, {.unit = "rad", .min = 0.001, .max = 3, .doc = "the same, heading"});
+    v("lost_mismatch", lost_mismatch,
+      {.unit = "s", .min = 0.1, .max = 100, .doc = "LOST when the scan has not fitted for so long"});
+  }
+};
+
+}  // namespace bw::localization
