@@ -57,14 +57,7 @@ void LocalizationComponent::listen(Setup& setup) {
     setup.input<sensor_msgs::msg::LaserScan>(
         "scan", Qos::sensor(), [this](const auto& m, const Tick& tick) { on_scan(m, tick); }, Need::optional);
     setup.input<nav_msgs::msg::OccupancyGrid>(
-        "map", Qos::latched(),
-        [this](const auto& m, const Tick&) {
-          OccupancyGrid grid;
-          const std::string fault = read_grid(m, grid);
-          if (fault.empty()) return filter_->set_map(grid);
-          log_.error("the map is of no use: {}", fault);
-        },
-        Need::optional);
+        "map", Qos::latched(), [this](const auto& m, const Tick& tick) { on_map(m, tick); }, Need::optional);
   }
   setup.input<PoseWithCovarianceStamped>(
       "initialpose", Qos::standard(), [this](const auto& m, const Tick& tick) { on_initial_pose(m, tick); },
@@ -79,7 +72,6 @@ void LocalizationComponent::activate(const Tick& tick) {
   const Eigen::Vector3d sigma(pose.position_sigma, pose.position_sigma, pose.yaw_sigma);
   if (parameters_.set_initial_pose)
     start_at({pose.x, pose.y, pose.yaw}, sigma.cwiseAbs2().asDiagonal(), tick.now);
-  if (parameters_.start_anywhere) search(tick.now);
 }
 
 void LocalizationComponent::on_odometry(const nav_msgs::msg::Odometry& message, const Tick& tick) {
@@ -126,6 +118,16 @@ void LocalizationComponent::on_pose(const geometry_msgs::msg::PoseWithCovariance
 
 void LocalizationComponent::on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick) {
   filter_->add(to_reading(message, mount_of(message.header().frame_id())), tick.now);
+}
+
+void LocalizationComponent::on_map(const nav_msgs::msg::OccupancyGrid& message, const Tick& tick) {
+  OccupancyGrid grid;
+  if (const std::string fault = read_grid(message, grid); !fault.empty()) {
+    log_.error("the map is of no use: {}", fault);
+    return;
+  }
+  filter_->set_map(grid);
+  if (parameters_.start_anywhere && !filter_->initialised()) search(tick.now);
 }
 
 void LocalizationComponent::on_initial_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message,

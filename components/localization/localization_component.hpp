@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include <nav_msgs/msg/occupancy_grid.hpp>
 #include <std_msgs/msg/empty.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
@@ -30,6 +31,7 @@ class LocalizationComponent final : public Component {
   void on_fix(const sensor_msgs::msg::NavSatFix& message, const Tick& tick);
   void on_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message, const Tick& tick);
   void on_initial_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message, const Tick& tick);
+  void on_map(const nav_msgs::msg::OccupancyGrid& message, const Tick& tick);
   void on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick);
   void start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time);
   void search(Time time);

@@ -9,15 +9,18 @@
 
 #include "components/localization/ekf/ekf_options.hpp"
 #include "components/localization/localizer.hpp"
+#include "components/localization/particle_filter/particle_filter_options.hpp"
 
 namespace bw::localization {
 
 struct LocalizerOptions {
   EkfOptions ekf;
+  ParticleFilterOptions particle_filter;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("ekf", ekf, {.doc = "extended Kalman filter"});
+    v("particle_filter", particle_filter, {.doc = "Monte Carlo localization"});
   }
 };
 

@@ -91,7 +91,7 @@ TEST(Evaluate, ComparesPlannersOverSeveralSuites) {
   for (const char* name : {"one", "two"}) {
     const std::string file = (folder() / (std::string(name) + ".yaml")).string();
     std::ofstream(file) << "graph: " << BANDWAGON_SOURCE_DIR
-                        << "/config/graphs/hallway.yaml\ntime_limit: 2.0\nepisodes: [{name: short}]\n";
+                        << "/config/graphs/hallway.yaml\ntime_limit: 5.0\nepisodes: [{name: short}]\n";
     suites += file + " ";
   }
   const Outcome run = evaluate(suites + "--planners teb,dwa --svg-dir " + (folder() / "svg").string());
