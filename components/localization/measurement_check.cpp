@@ -7,15 +7,31 @@
 namespace bw::localization {
 namespace {
 
-constexpr double kAsymmetry = 1e-6;  // of the larger diagonal element; messages round their numbers
+constexpr double kAsymmetry = 1e-6;  // of a correlation; messages round their numbers
+
+// Both triangles' mean over the standard deviations, so that axes of very different size weigh alike. Must
+// have a positive diagonal.
+template <int N>
+Eigen::Matrix<double, N, N> correlations(const Eigen::Matrix<double, N, N>& C) {
+  const Eigen::Matrix<double, N, 1> scale = C.diagonal().cwiseSqrt().cwiseInverse();
+  return 0.5 * scale.asDiagonal() * (C + C.transpose()) * scale.asDiagonal();
+}
+
+template <int N>
+bool is_symmetric(const Eigen::Matrix<double, N, N>& C) {
+  for (int i = 0; i < N; ++i)
+    for (int k = 0; k < i; ++k)
+      if (std::abs(C(i, k) - C(k, i)) > kAsymmetry * std::sqrt(C(i, i)) * std::sqrt(C(k, k))) return false;
+  return true;
+}
 
 template <int N>
 Verdict check_covariance(const Eigen::Matrix<double, N, N>& C, double limit) {
   if (!C.allFinite()) return Verdict::not_finite;
   const double largest = C.diagonal().maxCoeff();
   if (C.diagonal().minCoeff() <= 0.0 || largest > limit) return Verdict::bad_covariance;
-  if ((C - C.transpose()).cwiseAbs().maxCoeff() > kAsymmetry * largest) return Verdict::bad_covariance;
-  const Eigen::LLT<Eigen::Matrix<double, N, N>> cholesky(C);
+  if (!is_symmetric<N>(C)) return Verdict::bad_covariance;
+  const Eigen::LLT<Eigen::Matrix<double, N, N>> cholesky(correlations<N>(C));
   return cholesky.info() == Eigen::Success ? Verdict::accepted : Verdict::bad_covariance;
 }
 
@@ -47,10 +63,9 @@ struct Checker {
     // A standing base has zero covariance: semi-definite will do.
     const Eigen::Matrix2d& C = m.covariance;
     const double largest = C.diagonal().maxCoeff();
-    const double product = C(0, 0) * C(1, 1);
-    const bool sound = C.diagonal().minCoeff() >= 0.0 && largest <= limits.variance &&
-                       std::abs(C(0, 1) - C(1, 0)) <= kAsymmetry * largest &&
-                       C(0, 1) * C(1, 0) <= product * (1.0 + 1e-9);
+    if (C.diagonal().minCoeff() < 0.0 || largest > limits.variance) return Verdict::bad_covariance;
+    const double most = std::sqrt(C(0, 0)) * std::sqrt(C(1, 1));
+    const bool sound = is_symmetric<2>(C) && std::abs(C(0, 1) + C(1, 0)) <= 2.0 * most * (1.0 + 1e-9);
     return sound ? Verdict::accepted : Verdict::bad_covariance;
   }
 

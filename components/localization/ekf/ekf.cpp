@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "components/localization/ekf/covariance_bounds.hpp"
 #include "components/localization/ekf/motion.hpp"
 
 namespace bw::localization {
@@ -39,6 +40,7 @@ void Ekf::begin(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time)
   }
   state.x.head<3>() << X_MB.x, X_MB.y, wrap_angle(X_MB.theta);
   state.P.topLeftCorner<3, 3>() = 0.5 * (covariance + covariance.transpose());
+  hold_definite(state.P, state.P.diagonal());
   state.time = time;
   state.last_wheel = time;
   ring_.restart(state);

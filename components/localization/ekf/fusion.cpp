@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "components/localization/chi_square.hpp"
+#include "components/localization/ekf/covariance_bounds.hpp"
 #include "components/localization/ekf/motion.hpp"
 #include "components/localization/ekf/observation.hpp"
 #include "components/localization/ekf/reacquisition.hpp"
@@ -14,8 +15,6 @@ namespace {
 
 constexpr double kMemory = 50.0;  // measurements that the smoothed figures look back on
 constexpr double kMostNis = 100.0;
-constexpr double kLargeVariance = 1e3;  // [m^2]
-constexpr double kRounding = 1e-12;     // of the variance before a correction: what its rounding may cost
 
 void note_seen(SourceState& source, Time time) {
   if (source.last_seen != kNever && time > source.last_seen) {
@@ -115,23 +114,13 @@ struct Applier {
     return extrapolate(state, time, options.motion);
   }
 
-  // A correction takes variance away from every state. One that does not was spoilt by rounding (variances
-  // that differ by ten orders): the last good state stays.
   template <int N>
-  bool correct_soundly(const Innovation<kStates, N>& z) const {
-    StateVector x = state.x;
-    StateMatrix P = state.P;
-    correct(x, P, z);
+  void correct_state(const Innovation<kStates, N>& z) const {
     const StateVector before = state.P.diagonal();
-    const bool sound = x.allFinite() && P.allFinite() && (P.diagonal().array() >= 0.0).all() &&
-                       (P.diagonal().array() <= before.array() * (1.0 + 1e-6) + 1e-12).all();
-    if (!sound) return false;
-    state.x = x;
-    state.P = P;
-    state.P.diagonal() += kRounding * before;
+    correct(state.x, state.P, z);
+    hold_definite(state.P, before);
     state.x(2) = wrap_angle(state.x(2));
     state.x(4) = wrap_angle(state.x(4));
-    return true;
   }
 
   template <class M, int N>
@@ -139,12 +128,16 @@ struct Applier {
     note_seen(source(m.source), m.time);
     const double nis = z.nis(state.P);
     FusionResult result{Verdict::accepted, nis, N};
-    const bool passes = nis >= 0.0 && nis <= thresholds[N] && correct_soundly(z);
-    if (!passes) result.verdict = Verdict::gated;
+    const bool passes = nis >= 0.0 && nis <= thresholds[N];
+    if (passes)
+      correct_state(z);
+    else
+      result.verdict = Verdict::gated;
     note_used(source(m.source), m.time, passes, nis, N);
     if constexpr (!std::is_same_v<M, CourseReading> && !std::is_same_v<M, RangeReading>) {
       if (!passes && may_take_over && note_rejection(state, as_rejection(m), options.gate)) {
         take_over(state, as_rejection(m), pose_covariance(m), options.gate);
+        hold_definite(state.P, state.P.diagonal());
         source(m.source).last_used = m.time;
         result.verdict = Verdict::reacquired;
       }
@@ -152,15 +145,6 @@ struct Applier {
     return result;
   }
 };
-
-// Among variances of many metres rounding alone can make P lose a positive eigenvalue: loosened until it has
-// it.
-void keep_definite(StateMatrix& P) {
-  if (std::max(P(0, 0), P(1, 1)) < kLargeVariance) return;
-  double loosening = 1e-12;
-  for (; loosening < 1.0 && P.topLeftCorner<3, 3>().llt().info() != Eigen::Success; loosening *= 10.0)
-    P.diagonal() *= 1.0 + loosening;
-}
 
 }  // namespace
 
@@ -173,9 +157,7 @@ Fusion::Fusion(const EkfOptions& options) : options_(options) {
 }
 
 FusionResult Fusion::apply(EkfState& state, const Measurement& measurement) const {
-  const FusionResult result = std::visit(Applier{state, options_, thresholds_}, measurement);
-  keep_definite(state.P);
-  return result;
+  return std::visit(Applier{state, options_, thresholds_}, measurement);
 }
 
 }  // namespace bw::localization

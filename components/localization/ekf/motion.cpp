@@ -5,6 +5,7 @@
 
 #include "components/localization/ekf/arc.hpp"
 #include "components/localization/ekf/correction.hpp"
+#include "components/localization/ekf/covariance_bounds.hpp"
 #include "components/localization/ekf/slip.hpp"
 
 namespace bw::localization {
@@ -17,10 +18,6 @@ using JointMatrix = Eigen::Matrix<double, kJoint, kJoint>;
 constexpr double kCoverage = 0.9;         // of a step that the gyro must have seen
 constexpr double kTurnFloor = 1e-9;       // [rad^2/s] that a turn is never known better than
 constexpr double kDistanceFloor = 1e-10;  // [m^2/s] the same
-// Variances beyond these say no more, (1 km)^2 and any heading at all, and leave a correction no digits.
-constexpr double kMostVariances[kStates] = {1e6, 1e6, 10.0, 10.0, 10.0};
-constexpr double kLargeVariance = 1e4;  // from here on axes may become one but for rounding
-constexpr double kLoosening = 1e-9;     // of every variance then, so that P stays positive definite
 
 double seconds(Duration d) { return d.to_seconds(); }
 
@@ -35,14 +32,17 @@ void hold_gyro(GyroSum& gyro, Time from, Time time, double gap) {
 
 void restart(GyroSum& gyro) { gyro.angle = gyro.angle_variance = gyro.covered = 0.0; }
 
-void limit(StateMatrix& P) {
-  if (P.topLeftCorner<2, 2>().diagonal().maxCoeff() > kLargeVariance) P.diagonal() *= 1.0 + kLoosening;
-  for (int i = 0; i < kStates; ++i) {
-    if (P(i, i) <= kMostVariances[i]) continue;
-    const double scale = std::sqrt(kMostVariances[i] / P(i, i));
-    P.row(i) *= scale;
-    P.col(i) *= scale;
-  }
+// Symmetric, and what rounding put beyond a correlation of one taken back.
+Eigen::Matrix2d sound_covariance(const WheelStep& step) {
+  Eigen::Matrix2d C = step.covariance;
+  const double most = std::sqrt(C(0, 0)) * std::sqrt(C(1, 1));
+  C(0, 1) = C(1, 0) = std::clamp(0.5 * (C(0, 1) + C(1, 0)), -most, most);
+  return C;
+}
+
+void bound(StateMatrix& P) {
+  limit_variances(P);
+  hold_definite(P, P.diagonal());
 }
 
 void wander(StateMatrix& P, double dt, const BiasOptions& bias) {
@@ -80,10 +80,7 @@ bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) 
   JointMatrix covariance = JointMatrix::Zero();
   covariance.topLeftCorner<kStates, kStates>() = state.P;
   const double stretch = std::max(part, part * part);  // what is extended is guessed
-  // A step over a nanosecond stretched to half a second has no variance that numbers could hold.
-  const double largest = step.covariance.diagonal().maxCoeff() * stretch;
-  const double held = largest > kMostVariances[0] ? kMostVariances[0] / largest : 1.0;
-  covariance.bottomRightCorner<2, 2>() = step.covariance * (stretch * held);
+  covariance.bottomRightCorner<2, 2>() = stretch * sound_covariance(step);
   covariance(5, 5) += kDistanceFloor * dt;
   covariance(6, 6) += kTurnFloor * dt;
 
@@ -125,7 +122,7 @@ bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) 
   state.P = 0.5 * (P + P.transpose());
   state.x << arc.pose.x, arc.pose.y, arc.pose.theta, joint(3), joint(4);
   wander(state.P, dt, options.bias);
-  limit(state.P);
+  bound(state.P);
 
   state.X_OB = advance_arc(state.X_OB, distance, turn).pose;
   state.odometer += std::abs(distance);
@@ -162,7 +159,7 @@ void advance_unknown(EkfState& state, Time time, const EkfOptions& options) {
   }
   restart(gyro);
   wander(state.P, dt, options.bias);
-  limit(state.P);
+  bound(state.P);
 
   state.x(2) = wrap_angle(state.x(2) + turn);
   state.X_OB.theta = wrap_angle(state.X_OB.theta + turn);

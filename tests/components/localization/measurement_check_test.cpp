@@ -77,6 +77,10 @@ TEST(MeasurementCheck, NamesTheFault) {
   step = wheels(0.1, 0.0);
   step.covariance(0, 0) = -1e-9;
   EXPECT_EQ(check(step, kLimits), Verdict::bad_covariance);
+  // Small beside the distance's variance, and yet no covariance: its symmetric part has the eigenvalue
+  // -0.027.
+  step.covariance << 1e6, 0.0, 0.33, 1e-10;
+  EXPECT_EQ(check(step, kLimits), Verdict::bad_covariance);
 }
 
 // The oracle is the eigenvalues; matrices within 1e-9 of singular may go either way.
