@@ -17,6 +17,9 @@ struct ReproduceArguments {
 // Each subject writes its files, prints a summary to stdout, progress to stderr, and returns whether all its
 // criteria are met.
 
+/// E2 (Table 2.1): results.json and index.html.
+bool reproduce_pf(const ReproduceArguments& arguments);
+
 /// E3 and E4 (Table 3.2, Figure 3.4): results.json and index.html.
 bool reproduce_edwa(const ReproduceArguments& arguments);
 
