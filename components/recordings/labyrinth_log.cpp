@@ -49,18 +49,20 @@ void require_values(const Entry& entry, std::size_t count, const std::string& fi
   }
 }
 
-/// odom2diff: t, right, left, lateral speed, wheel separation, three variances.
+/// odom2diff: t, left, right, lateral speed, distance of a wheel from the middle, three variances. That the
+/// left wheel comes first and that the distance is half the separation is how the authors' own library turns
+/// them into motion; with it dead reckoning ends 0.1 m from the reference, otherwise metres away.
 void add_wheels(const Entry& entry, const std::string& file, RisingStamps& stamps, RecordedDrive& drive) {
   require_values(entry, 8, file);
   const auto& v = entry.values;
   const Time time = stamps.next(v[0], entry.line);
   for (const double speed : {v[1], v[2]})
     require_within(speed, -20.0, 20.0, "wheel speeds must lie within 20 m/s of 0", file, entry.line);
-  require_within(v[4], 0.01, 10.0, "the wheel separation must lie in 0.01 ... 10 m", file, entry.line);
+  require_within(v[4], 0.01, 10.0, "the distance of the wheels must lie in 0.01 ... 10 m", file, entry.line);
   require_within(v[5], 1e-12, 1e6, "the variance must be positive", file, entry.line);
-  drive.wheel_separation = v[4];
+  drive.wheel_separation = 2.0 * v[4];
   drive.wheel_variance = v[5];
-  const Twist2 twist = to_twist({.left = v[2], .right = v[1]}, v[4]);
+  const Twist2 twist = to_twist({.left = v[1], .right = v[2]}, drive.wheel_separation);
   if (drive.odometry.empty()) {
     drive.odometry.push_back({time, {}, twist});
   } else {
