@@ -9,7 +9,8 @@ namespace bw::localization {
 namespace {
 
 constexpr std::size_t kMostEnds = 120;  // times 255 stays within the bounds' 16 bits
-constexpr int kBoundsPerNode = 16;      // bounds come many at a time
+constexpr int kBoundsPerNode = 8;       // bounds come many at a time
+constexpr std::int32_t kBoundClass = 16;
 
 BeamEnds thinned(const BeamEnds& ends) {
   if (ends.size() <= kMostEnds) return ends;
@@ -19,6 +20,25 @@ BeamEnds thinned(const BeamEnds& ends) {
     fewer.y.push_back(ends.y[i * ends.size() / kMostEnds]);
   }
   return fewer;
+}
+
+CellOffsets offsets(const BeamEnds& ends, double heading, double resolution) {
+  CellOffsets cells;
+  const Vector2 column = direction(heading) / resolution;
+  for (std::size_t b = 0; b < ends.size(); ++b) {
+    const auto x = static_cast<double>(ends.x[b]);
+    const auto y = static_cast<double>(ends.y[b]);
+    cells.x.push_back(static_cast<std::int32_t>(std::lround(column.x() * x - column.y() * y)));
+    cells.y.push_back(static_cast<std::int32_t>(std::lround(column.y() * x + column.x() * y)));
+  }
+  const auto [least_x, most_x] = std::minmax_element(cells.x.begin(), cells.x.end());
+  const auto [least_y, most_y] = std::minmax_element(cells.y.begin(), cells.y.end());
+  if (ends.size() == 0) return cells;
+  cells.least_x = *least_x;
+  cells.most_x = *most_x;
+  cells.least_y = *least_y;
+  cells.most_y = *most_y;
+  return cells;
 }
 
 }  // namespace
@@ -36,14 +56,12 @@ void PoseSearch::begin(const BeamEnds& ends) {
   next_heading_ = 0;
   phase_ = ends_.size() == 0 ? Phase::finished : Phase::bounding;
   least_score_ = static_cast<std::int32_t>(options_.least_fit * 255.0 * static_cast<double>(ends_.size()));
-  offsets_.clear();
+  least_candidate_ = least_score_;
+  candidates_ = 0;
+  by_bound_.assign(kMostEnds * 255 / kBoundClass + 2, 0);
+  offsets_.resize(headings_);
   for (std::size_t heading = 0; heading < headings_; ++heading) {
-    const Pose2 turn{0.0, 0.0, heading_of(heading)};
-    for (std::size_t b = 0; b < ends_.size(); ++b) {
-      const Vector2 end = turn * Vector2{static_cast<double>(ends_.x[b]), static_cast<double>(ends_.y[b])};
-      offsets_.push_back({static_cast<std::int32_t>(std::lround(end.x() / tables_.resolution())),
-                          static_cast<std::int32_t>(std::lround(end.y() / tables_.resolution()))});
-    }
+    offsets_[heading] = offsets(ends_, heading_of(heading), tables_.resolution());
   }
 }
 
@@ -55,38 +73,37 @@ bool PoseSearch::advance(int nodes) {
 }
 
 void PoseSearch::bound_heading() {
-  const auto blocks =
-      static_cast<std::size_t>(tables_.blocks_x()) * static_cast<std::size_t>(tables_.blocks_y());
-  bounds_.assign(blocks, 0);
-  const Offset* offset = &offsets_[next_heading_ * ends_.size()];
-  for (std::size_t b = 0; b < ends_.size(); ++b) tables_.add_bounds(offset[b].x, offset[b].y, bounds_);
+  bounds_.assign(static_cast<std::size_t>(tables_.blocks_x()) * static_cast<std::size_t>(tables_.blocks_y()),
+                 0);
+  const CellOffsets& ends = offsets_[next_heading_];
+  for (std::size_t b = 0; b < ends_.size(); ++b) tables_.add_bounds(ends.x[b], ends.y[b], bounds_);
   const std::int32_t all_outside = tables_.outside() * static_cast<std::int32_t>(ends_.size());
   const int level = tables_.coarsest();
-  for (std::int32_t j = 0; j < tables_.blocks_y(); ++j) {
-    for (std::int32_t i = 0; i < tables_.blocks_x(); ++i) {
-      const std::int32_t bound =
-          all_outside + bounds_[static_cast<std::size_t>(j) * static_cast<std::size_t>(tables_.blocks_x()) +
-                                static_cast<std::size_t>(i)];
-      if (bound < least_score_ || !tables_.free(level, i << level, j << level)) continue;
-      open_.push_back({bound, static_cast<std::uint16_t>(next_heading_), static_cast<std::uint16_t>(level),
-                       i << level, j << level});
-    }
+  for (const std::uint32_t block : tables_.free_blocks()) {
+    const std::int32_t bound = all_outside + bounds_[block];
+    if (bound < least_candidate_) continue;
+    const auto i = static_cast<std::int32_t>(block) % tables_.blocks_x();
+    const auto j = static_cast<std::int32_t>(block) / tables_.blocks_x();
+    open_.push_back({bound, static_cast<std::uint16_t>(next_heading_), static_cast<std::uint16_t>(level),
+                     i << level, j << level});
+    note_candidate(bound);
   }
-  keep_best_candidates();
-  visited_ += 1 + static_cast<std::int64_t>(blocks) / kBoundsPerNode;
+  visited_ += 1 + static_cast<std::int64_t>(tables_.free_blocks().size()) / kBoundsPerNode;
   if (++next_heading_ < headings_) return;
+  std::erase_if(open_, [this](const Node& node) { return node.score < least_candidate_; });
   std::make_heap(open_.begin(), open_.end(), worse);
   phase_ = Phase::splitting;
 }
 
-void PoseSearch::keep_best_candidates() {
-  const auto most = static_cast<std::size_t>(options_.candidates);
-  if (open_.size() < 2 * most && next_heading_ + 1 < headings_) return;
-  if (open_.size() <= most) return;
-  const auto last = open_.begin() + static_cast<std::ptrdiff_t>(most);
-  std::nth_element(open_.begin(), last, open_.end(),
-                   [](const Node& a, const Node& b) { return worse(b, a); });
-  open_.erase(last, open_.end());
+// Raises what a candidate must have while there are too many that have more.
+void PoseSearch::note_candidate(std::int32_t bound) {
+  ++by_bound_[static_cast<std::size_t>(bound / kBoundClass)];
+  ++candidates_;
+  for (auto least = static_cast<std::size_t>(least_candidate_ / kBoundClass);
+       candidates_ - by_bound_[least] >= options_.candidates; ++least) {
+    candidates_ -= by_bound_[least];
+    least_candidate_ = static_cast<std::int32_t>(least + 1) * kBoundClass;
+  }
 }
 
 void PoseSearch::split_best() {
@@ -107,12 +124,12 @@ void PoseSearch::split_best() {
     return;
   }
   const auto level = static_cast<std::uint16_t>(node.level - 1);
+  const std::array<std::int32_t, 4> scores = tables_.sums(level, node.x, node.y, offsets_[node.heading]);
+  visited_ += 4;
   for (std::int32_t quarter = 0; quarter < 4; ++quarter) {
-    Node child{0, node.heading, level, node.x + ((quarter & 1) << level), node.y + ((quarter >> 1) << level)};
-    if (!tables_.free(level, child.x, child.y)) continue;
-    child.score = score(child);
-    ++visited_;
-    if (child.score < least_score_) continue;
+    const Node child{scores[static_cast<std::size_t>(quarter)], node.heading, level,
+                     node.x + ((quarter & 1) << level), node.y + ((quarter >> 1) << level)};
+    if (child.score < least_score_ || !tables_.free(level, child.x, child.y)) continue;
     open_.push_back(child);
     std::push_heap(open_.begin(), open_.end(), worse);
   }
@@ -157,15 +174,6 @@ bool PoseSearch::near_result(const Pose2& X_MB, double margin) const {
     return (result.X_MB.position() - X_MB.position()).norm() + margin < options_.apart &&
            std::abs(wrap_angle(result.X_MB.theta - X_MB.theta)) < options_.apart_angle;
   });
-}
-
-std::int32_t PoseSearch::score(const Node& node) const {
-  const Offset* offset = &offsets_[node.heading * ends_.size()];
-  std::int32_t sum = 0;
-  for (std::size_t b = 0; b < ends_.size(); ++b) {
-    sum += tables_.at(node.level, node.x + offset[b].x, node.y + offset[b].y);
-  }
-  return sum;
 }
 
 std::int32_t PoseSearch::score(const Pose2& X_MB) const {

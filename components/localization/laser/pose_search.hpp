@@ -51,10 +51,6 @@ class PoseSearch {
     std::int32_t x = 0;
     std::int32_t y = 0;
   };
-  struct Offset {
-    std::int32_t x = 0;
-    std::int32_t y = 0;
-  };
   struct Scored {
     Pose2 X_MB;
     std::int32_t score = 0;
@@ -62,12 +58,11 @@ class PoseSearch {
 
   static bool worse(const Node& a, const Node& b);
   void bound_heading();
-  void keep_best_candidates();
+  void note_candidate(std::int32_t bound);
   void split_best();
   Scored refined(Scored from) const;
   void finish();
   bool near_result(const Pose2& X_MB, double margin) const;
-  std::int32_t score(const Node& node) const;
   double heading_of(std::size_t index) const;
   std::int32_t score(const Pose2& X_MB) const;
   Pose2 pose_of(const Node& node) const;
@@ -78,9 +73,12 @@ class PoseSearch {
   std::size_t headings_;
   Phase phase_ = Phase::finished;
   BeamEnds ends_;
-  std::vector<Offset> offsets_;  ///< [cells], beams of heading 0, of heading 1, ...
+  std::vector<CellOffsets> offsets_;  ///< by heading
   std::size_t next_heading_ = 0;
   std::vector<std::int16_t> bounds_;
+  std::vector<int> by_bound_;  ///< candidates by class of bounds
+  int candidates_ = 0;
+  std::int32_t least_candidate_ = 0;
   std::vector<Node> open_;        ///< a heap, once splitting
   std::int32_t least_score_ = 0;  ///< worse is not looked at
   std::vector<PoseHypothesis> results_;

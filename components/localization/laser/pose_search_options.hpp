@@ -14,7 +14,7 @@ struct PoseSearchOptions {
   double apart_angle = 0.35;
   double least_fit = 0.4;
   double margin = 0.25;
-  int candidates = 50000;
+  int candidates = 20000;
 
   template <class Visitor>
   void fields(Visitor& v) {

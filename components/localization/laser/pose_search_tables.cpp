@@ -87,28 +87,59 @@ void PoseSearchTables::build_levels(const LikelihoodField& field) {
 }
 
 void PoseSearchTables::build_free(const LikelihoodField& field, double clearance) {
-  const auto stride = static_cast<std::size_t>(width_) + 1;
-  free_before_.assign(stride * (static_cast<std::size_t>(height_) + 1), 0);
-  for (std::int32_t y = 0; y < height_; ++y) {
-    for (std::int32_t x = 0; x < width_; ++x) {
+  for (int level = finest_; level <= coarsest(); ++level) {
+    FreeSquares squares;
+    squares.width = ((width_ - 1) >> level) + 1;
+    squares.height = ((height_ - 1) >> level) + 1;
+    squares.any.resize(static_cast<std::size_t>(squares.width) * static_cast<std::size_t>(squares.height), 0);
+    free_.push_back(squares);
+  }
+  for (std::int32_t y = border_; y < height_; ++y) {
+    for (std::int32_t x = border_; x < width_; ++x) {
       const Vector2 p = center(x, y);
       const double d = field.distance(p.x(), p.y());
-      const bool is_free = field.known(p.x(), p.y()) && d > 0.0 && d >= clearance;
-      const std::size_t i = (static_cast<std::size_t>(y) + 1) * stride + static_cast<std::size_t>(x) + 1;
-      free_before_[i] =
-          free_before_[i - 1] + free_before_[i - stride] - free_before_[i - stride - 1] + (is_free ? 1 : 0);
+      if (!field.known(p.x(), p.y()) || d <= 0.0 || d < clearance) continue;
+      for (int level = finest_; level <= coarsest(); ++level) {
+        FreeSquares& squares = free_[static_cast<std::size_t>(level - finest_)];
+        squares.any[static_cast<std::size_t>(y >> level) * static_cast<std::size_t>(squares.width) +
+                    static_cast<std::size_t>(x >> level)] = 1;
+      }
     }
+  }
+  for (std::uint32_t block = 0; block < free_.back().any.size(); ++block) {
+    if (free_.back().any[block] != 0) free_blocks_.push_back(block);
   }
 }
 
-bool PoseSearchTables::free(int level, std::int32_t x, std::int32_t y) const {
-  const auto corner = [&](std::int32_t column, std::int32_t row) {
-    return free_before_[static_cast<std::size_t>(std::clamp(row, 0, height_)) *
-                            (static_cast<std::size_t>(width_) + 1) +
-                        static_cast<std::size_t>(std::clamp(column, 0, width_))];
-  };
+std::array<std::int32_t, 4> PoseSearchTables::sums(int level, std::int32_t x, std::int32_t y,
+                                                   const CellOffsets& ends) const {
+  std::array<std::int32_t, 4> sum{};
   const std::int32_t edge = 1 << level;
-  return corner(x + edge, y + edge) - corner(x, y + edge) - corner(x + edge, y) + corner(x, y) > 0;
+  const std::size_t count = ends.x.size();
+  const bool inside = x + ends.least_x >= 0 && x + ends.most_x + edge < width_ && y + ends.least_y >= 0 &&
+                      y + ends.most_y + edge < height_;
+  if (!inside) {
+    for (std::size_t b = 0; b < count; ++b) {
+      const std::int32_t end_x = x + ends.x[b];
+      const std::int32_t end_y = y + ends.y[b];
+      sum[0] += at(level, end_x, end_y);
+      sum[1] += at(level, end_x + edge, end_y);
+      sum[2] += at(level, end_x, end_y + edge);
+      sum[3] += at(level, end_x + edge, end_y + edge);
+    }
+    return sum;
+  }
+  const std::uint8_t* lower =
+      levels_[static_cast<std::size_t>(level)].data() + static_cast<std::ptrdiff_t>(y) * width_ + x;
+  const std::uint8_t* upper = lower + static_cast<std::ptrdiff_t>(edge) * width_;
+  for (std::size_t b = 0; b < count; ++b) {
+    const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(ends.y[b]) * width_ + ends.x[b];
+    sum[0] += lower[i];
+    sum[1] += lower[i + edge];
+    sum[2] += upper[i];
+    sum[3] += upper[i + edge];
+  }
+  return sum;
 }
 
 void PoseSearchTables::build_phases() {

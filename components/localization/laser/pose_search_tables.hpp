@@ -1,6 +1,7 @@
 // Maxima of the likelihood field over squares of cells: what bounds of a search over the map read.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -8,6 +9,16 @@
 #include "components/model/pose2.hpp"
 
 namespace bw::localization {
+
+/// Ends of beams [cells] from the cell of the base, and the box that holds them.
+struct CellOffsets {
+  std::vector<std::int32_t> x;
+  std::vector<std::int32_t> y;
+  std::int32_t least_x = 0;
+  std::int32_t most_x = 0;
+  std::int32_t least_y = 0;
+  std::int32_t most_y = 0;
+};
 
 /// Values are log p of the field on a scale 0 (far from everything) to 255 (at an obstacle).
 class PoseSearchTables {
@@ -30,13 +41,25 @@ class PoseSearchTables {
                   [static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
                    static_cast<std::size_t>(column)];
   }
-  /// Has a square free cells?
-  bool free(int level, std::int32_t x, std::int32_t y) const;
+  /// Sums over `count` ends of at() for the four squares of level `level` at (x, y), right of it, above it,
+  /// and both; an end is (end_x, end_y) cells from its square.
+  std::array<std::int32_t, 4> sums(int level, std::int32_t x, std::int32_t y, const CellOffsets& ends) const;
+  /// Has a square of a level from finest() to coarsest() free cells? (x, y) are multiples of its edge.
+  bool free(int level, std::int32_t x, std::int32_t y) const {
+    const FreeSquares& squares = free_[static_cast<std::size_t>(level - finest_)];
+    const std::int32_t i = x >> level;
+    const std::int32_t j = y >> level;
+    return i < squares.width && j < squares.height &&
+           squares.any[static_cast<std::size_t>(j) * static_cast<std::size_t>(squares.width) +
+                       static_cast<std::size_t>(i)] != 0;
+  }
 
   /// Coarsest squares side by side, columns and rows of them; square (i, j) starts at cell (i, j) *
   /// 2^coarsest.
   int blocks_x() const { return blocks_x_; }
   int blocks_y() const { return blocks_y_; }
+  /// Those with free cells, as j * blocks_x + i.
+  const std::vector<std::uint32_t>& free_blocks() const { return free_blocks_; }
   /// bounds[j * blocks_x + i] += bound, less outside(), of the value at any cell of square (i, j) moved by
   /// (x, y) cells.
   void add_bounds(std::int32_t x, std::int32_t y, std::vector<std::int16_t>& bounds) const;
@@ -66,7 +89,13 @@ class PoseSearchTables {
   int finest_;
   std::int32_t outside_ = 0;                       ///< value of what is outside
   std::vector<std::vector<std::uint8_t>> levels_;  ///< by level; sliding maxima, row-major
-  std::vector<std::int32_t> free_before_;          ///< free cells left of and below a corner (summed area)
+  struct FreeSquares {
+    std::int32_t width = 0;
+    std::int32_t height = 0;
+    std::vector<std::uint8_t> any;
+  };
+  std::vector<FreeSquares> free_;  ///< by level, from finest_
+  std::vector<std::uint32_t> free_blocks_;
   int blocks_x_;
   int blocks_y_;
   /// Coarsest maxima at every stride_-th cell, less outside_: one plane for each of the columns k modulo 4,

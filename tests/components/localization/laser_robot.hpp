@@ -55,6 +55,7 @@ class SensedRobot {
       }
     }
     return {.time = time,
+            .source = 1,
             .angle_min = scan.angle_min,
             .angle_increment = scan.angle_increment,
             .range_min = 0.05,
