@@ -53,6 +53,14 @@ void LocalizationComponent::listen(Setup& setup) {
         "pose", Qos::standard(), [this](const auto& m, const Tick& tick) { on_pose(m, tick); },
         Need::optional);
   }
+  if (sensors.ranges) {
+    setup.input<bandwagon_msgs::msg::AnchorRange>(
+        "ranges", Qos::sensor(),
+        [this](const auto& m, const Tick& tick) {
+          if (m.header().frame_id() == map_frame_) filter_->add(to_range(m), tick.now);
+        },
+        Need::optional);
+  }
   if (sensors.laser && parameters_.algorithm == "particle_filter") {
     setup.input<sensor_msgs::msg::LaserScan>(
         "scan", Qos::sensor(), [this](const auto& m, const Tick& tick) { on_scan(m, tick); }, Need::optional);

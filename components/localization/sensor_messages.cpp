@@ -76,6 +76,16 @@ Measurement to_measurement(const geometry_msgs::msg::PoseWithCovarianceStamped& 
   return PoseReading{time, kPose, X_MB, C};
 }
 
+RangeReading to_range(const bandwagon_msgs::msg::AnchorRange& message) {
+  RangeReading reading;
+  reading.time = from_stamp(message.header().stamp());
+  reading.source = kRanges;
+  reading.range = message.range();
+  reading.variance = message.variance();
+  reading.anchor = {message.anchor().x(), message.anchor().y()};
+  return reading;
+}
+
 LaserReading to_reading(const sensor_msgs::msg::LaserScan& message, const Pose2& X_BS) {
   return {from_stamp(message.header().stamp()),
           kLaser,

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include <bandwagon_msgs/msg/anchor_range.hpp>
 #include <geometry_msgs/msg/pose_with_covariance_stamped.hpp>
 #include <sensor_msgs/msg/imu.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
@@ -36,6 +37,8 @@ PositionFix to_fix(const sensor_msgs::msg::NavSatFix& message, const Geodetic& p
 Eigen::Matrix3d planar_covariance(const geometry_msgs::msg::PoseWithCovariance& message);
 /// A pose; or a position only, when the variance of its yaw says that it is unknown (above 10 rad^2).
 Measurement to_measurement(const geometry_msgs::msg::PoseWithCovarianceStamped& message);
+
+RangeReading to_range(const bandwagon_msgs::msg::AnchorRange& message);
 
 /// Looks into the message, which must live as long.
 LaserReading to_reading(const sensor_msgs::msg::LaserScan& message, const Pose2& X_BS);
