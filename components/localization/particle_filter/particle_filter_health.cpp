@@ -93,8 +93,12 @@ Health ParticleFilter::health(Time now) const {
     report.worsen(HealthState::lost, {HealthCause::searching, -1, report.age(*since)});
   if (const std::optional<Time> since = recovery_.mismatch_since()) {
     const double lasting = report.age(*since);
-    report.worsen(lasting >= options_.recovery.lost_mismatch ? HealthState::lost : HealthState::degraded,
-                  {HealthCause::scan_mismatch, -1, lasting});
+    const RecoveryOptions& o = options_.recovery;
+    if (lasting >=
+        std::min(o.search_after, o.lost_mismatch)) {  // one sweep says little: people stand in the way
+      report.worsen(lasting >= o.lost_mismatch ? HealthState::lost : HealthState::degraded,
+                    {HealthCause::scan_mismatch, -1, lasting});
+    }
   }
   if (laser_heard_ && !field_) report.worsen(HealthState::degraded, {HealthCause::no_map});
   return report.health;
