@@ -1,19 +1,120 @@
-// Parameters of the tracker. Defaults suit a laser near the floor with 5 to 40 sweeps per second.
+// Parameters of the tracker. Defaults suit a laser at the height of shins with 5 to 40 sweeps per second.
 #pragma once
 
+#include "components/people/tracker/walker.hpp"
 #include "runtime/parameters/field.hpp"
 
 namespace bw::people {
 
+struct AssociationOptions {
+  double gate = 9.21;
+  double reach = 1.2;
+  double slack = 0.1;
+  double unlike = 2.0;
+  double people_first = 2.0;
+  double largest = 0.8;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("gate", gate,
+      {.min = 1, .max = 100, .doc = "squared standard deviations (2 dof) that may lie between"});
+    v("reach", reach,
+      {.unit = "m", .min = 0.1, .max = 5, .doc = "and metres: the human-oriented gate of spec 7.2"});
+    v("slack", slack,
+      {.unit = "m",
+       .min = 0,
+       .max = 1,
+       .doc = "added to the spread of every prediction while choosing: people turn and stop"});
+    v("unlike", unlike,
+      {.min = 0, .max = 20, .doc = "what -ln(score) of a detection adds for legs of people"});
+    v("people_first", people_first,
+      {.min = 0, .max = 20, .doc = "what it adds to give a detection to something that is not a person"});
+    v("largest", largest,
+      {.unit = "m", .min = 0.2, .max = 10, .doc = "wider detections are no part of a person"});
+  }
+};
+
+struct BirthOptions {
+  int sightings = 3;
+  int of_sweeps = 5;
+  double travel = 0.3;
+  double separation = 0.6;
+  double misfit = 0.05;
+  double walking_score = 0.4;
+  int standing_sightings = 8;
+  double standing_separation = 0.42;
+  double standing_score = 0.75;
+  double single_travel = 0.5;
+  int single_sightings = 6;
+  double single_score = 0.6;
+  double single_straight = 0.8;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("sightings", sightings, {.min = 2, .max = 12, .doc = "of both legs"});
+    v("of_sweeps", of_sweeps, {.min = 2, .max = 12, .doc = "within so many sweeps"});
+    v("travel", travel, {.unit = "m", .min = 0.05, .max = 3, .doc = "way walked by the middle of two legs"});
+    v("separation", separation,
+      {.unit = "m", .min = 0.2, .max = 1, .doc = "from leg to leg, at most, while walking"});
+    v("misfit", misfit,
+      {.unit = "m", .min = 0.01, .max = 1, .doc = "of the middle to a straight way, root mean square"});
+    v("walking_score", walking_score, {.min = 0, .max = 1, .doc = "of each leg of a pair that walks"});
+    v("standing_sightings", standing_sightings, {.min = 2, .max = 12, .doc = "of a pair that stands"});
+    v("standing_separation", standing_separation,
+      {.unit = "m", .min = 0.1, .max = 1, .doc = "from leg to leg, at most, while standing"});
+    v("standing_score", standing_score, {.min = 0, .max = 1, .doc = "of each leg of a pair that stands"});
+    v("single_travel", single_travel,
+      {.unit = "m", .min = 0.05, .max = 3, .doc = "way walked by a leg, or two legs in one, alone"});
+    v("single_sightings", single_sightings, {.min = 2, .max = 12, .doc = "of it"});
+    v("single_score", single_score, {.min = 0, .max = 1, .doc = "of it"});
+    v("single_straight", single_straight,
+      {.min = 0, .max = 1, .doc = "share of its path that brought it forward"});
+  }
+};
+
+struct DeathOptions {
+  double unseen = 1.0;
+  double sigma = 0.9;
+  double unlike_score = 0.25;
+  double unlike_speed = 0.3;
+  double cluster_unseen = 0.5;
+  double margin = 0.15;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("unseen", unseen,
+      {.unit = "s", .min = 0.1, .max = 10, .doc = "not seen so long where they could have been"});
+    v("sigma", sigma, {.unit = "m", .min = 0.1, .max = 5, .doc = "position not known better, hidden or not"});
+    v("unlike_score", unlike_score,
+      {.min = 0, .max = 1, .doc = "mean score of somebody who stands, below which it was furniture"});
+    v("unlike_speed", unlike_speed, {.unit = "m/s", .min = 0, .max = 5, .doc = "slower counts as standing"});
+    v("cluster_unseen", cluster_unseen,
+      {.unit = "s", .min = 0.1, .max = 10, .doc = "other clusters are forgotten then"});
+    v("margin", margin,
+      {.unit = "m", .min = 0, .max = 1, .doc = "a beam that passes by so much beyond shows an empty place"});
+  }
+};
+
 struct TrackerOptions {
   double person_radius = 0.3;
   double longest_gap = 1.0;
+  int most_detections = 1000;
+  AssociationOptions association;
+  WalkerOptions walker;
+  BirthOptions birth;
+  DeathOptions death;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("person_radius", person_radius, {.unit = "m", .min = 0.05, .max = 1, .doc = "reported of everybody"});
     v("longest_gap", longest_gap,
       {.unit = "s", .min = 0.1, .max = 60, .doc = "silence or jump back in time that forgets everybody"});
+    v("most_detections", most_detections,
+      {.min = 1, .max = 20000, .doc = "of a sweep; the rest is ignored, the least human first"});
+    v("association", association, {.doc = "which detection belongs to whom"});
+    v("walker", walker, {.doc = "how people move"});
+    v("birth", birth, {.doc = "when clusters become a person"});
+    v("death", death, {.doc = "when a person is no longer believed to be there"});
   }
 };
 

@@ -1,0 +1,34 @@
+// When clusters are a person: two that walk or stand like legs, or one that walks like a leg with the other
+// one hidden.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "components/people/tracker/cluster_track.hpp"
+#include "components/people/tracker/tracker_options.hpp"
+
+namespace bw::people {
+
+/// Clusters that are a person, by their index. `doubt` ranks candidates that want the same leg: less first.
+struct Candidate {
+  int first = 0;
+  int second = -1;  ///< -1: one leg, or both in one
+  double doubt = 0.0;
+};
+
+/// Whether two clusters, both seen in the last sweep, are the legs of one person; their doubt.
+std::optional<double> doubt_of_pair(const ClusterTrack& a, const ClusterTrack& b,
+                                    const BirthOptions& options);
+
+/// The same of one cluster alone.
+std::optional<double> doubt_of_single(const ClusterTrack& cluster, const BirthOptions& options);
+
+/// Everybody among the clusters seen in sweep number `sweep`; no cluster twice. Pairs come before singles.
+void find_people(const std::vector<ClusterTrack>& clusters, std::int64_t sweep, const BirthOptions& options,
+                 std::vector<Candidate>& found);
+
+/// The filter of a candidate, from all its remembered sightings.
+Walker walker_of(const ClusterTrack& first, const ClusterTrack* second, const WalkerOptions& options);
+
+}  // namespace bw::people

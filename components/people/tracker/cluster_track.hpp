@@ -1,0 +1,54 @@
+// Something that was seen and is not known to be a person: a leg of somebody new, or furniture. Constant
+// velocity, both axes alike, and what was seen of it lately.
+#pragma once
+
+#include <cstdint>
+
+#include "components/model/pose2.hpp"
+#include "components/people/detection.hpp"
+
+namespace bw::people {
+
+/// One sweep's view of a cluster.
+struct Sighting {
+  std::int64_t sweep = 0;  ///< counts sweeps
+  double time = 0.0;       ///< [s], from the tracker's own origin
+  Vector2 position{0.0, 0.0};
+  double variance = 0.01;  ///< per axis [m^2]
+  double leg_score = 0.0;
+  double body_score = 0.0;
+  bool on_static = false;
+  bool occluded = false;
+
+  double human_score() const { return leg_score > body_score ? leg_score : body_score; }
+};
+
+class ClusterTrack {
+ public:
+  static constexpr int kRemembered = 12;
+
+  explicit ClusterTrack(const Sighting& first);
+
+  void predict(double dt);
+  void correct(const Sighting& seen);
+
+  const Vector2& position() const { return position_; }
+  const Vector2& velocity() const { return velocity_; }
+  double variance() const { return p_; }  ///< of the position, per axis [m^2]
+
+  /// How many sightings are remembered, and the k-th latest of them (0: the last).
+  int remembered() const { return count_ < kRemembered ? static_cast<int>(count_) : kRemembered; }
+  const Sighting& sighting(int k) const { return ring_[(count_ - 1 - k) % kRemembered]; }
+  const Sighting& last() const { return sighting(0); }
+
+ private:
+  Vector2 position_;
+  Vector2 velocity_{0.0, 0.0};
+  double p_;         ///< variance of the position [m^2]
+  double pv_ = 0.0;  ///< with the velocity
+  double vv_ = 1.0;  ///< of the velocity [m^2/s^2]: legs swing at up to 2.5 m/s
+  std::int64_t count_ = 0;
+  Sighting ring_[kRemembered];
+};
+
+}  // namespace bw::people

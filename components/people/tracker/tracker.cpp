@@ -1,0 +1,286 @@
+#include "components/people/tracker/tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/Dense>
+
+#include "components/people/tracker/birth.hpp"
+#include "components/people/tracker/cluster_track.hpp"
+#include "components/people/tracker/matching.hpp"
+#include "components/people/tracker/person_track.hpp"
+#include "components/people/tracker/visibility.hpp"
+
+namespace bw::people {
+namespace {
+
+constexpr double kScoreMemory = 0.95;  // per sighting (Leigh et al. 2015)
+
+double human_score(const Detection& d) { return std::max(d.leg_score, d.body_score); }
+
+bool usable(const Detection& d, const AssociationOptions& options) {
+  const Eigen::Matrix2d& c = d.covariance;
+  return d.position.allFinite() && c.allFinite() && c(0, 0) > 0.0 && c.determinant() > 0.0 &&
+         std::isfinite(d.leg_score) && std::isfinite(d.body_score) && d.width <= options.largest;
+}
+
+}  // namespace
+
+class Tracker::Impl {
+ public:
+  explicit Impl(const TrackerOptions& options) : options_(options) {}
+
+  const std::vector<TrackedPerson>& update(const DetectionSet& sweep);
+  const std::vector<TrackedPerson>& people() const { return reported_; }
+  std::size_t cluster_count() const { return clusters_.size(); }
+  void reset();
+
+ private:
+  void take_in(const DetectionSet& sweep);
+  void correct_people();
+  void correct_person(PersonTrack& person, const LegMatch& match);
+  void correct_clusters();
+  Sighting sighting_of(const Detection& d) const;
+  void watch_for_absence(const DetectionSet& sweep, double dt);
+  void lose_people();
+  void give_missing_legs_back();
+  void find_new_people();
+  PersonTrack* somebody_lost_near(const Walker& walker);
+  void report();
+
+  TrackerOptions options_;
+  std::optional<Time> now_;
+  Time origin_;
+  std::int64_t sweep_ = 0;
+  std::uint32_t last_id_ = 0;
+  std::vector<PersonTrack> people_;
+  std::vector<ClusterTrack> clusters_;
+  std::vector<Detection> detections_;
+  Matching matching_;
+  std::vector<Candidate> candidates_;
+  std::vector<TrackedPerson> reported_;
+};
+
+void Tracker::Impl::reset() {
+  now_.reset();
+  people_.clear();
+  clusters_.clear();
+  reported_.clear();
+}
+
+const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& sweep) {
+  const Duration gap = Duration::seconds(options_.longest_gap);
+  if (now_ && (sweep.time > *now_ + gap || sweep.time < *now_ - gap)) reset();
+  if (now_ && sweep.time <= *now_) return reported_;
+  if (!now_) origin_ = sweep.time;
+  const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
+  now_ = sweep.time;
+  ++sweep_;
+
+  take_in(sweep);
+  for (PersonTrack& person : people_) person.walker.predict(dt, options_.walker);
+  for (ClusterTrack& cluster : clusters_) cluster.predict(dt);
+  matching_.match(detections_, people_, clusters_, options_.association);
+  correct_people();
+  correct_clusters();
+  watch_for_absence(sweep, dt);
+  give_missing_legs_back();
+  find_new_people();
+  lose_people();
+  report();
+  return reported_;
+}
+
+void Tracker::Impl::take_in(const DetectionSet& sweep) {
+  detections_.clear();
+  for (const Detection& d : sweep.detections)
+    if (usable(d, options_.association)) detections_.push_back(d);
+  const auto most = static_cast<std::size_t>(options_.most_detections);
+  if (detections_.size() <= most) return;
+  std::stable_sort(detections_.begin(), detections_.end(),
+                   [](const Detection& a, const Detection& b) { return human_score(a) > human_score(b); });
+  detections_.resize(most);
+}
+
+void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
+  ++person.first_unseen;
+  ++person.second_unseen;
+  const bool one = (match.first < 0) != (match.second < 0);
+  for (const auto& [part, index] :
+       {std::pair{BodyPart::first_leg, match.first}, std::pair{BodyPart::second_leg, match.second}}) {
+    if (index < 0) continue;
+    const Detection& d = detections_[static_cast<std::size_t>(index)];
+    const bool whole = one && d.body_score > d.leg_score;
+    person.walker.correct(whole ? BodyPart::middle : part, d.position, d.covariance, options_.walker);
+    person.score = kScoreMemory * person.score + (1.0 - kScoreMemory) * human_score(d);
+    person.last_seen = *now_;
+    person.empty_seconds = 0.0;
+    if (whole || part == BodyPart::first_leg) person.first_unseen = 0;
+    if (whole || part == BodyPart::second_leg) person.second_unseen = 0;
+  }
+}
+
+void Tracker::Impl::correct_people() {
+  for (std::size_t i = 0; i < people_.size(); ++i) correct_person(people_[i], matching_.of_person(i));
+}
+
+Sighting Tracker::Impl::sighting_of(const Detection& d) const {
+  return {.sweep = sweep_,
+          .time = (*now_ - origin_).to_seconds(),
+          .position = d.position,
+          .variance = d.covariance.trace() / 2.0,
+          .leg_score = d.leg_score,
+          .body_score = d.body_score,
+          .on_static = d.on_static,
+          .occluded = d.occluded};
+}
+
+void Tracker::Impl::correct_clusters() {
+  for (std::size_t i = 0; i < clusters_.size(); ++i) {
+    const int j = matching_.of_cluster(i);
+    if (j >= 0) clusters_[i].correct(sighting_of(detections_[static_cast<std::size_t>(j)]));
+  }
+  const double now = (*now_ - origin_).to_seconds();
+  std::erase_if(clusters_, [&](const ClusterTrack& cluster) {
+    return now - cluster.last().time > options_.death.cluster_unseen;
+  });
+  for (std::size_t j = 0; j < detections_.size(); ++j)
+    if (!matching_.taken(j)) clusters_.emplace_back(sighting_of(detections_[j]));
+}
+
+/// Who is not seen counts the time for which the laser looks through all of where they should be.
+void Tracker::Impl::watch_for_absence(const DetectionSet& sweep, double dt) {
+  for (PersonTrack& person : people_) {
+    if (person.last_seen == *now_) continue;
+    const bool empty = std::ranges::all_of(
+        std::initializer_list<BodyPart>{BodyPart::first_leg, BodyPart::second_leg, BodyPart::middle},
+        [&](BodyPart part) {
+          return seen_empty(sweep, person.walker.expected(part), options_.death.margin);
+        });
+    if (empty) person.empty_seconds += dt;
+  }
+}
+
+void Tracker::Impl::lose_people() {
+  const DeathOptions& death = options_.death;
+  std::erase_if(people_, [&](const PersonTrack& person) {
+    return person.empty_seconds >= death.unseen - 1e-9 || person.walker.position_sigma() > death.sigma ||
+           (person.score < death.unlike_score && person.walker.velocity().norm() < death.unlike_speed);
+  });
+}
+
+/// A leg that came back outside of its gate has become a cluster meanwhile: the person takes it back.
+void Tracker::Impl::give_missing_legs_back() {
+  constexpr int kMissing = 3;
+  for (PersonTrack& person : people_) {
+    const bool first = person.first_unseen >= kMissing && person.second_unseen == 0;
+    const bool second = person.second_unseen >= kMissing && person.first_unseen == 0;
+    if (first == second) continue;
+    const Vector2 seen = person.walker.expected(first ? BodyPart::second_leg : BodyPart::first_leg);
+    auto nearest = clusters_.end();
+    double best = options_.birth.separation;
+    for (auto cluster = clusters_.begin(); cluster != clusters_.end(); ++cluster) {
+      const Sighting& last = cluster->last();
+      if (last.sweep != sweep_ || last.leg_score < options_.birth.walking_score) continue;
+      if (cluster->remembered() < options_.birth.sightings) continue;
+      if ((cluster->velocity() - person.walker.velocity()).norm() >
+          0.5 + 1.2 * person.walker.velocity().norm())
+        continue;
+      const double distance = (last.position - seen).norm();
+      if (distance >= best) continue;
+      best = distance;
+      nearest = cluster;
+    }
+    if (nearest == clusters_.end()) continue;
+    const Sighting& last = nearest->last();
+    person.walker.forget_legs(options_.walker);
+    const BodyPart missing = first ? BodyPart::first_leg : BodyPart::second_leg;
+    person.walker.correct(missing, last.position, last.variance * Eigen::Matrix2d::Identity(),
+                          options_.walker);
+    (first ? person.first_unseen : person.second_unseen) = 0;
+    clusters_.erase(nearest);
+  }
+}
+
+/// Somebody not seen in this sweep, of whom the new walker could be the continuation.
+PersonTrack* Tracker::Impl::somebody_lost_near(const Walker& walker) {
+  PersonTrack* nearest = nullptr;
+  double best = options_.association.gate;
+  for (PersonTrack& person : people_) {
+    if (person.last_seen == *now_) continue;
+    const Vector2 miss = walker.position() - person.walker.position();
+    if (miss.norm() > options_.association.reach) continue;
+    const Eigen::Matrix2d slack =
+        options_.association.slack * options_.association.slack * Eigen::Matrix2d::Identity();
+    const Eigen::Matrix2d spread =
+        person.walker.spread(BodyPart::middle) + walker.spread(BodyPart::middle) + slack;
+    const double distance = miss.dot(spread.ldlt().solve(miss));
+    if (distance > best) continue;
+    best = distance;
+    nearest = &person;
+  }
+  return nearest;
+}
+
+void Tracker::Impl::find_new_people() {
+  find_people(clusters_, sweep_, options_.birth, candidates_);
+  std::vector<int> used;
+  for (const Candidate& candidate : candidates_) {
+    const ClusterTrack& first = clusters_[static_cast<std::size_t>(candidate.first)];
+    const ClusterTrack* second =
+        candidate.second < 0 ? nullptr : &clusters_[static_cast<std::size_t>(candidate.second)];
+    Walker walker = walker_of(first, second, options_.walker);
+    used.push_back(candidate.first);
+    if (second != nullptr) used.push_back(candidate.second);
+    PersonTrack* person = somebody_lost_near(walker);
+    if (person == nullptr) {
+      const Sighting& oldest = first.sighting(first.remembered() - 1);
+      people_.push_back({.id = ++last_id_,
+                         .walker = walker,
+                         .born = origin_ + Duration::seconds(oldest.time),
+                         .confirmed = *now_,
+                         .score = first.last().human_score()});
+      person = &people_.back();
+    }
+    person->walker = walker;
+    person->last_seen = *now_;
+    person->empty_seconds = 0.0;
+    person->first_unseen = 0;
+    person->second_unseen = second == nullptr ? 1 : 0;
+  }
+  std::sort(used.begin(), used.end(), std::greater<>());
+  for (const int i : used) clusters_.erase(clusters_.begin() + i);
+}
+
+void Tracker::Impl::report() {
+  reported_.clear();
+  for (const PersonTrack& person : people_) {
+    const double unseen = (*now_ - person.last_seen).to_seconds();
+    reported_.push_back({.id = person.id,
+                         .position = person.walker.position(),
+                         .velocity = person.walker.velocity(),
+                         .covariance = person.walker.covariance(),
+                         .radius = options_.person_radius,
+                         .confidence = person.score * std::exp(-unseen / options_.death.unseen),
+                         .born = person.born,
+                         .confirmed = person.confirmed,
+                         .last_seen = person.last_seen});
+  }
+}
+
+Tracker::Tracker(const TrackerOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+Tracker::~Tracker() = default;
+
+const std::vector<TrackedPerson>& Tracker::update(const DetectionSet& sweep) { return impl_->update(sweep); }
+const std::vector<TrackedPerson>& Tracker::people() const { return impl_->people(); }
+std::size_t Tracker::cluster_count() const { return impl_->cluster_count(); }
+void Tracker::reset() { impl_->reset(); }
+
+std::vector<Vector2> Tracker::keep_out() const {
+  std::vector<Vector2> places;
+  for (const TrackedPerson& person : people()) places.push_back(person.position);
+  return places;
+}
+
+}  // namespace bw::people

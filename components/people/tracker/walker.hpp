@@ -1,0 +1,105 @@
+// How somebody on two legs moves: a linear filter over the point between the legs and the legs' swing.
+//
+//   state (p, v, h, g): place between the legs [m], its velocity [m/s], from there to the first leg [m], and
+//   its rate [m/s]; the legs are at p + h and p - h.
+//
+//   p' = v                        with white acceleration (more when walking than when standing)
+//   h, along the way:  h'' = -w^2 h - c h' + noise, w = 2 pi |v| / stride: one swing per two steps
+//   h, across:         slow drift
+//
+// So a walker of whom one leg is seen does not seem to hurry and wait with each step, as the leg does (it
+// moves at 0 to 2 |v|), and a leg that appears again is expected where it swings. The noise of the swing
+// follows from how far legs swing and how long they keep the beat, that its variance stays what it is.
+// The way is the direction of v; while |v| is small, legs hold still.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "components/model/pose2.hpp"
+#include "runtime/parameters/field.hpp"
+
+namespace bw::people {
+
+struct WalkerOptions {
+  double acceleration_standing = 0.3;
+  double acceleration_walking = 0.9;
+  double stride = 1.4;
+  double swing = 0.18;
+  double full_swing_speed = 1.3;
+  double beat_memory = 1.0;
+  double drift_across = 0.08;
+  double half_width = 0.13;
+  double jump_gate = 13.8;
+  double jump_speed = 0.7;
+  double jump_leg = 0.08;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("acceleration_standing", acceleration_standing,
+      {.unit = "m/s^2/sqrt(Hz)", .min = 0.01, .max = 10, .doc = "spread of the velocity of who stands"});
+    v("acceleration_walking", acceleration_walking,
+      {.unit = "m/s^2/sqrt(Hz)", .min = 0.01, .max = 10, .doc = "the same of who walks"});
+    v("stride", stride, {.unit = "m", .min = 0.5, .max = 3, .doc = "way of two steps: one swing"});
+    v("swing", swing,
+      {.unit = "m", .min = 0.01, .max = 0.6, .doc = "reach of a leg, forward or back, at full swing"});
+    v("full_swing_speed", full_swing_speed,
+      {.unit = "m/s", .min = 0.1, .max = 5, .doc = "slower, legs swing less in proportion"});
+    v("beat_memory", beat_memory,
+      {.unit = "s", .min = 0.05, .max = 20, .doc = "how long a swing keeps its beat"});
+    v("drift_across", drift_across,
+      {.unit = "m/sqrt(s)", .min = 0.001, .max = 1, .doc = "how fast the distance between the legs changes"});
+    v("half_width", half_width,
+      {.unit = "m", .min = 0.02, .max = 0.4, .doc = "from the middle to a leg nobody has seen, each axis"});
+    v("jump_gate", jump_gate,
+      {.min = 1,
+       .max = 100,
+       .doc = "squared standard deviations (2 dof) beyond which a step was not foreseen: filter widens"});
+    v("jump_speed", jump_speed,
+      {.unit = "m/s", .min = 0, .max = 5, .doc = "added then to the spread of the velocity"});
+    v("jump_leg", jump_leg, {.unit = "m", .min = 0, .max = 1, .doc = "added then to the spread of the legs"});
+  }
+};
+
+/// What of a person is seen at a place.
+enum class BodyPart { first_leg, second_leg, middle };
+
+class Walker {
+ public:
+  using State = Eigen::Matrix<double, 8, 1>;
+  using Covariance = Eigen::Matrix<double, 8, 8>;
+
+  /// Both legs seen, moving with velocity v [m/s] of covariance `velocity_variance` I.
+  Walker(const Vector2& first_leg, const Vector2& second_leg, const Vector2& velocity, double leg_variance,
+         double velocity_variance);
+
+  /// One leg seen (or the middle, when `part` says so): the other is somewhere about.
+  Walker(const WalkerOptions& options, BodyPart part, const Vector2& place, const Vector2& velocity,
+         double variance, double velocity_variance);
+
+  void predict(double dt, const WalkerOptions& options);  ///< dt >= 0 [s]
+
+  /// Where the part is expected, and how surely.
+  Vector2 expected(BodyPart part) const;
+  Eigen::Matrix2d spread(BodyPart part) const;
+
+  /// Corrects by a place seen with covariance R [m^2]. Returns the squared distance in standard deviations
+  /// before the correction.
+  double correct(BodyPart part, const Vector2& place, const Eigen::Matrix2d& R, const WalkerOptions& options);
+
+  Vector2 position() const { return x_.head<2>(); }
+  Vector2 velocity() const { return x_.segment<2>(2); }
+  Vector2 to_first_leg() const { return x_.segment<2>(4); }
+  Eigen::Matrix4d covariance() const { return P_.topLeftCorner<4, 4>(); }
+  double position_sigma() const;  ///< largest standard deviation [m]
+
+  /// Forgets where the legs are beyond what any pair of legs obeys.
+  void forget_legs(const WalkerOptions& options);
+
+ private:
+  static double sign(BodyPart part);
+
+  State x_ = State::Zero();
+  Covariance P_ = Covariance::Zero();
+};
+
+}  // namespace bw::people
