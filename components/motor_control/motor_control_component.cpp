@@ -3,6 +3,7 @@
 #include <string>
 
 #include <geometry_msgs/msg/twist.hpp>
+#include <nav2_msgs/msg/collision_monitor_state.hpp>
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/wheel_joints.hpp"
@@ -34,6 +35,14 @@ class MotorControlComponent final : public Component {
     setup.input<geometry_msgs::msg::Twist>(
         "cmd_vel", Qos::command(),
         [this](const auto& message, const Tick& tick) { limiter_->command(tick.now, from_twist(message)); });
+    namespace monitor = nav2_msgs::msg::CollisionMonitorState_Constants;
+    setup.input<nav2_msgs::msg::CollisionMonitorState>(
+        "collision_monitor_state", Qos::standard(),
+        [this](const auto& message, const Tick&) {
+          const bool acts = message.action_type() != monitor::DO_NOTHING;
+          limiter_->set_braking(acts ? Braking::hard : Braking::smooth);
+        },
+        Need::optional);
     setup.every(Duration::seconds(1.0 / options.rate), "wheel_commands",
                 [this](const Tick& tick) { step(tick); });
   }

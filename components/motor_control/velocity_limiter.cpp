@@ -52,7 +52,13 @@ LimitedTwist VelocityLimiter::step(Time now) {
   const double dt = elapsed(now);
   const LimiterState state = judge(now);
   if (state == LimiterState::following) {
-    follow(saturate(command_, limits_, 2.0 * half_separation_, wheel_speed_max_), dt);
+    const Twist2 wish = saturate(command_, limits_, 2.0 * half_separation_, wheel_speed_max_);
+    const bool slows_down = std::abs(wish.v) < std::abs(twist_.v) || wish.v * twist_.v < 0.0;
+    if (braking_ == Braking::hard && slows_down) {
+      follow_hard(wish, dt);
+    } else {
+      follow(wish, dt);
+    }
   } else {
     brake_to_rest(dt);
   }
@@ -97,6 +103,19 @@ void VelocityLimiter::follow(const Twist2& wish, double dt) {
   const double v_peak = std::max(std::abs(twist_.v), std::abs(twist_.v + a * std::abs(a) / (2.0 * jerk)));
   const double omega_left = std::max(0.0, wheel_speed_max_ - v_peak) / half_separation_;
   const double step = limits_.alpha_max * dt;
+  const double omega = twist_.omega + std::clamp(wish.omega - twist_.omega, -step, step);
+  twist_.omega = std::clamp(omega, -omega_left, omega_left);
+}
+
+void VelocityLimiter::follow_hard(const Twist2& wish, double dt) {
+  if (dt <= 0.0) return;
+  const double before = std::abs(twist_.v);
+  const double target = wish.v * twist_.v > 0.0 ? std::abs(wish.v) : 0.0;
+  const double after = std::max(target, before - limits_.stop_deceleration * dt);
+  twist_.v = std::copysign(after, twist_.v);
+  acceleration_ = 0.0;
+  const double step = std::max(limits_.alpha_max * dt, std::abs(twist_.omega) * (1.0 - after / before));
+  const double omega_left = std::max(0.0, wheel_speed_max_ - after) / half_separation_;
   const double omega = twist_.omega + std::clamp(wish.omega - twist_.omega, -step, step);
   twist_.omega = std::clamp(omega, -omega_left, omega_left);
 }

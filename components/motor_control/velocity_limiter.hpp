@@ -9,7 +9,8 @@
 //   - v
 //
 // clipped to |a'| <= acc_max and |a' - a| <= j dt. The turn rate approaches with alpha_max, within what the
-// wheels have left.
+// wheels have left. While a safety function slows the robot down, |v| falls with stop_deceleration and
+// without jerk limit instead, and the turn rate may fall with it so that the curvature stays.
 #pragma once
 
 #include <optional>
@@ -51,6 +52,11 @@ enum class LimiterState {
 /// One sentence for people.
 std::string_view describe(LimiterState state);
 
+enum class Braking {
+  smooth,  ///< within acc_max and jerk_max
+  hard,    ///< with stop_deceleration: a safety function limits the command
+};
+
 struct LimitedTwist {
   Twist2 twist;
   LimiterState state = LimiterState::waiting;
@@ -62,6 +68,8 @@ class VelocityLimiter {
   VelocityLimiter(const Robot& robot, const LimiterOptions& options);
 
   void command(Time now, const Twist2& twist);
+  /// How lower speeds are reached, until told otherwise.
+  void set_braking(Braking braking) { braking_ = braking; }
   /// The twist from now until the next step. Call at a steady rate.
   LimitedTwist step(Time now);
   /// Like step(), but brakes with stop_deceleration whatever the command is.
@@ -71,6 +79,7 @@ class VelocityLimiter {
   double elapsed(Time now);
   LimiterState judge(Time now) const;
   void follow(const Twist2& wish, double dt);
+  void follow_hard(const Twist2& wish, double dt);
   void brake_to_rest(double dt);
 
   Limits limits_;
@@ -81,6 +90,7 @@ class VelocityLimiter {
 
   std::optional<Time> arrival_;
   Twist2 command_;
+  Braking braking_ = Braking::smooth;
   std::optional<Time> last_step_;
   Twist2 twist_;               ///< given out last
   double acceleration_ = 0.0;  ///< of the last step, linear

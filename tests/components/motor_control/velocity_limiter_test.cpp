@@ -184,6 +184,42 @@ TEST(VelocityLimiter, StopOverridesAFreshCommand) {
   }
 }
 
+TEST(VelocityLimiter, HardBrakingReachesALowerSpeedAtTheStopDecelerationOnTheSameCurve) {
+  Robot robot;
+  robot.limits = {.v_max = 1.0, .omega_max = 1.0, .acc_max = 1.0, .alpha_max = 1.5, .stop_deceleration = 2.0};
+  Follower follower(robot);
+  for (int i = 0; i < 200; ++i) follower.advance({1.0, 0.9});
+  follower.limiter.set_braking(Braking::hard);
+  double v = 1.0;
+  for (int i = 0; i < 15; ++i) {  // 0.3 s at 2 m/s^2: 0.4 m/s, curvature 0.9 / m all the way
+    v -= 0.04;
+    const Twist2 twist = follower.advance({0.4, 0.36}).twist;
+    EXPECT_NEAR(twist.v, v, 1e-9);
+    EXPECT_NEAR(twist.omega, 0.9 * v, 1e-6);
+  }
+  EXPECT_NEAR(follower.advance({0.4, 0.36}).twist.v, 0.4, 1e-9);
+  for (int i = 0; i < 10; ++i) follower.advance({0.0, 0.0});
+  EXPECT_EQ(follower.advance({0.0, 0.0}).twist, Twist2{});
+  // Speeding up stays smooth: 5 m/s^3 for 20 ms is 0.1 m/s^2, 0.002 m/s in this step.
+  EXPECT_NEAR(follower.advance({1.0, 0.0}).twist.v, 0.002, 1e-9);
+}
+
+TEST(VelocityLimiter, HardBrakingOfABackwardCommandPassesThroughRest) {
+  Robot robot;
+  robot.limits.stop_deceleration = 2.0;
+  Follower follower(robot);
+  for (int i = 0; i < 200; ++i) follower.advance({0.5, 0.0});
+  follower.limiter.set_braking(Braking::hard);
+  double v = 0.5;
+  while (v > 0.0) {
+    const double next = follower.advance({-0.2, 0.0}).twist.v;
+    EXPECT_NEAR(next, std::max(0.0, v - 0.04), 1e-9);
+    v = next;
+  }
+  for (int i = 0; i < 100; ++i) v = follower.advance({-0.2, 0.0}).twist.v;
+  EXPECT_NEAR(v, -0.2, 1e-6);
+}
+
 TEST(VelocityLimiter, StandsBeforeTheFirstCommand) {
   Follower follower{Robot{}};
   const LimitedTwist standing = follower.silence();
