@@ -16,6 +16,7 @@ struct BandCandidate {
   bool kept = false;     ///< a band of the last cycle
   bool driven = false;   ///< the one the robot followed in the last cycle
   bool settled = false;  ///< was a kept band already when it was chosen: its cost had converged
+  bool evasive = false;  ///< goes on from an evasive move, not optimised since
 
   // Of improve():
   BandReport report;

@@ -18,8 +18,7 @@ constexpr double kAdvanceSlack =
 constexpr double kOldestBand = 1.0;   // [s] without a call after which a band says nothing about the scene
 constexpr double kDetourSlack = 1.0;  // [s] that any band may take longer than the unhindered drive
 
-constexpr double kLeastTurn = 0.8;           // [rad] from which turning on the spot is tried for a first plan
-constexpr const char* kEvasion = "evasion";  // label of a band that goes on from an evasive move
+constexpr double kLeastTurn = 0.8;  // [rad] from which turning on the spot is tried for a first plan
 
 std::optional<BandCandidate> driven_of(const std::vector<BandCandidate>& candidates) {
   for (const BandCandidate& candidate : candidates) {
@@ -76,6 +75,7 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
   const std::optional<homotopy::Exploration> explored = add_new(problem, along_plan, candidates);
   const int budget = std::max(problem.budget.max_iterations, 1);
   int iterations = improve_all(candidates, problem, field, teb.band, options_.driving, budget);
+  for (BandCandidate& candidate : candidates) candidate.evasive = false;
 
   std::optional<hrvo::Advice> advice;
   if (options_.hrvo) advice = hrvo::advise(problem, goal_.position(), options_.hrvo->hrvo);
@@ -132,14 +132,14 @@ PlanningResult BandPlanner::plan(const PlanningProblem& problem) {
     if (result.status == PlanningStatus::ok) {
       // The next cycle goes on from the evasive move.
       candidates[chosen].band = band_through(result.trajectory, problem, teb.band);
-      candidates[chosen].label = kEvasion;
+      candidates[chosen].evasive = true;
       candidates[chosen].report.usable = true;
     }
   } else {
     result.status = PlanningStatus::ok;
     const BandCandidate& driven = candidates[chosen];
     const Twist2 wanted = velocity_at(driven.band, problem.twist, problem.command_lead);
-    const bool hurried = driven.label == kEvasion || driven.safety.comfort < options_.driving.mover_margin;
+    const bool hurried = driven.evasive || driven.safety.comfort < options_.driving.mover_margin;
     result.command = hurried ? evasive_twist(wanted, problem.twist, problem.limits, problem.command_lead)
                              : smooth_twist(wanted, problem.twist, acceleration_, problem.limits,
                                             problem.command_lead, problem.control_period);
@@ -170,6 +170,7 @@ std::vector<BandCandidate> BandPlanner::kept_candidates(const PlanningProblem& p
                           .kept = true,
                           .driven = last.driven,
                           .settled = last.settled,
+                          .evasive = last.evasive,
                           .cost = last.cost});
   }
   return candidates;

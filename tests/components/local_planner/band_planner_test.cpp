@@ -83,6 +83,37 @@ TEST(BandPlanner, PassesCrossingWalkers) {
   expect_limits_kept(result, problem.limits);
 }
 
+// Once nobody is in the way any more the robot drives as gently as before: a step of the acceleration is at
+// most jerk_max times the period.
+TEST(BandPlanner, DrivesGentlyAgainAfterAnEvasion) {
+  BandPlanner planner({});
+  PlanningProblem problem = problem_to({12.0, 0.0, 0.0});
+  const double most = problem.limits.jerk_max * problem.control_period;
+  double acceleration = 0.0;
+  int sharp_while_near = 0;
+  int sharp_later = 0;
+  for (int cycle = 0; cycle < 300; ++cycle) {
+    if (cycle == 20) {
+      const Vector2 beside = problem.pose.position() + Vector2(0.9, -0.3);
+      problem.movers = {{.id = 1, .position = beside, .velocity = {0.0, 0.6}}};
+    }
+    if (cycle == 34) problem.movers.clear();
+    const Drive step = drive(planner, problem, 1);
+    const double next = (step.twists[0].v - problem.twist.v) / problem.control_period;
+    const bool is_sharp = std::abs(next - acceleration) > most + 1e-6;
+    if (is_sharp && cycle <= 36) ++sharp_while_near;
+    if (is_sharp && cycle > 36 && step.poses[0].x < 10.0) ++sharp_later;  // the goal has rules of its own
+    acceleration = next;
+    problem.twist = step.twists[0];
+    problem.pose = step.poses[0];
+    problem.now = problem.now + Duration::seconds(problem.control_period);
+    for (Mover& m : problem.movers) m.position += problem.control_period * m.velocity;
+  }
+  EXPECT_GT(sharp_while_near, 0) << "no evasion: the test says nothing";
+  EXPECT_EQ(sharp_later, 0);
+  EXPECT_LT((problem.pose.position() - Vector2(12.0, 0.0)).norm(), 0.2);
+}
+
 TEST(BandPlanner, StopsWithinLimitsInFrontOfAClosedWall) {
   BandPlanner planner({});
   PlanningProblem problem = problem_to({8, 0, 0});
