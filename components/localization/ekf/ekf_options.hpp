@@ -39,6 +39,7 @@ struct MotionOptions {
   double silent_speed = 1.0;
   double silent_turn_rate = 1.0;
   double gyro_gap = 0.1;
+  double position_walk = 0.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -60,6 +61,12 @@ struct MotionOptions {
       {.unit = "rad/s", .min = 0, .max = 100, .doc = "the same of the turn rate, without a gyro"});
     v("gyro_gap", gyro_gap,
       {.unit = "s", .min = 0.001, .max = 1, .doc = "gyro readings further apart are not integrated"});
+    v("position_walk", position_walk,
+      {.unit = "m/sqrt(m)",
+       .min = 0,
+       .max = 10,
+       .doc = "how fast position and fixes drift apart on the way by what neither declares: skidding sideways, "
+              "a receiver whose error wanders; without it such drift is taken for turns"});
   }
 };
 

@@ -121,6 +121,9 @@ bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) 
   const StateMatrix P = J * covariance * J.transpose();
   state.P = 0.5 * (P + P.transpose());
   state.x << arc.pose.x, arc.pose.y, arc.pose.theta, joint(3), joint(4);
+  const double walked = options.motion.position_walk * options.motion.position_walk * std::abs(distance);
+  state.P(0, 0) += walked;
+  state.P(1, 1) += walked;
   wander(state.P, dt, options.bias);
   bound(state.P);
 
