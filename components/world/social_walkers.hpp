@@ -8,7 +8,7 @@
 
 #include "components/model/random.hpp"
 #include "components/world/person.hpp"
-#include "components/world/social_force.hpp"
+#include "components/model/social_force.hpp"
 #include "components/world/static_scene.hpp"
 
 namespace bw {

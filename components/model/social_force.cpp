@@ -1,4 +1,4 @@
-#include "components/world/social_force.hpp"
+#include "components/model/social_force.hpp"
 
 #include <cmath>
 

@@ -1,0 +1,99 @@
+#include "components/people/prediction/predictor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/people/prediction/social_prediction.hpp"
+
+namespace bw::people {
+namespace {
+
+constexpr Duration kForget = Duration::milliseconds(5000);
+
+bool is_finite_person(const PersonState& p) {
+  return p.position.allFinite() && p.velocity.allFinite() && p.covariance.allFinite();
+}
+
+/// Displacement after t [s] with a turn rate that dies out: the heading turns by omega tau (1 - exp(-t /
+/// tau)); the way is summed up in small chords.
+Vector2 arc(const Vector2& velocity, double omega, double tau, double t) {
+  constexpr double kChord = 0.05;  // [s]
+  const double speed = velocity.norm();
+  const double heading = std::atan2(velocity.y(), velocity.x());
+  const int chords = std::max(1, static_cast<int>(std::ceil(t / kChord)));
+  const double dt = t / chords;
+  Vector2 way(0.0, 0.0);
+  for (int i = 0; i < chords; ++i) {
+    const double middle = (i + 0.5) * dt;
+    const double angle = heading + omega * tau * (1.0 - std::exp(-middle / tau));
+    way += speed * dt * Vector2(std::cos(angle), std::sin(angle));
+  }
+  return way;
+}
+
+}  // namespace
+
+Eigen::Matrix2d predicted_covariance(const PersonState& person, double t, const PredictionOptions& options) {
+  const Eigen::Matrix4d& P = person.covariance;
+  const Eigen::Matrix2d cross = P.topRightCorner<2, 2>();
+  Eigen::Matrix2d C =
+      P.topLeftCorner<2, 2>() + t * (cross + cross.transpose()) + t * t * P.bottomRightCorner<2, 2>();
+  const double speed = person.velocity.norm();
+  const Vector2 along = speed > options.walking_speed ? Vector2(person.velocity / speed) : Vector2(1.0, 0.0);
+  const Vector2 across(-along.y(), along.x());
+  // Without a heading both directions spread alike, by the larger.
+  const double most = std::max(options.spread_along, options.spread_across);
+  const bool walks = speed > options.walking_speed;
+  const double growth = t * t * t / 3.0;
+  C += growth * (walks ? options.spread_along : most) * along * along.transpose();
+  C += growth * (walks ? options.spread_across : most) * across * across.transpose();
+  return 0.5 * (C + C.transpose());
+}
+
+double Predictor::turn_rate(const PersonState& person, Time now) {
+  if (person.velocity.norm() < options_.walking_speed) {
+    turns_.erase(person.id);
+    return 0.0;
+  }
+  const double heading = std::atan2(person.velocity.y(), person.velocity.x());
+  const auto [found, is_new] = turns_.try_emplace(person.id, Turn{now, heading, 0.0});
+  Turn& turn = found->second;
+  const double dt = (now - turn.time).to_seconds();
+  if (is_new || dt <= 0.0) return turn.rate;
+  const double share = 1.0 - std::exp(-dt / options_.turn_window);
+  turn.rate += share * (wrap_angle(heading - turn.heading) / dt - turn.rate);
+  turn.heading = heading;
+  turn.time = now;
+  return turn.rate;
+}
+
+std::vector<std::vector<PredictedPosition>> Predictor::predict(const std::vector<PersonState>& people,
+                                                               const StaticObstacles& walls, Time now) {
+  std::erase_if(turns_, [&](const auto& turn) { return now - turn.second.time > kForget; });
+  std::vector<PersonState> sound;
+  for (const PersonState& person : people) {
+    if (is_finite_person(person)) sound.push_back(person);
+  }
+  std::vector<std::vector<Vector2>> walked;
+  if (options_.model == "social_force") walked = walk_on(sound, walls, options_);
+
+  const int steps = static_cast<int>(std::floor(options_.horizon / options_.step + 1e-9));
+  std::vector<std::vector<PredictedPosition>> result;
+  std::size_t index = 0;
+  for (const PersonState& person : people) {
+    std::vector<PredictedPosition>& predictions = result.emplace_back();
+    if (!is_finite_person(person)) continue;
+    const double omega = options_.model == "constant_turn_rate" ? turn_rate(person, now) : 0.0;
+    for (int k = 1; k <= steps; ++k) {
+      const double t = k * options_.step;
+      Vector2 place = person.position + t * person.velocity;
+      if (!walked.empty()) place = walked[static_cast<std::size_t>(k - 1)][index];
+      if (omega != 0.0) place = person.position + arc(person.velocity, omega, options_.turn_memory, t);
+      predictions.push_back({t, place, predicted_covariance(person, t, options_)});
+    }
+    ++index;
+  }
+  return result;
+}
+
+}  // namespace bw::people

@@ -1,0 +1,58 @@
+// Where people will be: positions with covariance over the planner's horizon (spec 7.3, 7.6).
+//
+//   mean        constant velocity:   p + v t
+//               constant turn rate:  an arc whose turn rate dies out, omega(t) = omega exp(-t / turn_memory)
+//               social force:        everybody wants to keep their velocity and is pushed by the others and
+//               by walls
+//   covariance  J P J^T + R(heading) diag(spread_along, spread_across) R^T t^3 / 3,   J = [I  t I]
+//               P of (position, velocity) as tracked; the second term is what white acceleration adds
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "components/model/obstacles.hpp"
+#include "components/model/time.hpp"
+#include "components/people/prediction/prediction_options.hpp"
+
+namespace bw::people {
+
+/// Somebody as tracked. All in one frame that does not turn (odom); SI units.
+struct PersonState {
+  std::uint32_t id = 0;
+  Vector2 position{0.0, 0.0};
+  Vector2 velocity{0.0, 0.0};
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< of (x, y, vx, vy)
+  double radius = 0.3;                                   ///< [m]
+};
+
+/// Remembers headings, for turn rates; otherwise the same people give the same predictions.
+class Predictor {
+ public:
+  explicit Predictor(const PredictionOptions& options) : options_(options) {}
+
+  /// Predictions of each of `people` at `now`, at step, 2 step, ... up to the horizon; none for a person who
+  /// is not finite. `walls` only matter to social_force.
+  std::vector<std::vector<PredictedPosition>> predict(const std::vector<PersonState>& people,
+                                                      const StaticObstacles& walls, Time now);
+
+  void reset() { turns_.clear(); }
+
+ private:
+  struct Turn {
+    Time time;
+    double heading = 0.0;  ///< [rad]
+    double rate = 0.0;     ///< [rad/s], averaged
+  };
+
+  double turn_rate(const PersonState& person, Time now);
+
+  PredictionOptions options_;
+  std::map<std::uint32_t, Turn> turns_;
+};
+
+/// Covariance of the position `t` [s] ahead.
+Eigen::Matrix2d predicted_covariance(const PersonState& person, double t, const PredictionOptions& options);
+
+}  // namespace bw::people

@@ -1,0 +1,17 @@
+// People who walk on as they like, round one another and along walls: the forces of spec 7.6, integrated.
+#pragma once
+
+#include <vector>
+
+#include "components/people/prediction/predictor.hpp"
+
+namespace bw::people {
+
+/// Positions of everybody at step, 2 step, ...: result[k][i] is person i at (k + 1) step.
+std::vector<std::vector<Vector2>> walk_on(const std::vector<PersonState>& people,
+                                          const StaticObstacles& walls, const PredictionOptions& options);
+
+/// The point of the obstacles nearest to `from`, and whether there is any.
+bool nearest_wall_point(const StaticObstacles& walls, const Vector2& from, Vector2& nearest);
+
+}  // namespace bw::people
