@@ -1,0 +1,57 @@
+// Sweep of a laser in, detections out: what is background, what belongs together, whether it looks like a
+// leg, and where its centre is. Spec 7.1; Arras et al., ICRA 2007.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "components/model/occupancy_grid.hpp"
+#include "components/people/detection.hpp"
+#include "components/people/detector/clusters.hpp"
+#include "components/people/detector/detector_options.hpp"
+#include "components/people/detector/local_background.hpp"
+#include "components/people/detector/outline.hpp"
+#include "components/people/detector/static_map.hpp"
+#include "components/people/detector/sweep.hpp"
+
+namespace bw::people {
+
+/// What is known beside the sweep.
+struct Surroundings {
+  std::optional<Pose2> X_MO;        ///< odom in the map; none: the map is not used for this sweep
+  std::span<const Vector2> people;  ///< tracked people in O, whom the background must not absorb
+};
+
+class Detector {
+ public:
+  explicit Detector(const DetectorOptions& options);
+
+  void set_map(const OccupancyGrid& map);
+
+  /// Of an unusable sweep (fault_of) nothing is detected, no direction was seen, and nothing is learnt. Valid
+  /// until the next call; takes no memory once it has seen the largest sweep.
+  const DetectionSet& detect(const Sweep& sweep, const Surroundings& surroundings);
+
+  void reset();  ///< forgets the local background, as after a jump of odom
+
+  /// The parts of the last sweep, for those who train and test.
+  const Beams& beams() const { return beams_; }
+  const Clusters& clusters() const { return clusters_; }  ///< one for each detection, in the same order
+
+ private:
+  void find_background(const Surroundings& surroundings);
+  Detection describe(const Cluster& cluster);
+
+  DetectorOptions options_;
+  StaticMap map_;
+  LocalBackground local_;
+  Beams beams_;
+  std::vector<std::uint8_t> is_background_;
+  Clusters clusters_;
+  Outline outline_;
+  DetectionSet result_;
+};
+
+}  // namespace bw::people

@@ -1,0 +1,90 @@
+// Parameters of the detector. Defaults suit a laser at the height of shins, 0.3 to 0.5 degrees between beams.
+#pragma once
+
+#include "runtime/parameters/field.hpp"
+
+namespace bw::people {
+
+struct ClusterOptions {
+  double jump = 0.13;
+  double growth = 0.5;
+  double edge_jump = 0.05;
+  int bridge = 2;
+  int min_points = 2;
+  double max_range = 12.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("jump", jump,
+      {.unit = "m", .min = 0.01, .max = 1, .doc = "neighbouring points farther apart part two clusters"});
+    v("growth", growth,
+      {.min = 0, .max = 5, .doc = "added to it: this share of the distance between beams there"});
+    v("edge_jump", edge_jump,
+      {.unit = "m",
+       .min = 0.005,
+       .max = 1,
+       .doc = "in place of jump where background meets what is none, so that a leg leaves its wall"});
+    v("bridge", bridge, {.min = 0, .max = 20, .doc = "so many unusable beams do not part a cluster"});
+    v("min_points", min_points, {.min = 1, .max = 100, .doc = "smaller clusters are noise"});
+    v("max_range", max_range,
+      {.unit = "m", .min = 0.5, .max = 100, .doc = "points farther away are not looked at"});
+  }
+};
+
+struct BackgroundOptions {
+  bool use_map = true;
+  double map_tolerance = 0.25;
+  double cell = 0.1;
+  double stood = 2.5;
+  double forget = 3.0;
+  double keep_out = 0.4;
+  double share = 0.6;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("use_map", use_map, {.doc = "what lies on the map's walls is background, if there is a map"});
+    v("map_tolerance", map_tolerance,
+      {.unit = "m",
+       .min = 0,
+       .max = 1,
+       .doc = "to an occupied cell; raise it when the pose in the map errs more than 0.1 m and 1 degree"});
+    v("cell", cell, {.unit = "m", .min = 0.02, .max = 0.5, .doc = "edge of a cell of the local background"});
+    v("stood", stood,
+      {.unit = "s", .min = 0.2, .max = 60, .doc = "what was there for so long is background"});
+    v("forget", forget,
+      {.min = 0.1, .max = 100, .doc = "a cell seen through loses its time so many times faster"});
+    v("keep_out", keep_out,
+      {.unit = "m", .min = 0, .max = 2, .doc = "round a tracked person nothing becomes background"});
+    v("share", share, {.min = 0.1, .max = 1, .doc = "of a cluster's points on background: then all of it"});
+  }
+};
+
+struct LegFitOptions {
+  double radius = 0.07;
+  double radius_sigma = 0.015;
+  double range_noise = 0.015;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("radius", radius, {.unit = "m", .min = 0.02, .max = 0.2, .doc = "of a leg at the laser's height"});
+    v("radius_sigma", radius_sigma,
+      {.unit = "m", .min = 0.001, .max = 0.1, .doc = "standard deviation among people"});
+    v("range_noise", range_noise,
+      {.unit = "m", .min = 0.001, .max = 0.2, .doc = "standard deviation of a range"});
+  }
+};
+
+struct DetectorOptions {
+  ClusterOptions clusters;
+  BackgroundOptions background;
+  LegFitOptions legs;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("clusters", clusters, {.doc = "which beams belong together"});
+    v("background", background, {.doc = "what has long stood there"});
+    v("legs", legs, {.doc = "where the centre of a leg is"});
+  }
+};
+
+}  // namespace bw::people
