@@ -1,0 +1,103 @@
+// The last look before the wheels: passes a wanted velocity on only as far as the laser shows room for it.
+// Knows no map, no plan, no people and no place, so that none of them can be wrong.
+//
+//   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's disc along
+//   the
+//           wanted arc (free_way.hpp); v and omega shrink together, so the path stays
+//   body    around narrow things (legs) the robot is down to narrow_speed narrow_margin earlier
+//   sight   into a sector the laser does not see it creeps; into one whose beams are broken it stops
+//   zones   of nav2_collision_monitor (zone.hpp)
+//   laser   silent, frozen or unsound for source_timeout: a stop
+//
+// Turning on the spot is always free for a disc. A motion that leads away from what is too near is free.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "components/model/robot.hpp"
+#include "components/model/time.hpp"
+#include "components/safety/collision_monitor_options.hpp"
+#include "components/safety/free_way.hpp"
+#include "components/safety/limit_hold.hpp"
+#include "components/safety/sweep.hpp"
+#include "components/safety/sweep_watch.hpp"
+#include "components/safety/zone.hpp"
+
+namespace bw::safety {
+
+/// As nav2_msgs/CollisionMonitorState numbers them.
+enum class Action { do_nothing = 0, stop = 1, slowdown = 2, approach = 3, limit = 4 };
+
+struct Verdict {
+  Twist2 allowed;                      ///< never faster than wanted
+  Action action = Action::do_nothing;  ///< anything else: lower speeds are meant at stop_deceleration
+  std::string_view cause = "";         ///< a zone's name, or one of the causes below
+};
+
+inline constexpr std::string_view kStoppingDistance = "stopping_distance";
+inline constexpr std::string_view kNarrowThing = "narrow_thing";
+inline constexpr std::string_view kSight = "sight";
+inline constexpr std::string_view kLaserWaiting = "laser_waiting";
+inline constexpr std::string_view kLaserSilent = "laser_silent";
+inline constexpr std::string_view kLaserFrozen = "laser_frozen";
+inline constexpr std::string_view kLaserInvalid = "laser_invalid";
+inline constexpr std::string_view kOdometrySilent = "odometry_silent";
+inline constexpr std::string_view kWaitingForReset = "waiting_for_reset";
+
+/// Times are of the component clock.
+class CollisionMonitor {
+ public:
+  CollisionMonitor(const Robot& robot, const CollisionMonitorOptions& options);
+
+  /// Where the encoders say the robot is, and its true body velocity, at `time`.
+  void odometry(Time time, const Pose2& X_OB, const Twist2& twist);
+  /// A sweep that arrived at `now`; X_BS: pose of the laser in base_link.
+  void sweep(Time now, Time measured_at, const Sweep& sweep, const Pose2& X_BS);
+  /// Ends a stop after a fault of the laser, when resume is manual.
+  void reset() { latched_ = false; }
+
+  Verdict judge(Time now, const Twist2& wanted);
+
+  LaserState laser(Time now) const { return watch_.state(now); }
+  SweepFault sweep_fault() const { return sweep_fault_; }
+  const Twist2& actual() const { return twist_; }
+
+ private:
+  struct Bound {
+    double speed = 0.0;  ///< [m/s]
+    Action action = Action::do_nothing;
+    std::string_view cause;
+  };
+
+  std::optional<std::string_view> fault(Time now);
+  Pose2 pose_at(Time time) const;
+  std::vector<SeenPoint> points_at(Time now) const;
+  double rule_speed(const Twist2& along, const std::vector<SeenPoint>& points, bool narrow) const;
+  Bound tightest(const Twist2& wanted, const std::vector<SeenPoint>& points) const;
+  double sight_speed(double v) const;
+  Twist2 shrink(const Twist2& wanted, double speed) const;
+
+  Limits limits_;
+  double radius_;
+  CollisionMonitorOptions options_;
+  Stopping stopping_;
+  std::vector<Zone> zones_;
+  SweepWatch watch_;
+  LimitHold hold_;
+  Bound held_cause_;
+
+  std::optional<Time> odometry_at_;
+  Pose2 X_OB_;
+  Twist2 twist_;
+  CheckedSweep seen_;
+  SweepFault sweep_fault_ = SweepFault::none;
+  Pose2 X_OB_seen_;  ///< where the robot was when the sweep in use was measured
+  std::optional<Time> fault_at_;
+  std::string_view fault_cause_;
+  bool latched_ = false;
+};
+
+}  // namespace bw::safety

@@ -1,0 +1,104 @@
+// Parameters of the collision monitor. Names as in nav2_collision_monitor where it has the same thing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "components/safety/sweep_options.hpp"
+#include "components/safety/zone.hpp"
+#include "runtime/parameters/field.hpp"
+
+namespace bw::safety {
+
+struct StoppingOptions {
+  double margin = 0.1;
+  double padding = 0.0;
+  double reaction_time = 0.1;
+  double approach_speed = 0.0;
+  double narrow_margin = 0.2;
+  double narrow_speed = 0.2;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("margin", margin,
+      {.unit = "m", .min = 0, .max = 2, .doc = "left between the robot at rest and what stopped it"});
+    v("padding", padding, {.unit = "m", .min = 0, .max = 1, .doc = "added to the robot's radius, all round"});
+    v("reaction_time", reaction_time,
+      {.unit = "s",
+       .min = 0,
+       .max = 2,
+       .doc = "from a sweep to braking wheels; raise it by every latency on the way"});
+    v("approach_speed", approach_speed,
+      {.unit = "m/s",
+       .min = 0,
+       .max = 3,
+       .doc = "at which what is ahead may come nearer meanwhile; 1.6 is a walking person (ISO 13855); 0: it "
+              "stands"});
+    v("narrow_margin", narrow_margin,
+      {.unit = "m",
+       .min = 0,
+       .max = 1,
+       .doc =
+           "a body is this much wider than the legs a laser sees; around narrow things the robot is down to "
+           "narrow_speed so far off; 0: nothing special"});
+    v("narrow_speed", narrow_speed, {.unit = "m/s", .min = 0, .max = 10, .doc = "top speed there"});
+  }
+};
+
+struct SightOptions {
+  double half_angle = 0.785;
+  double max_gap = 0.2;
+  double max_unknown = 0.3;
+  double creep_speed = 0.1;
+  double stop_unknown = 0.9;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("half_angle", half_angle,
+      {.unit = "rad", .min = 0.1, .max = 3.1, .doc = "sector around the way of travel that must be seen"});
+    v("max_gap", max_gap,
+      {.unit = "rad", .min = 0, .max = 6.3, .doc = "a wider run of unknown beams there could hide somebody"});
+    v("max_unknown", max_unknown,
+      {.min = 0, .max = 1, .doc = "share of unknown beams there beyond which the robot creeps"});
+    v("creep_speed", creep_speed,
+      {.unit = "m/s", .min = 0, .max = 2, .doc = "into what the laser does not see; 0: not at all"});
+    v("stop_unknown", stop_unknown,
+      {.min = 0, .max = 1, .doc = "share of unknown beams there beyond which the robot stops"});
+  }
+};
+
+struct CollisionMonitorOptions {
+  double source_timeout = 0.25;
+  double command_timeout = 0.2;
+  double clear_after = 0.4;
+  std::string resume = "automatic";
+  SweepOptions sweep;
+  SightOptions sight;
+  StoppingOptions stopping;
+  std::vector<ZoneOptions> polygons;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("source_timeout", source_timeout,
+      {.unit = "s",
+       .min = 0.02,
+       .max = 5,
+       .doc = "longest time without a sound sweep; at least two of its periods and a half"});
+    v("command_timeout", command_timeout,
+      {.unit = "s", .min = 0.02, .max = 1, .doc = "oldest command that is passed on"});
+    v("clear_after", clear_after,
+      {.unit = "s",
+       .min = 0,
+       .max = 10,
+       .doc = "a limit or a stop is eased so long after its cause; raise it against stop and go"});
+    v("resume", resume,
+      {.choices = {"automatic", "manual"},
+       .doc = "after a fault of the laser: by itself, or when collision_monitor/reset says so"});
+    v("sweep", sweep, {.doc = "what makes a sweep usable"});
+    v("sight", sight, {.doc = "where the robot drives it must see"});
+    v("stopping", stopping, {.doc = "speed limited by the way that is free"});
+    v("polygons", polygons, {.doc = "zones around the robot"});
+  }
+};
+
+}  // namespace bw::safety

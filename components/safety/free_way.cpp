@@ -1,0 +1,54 @@
+#include "components/safety/free_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace bw::safety {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kStraight =
+    1e-5;  // [1/m]: flatter arcs leave the straight line by less than 1e-5 m in 1.4 m
+
+double straight_way(double radius, const Vector2& p) {
+  const double reach = radius * radius - p.y() * p.y();
+  if (p.x() <= 0.0 || reach <= 0.0) return kNever;
+  return p.x() - std::sqrt(reach);
+}
+
+double arc_way(double rho, double radius, const Vector2& p) {
+  const double turn_radius = std::abs(rho);
+  const double q = std::hypot(p.x(), p.y() - rho);
+  if (std::abs(q - turn_radius) >= radius || q == 0.0) return kNever;
+  const double cosine = (rho * rho + q * q - radius * radius) / (2.0 * turn_radius * q);
+  if (cosine <= -1.0) return kNever;  // the point stays inside all the way round
+  double phi = std::atan2(p.x(), turn_radius - std::copysign(p.y(), p.y() * rho));
+  if (phi < 0.0) phi += 2.0 * std::numbers::pi;
+  return turn_radius * (phi - std::acos(std::min(1.0, cosine)));
+}
+
+}  // namespace
+
+double free_way(const Twist2& twist, double radius, const Vector2& point) {
+  if (twist.v == 0.0) return kNever;
+  // Backwards is forwards seen in a mirror across y: the centre of the turn stays where it is.
+  const Vector2 ahead(twist.v > 0.0 ? point.x() : -point.x(), point.y());
+  if (ahead.squaredNorm() < radius * radius) return ahead.x() > 0.0 ? 0.0 : kNever;
+  const double curvature = twist.omega / twist.v;
+  const double way =
+      std::abs(curvature) < kStraight ? straight_way(radius, ahead) : arc_way(1.0 / curvature, radius, ahead);
+  return std::max(0.0, way);
+}
+
+double speed_within(double way, const Stopping& stopping, double end_speed) {
+  const double a = stopping.deceleration;
+  const double b = a * stopping.reaction_time + stopping.approach_speed;
+  const double under_root =
+      b * b + end_speed * end_speed + 2.0 * a * (way - stopping.approach_speed * stopping.reaction_time);
+  if (!(under_root > 0.0)) return end_speed;
+  return std::max(end_speed, std::sqrt(under_root) - b);
+}
+
+}  // namespace bw::safety

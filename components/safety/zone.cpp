@@ -1,0 +1,69 @@
+#include "components/safety/zone.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "components/model/differential_drive.hpp"
+
+namespace bw::safety {
+
+Zone::Zone(const ZoneOptions& options) : options_(options) {
+  for (const CornerOptions& corner : options.points) corners_.emplace_back(corner.x, corner.y);
+}
+
+bool Zone::contains(const Vector2& p) const {
+  if (options_.type == "circle") return p.squaredNorm() <= options_.radius * options_.radius;
+  bool inside = false;  // crossings of the ray from p towards +x with the edges
+  for (std::size_t i = 0, j = corners_.size() - 1; i < corners_.size(); j = i++) {
+    const Vector2& a = corners_[i];
+    const Vector2& b = corners_[j];
+    const bool crosses = (a.y() > p.y()) != (b.y() > p.y()) &&
+                         p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y());
+    inside = inside != crosses;
+  }
+  return inside;
+}
+
+bool Zone::triggered(const std::vector<SeenPoint>& points, const Pose2& X_BN) const {
+  const Pose2 X_NB = inverse(X_BN);
+  std::int64_t count = 0;
+  for (const SeenPoint& point : points) {
+    if (contains(X_NB * point.position) && ++count >= options_.min_points) return true;
+  }
+  return false;
+}
+
+double Zone::stop_share(const Twist2& wanted, const std::vector<SeenPoint>& points) const {
+  if (!triggered(points, {})) return 1.0;
+  const bool approaches = std::any_of(points.begin(), points.end(), [&](const SeenPoint& point) {
+    return contains(point.position) && wanted.v * point.position.x() > 0.0;
+  });
+  return approaches ? 0.0 : 1.0;
+}
+
+double Zone::approach_share(const Twist2& wanted, const std::vector<SeenPoint>& points) const {
+  if (wanted.v == 0.0 || triggered(points, {})) return stop_share(wanted, points);
+  const double step = options_.simulation_time_step;
+  const int steps = static_cast<int>(std::ceil(options_.time_before_collision / step));
+  Pose2 X_BN;
+  for (int i = 1; i <= steps; ++i) {
+    X_BN = advance_exact(X_BN, wanted, step);
+    if (triggered(points, X_BN)) return (i - 1) * step / options_.time_before_collision;
+  }
+  return 1.0;
+}
+
+double Zone::share_left(const Twist2& wanted, const std::vector<SeenPoint>& points) const {
+  if (options_.action_type == "stop") return stop_share(wanted, points);
+  if (options_.action_type == "approach") return approach_share(wanted, points);
+  if (!triggered(points, {})) return 1.0;
+  if (options_.action_type == "slowdown") return options_.slowdown_ratio;
+  double share = 1.0;
+  if (std::abs(wanted.v) > options_.linear_limit) share = options_.linear_limit / std::abs(wanted.v);
+  if (std::abs(wanted.omega) > options_.angular_limit)
+    share = std::min(share, options_.angular_limit / std::abs(wanted.omega));
+  return share;
+}
+
+}  // namespace bw::safety

@@ -1,0 +1,224 @@
+#include "components/safety/collision_monitor.hpp"
+
+#include <gtest/gtest.h>
+
+#include "components/model/random.hpp"
+#include "tests/components/safety/sweeps.hpp"
+
+namespace bw::safety {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+/// A wide pillar whose surface is `distance` [m] ahead of base_link.
+Disc pillar(double distance) { return {{distance + 0.5, 0.0}, 0.5}; }
+
+/// A robot at rest or at a steady speed, with a laser at 10 Hz and odometry at 50 Hz.
+class Bench {
+ public:
+  explicit Bench(CollisionMonitorOptions options = {}) : monitor(robot(), options) {}
+
+  static Robot robot() {
+    Robot r;  // radius 0.3, 1 m/s, stop_deceleration 2 m/s^2
+    return r;
+  }
+  /// The verdict after `seconds` of this sweep, with a little noise so that it is not frozen.
+  Verdict run(double seconds, const Sweep& sweep, const Twist2& wanted, const Twist2& actual = {}) {
+    Verdict verdict;
+    for (int i = 0; i < static_cast<int>(std::lround(seconds / 0.02)); ++i) {
+      now = now + Duration::milliseconds(20);
+      monitor.odometry(now, {}, actual);
+      if (cycle++ % 5 == 0 && laser_on) {
+        Sweep noisy = sweep;
+        for (float& range : noisy.ranges) range += static_cast<float>(1e-4 * random.uniform());
+        monitor.sweep(now, now, frozen ? sweep : noisy, {});
+      }
+      verdict = monitor.judge(now, wanted);
+    }
+    return verdict;
+  }
+
+  CollisionMonitor monitor;
+  Random random{3};
+  Time now = Time::seconds(10.0);
+  int cycle = 0;
+  bool laser_on = true;
+  bool frozen = false;
+};
+
+TEST(CollisionMonitor, PassesOnWhatHasRoom) {
+  Bench bench;
+  const Verdict verdict = bench.run(0.2, sweep_of({}), {1.0, 0.3});
+  EXPECT_EQ(verdict.allowed, (Twist2{1.0, 0.3}));
+  EXPECT_EQ(verdict.action, Action::do_nothing);
+  EXPECT_TRUE(verdict.cause.empty());
+}
+
+TEST(CollisionMonitor, TheStopEndsTenCentimetresBeforeWhatIsThere) {
+  // Free way 0.36 m, less 0.10 m: v 0.1 + v^2 / 4 = 0.26 gives v = -0.2 + sqrt(0.04 + 1.04) = 0.8392
+  const Verdict verdict = Bench().run(0.1, sweep_of({pillar(0.66)}), {1.0, 0.0}, {0.0, 0.0});
+  EXPECT_NEAR(verdict.allowed.v, 0.8392, 2e-3);
+  EXPECT_EQ(verdict.action, Action::approach);
+  EXPECT_EQ(verdict.cause, kStoppingDistance);
+  EXPECT_EQ(Bench().run(0.1, sweep_of({pillar(0.76)}), {1.0, 0.0}).allowed.v, 1.0);
+  EXPECT_EQ(Bench().run(0.1, sweep_of({pillar(0.40)}), {1.0, 0.0}).action, Action::stop);
+}
+
+TEST(CollisionMonitor, ScalesBothSoThatThePathStays) {
+  const Twist2 wanted{1.0, 0.4};
+  const Verdict verdict = Bench().run(0.1, sweep_of({pillar(0.7)}), wanted);
+  EXPECT_LT(verdict.allowed.v, 0.95);
+  EXPECT_NEAR(verdict.allowed.omega / verdict.allowed.v, 0.4, 1e-9);
+}
+
+TEST(CollisionMonitor, AtRestItMayTurnAndBackOutButNotGoOn) {
+  const Sweep sweep = sweep_of({pillar(0.35)});
+  const Verdict turn = Bench().run(0.2, sweep, {0.0, 0.8});
+  EXPECT_EQ(turn.allowed, (Twist2{0.0, 0.8}));
+  const Verdict on = Bench().run(0.2, sweep, {0.3, 0.8});
+  EXPECT_EQ(on.allowed, (Twist2{0.0, 0.8}));
+  EXPECT_EQ(on.action, Action::stop);
+  const Verdict back = Bench().run(0.2, sweep, {-0.2, 0.0});
+  EXPECT_DOUBLE_EQ(back.allowed.v, -0.1);  // 270 degrees: it does not see where it goes, and creeps
+  EXPECT_EQ(back.cause, kSight);
+}
+
+TEST(CollisionMonitor, WhileItBrakesTheTurnRateFollowsTheSpeed) {
+  const Verdict verdict = Bench().run(0.1, sweep_of({pillar(0.4)}), {0.8, 0.4}, {0.4, 0.2});
+  EXPECT_EQ(verdict.allowed.v, 0.0);
+  EXPECT_NEAR(verdict.allowed.omega, 0.2, 1e-9);  // half of the speed is left, half of the turn rate
+}
+
+TEST(CollisionMonitor, AroundLegsItIsSlowEarlier) {
+  // A leg whose surface is 0.7 m ahead: 0.2 m before the free way of 0.4 m ends it is down to 0.2 m/s:
+  // v 0.1 + (v^2 - 0.04) / 4 = 0.2 gives v = -0.2 + sqrt(0.04 + 0.04 + 0.8) = 0.738
+  const Verdict verdict = Bench().run(0.1, sweep_of({{{0.77, 0.0}, 0.07}}), {1.0, 0.0});
+  EXPECT_NEAR(verdict.allowed.v, 0.738, 3e-3);
+  EXPECT_EQ(verdict.cause, kNarrowThing);
+}
+
+TEST(CollisionMonitor, AccountsForWhereTheRobotWentSinceTheSweep) {
+  // 0.08 s after the sweep the robot is 0.08 m nearer: 0.36 - 0.08 - 0.10 m are left
+  Bench bench;
+  const Sweep sweep = sweep_of({pillar(0.66)});
+  bench.monitor.odometry(bench.now, {}, {1.0, 0.0});
+  bench.monitor.sweep(bench.now, bench.now, sweep, {});
+  bench.now = bench.now + Duration::milliseconds(80);
+  bench.monitor.odometry(bench.now, {0.08, 0.0, 0.0}, {1.0, 0.0});
+  EXPECT_NEAR(bench.monitor.judge(bench.now, {1.0, 0.0}).allowed.v, -0.2 + std::sqrt(0.04 + 4.0 * 0.18),
+              2e-3);
+}
+
+TEST(CollisionMonitor, ACommandThatSlowsDownTooLateIsBrakedHard) {
+  // At 1 m/s with 0.3 m free way a stop at 2 m/s^2 is due; the command asks for one, the verdict says how.
+  const Verdict verdict = Bench().run(0.1, sweep_of({pillar(0.6)}), {0.0, 0.0}, {1.0, 0.0});
+  EXPECT_EQ(verdict.allowed, Twist2{});
+  EXPECT_EQ(verdict.action, Action::approach);
+  EXPECT_EQ(Bench().run(0.1, sweep_of({}), {0.0, 0.0}, {1.0, 0.0}).action, Action::do_nothing);
+}
+
+TEST(CollisionMonitor, StopsWhenTheLaserIsSilentAndResumesAfterAWhile) {
+  Bench bench;
+  bench.run(0.5, sweep_of({}), {1.0, 0.0}, {1.0, 0.0});
+  bench.laser_on = false;
+  const Time last = bench.now;
+  while (bench.run(0.02, sweep_of({}), {1.0, 0.0}, {1.0, 0.0}).action == Action::do_nothing) {
+    ASSERT_LT(bench.now - last, Duration::seconds(1.0));
+  }
+  EXPECT_LE((bench.now - last).to_seconds(),
+            0.26);  // 0.25 s and one cycle, 20 ms of them before the last cycle
+  const Verdict stop = bench.run(0.1, sweep_of({}), {1.0, 0.3}, {0.5, 0.0});
+  EXPECT_EQ(stop.cause, kLaserSilent);
+  EXPECT_EQ(stop.allowed, Twist2{});
+  bench.laser_on = true;
+  EXPECT_EQ(bench.run(0.36, sweep_of({}), {1.0, 0.0}).action, Action::stop);
+  EXPECT_EQ(bench.run(0.3, sweep_of({}), {1.0, 0.0}).action, Action::do_nothing);
+}
+
+TEST(CollisionMonitor, WithManualResumeOnlyAResetEndsAStop) {
+  CollisionMonitorOptions options;
+  options.resume = "manual";
+  Bench bench(options);
+  EXPECT_EQ(bench.run(0.6, sweep_of({}), {1.0, 0.0}).action, Action::do_nothing);  // the start needs none
+  bench.laser_on = false;
+  bench.run(0.5, sweep_of({}), {1.0, 0.0});
+  bench.laser_on = true;
+  EXPECT_EQ(bench.run(2.0, sweep_of({}), {1.0, 0.0}).cause, kWaitingForReset);
+  bench.monitor.reset();
+  EXPECT_EQ(bench.run(0.1, sweep_of({}), {1.0, 0.0}).action, Action::do_nothing);
+}
+
+TEST(CollisionMonitor, StopsForLostSweepsAndForSilentOdometry) {
+  for (const float value : {kNan, kInfinity, -kInfinity, 0.0F, -1.0F}) {
+    Bench bench;
+    bench.run(0.3, sweep_of({}), {1.0, 0.0}, {0.5, 0.0});
+    Sweep lost = sweep_of({});
+    std::fill(lost.ranges.begin(), lost.ranges.end(), value);
+    const Verdict verdict = bench.run(0.36, lost, {1.0, 0.0}, {0.5, 0.0});
+    EXPECT_EQ(verdict.action, Action::stop) << value;
+    EXPECT_EQ(verdict.cause, kLaserInvalid) << value;
+  }
+  Bench bench;
+  bench.run(0.3, sweep_of({}), {1.0, 0.0});
+  for (int i = 0; i < 4; ++i) {
+    bench.now = bench.now + Duration::milliseconds(100);
+    bench.monitor.sweep(bench.now, bench.now, sweep_of({pillar(5.0 + i)}), {});
+  }
+  EXPECT_EQ(bench.monitor.judge(bench.now, {1.0, 0.0}).cause, kOdometrySilent);
+}
+
+TEST(CollisionMonitor, CreepsWhereSomebodyCouldHideAndStopsWhereNothingIsSeen) {
+  const auto blind = [](std::size_t from, std::size_t to) {
+    Sweep sweep = sweep_of({});
+    for (std::size_t i = from; i < to; ++i) sweep.ranges[i] = kNan;
+    return sweep;
+  };
+  // Beam 359.5 looks ahead; 31 beams are 0.2 rad
+  EXPECT_EQ(Bench().run(0.1, blind(350, 370), {1.0, 0.0}).action, Action::do_nothing);
+  const Verdict creeps = Bench().run(0.1, blind(340, 380), {1.0, 0.0});
+  EXPECT_DOUBLE_EQ(creeps.allowed.v, 0.1);
+  EXPECT_EQ(creeps.cause, kSight);
+  EXPECT_EQ(Bench().run(0.1, blind(240, 480), {1.0, 0.0}).action, Action::stop);
+  EXPECT_EQ(Bench().run(0.1, blind(0, 180), {1.0, 0.0}).action, Action::do_nothing);  // far off the way
+}
+
+TEST(CollisionMonitor, ZonesLimitByName) {
+  CollisionMonitorOptions options;
+  options.polygons = {{.name = "slow", .radius = 2.0, .action_type = "slowdown", .slowdown_ratio = 0.3}};
+  const Verdict verdict = Bench(options).run(0.1, sweep_of({pillar(1.8)}), {1.0, 0.5});
+  EXPECT_NEAR(verdict.allowed.v, 0.3, 1e-9);
+  EXPECT_NEAR(verdict.allowed.omega, 0.15, 1e-9);
+  EXPECT_EQ(verdict.action, Action::slowdown);
+  EXPECT_EQ(verdict.cause, "slow");
+  EXPECT_NEAR(Bench(options).run(0.1, sweep_of({pillar(1.8)}), {0.0, 0.5}).allowed.omega, 0.15, 1e-9);
+}
+
+TEST(CollisionMonitor, AnythingThatIsNotFiniteIsAStop) {
+  Bench bench;
+  EXPECT_EQ(bench.run(0.1, sweep_of({}), {std::nan(""), 0.0}).allowed, Twist2{});
+  EXPECT_EQ(bench.run(0.1, sweep_of({}), {1.0, std::numeric_limits<double>::infinity()}).allowed, Twist2{});
+}
+
+/// Whatever the sweep and the wish: the answer is finite, no faster than the wish, and on its side.
+TEST(CollisionMonitor, NeverMakesACommandFaster) {
+  Random random(17);
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<Disc> discs;
+    for (int k = 0; k < 5; ++k)
+      discs.push_back({{random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0)}, random.uniform(0.02, 0.4)});
+    Sweep sweep = sweep_of(discs, 4.0F);
+    for (float& range : sweep.ranges) {
+      if (random.uniform() < 0.1) range = kNan;
+    }
+    const Twist2 wanted{random.uniform(-0.3, 1.2), random.uniform(-1.0, 1.0)};
+    const Twist2 out = Bench().run(0.06, sweep, wanted, {random.uniform(-0.2, 1.0), 0.0}).allowed;
+    ASSERT_TRUE(is_finite(out));
+    EXPECT_LE(std::abs(out.v), std::abs(wanted.v));
+    EXPECT_LE(std::abs(out.omega), std::abs(wanted.omega));
+    EXPECT_GE(out.v * wanted.v, 0.0);
+    EXPECT_GE(out.omega * wanted.omega, 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace bw::safety
