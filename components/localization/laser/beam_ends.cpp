@@ -26,6 +26,7 @@ BeamEnds beam_ends(const LaserReading& reading, int max_beams) {
   const std::size_t count = reading.ranges.size();
   if (max_beams <= 0 || count == 0 || !is_finite(reading.X_BL)) return ends;
   if (!std::isfinite(reading.angle_min) || !std::isfinite(reading.angle_increment)) return ends;
+  ends.scanner = reading.X_BL.position();
   const auto parts = static_cast<std::size_t>(max_beams);
   for (std::size_t part = 0; part < parts; ++part) {
     const std::size_t first = part * count / parts;

@@ -8,10 +8,11 @@
 
 namespace bw::localization {
 
-/// End points of beams in base_link [m].
+/// End points of beams, and where they come from, in base_link [m].
 struct BeamEnds {
   std::vector<float> x;
   std::vector<float> y;
+  Vector2 scanner{0.0, 0.0};
 
   std::size_t size() const { return x.size(); }
 };

@@ -9,7 +9,6 @@ namespace bw::localization {
 namespace {
 
 constexpr std::size_t kLaserKind = 100;  // no Measurement has this index
-constexpr double kClearlyBetter = 0.05;  // share of beams that a pose found must fit better by
 
 Verdict check(const LaserReading& r) {
   if (r.source < 0 || r.source >= kMaxSources) return Verdict::bad_source;
@@ -24,6 +23,7 @@ Verdict check(const LaserReading& r) {
 // The same ends from where the base is now.
 BeamEnds seen_from(const Pose2& X_BS, const BeamEnds& ends) {
   BeamEnds moved = ends;
+  moved.scanner = X_BS * ends.scanner;
   const auto c = static_cast<float>(std::cos(X_BS.theta));
   const auto s = static_cast<float>(std::sin(X_BS.theta));
   for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -39,13 +39,12 @@ void ParticleFilter::set_map(const OccupancyGrid& map) {
   field_.emplace(map, options_.field);
   recovery_.set_field(*field_);
   free_cells_.clear();
-  cell_ = map.resolution;
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      const int value = map.at(column, row);
-      if (value >= 0 && value < options_.field.occupied_at) free_cells_.push_back(map.center(column, row));
-    }
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    const int value = map.cells[i];
+    if (value >= 0 && value < options_.field.occupied_at)
+      free_cells_.push_back(static_cast<std::uint32_t>(i));
   }
+  map_ = {map.resolution, map.origin, map.width, map.height, {}};
   use_next_sweep_ = true;
 }
 
@@ -54,9 +53,11 @@ bool ParticleFilter::start_anywhere(Time time) {
   particles_.resize(static_cast<std::size_t>(options_.count.max_particles));
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     const double place = random_.uniform() * static_cast<double>(free_cells_.size());
-    const Vector2& cell = free_cells_[std::min(static_cast<std::size_t>(place), free_cells_.size() - 1)];
-    particles_.x[i] = cell.x() + cell_ * (random_.uniform() - 0.5);
-    particles_.y[i] = cell.y() + cell_ * (random_.uniform() - 0.5);
+    const auto cell =
+        static_cast<int>(free_cells_[std::min(static_cast<std::size_t>(place), free_cells_.size() - 1)]);
+    const Vector2 centre = map_.center(cell % map_.width, cell / map_.width);
+    particles_.x[i] = centre.x() + map_.resolution * (random_.uniform() - 0.5);
+    particles_.y[i] = centre.y() + map_.resolution * (random_.uniform() - 0.5);
     particles_.theta[i] = random_.uniform(-std::numbers::pi, std::numbers::pi);
   }
   begin(time, true);
@@ -107,6 +108,7 @@ Outcome ParticleFilter::use(const LaserReading& reading) {
   follow();
   ends_ = seen_from(inverse(X_OB_) * X_OS, ends);
   const bool injected = inject(poses, inverse(X_OS) * X_OB_, ends_);
+  if (injected) recovery_.injected(reading.time);
   if (!injected && !far && !use_next_sweep_) return {Verdict::unusable};
   log_weight_.assign(particles_.size(), 0.0);
   add_log_weights(*field_, ends_, particles_, log_weight_);
@@ -116,34 +118,39 @@ Outcome ParticleFilter::use(const LaserReading& reading) {
   use_next_sweep_ = false;
   source_watch(reading.source).note_compared(reading.time, true, 0.0, 0);
   if (estimate_.share >= options_.particle_health.several_places &&
-      scan_fit(*field_, ends_, estimate_.X_MB).hit >= options_.recovery.scan_ok)
-    recovery_.found();
+      scan_fit(*field_, ends_, estimate_.X_MB).agreement() >= options_.recovery.scan_ok)
+    recovery_.found(reading.time);
   return {};
 }
 
-// Particles at the poses found, beside those that are there: the sweep decides between them.
+// Particles at the poses found, beside those that are there: the sweeps that follow decide between them.
+// While a pose is known only poses that agree clearly better count; else all that agree, or all.
 bool ParticleFilter::inject(const std::vector<PoseHypothesis>& poses, const Pose2& X_SB,
                             const BeamEnds& ends) {
-  // Where the set has been looking all along needs no new particles.
-  const double fit =
-      recovery_.searching_since() ? 0.0 : scan_fit(*field_, ends, estimate_.X_MB).hit + kClearlyBetter;
+  const RecoveryOptions& o = options_.recovery;
+  const bool known = !recovery_.searching_since();
+  const ScanFit here = scan_fit(*field_, ends, estimate_.X_MB);
+  std::vector<Pose2> all;
   std::vector<Pose2> better;
   for (const PoseHypothesis& pose : poses) {
-    const Pose2 X_MB = pose.X_MB * X_SB;
-    if (scan_fit(*field_, ends, X_MB).hit > fit) better.push_back(X_MB);
+    all.push_back(pose.X_MB * X_SB);
+    const ScanFit there = scan_fit(*field_, ends, all.back());
+    const bool clearly = there.agreement() > here.agreement() + o.better_by && there.hit > here.hit;
+    if (known ? clearly : there.agreement() >= o.scan_ok) better.push_back(all.back());
   }
+  if (!known && better.empty()) better = all;
   if (better.empty()) return false;
   const std::size_t before = particles_.size();
-  const RecoveryOptions& o = options_.recovery;
+  const double share = known ? o.rival_share : o.share;
   const std::size_t each =
       std::max<std::size_t>(20, static_cast<std::size_t>(options_.count.max_particles) / better.size());
   particles_.resize(before + each * better.size());
-  for (double& w : particles_.weight) w *= 1.0 - o.share;
+  for (double& w : particles_.weight) w *= 1.0 - share;
   const Eigen::Vector3d variances(o.sigma * o.sigma, o.sigma * o.sigma, o.heading_sigma * o.heading_sigma);
   for (std::size_t i = 0; i < better.size(); ++i)
     motion_.scatter(particles_, before + i * each, each, better[i], variances.asDiagonal());
   std::fill(particles_.weight.begin() + static_cast<std::ptrdiff_t>(before), particles_.weight.end(),
-            o.share / static_cast<double>(each * better.size()));
+            share / static_cast<double>(each * better.size()));
   return true;
 }
 

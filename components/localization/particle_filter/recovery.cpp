@@ -1,5 +1,7 @@
 #include "components/localization/particle_filter/recovery.hpp"
 
+#include <algorithm>
+
 namespace bw::localization {
 
 Recovery::Recovery(const RecoveryOptions& options, const PoseSearchOptions& search)
@@ -15,6 +17,7 @@ void Recovery::set_field(const LikelihoodField& field) {
 void Recovery::restart(bool anywhere, Time time) {
   under_way_ = false;
   last_end_.reset();
+  settled_since_ = time;
   mismatch_since_.reset();
   searching_since_.reset();
   if (anywhere) searching_since_ = time;
@@ -24,13 +27,14 @@ void Recovery::restart(bool anywhere, Time time) {
 void Recovery::move_stamps(Time time) {
   under_way_ = false;
   last_end_.reset();
+  settled_since_ = time;
   if (mismatch_since_) mismatch_since_ = time;
   if (searching_since_) searching_since_ = time;
 }
 
 void Recovery::watch(const ScanFit& fit, Time time) {
   if (fit.known < options_.least_known) return;
-  fit_ = fit.hit;
+  fit_ = fit.agreement();
   if (!searching_since_) {  // before, there is no place that a scan could fit from
     if (w_slow_ == 0.0) w_slow_ = w_fast_ = fit_;
     w_slow_ += options_.recovery_alpha_slow * (fit_ - w_slow_);
@@ -47,6 +51,12 @@ bool Recovery::needed(Time time) const {
   if (last_end_ && time - *last_end_ < Duration::seconds(options_.search_again)) return false;
   if (searching_since_) return true;
   if (mismatch_since_ && time - *mismatch_since_ >= Duration::seconds(options_.search_after)) return true;
+  // A place may look like another for a while: the longer the pose has held, the less often that is asked.
+  const Time last = last_end_.value_or(settled_since_);
+  const Duration settled = last - settled_since_;
+  const Duration pause =
+      std::clamp(settled, Duration::seconds(options_.search_again), Duration::seconds(options_.verify_every));
+  if (time - last >= pause) return true;
   const double low =
       options_.fallen_to * w_slow_;  // and still there: the short average takes its time to rise
   return options_.recovery_alpha_slow > 0.0 && w_fast_ < low && fit_ < low;

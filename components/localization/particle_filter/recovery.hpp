@@ -30,7 +30,12 @@ class Recovery {
   /// sweep was taken. Poses of the base at that moment, best first, on the sweep that finishes a search.
   std::vector<PoseHypothesis> search(const BeamEnds& ends, const Pose2& X_OB, Time time);
   /// The estimate is one place again.
-  void found() { searching_since_.reset(); }
+  void found(Time time) {
+    if (searching_since_) settled_since_ = time;
+    searching_since_.reset();
+  }
+  /// Particles were put at poses found: it is open again which is right.
+  void injected(Time time) { settled_since_ = time; }
 
   /// Since when the scan does not fit; since when the whole map is searched.
   std::optional<Time> mismatch_since() const { return mismatch_since_; }
@@ -49,6 +54,7 @@ class Recovery {
   bool under_way_ = false;
   Pose2 X_OB_then_;
   std::optional<Time> last_end_;
+  Time settled_since_;
   std::optional<Time> mismatch_since_;
   std::optional<Time> searching_since_;
   double fit_ = 0.0;

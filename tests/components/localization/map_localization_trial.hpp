@@ -30,6 +30,7 @@ struct DriveRecord {
   std::vector<double> milliseconds;  ///< thread CPU time since the last of them: sweeps and wheel steps
   double longest_call = 0.0;         ///< [ms]
   std::optional<double> lost_after;  ///< health first LOST, since the beginning [s]
+  double longest_unreported = 0.0;   ///< estimate off by more than 0.5 m, and health not LOST [s]
   int lost_sweeps = 0;               ///< sweeps, used or not, after which health was LOST
   int sweeps = 0;
   double seconds = 0.0;
@@ -73,6 +74,7 @@ class TrialDrive {
     DriveRecord record;
     const Time begun = now_;
     double spent = 0.0;
+    std::optional<Time> unreported_since;
     for (std::size_t i = 1; i < truth.size(); ++i) {
       now_ = now_ + Duration::milliseconds(50);
       const WheelStep step = robot_.wheel_step(now_, truth[i - 1], truth[i]);
@@ -83,10 +85,17 @@ class TrialDrive {
       spent += timed(record, [&] { outcome = filter_.add(sweep, now_); });
       ++record.sweeps;
       record.seconds = (now_ - begun).to_seconds();
-      if (filter_.health(now_).state == HealthState::lost) {
+      const bool lost = filter_.health(now_).state == HealthState::lost;
+      if (lost) {
         ++record.lost_sweeps;
         if (!record.lost_after) record.lost_after = record.seconds;
       }
+      const bool off = (filter_.estimate_at(now_).X_MB.position() - truth[i].position()).norm() > 0.5;
+      if (lost || !off) unreported_since.reset();
+      if (!lost && off && !unreported_since) unreported_since = now_;
+      if (unreported_since)
+        record.longest_unreported =
+            std::max(record.longest_unreported, (now_ - *unreported_since).to_seconds());
       if (!used(outcome.verdict)) continue;
       note(record, truth[i]);
       record.milliseconds.push_back(spent);
