@@ -128,7 +128,7 @@ Outcome ParticleFilter::use(const LaserReading& reading) {
 bool ParticleFilter::inject(const std::vector<PoseHypothesis>& poses, const Pose2& X_SB,
                             const BeamEnds& ends) {
   const RecoveryOptions& o = options_.recovery;
-  const bool known = !recovery_.searching_since();
+  const bool known = !recovery_.pose_unknown(track_.newest());
   const ScanFit here = scan_fit(*field_, ends, estimate_.X_MB);
   std::vector<Pose2> all;
   std::vector<Pose2> better;
@@ -138,7 +138,7 @@ bool ParticleFilter::inject(const std::vector<PoseHypothesis>& poses, const Pose
     const bool clearly = there.agreement() > here.agreement() + o.better_by && there.hit > here.hit;
     if (known ? clearly : there.agreement() >= o.scan_ok) better.push_back(all.back());
   }
-  if (!known && better.empty()) better = all;
+  if (!known && better.empty()) better.swap(all);
   if (better.empty()) return false;
   const std::size_t before = particles_.size();
   const double share = known ? o.rival_share : o.share;

@@ -40,6 +40,11 @@ class Recovery {
   /// Since when the scan does not fit; since when the whole map is searched.
   std::optional<Time> mismatch_since() const { return mismatch_since_; }
   std::optional<Time> searching_since() const { return searching_since_; }
+  /// There is no pose to hold on to: a start anywhere, or a mismatch that has lasted.
+  bool pose_unknown(Time time) const {
+    return searching_since_ ||
+           (mismatch_since_ && time - *mismatch_since_ >= Duration::seconds(options_.lost_mismatch));
+  }
   double fit() const { return fit_; }
   double w_slow() const { return w_slow_; }
   double w_fast() const { return w_fast_; }
