@@ -13,11 +13,12 @@ struct PredictionOptions {
   std::string model = "constant_velocity";
   double horizon = 4.0;
   double step = 0.5;
-  double spread_along = 0.01;
-  double spread_across = 0.01;
+  double spread_along = 0.0;
+  double spread_across = 0.0;
   double walking_speed = 0.2;
   double turn_window = 0.8;
   double turn_memory = 0.6;
+  double calibration_rate = 0.3;
   SocialForceOptions forces;
 
   template <class Visitor>
@@ -41,6 +42,10 @@ struct PredictionOptions {
       {.unit = "s", .min = 0.1, .max = 10, .doc = "time over which the turn rate is averaged"});
     v("turn_memory", turn_memory,
       {.unit = "s", .min = 0.05, .max = 20, .doc = "a turn dies out within this time (time constant)"});
+    v("calibration_rate", calibration_rate,
+      {.min = 0,
+       .max = 1,
+       .doc = "how fast the size of predicted ellipses follows what people do; 0: fixed"});
     v("forces", forces, {.doc = "social_force"});
   }
 

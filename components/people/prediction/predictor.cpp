@@ -69,6 +69,7 @@ double Predictor::turn_rate(const PersonState& person, Time now) {
 
 std::vector<std::vector<PredictedPosition>> Predictor::predict(const std::vector<PersonState>& people,
                                                                const StaticObstacles& walls, Time now) {
+  calibration_.forget(now - kForget);
   std::erase_if(turns_, [&](const auto& turn) { return now - turn.second.time > kForget; });
   std::vector<PersonState> sound;
   for (const PersonState& person : people) {
@@ -92,6 +93,9 @@ std::vector<std::vector<PredictedPosition>> Predictor::predict(const std::vector
       predictions.push_back({t, place, predicted_covariance(person, t, options_)});
     }
     ++index;
+    calibration_.observe(person.id, now, person.position, person.covariance.topLeftCorner<2, 2>());
+    calibration_.expect(person.id, now, predictions);
+    for (std::size_t k = 0; k < predictions.size(); ++k) predictions[k].covariance *= calibration_.size(k);
   }
   return result;
 }

@@ -5,7 +5,8 @@
 //               social force:        everybody wants to keep their velocity and is pushed by the others and
 //               by walls
 //   covariance  J P J^T + R(heading) diag(spread_along, spread_across) R^T t^3 / 3,   J = [I  t I]
-//               P of (position, velocity) as tracked; the second term is what white acceleration adds
+//               P of (position, velocity) as tracked; the second term is what white acceleration adds; all of
+//               it scaled so that 95 % of the ellipses hold the truth (calibration.hpp)
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,7 @@
 
 #include "components/model/obstacles.hpp"
 #include "components/model/time.hpp"
+#include "components/people/prediction/calibration.hpp"
 #include "components/people/prediction/prediction_options.hpp"
 
 namespace bw::people {
@@ -27,17 +29,16 @@ struct PersonState {
   double radius = 0.3;                                   ///< [m]
 };
 
-/// Remembers headings, for turn rates; otherwise the same people give the same predictions.
+/// Remembers headings, for turn rates, and how good its predictions were, for the size of their ellipses.
 class Predictor {
  public:
-  explicit Predictor(const PredictionOptions& options) : options_(options) {}
+  explicit Predictor(const PredictionOptions& options)
+      : options_(options), calibration_(options.calibration_rate) {}
 
   /// Predictions of each of `people` at `now`, at step, 2 step, ... up to the horizon; none for a person who
   /// is not finite. `walls` only matter to social_force.
   std::vector<std::vector<PredictedPosition>> predict(const std::vector<PersonState>& people,
                                                       const StaticObstacles& walls, Time now);
-
-  void reset() { turns_.clear(); }
 
  private:
   struct Turn {
@@ -49,6 +50,7 @@ class Predictor {
   double turn_rate(const PersonState& person, Time now);
 
   PredictionOptions options_;
+  Calibration calibration_;
   std::map<std::uint32_t, Turn> turns_;
 };
 

@@ -1,0 +1,161 @@
+// Predictions against closed forms, ellipses against what they promise, and both on recorded people.
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "components/model/random.hpp"
+#include "components/people/prediction/predictor.hpp"
+#include "components/world/shape_file.hpp"
+#include "components/world/track_file.hpp"
+#include "tests/components/people/prediction_score.hpp"
+
+namespace bw::people {
+namespace {
+
+const Time kNow = Time::seconds(10.0);
+
+PersonState walker(std::uint32_t id, const Vector2& position, const Vector2& velocity) {
+  PersonState person{id, position, velocity};
+  person.covariance.diagonal() << 0.01, 0.01, 0.04, 0.04;
+  return person;
+}
+
+// p + v t; (0.01 + 0.04 t^2) I, and q t^3 / 3 more along and across the way, by hand at t = 2 s.
+TEST(Prediction, KeepsTheVelocity) {
+  PredictionOptions options;
+  options.horizon = 2.0;
+  options.spread_along = 0.3;
+  options.spread_across = 0.15;
+  Predictor predictor(options);
+  const auto predictions = predictor.predict({walker(1, {1.0, 2.0}, {0.0, 1.0})}, {}, kNow);
+  ASSERT_EQ(predictions.size(), 1U);
+  ASSERT_EQ(predictions[0].size(), 4U);
+  const PredictedPosition& last = predictions[0].back();
+  EXPECT_DOUBLE_EQ(last.time, 2.0);
+  EXPECT_NEAR((last.position - Vector2(1.0, 4.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(last.covariance(0, 0), 0.01 + 0.16 + 0.15 * 8.0 / 3.0, 1e-12);  // across
+  EXPECT_NEAR(last.covariance(1, 1), 0.01 + 0.16 + 0.30 * 8.0 / 3.0, 1e-12);  // along
+  EXPECT_NEAR(last.covariance(0, 1), 0.0, 1e-12);
+}
+
+// On a circle of 1 rad/s the turn is known after a few windows; it dies out: in the end the heading has
+// turned by omega tau = 0.6 rad, and the last chord points there.
+TEST(Prediction, LetsATurnGoOnAndDieOut) {
+  PredictionOptions options;
+  options.model = "constant_turn_rate";
+  options.horizon = 10.0;
+  options.step = 0.1;
+  options.calibration_rate = 0.0;
+  Predictor predictor(options);
+  std::vector<std::vector<PredictedPosition>> predictions;
+  double heading = 0.0;
+  for (int i = 0; i < 80; ++i) {
+    heading = wrap_angle(0.1 * i);
+    const Vector2 velocity(std::cos(heading), std::sin(heading));
+    predictions = predictor.predict({walker(1, {0.0, 0.0}, velocity)}, {}, kNow + Duration::seconds(0.1 * i));
+  }
+  const auto& path = predictions[0];
+  const auto direction = [&](std::size_t k) {
+    const Vector2 chord = path[k].position - path[k - 1].position;
+    return std::atan2(chord.y(), chord.x());
+  };
+  EXPECT_NEAR(wrap_angle(direction(99) - heading), 0.6, 1e-3);
+  EXPECT_NEAR(wrap_angle(direction(10) - heading), 0.6 * (1.0 - std::exp(-1.05 / 0.6)), 2e-3);
+  double way = path[0].position.norm();
+  for (std::size_t k = 1; k < path.size(); ++k) way += (path[k].position - path[k - 1].position).norm();
+  EXPECT_NEAR(way, 10.0, 0.01);  // at 1 m/s
+}
+
+// Two who would collide pass each other, by the same amount to either side; one who walks along a wall keeps
+// off it; who stands stays.
+TEST(Prediction, SocialForcesLeadPeopleRoundOneAnotherAndAlongWalls) {
+  PredictionOptions options;
+  options.model = "social_force";
+  Predictor predictor(options);
+  const auto apart =
+      predictor.predict({walker(1, {0.0, 0.0}, {1.0, 0.0}), walker(2, {6.0, 0.0}, {-1.0, 0.0})}, {}, kNow);
+  double closest = 1e9;
+  for (std::size_t k = 0; k < apart[0].size(); ++k) {
+    closest = std::min(closest, (apart[0][k].position - apart[1][k].position).norm());
+    EXPECT_NEAR((apart[0][k].position + apart[1][k].position - Vector2(6.0, 0.0)).norm(), 0.0, 1e-9);
+  }
+  EXPECT_GT(closest, 0.3);
+
+  StaticObstacles wall;
+  wall.segments = {{{-5.0, 0.0}, {20.0, 0.0}}};
+  const auto along = predictor.predict({walker(1, {0.0, 1.5}, {1.0, -0.3})}, wall, kNow);
+  for (const PredictedPosition& p : along[0])
+    EXPECT_GT(p.position.y(), 0.3);  // straight on ends at 0.3 below: at 4 s
+
+  const auto standing = predictor.predict({walker(1, {0.0, 0.4}, {0.0, 0.0})}, wall, kNow);
+  EXPECT_EQ(standing[0].back().position, Vector2(0.0, 0.4));
+}
+
+TEST(Prediction, LeavesOutWhoIsNotFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const char* model : {"constant_velocity", "constant_turn_rate", "social_force"}) {
+    PredictionOptions options;
+    options.model = model;
+    Predictor predictor(options);
+    const auto predictions =
+        predictor.predict({walker(1, {nan, 0.0}, {1.0, 0.0}), walker(2, {0.0, 0.0}, {1.0, 0.0})}, {}, kNow);
+    ASSERT_EQ(predictions.size(), 2U);
+    EXPECT_TRUE(predictions[0].empty());
+    EXPECT_EQ(predictions[1].size(), 8U);
+    EXPECT_NEAR((predictions[1].back().position - Vector2(4.0, 0.0)).norm(), 0.0, 1e-9) << model;
+  }
+}
+
+// Errors of twice and of half the deviation that the predictions claim: after a few hundred of them 95 % are
+// inside again, within three standard deviations of a share of 2000.
+TEST(Prediction, EllipsesGrowAndShrinkToHoldTheirShare) {
+  for (const double truth_over_claim : {2.0, 0.5}) {
+    Calibration calibration(0.1);
+    Random random(7);
+    int inside = 0;
+    int counted = 0;
+    for (int i = 0; i < 3000; ++i) {
+      const Time now = kNow + Duration::seconds(0.5 * i);
+      const Vector2 truth(truth_over_claim * random.normal(), truth_over_claim * random.normal());
+      // Everybody lives for one prediction only: made at the origin, judged half a second later.
+      const auto id = static_cast<std::uint32_t>(i);
+      calibration.observe(id, now, {0.0, 0.0}, Eigen::Matrix2d::Zero());
+      calibration.expect(id, now, {{0.5, {0.0, 0.0}, Eigen::Matrix2d::Identity()}});
+      if (i >= 1000) {
+        ++counted;
+        if (truth.squaredNorm() / calibration.size(0) < 5.991) ++inside;
+      }
+      calibration.observe(id, now + Duration::seconds(0.5), truth, Eigen::Matrix2d::Zero());
+    }
+    const double share = static_cast<double>(inside) / counted;
+    EXPECT_NEAR(share, 0.95, 3.0 * std::sqrt(0.95 * 0.05 / counted)) << truth_over_claim;
+    EXPECT_NEAR(std::sqrt(calibration.size(0)), truth_over_claim, 0.25 * truth_over_claim);
+  }
+}
+
+// Reference: the constant-velocity Kalman figures of spec 8.7, printed with two digits.
+TEST(Prediction, IsAsGoodAsTheReferenceOnRecordedPeopleAndCalibrated) {
+  const char* shared = std::getenv("BANDWAGON_SHARED");
+  if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED is not set: no recorded people";
+  const std::string folder = std::string(shared) + "/data/eth_ucy_pedestrians/";
+  const std::map<std::string, std::array<double, 3>> reference{
+      {"eth", {0.19, 0.37, 1.28}}, {"hotel", {0.13, 0.24, 0.62}}, {"zara01", {0.08, 0.22, 1.01}}};
+  for (const auto& [name, errors] : reference) {
+    StaticObstacles walls;
+    if (name != "eth") walls.segments = read_walls(folder + name + "_walls.csv");
+    if (name == "hotel") walls.discs = read_circles(folder + name + "_circles.csv");
+    const PredictionScore score = score_prediction(read_tracks(folder + name + ".csv"), walls, {});
+    for (std::size_t h = 0; h < kScoredHorizons.size(); ++h) {
+      EXPECT_LE(score.mean_error[h], errors[h] + 0.005) << name << " at " << kScoredHorizons[h];
+      EXPECT_GE(score.inside_95[h], 0.90) << name << " at " << kScoredHorizons[h];
+      EXPECT_LE(score.inside_95[h], 0.98) << name << " at " << kScoredHorizons[h];
+      EXPECT_GT(score.count[h], 1000) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bw::people
