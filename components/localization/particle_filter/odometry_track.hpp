@@ -34,6 +34,9 @@ class OdometryTrack {
   /// Wheels silent for longer than options.extrapolation before `time`: unknown motion up to there.
   void bridge_silence(Time time);
 
+  /// Motion that nobody measured for so long.
+  void miss(Duration duration) { advance_unknown(newest_.time + duration); }
+
   /// X_OB at a time of the window, or extrapolated with the last twist.
   Pose2 at(Time time) const;
   Time newest() const { return newest_.time; }

@@ -11,6 +11,7 @@ namespace bw::localization {
 namespace {
 
 constexpr double kKnownHeading = 0.0625;  // (0.25 rad)^2: a heading from a way is worth taking
+constexpr double kLeastVariance = 1e-9;   // that an answer claims: a set may be one particle many times
 constexpr double kAnyHeading = 0.1;       // share of injected particles that look anywhere, without one
 
 WeightLaw law_named(const std::string& name) {
@@ -69,17 +70,18 @@ bool ParticleFilter::look_at_clock(Time now) {
   if (!stamps_.clock_went_back(now)) return false;
   stamps_.forget_shift();
   initial_.restart();
-  jump_to(now);
+  jump_to(now, Duration{});
   return true;
 }
 
-// The pose is kept and goes on from the new time.
-void ParticleFilter::jump_to(Time time) {
+// The pose is kept, less sure by the motion that was missed, and goes on from the new time.
+void ParticleFilter::jump_to(Time time, Duration missed) {
   last_clock_jump_ = time;
   last_reset_.reset();
   recovery_.move_stamps(time);
   for (SourceWatch& source : sources_) source.move_stamps(time);
   if (!initialised_) return;
+  track_.miss(missed);
   follow();
   track_.restart(time);
 }
@@ -91,7 +93,7 @@ Outcome ParticleFilter::add(const Measurement& measurement, Time now) {
     if (used(outcome.verdict)) stamps_.wheel_accepted();
     const bool wrong_stamp = outcome.verdict == Verdict::future || outcome.verdict == Verdict::too_old;
     if (wrong_stamp && stamps_.jumped(*step, now)) {
-      jump_to(step->time);
+      jump_to(step->time, stamps_.lost());
       jumped = true;
     }
   }
@@ -215,7 +217,7 @@ bool ParticleFilter::take_over(const Comparison& c, int source, Time time) {
 // Particles catch up with the wheels.
 void ParticleFilter::follow() {
   const UncertainMotion motion = track_.behind();
-  if (track_.newest() == Time{} || (motion.covariance.isZero(0.0) && motion.X_BB == Pose2{})) return;
+  if (motion.covariance.isZero(0.0) && motion.X_BB == Pose2{}) return;
   motion_.move(particles_, motion);
   track_.follow();
   X_OB_ = track_.at(track_.newest());
@@ -275,6 +277,7 @@ Estimate ParticleFilter::estimate_at(Time time) const {
   estimate.covariance =
       by_pose * estimate_.covariance * by_pose.transpose() + R * behind.covariance * R.transpose();
   estimate.covariance = 0.5 * (estimate.covariance + estimate.covariance.transpose()).eval();
+  estimate.covariance.diagonal().array() += kLeastVariance;
   estimate.gyro_bias = track_.gyro_bias();
   return estimate;
 }

@@ -68,7 +68,7 @@ class ParticleFilter final : public Localizer {
  private:
   Outcome noted(Outcome outcome);
   bool look_at_clock(Time now);
-  void jump_to(Time time);
+  void jump_to(Time time, Duration missed);
   Outcome sort_in(const Measurement& measurement, Time now);
   Outcome use(const WheelStep& step);
   Outcome use(const GyroReading& reading);
@@ -110,8 +110,8 @@ class ParticleFilter final : public Localizer {
   std::optional<Time> last_clock_jump_;
 
   std::optional<LikelihoodField> field_;
-  std::vector<Vector2> free_cells_;  ///< centres
-  double cell_ = 0.0;                ///< edge [m]
+  OccupancyGrid map_;                      ///< without its cells
+  std::vector<std::uint32_t> free_cells_;  ///< their indices
   bool laser_heard_ = false;
   bool use_next_sweep_ = true;
   Pose2 X_OB_last_sweep_;
