@@ -1,0 +1,137 @@
+// Somebody steps out from behind a wall 0.2 m beside the robot's way, at 1 m/s across it, and the robot comes
+// at 1 m/s (test battery, row 33). Nobody plans, tracks or predicts; only the collision monitor sees it.
+//
+// "d ahead": when the rim of the person's disc (0.3 m) enters the way of the robot's disc, d [m] lie between
+// the two along the way. What braking at a = 2 m/s^2 can do, with t_r from the person being in the way to
+// braking wheels:
+//
+//   speed at contact  v_c = sqrt(v^2 - 2 a (d - v t_r)),  none if d > v t_r + v^2 / 2a
+//
+// t_r is at most a period of the laser (100 ms), a cycle of motor control (20 ms), the physics (10 ms) and
+// the ramp of the wheels (10 ms): 0.14 s. At d = 0.5 m the robot can stand (0.39 m); from d = 0.37 m down it
+// cannot be below 0.3 m/s: that is physics.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/faults/guarded_drive.hpp"
+
+namespace bw {
+namespace {
+
+constexpr double kWall = 0.5;    // y of the wall [m]
+constexpr double kPerson = 0.3;  // radius [m]
+constexpr double kRobot = 0.3;   // radius [m]
+constexpr double kEnter = kRobot + kPerson;
+
+struct Meeting {
+  std::optional<double> contact_speed;  ///< [m/s], of the robot
+  double least_gap = 10.0;              ///< [m]
+  double least_speed = 10.0;            ///< [m/s], after the person came
+};
+
+std::string scene(double wall_end, const std::string& person) {
+  return fmt::format(
+      "      walls: [{{x1: -5.0, y1: {0}, x2: {1}, y2: {0}}}, {{x1: -5.0, y1: -2.0, x2: 30.0, y2: -2.0}}]\n"
+      "      people_react: false\n      people: {{scripted: [{2}]}}\n",
+      kWall, wall_end, person);
+}
+
+Meeting watch(GuardedDrive& drive, double from, double seconds) {
+  Meeting meeting;
+  double before = 0.0;
+  drive.wish = [](double) { return Twist2{1.0, 0.0}; };
+  drive.see = [&](double t, const bandwagon_msgs::msg::GroundTruth& truth) {
+    const double v = truth.twist().linear().x();
+    const auto& robot = truth.pose().position();
+    for (const auto& person : truth.people()) {
+      const double gap =
+          std::hypot(person.position().x() - robot.x(), person.position().y() - robot.y()) - kEnter;
+      meeting.least_gap = std::min(meeting.least_gap, gap);
+      if (gap < 0.0 && !meeting.contact_speed) meeting.contact_speed = std::max(before, v);
+    }
+    if (t > from) meeting.least_speed = std::min(meeting.least_speed, v);
+    before = v;
+  };
+  drive.run(seconds);
+  return meeting;
+}
+
+/// When the robot, undisturbed, is at x [m]: measured once.
+double time_at(double x) {
+  static const std::vector<std::pair<double, double>> way = [] {
+    std::vector<std::pair<double, double>> list;
+    GuardedDrive drive;
+    drive.world = scene(-4.0, "");
+    drive.wish = [](double) { return Twist2{1.0, 0.0}; };
+    drive.see = [&](double t, const auto& truth) { list.emplace_back(truth.pose().position().x(), t); };
+    drive.run(9.0);
+    return list;
+  }();
+  const auto after = std::lower_bound(way.begin(), way.end(), std::pair(x, 0.0));
+  return after->second;
+}
+
+/// Trial i of n varies the time against the laser's, the steps of the person and the noise.
+Meeting step_out(double ahead, int i, int n) {
+  const double x = 5.0 + 0.1 * i / n;
+  const double start_y = 2.0 + 1.4 * std::fmod(0.618 * i, 1.0);
+  const double enters = time_at(x - kEnter - ahead);
+  GuardedDrive drive;
+  drive.seed = static_cast<std::uint64_t>(i + 1);
+  drive.world =
+      scene(x - kPerson - 0.05,
+            fmt::format("{{waypoints: [{{x: {0}, y: {1}}}, {{x: {0}, y: -1.6}}], speed: 1.0, start_time: "
+                        "{2}}}",
+                        x, start_y, enters - (start_y - kEnter)));
+  return watch(drive, enters, enters + 2.0);
+}
+
+struct Outcome {
+  int contacts = 0;
+  double worst = 0.0;  ///< contact speed [m/s]
+  double least_gap = 10.0;
+};
+
+Outcome trials(double ahead) {
+  Outcome outcome;
+  const int n = fault_trials();
+  for (int i = 0; i < n; ++i) {
+    const Meeting meeting = step_out(ahead, i, n);
+    outcome.contacts += meeting.contact_speed ? 1 : 0;
+    outcome.worst = std::max(outcome.worst, meeting.contact_speed.value_or(0.0));
+    outcome.least_gap = std::min(outcome.least_gap, meeting.least_gap);
+  }
+  constexpr double kReaction = 0.14;
+  const double square = 1.0 - 4.0 * (ahead - kReaction);
+  std::printf(
+      "%.2f m ahead, %d trials: %d contacts, the fastest at %.2f m/s, least gap %.3f m; braking alone: %.2f "
+      "m/s\n",
+      ahead, n, outcome.contacts, outcome.worst, outcome.least_gap,
+      square > 0.0 ? std::min(1.0, std::sqrt(square)) : 0.0);
+  return outcome;
+}
+
+TEST(StepOut, OneMetreAheadNobodyIsTouched) {
+  const Outcome outcome = trials(1.0);
+  EXPECT_EQ(outcome.contacts, 0);
+}
+
+TEST(StepOut, HalfAMetreAheadNobodyIsTouchedFasterThan30CentimetresPerSecond) {
+  EXPECT_LE(trials(0.5).worst, 0.3);
+}
+
+TEST(StepOut, NearerItIsWhatBrakingAllows) {
+  for (const double ahead : {0.35, 0.2}) {
+    const double square = 1.0 - 4.0 * (ahead - 0.14);
+    EXPECT_LE(trials(ahead).worst, std::sqrt(square) + 0.02);
+  }
+}
+
+}  // namespace
+}  // namespace bw
