@@ -28,6 +28,7 @@ class Matching {
 
   const LegMatch& of_person(std::size_t i) const { return people_[i]; }
   int of_cluster(std::size_t i) const { return clusters_[i]; }
+  void release(std::size_t detection) { taken_[detection] = 0; }
   bool taken(std::size_t detection) const { return taken_[detection] != 0; }
 
  private:

@@ -5,11 +5,13 @@
 #include <optional>
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include "components/people/tracker/birth.hpp"
 #include "components/people/tracker/cluster_track.hpp"
 #include "components/people/tracker/matching.hpp"
 #include "components/people/tracker/person_track.hpp"
+#include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/visibility.hpp"
 
 namespace bw::people {
@@ -29,7 +31,7 @@ bool usable(const Detection& d, const AssociationOptions& options) {
 
 class Tracker::Impl {
  public:
-  explicit Impl(const TrackerOptions& options) : options_(options) {}
+  explicit Impl(const TrackerOptions& options) : options_(options), alignment_(options.alignment) {}
 
   const std::vector<TrackedPerson>& update(const DetectionSet& sweep);
   const std::vector<TrackedPerson>& people() const { return reported_; }
@@ -37,8 +39,10 @@ class Tracker::Impl {
   void reset();
 
  private:
+  void to_S(const DetectionSet& sweep);
   void take_in(const DetectionSet& sweep);
   void correct_people();
+  LegMatch possible(PersonTrack& person, LegMatch match);
   void correct_person(PersonTrack& person, const LegMatch& match);
   void correct_clusters();
   Sighting sighting_of(const Detection& d) const;
@@ -50,6 +54,9 @@ class Tracker::Impl {
   void report();
 
   TrackerOptions options_;
+  SweepAlignment alignment_;
+  Pose2 X_SO_;  ///< S: odom without its errors from sweep to sweep; tracks live in S
+  DetectionSet sweep_in_S_;
   std::optional<Time> now_;
   Time origin_;
   std::int64_t sweep_ = 0;
@@ -67,6 +74,8 @@ void Tracker::Impl::reset() {
   people_.clear();
   clusters_.clear();
   reported_.clear();
+  alignment_.reset();
+  X_SO_ = {};
 }
 
 const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& sweep) {
@@ -78,18 +87,31 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   now_ = sweep.time;
   ++sweep_;
 
-  take_in(sweep);
+  to_S(sweep);
+  take_in(sweep_in_S_);
   for (PersonTrack& person : people_) person.walker.predict(dt, options_.walker);
   for (ClusterTrack& cluster : clusters_) cluster.predict(dt);
   matching_.match(detections_, people_, clusters_, options_.association);
   correct_people();
   correct_clusters();
-  watch_for_absence(sweep, dt);
+  watch_for_absence(sweep_in_S_, dt);
   give_missing_legs_back();
   find_new_people();
   lose_people();
   report();
   return reported_;
+}
+
+void Tracker::Impl::to_S(const DetectionSet& sweep) {
+  X_SO_ = X_SO_ * alignment_.align(sweep);
+  sweep_in_S_ = sweep;
+  sweep_in_S_.sensor = X_SO_ * sweep.sensor;
+  sweep_in_S_.angle_min = sweep.angle_min + X_SO_.theta;
+  const Eigen::Matrix2d R = Eigen::Rotation2Dd(X_SO_.theta).toRotationMatrix();
+  for (Detection& d : sweep_in_S_.detections) {
+    d.position = X_SO_ * d.position;
+    d.covariance = (R * d.covariance * R.transpose()).eval();
+  }
 }
 
 void Tracker::Impl::take_in(const DetectionSet& sweep) {
@@ -122,7 +144,22 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
 }
 
 void Tracker::Impl::correct_people() {
-  for (std::size_t i = 0; i < people_.size(); ++i) correct_person(people_[i], matching_.of_person(i));
+  for (std::size_t i = 0; i < people_.size(); ++i)
+    correct_person(people_[i], possible(people_[i], matching_.of_person(i)));
+}
+
+/// Two legs farther apart than legs can be belong to two people: keeps the one that was foreseen better.
+LegMatch Tracker::Impl::possible(PersonTrack& person, LegMatch match) {
+  if (match.first < 0 || match.second < 0) return match;
+  const Detection& first = detections_[static_cast<std::size_t>(match.first)];
+  const Detection& second = detections_[static_cast<std::size_t>(match.second)];
+  if ((first.position - second.position).norm() <= options_.association.separation) return match;
+  const double miss_first = (first.position - person.walker.expected(BodyPart::first_leg)).norm();
+  const double miss_second = (second.position - person.walker.expected(BodyPart::second_leg)).norm();
+  int& wrong = miss_first > miss_second ? match.first : match.second;
+  matching_.release(static_cast<std::size_t>(wrong));
+  wrong = -1;
+  return match;
 }
 
 Sighting Tracker::Impl::sighting_of(const Detection& d) const {
@@ -255,12 +292,15 @@ void Tracker::Impl::find_new_people() {
 
 void Tracker::Impl::report() {
   reported_.clear();
+  const Pose2 X_OS = inverse(X_SO_);
+  Eigen::Matrix4d R = Eigen::Matrix4d::Zero();
+  R.topLeftCorner<2, 2>() = R.bottomRightCorner<2, 2>() = Eigen::Rotation2Dd(X_OS.theta).toRotationMatrix();
   for (const PersonTrack& person : people_) {
     const double unseen = (*now_ - person.last_seen).to_seconds();
     reported_.push_back({.id = person.id,
-                         .position = person.walker.position(),
-                         .velocity = person.walker.velocity(),
-                         .covariance = person.walker.covariance(),
+                         .position = X_OS * person.walker.position(),
+                         .velocity = rotate(X_OS, person.walker.velocity()),
+                         .covariance = R * person.walker.covariance() * R.transpose(),
                          .radius = options_.person_radius,
                          .confidence = person.score * std::exp(-unseen / options_.death.unseen),
                          .born = person.born,

@@ -1,6 +1,7 @@
 // Parameters of the tracker. Defaults suit a laser at the height of shins with 5 to 40 sweeps per second.
 #pragma once
 
+#include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/walker.hpp"
 #include "runtime/parameters/field.hpp"
 
@@ -9,7 +10,8 @@ namespace bw::people {
 struct AssociationOptions {
   double gate = 9.21;
   double reach = 1.2;
-  double slack = 0.1;
+  double slack = 0.15;
+  double separation = 0.7;
   double unlike = 2.0;
   double people_first = 2.0;
   double largest = 0.8;
@@ -25,6 +27,8 @@ struct AssociationOptions {
        .min = 0,
        .max = 1,
        .doc = "added to the spread of every prediction while choosing: people turn and stop"});
+    v("separation", separation,
+      {.unit = "m", .min = 0.2, .max = 1.5, .doc = "from leg to leg of a person, at most"});
     v("unlike", unlike,
       {.min = 0, .max = 20, .doc = "what -ln(score) of a detection adds for legs of people"});
     v("people_first", people_first,
@@ -37,11 +41,11 @@ struct AssociationOptions {
 struct BirthOptions {
   int sightings = 3;
   int of_sweeps = 5;
-  double travel = 0.3;
+  double travel = 0.2;
   double separation = 0.6;
   double misfit = 0.05;
   double walking_score = 0.4;
-  int standing_sightings = 8;
+  int standing_sightings = 5;
   double standing_separation = 0.42;
   double standing_score = 0.75;
   double single_travel = 0.5;
@@ -99,6 +103,7 @@ struct TrackerOptions {
   double person_radius = 0.3;
   double longest_gap = 1.0;
   int most_detections = 1000;
+  AlignmentOptions alignment;
   AssociationOptions association;
   WalkerOptions walker;
   BirthOptions birth;
@@ -111,6 +116,7 @@ struct TrackerOptions {
       {.unit = "s", .min = 0.1, .max = 60, .doc = "silence or jump back in time that forgets everybody"});
     v("most_detections", most_detections,
       {.min = 1, .max = 20000, .doc = "of a sweep; the rest is ignored, the least human first"});
+    v("alignment", alignment, {.doc = "errors of odometry from sweep to sweep"});
     v("association", association, {.doc = "which detection belongs to whom"});
     v("walker", walker, {.doc = "how people move"});
     v("birth", birth, {.doc = "when clusters become a person"});

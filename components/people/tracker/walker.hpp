@@ -22,14 +22,14 @@ namespace bw::people {
 
 struct WalkerOptions {
   double acceleration_standing = 0.3;
-  double acceleration_walking = 0.9;
+  double acceleration_walking = 0.6;
   double stride = 1.4;
   double swing = 0.18;
   double full_swing_speed = 1.3;
   double beat_memory = 1.0;
   double drift_across = 0.08;
   double half_width = 0.13;
-  double jump_gate = 13.8;
+  double jump_gate = 25.0;
   double jump_speed = 0.7;
   double jump_leg = 0.08;
 

@@ -1,0 +1,123 @@
+#include "components/people/tracker/sweep_alignment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Dense>
+
+namespace bw::people {
+namespace {
+
+constexpr int kRounds = 3;
+constexpr int kFewest = 40;       // points
+constexpr int kBaseline = 2;      // beams to either side that make a line
+constexpr double kBreak = 0.25;   // [m] of range between them: a step is no surface
+constexpr double kAtRest = 1e-6;  // [m, rad]
+
+Vector2 turned_left(const Vector2& v) { return {-v.y(), v.x()}; }
+
+float longest(const std::vector<float>& ranges) {
+  float most = 0.0F;
+  for (const float r : ranges) most = std::max(most, r);
+  return most;
+}
+
+}  // namespace
+
+Vector2 SweepAlignment::remembered_point(std::size_t beam) const {
+  return sensor_ + static_cast<double>(ranges_[beam]) * directions_[beam];
+}
+
+/// The line through the beams around the one that looks towards `p_O`.
+bool SweepAlignment::surface_towards(const Vector2& p_O, Surface& surface) const {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const Vector2 way = p_O - sensor_;
+  double turn = std::atan2(way.y(), way.x()) - angle_min_;
+  turn -= kTurn * std::floor(turn / kTurn);
+  const double beam = std::round(turn / angle_increment_);
+  if (!(beam >= kBaseline && beam + kBaseline < static_cast<double>(ranges_.size()))) return false;
+  const auto middle = static_cast<std::size_t>(beam);
+  for (std::size_t i = middle - kBaseline; i <= middle + kBaseline; ++i) {
+    if (!(ranges_[i] > 0.0F && ranges_[i] < no_return_)) return false;
+    if (std::abs(ranges_[i] - ranges_[middle]) > static_cast<float>(kBreak)) return false;
+  }
+  Vector2 mean(0.0, 0.0);
+  for (std::size_t i = middle - kBaseline; i <= middle + kBaseline; ++i) mean += remembered_point(i);
+  surface.point = mean / (2 * kBaseline + 1);
+  const Vector2 along =
+      2.0 * (remembered_point(middle + kBaseline) - remembered_point(middle - kBaseline)) +
+      (remembered_point(middle + 1) - remembered_point(middle - 1));  // least squares over even beams
+  const double length = along.norm();
+  if (length < 1e-6) return false;
+  surface.normal = turned_left(along / length);
+  return true;
+}
+
+Pose2 SweepAlignment::align(const DetectionSet& sweep) {
+  const bool usable = options_.enabled && sweep.angle_increment > 0.0 && !sweep.free_ranges.empty();
+  const bool moved = (sweep.sensor - sensor_).norm() > kAtRest ||
+                     std::abs(wrap_angle(sweep.angle_min - angle_min_)) > kAtRest;
+  if (!usable || ranges_.empty() || !moved) {
+    remember(sweep);
+    return {};
+  }
+  const float no_return = longest(sweep.free_ranges);
+  // Correction: turn about the sensor, then shift.
+  Eigen::Vector3d correction = Eigen::Vector3d::Zero();
+  const Eigen::Vector3d prior(1.0 / (options_.way_sigma * options_.way_sigma),
+                              1.0 / (options_.way_sigma * options_.way_sigma),
+                              1.0 / (options_.turn_sigma * options_.turn_sigma));
+  const double weight = 1.0 / (1.2 * options_.range_noise * options_.range_noise);  // the line errs as well
+  bool good = false;
+  for (int round = 0; round < kRounds; ++round) {
+    const double reach = round == 0 ? options_.reach : std::min(options_.reach, 5.0 * options_.range_noise);
+    const Vector2 turn = direction(correction(2));
+    Eigen::Matrix3d information = prior.asDiagonal();
+    Eigen::Vector3d pull = -(prior.array() * correction.array()).matrix();
+    int compared = 0;
+    int fitting = 0;
+    for (std::size_t i = 0; i < sweep.free_ranges.size(); ++i) {
+      const float range = sweep.free_ranges[i];
+      if (!(range > 0.0F && range < no_return)) continue;
+      const double angle = sweep.angle_min + static_cast<double>(i) * sweep.angle_increment;
+      const Vector2 beam = static_cast<double>(range) * direction(angle);
+      const Vector2 arm(turn.x() * beam.x() - turn.y() * beam.y(), turn.y() * beam.x() + turn.x() * beam.y());
+      const Vector2 point = sweep.sensor + arm + correction.head<2>();
+      Surface surface;
+      if (!surface_towards(point, surface)) continue;
+      ++compared;
+      const double miss = surface.normal.dot(surface.point - point);
+      const double share = miss / reach;
+      if (std::abs(share) >= 1.0) continue;
+      ++fitting;
+      const double trust = (1.0 - share * share) * (1.0 - share * share) * weight;
+      const Eigen::Vector3d J(surface.normal.x(), surface.normal.y(), surface.normal.dot(turned_left(arm)));
+      information += trust * J * J.transpose();
+      pull += trust * miss * J;
+    }
+    good = fitting >= kFewest && fitting >= options_.least_share * compared;
+    if (!good) break;
+    correction += information.ldlt().solve(pull);
+  }
+  remember(sweep);
+  if (!good || !correction.allFinite()) return {};
+  // p -> s + t + R (p - s)
+  const Vector2 s = sweep.sensor;
+  const Pose2 R{0.0, 0.0, correction(2)};
+  const Vector2 shift = s + correction.head<2>() - R * s;
+  return {shift.x(), shift.y(), correction(2)};
+}
+
+void SweepAlignment::remember(const DetectionSet& sweep) {
+  sensor_ = sweep.sensor;
+  angle_min_ = sweep.angle_min;
+  angle_increment_ = sweep.angle_increment;
+  ranges_.assign(sweep.free_ranges.begin(), sweep.free_ranges.end());
+  no_return_ = longest(ranges_);
+  directions_.resize(ranges_.size());
+  for (std::size_t i = 0; i < ranges_.size(); ++i)
+    directions_[i] = direction(angle_min_ + static_cast<double>(i) * angle_increment_);
+}
+
+}  // namespace bw::people

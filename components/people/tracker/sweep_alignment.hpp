@@ -1,0 +1,68 @@
+// How odometry erred from one sweep to the next, by what stands: wheels of 0.4 % mismatch and some noise turn
+// the world by several milliradians per sweep, which at 5 m reads as a velocity of 0.3 m/s of everything.
+//
+// Points of a sweep against the surface that the sweep before saw in their direction (point to line, Censi,
+// ICRA 2008), weighted so that people, who move, hardly count (Tukey), with the odometry as prior.
+#pragma once
+
+#include <vector>
+
+#include "components/model/pose2.hpp"
+#include "components/people/detection.hpp"
+#include "runtime/parameters/field.hpp"
+
+namespace bw::people {
+
+struct AlignmentOptions {
+  bool enabled = true;
+  double range_noise = 0.02;
+  double reach = 0.15;
+  double way_sigma = 0.004;
+  double turn_sigma = 0.015;
+  double least_share = 0.4;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("enabled", enabled, {.doc = "take odometry's errors from sweep to sweep out of people's motion"});
+    v("range_noise", range_noise,
+      {.unit = "m", .min = 0.001, .max = 0.2, .doc = "standard deviation of a range"});
+    v("reach", reach,
+      {.unit = "m", .min = 0.02, .max = 1, .doc = "points farther from the surface say nothing"});
+    v("way_sigma", way_sigma,
+      {.unit = "m", .min = 1e-5, .max = 1, .doc = "error of the way between two sweeps, by odometry"});
+    v("turn_sigma", turn_sigma,
+      {.unit = "rad", .min = 1e-5, .max = 1, .doc = "the same of the turn; raise it where wheels slip"});
+    v("least_share", least_share,
+      {.min = 0.05, .max = 1, .doc = "of points that must fit, or odometry is believed"});
+  }
+};
+
+class SweepAlignment {
+ public:
+  explicit SweepAlignment(const AlignmentOptions& options) : options_(options) {}
+
+  /// X_PO: where this sweep's O lies in the O of the sweep before, as what stands shows it. Identity for the
+  /// first sweep, for a sensor that odometry saw at rest, and when too little fits. Remembers the sweep.
+  Pose2 align(const DetectionSet& sweep);
+
+  void reset() { ranges_.clear(); }
+
+ private:
+  struct Surface {
+    Vector2 point;
+    Vector2 normal;
+  };
+  bool surface_towards(const Vector2& p_O, Surface& surface) const;
+  Vector2 remembered_point(std::size_t beam) const;
+  void remember(const DetectionSet& sweep);
+
+  AlignmentOptions options_;
+  Vector2 sensor_{0.0, 0.0};
+  double angle_min_ = 0.0;
+  double angle_increment_ = 0.0;
+  std::vector<float> ranges_;
+  std::vector<Vector2> directions_;
+  float no_return_ = 0.0F;  ///< beams this long hit nothing
+};
+
+}  // namespace bw::people
