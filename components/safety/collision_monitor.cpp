@@ -93,8 +93,11 @@ double CollisionMonitor::rule_speed(const Twist2& along, const std::vector<SeenP
   const StoppingOptions& rule = options_.stopping;
   double way = std::numeric_limits<double>::infinity();
   for (const SeenPoint& point : points) {
-    if (narrow && !point.is_narrow) continue;
-    way = std::min(way, free_way(along, radius_ + (narrow ? rule.narrow_margin : 0.0), point.position));
+    if (!narrow) {
+      way = std::min(way, free_way(along, radius_, point.position));
+    } else if (point.is_narrow) {
+      way = std::min(way, free_way_to_walker(along, radius_ + rule.narrow_margin, point.position));
+    }
   }
   return narrow ? speed_within(way, stopping_, rule.narrow_speed)
                 : speed_within(way - rule.margin, stopping_);

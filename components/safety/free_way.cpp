@@ -18,15 +18,19 @@ double straight_way(double radius, const Vector2& p) {
   return p.x() - std::sqrt(reach);
 }
 
+/// Angle at the centre of the turn from the start to the point, in the direction of travel, [0, 2 pi).
+double angle_ahead(double rho, const Vector2& p) {
+  const double phi = std::atan2(p.x(), std::abs(rho) - std::copysign(p.y(), p.y() * rho));
+  return phi < 0.0 ? phi + 2.0 * std::numbers::pi : phi;
+}
+
 double arc_way(double rho, double radius, const Vector2& p) {
   const double turn_radius = std::abs(rho);
   const double q = std::hypot(p.x(), p.y() - rho);
   if (std::abs(q - turn_radius) >= radius || q == 0.0) return kNever;
   const double cosine = (rho * rho + q * q - radius * radius) / (2.0 * turn_radius * q);
   if (cosine <= -1.0) return kNever;  // the point stays inside all the way round
-  double phi = std::atan2(p.x(), turn_radius - std::copysign(p.y(), p.y() * rho));
-  if (phi < 0.0) phi += 2.0 * std::numbers::pi;
-  return turn_radius * (phi - std::acos(std::min(1.0, cosine)));
+  return turn_radius * (angle_ahead(rho, p) - std::acos(std::min(1.0, cosine)));
 }
 
 }  // namespace
@@ -40,6 +44,16 @@ double free_way(const Twist2& twist, double radius, const Vector2& point) {
   const double way =
       std::abs(curvature) < kStraight ? straight_way(radius, ahead) : arc_way(1.0 / curvature, radius, ahead);
   return std::max(0.0, way);
+}
+
+double free_way_to_walker(const Twist2& twist, double radius, const Vector2& point) {
+  const double way = free_way(twist, radius, point);
+  if (std::isinf(way) || way == 0.0) return way;
+  const Vector2 ahead(twist.v > 0.0 ? point.x() : -point.x(), point.y());
+  const double curvature = twist.omega / twist.v;
+  const double abreast =
+      std::abs(curvature) < kStraight ? ahead.x() : angle_ahead(1.0 / curvature, ahead) / std::abs(curvature);
+  return std::clamp(abreast - radius, 0.0, way);
 }
 
 double speed_within(double way, const Stopping& stopping, double end_speed) {

@@ -15,6 +15,10 @@ namespace bw::safety {
 /// and there is none when | q - |rho| | >= radius.
 double free_way(const Twist2& twist, double radius, const Vector2& point);
 
+/// The same for a point that may walk across: once it is anywhere in the way of the disc, as if it stood in
+/// the middle of it, where the disc's front reaches it first.
+double free_way_to_walker(const Twist2& twist, double radius, const Vector2& point);
+
 /// What a stop costs.
 struct Stopping {
   double reaction_time = 0.1;   ///< [s] until the wheels brake

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -74,6 +75,15 @@ TEST(FreeWay, EqualsBruteForceOnRandomArcs) {
     EXPECT_NEAR(way, expected, 3e-4) << i;
   }
   EXPECT_GT(touches, 300);
+}
+
+TEST(FreeWayToWalker, CountsFromTheFrontOfTheDiscOnceThePointIsInTheWay) {
+  EXPECT_DOUBLE_EQ(free_way_to_walker({1.0, 0.0}, 0.5, {2.0, 0.45}), 1.5);
+  EXPECT_NEAR(free_way_to_walker({1.0, 0.0}, 0.5, {0.55, 0.3}), 0.05, 1e-12);
+  EXPECT_EQ(free_way_to_walker({1.0, 0.0}, 0.5, {2.0, 0.51}), kNever);
+  EXPECT_DOUBLE_EQ(free_way_to_walker({-1.0, 0.0}, 0.5, {-2.0, 0.45}), 1.5);
+  // rho = 2, at (2.3, 2): abreast after a quarter turn
+  EXPECT_NEAR(free_way_to_walker({1.0, 0.5}, 0.5, {2.3, 2.0}), std::numbers::pi - 0.5, 1e-12);
 }
 
 TEST(SpeedWithin, SolvesTheStoppingDistance) {
