@@ -10,25 +10,24 @@ namespace {
 
 // Distance [cells] to the nearest obstacle in the same column; width + height where the column has none,
 // which is more than any distance inside the grid.
-std::vector<std::int32_t> column_distances(const OccupancyGrid& grid, const ObstacleRule& rule) {
+void column_distances(const OccupancyGrid& grid, const ObstacleRule& rule, std::vector<std::int32_t>& d) {
   const auto width = static_cast<std::size_t>(grid.width);
   const auto height = static_cast<std::size_t>(grid.height);
   const std::int32_t none = grid.width + grid.height;
-  std::vector<std::int32_t> d(width * height);
+  d.resize(width * height);
   for (std::size_t i = 0; i < d.size(); ++i) d[i] = rule.blocks(grid.cells[i]) ? 0 : none;
   for (std::size_t i = width; i < d.size(); ++i) d[i] = std::min(d[i], d[i - width] + 1);
   for (std::size_t i = d.size(); i-- > width;) d[i - width] = std::min(d[i - width], d[i] + 1);
-  return d;
 }
 
 // The columns whose parabolas (x - i)^2 + g_i^2 form the lower envelope of one row, and where each takes
 // over.
 struct Envelope {
-  std::vector<std::int64_t> column;
-  std::vector<std::int64_t> from;
+  std::vector<std::int64_t>& column;
+  std::vector<std::int64_t>& from;
 };
 
-void build_envelope(const std::int32_t* g, std::int64_t width, Envelope& e) {
+void build_envelope(const std::int32_t* g, std::int64_t width, const Envelope& e) {
   const auto value = [g](std::int64_t x, std::int64_t i) {
     return (x - i) * (x - i) + static_cast<std::int64_t>(g[i]) * g[i];
   };
@@ -56,12 +55,10 @@ void build_envelope(const std::int32_t* g, std::int64_t width, Envelope& e) {
   }
 }
 
-}  // namespace
-
-std::vector<float> distance_field(const OccupancyGrid& grid, const ObstacleRule& rule) {
-  const std::vector<std::int32_t> g = column_distances(grid, rule);
-  std::vector<float> distance(g.size());
-  Envelope envelope;
+// Calls store(cell, squared distance) for every cell; below zero where the grid has no obstacle.
+template <class Store>
+void transform(const OccupancyGrid& grid, const std::vector<std::int32_t>& g, const Envelope& envelope,
+               Store&& store) {
   const auto width = static_cast<std::int64_t>(grid.width);
   const std::int64_t none = static_cast<std::int64_t>(grid.width) + grid.height;
   for (int row = 0; row < grid.height; ++row) {
@@ -74,14 +71,36 @@ std::vector<float> distance_field(const OccupancyGrid& grid, const ObstacleRule&
       for (; x > envelope.from[q]; --x) {
         const std::int64_t dx = x - 1 - i;
         const std::int64_t squared = dx * dx + squared_g;
-        distance[grid.index(static_cast<int>(x - 1), row)] =
-            squared >= none * none
-                ? std::numeric_limits<float>::infinity()
-                : static_cast<float>(std::sqrt(static_cast<double>(squared)) * grid.resolution);
+        store(grid.index(static_cast<int>(x - 1), row), squared >= none * none ? -1 : squared);
       }
     }
   }
+}
+
+}  // namespace
+
+std::vector<float> distance_field(const OccupancyGrid& grid, const ObstacleRule& rule) {
+  std::vector<std::int32_t> g;
+  std::vector<std::int64_t> column;
+  std::vector<std::int64_t> from;
+  column_distances(grid, rule, g);
+  std::vector<float> distance(g.size());
+  transform(grid, g, {column, from}, [&](std::size_t cell, std::int64_t squared) {
+    distance[cell] = squared < 0
+                         ? std::numeric_limits<float>::infinity()
+                         : static_cast<float>(std::sqrt(static_cast<double>(squared)) * grid.resolution);
+  });
   return distance;
+}
+
+const std::vector<std::int32_t>& DistanceTransform::squared_cells(const OccupancyGrid& grid,
+                                                                  const ObstacleRule& rule) {
+  column_distances(grid, rule, in_column_);
+  squared_.resize(in_column_.size());
+  transform(grid, in_column_, {column_, from_}, [&](std::size_t cell, std::int64_t squared) {
+    squared_[cell] = squared < 0 || squared > kNone ? kNone : static_cast<std::int32_t>(squared);
+  });
+  return squared_;
 }
 
 }  // namespace bw

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "components/mapping/obstacle_rule.hpp"
@@ -14,5 +16,21 @@ namespace bw {
 /// Separable lower envelope of parabolas in integers (Meijster, Roerdink and Hesselink 2000; Felzenszwalb and
 /// Huttenlocher 2012), so equal to brute force.
 std::vector<float> distance_field(const OccupancyGrid& grid, const ObstacleRule& rule);
+
+/// The same as whole squared distances, for grids that come again and again: keeps its memory.
+class DistanceTransform {
+ public:
+  static constexpr std::int32_t kNone = std::numeric_limits<std::int32_t>::max();
+
+  /// Squared distance [cells^2] of each cell; kNone without obstacles, or beyond 46340 cells. Valid until the
+  /// next call.
+  const std::vector<std::int32_t>& squared_cells(const OccupancyGrid& grid, const ObstacleRule& rule);
+
+ private:
+  std::vector<std::int32_t> in_column_;
+  std::vector<std::int64_t> column_;
+  std::vector<std::int64_t> from_;
+  std::vector<std::int32_t> squared_;
+};
 
 }  // namespace bw

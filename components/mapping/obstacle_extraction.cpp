@@ -19,8 +19,6 @@ struct Cell {
   bool operator==(const Cell&) const = default;
 };
 
-Vector2 to_vector(const Cell& c) { return {c.column, c.row}; }
-
 double distance_to_segment(const Vector2& p, const Vector2& a, const Vector2& b) {
   const Vector2 ab = b - a;
   const double squared = ab.squaredNorm();
@@ -114,18 +112,18 @@ std::vector<Cell> trace_chain(Window& window, const Cell& seed) {
   return chain;
 }
 
-bool stays_within(const std::vector<Cell>& chain, std::size_t first, std::size_t last, double tolerance) {
-  const Vector2 a = to_vector(chain[first]);
-  const Vector2 b = to_vector(chain[last]);
+bool stays_within(const std::vector<Vector2>& chain, std::size_t first, std::size_t last, double tolerance) {
+  const Vector2& a = chain[first];
+  const Vector2& b = chain[last];
   for (std::size_t i = first + 1; i < last; ++i) {
-    if (distance_to_segment(to_vector(chain[i]), a, b) > tolerance) return false;
+    if (distance_to_segment(chain[i], a, b) > tolerance) return false;
   }
   return true;
 }
 
-// Indices of the corners of a polyline that stays within `tolerance` [cells] of all cells of the chain. Each
+// Indices of the corners of a polyline that stays within `tolerance` [cells] of the whole chain. Each
 // segment reaches as far as doubling and then halving strides find.
-std::vector<std::size_t> corners_of(const std::vector<Cell>& chain, double tolerance) {
+std::vector<std::size_t> corners_of(const std::vector<Vector2>& chain, double tolerance) {
   std::vector<std::size_t> corners{0};
   while (corners.back() + 1 < chain.size()) {
     const std::size_t first = corners.back();
@@ -144,17 +142,16 @@ std::vector<std::size_t> corners_of(const std::vector<Cell>& chain, double toler
   return corners;
 }
 
-// A disc [cells] whose rim passes within `tolerance` of all cells of a closed chain, if there is one of at
+// A disc [cells] whose rim passes within `tolerance` of all places of a closed chain, if there is one of at
 // most `max_radius`: pillars, legs and specks. Nothing that fits inside so small a ring could be missed.
-std::optional<Disc> round_outline(const std::vector<Cell>& chain, double tolerance, double max_radius) {
-  if (chain.size() < 4 || !(chain.front() == chain.back())) return std::nullopt;
+std::optional<Disc> round_outline(const std::vector<Vector2>& chain, double tolerance, double max_radius) {
+  if (chain.size() < 4 || chain.front() != chain.back()) return std::nullopt;
   Vector2 center = Vector2::Zero();
-  for (std::size_t i = 1; i < chain.size(); ++i)
-    center += to_vector(chain[i]) / static_cast<double>(chain.size() - 1);
+  for (std::size_t i = 1; i < chain.size(); ++i) center += chain[i] / static_cast<double>(chain.size() - 1);
   double smallest = std::numeric_limits<double>::infinity();
   double largest = 0.0;
-  for (const Cell& cell : chain) {
-    const double distance = (to_vector(cell) - center).norm();
+  for (const Vector2& place : chain) {
+    const double distance = (place - center).norm();
     smallest = std::min(smallest, distance);
     largest = std::max(largest, distance);
   }
@@ -168,12 +165,25 @@ struct Shape {
   std::variant<Segment, Disc> form;
 };
 
+// Where the surface runs through the cells of a chain [cells].
+std::vector<Vector2> places_of(const OccupancyGrid& grid, const std::vector<Cell>& chain,
+                               std::span<const Eigen::Vector2f> surface) {
+  std::vector<Vector2> places;
+  places.reserve(chain.size());
+  for (const Cell& cell : chain) {
+    places.emplace_back(cell.column + 0.5, cell.row + 0.5);
+    if (!surface.empty()) places.back() += surface[grid.index(cell.column, cell.row)].cast<double>();
+  }
+  return places;
+}
+
 // Shapes of one chain, from cells to metres.
-void add_shapes(const OccupancyGrid& grid, const Vector2& position, const std::vector<Cell>& chain,
+void add_shapes(const OccupancyGrid& grid, const Vector2& position, const std::vector<Vector2>& chain,
                 double tolerance, std::vector<Shape>& shapes) {
   constexpr double kMaxDiscRadius = 0.5;  // [m]
+  const auto to_metres = [&](const Vector2& p) { return Vector2(grid.origin + p * grid.resolution); };
   if (auto disc = round_outline(chain, tolerance, kMaxDiscRadius / grid.resolution)) {
-    disc->center = grid.origin + (disc->center + Vector2{0.5, 0.5}) * grid.resolution;
+    disc->center = to_metres(disc->center);
     disc->radius *= grid.resolution;
     const double distance = (disc->center - position).norm() - disc->radius;
     if (distance > 0.0) {
@@ -181,8 +191,8 @@ void add_shapes(const OccupancyGrid& grid, const Vector2& position, const std::v
       return;
     }
   }
-  const auto add = [&](const Cell& from, const Cell& to) {
-    const Segment segment{grid.center(from.column, from.row), grid.center(to.column, to.row)};
+  const auto add = [&](const Vector2& from, const Vector2& to) {
+    const Segment segment{to_metres(from), to_metres(to)};
     shapes.push_back({distance_to_segment(position, segment.a, segment.b), segment});
   };
   if (chain.size() == 1) add(chain[0], chain[0]);
@@ -193,7 +203,8 @@ void add_shapes(const OccupancyGrid& grid, const Vector2& position, const std::v
 }  // namespace
 
 ExtractionResult extract_obstacles(const OccupancyGrid& grid, const Vector2& position,
-                                   const ExtractionOptions& options) {
+                                   const ExtractionOptions& options,
+                                   std::span<const Eigen::Vector2f> surface) {
   ExtractionResult result;
   if (!position.allFinite() || grid.cells.empty()) return result;
   Window window(grid, position, options);
@@ -201,7 +212,8 @@ ExtractionResult extract_obstacles(const OccupancyGrid& grid, const Vector2& pos
   std::vector<Shape> shapes;
   for (const Cell& seed : window.cells()) {
     if (window.take(seed)) {
-      add_shapes(grid, position, trace_chain(window, seed), options.tolerance_cells, shapes);
+      add_shapes(grid, position, places_of(grid, trace_chain(window, seed), surface), options.tolerance_cells,
+                 shapes);
     }
   }
   std::stable_sort(shapes.begin(), shapes.end(),

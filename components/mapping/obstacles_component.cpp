@@ -1,10 +1,9 @@
 // Adaptor of the obstacle extraction: the map's walls near the robot, in odom.
-#include <bandwagon_msgs/msg/obstacles.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 
 #include "components/mapping/grid_messages.hpp"
 #include "components/mapping/obstacle_extraction.hpp"
-#include "components/messages/geometry.hpp"
+#include "components/mapping/obstacle_messages.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/transform_tree.hpp"
 
@@ -21,30 +20,6 @@ struct ObstaclesOptions {
     extraction.fields(v);
   }
 };
-
-geometry_msgs::msg::Point32 to_point32(const Vector2& p) {
-  geometry_msgs::msg::Point32 point;
-  point.x(static_cast<float>(p.x()));
-  point.y(static_cast<float>(p.y()));
-  return point;
-}
-
-bandwagon_msgs::msg::LineSegment to_line(const Vector2& a, const Vector2& b) {
-  bandwagon_msgs::msg::LineSegment line;
-  line.x1(static_cast<float>(a.x()));
-  line.y1(static_cast<float>(a.y()));
-  line.x2(static_cast<float>(b.x()));
-  line.y2(static_cast<float>(b.y()));
-  return line;
-}
-
-bandwagon_msgs::msg::Disc to_disc(const Vector2& center, double radius) {
-  bandwagon_msgs::msg::Disc disc;
-  disc.x(static_cast<float>(center.x()));
-  disc.y(static_cast<float>(center.y()));
-  disc.radius(static_cast<float>(radius));
-  return disc;
-}
 
 }  // namespace
 
@@ -80,13 +55,7 @@ class ObstaclesComponent final : public Component {
     const std::optional<Pose2> X_MB = transforms_->lookup_planar(map_frame_, base_frame_);
     if (!X_OM || !X_MB) return;
     const ExtractionResult near = extract_obstacles(grid_, X_MB->position(), options_.extraction);
-    bandwagon_msgs::msg::Obstacles message;
-    message.header(make_header(odom_frame_, now));
-    for (const Vector2& p : near.obstacles.points) message.points().push_back(to_point32(*X_OM * p));
-    for (const Disc& d : near.obstacles.discs) message.discs().push_back(to_disc(*X_OM * d.center, d.radius));
-    for (const Segment& s : near.obstacles.segments)
-      message.segments().push_back(to_line(*X_OM * s.a, *X_OM * s.b));
-    obstacles_.publish(message);
+    obstacles_.publish(to_message(near.obstacles, *X_OM, odom_frame_, now));
     if (near.dropped > 0 && !dropping_) {
       log_.warn("the farthest {} obstacles are left out (max_obstacles)", near.dropped);
     }

@@ -1,0 +1,82 @@
+// Parameters of the local costmap. Names as Nav2's where it has one.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "runtime/parameters/field.hpp"
+
+namespace bw::costmap {
+
+struct GridOptions {
+  double width = 10.0;
+  double height = 10.0;
+  double resolution = 0.05;
+  double obstacle_min_range = 0.0;
+  double obstacle_max_range = 5.0;
+  double raytrace_max_range = 7.0;
+  double hit_margin = 0.03;
+  double link_gap = 0.3;
+  int settled_hits = 10;
+  double young_time = 0.45;
+  double decay_time = 10.0;
+  double people_margin = 0.1;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("width", width, {.unit = "m", .min = 1, .max = 100, .doc = "of the window around the robot, along x"});
+    v("height", height, {.unit = "m", .min = 1, .max = 100, .doc = "of the window, along y"});
+    v("resolution", resolution, {.unit = "m", .min = 0.01, .max = 1, .doc = "edge of a cell"});
+    v("obstacle_min_range", obstacle_min_range,
+      {.unit = "m", .min = 0, .max = 100, .doc = "nearer returns are not marked (the robot's own parts)"});
+    v("obstacle_max_range", obstacle_max_range,
+      {.unit = "m", .min = 0.1, .max = 100, .doc = "farther returns are not marked"});
+    v("raytrace_max_range", raytrace_max_range,
+      {.unit = "m", .min = 0.1, .max = 100, .doc = "beams clear up to here"});
+    v("hit_margin", hit_margin,
+      {.unit = "m",
+       .min = 0,
+       .max = 1,
+       .doc = "beams clear nothing so close to their hit: three standard deviations of a range"});
+    v("link_gap", link_gap,
+      {.unit = "m",
+       .min = 0,
+       .max = 2,
+       .doc = "hits of neighbouring beams nearer than this are one surface; less than the robot is wide"});
+    v("settled_hits", settled_hits,
+      {.min = 1, .max = 255, .doc = "a cell hit in so many sweeps is settled: it keeps for decay_time"});
+    v("young_time", young_time,
+      {.unit = "s", .min = 0, .max = 1000, .doc = "other marked cells fade so long after their last hit"});
+    v("decay_time", decay_time,
+      {.unit = "s", .min = 0, .max = 1e6, .doc = "settled cells fade so long after their last hit"});
+    v("people_margin", people_margin,
+      {.unit = "m", .min = 0, .max = 2, .doc = "nothing is marked within a person's radius and this"});
+  }
+
+  std::optional<std::string> violated_rule() const {
+    if (width / resolution * (height / resolution) > 4e6) return "the window must not exceed 4 million cells";
+    if (obstacle_min_range >= obstacle_max_range)
+      return "obstacle_max_range must be greater than obstacle_min_range";
+    if (raytrace_max_range < obstacle_max_range)
+      return "raytrace_max_range must be at least obstacle_max_range: what cannot be cleared must not be "
+             "marked";
+    return std::nullopt;
+  }
+};
+
+struct InflationOptions {
+  double inflation_radius = 0.55;
+  double cost_scaling_factor = 3.0;
+  bool inflate_unknown = false;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("inflation_radius", inflation_radius,
+      {.unit = "m", .min = 0, .max = 20, .doc = "farther from obstacles there is no cost"});
+    v("cost_scaling_factor", cost_scaling_factor,
+      {.unit = "1/m", .min = 0, .max = 1000, .doc = "how fast the cost falls; raise it to pass closer"});
+    v("inflate_unknown", inflate_unknown, {.doc = "unknown cells near obstacles take costs too"});
+  }
+};
+
+}  // namespace bw::costmap

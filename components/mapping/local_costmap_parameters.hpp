@@ -1,0 +1,38 @@
+// Parameters of component `local_costmap`.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "components/mapping/costmap/costmap_options.hpp"
+#include "components/mapping/obstacle_extraction.hpp"
+
+namespace bw::costmap {
+
+struct LocalCostmapParameters {
+  double rate = 10.0;
+  double transform_timeout = 0.3;
+  double tracks_timeout = 0.5;
+  bool use_map = false;
+  GridOptions grid;
+  InflationOptions inflation;
+  ExtractionOptions obstacles{.tolerance_cells = 0.3};
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("rate", rate,
+      {.unit = "Hz", .min = 0.1, .max = 100, .doc = "most messages per second; each needs a sweep"});
+    v("transform_timeout", transform_timeout,
+      {.unit = "s", .min = 0, .max = 10, .doc = "a sweep waits so long for the odometry of its time"});
+    v("tracks_timeout", tracks_timeout,
+      {.unit = "s", .min = 0, .max = 10, .doc = "older tracks do not say where people are"});
+    v("use_map", use_map, {.doc = "cells nobody has seen take what the map says; needs localization"});
+    grid.fields(v);
+    inflation.fields(v);
+    v("obstacles", obstacles, {.doc = "shapes for the local planner"});
+  }
+
+  std::optional<std::string> violated_rule() const { return grid.violated_rule(); }
+};
+
+}  // namespace bw::costmap

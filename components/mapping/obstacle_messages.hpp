@@ -1,0 +1,46 @@
+// Obstacles as a message. For adaptors only.
+#pragma once
+
+#include <string>
+
+#include <bandwagon_msgs/msg/obstacles.hpp>
+
+#include "components/messages/geometry.hpp"
+#include "components/model/obstacles.hpp"
+
+namespace bw {
+
+/// X_FO: frame of the obstacles in `frame`.
+inline bandwagon_msgs::msg::Obstacles to_message(const StaticObstacles& obstacles, const Pose2& X_FO,
+                                                 const std::string& frame, Time stamp) {
+  bandwagon_msgs::msg::Obstacles message;
+  message.header(make_header(frame, stamp));
+  for (const Vector2& p : obstacles.points) {
+    const Vector2 q = X_FO * p;
+    geometry_msgs::msg::Point32 point;
+    point.x(static_cast<float>(q.x()));
+    point.y(static_cast<float>(q.y()));
+    message.points().push_back(point);
+  }
+  for (const Disc& d : obstacles.discs) {
+    const Vector2 center = X_FO * d.center;
+    bandwagon_msgs::msg::Disc disc;
+    disc.x(static_cast<float>(center.x()));
+    disc.y(static_cast<float>(center.y()));
+    disc.radius(static_cast<float>(d.radius));
+    message.discs().push_back(disc);
+  }
+  for (const Segment& s : obstacles.segments) {
+    const Vector2 a = X_FO * s.a;
+    const Vector2 b = X_FO * s.b;
+    bandwagon_msgs::msg::LineSegment line;
+    line.x1(static_cast<float>(a.x()));
+    line.y1(static_cast<float>(a.y()));
+    line.x2(static_cast<float>(b.x()));
+    line.y2(static_cast<float>(b.y()));
+    message.segments().push_back(line);
+  }
+  return message;
+}
+
+}  // namespace bw
