@@ -106,5 +106,25 @@ TEST(LaserModel, FitOfOneEndOneSigmaAwayAndOneUnknown) {
   EXPECT_DOUBLE_EQ(fit.known, 0.5);
 }
 
+// A wall across the way at 1 m. From the origin: an end at the wall, one 1 m behind it, one half way (a
+// person).
+TEST(LaserModel, BeamsThroughAWallSpeakAgainstAPoseAndShortOnesDoNot) {
+  OccupancyGrid map{.resolution = 0.05, .origin = {-1.0, -1.0}, .width = 80, .height = 40};
+  map.cells.assign(80 * 40, OccupancyGrid::kFree);
+  for (int row = 0; row < 40; ++row)
+    map.cells[map.index(40, row)] = OccupancyGrid::kOccupied;  // x in [1, 1.05)
+  const LikelihoodField field(map, {});
+  const ScanFit right = scan_fit(field, {.x = {1.02F, 0.2F}, .y = {0.0F, 0.0F}}, {});
+  EXPECT_EQ(right.through, 0.0);
+  EXPECT_NEAR(right.agreement(), 1.0, 1e-12);
+  const ScanFit wrong = scan_fit(field, {.x = {1.02F, 2.0F, 0.2F, 2.0F}, .y = {0.0F, 0.0F, 0.0F, 0.5F}}, {});
+  EXPECT_EQ(wrong.through, 0.5);
+  // One of four hits; d = 0.8 and 0.95 m are four sigma or more away.
+  EXPECT_NEAR(wrong.hit, 0.25, 1e-3);
+  EXPECT_NEAR(wrong.agreement(), 0.25 / 0.75, 2e-3);
+  const ScanFit nothing = scan_fit(field, {.x = {0.2F}, .y = {0.0F}}, {});
+  EXPECT_EQ(nothing.agreement(), 0.0);
+}
+
 }  // namespace
 }  // namespace bw::localization

@@ -97,5 +97,73 @@ TEST_P(RecordedMap, PoseIsAmongThoseFound) {
 }
 INSTANTIATE_TEST_SUITE_P(PoseSearch, RecordedMap, testing::Values("tb3_sandbox", "small_house", "warehouse"));
 
+// Every heading and every cell of a small map, compared one by one.
+TEST(PoseSearch, NoPoseOfTheMapFitsBetterThanTheFirstFound) {
+  OccupancyGrid map = test::repeated_rooms(4);
+  OccupancyGrid corner{.resolution = 0.05, .origin = map.origin, .width = 120, .height = 120};
+  for (int row = 0; row < 120; ++row) {
+    for (int column = 0; column < 120; ++column) corner.cells.push_back(map.at(column, row));
+  }
+  const LikelihoodField field(corner, {});
+  test::SensedRobot robot(corner, {.people = 3}, 5);
+  const Pose2 truth{-8.2, -7.1, 0.4};
+  const BeamEnds ends = beam_ends(robot.sweep({}, truth), 30);
+  PoseSearch search(field, {});
+  search.begin(ends);
+  while (!search.advance(100)) continue;
+  ASSERT_FALSE(search.results().empty());
+  const auto likelihood = [&](const Pose2& X_MB) {
+    double sum = 0.0;
+    for (std::size_t b = 0; b < ends.size(); ++b) {
+      const Vector2 end = X_MB * Vector2{static_cast<double>(ends.x[b]), static_cast<double>(ends.y[b])};
+      sum += field.log_likelihood(end.x(), end.y());
+    }
+    return sum;
+  };
+  const double found = likelihood(search.results().front().X_MB);
+  double best = -1e9;
+  for (double theta = -3.14; theta < 3.14; theta += 0.07) {
+    for (int row = 0; row < 120; row += 2) {
+      for (int column = 0; column < 120; column += 2) {
+        const Vector2 p = corner.center(column, row);
+        if (field.distance(p.x(), p.y()) > 0.1) best = std::max(best, likelihood({p.x(), p.y(), theta}));
+      }
+    }
+  }
+  EXPECT_GE(found, best - 0.5);  // rounding of the table to 255 steps: 30 ends, 2.4 / 255 each, and of cells
+}
+
+TEST(PoseSearch, SlicesDoNotChangeWhatIsFound) {
+  const OccupancyGrid map = test::repeated_rooms(2);
+  const LikelihoodField field(map, {});
+  test::SensedRobot robot(map, {}, 6);
+  const BeamEnds ends = beam_ends(robot.sweep({}, {2.0, 2.5, 1.0}), 60);
+  PoseSearch at_once(field, {});
+  at_once.begin(ends);
+  EXPECT_TRUE(at_once.advance(1 << 30));
+  PoseSearch sliced(field, {});
+  sliced.begin(ends);
+  int slices = 1;
+  while (!sliced.advance(500)) ++slices;
+  EXPECT_GT(slices, 20);
+  ASSERT_EQ(sliced.results().size(), at_once.results().size());
+  for (std::size_t i = 0; i < sliced.results().size(); ++i) {
+    EXPECT_EQ(sliced.results()[i].X_MB, at_once.results()[i].X_MB);
+    EXPECT_EQ(sliced.results()[i].fit, at_once.results()[i].fit);
+  }
+}
+
+TEST(PoseSearch, WithoutBeamsOrFreeSpaceItEndsWithNothing) {
+  const LikelihoodField none;
+  PoseSearch nowhere(none, {});
+  nowhere.begin({.x = {1.0F}, .y = {0.0F}});
+  while (!nowhere.advance(1000)) continue;
+  EXPECT_TRUE(nowhere.results().empty());
+  PoseSearch rooms(LikelihoodField(test::repeated_rooms(1), {}), {});
+  rooms.begin({});
+  EXPECT_TRUE(rooms.advance(1));
+  EXPECT_TRUE(rooms.results().empty());
+}
+
 }  // namespace
 }  // namespace bw::localization

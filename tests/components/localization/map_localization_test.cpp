@@ -16,108 +16,156 @@ using test::DriveRecord;
 
 int trials() {
   const char* asked = std::getenv("BANDWAGON_LOCALIZATION_TRIALS");
-  return asked == nullptr ? 5 : std::atoi(asked);
+  return asked == nullptr ? 3 : std::atoi(asked);
 }
 
-struct Summary {
+// Of several drives: how many found the pose in time, and what they cost.
+struct Found {
   int trials = 0;
   int found = 0;
   double updates = 0.0;  ///< mean of those found
   int most_updates = 0;
   double milliseconds = 0.0;  ///< mean per update
   double longest = 0.0;       ///< call [ms]
-  double lost_after = 0.0;    ///< longest [s]; infinite when not every trial reported LOST
+  double unreported = 0.0;    ///< longest time that the estimate was wrong and health not LOST [s]
+  int reported = 0;  ///< drives in which that was 3 s at most: longer only where the place looks alike
 
   void add(const DriveRecord& record, int limit) {
-    ++trials;
     const std::optional<int> after = record.found_after();
     if (after && *after <= limit) {
-      ++found;
-      updates += *after;
+      updates = (updates * found + *after) / (found + 1);
       most_updates = std::max(most_updates, *after);
+      ++found;
     }
-    milliseconds += DriveRecord::mean(record.milliseconds);
+    milliseconds = (milliseconds * trials + DriveRecord::mean(record.milliseconds)) / (trials + 1);
+    ++trials;
     longest = std::max(longest, record.longest_call);
-    lost_after = std::max(lost_after, record.lost_after.value_or(1e9));
+    unreported = std::max(unreported, record.longest_unreported);
+    if (record.longest_unreported <= 3.05) ++reported;  // half a sweep's time for rounding
   }
-  void print(const std::string& what) {
+  void print(const std::string& what) const {
     std::printf(
-        "%-40s found %d/%d, mean %.1f, most %d updates; %.2f ms/update, longest call %.2f ms; LOST after <= "
-        "%.1f s\n",
-        what.c_str(), found, trials, updates / std::max(1, found), most_updates, milliseconds / trials,
-        longest, lost_after);
+        "%-36s %d/%d, updates mean %.1f most %d, %.2f ms/update, longest call %.2f ms, unreported %.1f s (%d "
+        "within 3 s)\n",
+        what.c_str(), found, trials, updates, most_updates, milliseconds, longest, unreported, reported);
   }
 };
 
-void print_tracking(const std::string& what, const DriveRecord& r) {
-  std::printf(
-      "%-40s RMSE %.3f m, max %.3f m, heading %.4f rad, NEES %.2f, particles %.0f, %.2f ms/update, longest "
-      "%.2f ms, LOST %d of %d\n",
-      what.c_str(), r.rmse(), r.worst(), DriveRecord::mean(r.heading_errors), DriveRecord::mean(r.nees),
-      DriveRecord::mean(r.particles), DriveRecord::mean(r.milliseconds), r.longest_call, r.lost_sweeps,
-      r.sweeps);
-}
+// 19 of 20, and one failure in a shorter run.
+int enough(int trials) { return trials - 1; }
 
+struct Tracked {
+  int trials = 0;
+  double rmse = 0.0;   ///< mean over the drives [m]
+  double worst = 0.0;  ///< of all [m]
+  double heading = 0.0;
+  double nees = 0.0;
+  double particles = 0.0;
+  double milliseconds = 0.0;
+  int lost = 0;
+
+  void add(const DriveRecord& r) {
+    const auto average = [this](double mean, double next) { return (mean * trials + next) / (trials + 1); };
+    rmse = average(rmse, r.rmse());
+    heading = average(heading, DriveRecord::mean(r.heading_errors));
+    nees = average(nees, DriveRecord::mean(r.nees));
+    particles = average(particles, DriveRecord::mean(r.particles));
+    milliseconds = average(milliseconds, DriveRecord::mean(r.milliseconds));
+    worst = std::max(worst, r.worst());
+    lost += r.lost_sweeps;
+    ++trials;
+  }
+  void print(const std::string& what) const {
+    std::printf(
+        "%-36s RMSE %.3f m, max %.3f m, heading %.4f rad, NEES(3) %.2f, particles %.0f, %.2f ms/update, LOST "
+        "%d\n",
+        what.c_str(), rmse, worst, heading, nees, particles, milliseconds, lost);
+  }
+};
+
+const ParticleFilterOptions kDefaults;
 const test::SensorNoise kPeople{.people = 6, .random_returns = 0.05};
 
-TEST(MapLocalization, Tracking) {
-  for (int t = 0; t < trials(); ++t) {
-    const OccupancyGrid map = test::repeated_rooms(1 + static_cast<std::uint64_t>(t));
-    const test::Roads roads(map);
-    print_tracking("rooms", test::track(map, roads, {}, {}, 100 + static_cast<std::uint64_t>(t), 332));
-    print_tracking("rooms, people",
-                   test::track(map, roads, {}, kPeople, 100 + static_cast<std::uint64_t>(t), 332));
+std::uint64_t seed(int base, int trial) { return static_cast<std::uint64_t>(base + trial); }
+
+// The bounds are the best that AMCL and Beluga reached on a map of this kind (0.074 m, 0.21 m, 837
+// particles).
+class Rooms : public testing::TestWithParam<bool> {
+ protected:
+  test::SensorNoise noise() const { return GetParam() ? kPeople : test::SensorNoise{}; }
+  std::string named(const std::string& what) const {
+    return (GetParam() ? "rooms, people: " : "rooms: ") + what;
   }
+};
+INSTANTIATE_TEST_SUITE_P(MapLocalization, Rooms, testing::Bool(),
+                         [](const auto& people) { return people.param ? "WithPeople" : "Empty"; });
+
+TEST_P(Rooms, Tracking) {
+  Tracked tracked;
+  for (int t = 0; t < trials(); ++t) {
+    const OccupancyGrid map = test::repeated_rooms(seed(1, t));
+    const DriveRecord record = test::track(map, test::Roads(map), kDefaults, noise(), seed(100, t), 332);
+    EXPECT_EQ(record.errors.size(), 332U);
+    EXPECT_LE(record.rmse(), 0.08);
+    tracked.add(record);
+  }
+  tracked.print(named("tracking"));
+  EXPECT_LE(tracked.worst, 0.21);
+  EXPECT_LE(tracked.particles, 850.0);
+  EXPECT_EQ(tracked.lost, 0);
 }
 
-TEST(MapLocalization, StartAnywhere) {
-  Summary plain;
-  Summary people;
+TEST_P(Rooms, StartAnywhere) {
+  Found found;
   for (int t = 0; t < trials(); ++t) {
-    const OccupancyGrid map = test::repeated_rooms(1 + static_cast<std::uint64_t>(t));
-    const test::Roads roads(map);
-    plain.add(test::start_anywhere(map, roads, {}, {}, 200 + static_cast<std::uint64_t>(t), 80), 25);
-    people.add(test::start_anywhere(map, roads, {}, kPeople, 200 + static_cast<std::uint64_t>(t), 80), 25);
+    const OccupancyGrid map = test::repeated_rooms(seed(1, t));
+    found.add(test::start_anywhere(map, test::Roads(map), kDefaults, noise(), seed(200, t), 60), 25);
   }
-  plain.print("rooms, start anywhere");
-  people.print("rooms, people, start anywhere");
+  found.print(named("start anywhere"));
+  EXPECT_GE(found.found, enough(trials()));
+  EXPECT_GE(found.reported, enough(trials()));
 }
 
-TEST(MapLocalization, CarriedAway) {
-  Summary plain;
-  Summary people;
+TEST_P(Rooms, CarriedAway) {
+  Found found;
   for (int t = 0; t < trials(); ++t) {
-    const OccupancyGrid map = test::repeated_rooms(1 + static_cast<std::uint64_t>(t));
-    const test::Roads roads(map);
-    plain.add(test::kidnap(map, roads, {}, {}, 300 + static_cast<std::uint64_t>(t), 80, 8.0), 30);
-    people.add(test::kidnap(map, roads, {}, kPeople, 300 + static_cast<std::uint64_t>(t), 80, 8.0), 30);
+    const OccupancyGrid map = test::repeated_rooms(seed(1, t));
+    found.add(test::kidnap(map, test::Roads(map), kDefaults, noise(), seed(300, t), 60, 8.0), 30);
   }
-  plain.print("rooms, carried away");
-  people.print("rooms, people, carried away");
+  found.print(named("carried away"));
+  EXPECT_GE(found.found, enough(trials()));
+  EXPECT_GE(found.reported, enough(trials()));
 }
 
-class RecordedMap : public testing::TestWithParam<std::pair<const char*, double>> {};
-TEST_P(RecordedMap, TrackingStartAnywhereCarriedAway) {
-  const auto map = test::recorded_map(GetParam().first);
+struct Recorded {
+  const char* name;
+  double away;  ///< as far as the map allows [m]
+};
+
+class RecordedMap : public testing::TestWithParam<Recorded> {};
+TEST_P(RecordedMap, TrackingAmongPeopleStartAnywhereCarriedAway) {
+  const auto map = test::recorded_map(GetParam().name);
   if (!map) GTEST_SKIP() << "BANDWAGON_SHARED is not set: recorded maps are not at hand";
   const test::Roads roads(map->grid);
-  Summary anywhere;
-  Summary away;
+  Tracked tracked;
+  Found anywhere;
+  Found away;
   for (int t = 0; t < trials(); ++t) {
-    print_tracking(map->name,
-                   test::track(map->grid, roads, {}, kPeople, 400 + static_cast<std::uint64_t>(t), 332));
-    anywhere.add(test::start_anywhere(map->grid, roads, {}, kPeople, 500 + static_cast<std::uint64_t>(t), 80),
-                 25);
-    away.add(test::kidnap(map->grid, roads, {}, kPeople, 600 + static_cast<std::uint64_t>(t), 80,
-                          GetParam().second),
-             30);
+    tracked.add(test::track(map->grid, roads, kDefaults, kPeople, seed(400, t), 332));
+    anywhere.add(test::start_anywhere(map->grid, roads, kDefaults, {}, seed(500, t), 60), 25);
+    away.add(test::kidnap(map->grid, roads, kDefaults, {}, seed(600, t), 60, GetParam().away), 30);
   }
-  anywhere.print(map->name + ", start anywhere");
-  away.print(map->name + ", carried away");
+  tracked.print(map->name + ": tracking among people");
+  anywhere.print(map->name + ": start anywhere");
+  away.print(map->name + ": carried away");
+  EXPECT_LE(tracked.rmse, 0.08);
+  EXPECT_GE(anywhere.found, enough(trials()));
+  EXPECT_GE(away.found, enough(trials()));
 }
 INSTANTIATE_TEST_SUITE_P(MapLocalization, RecordedMap,
-                         testing::Values(std::pair{"tb3_sandbox", 2.0}, std::pair{"small_house", 4.0},
-                                         std::pair{"warehouse", 8.0}));
+                         testing::Values(Recorded{"tb3_sandbox", 2.0}, Recorded{"small_house", 4.0},
+                                         Recorded{"warehouse", 8.0}),
+                         [](const auto& map) { return std::string(map.param.name); });
 
 }  // namespace
 }  // namespace bw::localization

@@ -74,7 +74,7 @@ class TrialDrive {
     DriveRecord record;
     const Time begun = now_;
     double spent = 0.0;
-    std::optional<Time> unreported_since;
+    double unreported = 0.0;
     for (std::size_t i = 1; i < truth.size(); ++i) {
       now_ = now_ + Duration::milliseconds(50);
       const WheelStep step = robot_.wheel_step(now_, truth[i - 1], truth[i]);
@@ -91,11 +91,8 @@ class TrialDrive {
         if (!record.lost_after) record.lost_after = record.seconds;
       }
       const bool off = (filter_.estimate_at(now_).X_MB.position() - truth[i].position()).norm() > 0.5;
-      if (lost || !off) unreported_since.reset();
-      if (!lost && off && !unreported_since) unreported_since = now_;
-      if (unreported_since)
-        record.longest_unreported =
-            std::max(record.longest_unreported, (now_ - *unreported_since).to_seconds());
+      unreported = off && !lost ? unreported + 2.0 * kStepSeconds : 0.0;
+      record.longest_unreported = std::max(record.longest_unreported, unreported);
       if (!used(outcome.verdict)) continue;
       note(record, truth[i]);
       record.milliseconds.push_back(spent);
