@@ -2,13 +2,30 @@
 // one takes its place.
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "components/ideal_people/people_messages.hpp"
+#include <bandwagon_msgs/msg/ground_truth.hpp>
+
+#include "components/ideal_people/ideal_tracks.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/people/people_messages.hpp"
 #include "runtime/component.hpp"
 
 namespace bw {
 namespace {
+
+std::vector<Mover> people_of(const bandwagon_msgs::msg::GroundTruth& truth) {
+  std::vector<Mover> people;
+  people.reserve(truth.people().size());
+  for (const auto& person : truth.people()) {
+    people.push_back({.id = person.id(),
+                      .position = {person.position().x(), person.position().y()},
+                      .velocity = {person.velocity().x(), person.velocity().y()},
+                      .radius = person.radius()});
+  }
+  return people;
+}
 
 class IdealPeopleComponent final : public Component {
  public:
@@ -30,11 +47,16 @@ class IdealPeopleComponent final : public Component {
     if (last_ && stamp >= *last_ && stamp - *last_ < period_) return;
     last_ = stamp;
     const Vector2 robot(truth.pose().position().x(), truth.pose().position().y());
-    const std::vector<Mover> tracks = ideal_tracks(people_of(truth), robot, options_, *random_);
+    const double p2 = options_.position_noise * options_.position_noise;
+    const double v2 = options_.velocity_noise * options_.velocity_noise;
+    std::vector<people::ReportedPerson> reported;
+    for (Mover& track : ideal_tracks(people_of(truth), robot, options_, *random_))
+      reported.push_back({std::move(track), Eigen::Vector4d(p2, p2, v2, v2).asDiagonal(), 1.0});
     const std_msgs::msg::Header header = make_header(map_frame_, stamp);
-    tracks_.publish(to_tracks(tracks, options_, header));
-    people_.publish(to_people(tracks, header));
-    if (markers_.has_readers()) markers_.publish(to_markers(tracks, options_.rate, header));
+    tracks_.publish(people::to_tracks(reported, header));
+    people_.publish(people::to_people(reported, header));
+    const Duration lifetime = Duration::seconds(2.5 / options_.rate);  // till shortly after the next is due
+    if (markers_.has_readers()) markers_.publish(people::to_markers(reported, lifetime, header));
   }
 
   IdealPeopleOptions options_;

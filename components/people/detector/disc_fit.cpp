@@ -12,6 +12,8 @@ namespace {
 constexpr int kIterations = 5;
 constexpr std::size_t kMostPoints = 24;  // more of them change a centre by less than a millimetre
 constexpr double kEdgeFloor = 0.005;     // [m]
+constexpr double kStart = 0.1;           // how far the centre may be from where it is first looked for [m]
+constexpr double kLongestStep = 0.1;     // of an iteration [m]
 constexpr double kModel = 0.008;         // legs are no circles: standard deviation of the centre [m]
 
 /// One arc: some points, and the edges of it that can be seen.
@@ -46,7 +48,8 @@ DiscFit fit(const Arc& arc, const Outline& outline, const LegFitOptions& legs) {
   for (const Vector2& p : arc.points) mean += p;
   mean /= static_cast<double>(count);
 
-  Eigen::Vector3d x(mean.x() + 0.75 * legs.radius, mean.y(), legs.radius);  // centre and radius
+  const Eigen::Vector3d start(mean.x() + 0.75 * legs.radius, mean.y(), legs.radius);  // centre and radius
+  Eigen::Vector3d x = start;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     Equations equations;
@@ -65,7 +68,11 @@ DiscFit fit(const Arc& arc, const Outline& outline, const LegFitOptions& legs) {
       equations.add(-cross(u, from_scanner) - x[2], {u.y(), -u.x(), -1.0}, edge_sigma);
     }
     equations.add(x[2] - legs.radius, {0.0, 0.0, 1.0}, legs.radius_sigma);
-    const Eigen::Vector3d step = equations.step();
+    // Two points without an edge leave the centre open along a line.
+    equations.add(x[0] - start[0], {1.0, 0.0, 0.0}, kStart);
+    equations.add(x[1] - start[1], {0.0, 1.0, 0.0}, kStart);
+    Eigen::Vector3d step = equations.step();
+    if (const double length = step.norm(); length > kLongestStep) step *= kLongestStep / length;
     x += step;
     x[2] = std::max(x[2], 0.01);
     covariance = equations.covariance();

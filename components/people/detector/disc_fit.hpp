@@ -19,6 +19,7 @@ struct DiscFit {
 ///   edges:   distance of c from the ray half a beam beyond the outermost point - r = 0, where nothing hides
 ///            the edge                        standard deviation of a uniform spread over one beam
 ///   radius:  r - legs.radius = 0             standard deviation radius_sigma
+///   centre:  c - (3/4 radius behind the mean of the points) = 0    standard deviation 0.1 m
 /// The radius and the edges hold a centre that few points of a short arc would leave open.
 DiscFit fit_disc(const Outline& outline, const LegFitOptions& legs);
 

@@ -13,6 +13,12 @@ constexpr double kLeastIncrement = 1e-5;  // [rad]
 constexpr double kMostIncrement = 0.2;    // [rad]: coarser shows no leg beyond half a metre
 constexpr double kFarthest = 1e4;         // [m]
 
+BeamKind kind_of(float range, const Sweep& sweep) {
+  if (std::isinf(range) && range > 0.0F) return BeamKind::free;
+  if (range > 0.0F && range >= sweep.range_min && range <= sweep.range_max) return BeamKind::hit;
+  return BeamKind::unknown;
+}
+
 }  // namespace
 
 const char* to_text(SweepFault fault) {
@@ -29,6 +35,8 @@ const char* to_text(SweepFault fault) {
       return "its least and largest range are no interval";
     case SweepFault::bad_pose:
       return "its pose is not finite";
+    case SweepFault::no_reading:
+      return "none of its beams says anything";
   }
   return "unknown";
 }
@@ -44,7 +52,9 @@ SweepFault fault_of(const Sweep& sweep) {
   if (!(sweep.range_min >= 0.0 && sweep.range_max > sweep.range_min && sweep.range_max <= kFarthest))
     return SweepFault::bad_limits;
   if (!is_finite(sweep.X_OL)) return SweepFault::bad_pose;
-  return SweepFault::none;
+  const bool blind = std::all_of(sweep.ranges.begin(), sweep.ranges.end(),
+                                 [&](float range) { return kind_of(range, sweep) == BeamKind::unknown; });
+  return blind ? SweepFault::no_reading : SweepFault::none;
 }
 
 void read_beams(const Sweep& sweep, Beams& beams) {
@@ -60,11 +70,10 @@ void read_beams(const Sweep& sweep, Beams& beams) {
   beams.points.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const float range = sweep.ranges[backwards ? count - 1 - i : i];
-    if (std::isinf(range) && range > 0.0F) {
-      beams.kinds[i] = BeamKind::free;
+    beams.kinds[i] = kind_of(range, sweep);
+    if (beams.kinds[i] == BeamKind::free) {
       beams.ranges[i] = static_cast<float>(sweep.range_max);
-    } else if (range > 0.0F && range >= sweep.range_min && range <= sweep.range_max) {
-      beams.kinds[i] = BeamKind::hit;
+    } else if (beams.kinds[i] == BeamKind::hit) {
       beams.ranges[i] = range;
       const double angle = beams.angle_min + static_cast<double>(i) * beams.angle_increment;
       beams.points[i] = beams.sensor + static_cast<double>(range) * direction(angle);

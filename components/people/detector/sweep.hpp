@@ -23,7 +23,7 @@ struct Sweep {
 };
 
 /// Why a sweep as a whole is of no use.
-enum class SweepFault { none, no_beams, too_many_beams, bad_angles, bad_limits, bad_pose };
+enum class SweepFault { none, no_beams, too_many_beams, bad_angles, bad_limits, bad_pose, no_reading };
 const char* to_text(SweepFault fault);
 
 SweepFault fault_of(const Sweep& sweep);

@@ -70,7 +70,7 @@ int train(const char* path) {
   const std::vector<Sample> training = collect(kTraining);
   const std::vector<Sample> judging = collect(kJudging);
   const std::vector<Features> features = features_of_all(training);
-  const BoostedTrees leg = boost(features, is(Kind::leg, training), {});
+  const BoostedTrees leg = boost(features, is(Kind::leg, training), {.trees = 120});
   const BoostedTrees body = boost(features, is(Kind::body, training), {});
   const std::string leg_text = judged("leg", leg, Kind::leg, judging);
   const std::string body_text = judged("body", body, Kind::body, judging);
