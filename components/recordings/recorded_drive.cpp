@@ -27,6 +27,14 @@ std::optional<ReferencePose> reference_at(const RecordedDrive& drive, Time time,
   return reference;
 }
 
+Twist2 twist_between(const ReferencePose& from, const ReferencePose& to) {
+  const double dt = (to.time - from.time).to_seconds();
+  if (dt <= 0.0 || !from.heading || !to.heading) return {};
+  const double turn = wrap_angle(*to.heading - *from.heading);
+  const Vector2 along = direction(*from.heading + turn / 2.0);
+  return {(to.position - from.position).dot(along) / dt, turn / dt};
+}
+
 std::vector<RecordedEvent> in_time_order(const RecordedDrive& drive) {
   std::vector<RecordedEvent> events;
   const auto add = [&events](const auto& samples) {

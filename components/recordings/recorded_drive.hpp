@@ -79,6 +79,9 @@ OdometrySample advance(const OdometrySample& sample, const Twist2& twist, Time t
 /// Reference at a stamp by interpolation; nothing outside of the reference or in a gap longer than `longest`.
 std::optional<ReferencePose> reference_at(const RecordedDrive& drive, Time time, Duration longest);
 
+/// Mean twist between two references; zero where one has no heading or they are of one moment.
+Twist2 twist_between(const ReferencePose& from, const ReferencePose& to);
+
 /// One entry of a drive, which must outlive it.
 using RecordedEvent = std::variant<const OdometrySample*, const ImuSample*, const FixSample*,
                                    const RangeSample*, const ScanSample*, const ReferencePose*>;
