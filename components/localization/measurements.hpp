@@ -22,6 +22,7 @@ struct WheelStep {
   double distance = 0.0;                                 ///< forward [m]
   double turn = 0.0;                                     ///< counter-clockwise [rad]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of (distance, turn); may be singular
+  double separation = 0.0;  ///< of the wheels [m]; 0: not two wheels, or not known
 };
 
 /// Place of an antenna, e.g. a satellite fix taken to the local plane (local_plane.hpp).

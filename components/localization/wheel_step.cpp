@@ -11,6 +11,7 @@ WheelStep step_from_wheels(Time time, Duration over, double left, double right, 
   step.over = over;
   step.distance = (right + left) / 2.0;
   step.turn = (right - left) / separation;
+  step.separation = separation;
   const double var_right = variance_per_metre * std::abs(right);
   const double var_left = variance_per_metre * std::abs(left);
   const double both = var_right + var_left;

@@ -108,6 +108,7 @@ void Ekf::jump_to(Time time, Duration lost) {
     source.run = {};
     if (source.last_seen != kNever) source.last_seen = time;
     if (source.last_used != kNever) source.last_used = time;
+    if (source.last_trusted != kNever) source.last_trusted = time;
   }
   ring_.restart(state);
 }

@@ -1,6 +1,7 @@
 // Parameters of the EKF. Defaults suit a small indoor or campus robot with encoders, gyro, compass, receiver.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "components/localization/measurement_check.hpp"
@@ -65,8 +66,9 @@ struct MotionOptions {
       {.unit = "m/sqrt(m)",
        .min = 0,
        .max = 10,
-       .doc = "how fast position and fixes drift apart on the way by what neither declares: skidding sideways, "
-              "a receiver whose error wanders; without it such drift is taken for turns"});
+       .doc =
+           "how fast position and fixes drift apart on the way by what neither declares: skidding sideways, "
+           "a receiver whose error wanders; without it such drift is taken for turns"});
   }
 };
 
@@ -97,6 +99,21 @@ struct GateOptions {
   }
 };
 
+struct AdaptiveOptions {
+  bool enabled = false;
+  double floor = 1.0;
+  double ceiling = 100.0;
+  double memory = 50.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("enabled", enabled, {.doc = "learn from innovations how much noisier a source is than it declares"});
+    v("floor", floor, {.min = 0.01, .max = 1, .doc = "least factor on a declared variance"});
+    v("ceiling", ceiling, {.min = 1, .max = 1e4, .doc = "largest factor on a declared variance"});
+    v("memory", memory, {.min = 10, .max = 1e4, .doc = "measurements that the factor looks back on"});
+  }
+};
+
 struct SlipOptions {
   bool enabled = true;
   double window = 0.25;
@@ -104,8 +121,8 @@ struct SlipOptions {
   double least_rate = 0.1;
   double hold = 0.3;
   double longest = 5.0;
-  double distance_share = 0.5;
-  double turn_share = 0.1;
+  double distance_share = 0.05;
+  double turn_share = 0.2;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -122,7 +139,9 @@ struct SlipOptions {
        .max = 1000,
        .doc = "more slip within half a minute is a fault: then the gyro is not used either"});
     v("distance_share", distance_share,
-      {.min = 0, .max = 10, .doc = "standard deviation of the way during slip, as a share of it"});
+      {.min = 0,
+       .max = 10,
+       .doc = "standard deviation of what is left of the way during slip, as a share of it"});
     v("turn_share", turn_share,
       {.min = 0,
        .max = 10,
@@ -181,6 +200,7 @@ struct EkfOptions {
   BiasOptions bias;
   MotionOptions motion;
   GateOptions gate;
+  AdaptiveOptions adaptive;
   SlipOptions slip;
   InitialOptions initial;
   HealthOptions health;
@@ -196,6 +216,7 @@ struct EkfOptions {
     v("bias", bias, {.doc = "errors of sensors that are estimated"});
     v("motion", motion, {.doc = "between and without wheel steps"});
     v("gate", gate, {.doc = "outliers, and when they are none"});
+    v("adaptive", adaptive, {.doc = "noise of sources that declare too little"});
     v("slip", slip, {.doc = "wheels that slip"});
     v("initial", initial, {.doc = "the first pose"});
     v("health", health, {.doc = "OK, DEGRADED, LOST"});
@@ -212,6 +233,18 @@ struct EkfOptions {
     v("on_clock_jump", on_clock_jump,
       {.choices = {"hold", "reset"},
        .doc = "hold: keep the pose, less sure, and go on from the new time; reset: find a new first pose"});
+  }
+
+  std::optional<std::string> violated_rule() const {
+    if (health.lost_two_sigma < health.degraded_two_sigma)
+      return "health.lost_two_sigma must be at least health.degraded_two_sigma";
+    if (slip.longest <= slip.window + slip.hold)
+      return "slip.longest must exceed slip.window + slip.hold, or every slip is a fault";
+    if (gate.enabled && gate.reacquire_after < health.lost_rejection)
+      return "gate.reacquire_after must be at least health.lost_rejection, or LOST is never told";
+    if (motion.gyro_gap > motion.extrapolation && motion.extrapolation > 0.0)
+      return "motion.gyro_gap must not exceed motion.extrapolation";
+    return std::nullopt;
   }
 };
 

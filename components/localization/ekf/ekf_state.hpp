@@ -28,16 +28,33 @@ struct GyroSum {
   double covered = 0.0;  ///< time integrated over [s]
 };
 
-/// Turn of wheels against gyro, forgotten exponentially (slip.hpp).
+/// What the wheels measured too much since a slip began.
+struct SlipExcess {
+  double peak = 0.0;                ///< largest disagreement [rad]
+  std::array<double, 3> weights{};  ///< of right wheel, left wheel, both alike; sum < 1: none fits
+  double disagreement = 0.0;        ///< sum, signed [rad]
+  double turned = 0.0;              ///< sum of its steps' magnitudes [rad]
+  double travel = 0.0;              ///< of the wheels [m]
+  double turn = 0.0;                ///< of the wheels [rad]
+  double taken = 0.0;               ///< of the distance taken back so far [m]
+  double variance = 0.0;            ///< of the distance, given so far [m^2]
+};
+
+/// Wheels against gyro (slip.hpp). The first five are sums forgotten exponentially, over one window or so.
 struct SlipWatch {
-  double disagreement = 0.0;  ///< [rad]
+  double disagreement = 0.0;  ///< turn of the wheels less the gyro's [rad]
   double variance = 0.0;      ///< of its white part [rad^2]
   double time = 0.0;          ///< [s] that it spans; times the bias' variance, its common part
+  double travel = 0.0;        ///< of the wheels [m]
+  double turn = 0.0;          ///< of the wheels [rad]
+  double block_travel = 0.0;  ///< of the span of one window that is not full yet [m]
+  double block_time = 0.0;    ///< [s]
+  double last_speed = 0.0;    ///< mean over the last full one [m/s]
+  double speed = 0.0;         ///< over that before it, which no slip that was just seen has reached [m/s]
   Time since = kNever;        ///< slip goes on since then; kNever: none
   Time seen = kNever;         ///< last sign of it
-  double way = 0.0;           ///< since the slip began [m]
-  double turn = 0.0;          ///< sum of the steps' disagreements since then [rad]
   double lately = 0.0;        ///< [s] of slip, forgotten within half a minute
+  SlipExcess excess;          ///< of the slip that goes on
 };
 
 /// Rejections of one source in a row that agree with each other.
@@ -53,10 +70,19 @@ struct RejectedRun {
   RigidFit fit;  ///< map from odometry, of the run's positions
 };
 
+/// Noise of a source as its innovations show it (adaptive_noise.hpp).
+struct NoiseWatch {
+  double factor = 1.0;                             ///< on the declared covariance
+  Eigen::Vector3d last = Eigen::Vector3d::Zero();  ///< innovation, whitened by the declared covariance
+  int dof = 0;                                     ///< of it; 0: none yet
+};
+
 struct SourceState {
   Time last_seen = kNever;
   Time last_used = kNever;
+  Time last_trusted = kNever;  ///< used, and for a range: while most of them were
   bool gives_position = false;
+  bool gives_range = false;  ///< a position by several only: one may fit by chance
   bool gives_heading = false;
   double period = 0.0;  ///< between stamps, smoothed [s]; 0: unknown
   std::uint32_t used = 0;
@@ -65,6 +91,7 @@ struct SourceState {
   double nis = 0.0;         ///< normalised innovation squared of those used, smoothed alike
   double nis_all = 0.0;     ///< the same with those rejected, each counted at most 100
   int dof = 0;              ///< expected value of an honest nis
+  NoiseWatch noise;
   RejectedRun run;
 };
 

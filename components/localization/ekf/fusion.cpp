@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "components/localization/chi_square.hpp"
+#include "components/localization/ekf/adaptive_noise.hpp"
 #include "components/localization/ekf/covariance_bounds.hpp"
 #include "components/localization/ekf/motion.hpp"
 #include "components/localization/ekf/observation.hpp"
@@ -36,6 +37,7 @@ void note_used(SourceState& source, Time time, bool used, double nis, int dof) {
   ++source.used;
   source.nis += (nis - source.nis) / std::min(static_cast<double>(source.used), kMemory);
   source.last_used = time;
+  if (!source.gives_range || source.acceptance >= 0.5) source.last_trusted = time;
   source.run = {};
 }
 
@@ -88,6 +90,7 @@ struct Applier {
     return compare(m, observe(m, reach(m.time)), true);
   }
   FusionResult operator()(const RangeReading& m) const {
+    source(m.source).gives_position = source(m.source).gives_range = true;
     return compare(m, observe(m, reach(m.time)), false);
   }
   FusionResult operator()(const PoseReading& m) const {
@@ -124,8 +127,9 @@ struct Applier {
   }
 
   template <class M, int N>
-  FusionResult compare(const M& m, const Innovation<kStates, N>& z, bool may_take_over) const {
+  FusionResult compare(const M& m, Innovation<kStates, N> z, bool may_take_over) const {
     note_seen(source(m.source), m.time);
+    if (options.adaptive.enabled) z.R *= adapt_noise(source(m.source).noise, z, state.P, options.adaptive);
     const double nis = z.nis(state.P);
     FusionResult result{Verdict::accepted, nis, N};
     const bool passes = nis >= 0.0 && nis <= thresholds[N];
@@ -138,7 +142,7 @@ struct Applier {
       if (!passes && may_take_over && note_rejection(state, as_rejection(m), options.gate)) {
         take_over(state, as_rejection(m), pose_covariance(m), options.gate);
         hold_definite(state.P, state.P.diagonal());
-        source(m.source).last_used = m.time;
+        source(m.source).last_used = source(m.source).last_trusted = m.time;
         result.verdict = Verdict::reacquired;
       }
     }

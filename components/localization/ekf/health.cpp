@@ -62,7 +62,7 @@ class Assessment {
         worsen(HealthState::degraded, {HealthCause::source_rejected, i, age(s.last_used)});
       if (!s.gives_position) continue;
       positions_come = true;
-      position_used = std::max(position_used, s.last_used);
+      position_used = std::max(position_used, s.last_trusted);
     }
     if (positions_come && age(position_used) > options_.health.lost_rejection)
       worsen(HealthState::lost, {HealthCause::contradicted, -1, age(position_used)});

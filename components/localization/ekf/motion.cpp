@@ -85,6 +85,7 @@ bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) 
   covariance(6, 6) += kTurnFloor * dt;
 
   GyroSum& gyro = state.gyro;
+  SlipCorrection slip;
   hold_gyro(gyro, state.time, step.time, options.motion.gyro_gap);
   if (gyro.covered >= kCoverage * dt) {
     const double scale = dt / gyro.covered;
@@ -95,23 +96,24 @@ bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) 
     z.residual(0) = gyro.angle * scale - joint(6) - joint(3) * dt;
     z.R(0, 0) = gyro.angle_variance * scale * scale;
     if (options.slip.enabled) {
-      watch_slip(state.slip, {-z.residual(0), covariance(6, 6) + z.R(0, 0), dt}, state.P(3, 3), step.time,
-                 options.slip);
-      if (slipping(state.slip)) {
-        // It began within the window before it was seen.
-        const double unseen = state.slip.way == 0.0 ? options.slip.window / dt : 0.0;
-        covariance(5, 5) +=
-            common_error(state.slip.way, joint(5) * (1.0 + unseen), options.slip.distance_share);
+      const ComparedStep compared{-z.residual(0), covariance(6, 6) + z.R(0, 0), dt, joint(5), joint(6),
+                                  step.separation};
+      watch_slip(state.slip, compared, state.P(3, 3), step.time, options.motion.acceleration, options.slip);
+      if (slipping(state.slip) && !gyro_in_doubt(state.slip, options.slip)) {
+        slip = take_back(state.slip, compared, step.time, options.slip);
+        covariance(5, 5) += slip.variance;
         covariance(6, 6) += z.residual(0) * z.residual(0);
       }
     }
     if (!gyro_in_doubt(state.slip, options.slip)) correct(joint, covariance, z);
-    if (slipping(state.slip))
-      covariance(6, 6) += common_error(state.slip.turn, z.residual(0), options.slip.turn_share);
+    if (slipping(state.slip)) {
+      covariance(6, 6) += common_error(state.slip.excess.turned, z.residual(0), options.slip.turn_share);
+    }
   }
   restart(gyro);
 
-  const double distance = joint(5);
+  const double travelled = joint(5) - slip.of_step;  // during this step
+  const double distance = travelled - slip.catch_up;
   const double turn = joint(6);
   const ArcStep arc = advance_arc({joint(0), joint(1), joint(2)}, distance, turn);
   Eigen::Matrix<double, kStates, kJoint> J = Eigen::Matrix<double, kStates, kJoint>::Zero();
@@ -130,7 +132,7 @@ bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) 
   state.X_OB = advance_arc(state.X_OB, distance, turn).pose;
   state.odometer += std::abs(distance);
   state.turned += turn;
-  state.twist = {distance / dt, turn / dt};
+  state.twist = {travelled / dt, turn / dt};
   state.time = step.time;
   state.last_wheel = step.time;
   return true;

@@ -59,7 +59,7 @@ bool supported_by_others(const EkfState& state, const Rejection& r, const Reject
                          const GateOptions& options) {
   for (int i = 0; i < kMaxSources; ++i) {
     const SourceState& other = state.sources[static_cast<std::size_t>(i)];
-    if (i == r.source || other.last_used < run.since) continue;
+    if (i == r.source || other.last_trusted < run.since) continue;
     if (r.position && other.gives_position) return true;
     if (!r.position && r.heading && other.gives_heading) return true;
     const double driven = state.odometer - run.start_odometer;

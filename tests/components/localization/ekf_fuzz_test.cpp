@@ -59,6 +59,7 @@ Measurement odd_measurement(Random& random, Time time) {
       m.source = 1;
       m.over =
           Duration{static_cast<std::int64_t>(odd_number(random, 1.0) > -0.5 ? 1e9 * random.uniform() : -1e9)};
+      m.separation = random.bits() % 2 == 0 ? 0.0 : odd_number(random, 0.4);
       m.distance = odd_number(random, 0.3);
       m.turn = odd_number(random, 0.3);
       m.covariance = odd_covariance<2>(random);
@@ -127,6 +128,7 @@ TEST_P(EkfFuzz, AnyNumbersLeaveTheStateFiniteAndPositiveDefinite) {
   const long steps = from_environment("BANDWAGON_FUZZ_STEPS", 300'000);
   EkfOptions options;
   options.gate.enabled = GetParam().gated;
+  options.adaptive.enabled = GetParam().adaptive;
   options.bias.heading_offset = true;
   Ekf ekf(options);
   Random random(static_cast<std::uint64_t>(from_environment("BANDWAGON_FUZZ_SEED", 1)));
@@ -148,7 +150,8 @@ TEST_P(EkfFuzz, AnyNumbersLeaveTheStateFiniteAndPositiveDefinite) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, EkfFuzz,
-                         ::testing::Values(FuzzCase{"Gated", true, false}, FuzzCase{"Open", false, false}),
+                         ::testing::Values(FuzzCase{"Gated", true, false}, FuzzCase{"Open", false, false},
+                                           FuzzCase{"Adaptive", true, true}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

@@ -86,23 +86,26 @@ TEST(ObservationJacobian, MatchesNumericalDerivativesWithin1e6) {
     heading.heading = random.uniform(-3, 3);
     CourseReading course;
     course.course = random.uniform(-3, 3);
+    RangeReading range;
+    range.anchor = {random.uniform(-50, 50), random.uniform(-50, 50)};
+    range.antenna = {random.uniform(-1, 1), random.uniform(-1, 1)};
     const auto residuals = [&](const StateVector& x) {
       EkfState there = state;
       there.x = x;
       const Extrapolated at = extrapolate(there, time, motion);
-      Eigen::Matrix<double, 7, 1> r;
+      Eigen::Matrix<double, 8, 1> r;
       r << observe(fix, at).residual, observe(pose, at).residual, observe(heading, at, x(4)).residual,
-          observe(course, at, state.twist.v < 0).residual;
+          observe(course, at, state.twist.v < 0).residual, observe(range, at).residual;
       return r;
     };
     const Extrapolated at = extrapolate(state, time, motion);
-    Eigen::Matrix<double, 7, kStates> H;
+    Eigen::Matrix<double, 8, kStates> H;
     H << observe(fix, at).H, observe(pose, at).H, observe(heading, at, state.x(4)).H,
-        observe(course, at, state.twist.v < 0).H;
+        observe(course, at, state.twist.v < 0).H, observe(range, at).H;
     for (int k = 0; k < kStates; ++k) {
       StateVector h = StateVector::Zero();
       h(k) = kH;
-      Eigen::Matrix<double, 7, 1> change = residuals(state.x - h) - residuals(state.x + h);
+      Eigen::Matrix<double, 8, 1> change = residuals(state.x - h) - residuals(state.x + h);
       for (const int angle : {4, 5, 6}) change(angle) = wrap_angle(change(angle));
       ASSERT_LT((H.col(k) - change / (2.0 * kH)).norm(), 1e-6) << i << " state " << k;
     }

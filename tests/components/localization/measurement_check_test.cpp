@@ -63,6 +63,19 @@ TEST(MeasurementCheck, NamesTheFault) {
   heading.heading = 1e300;
   EXPECT_EQ(check(heading, kLimits), Verdict::implausible);
 
+  RangeReading range;
+  EXPECT_EQ(check(range, kLimits), Verdict::accepted);
+  range.range = -0.1;
+  EXPECT_EQ(check(range, kLimits), Verdict::implausible);
+  range.range = kNan;
+  EXPECT_EQ(check(range, kLimits), Verdict::not_finite);
+  range.range = 1.0;
+  range.anchor.y() = kInfinity;
+  EXPECT_EQ(check(range, kLimits), Verdict::not_finite);
+  range.anchor.y() = 0.0;
+  range.variance = 0.0;
+  EXPECT_EQ(check(range, kLimits), Verdict::bad_covariance);
+
   GyroReading gyro;
   gyro.rate = 21.0;
   EXPECT_EQ(check(gyro, kLimits), Verdict::implausible);

@@ -27,7 +27,9 @@ struct DriveOptions {
   double compass_offset = 0.0;
   double gps_sigma = 0.5;  ///< 0: no receiver
   int gps_every = 20;      ///< wheel steps
-  double slip_from = 1e9;  ///< [s] both wheels turn twice as far as the robot moves
+  double slip_from = 1e9;  ///< [s] then the wheels turn so many times as far as the robot moves:
+  double slip_left = 2.0;
+  double slip_right = 2.0;
   double slip_for = 1.0;
   double slip_every = 30.0;
 };
@@ -58,13 +60,12 @@ inline Drive simulate(const DriveOptions& o) {
 
     const bool slips = t >= o.slip_from && std::fmod(t - o.slip_from, o.slip_every) < o.slip_for;
     const WheelSpeeds wheels = to_wheel_speeds(twist, o.separation);
-    const double scale = slips ? 2.0 : 1.0;
-    const auto travel = [&](double speed) {
+    const auto travel = [&](double speed, double slip) {
       const double way = 0.01 * speed;
-      return scale * way + std::sqrt(o.wheel_variance * std::abs(way)) * random.normal();
+      return (slips ? slip : 1.0) * way + std::sqrt(o.wheel_variance * std::abs(way)) * random.normal();
     };
-    const double left = travel(wheels.left);
-    const double right = travel(wheels.right);
+    const double left = travel(wheels.left, o.slip_left);
+    const double right = travel(wheels.right, o.slip_right);
     if (o.gyro_sigma > 0.0) {
       drive.measurements.push_back(GyroReading{now, kGyro,
                                                twist.omega + o.gyro_bias + o.gyro_sigma * random.normal(),
