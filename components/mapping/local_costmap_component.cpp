@@ -71,7 +71,9 @@ class LocalCostmapComponent final : public Component {
       const Time stamp = from_stamp(scan.header().stamp());
       const auto X_OL = transforms_->lookup_planar(odom_frame_, scan.header().frame_id(), stamp);
       const auto X_OB = transforms_->lookup_planar(odom_frame_, base_frame_, stamp);
-      if (X_OL && X_OB) {
+      if (stamp <= Time{}) {
+        note("it has no stamp");
+      } else if (X_OL && X_OB) {
         add(scan, stamp, *X_OL, *X_OB);
       } else if (now - waiting_.front().received <= Duration::seconds(parameters_.transform_timeout)) {
         return;
