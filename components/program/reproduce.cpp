@@ -14,6 +14,7 @@ struct Subject {
 
 /// A new subject is one line here.
 const Subject kSubjects[] = {
+    {"ekf", "Figure 2.3: the EKF with wheels, receiver, compass; and on logs of real robots", reproduce_ekf},
     {"pf", "Table 2.1: the particle filter with and without fixes", reproduce_pf},
     {"edwa", "Table 3.2 and Figure 3.4: DWA against EDWA among robots", reproduce_edwa},
     {"pteb", "Figures 3.7 and 3.8b: TEB against PTEB among people", reproduce_pteb},

@@ -17,6 +17,9 @@ struct ReproduceArguments {
 // Each subject writes its files, prints a summary to stdout, progress to stderr, and returns whether all its
 // criteria are met.
 
+/// E1 (Figure 2.3) and, where BANDWAGON_SHARED names recorded data, E7: results.json and index.html.
+bool reproduce_ekf(const ReproduceArguments& arguments);
+
 /// E2 (Table 2.1): results.json and index.html.
 bool reproduce_pf(const ReproduceArguments& arguments);
 
