@@ -17,8 +17,6 @@
 namespace bw::people {
 namespace {
 
-constexpr double kScoreMemory = 0.95;  // per sighting (Leigh et al. 2015)
-
 double human_score(const Detection& d) { return std::max(d.leg_score, d.body_score); }
 
 bool usable(const Detection& d, const AssociationOptions& options) {
@@ -135,7 +133,8 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     const Detection& d = detections_[static_cast<std::size_t>(index)];
     const bool whole = one && d.body_score > d.leg_score;
     person.walker.correct(whole ? BodyPart::middle : part, d.position, d.covariance, options_.walker);
-    person.score = kScoreMemory * person.score + (1.0 - kScoreMemory) * human_score(d);
+    person.score =
+        options_.death.score_memory * person.score + (1.0 - options_.death.score_memory) * human_score(d);
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
     if (whole || part == BodyPart::first_leg) person.first_unseen = 0;

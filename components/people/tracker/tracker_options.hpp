@@ -79,6 +79,7 @@ struct BirthOptions {
 struct DeathOptions {
   double unseen = 1.0;
   double sigma = 0.9;
+  double score_memory = 0.95;
   double unlike_score = 0.25;
   double unlike_speed = 0.3;
   double cluster_unseen = 0.5;
@@ -89,6 +90,8 @@ struct DeathOptions {
     v("unseen", unseen,
       {.unit = "s", .min = 0.1, .max = 10, .doc = "not seen so long where they could have been"});
     v("sigma", sigma, {.unit = "m", .min = 0.1, .max = 5, .doc = "position not known better, hidden or not"});
+    v("score_memory", score_memory,
+      {.min = 0, .max = 0.999, .doc = "share of a person's mean score that one sighting leaves as it was"});
     v("unlike_score", unlike_score,
       {.min = 0, .max = 1, .doc = "mean score of somebody who stands, below which it was furniture"});
     v("unlike_speed", unlike_speed, {.unit = "m/s", .min = 0, .max = 5, .doc = "slower counts as standing"});

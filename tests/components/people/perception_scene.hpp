@@ -1,0 +1,171 @@
+// Rooms for measuring perception of people: drawn from a seed, with furniture that looks like legs, people
+// who stand and walk, and a robot that stands or drives about with wheels that err.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "components/model/random.hpp"
+#include "components/world/ray.hpp"
+#include "components/world/world.hpp"
+
+namespace bw::people::test {
+
+struct SceneOptions {
+  int people = 6;
+  double standing_share = 0.2;
+  bool furnished = true;
+  bool driving = true;
+  double length = 14.0;  ///< of the room [m]
+  double width = 10.0;
+};
+
+struct Scene {
+  WorldOptions options;
+  WorldFiles files;
+  Robot robot;
+  std::vector<Vector2> places;  ///< free of furniture, for the robot to go to
+};
+
+class SceneMaker {
+ public:
+  SceneMaker(const SceneOptions& options, std::uint64_t seed) : options_(options), random_(seed) {}
+
+  Scene make() {
+    Scene scene;
+    room(scene);
+    if (options_.furnished) furnish(scene);
+    place_people(scene);
+    scene.options.laser.range_noise = 0.02;
+    scene.options.laser.range_max = 10.0;
+    scene.options.imu.rate = 0.0;
+    scene.options.gps.rate = 0.0;
+    scene.options.drive.mismatch = 0.004;
+    scene.options.drive.noise = 0.00003;
+    return scene;
+  }
+
+ private:
+  Vector2 anywhere(double from_wall) {
+    const double x = random_.uniform(from_wall, options_.length - from_wall);
+    return {x, random_.uniform(from_wall, options_.width - from_wall)};
+  }
+
+  void room(Scene& scene) {
+    const double l = options_.length;
+    const double w = options_.width;
+    scene.options.walls = {{0, 0, l, 0}, {l, 0, l, w}, {l, w, 0, w}, {0, w, 0, 0}};
+    const Vector2 start = anywhere(2.0);
+    scene.options.start = {start.x(), start.y(), random_.uniform(-3.1, 3.1)};
+    keep_.push_back(start);
+  }
+
+  /// Somewhere at least `clearance` away from where the robot starts and from other furniture.
+  Vector2 spot(double clearance) {
+    for (int attempt = 0; attempt < 200; ++attempt) {
+      const Vector2 place = anywhere(0.3);
+      bool good = true;
+      for (const Vector2& kept : keep_) good = good && (place - kept).norm() > clearance;
+      if (good) return place;
+    }
+    return {0.3, 0.3};
+  }
+
+  void legs(Scene& scene, double length, double width, double radius) {
+    const Vector2 place = spot(1.2);
+    const Pose2 X{place.x(), place.y(), random_.uniform(-3.1, 3.1)};
+    keep_.push_back(place);
+    for (const double x : {-length / 2, length / 2})
+      for (const double y : {-width / 2, width / 2})
+        scene.files.shapes.discs.push_back({X * Vector2(x, y), radius});
+  }
+
+  void furnish(Scene& scene) {
+    for (int i = 0; i < 4; ++i) {  // cupboards and boxes
+      const Vector2 place = spot(1.4);
+      keep_.push_back(place);
+      scene.options.boxes.push_back({place.x(), place.y(), random_.uniform(0.2, 1.2),
+                                     random_.uniform(0.2, 0.7), random_.uniform(-1.5, 1.5)});
+    }
+    for (int i = 0; i < 5; ++i) legs(scene, 0.42, 0.42, random_.uniform(0.012, 0.03));  // chairs
+    for (int i = 0; i < 2; ++i)
+      legs(scene, random_.uniform(0.8, 1.6), 0.8, random_.uniform(0.02, 0.05));  // tables
+    for (int i = 0; i < 3; ++i) {                                                // pillars, plant pots
+      const Vector2 place = spot(1.2);
+      keep_.push_back(place);
+      scene.files.shapes.discs.push_back({place, random_.uniform(0.1, 0.25)});
+    }
+  }
+
+  void place_people(Scene& scene) {
+    PeopleOptions& people = scene.options.people;
+    people.social.speed_min = 0.5;
+    people.social.speed_max = 1.4;
+    people.social.forces.social_factor = 5.1;
+    people.social.forces.obstacle_sigma = 0.3;
+    for (int i = 0; i < options_.people; ++i) {
+      const Vector2 start = spot(0.9);
+      if (random_.uniform() < options_.standing_share) {
+        ScriptedPersonOptions person;
+        person.waypoints = {{start.x(), start.y()}};
+        people.scripted.push_back(person);
+        keep_.push_back(start);
+        continue;
+      }
+      Vector2 goal = spot(0.7);
+      for (int attempt = 0; attempt < 20 && (goal - start).norm() < 4.0; ++attempt) goal = spot(0.7);
+      people.social.walkers.push_back({start.x(), start.y(), goal.x(), goal.y()});
+    }
+    for (int i = 0; i < 12; ++i) scene.places.push_back(spot(1.0));
+  }
+
+  SceneOptions options_;
+  Random random_;
+  std::vector<Vector2> keep_;
+};
+
+/// Drives from place to place where the way is clear of walls, furniture and people. Knows the truth: what is
+/// measured is perception.
+class Chauffeur {
+ public:
+  Chauffeur(const Scene& scene, std::uint64_t seed) : scene_(&scene), random_(seed) {}
+
+  Twist2 command(const World& world) {
+    const Pose2 X = world.pose();
+    if (!going_ || (goal_ - X.position()).norm() < 0.3 || world.time() > until_) choose(world);
+    if (!going_) return {0.0, 0.5};
+    const Vector2 way = goal_ - X.position();
+    const double error = wrap_angle(std::atan2(way.y(), way.x()) - X.theta);
+    const double omega = std::clamp(2.0 * error, -1.0, 1.0);
+    const Vector2 ahead = X.position() + 0.8 * direction(X.theta);
+    for (const Person& person : world.people())
+      if ((person.position - ahead).norm() < 0.9) return {0.0, omega};
+    return {std::abs(error) > 0.6 ? 0.0 : 0.8, omega};
+  }
+
+ private:
+  void choose(const World& world) {
+    going_ = false;
+    for (int attempt = 0; attempt < 10 && !going_; ++attempt) {
+      goal_ = scene_->places[random_.bits() % scene_->places.size()];
+      going_ = (goal_ - world.pose().position()).norm() > 1.0 && clear(world);
+    }
+    until_ = world.time() + Duration::seconds(20.0);
+  }
+
+  bool clear(const World& world) const {
+    const Vector2 from = world.pose().position();
+    for (double share = 0.0; share <= 1.0; share += 0.05)
+      if (world.scene().clearance(from + share * (goal_ - from), 0.45) < 0.4) return false;
+    return true;
+  }
+
+  const Scene* scene_;
+  Random random_;
+  Vector2 goal_{0.0, 0.0};
+  bool going_ = false;
+  Duration until_;
+};
+
+}  // namespace bw::people::test

@@ -1,0 +1,201 @@
+// How well tracks agree with the truth: CLEAR MOT (Bernardin and Stiefelhagen, EURASIP 2008), and what issue
+// 5 asks beside it.
+//
+//   MOTA = 1 - (misses + false positives + identity switches) / people,   MOTP: mean distance of the matched
+//
+// Matches of the last sweep stay while they are within the radius; the rest is assigned at least cost.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "components/people/tracker/assignment.hpp"
+#include "components/people/tracker/tracker.hpp"
+
+namespace bw::people::test {
+
+/// One person in one sweep, in O.
+struct TruePerson {
+  std::uint32_t id = 0;
+  Vector2 position{0.0, 0.0};
+  Vector2 velocity{0.0, 0.0};
+  bool counted = true;     ///< belongs to those who should be tracked; tracks on others are not false
+  bool unoccluded = true;  ///< plainly visible in this sweep
+};
+
+struct Score {
+  // CLEAR MOT over all who are counted.
+  long people = 0;
+  long matched = 0;
+  long false_positives = 0;
+  long switches = 0;
+  long switches_seen = 0;  ///< of them: not because the person was out of sight for more than 2 s
+  double distance = 0.0;   ///< sum over the matched [m]
+  // Over those counted and unoccluded.
+  long plain = 0;
+  long plain_matched = 0;
+  // Velocity of matches whose track has held the person for 1 s: all, and those of people who did not turn.
+  long velocities = 0;
+  double velocity_square = 0.0;
+  long steady = 0;
+  double steady_square = 0.0;
+  std::vector<double> confirmation;  ///< time in plain view before first matched [s]
+  long sweeps = 0;
+
+  double mota() const {
+    return 1.0 -
+           static_cast<double>(people - matched + false_positives + switches) / static_cast<double>(people);
+  }
+  double motp() const { return distance / static_cast<double>(matched); }
+  double recall() const { return static_cast<double>(plain_matched) / static_cast<double>(plain); }
+  double precision() const {
+    return static_cast<double>(matched) / static_cast<double>(matched + false_positives);
+  }
+  double velocity_rmse() const { return std::sqrt(velocity_square / static_cast<double>(velocities)); }
+  double steady_rmse() const { return std::sqrt(steady_square / static_cast<double>(steady)); }
+  double person_minutes() const { return static_cast<double>(people) * 0.1 / 60.0; }
+  double switches_per_ten_minutes() const { return 10.0 * static_cast<double>(switches) / person_minutes(); }
+  /// Share `q` of people were confirmed within so many seconds.
+  double confirmation_quantile(double q) const {
+    if (confirmation.empty()) return 0.0;
+    std::vector<double> sorted = confirmation;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1) + 0.5)];
+  }
+  void add(const Score& other) {
+    people += other.people;
+    matched += other.matched;
+    false_positives += other.false_positives;
+    switches += other.switches;
+    switches_seen += other.switches_seen;
+    distance += other.distance;
+    plain += other.plain;
+    plain_matched += other.plain_matched;
+    velocities += other.velocities;
+    velocity_square += other.velocity_square;
+    steady += other.steady;
+    steady_square += other.steady_square;
+    confirmation.insert(confirmation.end(), other.confirmation.begin(), other.confirmation.end());
+    sweeps += other.sweeps;
+  }
+};
+
+class ScoreKeeper {
+ public:
+  static constexpr double kRadius = 0.75;  ///< Leigh et al. 2015
+
+  /// `counts_if_false`: whether a track that matches nobody is held against the tracker, by its place.
+  template <class CountsIfFalse>
+  void add(double now, const std::vector<TruePerson>& truth, const std::vector<TrackedPerson>& tracks,
+           const CountsIfFalse& counts_if_false) {
+    ++score_.sweeps;
+    match(truth, tracks);
+    for (std::size_t i = 0; i < truth.size(); ++i) judge(now, truth[i], match_[i], tracks);
+    for (std::size_t j = 0; j < tracks.size(); ++j)
+      if (taken_[j] == 0 && counts_if_false(tracks[j].position)) ++score_.false_positives;
+  }
+
+  const Score& score() const { return score_; }
+
+ private:
+  struct Memory {
+    std::uint32_t track = 0;   ///< matched last; 0: never
+    double matched_since = 0;  ///< by this track, without a gap
+    bool was_matched = false;  ///< in the last sweep
+    double in_sight = -1e9;    ///< last time plainly visible
+    double hidden = 0.0;       ///< longest time out of sight since last matched [s]
+    double first_sight = -1.0;
+    bool confirmed = false;
+    double waited = 0.0;  ///< in plain view, not yet matched [s]
+    Vector2 velocity{0.0, 0.0};
+    double turned = -1e9;  ///< last time the velocity changed at more than 0.5 m/s^2
+  };
+
+  void match(const std::vector<TruePerson>& truth, const std::vector<TrackedPerson>& tracks) {
+    match_.assign(truth.size(), -1);
+    taken_.assign(tracks.size(), 0);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const auto known = memory_.find(truth[i].id);
+      if (known == memory_.end() || !known->second.was_matched) continue;
+      for (std::size_t j = 0; j < tracks.size(); ++j) {
+        if (tracks[j].id != known->second.track || taken_[j] != 0) continue;
+        if ((tracks[j].position - truth[i].position).norm() > kRadius) continue;
+        match_[i] = static_cast<int>(j);
+        taken_[j] = 1;
+      }
+    }
+    assignment_.begin(tracks.size());
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      assignment_.add_row(1.0);
+      if (match_[i] >= 0) continue;
+      for (std::size_t j = 0; j < tracks.size(); ++j) {
+        const double distance = (tracks[j].position - truth[i].position).norm();
+        if (taken_[j] == 0 && distance <= kRadius) assignment_.allow(j, distance);
+      }
+    }
+    const std::vector<int>& chosen = assignment_.solve();
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      if (chosen[i] < 0) continue;
+      match_[i] = chosen[i];
+      taken_[static_cast<std::size_t>(chosen[i])] = 1;
+    }
+  }
+
+  void judge(double now, const TruePerson& person, int matched, const std::vector<TrackedPerson>& tracks) {
+    Memory& memory = memory_[person.id];
+    if (memory.first_sight < 0.0) memory.velocity = person.velocity;
+    if ((person.velocity - memory.velocity).norm() > 0.05) memory.turned = now;
+    memory.velocity = person.velocity;
+    const bool plain = person.counted && person.unoccluded;
+    if (plain && memory.first_sight < 0.0) memory.first_sight = now;
+    if (plain && !memory.confirmed && now - memory.in_sight < 0.15) memory.waited += now - memory.in_sight;
+    if (plain && now - memory.first_sight > 0.0)
+      memory.hidden = std::max(memory.hidden, now - memory.in_sight);
+    if (plain) memory.in_sight = now;
+    if (person.counted) ++score_.people;
+    if (plain) ++score_.plain;
+    if (matched < 0) {
+      memory.was_matched = false;
+    } else {
+      const TrackedPerson& track = tracks[static_cast<std::size_t>(matched)];
+      const bool other = memory.track != track.id;
+      if (memory.track != 0 && other && person.counted) {
+        ++score_.switches;
+        if (memory.hidden < 2.0) ++score_.switches_seen;
+      }
+      if (other || !memory.was_matched) memory.matched_since = now;
+      memory.track = track.id;
+      memory.was_matched = true;
+      memory.hidden = 0.0;
+      if (!memory.confirmed && memory.first_sight >= 0.0) {
+        memory.confirmed = true;
+        score_.confirmation.push_back(memory.waited);
+      }
+      if (person.counted) {
+        ++score_.matched;
+        score_.distance += (track.position - person.position).norm();
+        if (plain) ++score_.plain_matched;
+        if (now - memory.matched_since >= 1.0 - 1e-9) {
+          const double error = (track.velocity - person.velocity).squaredNorm();
+          ++score_.velocities;
+          score_.velocity_square += error;
+          if (now - memory.turned > 0.5) {
+            ++score_.steady;
+            score_.steady_square += error;
+          }
+        }
+      }
+    }
+  }
+
+  Score score_;
+  std::map<std::uint32_t, Memory> memory_;
+  Assignment assignment_;
+  std::vector<int> match_;
+  std::vector<char> taken_;
+};
+
+}  // namespace bw::people::test

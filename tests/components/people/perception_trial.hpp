@@ -1,0 +1,150 @@
+// One run of detector and tracker in a simulated room, with the truth beside it.
+#pragma once
+
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "components/people/detector/detector.hpp"
+#include "components/people/tracker/tracker.hpp"
+#include "components/robot_base/encoder_odometry.hpp"
+#include "components/world/random_streams.hpp"
+#include "tests/components/people/perception_scene.hpp"
+#include "tests/components/people/perception_score.hpp"
+
+namespace bw::people::test {
+
+inline double thread_milliseconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
+}
+
+struct TrialRecord {
+  Score score;
+  std::vector<double> milliseconds;  ///< thread CPU time of detector and tracker per sweep
+  double clusters = 0.0;             ///< mean detections per sweep
+  int false_tracks = 0;              ///< ids that were held against the tracker in some sweep
+};
+
+/// Whoever is within this distance counts [m].
+inline constexpr double kCountedRange = 6.0;
+
+class Trial {
+ public:
+  Trial(const SceneOptions& scene_options, const DetectorOptions& detector, const TrackerOptions& tracker,
+        std::uint64_t seed)
+      : scene_options_(scene_options),
+        scene_(SceneMaker(scene_options, seed).make()),
+        world_(scene_.options, scene_.robot, scene_.files, seed),
+        legs_(scene_.options.people.legs),
+        odometry_(scene_.robot, {}),
+        chauffeur_(scene_, seed),
+        detector_(detector),
+        tracker_(tracker) {
+    legs_.step(0.0, world_.people());
+  }
+
+  std::function<void(const DetectionSet&, const std::vector<TruePerson>&, const std::vector<TrackedPerson>&)>
+      watch;
+
+  TrialRecord run(double seconds) {
+    std::map<std::uint32_t, bool> accused;
+    while (world_.time().to_seconds() < seconds - 1e-9) {
+      if (scene_options_.driving) drive();
+      const WorldSample sample = world_.step();
+      legs_.step(world_.physics_step().to_seconds(), world_.people());
+      if (sample.ticks) odometry_.add({stamp(sample.time), sample.ticks->left, sample.ticks->right});
+      if (sample.scan) sweep(sample, accused);
+    }
+    record_.score = keeper_.score();
+    record_.false_tracks = static_cast<int>(accused.size());
+    record_.clusters /= static_cast<double>(record_.milliseconds.size());
+    return record_;
+  }
+
+ private:
+  static Time stamp(Duration since_start) { return Time{} + Duration::seconds(100.0) + since_start; }
+
+  void drive() {
+    const Twist2 twist = chauffeur_.command(world_);
+    const WheelSpeeds speeds = to_wheel_speeds(twist, scene_.robot.wheel_separation);
+    world_.command({speeds.left / scene_.robot.wheel_radius, speeds.right / scene_.robot.wheel_radius});
+  }
+
+  void sweep(const WorldSample& sample, std::map<std::uint32_t, bool>& accused) {
+    const Pose2 X_ML = world_.pose();  // the laser sits on base_link
+    const Pose2 X_OL = odometry_.state().X_OB;
+    const LaserOptions& laser = scene_.options.laser;
+    const Sweep seen{stamp(sample.time),     X_OL,
+                     sample.scan->angle_min, sample.scan->angle_increment,
+                     laser.range_min,        laser.range_max,
+                     sample.scan->ranges};
+    const double before = thread_milliseconds();
+    const std::vector<Vector2> keep = tracker_.keep_out();
+    const DetectionSet& detections = detector_.detect(seen, {std::nullopt, keep});
+    const std::vector<TrackedPerson>& tracks = tracker_.update(detections);
+    record_.milliseconds.push_back(thread_milliseconds() - before);
+    record_.clusters += static_cast<double>(detections.detections.size());
+
+    const std::vector<TruePerson> truth = truth_in(X_OL * inverse(X_ML), X_ML, *sample.scan);
+    const auto counts = [&](const Vector2& p_O) { return (p_O - X_OL.position()).norm() <= kCountedRange; };
+    keeper_.add(sample.time.to_seconds(), truth, tracks, counts);
+    for (const TrackedPerson& track : tracks) {
+      const bool near = std::ranges::any_of(truth, [&](const TruePerson& person) {
+        return (person.position - track.position).norm() <= ScoreKeeper::kRadius;
+      });
+      if (!near) accused[track.id] = true;
+    }
+    if (watch) watch(detections, truth, tracks);
+  }
+
+  /// Counted: within range and view, the way to the middle not barred by walls or furniture. Unoccluded: at
+  /// least three beams ended on one of the legs.
+  std::vector<TruePerson> truth_in(const Pose2& X_OM, const Pose2& X_ML, const LaserScan& scan) const {
+    const std::vector<Person>& people = world_.people();
+    const std::vector<Disc> legs = legs_.discs(people);
+    std::vector<int> hits(legs.size(), 0);
+    for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+      const double angle = X_ML.theta + scan.angle_min + static_cast<double>(i) * scan.angle_increment;
+      for (std::size_t k = 0; k < legs.size(); ++k) {
+        const double range = ray_hit(X_ML.position(), direction(angle), legs[k]);
+        if (std::abs(range - static_cast<double>(scan.ranges[i])) < 0.08) ++hits[k];
+      }
+    }
+    std::vector<TruePerson> truth;
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      const Vector2 way = people[i].position - X_ML.position();
+      const double distance = way.norm();
+      const double bearing = wrap_angle(std::atan2(way.y(), way.x()) - X_ML.theta);
+      const bool in_view = std::abs(bearing) < scene_.options.laser.field_of_view / 2.0;
+      truth.push_back({people[i].id, X_OM * people[i].position, rotate(X_OM, people[i].velocity),
+                       distance <= kCountedRange && in_view && !barred(X_ML.position(), people[i].position),
+                       std::max(hits[2 * i], hits[2 * i + 1]) >= 3});
+    }
+    return truth;
+  }
+
+  bool barred(const Vector2& from, const Vector2& to) const {
+    const double distance = (to - from).norm();
+    const Vector2 way = (to - from) / distance;
+    const auto bars = [&](const auto& shape) { return ray_hit(from, way, shape) < distance; };
+    return std::ranges::any_of(world_.scene().segments(), bars) ||
+           std::ranges::any_of(world_.scene().discs(), bars);
+  }
+
+  SceneOptions scene_options_;
+  Scene scene_;
+  World world_;
+  Legs legs_;
+  EncoderOdometry odometry_;
+  Chauffeur chauffeur_;
+  Detector detector_;
+  Tracker tracker_;
+  ScoreKeeper keeper_;
+  TrialRecord record_;
+};
+
+}  // namespace bw::people::test
