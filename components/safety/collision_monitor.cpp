@@ -86,21 +86,30 @@ std::vector<SeenPoint> CollisionMonitor::points_at(Time now) const {
   return points;
 }
 
-/// Speed along the arc of `along` that the stopping distance allows; `narrow`: for narrow things and their
-/// margin.
-double CollisionMonitor::rule_speed(const Twist2& along, const std::vector<SeenPoint>& points,
-                                    bool narrow) const {
+/// Speed along the arc of `along` that the stopping distance allows.
+double CollisionMonitor::rule_speed(const Twist2& along, const std::vector<SeenPoint>& points) const {
+  const StoppingOptions& rule = options_.stopping;
+  double way = std::numeric_limits<double>::infinity();
+  double deep_way = way;
+  for (const SeenPoint& point : points) {
+    const double touch = free_way(along, radius_, point.position);
+    way = std::min(way, touch);
+    if (std::isfinite(free_way(along, radius_ - rule.graze, point.position)))
+      deep_way = std::min(deep_way, touch);
+  }
+  return std::min(speed_within(deep_way - rule.margin, stopping_),
+                  speed_within(way - rule.margin, stopping_, rule.graze_speed));
+}
+
+/// The same for narrow things and the bodies that may be above them.
+double CollisionMonitor::narrow_speed(const Twist2& along, const std::vector<SeenPoint>& points) const {
   const StoppingOptions& rule = options_.stopping;
   double way = std::numeric_limits<double>::infinity();
   for (const SeenPoint& point : points) {
-    if (!narrow) {
-      way = std::min(way, free_way(along, radius_, point.position));
-    } else if (point.is_narrow) {
-      way = std::min(way, free_way_to_walker(along, radius_ + rule.narrow_margin, point.position));
-    }
+    if (!point.is_narrow) continue;
+    way = std::min(way, free_way_to_walker(along, radius_ + rule.narrow_margin, point.position));
   }
-  return narrow ? speed_within(way, stopping_, rule.narrow_speed)
-                : speed_within(way - rule.margin, stopping_);
+  return speed_within(way, stopping_, rule.narrow_speed);
 }
 
 double CollisionMonitor::sight_speed(double v) const {
@@ -118,9 +127,9 @@ CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted,
   const auto consider = [&](double speed, Action action, std::string_view cause) {
     if (speed < bound.speed) bound = {speed, action, cause};
   };
-  consider(rule_speed(wanted, points, false), Action::approach, kStoppingDistance);
+  consider(rule_speed(wanted, points), Action::approach, kStoppingDistance);
   if (options_.stopping.narrow_margin > 0.0)
-    consider(rule_speed(wanted, points, true), Action::approach, kNarrowThing);
+    consider(narrow_speed(wanted, points), Action::approach, kNarrowThing);
   consider(sight_speed(wanted.v), Action::limit, kSight);
   for (const Zone& zone : zones_) {
     const double share = zone.share_left(wanted, points);
@@ -166,7 +175,7 @@ Verdict CollisionMonitor::judge(Time now, const Twist2& wanted) {
   // The command asks for less than the robot still does: what it does now must fit as well, or it brakes
   // hard.
   if (std::abs(twist_.v) > std::abs(wanted.v) + kStanding) {
-    const double speed = rule_speed(twist_, points, false);
+    const double speed = rule_speed(twist_, points);
     if (std::abs(twist_.v) > speed + kStanding) return {verdict.allowed, Action::approach, kStoppingDistance};
   }
   return verdict;

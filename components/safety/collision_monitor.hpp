@@ -4,6 +4,7 @@
 //   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's disc along
 //   the
 //           wanted arc (free_way.hpp); v and omega shrink together, so the path stays
+//   graze   what the side of the robot would touch by less than `graze` is passed at graze_speed
 //   body    around narrow things (legs) the robot is down to narrow_speed narrow_margin earlier
 //   sight   into a sector the laser does not see it creeps; into one whose beams are broken it stops
 //   zones   of nav2_collision_monitor (zone.hpp)
@@ -75,7 +76,8 @@ class CollisionMonitor {
   std::optional<std::string_view> fault(Time now);
   Pose2 pose_at(Time time) const;
   std::vector<SeenPoint> points_at(Time now) const;
-  double rule_speed(const Twist2& along, const std::vector<SeenPoint>& points, bool narrow) const;
+  double rule_speed(const Twist2& along, const std::vector<SeenPoint>& points) const;
+  double narrow_speed(const Twist2& along, const std::vector<SeenPoint>& points) const;
   Bound tightest(const Twist2& wanted, const std::vector<SeenPoint>& points) const;
   double sight_speed(double v) const;
   Twist2 shrink(const Twist2& wanted, double speed) const;

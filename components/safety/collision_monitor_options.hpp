@@ -15,6 +15,8 @@ struct StoppingOptions {
   double padding = 0.0;
   double reaction_time = 0.1;
   double approach_speed = 0.0;
+  double graze = 0.03;
+  double graze_speed = 0.1;
   double narrow_margin = 0.2;
   double narrow_speed = 0.2;
 
@@ -34,6 +36,13 @@ struct StoppingOptions {
        .max = 3,
        .doc = "at which what is ahead may come nearer meanwhile; 1.6 is a walking person (ISO 13855); 0: it "
               "stands"});
+    v("graze", graze,
+      {.unit = "m",
+       .min = 0,
+       .max = 0.2,
+       .doc = "what the robot's side would touch no deeper than this is passed at graze_speed, not stopped "
+              "for; as much as noise of the laser and arcs that are not held exactly"});
+    v("graze_speed", graze_speed, {.unit = "m/s", .min = 0, .max = 1, .doc = "top speed there"});
     v("narrow_margin", narrow_margin,
       {.unit = "m",
        .min = 0,

@@ -89,6 +89,16 @@ TEST(CollisionMonitor, WhileItBrakesTheTurnRateFollowsTheSpeed) {
   EXPECT_NEAR(verdict.allowed.omega, 0.2, 1e-9);  // half of the speed is left, half of the turn rate
 }
 
+TEST(CollisionMonitor, WhatItsSideWouldOnlyGrazeIsPassedSlowly) {
+  // A pillar of 0.5 m beside the way, 0.28 m from its middle: 0.02 m of the robot's 0.3 m would touch
+  const Disc beside{{0.2, 0.78}, 0.5};
+  const Verdict verdict = Bench().run(0.1, sweep_of({beside}), {0.5, 0.0});
+  EXPECT_DOUBLE_EQ(verdict.allowed.v, 0.1);
+  EXPECT_EQ(verdict.cause, kStoppingDistance);
+  const Disc deeper{{0.2, 0.76}, 0.5};
+  EXPECT_EQ(Bench().run(0.1, sweep_of({deeper}), {0.5, 0.0}).allowed.v, 0.0);
+}
+
 TEST(CollisionMonitor, AroundLegsItIsSlowEarlier) {
   // A leg whose surface is 0.7 m ahead: 0.2 m before the free way of 0.4 m ends it is down to 0.2 m/s:
   // v 0.1 + (v^2 - 0.04) / 4 = 0.2 gives v = -0.2 + sqrt(0.04 + 0.04 + 0.8) = 0.738
