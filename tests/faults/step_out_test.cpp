@@ -118,8 +118,7 @@ Outcome trials(double ahead) {
   std::printf(
       "%.2f m ahead, %d trials: %d contacts, the fastest at %.2f m/s, least gap %.3f m; braking alone: %.2f "
       "m/s\n",
-      ahead, n, outcome.contacts, outcome.worst, outcome.least_gap,
-      square > 0.0 ? std::min(1.0, std::sqrt(square)) : 0.0);
+      ahead, n, outcome.contacts, outcome.worst, outcome.least_gap, physics(ahead));
   return outcome;
 }
 
