@@ -52,11 +52,11 @@ ScanStatus add(LocalGrid& grid, const Sweep& sweep, const std::vector<Disc>& peo
   return grid.add(sweep.scan, sweep.scan.X_OL, 0.3, people);
 }
 
-// The rules of the header applied to every beam and every cell by slabs, over five sweeps from places that
+// The rules of the header applied to every beam and every cell by slabs, over four sweeps from places that
 // move, with readings of every kind and people about: equal cell by cell.
 TEST(LocalGrid, EqualsBruteForceOn200RandomMaps) {
-  GridOptions options{.width = 3.0,
-                      .height = 2.6,
+  GridOptions options{.width = 2.4,
+                      .height = 2.2,
                       .obstacle_min_range = 0.1,
                       .obstacle_max_range = 1.6,
                       .raytrace_max_range = 1.9,
@@ -77,7 +77,7 @@ TEST(LocalGrid, EqualsBruteForceOn200RandomMaps) {
       walls.push_back({a, a + Vector2{random.uniform(-2, 2), random.uniform(-2, 2)}});
     }
     Pose2 X_OB{middle.x(), middle.y(), random.uniform(-3, 3)};
-    for (int k = 0; k < 5; ++k) {
+    for (int k = 0; k < 4; ++k) {
       Sweep sweep(1.0 + 0.1 * k, X_OB * Pose2{0.2, 0.05, 0.1}, 60, 5.0);
       sweep.look_at(walls, 0.01, seed * 10 + static_cast<std::uint64_t>(k));
       for (const float odd : {kInf, kNaN, -kInf, 0.0F, -1.0F, 0.03F, 25.0F})
@@ -96,7 +96,7 @@ TEST(LocalGrid, EqualsBruteForceOn200RandomMaps) {
       X_OB = X_OB * Pose2{random.uniform(-0.2, 0.3), 0.0, random.uniform(-0.4, 0.4)};
     }
   }
-  EXPECT_GT(occupied, 20'000);  // the maps are not empty
+  EXPECT_GT(occupied, 10'000);  // the maps are not empty
 }
 
 // A wall 0.425 m beside the robot, through the middle of a row of cells: a beam of 6 degrees crosses five

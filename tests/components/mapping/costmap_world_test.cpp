@@ -47,12 +47,13 @@ class GhostWatch {
     for (int row = 0; row < cells.height; ++row) {
       for (int column = 0; column < cells.width; ++column) {
         const Vector2 p = X_MO * cells.center(column, row);
+        const double away = (p - drive.world().pose().position()).norm();
+        if (away > 5.5) continue;  // nobody comes from there within half a second
         const std::pair key{std::lround(p.x() / 0.05), std::lround(p.y() / 0.05)};
         for (const Person& person : drive.world().people()) {
           if ((person.position - p).norm() < person.radius + 0.035 + 0.03) covered_[key] = drive.time();
         }
-        if (cells.at(column, row) <= 0 || (p - drive.world().pose().position()).norm() > 4.0 ||
-            drive.world().scene().nearest_point(p, 0.25))
+        if (cells.at(column, row) <= 0 || away > 4.0 || drive.world().scene().nearest_point(p, 0.25))
           continue;
         const auto last = covered_.find(key);
         const double age = last == covered_.end() ? 1e3 : drive.time() - last->second;
