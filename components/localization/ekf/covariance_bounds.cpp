@@ -23,6 +23,7 @@ void limit_variances(StateMatrix& P) {
 }
 
 void hold_definite(StateMatrix& P, const StateVector& variances_before) {
+  P = 0.5 * (P + P.transpose().eval());
   StateMatrix L;  // unit lower triangle, of P = L D L^T
   StateVector D;
   double determinant = 1.0;  // of the correlations
@@ -36,10 +37,11 @@ void hold_definite(StateMatrix& P, const StateVector& variances_before) {
     }
     D(j) = pivot;
     if (P(j, j) > 0.0) determinant *= pivot / P(j, j);
+    const double inverse = pivot > 1e-290 ? 1.0 / pivot : 0.0;  // unused, or as good as known
     for (int i = j + 1; i < kStates; ++i) {
       double rest = P(i, j);
       for (int k = 0; k < j; ++k) rest -= L(i, k) * L(j, k) * D(k);
-      L(i, j) = pivot > 0.0 ? rest / pivot : 0.0;
+      L(i, j) = rest * inverse;
     }
   }
   if (determinant < kPromising) P.diagonal() *= 1.0 + kLeastShare;

@@ -10,8 +10,8 @@ namespace bw::localization {
 /// stay.
 void limit_variances(StateMatrix& P);
 
-/// Makes P positive definite over the states that have a variance (an unused one has none), in such a way
-/// that the least eigenvalue of its correlations C is at least 1e-9.
+/// Makes P symmetric and positive definite over the states that have a variance (an unused one has none), in
+/// such a way that the least eigenvalue of its correlations C is at least 1e-9.
 ///  1. Cholesky P = L D L^T; a pivot D_j below its floor (1e-9 of P_jj, and 1e-13 of the variance before the
 ///     operation whose rounding is repaired) is raised to it, and P_jj by as much.
 ///  2. det C = product of D_j / P_jj; least eigenvalue >= det C / (n / (n - 1))^(n - 1) since the n sum up to

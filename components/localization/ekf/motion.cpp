@@ -120,8 +120,7 @@ bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) 
   J.topLeftCorner<3, 3>() = arc.by_pose;
   J(3, 3) = J(4, 4) = 1.0;
   J.topRightCorner<3, 2>() = arc.by_step;
-  const StateMatrix P = J * covariance * J.transpose();
-  state.P = 0.5 * (P + P.transpose());
+  state.P = J * covariance * J.transpose();
   state.x << arc.pose.x, arc.pose.y, arc.pose.theta, joint(3), joint(4);
   const double walked = options.motion.position_walk * options.motion.position_walk * std::abs(distance);
   state.P(0, 0) += walked;
