@@ -61,7 +61,7 @@ struct BackgroundOptions {
 
 struct LegFitOptions {
   double radius = 0.07;
-  double radius_sigma = 0.015;
+  double radius_sigma = 0.02;
   double range_noise = 0.015;
 
   template <class Visitor>
