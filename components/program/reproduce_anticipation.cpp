@@ -48,9 +48,12 @@ Graph hallway_graph(const Suite& suite, std::size_t episode, const CrossingEntry
   const std::string name = planner->name;
   set(name + ".algorithm=" + entry.planner);
   for (const std::string& text : entry.set) set(name + "." + text);
+  // Planners are compared, not what they are told.
   for (const char* exact :
-       {"localization.enabled=false", "ideal_localization.enabled=true", "world.drive={}", "world.imu={}"}) {
-    set(exact);  // planners are compared, not what they are told
+       {"localization.enabled=false", "ideal_localization.enabled=true", "people.enabled=false",
+        "ideal_people.enabled=true", "local_costmap.enabled=false", "obstacles.enabled=true",
+        "world.drive={}", "world.imu={}"}) {
+    set(exact);
   }
   set(std::string("world.people_react=") + (people_react ? "true" : "false"));
   return graph;
