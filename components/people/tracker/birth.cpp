@@ -130,6 +130,9 @@ std::optional<double> doubt_of_single(const ClusterTrack& cluster, const BirthOp
   if (travel < options.single_travel || static_share(cluster) > 0.3) return std::nullopt;
   const double score = mean_score(cluster, n, [](const Sighting& s) { return s.human_score(); });
   if (score < options.single_score) return std::nullopt;
+  // What slides along a wall behind somebody's shadow is cut off on a side; a leg alone stands free.
+  const double cut = mean_score(cluster, n, [](const Sighting& seen) { return seen.occluded ? 1.0 : 0.0; });
+  if (cut > options.single_cut) return std::nullopt;
   double path = 0.0;
   for (int k = 1; k < n; ++k)
     path += (cluster.sighting(k).position - cluster.sighting(k - 1).position).norm();

@@ -22,7 +22,8 @@ double human_score(const Detection& d) { return std::max(d.leg_score, d.body_sco
 bool usable(const Detection& d, const AssociationOptions& options) {
   const Eigen::Matrix2d& c = d.covariance;
   return d.position.allFinite() && c.allFinite() && c(0, 0) > 0.0 && c.determinant() > 0.0 &&
-         std::isfinite(d.leg_score) && std::isfinite(d.body_score) && d.width <= options.largest;
+         d.leg_score >= 0.0 && d.leg_score <= 1.0 && d.body_score >= 0.0 && d.body_score <= 1.0 &&
+         d.width <= options.largest;
 }
 
 }  // namespace

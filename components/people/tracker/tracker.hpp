@@ -42,7 +42,8 @@ class Tracker {
 
   /// Confirmed people after this sweep, by rising id; valid until the next call. A sweep not later than the
   /// one before is ignored, except that a jump back of more than `longest_gap` or a longer silence forgets
-  /// everybody. Detections that are not finite, or whose covariance is not positive definite, are ignored.
+  /// everybody. Detections that are not finite, whose covariance is not positive definite
+  /// or whose scores are not within 0 and 1, are ignored.
   const std::vector<TrackedPerson>& update(const DetectionSet& sweep);
 
   const std::vector<TrackedPerson>& people() const;

@@ -52,6 +52,7 @@ struct BirthOptions {
   int single_sightings = 6;
   double single_score = 0.6;
   double single_straight = 0.8;
+  double single_cut = 0.5;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -71,6 +72,8 @@ struct BirthOptions {
       {.unit = "m", .min = 0.05, .max = 3, .doc = "way walked by a leg, or two legs in one, alone"});
     v("single_sightings", single_sightings, {.min = 2, .max = 12, .doc = "of it"});
     v("single_score", single_score, {.min = 0, .max = 1, .doc = "of it"});
+    v("single_cut", single_cut,
+      {.min = 0, .max = 1, .doc = "share of sightings in which something may hide an edge of it"});
     v("single_straight", single_straight,
       {.min = 0, .max = 1, .doc = "share of its path that brought it forward"});
   }
@@ -79,9 +82,9 @@ struct BirthOptions {
 struct DeathOptions {
   double unseen = 1.0;
   double sigma = 0.9;
-  double score_memory = 0.95;
-  double unlike_score = 0.25;
-  double unlike_speed = 0.3;
+  double score_memory = 0.9;
+  double unlike_score = 0.5;
+  double unlike_speed = 0.2;
   double cluster_unseen = 0.5;
   double margin = 0.15;
 

@@ -1,0 +1,239 @@
+// The tracker on made-up sweeps: who becomes a person, who stays one, and what nobody may break.
+#include "components/people/tracker/tracker.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "components/model/random.hpp"
+
+namespace bw::people {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Sweeps of a sensor at the origin that sees all round; things hide nothing unless told.
+class Stage {
+ public:
+  Stage() {
+    set_.angle_min = -kPi;
+    set_.angle_increment = 2.0 * kPi / 720.0;
+  }
+  void begin(double t) {
+    set_.time = Time::seconds(t);
+    set_.detections.clear();
+    set_.free_ranges.assign(720, 10.0F);
+  }
+  void add(const Vector2& place, double leg_score, double body_score = 0.0) {
+    Detection d;
+    d.position = place + Vector2(random_.normal(0.0, 0.01), random_.normal(0.0, 0.01));
+    d.covariance = 1e-4 * Eigen::Matrix2d::Identity();
+    d.width = 0.12;
+    d.points = 8;
+    d.leg_score = leg_score;
+    d.body_score = body_score;
+    set_.detections.push_back(d);
+    hide(place, 0.1, place.norm());
+  }
+  /// Beams within `half_width` [m] of the direction of `place` end at `range`.
+  void hide(const Vector2& place, double half_width, double range) {
+    for (int i = 0; i < 720; ++i) {
+      const double angle = set_.angle_min + i * set_.angle_increment;
+      const double off = wrap_angle(angle - std::atan2(place.y(), place.x()));
+      if (std::abs(off) * place.norm() > half_width) continue;
+      float& beam = set_.free_ranges[static_cast<std::size_t>(i)];
+      beam = std::min(beam, static_cast<float>(range));
+    }
+  }
+  void walker(double t, double speed, double y, double score = 0.9) {
+    const double swing = 0.18 * std::min(1.0, speed / 1.3) * std::sin(2.0 * kPi * speed * t / 1.4);
+    add({3.0, y + speed * t}, score);  // replaced below by the two legs
+    set_.detections.pop_back();
+    add({3.12, y + speed * t + swing}, score);
+    add({2.88, y + speed * t - swing}, score);
+  }
+  DetectionSet& set() { return set_; }
+
+ private:
+  DetectionSet set_;
+  Random random_{7};
+};
+
+// 1.2 m/s: 0.2 m of way and 3 sightings of both legs are there at the third sweep; asked: 0.5 s.
+TEST(Tracker, ConfirmsAWalkerWithinHalfASecond) {
+  Stage stage;
+  Tracker tracker({});
+  double confirmed = -1.0;
+  for (int k = 0; k <= 10 && confirmed < 0.0; ++k) {
+    stage.begin(0.1 * k);
+    stage.walker(0.1 * k, 1.2, -2.0);
+    if (!tracker.update(stage.set()).empty()) confirmed = 0.1 * k;
+  }
+  ASSERT_GE(confirmed, 0.0);
+  EXPECT_LE(confirmed, 0.5);
+  EXPECT_NEAR(tracker.people()[0].position.x(), 3.0, 0.03);
+  EXPECT_EQ(tracker.people()[0].id, 1U);
+  EXPECT_EQ(tracker.keep_out().size(), 1U);
+}
+
+TEST(Tracker, ConfirmsSomebodyWhoStandsByTheirLegs) {
+  Stage stage;
+  Tracker tracker({});
+  for (int k = 0; k <= 5; ++k) {
+    stage.begin(0.1 * k);
+    stage.walker(0.0, 0.0, 0.0);
+    tracker.update(stage.set());
+  }
+  ASSERT_EQ(tracker.people().size(), 1U);
+  EXPECT_LE(tracker.people()[0].velocity.norm(), 0.15);
+}
+
+// Chair legs: they stand 0.4 m apart and do not look like legs.
+TEST(Tracker, LeavesFurnitureAlone) {
+  Stage stage;
+  Tracker tracker({});
+  for (int k = 0; k <= 200; ++k) {
+    stage.begin(0.1 * k);
+    for (const Vector2& leg : {Vector2(3, 0), Vector2(3.4, 0), Vector2(3, 0.4), Vector2(3.4, 0.4)})
+      stage.add(leg, 0.3);
+    EXPECT_TRUE(tracker.update(stage.set()).empty());
+  }
+  EXPECT_EQ(tracker.cluster_count(), 4U);
+}
+
+void walk(Stage& stage, Tracker& tracker, int from, int to) {
+  for (int k = from; k < to; ++k) {
+    stage.begin(0.1 * k);
+    stage.walker(0.1 * k, 1.0, -2.0);
+    tracker.update(stage.set());
+  }
+}
+
+// Seen for 1 s, then nothing where beams pass freely: gone after 1.0 s (spec 7.2), not before.
+TEST(Tracker, LetsGoOfWhoIsNotWhereTheyCouldBeSeen) {
+  Stage stage;
+  Tracker tracker({});
+  walk(stage, tracker, 0, 10);
+  ASSERT_EQ(tracker.people().size(), 1U);
+  for (int k = 10; k < 30; ++k) {
+    stage.begin(0.1 * k);
+    tracker.update(stage.set());
+    EXPECT_EQ(tracker.people().size(), k < 19 ? 1U : 0U) << "sweep " << k;
+  }
+}
+
+// Behind a pillar for 1.4 s and out again: the same person; sd 0.6 sqrt(1.4^3 / 3) = 0.57 m < 0.9 m.
+TEST(Tracker, KeepsWhoWalksBehindAPillar) {
+  Stage stage;
+  Tracker tracker({});
+  walk(stage, tracker, 0, 15);
+  ASSERT_EQ(tracker.people().size(), 1U);
+  for (int k = 15; k < 29; ++k) {
+    stage.begin(0.1 * k);
+    stage.hide({3.0, -2.0 + 0.1 * k}, 0.8, 1.5);
+    tracker.update(stage.set());
+    ASSERT_EQ(tracker.people().size(), 1U) << "sweep " << k;
+  }
+  walk(stage, tracker, 29, 35);
+  ASSERT_EQ(tracker.people().size(), 1U);
+  EXPECT_EQ(tracker.people()[0].id, 1U);
+  EXPECT_NEAR(tracker.people()[0].position.y(), -2.0 + 3.4, 0.1);
+}
+
+TEST(Tracker, TwoWhoPassEachOtherKeepTheirIds) {
+  Stage stage;
+  Tracker tracker({});
+  for (int k = 0; k < 40; ++k) {
+    const double t = 0.1 * k;
+    stage.begin(t);
+    for (const double sign : {1.0, -1.0}) {
+      const double swing = 0.15 * std::sin(2.0 * kPi * t / 1.4 + sign);
+      const Vector2 middle(3.0 + 0.35 * sign, sign * (t - 2.0));
+      stage.add(middle + Vector2(0.12, sign * swing), 0.9);
+      stage.add(middle + Vector2(-0.12, -sign * swing), 0.9);
+    }
+    tracker.update(stage.set());
+  }
+  ASSERT_EQ(tracker.people().size(), 2U);
+  for (const TrackedPerson& person : tracker.people()) {
+    EXPECT_LE(person.id, 2U);
+    const double sign = person.position.x() > 3.0 ? 1.0 : -1.0;
+    EXPECT_NEAR(person.velocity.y(), sign, 0.2);
+    EXPECT_NEAR(person.position.y(), sign * 1.9, 0.1);
+  }
+}
+
+TEST(Tracker, ForgetsAfterAJumpOfTheClockAndIgnoresOldSweeps) {
+  Stage stage;
+  Tracker tracker({});
+  walk(stage, tracker, 0, 15);
+  ASSERT_EQ(tracker.people().size(), 1U);
+  const Vector2 before = tracker.people()[0].position;
+  stage.begin(1.0);  // 0.4 s late
+  tracker.update(stage.set());
+  ASSERT_EQ(tracker.people().size(), 1U);
+  EXPECT_EQ(tracker.people()[0].position, before);
+  stage.begin(100.0);
+  EXPECT_TRUE(tracker.update(stage.set()).empty());
+  stage.begin(1.0);
+  EXPECT_TRUE(tracker.update(stage.set()).empty());
+}
+
+// Whatever numbers come: finite people with positive definite covariances.
+TEST(Tracker, SurvivesNonsense) {
+  Stage stage;
+  Tracker tracker({});
+  Random random(11);
+  const double odd[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                        -1.0, 0.0, 1e300};
+  for (int k = 0; k < 2000; ++k) {
+    stage.begin(0.1 * k);
+    stage.walker(0.1 * (k % 40), 1.0, -2.0);
+    for (int i = 0; i < 5; ++i) {
+      stage.add({random.uniform(-5, 5), random.uniform(-5, 5)}, random.uniform());
+      Detection& d = stage.set().detections.back();
+      const double bad = odd[random.bits() % 5];
+      switch (random.bits() % 6) {
+        case 0:
+          d.position.x() = bad;
+          break;
+        case 1:
+          d.covariance(0, 0) = bad;
+          break;
+        case 2:
+          d.covariance(0, 1) = bad;
+          break;
+        case 3:
+          d.leg_score = bad;
+          break;
+        case 4:
+          d.width = bad;
+          break;
+        default:
+          stage.set().free_ranges[random.bits() % 720] = static_cast<float>(bad == 1e300 ? 0.0 : bad);
+      }
+    }
+    if (k % 97 == 0) stage.set().free_ranges.clear();
+    for (const TrackedPerson& person : tracker.update(stage.set())) {
+      ASSERT_TRUE(person.position.allFinite() && person.velocity.allFinite());
+      ASSERT_EQ(person.covariance.llt().info(), Eigen::Success);
+      ASSERT_TRUE(person.confidence >= 0.0 && person.confidence <= 1.0);
+    }
+  }
+}
+
+TEST(Tracker, SameSweepsSamePeople) {
+  const auto run = [] {
+    Stage stage;
+    Tracker tracker({});
+    walk(stage, tracker, 0, 30);
+    return tracker.people().at(0).position;
+  };
+  EXPECT_EQ(run(), run());
+}
+
+}  // namespace
+}  // namespace bw::people
