@@ -24,26 +24,28 @@ class CourseFromFixes {
 
   /// Fixes in order of their stamps.
   std::optional<CourseReading> add(const PositionFix& fix) {
-    const std::optional<PositionFix> from = from_;
-    if (!from || fix.time <= from->time || (fix.time - from->time).to_seconds() > limits_.longest) {
+    const PositionFix from = from_;
+    if (!begun_ || fix.time <= from.time || (fix.time - from.time).to_seconds() > limits_.longest) {
+      begun_ = true;
       from_ = fix;
       return std::nullopt;
     }
-    const Duration over = fix.time - from->time;
-    const Vector2 way = fix.position - from->position;
+    const Duration over = fix.time - from.time;
+    const Vector2 way = fix.position - from.position;
     const double distance = way.norm();
-    const double sum = from->covariance.diagonal().maxCoeff() + fix.covariance.diagonal().maxCoeff();
+    const double sum = from.covariance.diagonal().maxCoeff() + fix.covariance.diagonal().maxCoeff();
     if (distance * limits_.sigma < std::sqrt(sum)) return std::nullopt;
     from_ = fix;
     if (distance < limits_.speed * over.to_seconds()) return std::nullopt;
-    return CourseReading{from->time + Duration{over.nanoseconds / 2}, source_, std::atan2(way.y(), way.x()),
+    return CourseReading{from.time + Duration{over.nanoseconds / 2}, source_, std::atan2(way.y(), way.x()),
                          sum / (distance * distance)};
   }
 
  private:
   int source_;
   CourseLimits limits_;
-  std::optional<PositionFix> from_;
+  bool begun_ = false;
+  PositionFix from_;
 };
 
 }  // namespace bw::localization
