@@ -45,9 +45,9 @@ struct BirthOptions {
   double separation = 0.6;
   double misfit = 0.05;
   double walking_score = 0.4;
-  int standing_sightings = 5;
+  int standing_sightings = 4;
   double standing_separation = 0.42;
-  double standing_score = 0.75;
+  double standing_score = 0.7;
   double single_travel = 0.5;
   int single_sightings = 6;
   double single_score = 0.6;
@@ -83,7 +83,7 @@ struct DeathOptions {
   double unseen = 1.0;
   double sigma = 0.9;
   double score_memory = 0.9;
-  double unlike_score = 0.5;
+  double unlike_score = 0.35;
   double unlike_speed = 0.2;
   double cluster_unseen = 0.5;
   double margin = 0.15;

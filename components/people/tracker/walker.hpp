@@ -21,7 +21,7 @@
 namespace bw::people {
 
 struct WalkerOptions {
-  double acceleration_standing = 0.3;
+  double acceleration_standing = 0.2;
   double acceleration_walking = 0.6;
   double stride = 1.4;
   double swing = 0.18;
