@@ -108,12 +108,12 @@ std::optional<InitialPose::Angle> InitialPose::heading_from_compass() const {
   int agreeing = 0;
   double sum = 0.0;
   double variance = 0.0;
-  for (std::size_t i = 0; i < headings_.size(); ++i) {
-    const double away = wrap_angle(headings_[i].value - headings_[middle].value);
-    if (away * away > gate1_ * (headings_[i].variance + headings_[middle].variance)) continue;
+  for (const Angle& heading : headings_) {
+    const double away = wrap_angle(heading.value - headings_[middle].value);
+    if (away * away > gate1_ * (heading.variance + headings_[middle].variance)) continue;
     ++agreeing;
     sum += away;
-    variance = std::max(variance, headings_[i].variance);
+    variance = std::max(variance, heading.variance);
   }
   if (2 * agreeing <= static_cast<int>(headings_.size()) || agreeing < options_.headings) return std::nullopt;
   // Not divided by their number: readings of a compass err alike.
