@@ -24,7 +24,7 @@ constexpr double kLargestVariance = 2.0;  // [m^2] of a place that says anything
 bool usable(const Detection& d, const AssociationOptions& options) {
   const Eigen::Matrix2d& c = d.covariance;
   return d.position.allFinite() && c.allFinite() && c(0, 0) > 0.0 && c.determinant() > 0.0 &&
-         c.trace() <= kLargestVariance &&
+         std::abs(c(0, 1) - c(1, 0)) <= 1e-6 * c.trace() && c.trace() <= kLargestVariance &&
 
          d.leg_score >= 0.0 && d.leg_score <= 1.0 && d.body_score >= 0.0 && d.body_score <= 1.0 &&
          d.width <= options.largest;
