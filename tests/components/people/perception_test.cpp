@@ -1,6 +1,6 @@
 // Detector and tracker together against the truth of simulated rooms (issue 5.1). The short version guards
 // what was reached; the long one (BANDWAGON_PEOPLE_MINUTES: minutes of each scene) prints the figures.
-// Seeds below 100 were used for tuning; here are 201 and up.
+// Parameters were chosen on other seeds (README of the tracker); change the ones here when choosing anew.
 #include <cstdio>
 #include <cstdlib>
 
@@ -30,7 +30,7 @@ void print(const char* name, const Score& score) {
 
 TEST(Perception, FollowsPeopleAroundAStandingAndADrivingRobot) {
   Score all;
-  std::uint64_t seed = 201;
+  std::uint64_t seed = 401;
   for (const bool furnished : {false, true}) {
     for (const bool driving : {false, true}) {
       for (const int people : {1, 3, 6, 10, 20}) {
@@ -61,7 +61,7 @@ TEST(Perception, FollowsPeopleAroundAStandingAndADrivingRobot) {
 TEST(Perception, TakesFurnitureForNobody) {
   int false_tracks = 0;
   double minutes = 0.0;
-  for (std::uint64_t seed = 301; seed < 305; ++seed) {
+  for (std::uint64_t seed = 501; seed < 505; ++seed) {
     const double seconds = seconds_each(60.0);
     const TrialRecord record = Trial({.people = 0}, {}, {}, seed).run(seconds);
     false_tracks += record.false_tracks;
