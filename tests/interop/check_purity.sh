@@ -15,8 +15,8 @@ commands=$2
 shift 2
 
 adaptors='_component\.hpp$|_messages?\.hpp$|^components/(messages|program)/'
-adaptors+='|^components/local_planner/(planner_markers|cycle_watch)\.hpp$|^components/robot_base/simulated_driver\.hpp$'
-files='^components/mapping/map_(file|image)\.hpp$|^components/world/(csv|shape|track)_file\.hpp$|^components/local_planner/bench/|^components/experiments/'
+adaptors+='|^components/local_planner/(planner_markers|cycle_watch)\.hpp$|^components/safety/zone_markers\.hpp$|^components/robot_base/simulated_driver\.hpp$'
+files='^components/mapping/map_(file|image)\.hpp$|^components/world/(csv|shape|track)_file\.hpp$|^components/recordings/log_(files|table)\.hpp$|^components/local_planner/bench/|^components/experiments/'
 kept_out='thread|stop_token|mutex|shared_mutex|condition_variable|future|semaphore|latch|barrier|atomic|execution|coroutine'
 kept_out+='|chrono|ctime|fstream|iostream|filesystem|syncstream|csignal'
 
