@@ -2,16 +2,14 @@
 #include "components/evaluation/svg_writer.hpp"
 #include "components/experiments/anticipation_pictures.hpp"
 #include "components/experiments/anticipation_report.hpp"
+#include "components/experiments/page_parts.hpp"
 
 namespace bw {
 namespace {
 
-constexpr std::string_view kStyle =
-    "<style>\n"
-    "body{font-family:sans-serif;max-width:72em;margin:2em auto;padding:0 1em;color:#222}\n"
-    "table{border-collapse:collapse;margin:1em 0}td,th{padding:.25em .7em;border-bottom:1px solid #ddd;"
-    "text-align:right}td:first-child,th:first-child{text-align:left}.met{color:#187a2f}.not{color:#b3261e;"
-    "font-weight:bold}</style></head><body>\n";
+using page::cell;
+using page::criteria_table;
+using page::head;
 
 constexpr std::string_view kCrossing =
     "<h2>E5: people who cross (Figures 3.7, 3.11)</h2>\n"
@@ -41,25 +39,6 @@ constexpr std::string_view kHallway =
     "six walkers (full) or three (light). A success reaches the goal and touches nobody while it moves; "
     "times and "
     "lengths are means of drives that reached it.</p>\n";
-
-std::string cell(const std::string& text, std::string_view attributes = "") {
-  return "<td" + std::string(attributes) + ">" + text + "</td>";
-}
-
-std::string head(std::initializer_list<const char*> names) {
-  std::string html = "<table><tr>";
-  for (const char* name : names) html += "<th>" + std::string(name) + "</th>";
-  return html + "</tr>\n";
-}
-
-std::string criteria_table(const std::vector<Criterion>& criteria) {
-  std::string html = head({"criterion", "asked", "measured", ""});
-  for (const Criterion& c : criteria) {
-    html += "<tr>" + cell(xml_text(c.name)) + cell(xml_text(c.asked)) + cell(fixed(c.measured, 3)) +
-            (c.met ? cell("met", " class=\"met\"") : cell("not met", " class=\"not\"")) + "</tr>\n";
-  }
-  return html + "</table>\n";
-}
 
 std::string crossing_rows(const std::vector<CrossingResult>& results) {
   std::string html = head({"planner", "published", "behind A", "behind B", "success", "contacts",
@@ -99,8 +78,7 @@ std::string hallway_rows_table(const std::vector<HallwayRow>& rows) {
 
 std::string anticipation_page(const AnticipationResults& results) {
   const std::string title = results.subject == "eteb" ? "PTEB and ETEB" : "PTEB";
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
-                     "</title>" + std::string(kStyle) + "<h1>" + title + "</h1>\n";
+  std::string html = page::opening(title, 72) + "<h1>" + title + "</h1>\n";
   html += criteria_table(anticipation_criteria(results));
   html += std::string(kCrossing) + crossing_rows(results.crossing);
   if (!results.crossing.empty() && !results.crossing.front().runs.empty()) {

@@ -2,16 +2,14 @@
 #include "components/evaluation/svg_writer.hpp"
 #include "components/experiments/edwa_report.hpp"
 #include "components/experiments/line_plot.hpp"
+#include "components/experiments/page_parts.hpp"
 
 namespace bw {
 namespace {
 
-constexpr std::string_view kHead =
-    "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>EDWA: Table 3.2</title><style>\n"
-    "body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em;color:#222}\n"
-    "table{border-collapse:collapse;margin:1em 0}td,th{padding:.25em .7em;border-bottom:1px solid #ddd;"
-    "text-align:right}td:first-child,th:first-child{text-align:left}.met{color:#187a2f}.not{color:#b3261e;"
-    "font-weight:bold}</style></head><body>\n";
+using page::cell;
+using page::criteria_table;
+using page::verdict;
 
 constexpr std::string_view kAbout =
     "<h1>EDWA: Table 3.2</h1>\n"
@@ -24,23 +22,6 @@ constexpr std::string_view kAbout =
     "so "
     "agreement shows that the figures are attainable, not that the inputs were these. Gain: over DWA-DWA, on "
     "the seeds that both reached.</p>\n";
-
-std::string cell(const std::string& text, std::string_view attributes = "") {
-  return "<td" + std::string(attributes) + ">" + text + "</td>";
-}
-
-std::string verdict(bool met) {
-  return met ? cell("met", " class=\"met\"") : cell("not met", " class=\"not\"");
-}
-
-std::string criteria_table(const EdwaTable& table) {
-  std::string html = "<table><tr><th>criterion</th><th>asked</th><th>measured</th><th></th></tr>\n";
-  for (const Criterion& c : table.criteria) {
-    html += "<tr>" + cell(xml_text(c.name)) + cell(xml_text(c.asked)) + cell(fixed(c.measured, 4)) +
-            verdict(c.met) + "</tr>\n";
-  }
-  return html + "</table>\n";
-}
 
 std::string rows_table(const EdwaTable& table) {
   std::string html =
@@ -99,7 +80,8 @@ std::string variants_table(const std::vector<EdwaResult>& results) {
 
 std::string edwa_page(const std::vector<EdwaResult>& results) {
   const EdwaTable& table = results.at(0).table;
-  std::string html = std::string(kHead) + std::string(kAbout) + criteria_table(table) + rows_table(table);
+  std::string html = page::opening("EDWA: Table 3.2", 60) + std::string(kAbout) +
+                     criteria_table(table.criteria) + rows_table(table);
   html +=
       "<h2>Figure 3.4</h2>\n<p>delta_min(t) = exp(-(d/3)<sup>2</sup>) of the gap d [m] to the nearest robot, "
       "and "

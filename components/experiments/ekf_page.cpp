@@ -1,17 +1,15 @@
 // The page of ekf_report.hpp.
 #include "components/evaluation/svg_writer.hpp"
 #include "components/experiments/ekf_report.hpp"
+#include "components/experiments/page_parts.hpp"
 #include "components/experiments/path_plot.hpp"
 
 namespace bw {
 namespace {
 
-constexpr std::string_view kHead =
-    "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>EKF: Figure 2.3</title><style>\n"
-    "body{font-family:sans-serif;max-width:66em;margin:2em auto;padding:0 1em;color:#222}\n"
-    "table{border-collapse:collapse;margin:1em 0}td,th{padding:.25em .7em;border-bottom:1px solid #ddd;"
-    "text-align:right}td:first-child,th:first-child{text-align:left}.met{color:#187a2f}.not{color:#b3261e;"
-    "font-weight:bold}</style></head><body>\n<h1>EKF: Figure 2.3, and real robots</h1>\n";
+using page::cell;
+using page::criteria_table;
+using page::head;
 
 constexpr std::string_view kFigure =
     "<h2>E1: Figure 2.3</h2>\n"
@@ -48,25 +46,6 @@ constexpr std::string_view kRealData =
     "of the specification on the same data, with its own filter and parameters; where none was made the cell "
     "is "
     "empty.</p>\n";
-
-std::string cell(const std::string& text, std::string_view attributes = "") {
-  return "<td" + std::string(attributes) + ">" + text + "</td>";
-}
-
-std::string head(std::initializer_list<const char*> names) {
-  std::string html = "<table><tr>";
-  for (const char* name : names) html += "<th>" + std::string(name) + "</th>";
-  return html + "</tr>\n";
-}
-
-std::string criteria_table(const std::vector<Criterion>& criteria) {
-  std::string html = head({"criterion", "asked", "measured", ""});
-  for (const Criterion& c : criteria) {
-    html += "<tr>" + cell(xml_text(c.name)) + cell(xml_text(c.asked)) + cell(fixed(c.measured, 3)) +
-            (c.met ? cell("met", " class=\"met\"") : cell("not met", " class=\"not\"")) + "</tr>\n";
-  }
-  return html + "</table>\n";
-}
 
 std::string figure_table(const EkfReport& report) {
   std::string html = head({"sensors", "way", "filter", "published ME", "ME", "1 %", "99 %",
@@ -138,8 +117,9 @@ std::string pictures(const RealDataResults& results) {
 }  // namespace
 
 std::string ekf_page(const EkfReport& report) {
-  std::string html = std::string(kHead) + criteria_table(all_criteria(report)) + std::string(kFigure) +
-                     "<p>Seeds 1 to " + std::to_string(report.seeds) + ".</p>\n" + figure_table(report);
+  std::string html = page::opening("EKF: Figure 2.3", 66) + "<h1>EKF: Figure 2.3, and real robots</h1>\n" +
+                     criteria_table(all_criteria(report)) + std::string(kFigure) + "<p>Seeds 1 to " +
+                     std::to_string(report.seeds) + ".</p>\n" + figure_table(report);
   html += kRealData;
   if (!report.real_data)
     return html + "<p>Not run: " + xml_text(report.real_data_missing) + ".</p></body></html>\n";

@@ -1,16 +1,13 @@
 // The page of pf_report.hpp.
 #include "components/evaluation/svg_writer.hpp"
+#include "components/experiments/page_parts.hpp"
 #include "components/experiments/pf_report.hpp"
 
 namespace bw {
 namespace {
 
-constexpr std::string_view kHead =
-    "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>PF: Table 2.1</title><style>\n"
-    "body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em;color:#222}\n"
-    "table{border-collapse:collapse;margin:1em 0}td,th{padding:.25em .7em;border-bottom:1px solid #ddd;"
-    "text-align:right}td:first-child,th:first-child{text-align:left}.met{color:#187a2f}.not{color:#b3261e;"
-    "font-weight:bold}</style></head><body>\n";
+using page::cell;
+using page::criteria_table;
 
 constexpr std::string_view kAbout =
     "<h1>Particle filter: Table 2.1</h1>\n"
@@ -43,19 +40,6 @@ constexpr std::string_view kRemarks =
     "a "
     "heading with 0.2 rad adds almost nothing to fixes.</li>\n</ul>\n";
 
-std::string cell(const std::string& text, std::string_view attributes = "") {
-  return "<td" + std::string(attributes) + ">" + text + "</td>";
-}
-
-std::string criteria_table(const std::vector<Criterion>& criteria) {
-  std::string html = "<table><tr><th>criterion</th><th>asked</th><th>measured</th><th></th></tr>\n";
-  for (const Criterion& c : criteria) {
-    html += "<tr>" + cell(xml_text(c.name)) + cell(xml_text(c.asked)) + cell(fixed(c.measured, 4)) +
-            (c.met ? cell("met", " class=\"met\"") : cell("not met", " class=\"not\"")) + "</tr>\n";
-  }
-  return html + "</table>\n";
-}
-
 std::string rows_table(const PfTable& table) {
   std::string html =
       "<table><tr><th>under the roof</th><th>published encoder</th><th>published proposed</th>";
@@ -75,8 +59,9 @@ std::string rows_table(const PfTable& table) {
 
 std::string pf_page(const PfTable& table) {
   const PfExperimentOptions& o = table.options;
-  return std::string(kHead) + std::string(kAbout) + "<p>Seeds " + std::to_string(o.first_seed) + " to " +
-         std::to_string(o.last_seed) + ", " + std::to_string(o.particles) +
+  return page::opening("PF: Table 2.1", 60) + std::string(kAbout) + "<p>Seeds " +
+         std::to_string(o.first_seed) + " to " + std::to_string(o.last_seed) + ", " +
+         std::to_string(o.particles) +
          " particles. Mean over the seeds; below it the 5 % and 95 % quantiles.</p>\n" + rows_table(table) +
          "<h2>Criteria, Gaussian weights</h2>\n" + criteria_table(table.criteria) +
          "<h2>The same asked of the printed law</h2>\n" +
