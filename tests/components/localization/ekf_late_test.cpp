@@ -106,6 +106,63 @@ TEST(EkfLate, FixesHalfASecondLateCostNothing) {
   EXPECT_GE(std::sqrt(on_arrival), 2.0 * std::sqrt(rewound));
 }
 
+// The conditions of anchors 1.3 themselves: 600 s, encoders 100 Hz with 0.03 m/s and 0.02 rad/s, headings 100
+// Hz with 0.05 rad, fixes 5 Hz with 0.5 m, no gyro. Measured there: 0.038 m in order and rewound, 0.146 m
+// used on arrival; asked of this filter: 0.04 m where the other gives 0.15 m.
+TEST(EkfLate, MeetsTheAnchorsFigures) {
+  constexpr int kSteps = 60000;
+  const Eigen::Matrix2d wheel_noise = Eigen::Vector2d(0.03 * 0.01, 0.02 * 0.01).cwiseAbs2().asDiagonal();
+  Random random(1);
+  std::vector<Pose2> truth{Pose2{}};
+  std::vector<Measurement> measured;
+  for (int i = 1; i <= kSteps; ++i) {
+    const Twist2 twist{0.8, 0.5 * std::sin(2.0 * std::numbers::pi * (i - 0.5) * 0.01 / 20.0)};
+    const Pose2 X = advance_exact(truth.back(), twist, 0.01);
+    truth.push_back(X);
+    const Time now = step_time(i);
+    WheelStep step{now,
+                   kWheels,
+                   kStep,
+                   0.01 * (twist.v + 0.03 * random.normal()),
+                   0.01 * (twist.omega + 0.02 * random.normal()),
+                   wheel_noise};
+    measured.push_back(step);
+    measured.push_back(HeadingReading{now, kCompass, wrap_angle(X.theta + 0.05 * random.normal()), 0.0025});
+    if (i % 20 != 0) continue;
+    const Vector2 place = X.position() + 0.5 * Vector2(random.normal(), random.normal());
+    measured.push_back(PositionFix{now, kGps, place, 0.25 * Eigen::Matrix2d::Identity(), {0.0, 0.0}});
+  }
+  const auto rms = [&](int late_ms, bool restamped) {
+    std::vector<Arrival> list;
+    for (Measurement m : measured) {
+      Time at = stamp(m);
+      if (auto* fix = std::get_if<PositionFix>(&m)) {
+        at = at + Duration::milliseconds(late_ms);
+        if (restamped) fix->time = at;
+      }
+      list.push_back({at, m});
+    }
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Arrival& a, const Arrival& b) { return a.at < b.at; });
+    Ekf ekf({});
+    start(ekf);
+    double squares = 0.0;
+    std::size_t step = 0;
+    for (const Arrival& a : list) {
+      ekf.add(a.measurement, a.at);
+      if (std::holds_alternative<WheelStep>(a.measurement))
+        squares += (ekf.estimate().X_MB.position() - truth[++step].position()).squaredNorm();
+    }
+    return std::sqrt(squares / kSteps);
+  };
+  const double rewound = rms(500, false);
+  const double on_arrival = rms(500, true);
+  RecordProperty("rewound", std::to_string(rewound));
+  RecordProperty("on_arrival", std::to_string(on_arrival));
+  EXPECT_LE(rewound, 0.045);
+  EXPECT_GE(on_arrival, 0.13);  // 0.19 here: by how much the way curves
+}
+
 TEST(EkfLate, OlderThanTheWindowAndTwiceAreCounted) {
   DriveOptions options;
   options.seconds = 5.0;
