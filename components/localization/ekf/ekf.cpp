@@ -23,7 +23,7 @@ bool Ekf::start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time ti
   return true;
 }
 
-void Ekf::begin(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time) {
+void Ekf::begin(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time, bool by_compass) {
   const BiasOptions& bias = fusion_.options().bias;
   EkfState state;
   if (initialised_) {
@@ -40,6 +40,10 @@ void Ekf::begin(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time)
   }
   state.x.head<3>() << X_MB.x, X_MB.y, wrap_angle(X_MB.theta);
   state.P.topLeftCorner<3, 3>() = 0.5 * (covariance + covariance.transpose());
+  if (by_compass) {  // theta = reading - offset: as unsure as the offset, and against it
+    state.P(2, 2) += state.P(4, 4);
+    state.P(2, 4) = state.P(4, 2) = -state.P(4, 4);
+  }
   hold_definite(state.P, state.P.diagonal());
   state.time = time;
   state.last_wheel = time;
@@ -75,7 +79,7 @@ Outcome Ekf::sort_in(const Measurement& measurement, Time now) {
   if (stamps_.in_future(stamp(measurement), now)) return {Verdict::future};
   if (!initialised_) {
     const std::optional<StartPose> start = initial_.add(measurement);
-    if (start) begin(start->X_MB, start->covariance, start->time);
+    if (start) begin(start->X_MB, start->covariance, start->time, start->by_compass);
     return {Verdict::collected};
   }
   const EventRing::Insertion insertion = ring_.insert(measurement);

@@ -50,7 +50,7 @@ class Ekf final : public Localizer {
 
  private:
   Outcome sort_in(const Measurement& measurement, Time now);
-  void begin(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time);
+  void begin(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time, bool by_compass = false);
   void jump_to(Time time, Duration lost);
   bool kind_changed(const Measurement& measurement);
 

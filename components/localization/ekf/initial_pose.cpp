@@ -92,6 +92,7 @@ std::optional<StartPose> InitialPose::add(const Measurement& measurement) {
   std::optional<StartPose> start;
   if (const std::optional<Angle> theta_MO = heading_from_compass()) {
     start = with_heading(*theta_MO);
+    if (start) start->by_compass = true;
   } else if (!has_headings()) {
     start = from_way();
   }

@@ -20,6 +20,7 @@ struct StartPose {
   Time time;
   Pose2 X_MB;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  bool by_compass = false;  ///< the heading is the compass's, with whatever constant error that has
 };
 
 class InitialPose {
