@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "runtime/component.hpp"
 #include "runtime/host/host.hpp"
@@ -28,16 +29,22 @@ class Script final : public Component {
   std::function<void(Setup&)> configure_;
 };
 
+/// A file for this process alone: programs of one test run share the folder.
+inline std::filesystem::path scratch_file(const std::string& name) {
+  return std::filesystem::path(::testing::TempDir()) / (name + "_" + std::to_string(getpid()) + ".yaml");
+}
+
 /// Runs the graph `yaml` with the script as one more component, after those of the graph.
 inline void run_with_script(const std::string& yaml, double seconds, std::function<void(Setup&)> script) {
   std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
   std::replace(name.begin(), name.end(), '/', '_');  // of a test over parameters
-  const auto path = std::filesystem::path(::testing::TempDir()) / (name + ".yaml");
+  const auto path = scratch_file(name);
   std::ofstream(path) << yaml;
   std::vector<ExtraComponent> extra;
   extra.push_back({"script", std::make_unique<Script>(std::move(script))});
   Host host(load_graph(path, {}), {.clock = ClockMode::lockstep}, std::move(extra));
   host.run(Duration::seconds(seconds));
+  std::filesystem::remove(path);
 }
 
 /// Seconds since the start of a lock-step run.

@@ -40,7 +40,7 @@ struct GuardedDrive {
   std::function<void(double t, const bandwagon_msgs::msg::GroundTruth&)> see;  ///< at 100 Hz
 
   void run(double seconds) {
-    const auto path = std::filesystem::path(::testing::TempDir()) / "guarded_drive.yaml";
+    const auto path = scratch_file("guarded_drive");
     std::ofstream(path)
         << "robot: {limits: {v_max: 1.0, acc_max: 1.0, stop_deceleration: 2.0}}\ncomponents:\n"
            "  world:\n    remap: {scan: laser}\n    parameters:\n      truth_rate: 100.0\n"
@@ -52,6 +52,7 @@ struct GuardedDrive {
     extra.push_back({"script", std::make_unique<Script>([this](Setup& setup) { configure(setup); })});
     Host host(load_graph(path), {.clock = ClockMode::lockstep, .seed = seed}, std::move(extra));
     host.run(Duration::seconds(seconds));
+    std::filesystem::remove(path);
   }
 
  private:
