@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace bw::people {
 namespace {
@@ -17,36 +18,9 @@ struct Walker {
   double radius;
 };
 
-void advance(std::vector<Walker>& walkers, const StaticObstacles& walls, const PredictionOptions& options,
-             double dt) {
-  std::vector<Vector2> forces(walkers.size(), Vector2(0.0, 0.0));
-  for (std::size_t i = 0; i < walkers.size(); ++i) {
-    const Walker& walker = walkers[i];
-    if (walker.desired.norm() < options.walking_speed) continue;  // who stands is not pushed about
-    forces[i] = desired_force(options.forces, walker.desired, walker.velocity);
-    for (std::size_t j = 0; j < walkers.size(); ++j) {
-      if (j == i) continue;
-      forces[i] += social_force(options.forces, walkers[j].position - walker.position,
-                                walker.velocity - walkers[j].velocity);
-    }
-    Vector2 nearest;
-    if (nearest_wall_point(walls, walker.position, nearest) &&
-        (walker.position - nearest).norm() < kReachOfWalls)
-      forces[i] += obstacle_force(options.forces, walker.position - nearest, walker.radius);
-  }
-  for (std::size_t i = 0; i < walkers.size(); ++i) {
-    Walker& walker = walkers[i];
-    walker.velocity += dt * forces[i];
-    const double most = 1.3 * walker.desired.norm();
-    if (const double speed = walker.velocity.norm(); speed > most) walker.velocity *= most / speed;
-    walker.position += dt * walker.velocity;
-  }
-}
-
-}  // namespace
-
-bool nearest_wall_point(const StaticObstacles& walls, const Vector2& from, Vector2& nearest) {
+std::optional<Vector2> nearest_wall_point(const StaticObstacles& walls, const Vector2& from) {
   double best = std::numeric_limits<double>::infinity();
+  Vector2 nearest(0.0, 0.0);
   const auto consider = [&](const Vector2& point) {
     if (const double d = (point - from).squaredNorm(); d < best) {
       best = d;
@@ -65,8 +39,35 @@ bool nearest_wall_point(const StaticObstacles& walls, const Vector2& from, Vecto
     const double share = length > 0.0 ? std::clamp((from - s.a).dot(along) / length, 0.0, 1.0) : 0.0;
     consider(s.a + share * along);
   }
-  return std::isfinite(best);
+  return std::isfinite(best) ? std::optional(nearest) : std::nullopt;
 }
+
+void advance(std::vector<Walker>& walkers, const StaticObstacles& walls, const PredictionOptions& options,
+             double dt) {
+  std::vector<Vector2> forces(walkers.size(), Vector2(0.0, 0.0));
+  for (std::size_t i = 0; i < walkers.size(); ++i) {
+    const Walker& walker = walkers[i];
+    if (walker.desired.norm() < options.walking_speed) continue;  // who stands is not pushed about
+    forces[i] = desired_force(options.forces, walker.desired, walker.velocity);
+    for (std::size_t j = 0; j < walkers.size(); ++j) {
+      if (j == i) continue;
+      forces[i] += social_force(options.forces, walkers[j].position - walker.position,
+                                walker.velocity - walkers[j].velocity);
+    }
+    const std::optional<Vector2> nearest = nearest_wall_point(walls, walker.position);
+    if (nearest && (walker.position - *nearest).norm() < kReachOfWalls)
+      forces[i] += obstacle_force(options.forces, walker.position - *nearest, walker.radius);
+  }
+  for (std::size_t i = 0; i < walkers.size(); ++i) {
+    Walker& walker = walkers[i];
+    walker.velocity += dt * forces[i];
+    const double most = 1.3 * walker.desired.norm();
+    if (const double speed = walker.velocity.norm(); speed > most) walker.velocity *= most / speed;
+    walker.position += dt * walker.velocity;
+  }
+}
+
+}  // namespace
 
 std::vector<std::vector<Vector2>> walk_on(const std::vector<PersonState>& people,
                                           const StaticObstacles& walls, const PredictionOptions& options) {

@@ -11,7 +11,4 @@ namespace bw::people {
 std::vector<std::vector<Vector2>> walk_on(const std::vector<PersonState>& people,
                                           const StaticObstacles& walls, const PredictionOptions& options);
 
-/// The point of the obstacles nearest to `from`, and whether there is any.
-bool nearest_wall_point(const StaticObstacles& walls, const Vector2& from, Vector2& nearest);
-
 }  // namespace bw::people
