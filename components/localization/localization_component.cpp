@@ -116,7 +116,10 @@ void LocalizationComponent::on_fix(const sensor_msgs::msg::NavSatFix& message, c
     log_.info("the origin of map is the first fix: {:.7f} N, {:.7f} E", place->latitude, place->longitude);
   }
   const Pose2 X_BS = mount_of(message.header().frame_id());
-  filter_->add(to_fix(message, *place, *plane_, X_BS, parameters_.sensors.gps_noise), tick.now);
+  const PositionFix fix = to_fix(message, *place, *plane_, X_BS, parameters_.sensors.gps_noise);
+  filter_->add(fix, tick.now);
+  if (!parameters_.sensors.course) return;
+  if (const auto course = course_.add(fix)) filter_->add(*course, tick.now);
 }
 
 void LocalizationComponent::on_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message,

@@ -10,6 +10,7 @@
 #include <std_msgs/msg/empty.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
+#include "components/localization/course_from_fixes.hpp"
 #include "components/localization/localization_messages.hpp"
 #include "components/localization/localization_parameters.hpp"
 #include "components/localization/sensor_messages.hpp"
@@ -44,6 +45,7 @@ class LocalizationComponent final : public Component {
   Robot robot_;
   std::unique_ptr<Localizer> filter_;
   std::optional<LocalPlane> plane_;
+  CourseFromFixes course_{kCourse, {}};
   std::optional<Pose2> X_OB_;  ///< of the newest odometry
   Time odometry_time_;
   HealthState state_ = HealthState::init;

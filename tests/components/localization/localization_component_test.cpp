@@ -33,8 +33,9 @@ Pose2 truth(double t) { return kStart * advance_exact({}, kTwist, t); }
 struct Seen {
   std::vector<nav_msgs::msg::Odometry> filtered;
   std::vector<PoseWithCovarianceStamped> poses;
-  std::vector<Pose2> X_MO;  ///< from /tf
-  std::string diagnostics;  ///< the last message of the component
+  std::vector<Pose2> X_MO;    ///< from /tf
+  std::string diagnostics;    ///< the last message of the component
+  bool hears_course = false;  ///< among its sources
 };
 
 struct Drive {
@@ -123,7 +124,9 @@ Seen run(const Drive& drive, const std::string& parameters = "") {
         "/diagnostics", Qos::standard(),
         [&](const auto& m, const Tick&) {
           for (const auto& status : m.status()) {
-            if (status.name().find("localization") != std::string::npos) seen.diagnostics = status.message();
+            if (status.name().find("localization") == std::string::npos) continue;
+            seen.diagnostics = status.message();
+            for (const auto& value : status.values()) seen.hears_course |= value.key() == "course";
           }
         },
         Need::optional);
@@ -217,6 +220,13 @@ TEST(LocalizationComponent, StopsThePoseWhenLostAndReturnsAfterReacquisition) {
   const Seen stubborn =
       run({.seconds = 12.0, .fix_error = 5.0, .spoilt_from = 5.0}, ", publish_when_lost: true");
   EXPECT_NEAR(static_cast<double>(stubborn.filtered.size()), 50.0 * 12.0, 50.0);
+}
+
+TEST(LocalizationComponent, TakesTheCourseBetweenFixesWhenAsked) {
+  const Seen seen = run({.compass = false}, ", sensors: {course: true}");
+  EXPECT_TRUE(seen.hears_course);
+  EXPECT_LT(error_at_end(seen), 0.05);
+  EXPECT_FALSE(run({.compass = false}).hears_course);
 }
 
 TEST(LocalizationComponent, RefusesParametersThatContradictEachOther) {
