@@ -1,7 +1,8 @@
 #include "components/local_planner/carrot.hpp"
 
-#include <algorithm>
 #include <limits>
+
+#include "components/model/nearest_point.hpp"
 
 namespace bw {
 
@@ -12,10 +13,7 @@ Vector2 carrot(const std::vector<Pose2>& plan, const Vector2& robot, double dist
   Vector2 at = end;
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < plan.size(); ++i) {
-    const Vector2 a = plan[i].position();
-    const Vector2 d = plan[i + 1].position() - a;
-    const double share = std::clamp((robot - a).dot(d) / std::max(d.squaredNorm(), 1e-18), 0.0, 1.0);
-    const Vector2 p = a + share * d;
+    const Vector2 p = nearest_point(Segment{plan[i].position(), plan[i + 1].position()}, robot);
     if ((robot - p).norm() >= smallest) continue;
     smallest = (robot - p).norm();
     nearest_leg = i;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "components/model/nearest_point.hpp"
 #include "components/world/ray.hpp"
 
 namespace bw {

@@ -1,4 +1,4 @@
-// Where a ray first meets a segment or a disc, and the nearest point of a segment. One frame, metres.
+// Where a ray first meets a segment or a disc. One frame, metres.
 #pragma once
 
 #include <algorithm>
@@ -40,20 +40,6 @@ inline double ray_hit(const Vector2& origin, const Vector2& unit_direction, cons
   const double half_chord_squared = radius_squared - (distance_squared - along * along);
   if (along < 0.0 || half_chord_squared < 0.0) return kNoHit;
   return along - std::sqrt(half_chord_squared);
-}
-
-inline Vector2 nearest_point(const Segment& segment, const Vector2& point) {
-  const Vector2 edge = segment.b - segment.a;
-  const double length_squared = edge.squaredNorm();
-  if (length_squared == 0.0) return segment.a;
-  return segment.a + std::clamp((point - segment.a).dot(edge) / length_squared, 0.0, 1.0) * edge;
-}
-
-/// On the rim from outside; the point itself from inside.
-inline Vector2 nearest_point(const Disc& disc, const Vector2& point) {
-  const Vector2 offset = point - disc.center;
-  const double distance = offset.norm();
-  return distance <= disc.radius ? point : Vector2(disc.center + offset * (disc.radius / distance));
 }
 
 }  // namespace bw

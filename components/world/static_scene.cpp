@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "components/world/ray.hpp"
+#include "components/model/nearest_point.hpp"
 
 namespace bw {
 

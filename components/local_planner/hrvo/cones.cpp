@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "components/model/nearest_point.hpp"
+
 namespace bw::hrvo {
 namespace {
 

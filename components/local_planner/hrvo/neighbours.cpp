@@ -5,6 +5,8 @@
 #include <optional>
 #include <tuple>
 
+#include "components/model/nearest_point.hpp"
+
 namespace bw::hrvo {
 namespace {
 
@@ -125,13 +127,6 @@ class StaticNeighbours {
 };
 
 }  // namespace
-
-Vector2 nearest_point(const Segment& segment, const Vector2& p) {
-  const Vector2 d = segment.b - segment.a;
-  const double length2 = d.squaredNorm();
-  if (length2 == 0.0) return segment.a;
-  return segment.a + std::clamp((p - segment.a).dot(d) / length2, 0.0, 1.0) * d;
-}
 
 std::vector<Neighbour> neighbours(const PlanningProblem& problem, const Vector2& goal,
                                   const HrvoOptions& options) {

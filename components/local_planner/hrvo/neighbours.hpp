@@ -18,9 +18,6 @@ struct Neighbour {
   double distance = 0.0;  ///< of the robot from the core
 };
 
-/// Point of `segment` that is nearest to `p`.
-Vector2 nearest_point(const Segment& segment, const Vector2& p);
-
 /// The nearest max_neighbours movers and as many static obstacles within range and view, nearest first (by
 /// gap).
 ///

@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "components/model/nearest_point.hpp"
+
 namespace bw::teb {
 namespace {
 
@@ -54,10 +56,7 @@ Capsule mover_at(const Mover& mover, double time) {
 }
 
 Vector2 nearest_spot(const Capsule& capsule, const Vector2& point) {
-  const Vector2 d = capsule.b - capsule.a;
-  const double length = d.squaredNorm();
-  if (length == 0.0) return capsule.a;
-  return capsule.a + std::clamp((point - capsule.a).dot(d) / length, 0.0, 1.0) * d;
+  return nearest_point(Segment{capsule.a, capsule.b}, point);
 }
 
 double squared_distance(const Capsule& capsule, const Vector2& point) {

@@ -1,9 +1,10 @@
 #include "components/people/prediction/social_prediction.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include "components/model/nearest_point.hpp"
 
 namespace bw::people {
 namespace {
@@ -29,16 +30,9 @@ std::optional<Vector2> nearest_wall_point(const StaticObstacles& walls, const Ve
   };
   for (const Vector2& point : walls.points) consider(point);
   for (const Disc& disc : walls.discs) {
-    const Vector2 outward = from - disc.center;
-    const double distance = outward.norm();
-    if (distance > disc.radius) consider(disc.center + disc.radius / distance * outward);
+    if ((from - disc.center).norm() > disc.radius) consider(nearest_point(disc, from));
   }
-  for (const Segment& s : walls.segments) {
-    const Vector2 along = s.b - s.a;
-    const double length = along.squaredNorm();
-    const double share = length > 0.0 ? std::clamp((from - s.a).dot(along) / length, 0.0, 1.0) : 0.0;
-    consider(s.a + share * along);
-  }
+  for (const Segment& segment : walls.segments) consider(nearest_point(segment, from));
   return std::isfinite(best) ? std::optional(nearest) : std::nullopt;
 }
 

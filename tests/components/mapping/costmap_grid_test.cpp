@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "components/mapping/costmap/local_grid.hpp"
+#include "components/model/nearest_point.hpp"
 #include "components/model/random.hpp"
 #include "components/world/ray.hpp"
 #include "tests/components/mapping/costmap_oracle.hpp"

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "components/mapping/obstacle_extraction.hpp"
+#include "components/model/nearest_point.hpp"
 #include "components/world/ray.hpp"
 #include "tests/components/mapping/costmap_drive.hpp"
 #include "tests/components/world/hallway.hpp"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "components/local_planner/hrvo/cones.hpp"
+#include "components/model/nearest_point.hpp"
 #include "components/model/random.hpp"
 
 namespace bw::hrvo {
