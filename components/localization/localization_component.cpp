@@ -20,7 +20,7 @@ void LocalizationComponent::configure(Setup& setup) {
   map_frame_ = setup.frame("map");
   odom_frame_ = setup.frame("odom");
   base_frame_ = setup.frame("base_link");
-  transforms_ = setup.transforms();
+  mounts_ = {setup, setup.transforms()};
   log_ = setup.log();
   diagnostics_ = &setup.diagnostics();
   diagnostics_->set_value("filter", parameters_.algorithm);
@@ -104,7 +104,7 @@ void LocalizationComponent::on_imu(const sensor_msgs::msg::Imu& message, const T
     if (const auto gyro = to_gyro(message, sensors.gyro_noise)) filter_->add(*gyro, tick.now);
   }
   if (!sensors.compass) return;
-  const Pose2 X_BS = mount_of(message.header().frame_id());
+  const Pose2 X_BS = mounts_.of(message.header().frame_id());
   if (const auto heading = to_heading(message, X_BS, sensors.compass_noise)) filter_->add(*heading, tick.now);
 }
 
@@ -115,7 +115,7 @@ void LocalizationComponent::on_fix(const sensor_msgs::msg::NavSatFix& message, c
     plane_ = LocalPlane::around(*place);
     log_.info("the origin of map is the first fix: {:.7f} N, {:.7f} E", place->latitude, place->longitude);
   }
-  const Pose2 X_BS = mount_of(message.header().frame_id());
+  const Pose2 X_BS = mounts_.of(message.header().frame_id());
   const PositionFix fix = to_fix(message, *place, *plane_, X_BS, parameters_.sensors.gps_noise);
   filter_->add(fix, tick.now);
   if (!parameters_.sensors.course) return;
@@ -128,7 +128,7 @@ void LocalizationComponent::on_pose(const geometry_msgs::msg::PoseWithCovariance
 }
 
 void LocalizationComponent::on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick) {
-  filter_->add(to_reading(message, mount_of(message.header().frame_id())), tick.now);
+  filter_->add(to_reading(message, mounts_.of(message.header().frame_id())), tick.now);
 }
 
 void LocalizationComponent::on_map(const nav_msgs::msg::OccupancyGrid& message, const Tick& tick) {
@@ -202,14 +202,6 @@ void LocalizationComponent::report_health(const Tick& tick) {
   if (cloud_.has_readers()) cloud_.publish(to_cloud(*particles, header, kMostParticlesShown));
   if (particle_poses_.has_readers())
     particle_poses_.publish(to_poses(*particles, header, kMostParticlesShown));
-}
-
-Pose2 LocalizationComponent::mount_of(const std::string& frame) {
-  if (frame.empty() || frame == base_frame_) return {};
-  if (const auto X_BS = transforms_->lookup_planar(base_frame_, frame)) return *X_BS;
-  if (unplaced_.insert(frame).second)
-    log_.warn("nobody says where '{}' sits on '{}': taken as at it", frame, base_frame_);
-  return {};
 }
 
 BW_COMPONENT(LocalizationComponent, "localization")

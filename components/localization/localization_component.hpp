@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 
 #include <nav_msgs/msg/occupancy_grid.hpp>
@@ -16,7 +15,7 @@
 #include "components/localization/sensor_messages.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
-#include "runtime/transforms/transform_tree.hpp"
+#include "runtime/transforms/sensor_mounts.hpp"
 
 namespace bw::localization {
 
@@ -38,8 +37,6 @@ class LocalizationComponent final : public Component {
   void search(Time time);
   void publish_pose(const Pose2& X_OB, Time time);
   void report_health(const Tick& tick);
-  /// X_BS by /tf_static; base_link itself for a sensor that nobody placed, said once.
-  Pose2 mount_of(const std::string& frame);
 
   LocalizationParameters parameters_;
   Robot robot_;
@@ -49,12 +46,11 @@ class LocalizationComponent final : public Component {
   std::optional<Pose2> X_OB_;  ///< of the newest odometry
   Time odometry_time_;
   HealthState state_ = HealthState::init;
-  std::set<std::string> unplaced_;  ///< frames of sensors whose place is unknown
 
   std::string map_frame_;
   std::string odom_frame_;
   std::string base_frame_;
-  std::shared_ptr<const TransformTree> transforms_;
+  SensorMounts mounts_;
   Output<nav_msgs::msg::Odometry> filtered_;
   Output<tf2_msgs::msg::TFMessage> tf_;
   Output<geometry_msgs::msg::PoseWithCovarianceStamped> pose_;

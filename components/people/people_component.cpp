@@ -33,6 +33,7 @@ void PeopleComponent::configure(Setup& setup) {
   odom_frame_ = setup.frame("odom");
   base_frame_ = setup.frame("base_link");
   transforms_ = setup.transforms();
+  mounts_ = {setup, transforms_};
   log_ = setup.log();
   diagnostics_ = &setup.diagnostics();
   tracks_ = setup.output<bandwagon_msgs::msg::Tracks>("tracks");
@@ -96,7 +97,7 @@ void PeopleComponent::look() {
 
 void PeopleComponent::look_at(const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB) {
   const Sweep sweep{from_stamp(scan.header().stamp()),
-                    X_OB * mount_of(scan.header().frame_id()),
+                    X_OB * mounts_.of(scan.header().frame_id()),
                     scan.angle_min(),
                     scan.angle_increment(),
                     scan.range_min(),
@@ -147,14 +148,6 @@ void PeopleComponent::refuse(const std::string& why) {
   ++refusals_;
   if (refused_ != why) log_.warn("a scan is not looked at: {}", why);
   refused_ = why;
-}
-
-Pose2 PeopleComponent::mount_of(const std::string& frame) {
-  if (frame.empty() || frame == base_frame_) return {};
-  if (const auto X_BS = transforms_->lookup_planar(base_frame_, frame)) return *X_BS;
-  if (unplaced_.insert(frame).second)
-    log_.warn("nobody says where '{}' sits on '{}': taken as at it", frame, base_frame_);
-  return {};
 }
 
 void PeopleComponent::report_health(const Tick& tick) {

@@ -4,7 +4,6 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 
 #include <bandwagon_msgs/msg/tracks.hpp>
@@ -20,7 +19,7 @@
 #include "components/people/prediction/predictor.hpp"
 #include "components/people/tracker/tracker.hpp"
 #include "runtime/component.hpp"
-#include "runtime/transforms/transform_tree.hpp"
+#include "runtime/transforms/sensor_mounts.hpp"
 
 namespace bw::people {
 
@@ -38,7 +37,6 @@ class PeopleComponent final : public Component {
   void publish(const DetectionSet& detections, const std::vector<TrackedPerson>& tracked);
   std::vector<ReportedPerson> report_of(const std::vector<TrackedPerson>& tracked, Time time);
   void refuse(const std::string& why);  ///< counts a scan that is not looked at, and says so once
-  Pose2 mount_of(const std::string& frame);
   void report_health(const Tick& tick);
 
   std::unique_ptr<Detector> detector_;
@@ -47,8 +45,7 @@ class PeopleComponent final : public Component {
   TransformTree odometry_;  ///< of the last seconds
   std::deque<sensor_msgs::msg::LaserScan> waiting_;
   std::string map_of_detector_;  ///< frame of the map; empty without one
-  std::set<std::string> unplaced_;
-  std::string refused_;  ///< why the last scan was; empty when it was not
+  std::string refused_;          ///< why the last scan was; empty when it was not
   std::uint64_t refusals_ = 0;
   std::optional<Time> last_look_;  ///< on the component clock
   Time now_;
@@ -56,6 +53,7 @@ class PeopleComponent final : public Component {
   std::string odom_frame_;
   std::string base_frame_;
   std::shared_ptr<const TransformTree> transforms_;
+  SensorMounts mounts_;
   Output<bandwagon_msgs::msg::Tracks> tracks_;
   Output<people_msgs::msg::People> people_;
   Output<visualization_msgs::msg::MarkerArray> people_markers_;
