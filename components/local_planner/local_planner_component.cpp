@@ -7,6 +7,7 @@
 #include "components/local_planner/command_limits.hpp"
 #include "components/local_planner/planner_markers.hpp"
 #include "components/local_planner/problem_messages.hpp"
+#include "components/mapping/obstacle_messages.hpp"
 #include "components/messages/geometry.hpp"
 
 namespace bw {

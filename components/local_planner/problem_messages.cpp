@@ -42,19 +42,6 @@ Mover advanced(Mover mover, double age) {
 
 }  // namespace
 
-StaticObstacles to_obstacles(const bandwagon_msgs::msg::Obstacles& message, const Pose2& X_OF) {
-  StaticObstacles obstacles;
-  for (const auto& p : message.points()) obstacles.points.push_back(X_OF * Vector2(p.x(), p.y()));
-  for (const auto& d : message.discs()) {
-    obstacles.discs.push_back(
-        {.center = X_OF * Vector2(d.x(), d.y()), .radius = static_cast<double>(d.radius())});
-  }
-  for (const auto& s : message.segments()) {
-    obstacles.segments.push_back({.a = X_OF * Vector2(s.x1(), s.y1()), .b = X_OF * Vector2(s.x2(), s.y2())});
-  }
-  return obstacles;
-}
-
 std::vector<Mover> to_movers(const bandwagon_msgs::msg::Tracks& message, const Pose2& X_OF, Time now) {
   const double age = (now - from_stamp(message.header().stamp())).to_seconds();
   std::vector<Mover> movers;

@@ -1,19 +1,15 @@
-// From messages to the parts of a PlanningProblem. Whatever is not finite is kept: the planner's own check
+// From tracks to the movers of a PlanningProblem. Whatever is not finite is kept: the planner's own check
 // refuses it by name.
 #pragma once
 
 #include <vector>
 
-#include <bandwagon_msgs/msg/obstacles.hpp>
 #include <bandwagon_msgs/msg/tracks.hpp>
 
 #include "components/model/obstacles.hpp"
 #include "components/model/time.hpp"
 
 namespace bw {
-
-/// X_OF: pose of the message's frame in odom.
-StaticObstacles to_obstacles(const bandwagon_msgs::msg::Obstacles& message, const Pose2& X_OF);
 
 /// Moves every track from its stamp to `now` along its prediction. X_OF: pose of the message's frame in odom.
 std::vector<Mover> to_movers(const bandwagon_msgs::msg::Tracks& message, const Pose2& X_OF, Time now);

@@ -1,4 +1,4 @@
-// Obstacles as a message. For adaptors only.
+// Obstacles as a message and back. For adaptors only.
 #pragma once
 
 #include <string>
@@ -41,6 +41,20 @@ inline bandwagon_msgs::msg::Obstacles to_message(const StaticObstacles& obstacle
     message.segments().push_back(line);
   }
   return message;
+}
+
+/// X_OF: pose of the message's frame in the frame wanted. What is not finite is kept.
+inline StaticObstacles to_obstacles(const bandwagon_msgs::msg::Obstacles& message, const Pose2& X_OF) {
+  StaticObstacles obstacles;
+  for (const auto& p : message.points()) obstacles.points.push_back(X_OF * Vector2(p.x(), p.y()));
+  for (const auto& d : message.discs()) {
+    obstacles.discs.push_back(
+        {.center = X_OF * Vector2(d.x(), d.y()), .radius = static_cast<double>(d.radius())});
+  }
+  for (const auto& s : message.segments()) {
+    obstacles.segments.push_back({.a = X_OF * Vector2(s.x1(), s.y1()), .b = X_OF * Vector2(s.x2(), s.y2())});
+  }
+  return obstacles;
 }
 
 }  // namespace bw

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "components/mapping/grid_messages.hpp"
+#include "components/mapping/obstacle_messages.hpp"
 #include "components/messages/geometry.hpp"
 
 namespace bw::people {
@@ -30,6 +31,7 @@ void PeopleComponent::configure(Setup& setup) {
   detector_ = std::make_unique<Detector>(parameters.detector);
   tracker_ = std::make_unique<Tracker>(parameters.tracker);
   predictor_ = std::make_unique<Predictor>(parameters.prediction);
+  obstacles_timeout_ = parameters.obstacles_timeout;
   odom_frame_ = setup.frame("odom");
   base_frame_ = setup.frame("base_link");
   transforms_ = setup.transforms();
@@ -53,6 +55,9 @@ void PeopleComponent::configure(Setup& setup) {
   if (parameters.detector.background.use_map) {
     setup.input<nav_msgs::msg::OccupancyGrid>(
         "map", Qos::latched(), [this](const auto& message, const Tick&) { on_map(message); }, Need::optional);
+  }
+  if (parameters.prediction.model == "social_force") {
+    obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::standard(), Need::optional);
   }
   setup.every(Duration::milliseconds(500), "health", [this](const Tick& tick) { report_health(tick); });
 }
@@ -129,7 +134,7 @@ void PeopleComponent::publish(const DetectionSet& detections, const std::vector<
 std::vector<ReportedPerson> PeopleComponent::report_of(const std::vector<TrackedPerson>& tracked, Time time) {
   std::vector<PersonState> states;
   for (const TrackedPerson& person : tracked) states.push_back(state_of(person));
-  const auto predictions = predictor_->predict(states, {}, time);
+  const auto predictions = predictor_->predict(states, walls_at(time), time);
   std::vector<ReportedPerson> reported;
   for (std::size_t i = 0; i < tracked.size(); ++i) {
     const TrackedPerson& person = tracked[i];
@@ -142,6 +147,14 @@ std::vector<ReportedPerson> PeopleComponent::report_of(const std::vector<Tracked
                         person.confidence});
   }
   return reported;
+}
+
+StaticObstacles PeopleComponent::walls_at(Time time) const {
+  if (!obstacles_) return {};
+  const double age = (time - from_stamp(obstacles_->header().stamp())).to_seconds();
+  const auto X_OF = transforms_->lookup_planar(odom_frame_, obstacles_->header().frame_id());
+  if (!X_OF || std::abs(age) > obstacles_timeout_) return {};
+  return to_obstacles(*obstacles_, *X_OF);
 }
 
 void PeopleComponent::refuse(const std::string& why) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include <bandwagon_msgs/msg/obstacles.hpp>
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
@@ -36,6 +37,8 @@ class PeopleComponent final : public Component {
   void look_at(const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB);
   void publish(const DetectionSet& detections, const std::vector<TrackedPerson>& tracked);
   std::vector<ReportedPerson> report_of(const std::vector<TrackedPerson>& tracked, Time time);
+  /// What people walk round, in odom; nothing when the obstacles are too old or their place is unknown.
+  StaticObstacles walls_at(Time time) const;
   void refuse(const std::string& why);  ///< counts a scan that is not looked at, and says so once
   void report_health(const Tick& tick);
 
@@ -44,8 +47,10 @@ class PeopleComponent final : public Component {
   std::unique_ptr<Predictor> predictor_;
   TransformTree odometry_;  ///< of the last seconds
   std::deque<sensor_msgs::msg::LaserScan> waiting_;
-  std::string map_of_detector_;  ///< frame of the map; empty without one
-  std::string refused_;          ///< why the last scan was; empty when it was not
+  Latest<bandwagon_msgs::msg::Obstacles> obstacles_;  ///< only for social_force
+  double obstacles_timeout_ = 0.0;                    ///< [s]
+  std::string map_of_detector_;                       ///< frame of the map; empty without one
+  std::string refused_;                               ///< why the last scan was; empty when it was not
   std::uint64_t refusals_ = 0;
   std::optional<Time> last_look_;  ///< on the component clock
   Time now_;

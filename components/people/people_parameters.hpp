@@ -11,12 +11,15 @@ struct PeopleParameters {
   DetectorOptions detector;
   TrackerOptions tracker;
   PredictionOptions prediction;
+  double obstacles_timeout = 0.5;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("detector", detector, {.doc = "sweep to legs"});
     v("tracker", tracker, {.doc = "legs to people"});
     v("prediction", prediction, {.doc = "where people will be"});
+    v("obstacles_timeout", obstacles_timeout,
+      {.unit = "s", .min = 0, .max = 10, .doc = "older obstacles are no walls for social_force"});
   }
 };
 

@@ -36,24 +36,6 @@ Tracks one_track(double stamp) {
   return tracks;
 }
 
-TEST(ProblemMessages, ObstaclesAreCarriedIntoTheFrameOfThePlan) {
-  Obstacles message;
-  message.points().resize(1);
-  message.points()[0].x(1.0);
-  message.points()[0].y(2.0);
-  message.discs().resize(1);
-  message.discs()[0].x(3.0);
-  message.discs()[0].radius(0.5);
-  message.segments().resize(1);
-  message.segments()[0].y2(1.0);
-  const StaticObstacles obstacles = to_obstacles(message, kX_OF);
-  EXPECT_NEAR((obstacles.points.at(0) - Vector2(8.0, 21.0)).norm(), 0.0, 1e-12);
-  EXPECT_NEAR((obstacles.discs.at(0).center - Vector2(10.0, 23.0)).norm(), 0.0, 1e-12);
-  EXPECT_DOUBLE_EQ(obstacles.discs.at(0).radius, 0.5);
-  EXPECT_NEAR((obstacles.segments.at(0).a - Vector2(10.0, 20.0)).norm(), 0.0, 1e-12);
-  EXPECT_NEAR((obstacles.segments.at(0).b - Vector2(9.0, 20.0)).norm(), 0.0, 1e-12);
-}
-
 TEST(ProblemMessages, TracksOfNowKeepTheirPlaceAndTurn) {
   const Mover mover = to_movers(one_track(5.0), kX_OF, Time::seconds(5.0)).at(0);
   EXPECT_EQ(mover.id, 7U);
