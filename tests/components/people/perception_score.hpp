@@ -100,6 +100,12 @@ class ScoreKeeper {
 
   const Score& score() const { return score_; }
 
+  /// The track that follows this person in the last sweep; 0: none.
+  std::uint32_t track_of(std::uint32_t person) const {
+    const auto known = memory_.find(person);
+    return known != memory_.end() && known->second.was_matched ? known->second.track : 0;
+  }
+
  private:
   struct Memory {
     std::uint32_t track = 0;   ///< matched last; 0: never
