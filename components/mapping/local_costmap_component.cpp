@@ -13,6 +13,7 @@
 #include "components/mapping/grid_messages.hpp"
 #include "components/mapping/local_costmap_parameters.hpp"
 #include "components/mapping/obstacle_messages.hpp"
+#include "components/messages/laser.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/transform_tree.hpp"
@@ -85,17 +86,9 @@ class LocalCostmapComponent final : public Component {
   }
 
   void add(const sensor_msgs::msg::LaserScan& message, Time stamp, const Pose2& X_OL, const Pose2& X_OB) {
-    const Scan scan{.time = stamp,
-                    .X_OL = X_OL,
-                    .angle_min = static_cast<double>(message.angle_min()),
-                    .angle_max = static_cast<double>(message.angle_max()),
-                    .angle_increment = static_cast<double>(message.angle_increment()),
-                    .range_min = static_cast<double>(message.range_min()),
-                    .range_max = static_cast<double>(message.range_max()),
-                    .ranges = message.ranges()};
-    const ScanStatus status = grid_->add(scan, X_OB, robot_radius_, people_at(stamp));
-    note(status == ScanStatus::used ? std::string() : to_text(status));
-    if (status != ScanStatus::used) return;
+    const SweepFault fault = grid_->add(to_sweep(message, X_OL), X_OB, robot_radius_, people_at(stamp));
+    note(fault == SweepFault::none ? std::string() : to_text(fault));
+    if (fault != SweepFault::none) return;
     // A tenth of a period for stamps that tremble.
     if (published_ && stamp - *published_ < Duration::seconds(0.9 / parameters_.rate) && stamp > *published_)
       return;

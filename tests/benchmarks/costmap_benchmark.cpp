@@ -1,5 +1,6 @@
-// CPU time of one cycle of the local costmap: a sweep of 720 beams into 200 x 200 cells with decay, costs with exact
-// distances, and shapes for the planner. In the hallway among eight people, while the robot drives and the window rolls.
+// CPU time of one cycle of the local costmap: a sweep of 720 beams into 200 x 200 cells with decay, costs
+// with exact distances, and shapes for the planner. In the hallway among eight people, while the robot drives
+// and the window rolls.
 #include <benchmark/benchmark.h>
 
 #include "components/mapping/costmap/inflation.hpp"
@@ -39,11 +40,9 @@ struct Cycle {
   void sweep() {
     const Recorded& r = sweeps[static_cast<std::size_t>(count) % sweeps.size()];
     ++count;
-    const auto last = static_cast<double>(r.scan.ranges.size() - 1);
     grid.add({.time = Time::seconds(0.1 * static_cast<double>(count)),
-              .X_OL = r.X_OB,
+              .X_FL = r.X_OB,
               .angle_min = r.scan.angle_min,
-              .angle_max = r.scan.angle_min + last * r.scan.angle_increment,
               .angle_increment = r.scan.angle_increment,
               .range_min = 0.05,
               .range_max = 20.0,

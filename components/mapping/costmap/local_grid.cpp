@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "components/mapping/costmap/cell_walk.hpp"
@@ -59,17 +58,17 @@ void LocalGrid::clear() {
   empty_ = true;
 }
 
-ScanStatus LocalGrid::add(const Scan& scan, const Pose2& X_OB, double robot_radius,
+SweepFault LocalGrid::add(const LaserSweep& sweep, const Pose2& X_OB, double robot_radius,
                           const std::vector<Disc>& people) {
-  if (const ScanStatus status = check(scan); status != ScanStatus::used) return status;
-  if (!is_finite(X_OB) || (X_OB.position() - scan.X_OL.position()).norm() > 100.0)
-    return ScanStatus::bad_pose;
-  if (!empty_ && scan.time <= time_) {
-    if (time_ - scan.time < Duration::milliseconds(1000)) return ScanStatus::not_later;
+  if (const SweepFault fault = fault_of(sweep); fault != SweepFault::none) return fault;
+  if (!is_finite(X_OB) || (X_OB.position() - sweep.X_FL.position()).norm() > 100.0)
+    return SweepFault::bad_pose;
+  if (!empty_ && sweep.time <= time_) {
+    if (time_ - sweep.time < Duration::milliseconds(1000)) return SweepFault::not_later;
     clear();  // the clock was set back
   }
-  const double dt = empty_ ? 0.0 : (scan.time - time_).to_seconds();
-  time_ = scan.time;
+  const double dt = empty_ ? 0.0 : (sweep.time - time_).to_seconds();
+  time_ = sweep.time;
   roll_to(X_OB.position());
   empty_ = false;
 
@@ -77,10 +76,10 @@ ScanStatus LocalGrid::add(const Scan& scan, const Pose2& X_OB, double robot_radi
   for (const Disc& person : people) mark_disc(person.center, person.radius + options_.people_margin, kPerson);
   // A cell less than the radius: the robot may stand close to a wall.
   mark_disc(X_OB.position(), robot_radius - grid_.resolution, kUnderRobot);
-  draw(scan);
+  draw(sweep);
   judge(dt);
   find_surface();
-  return ScanStatus::used;
+  return SweepFault::none;
 }
 
 void LocalGrid::roll_to(const Vector2& center) {
@@ -117,9 +116,9 @@ void LocalGrid::mark_disc(const Vector2& center, double radius, Mark mark) {
   }
 }
 
-void LocalGrid::draw(const Scan& scan) {
-  const Vector2 from = scan.X_OL.position();
-  const std::size_t count = scan.ranges.size();
+void LocalGrid::draw(const LaserSweep& sweep) {
+  const Vector2 from = sweep.X_FL.position();
+  const std::size_t count = sweep.ranges.size();
   struct Hit {
     Vector2 point{0.0, 0.0};
     Mark mark = kNothing;  // of its cell, or nothing where the beam hit nothing
@@ -127,14 +126,14 @@ void LocalGrid::draw(const Scan& scan) {
   Hit first;
   Hit previous;
   for (std::size_t i = 0; i < count; ++i) {
-    const double range = static_cast<double>(scan.ranges[i]);
+    const double range = static_cast<double>(sweep.ranges[i]);
     const Vector2 unit =
-        direction(scan.X_OL.theta + scan.angle_min + static_cast<double>(i) * scan.angle_increment);
+        direction(sweep.X_FL.theta + sweep.angle_min + static_cast<double>(i) * sweep.angle_increment);
+    const BeamKind kind = kind_of(sweep.ranges[i], sweep);
     Hit now;
-    if (range == std::numeric_limits<double>::infinity()) {
-      cross(from, unit, std::min(options_.raytrace_max_range, scan.range_max), false);
-    } else if (range > 0.0 && range >= scan.range_min && range <= scan.range_max &&
-               range >= options_.obstacle_min_range) {
+    if (kind == BeamKind::free) {
+      cross(from, unit, std::min(options_.raytrace_max_range, sweep.range_max), false);
+    } else if (kind == BeamKind::hit && range >= options_.obstacle_min_range) {
       const bool within = range <= options_.raytrace_max_range;
       cross(from, unit, within ? range : options_.raytrace_max_range, within);
       if (within) {
@@ -146,7 +145,7 @@ void LocalGrid::draw(const Scan& scan) {
     if (i == 0) first = now;
     previous = now;
   }
-  const double turn = (static_cast<double>(count) + 0.5) * std::abs(scan.angle_increment);
+  const double turn = (static_cast<double>(count) + 0.5) * std::abs(sweep.angle_increment);
   if (turn >= 2.0 * std::numbers::pi) link(previous.point, first.point, std::min(previous.mark, first.mark));
 }
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "components/mapping/costmap/costmap_options.hpp"
-#include "components/mapping/costmap/costmap_scan.hpp"
+#include "components/model/laser_sweep.hpp"
 #include "components/model/obstacles.hpp"
 #include "components/model/occupancy_grid.hpp"
 
@@ -24,11 +24,13 @@ class LocalGrid {
  public:
   explicit LocalGrid(const GridOptions& options);
 
-  /// Takes a sweep in. `X_OB`: base_link in odom at the time of the sweep; the window rolls to have it in the
-  /// middle, and a disc of `robot_radius` [m] around it is free. `people`: where they are at that time, in
-  /// odom; cells whose centre lies within radius + people_margin are neither marked nor kept. A sweep that is
-  /// refused changes nothing; one that is earlier than the last by a second or more first forgets everything.
-  ScanStatus add(const Scan& scan, const Pose2& X_OB, double robot_radius, const std::vector<Disc>& people);
+  /// Takes a sweep in, its scanner in odom. `X_OB`: base_link at that time; the window rolls to have it in
+  /// the middle, and a disc of `robot_radius` [m] around it is free. `people`: where they are at that time,
+  /// in odom; cells whose centre lies within radius + people_margin are neither marked nor kept. A sweep that
+  /// is refused changes nothing; one that is earlier than the last by a second or more first forgets
+  /// everything.
+  SweepFault add(const LaserSweep& sweep, const Pose2& X_OB, double robot_radius,
+                 const std::vector<Disc>& people);
 
   void clear();  ///< forgets everything; the next sweep may have any time
 
@@ -61,7 +63,7 @@ class LocalGrid {
   Vector2 to_cells(const Vector2& p) const { return (p - grid_.origin) / grid_.resolution; }
   void roll_to(const Vector2& center);
   void mark_disc(const Vector2& center, double radius, Mark mark);
-  void draw(const Scan& scan);
+  void draw(const LaserSweep& sweep);
   void cross(const Vector2& from, const Vector2& unit, double range, bool hit);
   void hit(const Vector2& point, Mark mark);
   void link(const Vector2& a, const Vector2& b, Mark mark);

@@ -48,18 +48,16 @@ class CostmapDrive {
         for (const Person& p : world_.people()) people.push_back({inverse(X_MO()) * p.position, p.radius});
       }
       scan_ = *sample.scan;
-      status_ = grid_.add(view(now), X_OB_, robot_.radius, people);
+      fault_ = grid_.add(view(now), X_OB_, robot_.radius, people);
       done = true;
     }
   }
-  costmap::ScanStatus status() const { return status_; }
+  SweepFault fault() const { return fault_; }
 
-  costmap::Scan view(Time now) const {
-    const auto last = static_cast<double>(scan_.ranges.size() - 1);
+  LaserSweep view(Time now) const {
     return {.time = now,
-            .X_OL = X_OB_,
+            .X_FL = X_OB_,
             .angle_min = scan_.angle_min,
-            .angle_max = scan_.angle_min + last * scan_.angle_increment,
             .angle_increment = scan_.angle_increment,
             .range_min = options_.laser.range_min,
             .range_max = options_.laser.range_max,
@@ -75,7 +73,7 @@ class CostmapDrive {
   costmap::LocalGrid grid_;
   LaserScan scan_;
   Pose2 X_OB_;
-  costmap::ScanStatus status_ = costmap::ScanStatus::used;
+  SweepFault fault_ = SweepFault::none;
 };
 
 }  // namespace bw::test

@@ -18,19 +18,19 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 struct Sweep {
   std::vector<float> ranges;
-  Scan scan;
+  LaserSweep scan;
 
   /// `count` beams over `width` [rad] around the heading.
   Sweep(double seconds, const Pose2& X_OL, int count, double width, float value = kNaN)
       : ranges(static_cast<std::size_t>(count), value) {
     scan = {.time = Time::seconds(seconds),
-            .X_OL = X_OL,
+            .X_FL = X_OL,
             .angle_min = -width / 2.0,
-            .angle_max = width / 2.0,
             .angle_increment = width / (count - 1),
             .range_min = 0.05,
             .range_max = 20.0,
-            .ranges = ranges};
+            .ranges = ranges,
+            .angle_max = width / 2.0};
   }
 
   void look_at(const std::vector<Segment>& walls, double noise = 0.0, std::uint64_t seed = 1) {
@@ -38,8 +38,8 @@ struct Sweep {
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       double range = kNoHit;
       const Vector2 unit =
-          direction(scan.X_OL.theta + scan.angle_min + static_cast<double>(i) * scan.angle_increment);
-      for (const Segment& wall : walls) range = std::min(range, ray_hit(scan.X_OL.position(), unit, wall));
+          direction(scan.X_FL.theta + scan.angle_min + static_cast<double>(i) * scan.angle_increment);
+      for (const Segment& wall : walls) range = std::min(range, ray_hit(scan.X_FL.position(), unit, wall));
       ranges[i] = static_cast<float>(range + noise * random.normal());
     }
   }
@@ -49,8 +49,8 @@ std::int8_t value_at(const LocalGrid& grid, const Vector2& p) {
   return grid.cells().at(grid.cells().column_of(p.x()), grid.cells().row_of(p.y()));
 }
 
-ScanStatus add(LocalGrid& grid, const Sweep& sweep, const std::vector<Disc>& people = {}) {
-  return grid.add(sweep.scan, sweep.scan.X_OL, 0.3, people);
+SweepFault add(LocalGrid& grid, const Sweep& sweep, const std::vector<Disc>& people = {}) {
+  return grid.add(sweep.scan, sweep.scan.X_FL, 0.3, people);
 }
 
 // The rules of the header applied to every beam and every cell by slabs, over four sweeps from places that
@@ -85,7 +85,7 @@ TEST(LocalGrid, EqualsBruteForceOn200RandomMaps) {
         sweep.ranges[static_cast<std::size_t>(random.uniform(0, 60))] = odd;
       const std::vector<Disc> people{
           {middle + Vector2{random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(0.0, 0.3)}};
-      ASSERT_EQ(grid.add(sweep.scan, X_OB, 0.25, people), ScanStatus::used);
+      ASSERT_EQ(grid.add(sweep.scan, X_OB, 0.25, people), SweepFault::none);
       oracle.add(sweep.scan, X_OB, 0.25, people, grid.cells());
       for (int row = 0; row < grid.cells().height; ++row) {
         for (int column = 0; column < grid.cells().width; ++column) {
@@ -111,7 +111,7 @@ TEST(LocalGrid, GrazingBeamsDoNotClearAWall) {
     for (int k = 0; k < 50; ++k) {
       Sweep sweep(0.1 * k, {0.0, 0.0, 0.0}, 720, 1.5 * std::numbers::pi);
       sweep.look_at(wall, 0.01, static_cast<std::uint64_t>(k));
-      ASSERT_EQ(add(grid, sweep), ScanStatus::used);
+      ASSERT_EQ(add(grid, sweep), SweepFault::none);
       if (k < 2) continue;
       for (double x = 0.525; x < 3.5; x += 0.05)
         lost += value_at(grid, {x, 0.425}) != OccupancyGrid::kOccupied;
@@ -164,7 +164,7 @@ TEST(LocalGrid, TakesReadingsThatAreNoneAsUnknown) {
   for (const float odd : {kNaN, -kInf, -1.0F, 0.0F, 0.03F, 20.5F, 1e30F}) {
     SCOPED_TRACE(odd);
     LocalGrid grid({});
-    ASSERT_EQ(add(grid, Sweep(0.0, {}, 720, 4.7, odd)), ScanStatus::used);
+    ASSERT_EQ(add(grid, Sweep(0.0, {}, 720, 4.7, odd)), SweepFault::none);
     for (int row = 0; row < 200; ++row) {
       for (int column = 0; column < 200; ++column) {
         const bool under_robot = grid.cells().center(column, row).norm() <= 0.25;
@@ -195,9 +195,9 @@ TEST(LocalGrid, KeepsTheTwoRangesApart) {
 TEST(LocalGrid, RefusesSweepsThatAreNoneAndStaysAsItWas) {
   LocalGrid grid({});
   const Sweep sound(1.0, {}, 720, 4.7, 2.0F);
-  ASSERT_EQ(add(grid, sound), ScanStatus::used);
+  ASSERT_EQ(add(grid, sound), SweepFault::none);
   const std::vector<std::int8_t> before = grid.cells().cells;
-  const auto refuse = [&](ScanStatus expected, auto change) {
+  const auto refuse = [&](SweepFault expected, auto change) {
     Sweep sweep(1.1, {}, 720, 4.7, kInf);
     change(sweep.scan);
     EXPECT_EQ(add(grid, sweep), expected) << to_text(expected);
@@ -205,23 +205,23 @@ TEST(LocalGrid, RefusesSweepsThatAreNoneAndStaysAsItWas) {
   };
   const std::vector<float> more(900, 1.0F);
   const auto first = [&](std::size_t n) { return std::span<const float>(more).first(n); };
-  refuse(ScanStatus::wrong_length, [&](Scan& s) { s.ranges = first(722); });
-  refuse(ScanStatus::wrong_length, [&](Scan& s) { s.ranges = first(718); });
-  refuse(ScanStatus::wrong_length, [&](Scan& s) { s.ranges = {}; });
-  refuse(ScanStatus::wrong_length, [&](Scan& s) { s.angle_increment = -s.angle_increment; });
-  refuse(ScanStatus::bad_geometry, [&](Scan& s) { s.angle_increment = 0.0; });
-  refuse(ScanStatus::bad_geometry, [&](Scan& s) { s.angle_increment = std::nan(""); });
-  refuse(ScanStatus::bad_geometry, [&](Scan& s) { s.angle_max = 1e9; });
-  refuse(ScanStatus::bad_geometry, [&](Scan& s) { s.angle_min = std::nan(""); });
-  refuse(ScanStatus::bad_geometry, [&](Scan& s) { s.range_max = s.range_min; });
-  refuse(ScanStatus::bad_geometry, [&](Scan& s) { s.range_max = std::nan(""); });
-  refuse(ScanStatus::bad_pose, [&](Scan& s) { s.X_OL.x = std::nan(""); });
-  refuse(ScanStatus::bad_pose, [&](Scan& s) { s.X_OL.y = 1e12; });
-  refuse(ScanStatus::not_later, [&](Scan& s) { s.time = Time::seconds(1.0); });
-  refuse(ScanStatus::not_later, [&](Scan& s) { s.time = Time::seconds(0.5); });
+  refuse(SweepFault::wrong_length, [&](LaserSweep& s) { s.ranges = first(722); });
+  refuse(SweepFault::wrong_length, [&](LaserSweep& s) { s.ranges = first(718); });
+  refuse(SweepFault::wrong_length, [&](LaserSweep& s) { s.ranges = {}; });
+  refuse(SweepFault::wrong_length, [&](LaserSweep& s) { s.angle_increment = -s.angle_increment; });
+  refuse(SweepFault::bad_angles, [&](LaserSweep& s) { s.angle_increment = 0.0; });
+  refuse(SweepFault::bad_angles, [&](LaserSweep& s) { s.angle_increment = std::nan(""); });
+  refuse(SweepFault::wrong_length, [&](LaserSweep& s) { s.angle_max = 1e9; });
+  refuse(SweepFault::bad_angles, [&](LaserSweep& s) { s.angle_min = std::nan(""); });
+  refuse(SweepFault::bad_limits, [&](LaserSweep& s) { s.range_max = s.range_min; });
+  refuse(SweepFault::bad_limits, [&](LaserSweep& s) { s.range_max = std::nan(""); });
+  refuse(SweepFault::bad_pose, [&](LaserSweep& s) { s.X_FL.x = std::nan(""); });
+  refuse(SweepFault::bad_pose, [&](LaserSweep& s) { s.X_FL.y = 1e12; });
+  refuse(SweepFault::not_later, [&](LaserSweep& s) { s.time = Time::seconds(1.0); });
+  refuse(SweepFault::not_later, [&](LaserSweep& s) { s.time = Time::seconds(0.5); });
   Sweep one_more(1.1, {}, 721, 4.7 * 720.0 / 719.0, 2.0F);
-  one_more.scan.angle_max -= one_more.scan.angle_increment;
-  EXPECT_EQ(add(grid, one_more), ScanStatus::used);
+  *one_more.scan.angle_max -= one_more.scan.angle_increment;
+  EXPECT_EQ(add(grid, one_more), SweepFault::none);
 }
 
 // The window follows the robot; what stands, stays in its place, and the memory in its own.
@@ -234,7 +234,7 @@ TEST(LocalGrid, RollsWithTheRobot) {
     sweep.look_at(wall);
     add(grid, sweep);
     const Vector2 center = grid.cells().origin + Vector2{5.0, 5.0};
-    EXPECT_LE((center - sweep.scan.X_OL.position()).cwiseAbs().maxCoeff(), 0.05 + 1e-9);
+    EXPECT_LE((center - sweep.scan.X_FL.position()).cwiseAbs().maxCoeff(), 0.05 + 1e-9);
     if (k > 1) {
       EXPECT_GT(value_at(grid, {3.001, 0.3}) + value_at(grid, {2.999, 0.3}), 90) << k;
     }

@@ -17,7 +17,7 @@ class CostmapOracle {
  public:
   explicit CostmapOracle(const costmap::GridOptions& options) : options_(options) {}
 
-  void add(const costmap::Scan& scan, const Pose2& X_OB, double robot_radius, const std::vector<Disc>& people,
+  void add(const LaserSweep& scan, const Pose2& X_OB, double robot_radius, const std::vector<Disc>& people,
            const OccupancyGrid& window) {
     const double dt = time_ ? (scan.time - *time_).to_seconds() : 0.0;
     time_ = scan.time;
@@ -29,7 +29,7 @@ class CostmapOracle {
         if (const auto found = states_.find(key); found != states_.end()) kept.insert(*found);
         State& state = kept[key];
         state.age += dt;
-        judge(state, look(scan.X_OL.position(), beams, window.center(column, row)),
+        judge(state, look(scan.X_FL.position(), beams, window.center(column, row)),
               window.center(column, row), X_OB, robot_radius, people);
       }
     }
@@ -85,7 +85,7 @@ class CostmapOracle {
     int reach = 0;  // 0: no hit, 1: too far to be marked, 2: marked
   };
 
-  std::vector<Beam> beams_of(const costmap::Scan& scan) const {
+  std::vector<Beam> beams_of(const LaserSweep& scan) const {
     std::vector<Beam> beams;
     for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
       const double range = static_cast<double>(scan.ranges[i]);
@@ -95,7 +95,7 @@ class CostmapOracle {
                           range <= scan.range_max))
         continue;
       beam.range = std::min({range, options_.raytrace_max_range, scan.range_max});
-      beam.end = scan.X_OL.position() + beam.range * direction(scan.X_OL.theta + scan.angle_min +
+      beam.end = scan.X_FL.position() + beam.range * direction(scan.X_FL.theta + scan.angle_min +
                                                                static_cast<double>(i) * scan.angle_increment);
       beam.free = beam.free || range > options_.raytrace_max_range;
       if (!beam.free) beam.reach = range <= options_.obstacle_max_range ? 2 : 1;

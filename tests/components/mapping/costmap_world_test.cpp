@@ -83,7 +83,7 @@ TEST(CostmapWorld, WalkersLeaveNoGhostsTrackedOrNot) {
       GhostWatch ghosts;
       for (int k = 0; k < 150; ++k) {
         drive.next_sweep(swaying(drive.time()), tracked);
-        ASSERT_EQ(drive.status(), costmap::ScanStatus::used);
+        ASSERT_EQ(drive.fault(), SweepFault::none);
         ghosts.look(drive);
       }
       EXPECT_EQ(ghosts.ghosts(), 0) << "oldest " << ghosts.oldest() << " s";

@@ -1,0 +1,50 @@
+// One sweep of a laser scanner: what each beam says, and whether the whole is of any use.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "components/model/pose2.hpp"
+#include "components/model/time.hpp"
+
+namespace bw {
+
+/// A view of somebody else's ranges, which must live as long as the call. Beam i looks at angle_min + i *
+/// angle_increment in the scanner's frame L.
+struct LaserSweep {
+  Time time;
+  Pose2 X_FL;                     ///< scanner in the frame F its reader works in: base_link or odom
+  double angle_min = 0.0;         ///< [rad]
+  double angle_increment = 0.0;   ///< [rad], of either sign
+  double range_min = 0.0;         ///< [m]
+  double range_max = 0.0;         ///< [m]
+  std::span<const float> ranges;  ///< [m]
+  std::optional<double> angle_max = std::nullopt;  ///< of the last beam, if the source says so [rad]
+};
+
+/// By REP 117.
+enum class BeamKind : std::uint8_t {
+  unknown,  ///< says nothing, and is never free: NaN, -inf (too near), zero, negative, out of the limits
+  free,     ///< +inf: nothing up to range_max
+  hit       ///< above 0, and from range_min to range_max
+};
+BeamKind kind_of(float range, const LaserSweep& sweep);
+
+/// Why a sweep as a whole is of no use. The last three are for readers who need more than fault_of asks for.
+enum class SweepFault {
+  none,
+  bad_angles,      ///< not finite, or no steps of a scanner
+  bad_limits,      ///< range_min to range_max is no interval
+  wrong_length,    ///< fewer than two beams, more than go round once, or not as many as angle_max promises
+  bad_pose,        ///< X_FL is not finite, or farther away than any robot
+  not_later,       ///< than the sweep before
+  no_returns,      ///< too few beams hit anything
+  mostly_unknown,  ///< too few beams say anything
+};
+const char* to_text(SweepFault fault);
+
+/// Of a sweep without fault the number of beams is bounded, and every end of a beam is finite.
+SweepFault fault_of(const LaserSweep& sweep);
+
+}  // namespace bw
