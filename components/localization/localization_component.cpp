@@ -3,6 +3,7 @@
 #include "components/localization/wheel_step.hpp"
 #include "components/mapping/grid_messages.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/messages/laser.hpp"
 
 namespace bw::localization {
 namespace {
@@ -128,7 +129,7 @@ void LocalizationComponent::on_pose(const geometry_msgs::msg::PoseWithCovariance
 }
 
 void LocalizationComponent::on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick) {
-  filter_->add(to_reading(message, mounts_.of(message.header().frame_id())), tick.now);
+  filter_->add(LaserReading{to_sweep(message, mounts_.of(message.header().frame_id())), kLaser}, tick.now);
 }
 
 void LocalizationComponent::on_map(const nav_msgs::msg::OccupancyGrid& message, const Tick& tick) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <nav_msgs/msg/occupancy_grid.hpp>
+#include <sensor_msgs/msg/laser_scan.hpp>
 #include <std_msgs/msg/empty.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 

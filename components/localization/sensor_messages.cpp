@@ -86,15 +86,4 @@ RangeReading to_range(const bandwagon_msgs::msg::AnchorRange& message) {
   return reading;
 }
 
-LaserReading to_reading(const sensor_msgs::msg::LaserScan& message, const Pose2& X_BS) {
-  return {from_stamp(message.header().stamp()),
-          kLaser,
-          message.angle_min(),
-          message.angle_increment(),
-          message.range_min(),
-          message.range_max(),
-          X_BS,
-          message.ranges()};
-}
-
 }  // namespace bw::localization

@@ -8,10 +8,8 @@
 #include <bandwagon_msgs/msg/anchor_range.hpp>
 #include <geometry_msgs/msg/pose_with_covariance_stamped.hpp>
 #include <sensor_msgs/msg/imu.hpp>
-#include <sensor_msgs/msg/laser_scan.hpp>
 #include <sensor_msgs/msg/nav_sat_fix.hpp>
 
-#include "components/localization/laser_reading.hpp"
 #include "components/localization/local_plane.hpp"
 #include "components/localization/measurements.hpp"
 
@@ -39,8 +37,5 @@ Eigen::Matrix3d planar_covariance(const geometry_msgs::msg::PoseWithCovariance& 
 Measurement to_measurement(const geometry_msgs::msg::PoseWithCovarianceStamped& message);
 
 RangeReading to_range(const bandwagon_msgs::msg::AnchorRange& message);
-
-/// Looks into the message, which must live as long.
-LaserReading to_reading(const sensor_msgs::msg::LaserScan& message, const Pose2& X_BS);
 
 }  // namespace bw::localization

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "components/localization/laser_reading.hpp"
+#include "components/model/laser_sweep.hpp"
 
 namespace bw::localization {
 
@@ -17,9 +17,10 @@ struct BeamEnds {
   std::size_t size() const { return x.size(); }
 };
 
-/// At most one beam out of each of `max_beams` equal parts of the sweep: the one nearest the part's middle
-/// that returned something. No return (+inf, or range_max and more), too near (-inf, or below range_min) and
-/// NaN give no end: where a beam did not end says little, and the map may lack what it should have met.
-BeamEnds beam_ends(const LaserReading& reading, int max_beams);
+/// `sweep` without fault. At most one beam out of each of `max_beams` equal parts of the sweep: the one
+/// nearest the part's middle that hit something, the scanner in base_link. Others give no end: where a beam
+/// did not end says little, and the map may lack what it should have met. Nor does a hit at range_max, by
+/// which some drivers say no return.
+BeamEnds beam_ends(const LaserSweep& sweep, int max_beams);
 
 }  // namespace bw::localization

@@ -12,12 +12,8 @@ constexpr std::size_t kLaserKind = 100;  // no Measurement has this index
 
 Verdict check(const LaserReading& r) {
   if (r.source < 0 || r.source >= kMaxSources) return Verdict::bad_source;
-  const bool finite = std::isfinite(r.angle_min) && std::isfinite(r.angle_increment) &&
-                      std::isfinite(r.range_min) && std::isfinite(r.range_max) && is_finite(r.X_BL);
-  if (!finite) return Verdict::not_finite;
-  const bool plausible = std::abs(r.angle_min) <= 10.0 && r.X_BL.position().norm() <= 100.0 &&
-                         r.range_min >= 0.0 && r.range_max > r.range_min && r.range_max <= 1e4;
-  return plausible ? Verdict::accepted : Verdict::implausible;
+  const bool on_robot = r.X_FL.position().norm() <= 100.0;
+  return fault_of(r) == SweepFault::none && on_robot ? Verdict::accepted : Verdict::implausible;
 }
 
 // The same ends from where the base is now.

@@ -156,13 +156,13 @@ TEST(LikelihoodField, RefusesWhatIsNoGrid) {
 TEST(BeamEnds, AreWhereGeometryPutsThem) {
   // Three beams right, ahead and left of a scanner 0.2 m ahead of the base, turned by a quarter.
   const std::vector<float> ranges{1.0F, 2.0F, 3.0F};
-  const LaserReading reading{.angle_min = -std::numbers::pi / 2,
-                             .angle_increment = std::numbers::pi / 2,
-                             .range_min = 0.1,
-                             .range_max = 10.0,
-                             .X_BL = {0.2, 0.0, std::numbers::pi / 2},
-                             .ranges = ranges};
-  const BeamEnds ends = beam_ends(reading, 60);
+  const LaserSweep sweep{.X_FL = {0.2, 0.0, std::numbers::pi / 2},
+                         .angle_min = -std::numbers::pi / 2,
+                         .angle_increment = std::numbers::pi / 2,
+                         .range_min = 0.1,
+                         .range_max = 10.0,
+                         .ranges = ranges};
+  const BeamEnds ends = beam_ends(sweep, 60);
   ASSERT_EQ(ends.size(), 3U);
   EXPECT_NEAR(ends.x[0], 1.2F, 1e-6F);
   EXPECT_NEAR(ends.y[0], 0.0F, 1e-6F);
@@ -176,20 +176,25 @@ TEST(BeamEnds, NoReturnIsNoEndAndItsNeighbourStandsInForIt) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const std::vector<float> ranges{
       kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN(), 10.0F, 0.05F, -1.0F, 4.0F, 0.0F};
-  const LaserReading reading{.angle_increment = 0.1, .range_min = 0.1, .range_max = 10.0, .ranges = ranges};
-  EXPECT_EQ(beam_ends(reading, 60).size(), 1U);   // only 4 m is a return
-  const BeamEnds halves = beam_ends(reading, 2);  // beams 0 to 3: none; 4 to 7: the sixth
+  const LaserSweep sweep{.angle_increment = 0.1, .range_min = 0.1, .range_max = 10.0, .ranges = ranges};
+  EXPECT_EQ(beam_ends(sweep, 60).size(), 1U);   // only 4 m is a return
+  const BeamEnds halves = beam_ends(sweep, 2);  // beams 0 to 3: none; 4 to 7: the sixth
   ASSERT_EQ(halves.size(), 1U);
   EXPECT_NEAR(halves.x[0], 4.0F * std::cos(0.6F), 1e-5F);
-  EXPECT_EQ(beam_ends(reading, 0).size(), 0U);
+  EXPECT_EQ(beam_ends(sweep, 0).size(), 0U);
   EXPECT_EQ(beam_ends({}, 60).size(), 0U);
+}
+
+TEST(BeamEnds, ZeroIsNoEndWhateverRangeMinIs) {
+  const std::vector<float> ranges{0.0F, 2.0F};
+  EXPECT_EQ(beam_ends({.angle_increment = 0.1, .range_max = 10.0, .ranges = ranges}, 60).size(), 1U);
 }
 
 TEST(BeamEnds, OneOutOfEachPartAndNeverMoreThanAsked) {
   const std::vector<float> ranges(720, 1.0F);
-  const LaserReading reading{
+  const LaserSweep sweep{
       .angle_increment = 2.0 * std::numbers::pi / 720, .range_max = 10.0, .ranges = ranges};
-  const BeamEnds ends = beam_ends(reading, 60);
+  const BeamEnds ends = beam_ends(sweep, 60);
   ASSERT_EQ(ends.size(), 60U);
   for (std::size_t i = 0; i < ends.size(); ++i) {  // 12 beams of half a degree each, from the seventh on
     const double angle = (6.0 + 12.0 * static_cast<double>(i)) * std::numbers::pi / 360.0;

@@ -54,14 +54,14 @@ class SensedRobot {
             static_cast<float>(random_.uniform(0.1, std::min<double>(static_cast<double>(range), kRangeMax)));
       }
     }
-    return {.time = time,
-            .source = 1,
-            .angle_min = scan.angle_min,
-            .angle_increment = scan.angle_increment,
-            .range_min = 0.05,
-            .range_max = kRangeMax,
-            .X_BL = kMount,
-            .ranges = ranges_};
+    return {{.time = time,
+             .X_FL = kMount,
+             .angle_min = scan.angle_min,
+             .angle_increment = scan.angle_increment,
+             .range_min = 0.05,
+             .range_max = kRangeMax,
+             .ranges = ranges_},
+            1};
   }
 
  private:

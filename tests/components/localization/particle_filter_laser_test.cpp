@@ -200,13 +200,13 @@ TEST(ParticleFilterLaser, GarbageIsRefusedByName) {
     change(bad);
     return filter.add(bad, rover.now).verdict;
   };
-  EXPECT_EQ(verdict([](LaserReading& r) { r.angle_min = NAN; }), Verdict::not_finite);
-  EXPECT_EQ(verdict([](LaserReading& r) { r.X_BL.x = 1e9; }), Verdict::implausible);
+  EXPECT_EQ(verdict([](LaserReading& r) { r.angle_min = NAN; }), Verdict::implausible);
+  EXPECT_EQ(verdict([](LaserReading& r) { r.X_FL.x = 1e9; }), Verdict::implausible);
   EXPECT_EQ(verdict([](LaserReading& r) { r.range_max = -1.0; }), Verdict::implausible);
   EXPECT_EQ(verdict([](LaserReading& r) { r.source = 8; }), Verdict::bad_source);
   EXPECT_EQ(verdict([](LaserReading& r) { r.time = r.time + Duration::seconds(1.0); }), Verdict::future);
   rover.now = rover.now + kPeriod;
-  EXPECT_EQ(verdict([](LaserReading& r) { r.ranges = {}; }), Verdict::unusable);
+  EXPECT_EQ(verdict([](LaserReading& r) { r.ranges = {}; }), Verdict::implausible);
   rover.now = rover.now + kPeriod;
   EXPECT_EQ(verdict([](LaserReading&) {}), Verdict::accepted);
   EXPECT_EQ(verdict([](LaserReading&) {}), Verdict::duplicate);

@@ -53,7 +53,7 @@ class Sweeper {
     reading.angle_increment = scan_.angle_increment;
     reading.range_min = LaserOptions{}.range_min;
     reading.range_max = LaserOptions{}.range_max;
-    reading.X_BL = X_BL;
+    reading.X_FL = X_BL;
     reading.ranges = scan_.ranges;
     return reading;
   }
