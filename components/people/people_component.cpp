@@ -5,6 +5,7 @@
 #include "components/mapping/grid_messages.hpp"
 #include "components/mapping/obstacle_messages.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/messages/laser.hpp"
 
 namespace bw::people {
 namespace {
@@ -12,13 +13,6 @@ namespace {
 constexpr std::size_t kMostWaiting = 4;  // scans whose odometry has not come
 constexpr Duration kSilence = Duration::milliseconds(500);
 const Duration kMarkerLifetime = Duration::milliseconds(250);
-
-/// A scan whose last angle does not fit the number of its ranges lost some of them. Drivers differ by one
-/// step on whether angle_max is the last beam's.
-bool has_all_beams(const sensor_msgs::msg::LaserScan& scan) {
-  const double steps = (static_cast<double>(scan.angle_max()) - scan.angle_min()) / scan.angle_increment();
-  return std::abs(steps - (static_cast<double>(scan.ranges().size()) - 1.0)) < 1.5;
-}
 
 PersonState state_of(const TrackedPerson& person) {
   return {person.id, person.position, person.velocity, person.covariance, person.radius};
@@ -101,15 +95,9 @@ void PeopleComponent::look() {
 }
 
 void PeopleComponent::look_at(const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB) {
-  const Sweep sweep{from_stamp(scan.header().stamp()),
-                    X_OB * mounts_.of(scan.header().frame_id()),
-                    scan.angle_min(),
-                    scan.angle_increment(),
-                    scan.range_min(),
-                    scan.range_max(),
-                    scan.ranges()};
-  if (const SweepFault fault = fault_of(sweep); fault != SweepFault::none) return refuse(to_text(fault));
-  if (!has_all_beams(scan)) return refuse("its angles promise another number of ranges");
+  const LaserSweep sweep = to_sweep(scan, X_OB * mounts_.of(scan.header().frame_id()));
+  if (const SweepFault fault = fault_for_people(sweep); fault != SweepFault::none)
+    return refuse(to_text(fault));
   if (!refused_.empty()) log_.info("scans are sound again");
   refused_.clear();
   last_look_ = now_;

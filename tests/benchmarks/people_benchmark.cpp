@@ -75,8 +75,8 @@ void Sweep20People200Clusters(benchmark::State& state) {
     for (const Recorded& r : minute) {
       const double before = thread_milliseconds();
       const std::vector<Vector2> keep = tracker.keep_out();
-      const Sweep sweep{r.time,          r.X_OL,          r.scan.angle_min, r.scan.angle_increment,
-                        laser.range_min, laser.range_max, r.scan.ranges};
+      const LaserSweep sweep{r.time,          r.X_OL,          r.scan.angle_min, r.scan.angle_increment,
+                             laser.range_min, laser.range_max, r.scan.ranges};
       const DetectionSet& set = detector.detect(sweep, {std::nullopt, keep});
       tracker.update(set);
       worst = std::max(worst, thread_milliseconds() - before);

@@ -66,13 +66,13 @@ void BM_Detect(benchmark::State& state) {
   for (auto _ : state) {
     const std::size_t s = sweeps % kSweeps;
     const LaserScan& scan = recorded.scans[s];
-    const Sweep sweep{Time::seconds(0.1 * static_cast<double>(sweeps)),
-                      recorded.poses[s],
-                      scan.angle_min,
-                      scan.angle_increment,
-                      recorded.laser.range_min,
-                      recorded.laser.range_max,
-                      scan.ranges};
+    const LaserSweep sweep{Time::seconds(0.1 * static_cast<double>(sweeps)),
+                           recorded.poses[s],
+                           scan.angle_min,
+                           scan.angle_increment,
+                           recorded.laser.range_min,
+                           recorded.laser.range_max,
+                           scan.ranges};
     clusters += detector.detect(sweep, {Pose2{}, people}).detections.size();
     ++sweeps;
   }

@@ -16,13 +16,13 @@ void Detector::set_map(const OccupancyGrid& map) { map_ = StaticMap(map, options
 
 void Detector::reset() { local_.reset(); }
 
-const DetectionSet& Detector::detect(const Sweep& sweep, const Surroundings& surroundings) {
+const DetectionSet& Detector::detect(const LaserSweep& sweep, const Surroundings& surroundings) {
   result_.time = sweep.time;
   result_.detections.clear();
   result_.free_ranges.clear();
   clusters_.members.clear();
   clusters_.all.clear();
-  if (fault_of(sweep) != SweepFault::none) return result_;
+  if (fault_for_people(sweep) != SweepFault::none) return result_;
   read_beams(sweep, beams_);
   result_.sensor = beams_.sensor;
   result_.angle_min = beams_.angle_min;

@@ -9,12 +9,12 @@
 
 #include "components/model/occupancy_grid.hpp"
 #include "components/people/detection.hpp"
+#include "components/people/detector/beams.hpp"
 #include "components/people/detector/clusters.hpp"
 #include "components/people/detector/detector_options.hpp"
 #include "components/people/detector/local_background.hpp"
 #include "components/people/detector/outline.hpp"
 #include "components/people/detector/static_map.hpp"
-#include "components/people/detector/sweep.hpp"
 
 namespace bw::people {
 
@@ -30,9 +30,10 @@ class Detector {
 
   void set_map(const OccupancyGrid& map);
 
-  /// Of an unusable sweep (fault_of) nothing is detected, no direction was seen, and nothing is learnt. Valid
-  /// until the next call; takes no memory once it has seen the largest sweep.
-  const DetectionSet& detect(const Sweep& sweep, const Surroundings& surroundings);
+  /// `sweep` with its scanner in O. Of an unusable one (fault_for_people) nothing is detected, no direction
+  /// was seen, and nothing is learnt. Valid until the next call; takes no memory once it has seen the largest
+  /// sweep.
+  const DetectionSet& detect(const LaserSweep& sweep, const Surroundings& surroundings);
 
   void reset();  ///< forgets the local background, as after a jump of odom
 

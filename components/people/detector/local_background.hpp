@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "components/people/detector/beams.hpp"
 #include "components/people/detector/detector_options.hpp"
-#include "components/people/detector/sweep.hpp"
 
 namespace bw::people {
 

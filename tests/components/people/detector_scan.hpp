@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "components/people/detector/sweep.hpp"
+#include "components/people/detector/beams.hpp"
 #include "components/world/laser_scanner.hpp"
 
 namespace bw::people {
@@ -18,7 +18,8 @@ class Scanner {
       : options_(laser(noise, field_of_view, beams)), scanner_(options_, Random(seed)) {}
 
   /// Valid until the next call.
-  Sweep scan(const StaticObstacles& walls, const std::vector<Disc>& legs, const Pose2& X_OL, double seconds) {
+  LaserSweep scan(const StaticObstacles& walls, const std::vector<Disc>& legs, const Pose2& X_OL,
+                  double seconds) {
     scan_ = scanner_.scan(StaticScene(walls, std::nullopt), legs, X_OL);
     return {Time::seconds(seconds), X_OL,        scan_.angle_min, scan_.angle_increment, options_.range_min,
             options_.range_max,     scan_.ranges};

@@ -15,7 +15,7 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-Sweep sweep_of(const std::vector<float>& ranges, double increment = 0.01) {
+LaserSweep sweep_of(const std::vector<float>& ranges, double increment = 0.01) {
   return {Time::seconds(1.0), {}, 0.0, increment, 0.05, 10.0, ranges};
 }
 
@@ -55,25 +55,26 @@ TEST(DetectorSweep, FaultsOfAWholeSweepAreNamedAndNothingIsSeen) {
   const std::vector<float> many(20'001, 1.0F);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto fault = [&](auto change) {
-    Sweep sweep = sweep_of(some);
+    LaserSweep sweep = sweep_of(some);
     change(sweep);
     Detector detector(DetectorOptions{});
     const DetectionSet& set = detector.detect(sweep, {});
     EXPECT_TRUE(set.detections.empty() && set.free_ranges.empty());
-    return fault_of(sweep);
+    return fault_for_people(sweep);
   };
-  EXPECT_EQ(fault_of(sweep_of(some)), SweepFault::none);
-  EXPECT_EQ(fault([](Sweep& s) { s.ranges = {}; }), SweepFault::no_beams);
-  EXPECT_EQ(fault([&](Sweep& s) { s.ranges = many; }), SweepFault::too_many_beams);
-  EXPECT_EQ(fault([&](Sweep& s) { s.angle_min = nan; }), SweepFault::bad_angles);
-  EXPECT_EQ(fault([&](Sweep& s) { s.angle_increment = nan; }), SweepFault::bad_angles);
-  EXPECT_EQ(fault([](Sweep& s) { s.angle_increment = 0.0; }), SweepFault::bad_angles);
-  EXPECT_EQ(fault([](Sweep& s) { s.angle_increment = 1.0; }), SweepFault::bad_angles);
-  EXPECT_EQ(fault([&](Sweep& s) { s.range_max = nan; }), SweepFault::bad_limits);
-  EXPECT_EQ(fault([](Sweep& s) { s.range_min = 20.0; }), SweepFault::bad_limits);
+  EXPECT_EQ(fault_for_people(sweep_of(some)), SweepFault::none);
+  EXPECT_EQ(fault([](LaserSweep& s) { s.ranges = {}; }), SweepFault::wrong_length);
+  EXPECT_EQ(fault([&](LaserSweep& s) { s.ranges = many; }), SweepFault::wrong_length);
+  EXPECT_EQ(fault([&](LaserSweep& s) { s.angle_min = nan; }), SweepFault::bad_angles);
+  EXPECT_EQ(fault([&](LaserSweep& s) { s.angle_increment = nan; }), SweepFault::bad_angles);
+  EXPECT_EQ(fault([](LaserSweep& s) { s.angle_increment = 0.0; }), SweepFault::bad_angles);
+  EXPECT_EQ(fault([](LaserSweep& s) { s.angle_increment = 1.0; }), SweepFault::bad_angles);
+  EXPECT_EQ(fault([](LaserSweep& s) { s.angle_increment = 0.3; }), SweepFault::bad_angles);
+  EXPECT_EQ(fault([&](LaserSweep& s) { s.range_max = nan; }), SweepFault::bad_limits);
+  EXPECT_EQ(fault([](LaserSweep& s) { s.range_min = 20.0; }), SweepFault::bad_limits);
   const std::vector<float> blind(10, kNan);
-  EXPECT_EQ(fault([&](Sweep& s) { s.ranges = blind; }), SweepFault::no_reading);
-  EXPECT_EQ(fault([&](Sweep& s) { s.X_OL.theta = nan; }), SweepFault::bad_pose);
+  EXPECT_EQ(fault([&](LaserSweep& s) { s.ranges = blind; }), SweepFault::mostly_unknown);
+  EXPECT_EQ(fault([&](LaserSweep& s) { s.X_FL.theta = nan; }), SweepFault::bad_pose);
 }
 
 TEST(DetectorClusters, JumpsPartThemAndEdgesSayWhatLiesBeyond) {
@@ -145,13 +146,13 @@ TEST(DetectorFuzz, NoSweepBreaksItAndWhatComesOutIsFinite) {
               ? odd[static_cast<std::size_t>(random.uniform() * static_cast<double>(odd.size()))]
               : static_cast<float>(range);
     }
-    const Sweep sweep{Time{static_cast<std::int64_t>(random.bits())},
-                      {1e3 * random.normal(), random.normal(), random.uniform(-3.0, 3.0)},
-                      random.uniform(-7.0, 7.0),
-                      random.uniform(-0.02, 0.02),
-                      0.05,
-                      10.0,
-                      ranges};
+    const LaserSweep sweep{Time{static_cast<std::int64_t>(random.bits())},
+                           {1e3 * random.normal(), random.normal(), random.uniform(-3.0, 3.0)},
+                           random.uniform(-7.0, 7.0),
+                           random.uniform(-0.02, 0.02),
+                           0.05,
+                           10.0,
+                           ranges};
     const DetectionSet& set = detector.detect(sweep, {});
     ASSERT_TRUE(set.free_ranges.empty() || set.free_ranges.size() == ranges.size());
     for (const float free : set.free_ranges) ASSERT_TRUE(free >= 0.0F && free <= 10.0F);

@@ -140,7 +140,7 @@ TEST(RecordedPeople, AreFollowed) {
   RecordedTracks tracks;
   std::vector<double> milliseconds;
   for (const ScanSample& scan : drive.scans) {
-    const Sweep sweep{
+    const LaserSweep sweep{
         scan.time,          {},         geometry.angle_min, geometry.angle_increment, geometry.range_min,
         geometry.range_max, scan.ranges};
     const double before = thread_milliseconds();

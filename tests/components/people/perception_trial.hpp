@@ -78,10 +78,10 @@ class Trial {
     const Pose2 X_ML = world_.pose();  // the laser sits on base_link
     const Pose2 X_OL = odometry_.state().X_OB;
     const LaserOptions& laser = scene_.options.laser;
-    const Sweep seen{stamp(sample.time),     X_OL,
-                     sample.scan->angle_min, sample.scan->angle_increment,
-                     laser.range_min,        laser.range_max,
-                     sample.scan->ranges};
+    const LaserSweep seen{stamp(sample.time),     X_OL,
+                          sample.scan->angle_min, sample.scan->angle_increment,
+                          laser.range_min,        laser.range_max,
+                          sample.scan->ranges};
     const double before = thread_milliseconds();
     const std::vector<Vector2> keep = tracker_.keep_out();
     const DetectionSet& detections = detector_.detect(seen, {std::nullopt, keep});

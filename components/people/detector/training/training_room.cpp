@@ -189,7 +189,7 @@ const RoomSweep& TrainingRoom::next() {
   return sweep_;
 }
 
-Sweep TrainingRoom::view() const {
+LaserSweep TrainingRoom::view() const {
   return {sweep_.time,
           sweep_.X_OL,
           sweep_.scan.angle_min,

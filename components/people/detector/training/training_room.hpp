@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "components/people/detector/sweep.hpp"
+#include "components/people/detector/beams.hpp"
 #include "components/world/laser_scanner.hpp"
 #include "components/world/legs.hpp"
 #include "components/world/person.hpp"
@@ -38,7 +38,7 @@ class TrainingRoom {
   TrainingRoom(const RoomOptions& options, std::uint64_t seed);
 
   const RoomSweep& next();  ///< ten per second
-  Sweep view() const;       ///< of the last one
+  LaserSweep view() const;  ///< of the last one
 
   const StaticScene& scene() const { return *scene_; }
   const LaserOptions& laser() const { return laser_options_; }
