@@ -53,12 +53,12 @@ Pose2 CollisionMonitor::pose_at(Time time) const {
   return advance_exact(X_OB_, twist_, std::clamp((time - *odometry_at_).to_seconds(), -0.3, 0.3));
 }
 
-void CollisionMonitor::sweep(Time now, Time measured_at, const Sweep& sweep, const Pose2& X_BS) {
-  CheckedSweep checked = check_sweep(sweep, X_BS, options_.sweep);
+void CollisionMonitor::sweep(Time now, const LaserSweep& sweep) {
+  CheckedSweep checked = check_sweep(sweep, options_.sweep);
   sweep_fault_ = checked.fault;
-  const double age = (now - measured_at).to_seconds();
-  const Pose2 X_OB = pose_at(age >= 0.0 && age <= kLongestSweepAge ? measured_at : now);
-  if (!watch_.add(now, measured_at, sweep.ranges, checked.fault, X_OB)) return;
+  const double age = (now - sweep.time).to_seconds();
+  const Pose2 X_OB = pose_at(age >= 0.0 && age <= kLongestSweepAge ? sweep.time : now);
+  if (!watch_.add(now, sweep.time, sweep.ranges, checked.fault, X_OB)) return;
   seen_ = std::move(checked);
   X_OB_seen_ = X_OB;
 }

@@ -55,8 +55,8 @@ class CollisionMonitor {
 
   /// Where the encoders say the robot is, and its true body velocity, at `time`.
   void odometry(Time time, const Pose2& X_OB, const Twist2& twist);
-  /// A sweep that arrived at `now`; X_BS: pose of the laser in base_link.
-  void sweep(Time now, Time measured_at, const Sweep& sweep, const Pose2& X_BS);
+  /// A sweep that arrived at `now`, the laser in base_link.
+  void sweep(Time now, const LaserSweep& sweep);
   /// Ends a stop after a fault of the laser, when resume is manual.
   void reset() { latched_ = false; }
 

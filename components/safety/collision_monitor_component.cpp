@@ -2,8 +2,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 #include <geometry_msgs/msg/twist.hpp>
@@ -13,6 +11,7 @@
 #include <std_msgs/msg/empty.hpp>
 
 #include "components/messages/geometry.hpp"
+#include "components/messages/laser.hpp"
 #include "components/safety/collision_monitor.hpp"
 #include "components/safety/zone_markers.hpp"
 #include "runtime/component.hpp"
@@ -35,12 +34,10 @@ class CollisionMonitorComponent final : public Component {
  public:
   void configure(Setup& setup) override {
     options_ = setup.parameters<safety::CollisionMonitorOptions>();
-    const auto robot = setup.shared<Robot>("robot");
-    radius_ = robot.radius;
-    monitor_.emplace(robot, options_);
+    robot_ = setup.shared<Robot>("robot");
+    monitor_.emplace(robot_, options_);
     command_timeout_ = Duration::seconds(options_.command_timeout);
-    for (const SensorMount& mount : robot.sensors)
-      mounts_.emplace_back(setup.frame(mount.frame), robot.mount_of(mount.frame));
+    for (SensorMount& mount : robot_.sensors) mount.frame = setup.frame(mount.frame);
     base_frame_ = setup.frame("base_link");
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
@@ -72,22 +69,8 @@ class CollisionMonitorComponent final : public Component {
 
  private:
   void on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick) {
-    sweep_ = {.angle_min = message.angle_min(),
-              .angle_max = message.angle_max(),
-              .angle_increment = message.angle_increment(),
-              .range_min = message.range_min(),
-              .range_max = message.range_max(),
-              .ranges = message.ranges()};
-    monitor_->sweep(tick.now, from_stamp(message.header().stamp()), sweep_,
-                    mount_of(message.header().frame_id()));
+    monitor_->sweep(tick.now, to_sweep(message, robot_.mount_of(message.header().frame_id())));
     if (wanted_at_) pass_on(tick);
-  }
-
-  Pose2 mount_of(const std::string& frame) const {
-    for (const auto& [name, X_BS] : mounts_) {
-      if (name == frame) return X_BS;
-    }
-    return {};
   }
 
   Verdict judge(const Tick& tick) {
@@ -111,7 +94,8 @@ class CollisionMonitorComponent final : public Component {
     last_ = verdict;
     if (markers_.has_readers() && (!drawn_at_ || tick.now - *drawn_at_ >= kMarkerPeriod)) {
       drawn_at_ = tick.now;
-      markers_.publish(safety::to_markers(options_, radius_, verdict, make_header(base_frame_, tick.now)));
+      markers_.publish(
+          safety::to_markers(options_, robot_.radius, verdict, make_header(base_frame_, tick.now)));
     }
   }
 
@@ -134,7 +118,7 @@ class CollisionMonitorComponent final : public Component {
     if (is_laser && last_.cause != verdict.cause) {
       const bool unsound = verdict.cause == safety::kLaserInvalid;
       log_.error("{}: stopping{}{}", verdict.cause, unsound ? ": " : "",
-                 unsound ? safety::describe(monitor_->sweep_fault()) : "");
+                 unsound ? to_text(monitor_->sweep_fault()) : "");
     }
     diagnostics_->report(
         is_laser ? Level::error : Level::warn,
@@ -149,12 +133,10 @@ class CollisionMonitorComponent final : public Component {
   }
 
   safety::CollisionMonitorOptions options_;
+  Robot robot_;  ///< its sensors by the frames their messages name
   std::optional<safety::CollisionMonitor> monitor_;
-  double radius_ = 0.3;
   Duration command_timeout_;
-  std::vector<std::pair<std::string, Pose2>> mounts_;  ///< frame and pose in base_link of every sensor
   std::string base_frame_;
-  safety::Sweep sweep_;
   Twist2 wanted_;
   std::optional<Time> wanted_at_;
   Verdict last_;

@@ -3,46 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 namespace bw::safety {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-
-SweepFault fault_of(const Sweep& sweep, const SweepOptions& options) {
-  const bool finite = std::isfinite(sweep.angle_min) && std::isfinite(sweep.angle_max) &&
-                      std::isfinite(sweep.angle_increment) && std::isfinite(sweep.range_min) &&
-                      std::isfinite(sweep.range_max);
-  const double step = std::abs(sweep.angle_increment);
-  if (!finite || !(step > 1e-7) || sweep.range_min < 0.0 || sweep.range_max <= sweep.range_min ||
-      std::abs(sweep.angle_min) > 2.0 * kTurn) {
-    return SweepFault::bad_geometry;
-  }
-  const std::size_t count = sweep.ranges.size();
-  if (count < 2 || count > static_cast<std::size_t>(options.max_beams)) return SweepFault::wrong_length;
-  const double steps = static_cast<double>(count - 1);
-  if (steps * step > kTurn + 2.0 * step) return SweepFault::wrong_length;
-  // Some drivers name the angle after the last beam.
-  const double last = sweep.angle_min + steps * sweep.angle_increment;
-  return std::abs(last - sweep.angle_max) > 1.6 * step ? SweepFault::wrong_length : SweepFault::none;
-}
-
-Beam judge(float range, const Sweep& sweep) {
-  if (std::isinf(range) && range > 0.0F) return Beam::clear;
-  return range > 0.0F && range >= sweep.range_min && range <= sweep.range_max ? Beam::hit : Beam::unknown;
-}
-
 /// Hits with at least min_points - 1 of the two beams on either side at nearly the same range.
-std::vector<bool> confirmed(const Sweep& sweep, const std::vector<Beam>& beams, const SweepOptions& options) {
+std::vector<bool> confirmed(const LaserSweep& sweep, const std::vector<BeamKind>& beams,
+                            const SweepOptions& options) {
   std::vector<bool> result(beams.size(), false);
   for (std::size_t i = 0; i < beams.size(); ++i) {
-    if (beams[i] != Beam::hit) continue;
+    if (beams[i] != BeamKind::hit) continue;
     const std::size_t last = std::min(i + 2, beams.size() - 1);
     int agree = 0;
     for (std::size_t j = i < 2 ? 0 : i - 2; j <= last; ++j) {
       const bool near = std::abs(sweep.ranges[j] - sweep.ranges[i]) <= options.point_spacing;
-      if (beams[j] == Beam::hit && near) ++agree;
+      if (beams[j] == BeamKind::hit && near) ++agree;
     }
     result[i] = agree >= options.min_points;
   }
@@ -101,35 +76,19 @@ class NarrowThings {
 
 }  // namespace
 
-std::string_view describe(SweepFault fault) {
-  switch (fault) {
-    case SweepFault::none:
-      return "the sweep is sound";
-    case SweepFault::bad_geometry:
-      return "angles or range limits of the sweep make no sense";
-    case SweepFault::wrong_length:
-      return "the number of ranges does not fit the angles of the sweep";
-    case SweepFault::no_returns:
-      return "the sweep hits nothing";
-    case SweepFault::mostly_unknown:
-      return "most beams of the sweep are unusable";
-  }
-  return "unknown";
-}
-
-CheckedSweep check_sweep(const Sweep& sweep, const Pose2& X_BS, const SweepOptions& options) {
+CheckedSweep check_sweep(const LaserSweep& sweep, const SweepOptions& options) {
   CheckedSweep out;
-  out.fault = fault_of(sweep, options);
+  out.fault = fault_of(sweep);
   if (out.fault != SweepFault::none) return out;
-  out.angle_min = X_BS.theta + sweep.angle_min;
+  out.angle_min = sweep.X_FL.theta + sweep.angle_min;
   out.angle_increment = sweep.angle_increment;
   out.beams.reserve(sweep.ranges.size());
-  for (const float range : sweep.ranges) out.beams.push_back(judge(range, sweep));
-  const auto count = [&](Beam beam) { return std::count(out.beams.begin(), out.beams.end(), beam); };
-  if (static_cast<double>(count(Beam::unknown)) >
+  for (const float range : sweep.ranges) out.beams.push_back(kind_of(range, sweep));
+  const auto count = [&](BeamKind beam) { return std::count(out.beams.begin(), out.beams.end(), beam); };
+  if (static_cast<double>(count(BeamKind::unknown)) >
       options.max_unknown * static_cast<double>(out.beams.size())) {
     out.fault = SweepFault::mostly_unknown;
-  } else if (count(Beam::hit) < options.min_returns) {
+  } else if (count(BeamKind::hit) < options.min_returns) {
     out.fault = SweepFault::no_returns;
   }
   if (out.fault != SweepFault::none) {
@@ -140,10 +99,10 @@ CheckedSweep check_sweep(const Sweep& sweep, const Pose2& X_BS, const SweepOptio
   NarrowThings things(options, out);
   for (std::size_t i = 0; i < out.beams.size(); ++i) {
     const double range = sweep.ranges[i];
-    if (out.beams[i] == Beam::clear) things.clear();
+    if (out.beams[i] == BeamKind::free) things.clear();
     if (keep[i]) {
       const double angle = sweep.angle_min + static_cast<double>(i) * sweep.angle_increment;
-      things.add(X_BS * Vector2(range * direction(angle)), range);
+      things.add(sweep.X_FL * Vector2(range * direction(angle)), range);
     }
   }
   things.finish();
@@ -163,7 +122,7 @@ Sight sight_of(const CheckedSweep& sweep, double bearing, double half_angle) {
       continue;
     }
     ++looking;
-    const bool is_unknown = sweep.beams[i] == Beam::unknown;
+    const bool is_unknown = sweep.beams[i] == BeamKind::unknown;
     unknown += is_unknown ? 1 : 0;
     run = is_unknown ? run + step : 0.0;
     sight.widest_gap = std::max(sight.widest_gap, run);

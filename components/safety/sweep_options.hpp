@@ -12,7 +12,6 @@ struct SweepOptions {
   double point_spacing = 0.1;
   std::int64_t min_returns = 3;
   double max_unknown = 0.7;
-  std::int64_t max_beams = 100'000;
   double narrow_width = 0.4;
 
   template <class Visitor>
@@ -35,7 +34,6 @@ struct SweepOptions {
               "reach"});
     v("max_unknown", max_unknown,
       {.min = 0, .max = 1, .doc = "share of unknown beams beyond which a sweep counts as lost"});
-    v("max_beams", max_beams, {.min = 2, .max = 1e7, .doc = "a sweep that claims more is refused"});
     v("narrow_width", narrow_width,
       {.unit = "m", .min = 0, .max = 2, .doc = "things up to this width may be the legs of somebody wider"});
   }

@@ -10,13 +10,13 @@ namespace {
 constexpr double kMoved = 0.01;   // [m]
 constexpr double kTurned = 0.01;  // [rad]
 
-bool have_equal_bytes(const std::vector<float>& a, const std::vector<float>& b) {
+bool have_equal_bytes(std::span<const float> a, std::span<const float> b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
 }  // namespace
 
-bool SweepWatch::add(Time now, Time measured_at, const std::vector<float>& ranges, SweepFault fault,
+bool SweepWatch::add(Time now, Time measured_at, std::span<const float> ranges, SweepFault fault,
                      const Pose2& X_OB) {
   const bool repeated = stamp_ && measured_at <= *stamp_;
   arrived_at_ = now;
@@ -35,7 +35,7 @@ bool SweepWatch::add(Time now, Time measured_at, const std::vector<float>& range
     return false;
   }
   if (!is_same) {
-    ranges_ = ranges;
+    ranges_.assign(ranges.begin(), ranges.end());
     X_OB_ = X_OB;
   }
   last_ = LaserState::ok;

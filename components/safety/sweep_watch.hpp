@@ -5,11 +5,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "components/model/pose2.hpp"
-#include "components/model/time.hpp"
-#include "components/safety/sweep.hpp"
+#include "components/model/laser_sweep.hpp"
 
 namespace bw::safety {
 
@@ -27,7 +26,7 @@ class SweepWatch {
 
   /// A sweep that arrived at `now` with stamp `measured_at`, `fault` by check_sweep; X_OB: where the robot
   /// is. True when it is fresh.
-  bool add(Time now, Time measured_at, const std::vector<float>& ranges, SweepFault fault, const Pose2& X_OB);
+  bool add(Time now, Time measured_at, std::span<const float> ranges, SweepFault fault, const Pose2& X_OB);
 
   LaserState state(Time now) const;
 

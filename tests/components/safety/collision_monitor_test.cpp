@@ -29,9 +29,10 @@ class Bench {
       now = now + Duration::milliseconds(20);
       monitor.odometry(now, {}, actual);
       if (cycle++ % 5 == 0 && laser_on) {
-        Sweep noisy = sweep;
-        for (float& range : noisy.ranges) range += static_cast<float>(1e-4 * random.uniform());
-        monitor.sweep(now, now, frozen ? sweep : noisy, {});
+        Sweep seen = sweep;
+        seen.time = now;
+        for (float& range : seen.ranges) range += static_cast<float>(frozen ? 0.0 : 1e-4 * random.uniform());
+        monitor.sweep(now, seen.view());
       }
       verdict = monitor.judge(now, wanted);
     }
@@ -110,9 +111,10 @@ TEST(CollisionMonitor, AroundLegsItIsSlowEarlier) {
 TEST(CollisionMonitor, AccountsForWhereTheRobotWentSinceTheSweep) {
   // 0.08 s after the sweep the robot is 0.08 m nearer: 0.36 - 0.08 - 0.10 m are left
   Bench bench;
-  const Sweep sweep = sweep_of({pillar(0.66)});
+  Sweep sweep = sweep_of({pillar(0.66)});
+  sweep.time = bench.now;
   bench.monitor.odometry(bench.now, {}, {1.0, 0.0});
-  bench.monitor.sweep(bench.now, bench.now, sweep, {});
+  bench.monitor.sweep(bench.now, sweep.view());
   bench.now = bench.now + Duration::milliseconds(80);
   bench.monitor.odometry(bench.now, {0.08, 0.0, 0.0}, {1.0, 0.0});
   EXPECT_NEAR(bench.monitor.judge(bench.now, {1.0, 0.0}).allowed.v, -0.2 + std::sqrt(0.04 + 4.0 * 0.18),
@@ -172,7 +174,9 @@ TEST(CollisionMonitor, StopsForLostSweepsAndForSilentOdometry) {
   bench.run(0.3, sweep_of({}), {1.0, 0.0});
   for (int i = 0; i < 4; ++i) {
     bench.now = bench.now + Duration::milliseconds(100);
-    bench.monitor.sweep(bench.now, bench.now, sweep_of({pillar(5.0 + i)}), {});
+    Sweep sweep = sweep_of({pillar(5.0 + i)});
+    sweep.time = bench.now;
+    bench.monitor.sweep(bench.now, sweep.view());
   }
   EXPECT_EQ(bench.monitor.judge(bench.now, {1.0, 0.0}).cause, kOdometrySilent);
 }

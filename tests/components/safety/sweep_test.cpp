@@ -14,17 +14,23 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
+CheckedSweep check(const Sweep& sweep, const SweepOptions& options = {}) {
+  return check_sweep(sweep.view(), options);
+}
+
 SweepFault fault(const std::function<void(Sweep&)>& spoil) {
   Sweep sweep = sweep_of({});
   spoil(sweep);
-  return check_sweep(sweep, {}, {}).fault;
+  return check(sweep).fault;
 }
 
 TEST(Sweep, ASoundOneGivesItsPointsInBaseLink) {
   // A pole of 0.1 m at (2, 0.5) seen from a laser that sits at (0.2, 0) and looks left by 30 degrees
   const Pose2 X_BS{0.2, 0.0, std::numbers::pi / 6.0};
   const Vector2 pole_S = inverse(X_BS) * Vector2(2.0, 0.5);
-  const CheckedSweep out = check_sweep(sweep_of({{pole_S, 0.1}}, kInfinity), X_BS, {});
+  Sweep sweep = sweep_of({{pole_S, 0.1}}, kInfinity);
+  sweep.X_FL = X_BS;
+  const CheckedSweep out = check(sweep);
   ASSERT_EQ(out.fault, SweepFault::none);
   ASSERT_GE(out.points.size(), 10U);
   for (const SeenPoint& point : out.points) {
@@ -35,12 +41,12 @@ TEST(Sweep, ASoundOneGivesItsPointsInBaseLink) {
 
 TEST(Sweep, RefusesWhatMakesNoSense) {
   EXPECT_EQ(fault([](Sweep&) {}), SweepFault::none);
-  EXPECT_EQ(fault([](Sweep& s) { s.angle_increment = 0.0; }), SweepFault::bad_geometry);
-  EXPECT_EQ(fault([](Sweep& s) { s.angle_min = std::nan(""); }), SweepFault::bad_geometry);
-  EXPECT_EQ(fault([](Sweep& s) { s.range_max = s.range_min; }), SweepFault::bad_geometry);
-  EXPECT_EQ(fault([](Sweep& s) { s.range_min = -1.0; }), SweepFault::bad_geometry);
+  EXPECT_EQ(fault([](Sweep& s) { s.angle_increment = 0.0; }), SweepFault::bad_angles);
+  EXPECT_EQ(fault([](Sweep& s) { s.angle_min = std::nan(""); }), SweepFault::bad_angles);
+  EXPECT_EQ(fault([](Sweep& s) { s.range_max = s.range_min; }), SweepFault::bad_limits);
+  EXPECT_EQ(fault([](Sweep& s) { s.range_min = -1.0; }), SweepFault::bad_limits);
   EXPECT_EQ(fault([](Sweep& s) { s.angle_increment = 1e-9; }),
-            SweepFault::bad_geometry);  // 1e9 beams claimed
+            SweepFault::bad_angles);  // 1e9 beams claimed
   EXPECT_EQ(fault([](Sweep& s) { s.angle_increment *= 2.0; }), SweepFault::wrong_length);
   EXPECT_EQ(fault([](Sweep& s) { s.ranges.resize(717); }), SweepFault::wrong_length);
   EXPECT_EQ(fault([](Sweep& s) { s.ranges.resize(5000, 3.0F); }), SweepFault::wrong_length);
@@ -58,7 +64,7 @@ TEST(Sweep, ALostSweepIsNotAFreeOne) {
             SweepFault::no_returns);
   SweepOptions open_floor;
   open_floor.min_returns = 0;
-  EXPECT_EQ(check_sweep(sweep_of({}, kInfinity), {}, open_floor).fault, SweepFault::none);
+  EXPECT_EQ(check(sweep_of({}, kInfinity), open_floor).fault, SweepFault::none);
 }
 
 TEST(Sweep, TenPercentOfUnusableBeamsHideNothing) {
@@ -68,7 +74,7 @@ TEST(Sweep, TenPercentOfUnusableBeamsHideNothing) {
     for (float& range : sweep.ranges) {
       if (random.uniform() < 0.1) range = value;
     }
-    const CheckedSweep out = check_sweep(sweep, {}, {});
+    const CheckedSweep out = check(sweep);
     ASSERT_EQ(out.fault, SweepFault::none);
     const auto near = std::count_if(out.points.begin(), out.points.end(),
                                     [](const SeenPoint& p) { return p.position.norm() < 1.1; });
@@ -86,7 +92,7 @@ TEST(Sweep, LonelyReturnsDoNotCountAndThreeNeighboursDo) {
   sweep.ranges[362] = 0.7F;
   const auto nearest = [&] {
     double least = 100.0;
-    for (const SeenPoint& p : check_sweep(sweep, {}, {}).points) least = std::min(least, p.position.norm());
+    for (const SeenPoint& p : check(sweep).points) least = std::min(least, p.position.norm());
     return least;
   };
   EXPECT_GT(nearest(), 7.9);
@@ -97,7 +103,7 @@ TEST(Sweep, LonelyReturnsDoNotCountAndThreeNeighboursDo) {
 
 TEST(Sweep, LegsAreNarrowAndWallsAreNot) {
   // A leg of 0.14 m, a pillar of 1 m, and the wall behind: everything else of the sweep
-  const CheckedSweep out = check_sweep(sweep_of({{{1.5, 0.0}, 0.07}, {{0.0, 2.0}, 0.5}}, 6.0F), {}, {});
+  const CheckedSweep out = check(sweep_of({{{1.5, 0.0}, 0.07}, {{0.0, 2.0}, 0.5}}, 6.0F));
   int legs = 0;
   for (const SeenPoint& p : out.points) {
     const bool is_leg = (p.position - Vector2(1.5, 0.0)).norm() < 0.1;
@@ -111,7 +117,7 @@ TEST(Sweep, SightIsLessWhereBeamsAreUnknownOrMissing) {
   Sweep sweep = sweep_of({});
   for (std::size_t i = 340; i < 380; ++i)
     sweep.ranges[i] = kNan;  // 40 beams of 0.376 degrees, straight ahead
-  const CheckedSweep out = check_sweep(sweep, {}, {});
+  const CheckedSweep out = check(sweep);
   const Sight ahead = sight_of(out, 0.0, 0.785);
   EXPECT_NEAR(ahead.widest_gap, 40.0 * sweep.angle_increment, 1e-9);
   EXPECT_NEAR(ahead.unknown, 40.0 / 239.0, 0.002);  // 2 * 0.785 rad hold 239 beams
@@ -131,7 +137,7 @@ TEST(Sweep, RandomBytesNeitherCrashNorGivePointsThatAreNotFinite) {
     }
     if (i % 3 == 0) sweep.ranges.resize(720, 3.0F);
     if (i % 5 == 0) sweep.angle_increment = random.normal();
-    const CheckedSweep out = check_sweep(sweep, {}, {});
+    const CheckedSweep out = check(sweep);
     for (const SeenPoint& p : out.points) ASSERT_TRUE(p.position.allFinite());
     EXPECT_TRUE(out.fault == SweepFault::none || out.points.empty());
   }
