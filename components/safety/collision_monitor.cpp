@@ -57,10 +57,12 @@ void CollisionMonitor::sweep(Time now, const LaserSweep& sweep) {
   CheckedSweep checked = check_sweep(sweep, options_.sweep);
   sweep_fault_ = checked.fault;
   const double age = (now - sweep.time).to_seconds();
-  const Pose2 X_OB = pose_at(age >= 0.0 && age <= kLongestSweepAge ? sweep.time : now);
+  const Time measured_at = age >= 0.0 && age <= kLongestSweepAge ? sweep.time : now;
+  const Pose2 X_OB = pose_at(measured_at);
   if (!watch_.add(now, sweep.time, sweep.ranges, checked.fault, X_OB)) return;
   seen_ = std::move(checked);
   X_OB_seen_ = X_OB;
+  seen_at_ = measured_at;
 }
 
 std::optional<std::string_view> CollisionMonitor::fault(Time now) {
@@ -79,37 +81,38 @@ std::optional<std::string_view> CollisionMonitor::fault(Time now) {
   return std::nullopt;
 }
 
-std::vector<SeenPoint> CollisionMonitor::points_at(Time now) const {
+CollisionMonitor::Ahead CollisionMonitor::ahead_at(Time now) const {
   const Pose2 X_now_seen = inverse(pose_at(now)) * X_OB_seen_;
-  std::vector<SeenPoint> points = seen_.points;
-  for (SeenPoint& point : points) point.position = X_now_seen * point.position;
-  return points;
+  Ahead ahead{seen_.points, options_.stopping.approach_speed * (now - seen_at_).to_seconds()};
+  for (SeenPoint& point : ahead.points) point.position = X_now_seen * point.position;
+  return ahead;
 }
 
 /// Speed along the arc of `along` that the stopping distance allows.
-double CollisionMonitor::rule_speed(const Twist2& along, const std::vector<SeenPoint>& points) const {
+double CollisionMonitor::rule_speed(const Twist2& along, const Ahead& ahead) const {
   const StoppingOptions& rule = options_.stopping;
   double way = std::numeric_limits<double>::infinity();
   double deep_way = way;
-  for (const SeenPoint& point : points) {
+  for (const SeenPoint& point : ahead.points) {
     const double touch = free_way(along, radius_, point.position);
     way = std::min(way, touch);
     if (std::isfinite(free_way(along, radius_ - rule.graze, point.position)))
       deep_way = std::min(deep_way, touch);
   }
-  return std::min(speed_within(deep_way - rule.margin, stopping_),
-                  speed_within(way - rule.margin, stopping_, rule.graze_speed));
+  const double kept = rule.margin + ahead.nearer;
+  return std::min(speed_within(deep_way - kept, stopping_),
+                  speed_within(way - kept, stopping_, rule.graze_speed));
 }
 
 /// The same for narrow things and the bodies that may be above them.
-double CollisionMonitor::narrow_speed(const Twist2& along, const std::vector<SeenPoint>& points) const {
+double CollisionMonitor::narrow_speed(const Twist2& along, const Ahead& ahead) const {
   const StoppingOptions& rule = options_.stopping;
   double way = std::numeric_limits<double>::infinity();
-  for (const SeenPoint& point : points) {
+  for (const SeenPoint& point : ahead.points) {
     if (!point.is_narrow) continue;
     way = std::min(way, free_way_to_walker(along, radius_ + rule.narrow_margin, point.position));
   }
-  return speed_within(way, stopping_, rule.narrow_speed);
+  return speed_within(way - ahead.nearer, stopping_, rule.narrow_speed);
 }
 
 double CollisionMonitor::sight_speed(double v) const {
@@ -121,18 +124,17 @@ double CollisionMonitor::sight_speed(double v) const {
   return is_seen ? std::numeric_limits<double>::infinity() : options.creep_speed;
 }
 
-CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted,
-                                                   const std::vector<SeenPoint>& points) const {
+CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted, const Ahead& ahead) const {
   Bound bound{std::numeric_limits<double>::infinity(), Action::do_nothing, ""};
   const auto consider = [&](double speed, Action action, std::string_view cause) {
     if (speed < bound.speed) bound = {speed, action, cause};
   };
-  consider(rule_speed(wanted, points), Action::approach, kStoppingDistance);
+  consider(rule_speed(wanted, ahead), Action::approach, kStoppingDistance);
   if (options_.stopping.narrow_margin > 0.0)
-    consider(narrow_speed(wanted, points), Action::approach, kNarrowThing);
+    consider(narrow_speed(wanted, ahead), Action::approach, kNarrowThing);
   consider(sight_speed(wanted.v), Action::limit, kSight);
   for (const Zone& zone : zones_) {
-    const double share = zone.share_left(wanted, points);
+    const double share = zone.share_left(wanted, ahead.points);
     if (share < 1.0)
       consider(share * std::abs(wanted.v), action_of(zone.options().action_type), zone.options().name);
   }
@@ -152,10 +154,10 @@ Twist2 CollisionMonitor::shrink(const Twist2& wanted, double speed) const {
 Verdict CollisionMonitor::judge(Time now, const Twist2& wanted) {
   if (const auto cause = fault(now)) return {{}, Action::stop, *cause};
   if (!is_finite(wanted)) return {{}, Action::stop, "command_not_finite"};
-  const std::vector<SeenPoint> points = points_at(now);
+  const Ahead ahead = ahead_at(now);
   Verdict verdict{wanted, Action::do_nothing, ""};
   if (wanted.v != 0.0) {
-    const Bound bound = tightest(wanted, points);
+    const Bound bound = tightest(wanted, ahead);
     const double speed = hold_.update(now, std::min(bound.speed, std::max(limits_.v_max, std::abs(wanted.v))),
                                       wanted.v > 0.0 ? 1 : -1);
     if (bound.speed <= speed) held_cause_ = bound;
@@ -167,7 +169,7 @@ Verdict CollisionMonitor::judge(Time now, const Twist2& wanted) {
     }
   } else {
     for (const Zone& zone : zones_) {
-      const double share = zone.share_left(wanted, points);
+      const double share = zone.share_left(wanted, ahead.points);
       if (std::abs(share * wanted.omega) >= std::abs(verdict.allowed.omega)) continue;
       verdict = {{0.0, share * wanted.omega}, action_of(zone.options().action_type), zone.options().name};
     }
@@ -175,7 +177,7 @@ Verdict CollisionMonitor::judge(Time now, const Twist2& wanted) {
   // The command asks for less than the robot still does: what it does now must fit as well, or it brakes
   // hard.
   if (std::abs(twist_.v) > std::abs(wanted.v) + kStanding) {
-    const double speed = rule_speed(twist_, points);
+    const double speed = rule_speed(twist_, ahead);
     if (std::abs(twist_.v) > speed + kStanding) return {verdict.allowed, Action::approach, kStoppingDistance};
   }
   return verdict;

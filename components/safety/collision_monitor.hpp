@@ -73,12 +73,18 @@ class CollisionMonitor {
     std::string_view cause;
   };
 
+  /// What the newest sweep shows, where it is now unless it moves.
+  struct Ahead {
+    std::vector<SeenPoint> points;  ///< in base_link
+    double nearer = 0.0;            ///< [m] that what approaches has come since the sweep
+  };
+
   std::optional<std::string_view> fault(Time now);
   Pose2 pose_at(Time time) const;
-  std::vector<SeenPoint> points_at(Time now) const;
-  double rule_speed(const Twist2& along, const std::vector<SeenPoint>& points) const;
-  double narrow_speed(const Twist2& along, const std::vector<SeenPoint>& points) const;
-  Bound tightest(const Twist2& wanted, const std::vector<SeenPoint>& points) const;
+  Ahead ahead_at(Time now) const;
+  double rule_speed(const Twist2& along, const Ahead& ahead) const;
+  double narrow_speed(const Twist2& along, const Ahead& ahead) const;
+  Bound tightest(const Twist2& wanted, const Ahead& ahead) const;
   double sight_speed(double v) const;
   Twist2 shrink(const Twist2& wanted, double speed) const;
 
@@ -97,6 +103,7 @@ class CollisionMonitor {
   CheckedSweep seen_;
   SweepFault sweep_fault_ = SweepFault::none;
   Pose2 X_OB_seen_;  ///< where the robot was when the sweep in use was measured
+  Time seen_at_;     ///< when that was
   std::optional<Time> fault_at_;
   std::string_view fault_cause_;
   bool latched_ = false;

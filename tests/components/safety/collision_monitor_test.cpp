@@ -65,6 +65,15 @@ TEST(CollisionMonitor, TheStopEndsTenCentimetresBeforeWhatIsThere) {
   EXPECT_EQ(Bench().run(0.1, sweep_of({pillar(0.40)}), {1.0, 0.0}).action, Action::stop);
 }
 
+// Free way 1.0 m, less 0.10 m, less 0.08 m that it came nearer since the sweep: with u = 1 m/s
+// v 0.1 + v^2 / 4 + (0.1 + v / 2) = 0.82 gives v = -1.2 + sqrt(1.44 + 4 * 0.72) = 0.8785
+TEST(CollisionMonitor, WhatApproachesHasComeNearerSinceTheSweep) {
+  CollisionMonitorOptions options;
+  options.stopping.approach_speed = 1.0;
+  const Verdict verdict = Bench(options).run(0.1, sweep_of({pillar(1.3)}), {1.0, 0.0});
+  EXPECT_NEAR(verdict.allowed.v, 0.8785, 2e-3);
+}
+
 TEST(CollisionMonitor, ScalesBothSoThatThePathStays) {
   const Twist2 wanted{1.0, 0.4};
   const Verdict verdict = Bench().run(0.1, sweep_of({pillar(0.7)}), wanted);
