@@ -149,7 +149,7 @@ void LocalizationComponent::on_initial_pose(const geometry_msgs::msg::PoseWithCo
     log_.error("initialpose is in frame '{}', not in '{}': ignored", frame, map_frame_);
     return;
   }
-  Eigen::Matrix3d covariance = planar_covariance(message.pose());
+  Eigen::Matrix3d covariance = planar_covariance(message.pose().covariance());
   const InitialPoseParameters& pose = parameters_.initial_pose;
   const Eigen::Vector3d sigma(pose.position_sigma, pose.position_sigma, pose.yaw_sigma);
   if (covariance.isZero()) covariance = sigma.cwiseAbs2().asDiagonal();

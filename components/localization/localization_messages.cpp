@@ -10,13 +10,6 @@
 namespace bw::localization {
 namespace {
 
-void set_planar(std::array<double, 36>& covariance, const Eigen::Matrix3d& C) {
-  constexpr std::size_t kPlanar[] = {0, 1, 5};  // x, y, yaw among x, y, z, roll, pitch, yaw
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) covariance[kPlanar[i] * 6 + kPlanar[j]] = C(i, j);
-  }
-}
-
 template <class Visit>
 void every_nth(std::size_t count, std::size_t most, Visit visit) {
   const std::size_t step = std::max<std::size_t>(1, (count + most - 1) / most);
@@ -31,7 +24,7 @@ nav_msgs::msg::Odometry to_odometry(const Estimate& estimate, const std::string&
   message.header(make_header(map_frame, estimate.time));
   message.child_frame_id(base_frame);
   message.pose().pose(to_pose(estimate.X_MB));
-  set_planar(message.pose().covariance(), estimate.covariance);
+  set_planar_covariance(message.pose().covariance(), estimate.covariance);
   message.twist().twist(to_twist_message(estimate.twist));
   return message;
 }
@@ -41,7 +34,7 @@ geometry_msgs::msg::PoseWithCovarianceStamped to_pose_message(const Estimate& es
   geometry_msgs::msg::PoseWithCovarianceStamped message;
   message.header(make_header(map_frame, estimate.time));
   message.pose().pose(to_pose(estimate.X_MB));
-  set_planar(message.pose().covariance(), estimate.covariance);
+  set_planar_covariance(message.pose().covariance(), estimate.covariance);
   return message;
 }
 

@@ -7,9 +7,8 @@
 namespace bw::localization {
 namespace {
 
-constexpr std::size_t kPlanar[] = {0, 1, 5};  // x, y, yaw among x, y, z, roll, pitch, yaw
-constexpr double kYawUnknown = 10.0;          // [rad^2]
-constexpr double kNotMeasured = -1.0;         // first element of a covariance, by sensor_msgs/Imu
+constexpr double kYawUnknown = 10.0;   // [rad^2]
+constexpr double kNotMeasured = -1.0;  // first element of a covariance, by sensor_msgs/Imu
 
 double variance_or(double given, double sigma) { return given != 0.0 ? given : sigma * sigma; }
 
@@ -59,17 +58,9 @@ PositionFix to_fix(const sensor_msgs::msg::NavSatFix& message, const Geodetic& p
   return fix;
 }
 
-Eigen::Matrix3d planar_covariance(const geometry_msgs::msg::PoseWithCovariance& message) {
-  Eigen::Matrix3d C;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) C(i, j) = message.covariance()[kPlanar[i] * 6 + kPlanar[j]];
-  }
-  return C;
-}
-
 Measurement to_measurement(const geometry_msgs::msg::PoseWithCovarianceStamped& message) {
   const Time time = from_stamp(message.header().stamp());
-  const Eigen::Matrix3d C = planar_covariance(message.pose());
+  const Eigen::Matrix3d C = planar_covariance(message.pose().covariance());
   const Pose2 X_MB = from_pose(message.pose().pose());
   if (C(2, 2) > kYawUnknown)
     return PositionFix{time, kPose, X_MB.position(), C.topLeftCorner<2, 2>(), {0.0, 0.0}};

@@ -31,8 +31,6 @@ std::optional<Geodetic> to_geodetic(const sensor_msgs::msg::NavSatFix& message, 
 PositionFix to_fix(const sensor_msgs::msg::NavSatFix& message, const Geodetic& place, const LocalPlane& plane,
                    const Pose2& X_BS, double sigma);
 
-/// (x, y, yaw) covariance of a message in map.
-Eigen::Matrix3d planar_covariance(const geometry_msgs::msg::PoseWithCovariance& message);
 /// A pose; or a position only, when the variance of its yaw says that it is unknown (above 10 rad^2).
 Measurement to_measurement(const geometry_msgs::msg::PoseWithCovarianceStamped& message);
 

@@ -1,6 +1,7 @@
 // Between the planar vocabulary of model/ and ROS 2's messages. For adaptors only.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -62,6 +63,17 @@ inline geometry_msgs::msg::Pose to_pose(const Pose2& X) {
 /// May hold NaN when the message does: check with is_finite().
 inline Pose2 from_pose(const geometry_msgs::msg::Pose& pose) {
   return {pose.position().x(), pose.position().y(), yaw_of(pose.orientation())};
+}
+
+inline constexpr Eigen::Index kPlanar[] = {0, 1, 5};  ///< x, y, yaw among x, y, z, roll, pitch, yaw
+
+/// (x, y, yaw) of the covariance of a message.
+inline Eigen::Matrix3d planar_covariance(const std::array<double, 36>& covariance) {
+  return Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(covariance.data())(kPlanar, kPlanar);
+}
+
+inline void set_planar_covariance(std::array<double, 36>& covariance, const Eigen::Matrix3d& C) {
+  Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(covariance.data())(kPlanar, kPlanar) = C;
 }
 
 inline geometry_msgs::msg::Twist to_twist_message(const Twist2& t) {

@@ -17,12 +17,7 @@ inline nav_msgs::msg::Odometry to_odometry(const OdometryState& state, const std
   message.child_frame_id(base_frame);
   message.pose().pose(to_pose(state.X_OB));
   message.twist().twist(to_twist_message(state.twist));
-  constexpr std::size_t kPlanar[] = {0, 1, 5};  // x, y, yaw among x, y, z, roll, pitch, yaw
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      message.pose().covariance()[kPlanar[i] * 6 + kPlanar[j]] = state.pose_covariance(i, j);
-    }
-  }
+  set_planar_covariance(message.pose().covariance(), state.pose_covariance);
   message.twist().covariance()[0] = state.twist_covariance(0, 0);
   message.twist().covariance()[35] = state.twist_covariance(1, 1);
   return message;
