@@ -14,20 +14,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 #include <string>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "tests/faults/guarded_drive.hpp"
+#include "tests/faults/meeting.hpp"
 
 namespace bw {
 namespace {
 
-constexpr double kWall = 0.5;    // y of the wall [m]
-constexpr double kPerson = 0.3;  // radius [m]
-constexpr double kRobot = 0.3;   // radius [m]
+constexpr double kWall = 0.5;  // y of the wall [m]
 constexpr double kEnter = kRobot + kPerson;
 constexpr double kReaction = 0.17;  // [s], see above
 
@@ -37,37 +34,11 @@ double physics(double ahead) {
   return square > 0.0 ? std::min(1.0, std::sqrt(square)) : 0.0;
 }
 
-struct Meeting {
-  std::optional<double> contact_speed;  ///< [m/s], of the robot
-  double least_gap = 10.0;              ///< [m]
-  double least_speed = 10.0;            ///< [m/s], after the person came
-};
-
 std::string scene(double wall_end, const std::string& person) {
   return fmt::format(
       "      walls: [{{x1: -5.0, y1: {0}, x2: {1}, y2: {0}}}, {{x1: -5.0, y1: -2.0, x2: 30.0, y2: -2.0}}]\n"
       "      people_react: false\n      people: {{scripted: [{2}]}}\n",
       kWall, wall_end, person);
-}
-
-Meeting watch(GuardedDrive& drive, double from, double seconds) {
-  Meeting meeting;
-  double before = 0.0;
-  drive.wish = [](double) { return Twist2{1.0, 0.0}; };
-  drive.see = [&](double t, const bandwagon_msgs::msg::GroundTruth& truth) {
-    const double v = truth.twist().linear().x();
-    const auto& robot = truth.pose().position();
-    for (const auto& person : truth.people()) {
-      const double gap =
-          std::hypot(person.position().x() - robot.x(), person.position().y() - robot.y()) - kEnter;
-      meeting.least_gap = std::min(meeting.least_gap, gap);
-      if (gap < 0.0 && !meeting.contact_speed) meeting.contact_speed = std::max(before, v);
-    }
-    if (t > from) meeting.least_speed = std::min(meeting.least_speed, v);
-    before = v;
-  };
-  drive.run(seconds);
-  return meeting;
 }
 
 /// When the robot, undisturbed, is at x [m]: measured once.
@@ -100,21 +71,9 @@ Meeting step_out(double ahead, int i, int n) {
   return watch(drive, enters, enters + 2.0);
 }
 
-struct Outcome {
-  int contacts = 0;
-  double worst = 0.0;  ///< contact speed [m/s]
-  double least_gap = 10.0;
-};
-
 Outcome trials(double ahead) {
-  Outcome outcome;
   const int n = fault_trials();
-  for (int i = 0; i < n; ++i) {
-    const Meeting meeting = step_out(ahead, i, n);
-    outcome.contacts += meeting.contact_speed ? 1 : 0;
-    outcome.worst = std::max(outcome.worst, meeting.contact_speed.value_or(0.0));
-    outcome.least_gap = std::min(outcome.least_gap, meeting.least_gap);
-  }
+  const Outcome outcome = outcome_of(n, [&](int i) { return step_out(ahead, i, n); });
   std::printf(
       "%.2f m ahead, %d trials: %d contacts, the fastest at %.2f m/s, least gap %.3f m; braking alone: %.2f "
       "m/s\n",
