@@ -21,7 +21,7 @@ const char* to_text(SweepFault fault) {
     case SweepFault::bad_limits:
       return "its least and largest range are no interval";
     case SweepFault::wrong_length:
-      return "its beams do not fill its angles";
+      return "its number of beams does not fit its angles";
     case SweepFault::bad_pose:
       return "its place is not finite, or too far away";
     case SweepFault::not_later:
