@@ -35,7 +35,7 @@ Meeting head_on(const std::string& monitor, int i, int n) {
       "      people_react: false\n      people: {{scripted: [{{waypoints: [{{x: {0}, y: {1}}}, {{x: -5.0, y: "
       "{1}}}], speed: {2}, start_time: {3}}}]}}\n",
       x, y, kWalk, start);
-  return watch(drive, start, start + x / kWalk);
+  return watch(drive, start + x / kWalk);
 }
 
 Outcome trials(int n, double approach_speed) {

@@ -16,15 +16,14 @@ inline constexpr double kRobot = 0.3;   // radius [m]
 struct Meeting {
   std::optional<double> contact_speed;  ///< [m/s], of the robot
   double least_gap = 10.0;              ///< [m]
-  double least_speed = 10.0;            ///< [m/s], after the person came
 };
 
-/// Runs `drive` straight on; the person comes at `from` [s].
-inline Meeting watch(GuardedDrive& drive, double from, double seconds) {
+/// Runs `drive` straight on.
+inline Meeting watch(GuardedDrive& drive, double seconds) {
   Meeting meeting;
   double before = 0.0;
   drive.wish = [](double) { return Twist2{1.0, 0.0}; };
-  drive.see = [&](double t, const bandwagon_msgs::msg::GroundTruth& truth) {
+  drive.see = [&](double, const bandwagon_msgs::msg::GroundTruth& truth) {
     const double v = truth.twist().linear().x();
     const auto& robot = truth.pose().position();
     for (const auto& person : truth.people()) {
@@ -33,7 +32,6 @@ inline Meeting watch(GuardedDrive& drive, double from, double seconds) {
       meeting.least_gap = std::min(meeting.least_gap, gap);
       if (gap < 0.0 && !meeting.contact_speed) meeting.contact_speed = std::max(before, v);
     }
-    if (t > from) meeting.least_speed = std::min(meeting.least_speed, v);
     before = v;
   };
   drive.run(seconds);

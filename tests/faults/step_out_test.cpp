@@ -68,7 +68,7 @@ Meeting step_out(double ahead, int i, int n) {
             fmt::format("{{waypoints: [{{x: {0}, y: {1}}}, {{x: {0}, y: -1.6}}], speed: 1.0, start_time: "
                         "{2}}}",
                         x, start_y, enters - (start_y - kEnter)));
-  return watch(drive, enters, enters + 2.0);
+  return watch(drive, enters + 2.0);
 }
 
 Outcome trials(double ahead) {

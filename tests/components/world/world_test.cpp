@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -86,6 +87,24 @@ TEST(World, MovesARecordingWithItsWalls) {
   const World world(options, Robot(), files, 1);
   EXPECT_NEAR(world.scene().clearance({10.0, 0.0}, 5.0), 1.0, 1e-9);
   EXPECT_NEAR(world.scene().clearance({10.0, 4.0}, 5.0), 0.8, 1e-9);
+}
+
+// Two legs 0.12 m to either side of where the recording says, 0.07 m thick, and nothing between them.
+TEST(World, ShowsTheLaserTheLegsOfRecordedPeople) {
+  WorldOptions options;
+  options.laser.range_noise = 0.0;
+  WorldFiles files;
+  files.tracks = {{.id = 4, .samples = {{0.0, {3.0, 0.0}}, {10.0, {3.0, 0.0}}}}};
+  World world(options, Robot(), files, 1);
+  std::optional<LaserScan> scan;
+  while (!scan) scan = world.step().scan;
+  const auto range_at = [&](double angle) {
+    return scan->ranges.at(
+        static_cast<std::size_t>(std::lround((angle - scan->angle_min) / scan->angle_increment)));
+  };
+  for (const double side : {-0.12, 0.12})
+    EXPECT_NEAR(range_at(std::atan2(side, 3.0)), std::hypot(3.0, side) - 0.07, 0.005);
+  EXPECT_TRUE(std::isinf(range_at(0.0)));
 }
 
 TEST(World, SensorsKeepTheirRates) {
