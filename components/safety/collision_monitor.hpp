@@ -35,7 +35,7 @@ enum class Action { do_nothing = 0, stop = 1, slowdown = 2, approach = 3, limit 
 struct Verdict {
   Twist2 allowed;                      ///< never faster than wanted
   Action action = Action::do_nothing;  ///< anything else: lower speeds are meant at stop_deceleration
-  std::string_view cause = "";         ///< a zone's name, or one of the causes below
+  std::string_view cause;              ///< a zone's name, or one of the causes below
 };
 
 inline constexpr std::string_view kStoppingDistance = "stopping_distance";
