@@ -59,7 +59,7 @@ void LocalBackground::learn(const Beams& beams, Time time, std::span<const Vecto
 
 void LocalBackground::mark(const Beams& beams, float elapsed, std::span<const Vector2> people) {
   const float most = static_cast<float>(kRemembered * options_.stood);
-  const double reach = (kSide / 2 - 2) * options_.cell;
+  const double reach = (0.5 * kSide - 2.0) * options_.cell;
   const double keep_out_squared = options_.keep_out * options_.keep_out;
   for (int i = 0; i < beams.size(); ++i) {
     const auto beam = static_cast<std::size_t>(i);

@@ -63,7 +63,7 @@ struct Score {
     if (confirmation.empty()) return 0.0;
     std::vector<double> sorted = confirmation;
     std::sort(sorted.begin(), sorted.end());
-    return sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1) + 0.5)];
+    return sorted[static_cast<std::size_t>(std::lround(q * static_cast<double>(sorted.size() - 1)))];
   }
   void add(const Score& other) {
     people += other.people;

@@ -31,6 +31,16 @@ struct PicturedStretch {
   std::vector<Sighting> misses;  ///< those of them without a track
 };
 
+/// Multiples of `step` from `low` to `high`; none for a step of 0.
+inline std::vector<double> ticks(double low, double high, double step) {
+  std::vector<double> multiples;
+  if (step <= 0.0) return multiples;
+  const auto last = std::lround(std::floor(high / step));
+  for (auto i = std::lround(std::ceil(low / step)); i <= last; ++i)
+    multiples.push_back(static_cast<double>(i) * step);
+  return multiples;
+}
+
 /// A frame with ticks; `left` may be greater than `right`.
 struct Axes {
   Vector2 corner;
@@ -43,14 +53,11 @@ struct Axes {
 
   void draw(SvgWriter& svg, double step_h, double step_v, const std::string& name_h,
             const std::string& name_v) const {
-    const double low = std::min(left, right);
-    const double high = std::max(left, right);
-    for (double h = std::ceil(low / step_h) * step_h; h <= high + 1e-9; h += step_h) {
+    for (const double h : ticks(std::min(left, right), std::max(left, right), step_h)) {
       svg.line(at(h, bottom), at(h, top), R"(stroke="#e4e4e4")");
       svg.text(at(h, bottom) + Vector2(0, 16), fixed(h, 0), R"(font-size="12" text-anchor="middle")");
     }
-    for (double v = step_v > 0 ? std::ceil(bottom / step_v) * step_v : top + 1; v <= top + 1e-9;
-         v += step_v) {
+    for (const double v : ticks(bottom, top, step_v)) {
       svg.line(at(left, v), at(right, v), R"(stroke="#e4e4e4")");
       svg.text(at(left, v) + Vector2(-6, 4), fixed(v, 0), R"(font-size="12" text-anchor="end")");
     }
