@@ -121,6 +121,7 @@ void PeopleComponent::publish(const DetectionSet& detections, const std::vector<
 
 std::vector<ReportedPerson> PeopleComponent::report_of(const std::vector<TrackedPerson>& tracked, Time time) {
   std::vector<PersonState> states;
+  states.reserve(tracked.size());
   for (const TrackedPerson& person : tracked) states.push_back(state_of(person));
   const auto predictions = predictor_->predict(states, walls_at(time), time);
   std::vector<ReportedPerson> reported;

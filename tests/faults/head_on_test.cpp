@@ -28,7 +28,7 @@ Meeting head_on(const std::string& monitor, int i, int n) {
   const double x = 9.0 + 2.0 * std::fmod(0.414 * i, 1.0);
   const double start = 1.0 + 0.1 * i / n;
   GuardedDrive drive;
-  drive.seed = static_cast<std::uint64_t>(i + 1);
+  drive.seed = static_cast<std::uint64_t>(i) + 1;
   drive.monitor = monitor;
   drive.world = fmt::format(
       "      walls: [{{x1: -5.0, y1: 2.0, x2: 30.0, y2: 2.0}}, {{x1: -5.0, y1: -2.0, x2: 30.0, y2: -2.0}}]\n"

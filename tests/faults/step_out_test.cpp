@@ -62,7 +62,7 @@ Meeting step_out(double ahead, int i, int n) {
   const double start_y = 2.0 + 1.4 * std::fmod(0.618 * i, 1.0);
   const double enters = time_at(x - kEnter - ahead);
   GuardedDrive drive;
-  drive.seed = static_cast<std::uint64_t>(i + 1);
+  drive.seed = static_cast<std::uint64_t>(i) + 1;
   drive.world =
       scene(x - kPerson - 0.05,
             fmt::format("{{waypoints: [{{x: {0}, y: {1}}}, {{x: {0}, y: -1.6}}], speed: 1.0, start_time: "
