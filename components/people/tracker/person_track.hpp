@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "components/model/time.hpp"
+#include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/walker.hpp"
 
 namespace bw::people {
@@ -11,6 +13,7 @@ namespace bw::people {
 struct PersonTrack {
   std::uint32_t id = 0;
   Walker walker;
+  std::optional<HeadingFilter> heading;  ///< what is reported in place of the walker, if anything
   Time born;
   Time confirmed;
   Time last_seen;

@@ -9,6 +9,7 @@
 
 #include "components/people/tracker/birth.hpp"
 #include "components/people/tracker/cluster_track.hpp"
+#include "components/people/tracker/heading_track.hpp"
 #include "components/people/tracker/matching.hpp"
 #include "components/people/tracker/person_track.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
@@ -30,6 +31,19 @@ bool usable(const Detection& d, const AssociationOptions& options) {
          d.width <= options.largest;
 }
 
+struct Motion {
+  Vector2 position;
+  Vector2 velocity;
+  Eigen::Matrix4d covariance;
+};
+
+Motion motion_of(const PersonTrack& person) {
+  const auto of = [](const auto& filter) {
+    return Motion{filter.position(), filter.velocity(), filter.covariance()};
+  };
+  return person.heading ? of(*person.heading) : of(person.walker);
+}
+
 }  // namespace
 
 class Tracker::Impl {
@@ -46,6 +60,7 @@ class Tracker::Impl {
   void take_in(const DetectionSet& sweep);
   void correct_people();
   LegMatch possible(PersonTrack& person, LegMatch match);
+  void correct_heading(PersonTrack& person, const LegMatch& match);
   void correct_person(PersonTrack& person, const LegMatch& match);
   void correct_clusters();
   Sighting sighting_of(const Detection& d) const;
@@ -92,7 +107,10 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
 
   to_S(sweep);
   take_in(sweep_in_S_);
-  for (PersonTrack& person : people_) person.walker.predict(dt, options_.walker);
+  for (PersonTrack& person : people_) {
+    person.walker.predict(dt, options_.walker);
+    if (person.heading) person.heading->predict(dt, options_.heading);
+  }
   for (ClusterTrack& cluster : clusters_) cluster.predict(dt);
   matching_.match(detections_, people_, clusters_, options_.association);
   correct_people();
@@ -148,8 +166,22 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
 }
 
 void Tracker::Impl::correct_people() {
-  for (std::size_t i = 0; i < people_.size(); ++i)
-    correct_person(people_[i], possible(people_[i], matching_.of_person(i)));
+  for (std::size_t i = 0; i < people_.size(); ++i) {
+    const LegMatch match = possible(people_[i], matching_.of_person(i));
+    correct_heading(people_[i], match);
+    correct_person(people_[i], match);
+  }
+}
+
+/// Before the walker's correction: of one leg it tells how far that swings, as expected without this sweep.
+void Tracker::Impl::correct_heading(PersonTrack& person, const LegMatch& match) {
+  if (!person.heading) return;
+  const auto detection = [&](int index) {
+    return index < 0 ? nullptr : &detections_[static_cast<std::size_t>(index)];
+  };
+  const SeenLegs seen{detection(match.first), detection(match.second)};
+  if (const auto middle = seen_middle(seen, person.walker, options_.heading))
+    person.heading->correct(*middle, options_.heading);
 }
 
 /// Two legs farther apart than legs can be belong to two people: keeps the one that was foreseen better.
@@ -285,6 +317,7 @@ void Tracker::Impl::find_new_people() {
       person = &people_.back();
     }
     person->walker = walker;
+    if (options_.motion == "heading") person->heading = heading_of(first, second, walker, options_.heading);
     person->last_seen = *now_;
     person->empty_seconds = 0.0;
     person->first_unseen = 0;
@@ -301,10 +334,11 @@ void Tracker::Impl::report() {
   R.topLeftCorner<2, 2>() = R.bottomRightCorner<2, 2>() = Eigen::Rotation2Dd(X_OS.theta).toRotationMatrix();
   for (const PersonTrack& person : people_) {
     const double unseen = (*now_ - person.last_seen).to_seconds();
+    const auto [position, velocity, covariance] = motion_of(person);
     reported_.push_back({.id = person.id,
-                         .position = X_OS * person.walker.position(),
-                         .velocity = rotate(X_OS, person.walker.velocity()),
-                         .covariance = R * person.walker.covariance() * R.transpose(),
+                         .position = X_OS * position,
+                         .velocity = rotate(X_OS, velocity),
+                         .covariance = R * covariance * R.transpose(),
                          .radius = options_.person_radius,
                          .confidence = person.score * std::exp(-unseen / options_.death.unseen),
                          .born = person.born,

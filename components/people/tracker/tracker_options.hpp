@@ -1,6 +1,9 @@
 // Parameters of the tracker. Defaults suit a laser at the height of shins with 5 to 40 sweeps per second.
 #pragma once
 
+#include <string>
+
+#include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/walker.hpp"
 #include "runtime/parameters/field.hpp"
@@ -111,7 +114,9 @@ struct TrackerOptions {
   int most_detections = 1000;
   AlignmentOptions alignment;
   AssociationOptions association;
+  std::string motion = "gait";
   WalkerOptions walker;
+  HeadingOptions heading;
   BirthOptions birth;
   DeathOptions death;
 
@@ -124,7 +129,14 @@ struct TrackerOptions {
       {.min = 1, .max = 20000, .doc = "of a sweep; the rest is ignored, the least human first"});
     v("alignment", alignment, {.doc = "errors of odometry from sweep to sweep"});
     v("association", association, {.doc = "which detection belongs to whom"});
-    v("walker", walker, {.doc = "how people move"});
+    v("motion", motion,
+      {.choices = {"gait", "heading"},
+       .doc =
+           "which filter's position, velocity and covariance are reported; legs are always assigned by the "
+           "gait. gait: both legs swing (walker); heading: position, heading and speed of the point between "
+           "the legs (heading)"});
+    v("walker", walker, {.doc = "how people and their legs move"});
+    v("heading", heading, {.doc = "the filter of motion: heading"});
     v("birth", birth, {.doc = "when clusters become a person"});
     v("death", death, {.doc = "when a person is no longer believed to be there"});
   }

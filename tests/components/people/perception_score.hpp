@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -106,6 +107,9 @@ class ScoreKeeper {
     return known != memory_.end() && known->second.was_matched ? known->second.track : 0;
   }
 
+  /// Called for everybody whose velocity is judged: held for 1 s, and whether they kept theirs for 0.5 s.
+  std::function<void(const TruePerson&, const TrackedPerson&, bool steady)> on_followed;
+
  private:
   struct Memory {
     std::uint32_t track = 0;   ///< matched last; 0: never
@@ -188,7 +192,9 @@ class ScoreKeeper {
           const double error = (track.velocity - person.velocity).squaredNorm();
           ++score_.velocities;
           score_.velocity_square += error;
-          if (now - memory.turned > 0.5) {
+          const bool steady = now - memory.turned > 0.5;
+          if (on_followed) on_followed(person, track, steady);
+          if (steady) {
             ++score_.steady;
             score_.steady_square += error;
           }

@@ -50,6 +50,10 @@ class Trial {
   std::function<void(const DetectionSet&, const std::vector<TruePerson>&, const std::vector<TrackedPerson>&)>
       watch;
 
+  ScoreKeeper& keeper() { return keeper_; }
+  double now() const { return world_.time().to_seconds(); }                       ///< [s], since the start
+  Pose2 X_MO() const { return world_.pose() * inverse(odometry_.state().X_OB); }  ///< odom, as it has drifted
+
   TrialRecord run(double seconds) {
     std::map<std::uint32_t, bool> accused;
     while (world_.time().to_seconds() < seconds - 1e-9) {

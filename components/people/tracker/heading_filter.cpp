@@ -1,0 +1,135 @@
+#include "components/people/tracker/heading_filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Dense>
+
+namespace bw::people {
+namespace {
+
+constexpr double kLongestStep = 0.1;  // [s] over which a turn is linear enough
+
+/// Second order of the velocity's covariance, tr(H P H P) / 2: without it nothing could be unsure across the way
+/// of somebody who stops, whatever the heading is worth.
+Eigen::Matrix2d bend(const HeadingState& x, const HeadingCovariance& P) {
+  const Vector2 along = direction(x[2]);
+  const Vector2 left(-along.y(), along.x());
+  const double across = P(2, 2) * P(3, 3) + P(2, 3) * P(2, 3);
+  const double shorter = x[3] * x[3] * P(2, 2) * P(2, 2) / 2.0;
+  const double mixed = -x[3] * P(2, 2) * P(2, 3);
+  return across * left * left.transpose() + shorter * along * along.transpose() +
+         mixed * (along * left.transpose() + left * along.transpose());
+}
+
+}  // namespace
+
+HeadingFilter::HeadingFilter(const Eigen::Vector4d& motion, const Eigen::Matrix4d& covariance,
+                             const HeadingOptions& options) {
+  x_.head<4>() = motion;
+  P_.topLeftCorner<4, 4>() = covariance;
+  choose_form(options);
+}
+
+HeadingFilter::HeadingFilter(const SeenPlace& first, const SeenPlace& second, double dt,
+                             const HeadingOptions& options) {
+  x_.head<2>() = second.position;
+  x_.segment<2>(2) = (second.position - first.position) / dt;
+  P_.topLeftCorner<2, 2>() = second.covariance;
+  P_.block<2, 2>(0, 2) = P_.block<2, 2>(2, 0) = second.covariance / dt;
+  // The velocity at the end differs from the mean one by the acceleration between.
+  const double q = options.acceleration * options.acceleration;
+  P_.block<2, 2>(2, 2) =
+      (first.covariance + second.covariance) / (dt * dt) + q * dt / 3.0 * Eigen::Matrix2d::Identity();
+  choose_form(options);
+}
+
+void HeadingFilter::predict(double dt, const HeadingOptions& options) {
+  if (dt <= 0.0) return;
+  if (!walks_) {
+    const Eigen::Matrix4d F = glide(dt);
+    x_.head<4>() = F * x_.head<4>();
+    P_.topLeftCorner<4, 4>() =
+        F * P_.topLeftCorner<4, 4>() * F.transpose() + glide_noise(dt, options.acceleration_standing);
+    return;
+  }
+  const HeadingNoise noise{options.heading_noise, options.acceleration,
+                           options.turn_rate ? options.turn_noise : 0.0};
+  const int steps = options.turn_rate ? static_cast<int>(std::ceil(dt / kLongestStep)) : 1;
+  const double step = dt / steps;
+  for (int i = 0; i < steps; ++i) {
+    const HeadingCovariance F = walked_jacobian(x_, step, options.turn_memory);
+    P_ = (F * P_ * F.transpose() + walked_noise(x_, step, noise)).eval();
+    x_ = walked(x_, step, options.turn_memory);
+  }
+  x_[2] = wrap_angle(x_[2]);
+}
+
+double HeadingFilter::correct(const SeenPlace& seen, const HeadingOptions& options) {
+  const Vector2 innovation = seen.position - position();
+  const auto spread = [&] { return Eigen::Matrix2d(P_.topLeftCorner<2, 2>() + seen.covariance); };
+  const double distance = innovation.dot(spread().ldlt().solve(innovation));
+  if (distance > options.jump_gate) widen(options);
+  const Eigen::Matrix2d S = spread();
+  const Eigen::Matrix<double, 5, 2> PHt = P_.leftCols<2>();
+  const Eigen::Matrix<double, 5, 2> K = S.ldlt().solve(PHt.transpose()).transpose();
+  x_ += K * innovation;
+  // Joseph form, expanded: P - K (PH')' - (PH') K' + K S K'.
+  const HeadingCovariance KHP = K * PHt.transpose();
+  P_ += K * S * K.transpose() - KHP - KHP.transpose();
+  P_ = (0.5 * (P_ + P_.transpose())).eval();
+  choose_form(options);
+  return distance;
+}
+
+/// A turn or a start: lets the velocity follow.
+void HeadingFilter::widen(const HeadingOptions& options) {
+  const double q = options.jump_speed * options.jump_speed;
+  if (!walks_) {
+    P_.diagonal().segment<2>(2).array() += q;
+    return;
+  }
+  const double speed = std::max(std::abs(x_[3]), options.walking_speed);
+  P_(2, 2) += q / (speed * speed);
+  P_(3, 3) += q;
+}
+
+void HeadingFilter::choose_form(const HeadingOptions& options) {
+  const double speed = velocity().norm();
+  if (!walks_ && speed >= options.walking_speed) {
+    const Eigen::Vector4d m = x_.head<4>();
+    const Eigen::Matrix<double, 5, 4> J = with_heading_jacobian(m);
+    P_ = (J * P_.topLeftCorner<4, 4>() * J.transpose()).eval();
+    // A turn that nobody has seen yet is as likely as those who walk turn.
+    if (options.turn_rate) P_(4, 4) = options.turn_noise * options.turn_noise * options.turn_memory / 2.0;
+    x_ = with_heading(m);
+    walks_ = true;
+  } else if (walks_ && speed < options.walking_speed) {
+    const Eigen::Matrix4d C = covariance();
+    x_ << without_heading(x_), 0.0;
+    P_.setZero();
+    P_.topLeftCorner<4, 4>() = C;
+    walks_ = false;
+  } else if (walks_ && x_[3] < 0.0) {  // backwards is forwards the other way round
+    x_[3] = -x_[3];
+    x_[2] += std::numbers::pi;
+    P_.row(3) *= -1.0;
+    P_.col(3) *= -1.0;
+  }
+  if (walks_) x_[2] = wrap_angle(x_[2]);
+}
+
+Vector2 HeadingFilter::velocity() const {
+  return walks_ ? Vector2(x_[3] * direction(x_[2])) : Vector2(x_.segment<2>(2));
+}
+
+Eigen::Matrix4d HeadingFilter::covariance() const {
+  if (!walks_) return P_.topLeftCorner<4, 4>();
+  const Eigen::Matrix<double, 4, 5> J = without_heading_jacobian(x_);
+  Eigen::Matrix4d C = J * P_ * J.transpose();
+  C.bottomRightCorner<2, 2>() += bend(x_, P_);
+  return C;
+}
+
+}  // namespace bw::people

@@ -1,0 +1,91 @@
+// The extended Kalman filter of spec 7.3: position, heading and speed of somebody, from places where they
+// were seen. While they stand, or nearly, a velocity shows no heading: then the state is (x, y, vx, vy).
+//
+// The two forms say the same while the speed is not zero, so mean and covariance go over by the derivative of
+// one by the other, and back without loss. The turn rate, the optional fifth state, is forgotten at a stand.
+// Predict a copy to look ahead: its position, velocity and covariance are those of then.
+#pragma once
+
+#include "components/people/tracker/heading_model.hpp"
+#include "runtime/parameters/field.hpp"
+
+namespace bw::people {
+
+struct HeadingOptions {
+  double heading_noise = 0.5;
+  double acceleration = 0.8;
+  double acceleration_standing = 0.8;
+  double walking_speed = 0.2;
+  double position_noise = 0.05;
+  double jump_gate = 100.0;
+  double jump_speed = 0.0;
+  bool turn_rate = false;
+  double turn_noise = 1.0;
+  double turn_memory = 0.6;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("heading_noise", heading_noise,
+      {.unit = "rad/s/sqrt(Hz)", .min = 0.01, .max = 10, .doc = "how fast who walks changes direction"});
+    v("acceleration", acceleration,
+      {.unit = "m/s^2/sqrt(Hz)", .min = 0.01, .max = 10, .doc = "how fast who walks changes speed"});
+    v("acceleration_standing", acceleration_standing,
+      {.unit = "m/s^2/sqrt(Hz)", .min = 0.01, .max = 10, .doc = "spread of the velocity of who stands"});
+    v("walking_speed", walking_speed,
+      {.unit = "m/s",
+       .min = 0.02,
+       .max = 100,
+       .doc = "slower, a velocity has no heading; at the maximum this is a constant-velocity filter"});
+    v("position_noise", position_noise,
+      {.unit = "m", .min = 0, .max = 1, .doc = "of the middle between legs, beyond that of the legs"});
+    v("jump_gate", jump_gate,
+      {.min = 1,
+       .max = 100,
+       .doc = "squared standard deviations (2 dof) beyond which a turn was not foreseen: filter widens"});
+    v("jump_speed", jump_speed,
+      {.unit = "m/s", .min = 0, .max = 5, .doc = "added then to the spread of the velocity"});
+    v("turn_rate", turn_rate, {.doc = "whether it is a fifth state"});
+    v("turn_noise", turn_noise,
+      {.unit = "rad/s^2/sqrt(Hz)", .min = 0.001, .max = 20, .doc = "how fast it changes"});
+    v("turn_memory", turn_memory,
+      {.unit = "s", .min = 0.05, .max = 1000, .doc = "a turn dies out within this time (time constant)"});
+  }
+};
+
+/// A place where somebody was seen.
+struct SeenPlace {
+  Vector2 position{0.0, 0.0};                                       ///< [m]
+  Eigen::Matrix2d covariance = 0.01 * Eigen::Matrix2d::Identity();  ///< positive definite [m^2]
+};
+
+class HeadingFilter {
+ public:
+  /// Seen at two places, `dt` > 0 [s] apart.
+  HeadingFilter(const SeenPlace& first, const SeenPlace& second, double dt, const HeadingOptions& options);
+
+  /// Known as (x, y, vx, vy) with its covariance.
+  HeadingFilter(const Eigen::Vector4d& motion, const Eigen::Matrix4d& covariance,
+                const HeadingOptions& options);
+
+  void predict(double dt, const HeadingOptions& options);  ///< dt >= 0 [s]
+
+  /// Returns the squared distance in standard deviations before the correction.
+  double correct(const SeenPlace& seen, const HeadingOptions& options);
+
+  Vector2 position() const { return x_.head<2>(); }
+  Vector2 velocity() const;
+  Eigen::Matrix4d covariance() const;  ///< of (x, y, vx, vy)
+
+  bool walks() const { return walks_; }                      ///< whether there is a heading
+  double turn_rate() const { return walks_ ? x_[4] : 0.0; }  ///< [rad/s]
+
+ private:
+  void choose_form(const HeadingOptions& options);
+  void widen(const HeadingOptions& options);
+
+  bool walks_ = false;
+  HeadingState x_ = HeadingState::Zero();  ///< (x, y, theta, v, omega), or (x, y, vx, vy, 0)
+  HeadingCovariance P_ = HeadingCovariance::Zero();
+};
+
+}  // namespace bw::people

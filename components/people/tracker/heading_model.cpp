@@ -1,0 +1,119 @@
+#include "components/people/tracker/heading_model.hpp"
+
+#include <cmath>
+
+namespace bw::people {
+namespace {
+
+/// sin(a) / a and its derivative.
+struct Sinc {
+  double value;
+  double slope;
+};
+
+Sinc sinc(double a) {
+  if (std::abs(a) < 1e-3) return {1.0 - a * a / 6.0, -a / 3.0 + a * a * a / 30.0};
+  const double value = std::sin(a) / a;
+  return {value, (std::cos(a) - value) / a};
+}
+
+/// Radians turned over dt for each rad/s at its start.
+double turn_time(double dt, double memory) { return -memory * std::expm1(-dt / memory); }
+
+}  // namespace
+
+HeadingState walked(const HeadingState& x, double dt, double turn_memory) {
+  const double turn = x[4] * turn_time(dt, turn_memory);
+  HeadingState after = x;
+  after.head<2>() += x[3] * dt * sinc(turn / 2.0).value * direction(x[2] + turn / 2.0);
+  after[2] += turn;
+  after[4] *= std::exp(-dt / turn_memory);
+  return after;
+}
+
+HeadingCovariance walked_jacobian(const HeadingState& x, double dt, double turn_memory) {
+  const double k = turn_time(dt, turn_memory);
+  const double half = x[4] * k / 2.0;
+  const Sinc chord = sinc(half);
+  const Vector2 along = direction(x[2] + half);
+  const Vector2 left(-along.y(), along.x());
+  HeadingCovariance F = HeadingCovariance::Identity();
+  F.block<2, 1>(0, 2) = x[3] * dt * chord.value * left;
+  F.block<2, 1>(0, 3) = dt * chord.value * along;
+  F.block<2, 1>(0, 4) = x[3] * dt * k / 2.0 * (chord.slope * along + chord.value * left);
+  F(2, 4) = k;
+  F(4, 4) = std::exp(-dt / turn_memory);
+  return F;
+}
+
+HeadingCovariance walked_noise(const HeadingState& x, double dt, const HeadingNoise& noise) {
+  const double a = noise.acceleration * noise.acceleration;
+  const double h = noise.heading * noise.heading;
+  const double w = noise.turn * noise.turn;
+  const double v = x[3];
+  const double dt2 = dt * dt;
+  const double dt3 = dt2 * dt;
+  // Along and across the way: integrated once, twice, thrice.
+  HeadingCovariance Q = HeadingCovariance::Zero();
+  Q(0, 0) = a * dt3 / 3.0;
+  Q(0, 3) = Q(3, 0) = a * dt2 / 2.0;
+  Q(3, 3) = a * dt;
+  Q(1, 1) = v * v * (h * dt3 / 3.0 + w * dt3 * dt2 / 20.0);
+  Q(1, 2) = Q(2, 1) = v * (h * dt2 / 2.0 + w * dt2 * dt2 / 8.0);
+  Q(1, 4) = Q(4, 1) = v * w * dt3 / 6.0;
+  Q(2, 2) = h * dt + w * dt3 / 3.0;
+  Q(2, 4) = Q(4, 2) = w * dt2 / 2.0;
+  Q(4, 4) = w * dt;
+  HeadingCovariance R = HeadingCovariance::Identity();
+  R.col(0).head<2>() = direction(x[2]);
+  R.col(1).head<2>() = Vector2(-R(1, 0), R(0, 0));
+  return R * Q * R.transpose();
+}
+
+Eigen::Vector4d without_heading(const HeadingState& x) {
+  Eigen::Vector4d m;
+  m << x.head<2>(), x[3] * direction(x[2]);
+  return m;
+}
+
+Eigen::Matrix<double, 4, 5> without_heading_jacobian(const HeadingState& x) {
+  const Vector2 along = direction(x[2]);
+  Eigen::Matrix<double, 4, 5> J = Eigen::Matrix<double, 4, 5>::Zero();
+  J(0, 0) = J(1, 1) = 1.0;
+  J.block<2, 1>(2, 2) = x[3] * Vector2(-along.y(), along.x());
+  J.block<2, 1>(2, 3) = along;
+  return J;
+}
+
+HeadingState with_heading(const Eigen::Vector4d& m) {
+  HeadingState x;
+  x << m.head<2>(), std::atan2(m[3], m[2]), m.tail<2>().norm(), 0.0;
+  return x;
+}
+
+Eigen::Matrix<double, 5, 4> with_heading_jacobian(const Eigen::Vector4d& m) {
+  const double speed = m.tail<2>().norm();
+  const Vector2 along = m.tail<2>() / speed;
+  Eigen::Matrix<double, 5, 4> J = Eigen::Matrix<double, 5, 4>::Zero();
+  J(0, 0) = J(1, 1) = 1.0;
+  J.block<1, 2>(2, 2) = Vector2(-along.y(), along.x()).transpose() / speed;
+  J.block<1, 2>(3, 2) = along.transpose();
+  return J;
+}
+
+Eigen::Matrix4d glide(double dt) {
+  Eigen::Matrix4d F = Eigen::Matrix4d::Identity();
+  F(0, 2) = F(1, 3) = dt;
+  return F;
+}
+
+Eigen::Matrix4d glide_noise(double dt, double acceleration) {
+  const double q = acceleration * acceleration;
+  Eigen::Matrix4d Q = Eigen::Matrix4d::Zero();
+  Q(0, 0) = Q(1, 1) = q * dt * dt * dt / 3.0;
+  Q(0, 2) = Q(2, 0) = Q(1, 3) = Q(3, 1) = q * dt * dt / 2.0;
+  Q(2, 2) = Q(3, 3) = q * dt;
+  return Q;
+}
+
+}  // namespace bw::people

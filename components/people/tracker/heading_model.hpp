@@ -1,0 +1,45 @@
+// The equations of spec 7.3: somebody who walks where they face, as state (x, y, theta, v, omega), and the
+// same motion without a heading, as (x, y, vx, vy). Lengths [m], angles [rad], in a frame that does not turn.
+//
+//   over dt:  turn = omega k,  k = T (1 - exp(-dt / T))      a turn dies out with the memory T
+//             (x, y) += v dt sinc(turn / 2) (cos, sin)(theta + turn / 2)      the chord of the arc
+//             theta += turn,  omega *= exp(-dt / T)
+//
+// With omega = 0, known for sure, these are the four states of the spec.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "components/model/pose2.hpp"
+
+namespace bw::people {
+
+using HeadingState = Eigen::Matrix<double, 5, 1>;  ///< (x, y, theta, v, omega)
+using HeadingCovariance = Eigen::Matrix<double, 5, 5>;
+
+/// White noise that drives the motion, as density: its integral over 1 s has this standard deviation.
+struct HeadingNoise {
+  double heading = 0.0;       ///< on theta' [rad/s/sqrt(Hz)]
+  double acceleration = 0.0;  ///< on v' [m/s^2/sqrt(Hz)]
+  double turn = 0.0;          ///< on omega' [rad/s^2/sqrt(Hz)]
+};
+
+/// Where the state is after dt [s]; the heading is not wrapped.
+HeadingState walked(const HeadingState& x, double dt, double turn_memory);
+HeadingCovariance walked_jacobian(const HeadingState& x, double dt, double turn_memory);
+/// Covariance that the noise adds over a dt [s] in which the heading hardly turns.
+HeadingCovariance walked_noise(const HeadingState& x, double dt, const HeadingNoise& noise);
+
+/// (x, y, vx, vy) of a heading state, and its derivative.
+Eigen::Vector4d without_heading(const HeadingState& x);
+Eigen::Matrix<double, 4, 5> without_heading_jacobian(const HeadingState& x);
+
+/// The heading state of (x, y, vx, vy), with omega = 0, and its derivative. The velocity must not be zero.
+HeadingState with_heading(const Eigen::Vector4d& m);
+Eigen::Matrix<double, 5, 4> with_heading_jacobian(const Eigen::Vector4d& m);
+
+/// Constant velocity over dt [s], and what white acceleration of this density adds.
+Eigen::Matrix4d glide(double dt);
+Eigen::Matrix4d glide_noise(double dt, double acceleration);
+
+}  // namespace bw::people
