@@ -1,6 +1,5 @@
 #include "components/people/tracker/heading_filter.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,8 +10,8 @@ namespace {
 
 constexpr double kLongestStep = 0.1;  // [s] over which a turn is linear enough
 
-/// Second order of the velocity's covariance, tr(H P H P) / 2: without it nothing could be unsure across the way
-/// of somebody who stops, whatever the heading is worth.
+/// Second order of the velocity's covariance, tr(H P H P) / 2: without it nothing could be unsure across the
+/// way of somebody who stops, whatever the heading is worth.
 Eigen::Matrix2d bend(const HeadingState& x, const HeadingCovariance& P) {
   const Vector2 along = direction(x[2]);
   const Vector2 left(-along.y(), along.x());
@@ -66,33 +65,16 @@ void HeadingFilter::predict(double dt, const HeadingOptions& options) {
   x_[2] = wrap_angle(x_[2]);
 }
 
-double HeadingFilter::correct(const SeenPlace& seen, const HeadingOptions& options) {
-  const Vector2 innovation = seen.position - position();
-  const auto spread = [&] { return Eigen::Matrix2d(P_.topLeftCorner<2, 2>() + seen.covariance); };
-  const double distance = innovation.dot(spread().ldlt().solve(innovation));
-  if (distance > options.jump_gate) widen(options);
-  const Eigen::Matrix2d S = spread();
+void HeadingFilter::correct(const SeenPlace& seen, const HeadingOptions& options) {
+  const Eigen::Matrix2d S = P_.topLeftCorner<2, 2>() + seen.covariance;
   const Eigen::Matrix<double, 5, 2> PHt = P_.leftCols<2>();
   const Eigen::Matrix<double, 5, 2> K = S.ldlt().solve(PHt.transpose()).transpose();
-  x_ += K * innovation;
+  x_ += K * (seen.position - position());
   // Joseph form, expanded: P - K (PH')' - (PH') K' + K S K'.
   const HeadingCovariance KHP = K * PHt.transpose();
   P_ += K * S * K.transpose() - KHP - KHP.transpose();
   P_ = (0.5 * (P_ + P_.transpose())).eval();
   choose_form(options);
-  return distance;
-}
-
-/// A turn or a start: lets the velocity follow.
-void HeadingFilter::widen(const HeadingOptions& options) {
-  const double q = options.jump_speed * options.jump_speed;
-  if (!walks_) {
-    P_.diagonal().segment<2>(2).array() += q;
-    return;
-  }
-  const double speed = std::max(std::abs(x_[3]), options.walking_speed);
-  P_(2, 2) += q / (speed * speed);
-  P_(3, 3) += q;
 }
 
 void HeadingFilter::choose_form(const HeadingOptions& options) {

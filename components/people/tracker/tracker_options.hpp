@@ -114,7 +114,7 @@ struct TrackerOptions {
   int most_detections = 1000;
   AlignmentOptions alignment;
   AssociationOptions association;
-  std::string motion = "gait";
+  std::string motion = "heading";
   WalkerOptions walker;
   HeadingOptions heading;
   BirthOptions birth;

@@ -1,0 +1,123 @@
+// The equations of the filter of headings against numerical derivatives and closed forms.
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "components/model/random.hpp"
+#include "components/people/tracker/heading_model.hpp"
+
+namespace bw::people {
+namespace {
+
+constexpr double kForEver = 1e9;  // [s], a turn that does not die out
+
+/// Central differences of a function of a vector; their own error is about 1e-9 here.
+template <class Function, class Vector>
+Eigen::MatrixXd numerical(const Function& f, const Vector& x) {
+  constexpr double kStep = 1e-5;
+  Eigen::MatrixXd J(f(x).size(), x.size());
+  for (int i = 0; i < x.size(); ++i) {
+    Vector more = x;
+    Vector less = x;
+    more[i] += kStep;
+    less[i] -= kStep;
+    J.col(i) = (f(more) - f(less)) / (2.0 * kStep);
+  }
+  return J;
+}
+
+HeadingState any_state(Random& random) {
+  HeadingState x;
+  x << random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-3.1, 3.1), random.uniform(-2, 2),
+      random.uniform(-4, 4);
+  return x;
+}
+
+TEST(HeadingModel, JacobiansAreThoseOfTheEquations) {
+  Random random(1);
+  for (int i = 0; i < 300; ++i) {
+    HeadingState x = any_state(random);
+    if (i % 3 == 1) x[4] = 0.0;
+    if (i % 3 == 2) x[4] *= 1e-3;  // both branches of sin(a) / a, and where they meet
+    const double dt = random.uniform(0.01, 0.5);
+    const double memory = random.uniform(0.2, 10.0);
+    const auto step = [&](const HeadingState& s) { return walked(s, dt, memory); };
+    EXPECT_LE((walked_jacobian(x, dt, memory) - numerical(step, x)).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_LE((without_heading_jacobian(x) - numerical(without_heading, x)).cwiseAbs().maxCoeff(), 1e-6);
+    if (std::abs(x[3]) < 0.1) continue;  // a velocity of zero has no heading to differentiate
+    const Eigen::Vector4d m = without_heading(x);
+    EXPECT_LE((with_heading_jacobian(m) - numerical(with_heading, m)).cwiseAbs().maxCoeff(), 1e-6);
+  }
+}
+
+// Both forms say the same: going over and back changes nothing, nor does it to a small error.
+TEST(HeadingModel, FormsAreInverse) {
+  Random random(2);
+  for (int i = 0; i < 100; ++i) {
+    HeadingState x = any_state(random);
+    x[3] = std::abs(x[3]) + 0.1;
+    x[4] = 0.0;
+    const Eigen::Vector4d m = without_heading(x);
+    EXPECT_LE((with_heading(m) - x).norm(), 1e-12);
+    const Eigen::Matrix4d there_and_back = without_heading_jacobian(x) * with_heading_jacobian(m);
+    EXPECT_LE((there_and_back - Eigen::Matrix4d::Identity()).norm(), 1e-12);
+  }
+}
+
+// v = 1.2 m/s, omega = 0.8 rad/s: a circle of 1.5 m about (0, 1.5), in steps of any length.
+TEST(HeadingModel, TurnsOnACircle) {
+  for (const double dt : {0.05, 0.1, 0.7}) {
+    HeadingState x;
+    x << 0.0, 0.0, 0.0, 1.2, 0.8;
+    double t = 0.0;
+    for (; t < 7.0; t += dt) x = walked(x, dt, kForEver);
+    EXPECT_NEAR(x[0], 1.5 * std::sin(0.8 * t), 1e-6);
+    EXPECT_NEAR(x[1], 1.5 - 1.5 * std::cos(0.8 * t), 1e-6);
+    EXPECT_NEAR(x[2], 0.8 * t, 1e-6);
+  }
+}
+
+// A turn of 1 rad/s that dies out within 0.5 s turns 0.5 rad in all.
+TEST(HeadingModel, TurnDiesOut) {
+  HeadingState x;
+  x << 0.0, 0.0, 0.0, 1.0, 1.0;
+  for (int k = 0; k < 200; ++k) x = walked(x, 0.1, 0.5);
+  EXPECT_NEAR(x[2], 0.5, 1e-6);
+  EXPECT_NEAR(x[4], 0.0, 1e-12);
+}
+
+// While the way is straight the model is linear: the noise of 0.4 s is that of 400 steps of 1 ms, each
+// carried on to the end. This holds for the integrals only if every power of dt and every factor is right.
+TEST(HeadingModel, NoiseOfManyStepsIsThatOfOne) {
+  const HeadingNoise noise{0.5, 0.8, 1.3};
+  HeadingState x;
+  x << 1.0, 2.0, 2.5, 1.4, 0.0;
+  HeadingCovariance many = HeadingCovariance::Zero();
+  HeadingState at = x;
+  for (int k = 0; k < 400; ++k) {
+    const HeadingCovariance F = walked_jacobian(at, 1e-3, kForEver);
+    many = (F * many * F.transpose() + walked_noise(at, 1e-3, noise)).eval();
+    at = walked(at, 1e-3, kForEver);
+  }
+  EXPECT_LE((many - walked_noise(x, 0.4, noise)).cwiseAbs().maxCoeff(), 1e-9);
+
+  Eigen::Matrix4d glided = Eigen::Matrix4d::Zero();
+  for (int k = 0; k < 400; ++k)
+    glided = (glide(1e-3) * glided * glide(1e-3).transpose() + glide_noise(1e-3, 0.8)).eval();
+  EXPECT_LE((glided - glide_noise(0.4, 0.8)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+// Whoever walks straight with noise q along and v^2 q across obeys the same noise in either form:
+// acceleration a along is a on v, and a across is a / v on theta.
+TEST(HeadingModel, NoiseAgreesWithThatOfConstantVelocity) {
+  HeadingState x;
+  x << 0.0, 0.0, 0.7, 1.6, 0.0;
+  const HeadingCovariance Q = walked_noise(x, 0.3, {0.5 / 1.6, 0.5, 0.0});
+  const Eigen::Matrix<double, 4, 5> J = without_heading_jacobian(x);
+  EXPECT_LE((J * Q * J.transpose() - glide_noise(0.3, 0.5)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+}  // namespace
+}  // namespace bw::people
