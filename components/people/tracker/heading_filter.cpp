@@ -10,18 +10,6 @@ namespace {
 
 constexpr double kLongestStep = 0.1;  // [s] over which a turn is linear enough
 
-/// Second order of the velocity's covariance, tr(H P H P) / 2: without it nothing could be unsure across the
-/// way of somebody who stops, whatever the heading is worth.
-Eigen::Matrix2d bend(const HeadingState& x, const HeadingCovariance& P) {
-  const Vector2 along = direction(x[2]);
-  const Vector2 left(-along.y(), along.x());
-  const double across = P(2, 2) * P(3, 3) + P(2, 3) * P(2, 3);
-  const double shorter = x[3] * x[3] * P(2, 2) * P(2, 2) / 2.0;
-  const double mixed = -x[3] * P(2, 2) * P(2, 3);
-  return across * left * left.transpose() + shorter * along * along.transpose() +
-         mixed * (along * left.transpose() + left * along.transpose());
-}
-
 }  // namespace
 
 HeadingFilter::HeadingFilter(const Eigen::Vector4d& motion, const Eigen::Matrix4d& covariance,
@@ -108,10 +96,7 @@ Vector2 HeadingFilter::velocity() const {
 
 Eigen::Matrix4d HeadingFilter::covariance() const {
   if (!walks_) return P_.topLeftCorner<4, 4>();
-  const Eigen::Matrix<double, 4, 5> J = without_heading_jacobian(x_);
-  Eigen::Matrix4d C = J * P_ * J.transpose();
-  C.bottomRightCorner<2, 2>() += bend(x_, P_);
-  return C;
+  return covariance_without_heading(x_, P_);
 }
 
 }  // namespace bw::people

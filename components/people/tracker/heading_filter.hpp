@@ -1,9 +1,9 @@
 // The extended Kalman filter of spec 7.3: position, heading and speed of somebody, from places where they
 // were seen. While they stand, or nearly, a velocity shows no heading: then the state is (x, y, vx, vy).
 //
-// Mean and covariance go from one form to the other by its derivative; to velocities with the second order of
-// the covariance as well, as a heading says least of them where the speed is small. The turn rate, the
-// optional fifth state, is forgotten at a stand.
+// The covariance goes from velocities to a heading by the derivative, and back by the exact moments, as the
+// derivative is wrong where the heading is worth little. The turn rate, the optional fifth state, is
+// forgotten at a stand.
 //
 // Predict a copy to look ahead: its position, velocity and covariance are those of then.
 #pragma once

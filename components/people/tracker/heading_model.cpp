@@ -76,13 +76,31 @@ Eigen::Vector4d without_heading(const HeadingState& x) {
   return m;
 }
 
-Eigen::Matrix<double, 4, 5> without_heading_jacobian(const HeadingState& x) {
-  const Vector2 along = direction(x[2]);
-  Eigen::Matrix<double, 4, 5> J = Eigen::Matrix<double, 4, 5>::Zero();
-  J(0, 0) = J(1, 1) = 1.0;
-  J.block<2, 1>(2, 2) = x[3] * Vector2(-along.y(), along.x());
-  J.block<2, 1>(2, 3) = along;
-  return J;
+Eigen::Matrix4d covariance_without_heading(const HeadingState& x, const HeadingCovariance& P) {
+  // With the heading's error e of variance s, and b its covariance with the speed:
+  //   E[u e^(i e)] = exp(-s / 2) (v + i b),   E[u^2 e^(2 i e)] = exp(-2 s) ((v + 2 i b)^2 + Pvv)
+  const double v = x[3];
+  const double s = P(2, 2);
+  const double b = P(2, 3);
+  const double square = v * v + P(3, 3);
+  const double twice = std::exp(-2.0 * s) * (square - 4.0 * b * b);
+  const double once = std::exp(-s / 2.0);
+  // Along and across the way, about the velocity (v, 0) that is reported.
+  Eigen::Matrix2d V;
+  V(0, 0) = (square + twice) / 2.0 - 2.0 * v * v * once + v * v;
+  V(1, 1) = (square - twice) / 2.0;
+  V(0, 1) = V(1, 0) = v * b * (2.0 * std::exp(-2.0 * s) - once);
+  Eigen::Matrix2d W;  // of the position with it
+  W << once * (P.block<2, 1>(0, 3) - b * P.block<2, 1>(0, 2)), once * v * P.block<2, 1>(0, 2);
+  Eigen::Matrix2d R;
+  R.col(0) = direction(x[2]);
+  R.col(1) = Vector2(-R(1, 0), R(0, 0));
+  Eigen::Matrix4d C;
+  C.topLeftCorner<2, 2>() = P.topLeftCorner<2, 2>();
+  C.topRightCorner<2, 2>() = W * R.transpose();
+  C.bottomLeftCorner<2, 2>() = C.topRightCorner<2, 2>().transpose();
+  C.bottomRightCorner<2, 2>() = R * V * R.transpose();
+  return C;
 }
 
 HeadingState with_heading(const Eigen::Vector4d& m) {

@@ -30,9 +30,12 @@ HeadingCovariance walked_jacobian(const HeadingState& x, double dt, double turn_
 /// Covariance that the noise adds over a dt [s] in which the heading hardly turns.
 HeadingCovariance walked_noise(const HeadingState& x, double dt, const HeadingNoise& noise);
 
-/// (x, y, vx, vy) of a heading state, and its derivative.
+/// (x, y, vx, vy) of a heading state.
 Eigen::Vector4d without_heading(const HeadingState& x);
-Eigen::Matrix<double, 4, 5> without_heading_jacobian(const HeadingState& x);
+/// Its mean square error when x errs by P: the moments of v (cos, sin)(theta) of a Gaussian, exactly. To
+/// first order J P J^T; but that would know who stops exactly across their way, whatever the heading is
+/// worth, and let who has no heading be anywhere.
+Eigen::Matrix4d covariance_without_heading(const HeadingState& x, const HeadingCovariance& P);
 
 /// The heading state of (x, y, vx, vy), with omega = 0, and its derivative. The velocity must not be zero.
 HeadingState with_heading(const Eigen::Vector4d& m);
