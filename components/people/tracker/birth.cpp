@@ -89,6 +89,28 @@ double leg_share(const ClusterTrack& cluster) {
 
 }  // namespace
 
+Gait gait_of(const ClusterTrack& a, const ClusterTrack& b, int sweeps) {
+  const Common common(a, b);
+  Gait gait;
+  gait.common = std::min(common.count, sweeps);
+  if (gait.common == 0) return gait;
+  for (int k = 0; k < gait.common; ++k) gait.widest = std::max(gait.widest, common.separation(k));
+  const Line line = fit_line(
+      gait.common, [&](int k) { return common.middle(k); }, [&](int k) { return common.time(k); });
+  gait.misfit = line.misfit;
+  gait.velocity = line.velocity;
+  Vector2 mean(0.0, 0.0);
+  double mean_time = 0.0;
+  for (int k = 0; k < gait.common; ++k) {
+    mean += common.middle(k) / gait.common;
+    mean_time += common.time(k) / gait.common;
+  }
+  gait.since = common.time(gait.common - 1);
+  gait.start = mean + (gait.since - mean_time) * line.velocity;
+  gait.score = std::min(leg_share(a), leg_share(b));
+  return gait;
+}
+
 std::optional<double> doubt_of_pair(const ClusterTrack& a, const ClusterTrack& b,
                                     const BirthOptions& options) {
   if ((a.last().position - b.last().position).norm() > options.separation) return std::nullopt;
@@ -133,9 +155,14 @@ std::optional<double> doubt_of_single(const ClusterTrack& cluster, const BirthOp
   // What slides along a wall behind somebody's shadow is cut off on a side; a leg alone stands free.
   const double cut = mean_score(cluster, n, [](const Sighting& seen) { return seen.occluded ? 1.0 : 0.0; });
   if (cut > options.single_cut) return std::nullopt;
+  if (cluster.last().sweep - cluster.sighting(options.single_sightings - 1).sweep >= options.single_of_sweeps)
+    return std::nullopt;
   double path = 0.0;
-  for (int k = 1; k < n; ++k)
-    path += (cluster.sighting(k).position - cluster.sighting(k - 1).position).norm();
+  for (int k = 1; k < n; ++k) {
+    const double step = (cluster.sighting(k).position - cluster.sighting(k - 1).position).norm();
+    if (step > options.single_step) return std::nullopt;
+    path += step;
+  }
   if (travel < options.single_straight * path) return std::nullopt;
   return 1.0 - score;
 }

@@ -20,20 +20,20 @@ struct Spread {
 }  // namespace
 
 void Matching::match(const std::vector<Detection>& detections, const std::vector<PersonTrack>& people,
-                     const std::vector<ClusterTrack>& clusters, const AssociationOptions& options) {
+                     const std::vector<ClusterTrack>& clusters, std::int64_t sweep,
+                     const AssociationOptions& options) {
   likeness_.clear();
   for (const Detection& d : detections)
     likeness_.push_back(-std::log(std::clamp(std::max(d.leg_score, d.body_score), 0.02, 1.0)));
 
   assignment_.begin(detections.size());
   const double slack = options.slack * options.slack;
-  const double reach = options.reach * options.reach;
-  const auto offer = [&](const Vector2& expected, const Eigen::Matrix2d& spread, bool person) {
+  const auto offer = [&](const Vector2& expected, const Eigen::Matrix2d& spread, double reach, bool person) {
     assignment_.add_row(options.gate);
     for (std::size_t j = 0; j < detections.size(); ++j) {
       const Detection& d = detections[j];
       const Vector2 miss = d.position - expected;
-      if (miss.squaredNorm() > reach) continue;
+      if (miss.squaredNorm() > reach * reach) continue;
       const Spread s{spread(0, 0) + d.covariance(0, 0) + slack, spread(0, 1) + d.covariance(0, 1),
                      spread(1, 1) + d.covariance(1, 1) + slack};
       const double distance = s.squared_distance(miss);
@@ -41,15 +41,24 @@ void Matching::match(const std::vector<Detection>& detections, const std::vector
       const Spread best{d.covariance(0, 0) + slack, d.covariance(0, 1), d.covariance(1, 1) + slack};
       const double vague = std::log(s.determinant() / best.determinant());
       assignment_.allow(j,
-                        distance + vague + (person ? options.unlike * likeness_[j] : options.people_first));
+                        distance + vague +
+                            (person ? options.unlike * likeness_[j] + (d.on_static ? options.on_static : 0.0)
+                                    : options.people_first));
     }
+  };
+  const auto reach_after = [&](int missed) {
+    return std::min(options.reach, options.step + options.pace * missed);
+  };
+  const auto unseen = [](const PersonTrack& person, BodyPart leg) {
+    return leg == BodyPart::first_leg ? person.first_unseen : person.second_unseen;
   };
   for (const PersonTrack& person : people) {
     for (const BodyPart leg : {BodyPart::first_leg, BodyPart::second_leg})
-      offer(person.walker.expected(leg), person.walker.spread(leg), true);
+      offer(person.walker.expected(leg), person.walker.spread(leg), reach_after(unseen(person, leg)), true);
   }
   for (const ClusterTrack& cluster : clusters)
-    offer(cluster.position(), cluster.variance() * Eigen::Matrix2d::Identity(), false);
+    offer(cluster.position(), cluster.variance() * Eigen::Matrix2d::Identity(),
+          reach_after(static_cast<int>(sweep - cluster.last().sweep) - 1), false);
 
   const std::vector<int>& chosen = assignment_.solve();
   taken_.assign(detections.size(), 0);

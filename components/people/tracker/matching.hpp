@@ -24,11 +24,11 @@ struct LegMatch {
 class Matching {
  public:
   void match(const std::vector<Detection>& detections, const std::vector<PersonTrack>& people,
-             const std::vector<ClusterTrack>& clusters, const AssociationOptions& options);
+             const std::vector<ClusterTrack>& clusters, std::int64_t sweep,
+             const AssociationOptions& options);
 
   const LegMatch& of_person(std::size_t i) const { return people_[i]; }
   int of_cluster(std::size_t i) const { return clusters_[i]; }
-  void release(std::size_t detection) { taken_[detection] = 0; }
   bool taken(std::size_t detection) const { return taken_[detection] != 0; }
 
  private:

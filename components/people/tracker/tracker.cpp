@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <optional>
 
 #include <Eigen/Dense>
@@ -12,7 +14,9 @@
 #include "components/people/tracker/heading_track.hpp"
 #include "components/people/tracker/matching.hpp"
 #include "components/people/tracker/person_track.hpp"
+#include "components/people/tracker/reappearance.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
+#include "components/people/tracker/untangle.hpp"
 #include "components/people/tracker/visibility.hpp"
 
 namespace bw::people {
@@ -63,12 +67,19 @@ class Tracker::Impl {
   void correct_heading(PersonTrack& person, const LegMatch& match);
   void correct_person(PersonTrack& person, const LegMatch& match);
   void correct_clusters();
+  void untangle();
+  void pair_legs_anew(const std::vector<PersonTrack*>& people);
+  void forget_clusters(std::vector<int>& used);
   Sighting sighting_of(const Detection& d) const;
+  PastState state_of(const PersonTrack& person) const {
+    return {(*now_ - origin_).to_seconds(), person.walker.position(), person.walker.velocity()};
+  }
+  void remember_leg(std::optional<ClusterTrack>& leg, const Detection& d) const;
   void watch_for_absence(const DetectionSet& sweep, double dt);
   void lose_people();
   void give_missing_legs_back();
   void find_new_people();
-  PersonTrack* somebody_lost_near(const Walker& walker);
+  std::optional<PersonTrack> take_lost(const ClusterTrack& appeared);
   void report();
 
   TrackerOptions options_;
@@ -80,6 +91,7 @@ class Tracker::Impl {
   std::int64_t sweep_ = 0;
   std::uint32_t last_id_ = 0;
   std::vector<PersonTrack> people_;
+  std::vector<PersonTrack> lost_;  ///< let go lately
   std::vector<ClusterTrack> clusters_;
   std::vector<Detection> detections_;
   Matching matching_;
@@ -90,6 +102,7 @@ class Tracker::Impl {
 void Tracker::Impl::reset() {
   now_.reset();
   people_.clear();
+  lost_.clear();
   clusters_.clear();
   reported_.clear();
   alignment_.reset();
@@ -112,9 +125,10 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
     if (person.heading) person.heading->predict(dt, options_.heading);
   }
   for (ClusterTrack& cluster : clusters_) cluster.predict(dt);
-  matching_.match(detections_, people_, clusters_, options_.association);
-  correct_people();
+  matching_.match(detections_, people_, clusters_, sweep_, options_.association);
   correct_clusters();
+  correct_people();
+  untangle();
   watch_for_absence(sweep_in_S_, dt);
   give_missing_legs_back();
   find_new_people();
@@ -137,8 +151,12 @@ void Tracker::Impl::to_S(const DetectionSet& sweep) {
 
 void Tracker::Impl::take_in(const DetectionSet& sweep) {
   detections_.clear();
-  for (const Detection& d : sweep.detections)
-    if (usable(d, options_.association)) detections_.push_back(d);
+  for (const Detection& d : sweep.detections) {
+    if (!usable(d, options_.association)) continue;
+    detections_.push_back(d);
+    const double vague = options_.association.vague * (1.0 - human_score(d));
+    detections_.back().covariance += vague * vague * Eigen::Matrix2d::Identity();
+  }
   const auto most = static_cast<std::size_t>(options_.most_detections);
   if (detections_.size() <= most) return;
   std::stable_sort(detections_.begin(), detections_.end(),
@@ -160,6 +178,8 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
         options_.death.score_memory * person.score + (1.0 - options_.death.score_memory) * human_score(d);
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
+    if (human_score(d) >= options_.back.likeness) person.sure = state_of(person);
+    if (!whole) remember_leg(person.legs[part == BodyPart::first_leg ? 0 : 1], d);
     if (whole || part == BodyPart::first_leg) person.first_unseen = 0;
     if (whole || part == BodyPart::second_leg) person.second_unseen = 0;
   }
@@ -192,8 +212,12 @@ LegMatch Tracker::Impl::possible(PersonTrack& person, LegMatch match) {
   if ((first.position - second.position).norm() <= options_.association.separation) return match;
   const double miss_first = (first.position - person.walker.expected(BodyPart::first_leg)).norm();
   const double miss_second = (second.position - person.walker.expected(BodyPart::second_leg)).norm();
-  int& wrong = miss_first > miss_second ? match.first : match.second;
-  matching_.release(static_cast<std::size_t>(wrong));
+  const bool first_wrong = miss_first > miss_second;
+  int& wrong = first_wrong ? match.first : match.second;
+  std::optional<ClusterTrack>& leg = person.legs[first_wrong ? 0 : 1];
+  remember_leg(leg, first_wrong ? first : second);
+  clusters_.push_back(*leg);  // nobody's, with what was seen of it
+  leg.reset();
   wrong = -1;
   return match;
 }
@@ -222,6 +246,81 @@ void Tracker::Impl::correct_clusters() {
     if (!matching_.taken(j)) clusters_.emplace_back(sighting_of(detections_[j]));
 }
 
+void Tracker::Impl::remember_leg(std::optional<ClusterTrack>& leg, const Detection& d) const {
+  constexpr double kStep = 0.45;  // [m] no leg does more from one sweep to the next
+  const bool same =
+      leg && leg->last().sweep + 3 >= sweep_ && (leg->last().position - d.position).norm() < kStep;
+  if (same) {
+    leg->correct(sighting_of(d));
+  } else {
+    leg.emplace(sighting_of(d));
+  }
+}
+
+void Tracker::Impl::untangle() {
+  for (std::size_t i = 0; i < people_.size(); ++i) {
+    if (people_[i].last_seen != *now_) continue;
+    pair_legs_anew({&people_[i]});
+    for (std::size_t j = i + 1; j < people_.size(); ++j) {
+      const double distance = (people_[i].walker.position() - people_[j].walker.position()).norm();
+      if (distance <= options_.untangle.near && people_[j].last_seen == *now_)
+        pair_legs_anew({&people_[i], &people_[j]});
+    }
+  }
+  for (PersonTrack& person : people_) {
+    const auto& [first, second] = person.legs;
+    if (!first || !second || first->last().sweep != sweep_ || second->last().sweep != sweep_) continue;
+    const auto doubt = doubt_of_legs(*first, *second, options_.untangle);
+    if (doubt && *doubt < options_.untangle.settled) person.settled = state_of(person);
+  }
+}
+
+void Tracker::Impl::pair_legs_anew(const std::vector<PersonTrack*>& people) {
+  std::vector<const ClusterTrack*> strangers;
+  for (const ClusterTrack& cluster : clusters_) {
+    const Sighting& last = cluster.last();
+    if (last.sweep != sweep_ || last.leg_score < options_.birth.walking_score || strangers.size() >= 4)
+      continue;
+    const auto near = [&](const PersonTrack* person) {
+      return (last.position - person->walker.position()).norm() <= options_.association.separation;
+    };
+    if (std::ranges::any_of(people, near)) strangers.push_back(&cluster);
+  }
+  const std::vector<LegPair> pairs =
+      better_pairs({people.begin(), people.end()}, strangers, sweep_, options_.untangle);
+  if (pairs.empty()) return;
+
+  const auto chosen = [&](const ClusterTrack* leg) {
+    return std::ranges::any_of(pairs, [&](const LegPair& pair) { return pair[0] == leg || pair[1] == leg; });
+  };
+  std::vector<ClusterTrack> left;  // legs that are nobody's now
+  for (const PersonTrack* person : people)
+    for (const auto& leg : person->legs)
+      if (leg && leg->last().sweep == sweep_ && !chosen(&*leg)) left.push_back(*leg);
+  std::vector<int> used;
+  for (const ClusterTrack* stranger : strangers)
+    if (chosen(stranger)) used.push_back(static_cast<int>(stranger - clusters_.data()));
+  std::vector<std::array<ClusterTrack, 2>> legs;
+  for (const LegPair& pair : pairs) legs.push_back({*pair[0], *pair[1]});
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    PersonTrack& person = *people[i];
+    person.walker = walker_of(legs[i][0], &legs[i][1], options_.walker);
+    if (person.heading) person.heading = heading_of(legs[i][0], &legs[i][1], person.walker, options_.heading);
+    person.legs = {legs[i][0], legs[i][1]};
+    person.last_seen = *now_;
+    person.empty_seconds = 0.0;
+    person.first_unseen = person.second_unseen = 0;
+    person.sure = person.settled = state_of(person);
+  }
+  forget_clusters(used);
+  clusters_.insert(clusters_.end(), left.begin(), left.end());
+}
+
+void Tracker::Impl::forget_clusters(std::vector<int>& used) {
+  std::sort(used.begin(), used.end(), std::greater<>());
+  for (const int i : used) clusters_.erase(clusters_.begin() + i);
+}
+
 /// Who is not seen counts the time for which the laser looks through all of where they should be.
 void Tracker::Impl::watch_for_absence(const DetectionSet& sweep, double dt) {
   for (PersonTrack& person : people_) {
@@ -237,10 +336,14 @@ void Tracker::Impl::watch_for_absence(const DetectionSet& sweep, double dt) {
 
 void Tracker::Impl::lose_people() {
   const DeathOptions& death = options_.death;
-  std::erase_if(people_, [&](const PersonTrack& person) {
+  const auto gone = [&](const PersonTrack& person) {
     return person.empty_seconds >= death.unseen - 1e-9 || person.walker.position_sigma() > death.sigma ||
            (person.score < death.unlike_score && person.walker.velocity().norm() < death.unlike_speed);
-  });
+  };
+  std::ranges::copy_if(people_, std::back_inserter(lost_), gone);
+  std::erase_if(people_, gone);
+  const Duration remembered = Duration::seconds(options_.back.remembered);
+  std::erase_if(lost_, [&](const PersonTrack& person) { return *now_ > person.last_seen + remembered; });
 }
 
 /// A leg that came back outside of its gate has become a cluster meanwhile: the person takes it back.
@@ -276,24 +379,29 @@ void Tracker::Impl::give_missing_legs_back() {
   }
 }
 
-/// Somebody not seen in this sweep, of whom the new walker could be the continuation.
-PersonTrack* Tracker::Impl::somebody_lost_near(const Walker& walker) {
-  PersonTrack* nearest = nullptr;
-  double best = options_.association.gate;
-  for (PersonTrack& person : people_) {
-    if (person.last_seen == *now_) continue;
-    const Vector2 miss = walker.position() - person.walker.position();
-    if (miss.norm() > options_.association.reach) continue;
-    const Eigen::Matrix2d slack =
-        options_.association.slack * options_.association.slack * Eigen::Matrix2d::Identity();
-    const Eigen::Matrix2d spread =
-        person.walker.spread(BodyPart::middle) + walker.spread(BodyPart::middle) + slack;
-    const double distance = miss.dot(spread.ldlt().solve(miss));
-    if (distance > best) continue;
-    best = distance;
-    nearest = &person;
+/// Takes out whoever was lost, or is not seen in this sweep, and most likely is who appeared.
+std::optional<PersonTrack> Tracker::Impl::take_lost(const ClusterTrack& appeared) {
+  const Sighting& first = appeared.sighting(appeared.remembered() - 1);
+  const double now = (*now_ - origin_).to_seconds();
+  std::vector<PersonTrack>* from = nullptr;
+  std::size_t likeliest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::vector<PersonTrack>* among : {&people_, &lost_}) {
+    for (std::size_t i = 0; i < among->size(); ++i) {
+      const PersonTrack& person = (*among)[i];
+      if (among == &people_ && now - person.sure.time < options_.back.absent) continue;
+      const auto doubt = doubt_of_return(person, first.position, first.time, options_.back);
+      if (!doubt || *doubt >= least) continue;
+      least = *doubt;
+      from = among;
+      likeliest = i;
+    }
   }
-  return nearest;
+  if (from == nullptr) return std::nullopt;
+  const auto place = from->begin() + static_cast<std::ptrdiff_t>(likeliest);
+  const PersonTrack person = *place;
+  from->erase(place);
+  return person;
 }
 
 void Tracker::Impl::find_new_people() {
@@ -303,28 +411,29 @@ void Tracker::Impl::find_new_people() {
     const ClusterTrack& first = clusters_[static_cast<std::size_t>(candidate.first)];
     const ClusterTrack* second =
         candidate.second < 0 ? nullptr : &clusters_[static_cast<std::size_t>(candidate.second)];
-    Walker walker = walker_of(first, second, options_.walker);
+    const Walker walker = walker_of(first, second, options_.walker);
     used.push_back(candidate.first);
     if (second != nullptr) used.push_back(candidate.second);
-    PersonTrack* person = somebody_lost_near(walker);
-    if (person == nullptr) {
+    std::optional<PersonTrack> known = take_lost(first);
+    if (!known) {
       const Sighting& oldest = first.sighting(first.remembered() - 1);
-      people_.push_back({.id = ++last_id_,
-                         .walker = walker,
-                         .born = origin_ + Duration::seconds(oldest.time),
-                         .confirmed = *now_,
-                         .score = first.last().human_score()});
-      person = &people_.back();
+      known = PersonTrack{.id = ++last_id_,
+                          .walker = walker,
+                          .born = origin_ + Duration::seconds(oldest.time),
+                          .confirmed = *now_};
     }
-    person->walker = walker;
-    if (options_.motion == "heading") person->heading = heading_of(first, second, walker, options_.heading);
-    person->last_seen = *now_;
-    person->empty_seconds = 0.0;
-    person->first_unseen = 0;
-    person->second_unseen = second == nullptr ? 1 : 0;
+    known->walker = walker;
+    known->score = first.last().human_score();
+    if (options_.motion == "heading") known->heading = heading_of(first, second, walker, options_.heading);
+    known->last_seen = *now_;
+    known->empty_seconds = 0.0;
+    known->sure = known->settled = state_of(*known);
+    known->legs = {first, second == nullptr ? std::nullopt : std::optional(*second)};
+    known->first_unseen = 0;
+    known->second_unseen = second == nullptr ? 1 : 0;
+    people_.insert(std::ranges::upper_bound(people_, known->id, {}, &PersonTrack::id), *known);
   }
-  std::sort(used.begin(), used.end(), std::greater<>());
-  for (const int i : used) clusters_.erase(clusters_.begin() + i);
+  forget_clusters(used);
 }
 
 void Tracker::Impl::report() {

@@ -13,11 +13,15 @@ namespace bw::people {
 struct AssociationOptions {
   double gate = 9.21;
   double reach = 1.2;
-  double slack = 0.15;
+  double step = 0.3;
+  double pace = 0.1;
+  double slack = 0.12;
   double separation = 0.7;
   double unlike = 2.0;
   double people_first = 2.0;
+  double on_static = 2.0;
   double largest = 0.8;
+  double vague = 0.1;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -25,6 +29,8 @@ struct AssociationOptions {
       {.min = 1, .max = 100, .doc = "squared standard deviations (2 dof) that may lie between"});
     v("reach", reach,
       {.unit = "m", .min = 0.1, .max = 5, .doc = "and metres: the human-oriented gate of spec 7.2"});
+    v("step", step, {.unit = "m", .min = 0.05, .max = 5, .doc = "of a leg that was just seen, at most"});
+    v("pace", pace, {.unit = "m", .min = 0, .max = 5, .doc = "and more for each sweep that missed it"});
     v("slack", slack,
       {.unit = "m",
        .min = 0,
@@ -34,8 +40,15 @@ struct AssociationOptions {
       {.unit = "m", .min = 0.2, .max = 1.5, .doc = "from leg to leg of a person, at most"});
     v("unlike", unlike,
       {.min = 0, .max = 20, .doc = "what -ln(score) of a detection adds for legs of people"});
+    v("on_static", on_static,
+      {.min = 0, .max = 20, .doc = "what it adds that a detection lies on background, for legs of people"});
     v("people_first", people_first,
       {.min = 0, .max = 20, .doc = "what it adds to give a detection to something that is not a person"});
+    v("vague", vague,
+      {.unit = "m",
+       .min = 0,
+       .max = 2,
+       .doc = "error added to a detection that does not look human: two legs of two people, half a leg"});
     v("largest", largest,
       {.unit = "m", .min = 0.2, .max = 10, .doc = "wider detections are no part of a person"});
   }
@@ -53,6 +66,8 @@ struct BirthOptions {
   double standing_score = 0.7;
   double single_travel = 0.5;
   int single_sightings = 6;
+  int single_of_sweeps = 8;
+  double single_step = 0.35;
   double single_score = 0.6;
   double single_straight = 0.8;
   double single_cut = 0.5;
@@ -74,6 +89,12 @@ struct BirthOptions {
     v("single_travel", single_travel,
       {.unit = "m", .min = 0.05, .max = 3, .doc = "way walked by a leg, or two legs in one, alone"});
     v("single_sightings", single_sightings, {.min = 2, .max = 12, .doc = "of it"});
+    v("single_of_sweeps", single_of_sweeps, {.min = 2, .max = 40, .doc = "within so many sweeps"});
+    v("single_step", single_step,
+      {.unit = "m",
+       .min = 0.05,
+       .max = 2,
+       .doc = "from sighting to sighting, at most: else it is something else"});
     v("single_score", single_score, {.min = 0, .max = 1, .doc = "of it"});
     v("single_cut", single_cut,
       {.min = 0, .max = 1, .doc = "share of sightings in which something may hide an edge of it"});
@@ -108,6 +129,49 @@ struct DeathOptions {
   }
 };
 
+struct UntangleOptions {
+  double near = 1.2;
+  int sweeps = 5;
+  int least = 3;
+  double alone = 0.8;
+  double stranger = 0.1;
+  double margin = 0.25;
+  double settled = 0.55;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("near", near, {.unit = "m", .min = 0, .max = 5, .doc = "people so close may have each other's legs"});
+    v("sweeps", sweeps, {.min = 2, .max = 12, .doc = "how far back legs are compared"});
+    v("least", least, {.min = 2, .max = 12, .doc = "of them that must show both legs"});
+    v("alone", alone, {.unit = "m", .min = 0, .max = 5, .doc = "doubt of somebody of whom one leg is known"});
+    v("stranger", stranger, {.unit = "m", .min = 0, .max = 5, .doc = "doubt of a leg that was nobody's"});
+    v("margin", margin,
+      {.unit = "m", .min = 0, .max = 5, .doc = "pairs must be so much less doubtful to be changed"});
+    v("settled", settled, {.unit = "m", .min = 0, .max = 5, .doc = "legs less doubtful are one person's"});
+  }
+};
+
+struct ReturnOptions {
+  double likeness = 0.5;
+  double absent = 0.25;
+  double remembered = 6.0;
+  double slack = 0.5;
+  double speed = 1.5;
+  double deviation = 0.4;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("likeness", likeness, {.min = 0, .max = 1, .doc = "score of a detection that shows somebody for sure"});
+    v("absent", absent, {.unit = "s", .min = 0, .max = 60, .doc = "not seen for sure so long is lost"});
+    v("remembered", remembered,
+      {.unit = "s", .min = 0, .max = 60, .doc = "who appears so long after somebody was lost may be them"});
+    v("slack", slack, {.unit = "m", .min = 0, .max = 2, .doc = "from where they could be, at once"});
+    v("speed", speed, {.unit = "m/s", .min = 0, .max = 5, .doc = "nobody goes faster out of sight"});
+    v("deviation", deviation,
+      {.unit = "m/s", .min = 0, .max = 5, .doc = "how fast people leave their straight way out of sight"});
+  }
+};
+
 struct TrackerOptions {
   double person_radius = 0.3;
   double longest_gap = 1.0;
@@ -119,6 +183,8 @@ struct TrackerOptions {
   HeadingOptions heading;
   BirthOptions birth;
   DeathOptions death;
+  ReturnOptions back;
+  UntangleOptions untangle;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -139,6 +205,8 @@ struct TrackerOptions {
     v("heading", heading, {.doc = "the filter of motion: heading"});
     v("birth", birth, {.doc = "when clusters become a person"});
     v("death", death, {.doc = "when a person is no longer believed to be there"});
+    v("untangle", untangle, {.doc = "whose leg is whose where people pass close to each other"});
+    v("return", back, {.doc = "when somebody who appears is somebody lost"});
   }
 };
 

@@ -167,12 +167,18 @@ class ScoreKeeper {
     if (plain) memory.in_sight = now;
     if (person.counted) ++score_.people;
     if (plain) ++score_.plain;
+    if (!person.counted) {  // who is not to be followed changes identity unnoticed: it counts when they are
+                            // back
+      const bool kept = matched >= 0 && tracks[static_cast<std::size_t>(matched)].id == memory.track;
+      memory.was_matched = memory.was_matched && kept;
+      return;
+    }
     if (matched < 0) {
       memory.was_matched = false;
     } else {
       const TrackedPerson& track = tracks[static_cast<std::size_t>(matched)];
       const bool other = memory.track != track.id;
-      if (memory.track != 0 && other && person.counted) {
+      if (memory.track != 0 && other) {
         ++score_.switches;
         if (memory.hidden < 2.0) ++score_.switches_seen;
       }
@@ -184,20 +190,18 @@ class ScoreKeeper {
         memory.confirmed = true;
         score_.confirmation.push_back(memory.waited);
       }
-      if (person.counted) {
-        ++score_.matched;
-        score_.distance += (track.position - person.position).norm();
-        if (plain) ++score_.plain_matched;
-        if (now - memory.matched_since >= 1.0 - 1e-9) {
-          const double error = (track.velocity - person.velocity).squaredNorm();
-          ++score_.velocities;
-          score_.velocity_square += error;
-          const bool steady = now - memory.turned > 0.5;
-          if (on_followed) on_followed(person, track, steady);
-          if (steady) {
-            ++score_.steady;
-            score_.steady_square += error;
-          }
+      ++score_.matched;
+      score_.distance += (track.position - person.position).norm();
+      if (plain) ++score_.plain_matched;
+      if (now - memory.matched_since >= 1.0 - 1e-9) {
+        const double error = (track.velocity - person.velocity).squaredNorm();
+        ++score_.velocities;
+        score_.velocity_square += error;
+        const bool steady = now - memory.turned > 0.5;
+        if (on_followed) on_followed(person, track, steady);
+        if (steady) {
+          ++score_.steady;
+          score_.steady_square += error;
         }
       }
     }

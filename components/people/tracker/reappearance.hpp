@@ -1,0 +1,18 @@
+// Whether somebody who appears is somebody who was out of sight: as long as nobody walks faster than people
+// do, who appears where somebody lost could have got to meanwhile is taken for them.
+#pragma once
+
+#include <optional>
+
+#include "components/people/tracker/person_track.hpp"
+#include "components/people/tracker/tracker_options.hpp"
+
+namespace bw::people {
+
+/// How far `place` at `time` [s, from the tracker's own origin] is from where `lost` would be had they
+/// stayed, gone on, or turned back, in parts of what people deviate in that time; nothing where they could
+/// not have got to.
+std::optional<double> doubt_of_return(const PersonTrack& lost, const Vector2& place, double time,
+                                      const ReturnOptions& options);
+
+}  // namespace bw::people
