@@ -1,74 +1,11 @@
 #include "components/people/tracker/birth.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+
+#include "components/people/tracker/gait.hpp"
 
 namespace bw::people {
 namespace {
-
-/// Sweeps that showed both clusters, from the last back.
-struct Common {
-  std::array<const Sighting*, ClusterTrack::kRemembered> a{};
-  std::array<const Sighting*, ClusterTrack::kRemembered> b{};
-  int count = 0;
-
-  Common(const ClusterTrack& first, const ClusterTrack& second) {
-    int i = 0;
-    int j = 0;
-    while (i < first.remembered() && j < second.remembered()) {
-      const Sighting& x = first.sighting(i);
-      const Sighting& y = second.sighting(j);
-      if (x.sweep == y.sweep) {
-        a[static_cast<std::size_t>(count)] = &x;
-        b[static_cast<std::size_t>(count)] = &y;
-        ++count;
-      }
-      i += x.sweep >= y.sweep ? 1 : 0;
-      j += y.sweep >= x.sweep ? 1 : 0;
-    }
-  }
-  Vector2 middle(int k) const {
-    const auto i = static_cast<std::size_t>(k);
-    return (a[i]->position + b[i]->position) / 2.0;
-  }
-  double separation(int k) const {
-    const auto i = static_cast<std::size_t>(k);
-    return (a[i]->position - b[i]->position).norm();
-  }
-  double time(int k) const { return a[static_cast<std::size_t>(k)]->time; }
-};
-
-/// Straight way through places at times: least squares.
-struct Line {
-  double misfit = 0.0;  ///< root mean square [m]
-  Vector2 velocity{0.0, 0.0};
-};
-
-template <class Place, class At>
-Line fit_line(int count, const Place& place, const At& at) {
-  Vector2 mean(0.0, 0.0);
-  double mean_time = 0.0;
-  for (int k = 0; k < count; ++k) {
-    mean += place(k);
-    mean_time += at(k);
-  }
-  mean /= count;
-  mean_time /= count;
-  Vector2 slope(0.0, 0.0);
-  double spread = 0.0;
-  for (int k = 0; k < count; ++k) {
-    slope += (at(k) - mean_time) * (place(k) - mean);
-    spread += (at(k) - mean_time) * (at(k) - mean_time);
-  }
-  Line line;
-  if (spread > 0.0) line.velocity = slope / spread;
-  double square = 0.0;
-  for (int k = 0; k < count; ++k)
-    square += (place(k) - mean - (at(k) - mean_time) * line.velocity).squaredNorm();
-  line.misfit = std::sqrt(square / count);
-  return line;
-}
 
 template <class Score>
 double mean_score(const ClusterTrack& cluster, int count, const Score& score) {
@@ -89,47 +26,22 @@ double leg_share(const ClusterTrack& cluster) {
 
 }  // namespace
 
-Gait gait_of(const ClusterTrack& a, const ClusterTrack& b, int sweeps) {
-  const Common common(a, b);
-  Gait gait;
-  gait.common = std::min(common.count, sweeps);
-  if (gait.common == 0) return gait;
-  for (int k = 0; k < gait.common; ++k) gait.widest = std::max(gait.widest, common.separation(k));
-  const Line line = fit_line(
-      gait.common, [&](int k) { return common.middle(k); }, [&](int k) { return common.time(k); });
-  gait.misfit = line.misfit;
-  gait.velocity = line.velocity;
-  Vector2 mean(0.0, 0.0);
-  double mean_time = 0.0;
-  for (int k = 0; k < gait.common; ++k) {
-    mean += common.middle(k) / gait.common;
-    mean_time += common.time(k) / gait.common;
-  }
-  gait.since = common.time(gait.common - 1);
-  gait.start = mean + (gait.since - mean_time) * line.velocity;
-  gait.score = std::min(leg_share(a), leg_share(b));
-  return gait;
-}
-
 std::optional<double> doubt_of_pair(const ClusterTrack& a, const ClusterTrack& b,
                                     const BirthOptions& options) {
   if ((a.last().position - b.last().position).norm() > options.separation) return std::nullopt;
   const double score = std::min(leg_share(a), leg_share(b));
   if (score < std::min(options.walking_score, options.standing_score)) return std::nullopt;
-  const Common common(a, b);
+  const CommonSightings common(a, b);
   if (common.count < options.sightings) return std::nullopt;
   if (common.a[0]->sweep - common.a[static_cast<std::size_t>(options.sightings) - 1]->sweep >=
       options.of_sweeps)
     return std::nullopt;
 
-  double widest = 0.0;
-  for (int k = 0; k < common.count; ++k) widest = std::max(widest, common.separation(k));
-  const Line line = fit_line(
-      common.count, [&](int k) { return common.middle(k); }, [&](int k) { return common.time(k); });
+  const Gait gait = gait_of(common, ClusterTrack::kRemembered);
   const int oldest = common.count - 1;
-  const double travel = line.velocity.norm() * (common.time(0) - common.time(oldest));
-  if (line.misfit > options.misfit || widest > options.separation) return std::nullopt;
-  const double doubt = widest + 4.0 * line.misfit - 0.5 * score;
+  const double travel = gait.velocity.norm() * (common.time(0) - common.time(oldest));
+  if (gait.misfit > options.misfit || gait.widest > options.separation) return std::nullopt;
+  const double doubt = gait.widest + 4.0 * gait.misfit - 0.5 * score;
 
   const auto moved = [&](const auto& legs) {
     return (legs[0]->position - legs[static_cast<std::size_t>(oldest)]->position).norm() > 0.25 * travel;
@@ -138,7 +50,7 @@ std::optional<double> doubt_of_pair(const ClusterTrack& a, const ClusterTrack& b
     return doubt;
 
   const bool stands = common.count >= options.standing_sightings && score >= options.standing_score &&
-                      widest <= options.standing_separation &&
+                      gait.widest <= options.standing_separation &&
                       std::max(static_share(a), static_share(b)) < 0.5;
   if (stands) return doubt + 0.2;
   return std::nullopt;
@@ -210,7 +122,7 @@ Walker walker_of(const ClusterTrack& first, const ClusterTrack* second, const Wa
     }
     return walker;
   }
-  const Common common(first, *second);
+  const CommonSightings common(first, *second);
   const int oldest = common.count - 1;
   const auto at = [&](int k) { return static_cast<std::size_t>(k); };
   Walker walker(common.a[at(oldest)]->position, common.b[at(oldest)]->position, {0.0, 0.0},

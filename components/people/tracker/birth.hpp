@@ -28,18 +28,6 @@ std::optional<double> doubt_of_single(const ClusterTrack& cluster, const BirthOp
 void find_people(const std::vector<ClusterTrack>& clusters, std::int64_t sweep, const BirthOptions& options,
                  std::vector<Candidate>& found);
 
-/// How two clusters went along together in their last common sweeps, at most `sweeps` of them.
-struct Gait {
-  int common = 0;           ///< sweeps that showed both
-  double widest = 0.0;      ///< from leg to leg [m]
-  double misfit = 0.0;      ///< of the middle to a straight way, root mean square [m]
-  Vector2 start{0.0, 0.0};  ///< the middle at `since`, on that way
-  Vector2 velocity{0.0, 0.0};
-  double since = 0.0;  ///< [s]
-  double score = 0.0;  ///< of the lesser leg
-};
-Gait gait_of(const ClusterTrack& a, const ClusterTrack& b, int sweeps);
-
 /// The filter of a candidate, from all its remembered sightings.
 Walker walker_of(const ClusterTrack& first, const ClusterTrack* second, const WalkerOptions& options);
 

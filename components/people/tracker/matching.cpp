@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -49,12 +50,10 @@ void Matching::match(const std::vector<Detection>& detections, const std::vector
   const auto reach_after = [&](int missed) {
     return std::min(options.reach, options.step + options.pace * missed);
   };
-  const auto unseen = [](const PersonTrack& person, BodyPart leg) {
-    return leg == BodyPart::first_leg ? person.first_unseen : person.second_unseen;
-  };
   for (const PersonTrack& person : people) {
-    for (const BodyPart leg : {BodyPart::first_leg, BodyPart::second_leg})
-      offer(person.walker.expected(leg), person.walker.spread(leg), reach_after(unseen(person, leg)), true);
+    for (const auto& [leg, unseen] : {std::pair{BodyPart::first_leg, person.unseen[0]},
+                                      std::pair{BodyPart::second_leg, person.unseen[1]}})
+      offer(person.walker.expected(leg), person.walker.spread(leg), reach_after(unseen), true);
   }
   for (const ClusterTrack& cluster : clusters)
     offer(cluster.position(), cluster.variance() * Eigen::Matrix2d::Identity(),

@@ -30,9 +30,16 @@ struct PersonTrack {
   PastState settled;           ///< when their legs last went like those of one person
   double score = 0.5;          ///< smoothed human score of what was seen
   double empty_seconds = 0.0;  ///< for so long the laser saw through where they should be [s]
-  int first_unseen = 0;        ///< sweeps since the first leg was seen, or the whole
-  int second_unseen = 0;
-  std::array<std::optional<ClusterTrack>, 2> legs;  ///< what was seen of each lately
+  // Of each leg:
+  std::array<int, 2> unseen{};                      ///< sweeps since it was seen, or the whole
+  std::array<std::optional<ClusterTrack>, 2> legs;  ///< what was seen of it lately
+
+  /// `leg` 0 or 1. What is too far from where the leg was, or too late, is the first sight of another.
+  void remember_leg(std::size_t leg, const Sighting& seen);
+
+  bool both_legs_seen(std::int64_t sweep) const {
+    return legs[0] && legs[1] && legs[0]->last().sweep == sweep && legs[1]->last().sweep == sweep;
+  }
 };
 
 }  // namespace bw::people

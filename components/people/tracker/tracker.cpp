@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
-#include <limits>
 #include <optional>
 
 #include <Eigen/Dense>
@@ -63,23 +63,21 @@ class Tracker::Impl {
   void to_S(const DetectionSet& sweep);
   void take_in(const DetectionSet& sweep);
   void correct_people();
-  LegMatch possible(PersonTrack& person, LegMatch match);
   void correct_heading(PersonTrack& person, const LegMatch& match);
   void correct_person(PersonTrack& person, const LegMatch& match);
   void correct_clusters();
   void untangle();
-  void pair_legs_anew(const std::vector<PersonTrack*>& people);
+  void pair_legs_anew(std::initializer_list<std::size_t> of_people);
   void forget_clusters(std::vector<int>& used);
+  double seconds() const { return (*now_ - origin_).to_seconds(); }
   Sighting sighting_of(const Detection& d) const;
   PastState state_of(const PersonTrack& person) const {
-    return {(*now_ - origin_).to_seconds(), person.walker.position(), person.walker.velocity()};
+    return {seconds(), person.walker.position(), person.walker.velocity()};
   }
-  void remember_leg(std::optional<ClusterTrack>& leg, const Detection& d) const;
+  void follow_legs(PersonTrack& person, const ClusterTrack& first, const ClusterTrack* second) const;
   void watch_for_absence(const DetectionSet& sweep, double dt);
   void lose_people();
-  void give_missing_legs_back();
   void find_new_people();
-  std::optional<PersonTrack> take_lost(const ClusterTrack& appeared);
   void report();
 
   TrackerOptions options_;
@@ -130,7 +128,6 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   correct_people();
   untangle();
   watch_for_absence(sweep_in_S_, dt);
-  give_missing_legs_back();
   find_new_people();
   lose_people();
   report();
@@ -165,8 +162,7 @@ void Tracker::Impl::take_in(const DetectionSet& sweep) {
 }
 
 void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
-  ++person.first_unseen;
-  ++person.second_unseen;
+  for (int& unseen : person.unseen) ++unseen;
   const bool one = (match.first < 0) != (match.second < 0);
   for (const auto& [part, index] :
        {std::pair{BodyPart::first_leg, match.first}, std::pair{BodyPart::second_leg, match.second}}) {
@@ -179,15 +175,19 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
     if (human_score(d) >= options_.back.likeness) person.sure = state_of(person);
-    if (!whole) remember_leg(person.legs[part == BodyPart::first_leg ? 0 : 1], d);
-    if (whole || part == BodyPart::first_leg) person.first_unseen = 0;
-    if (whole || part == BodyPart::second_leg) person.second_unseen = 0;
+    const std::size_t leg = part == BodyPart::first_leg ? 0 : 1;
+    if (whole) {
+      person.unseen = {0, 0};
+    } else {
+      person.unseen[leg] = 0;
+      person.remember_leg(leg, sighting_of(d));
+    }
   }
 }
 
 void Tracker::Impl::correct_people() {
   for (std::size_t i = 0; i < people_.size(); ++i) {
-    const LegMatch match = possible(people_[i], matching_.of_person(i));
+    const LegMatch match = matching_.of_person(i);
     correct_heading(people_[i], match);
     correct_person(people_[i], match);
   }
@@ -204,27 +204,9 @@ void Tracker::Impl::correct_heading(PersonTrack& person, const LegMatch& match) 
     person.heading->correct(*middle, options_.heading);
 }
 
-/// Two legs farther apart than legs can be belong to two people: keeps the one that was foreseen better.
-LegMatch Tracker::Impl::possible(PersonTrack& person, LegMatch match) {
-  if (match.first < 0 || match.second < 0) return match;
-  const Detection& first = detections_[static_cast<std::size_t>(match.first)];
-  const Detection& second = detections_[static_cast<std::size_t>(match.second)];
-  if ((first.position - second.position).norm() <= options_.association.separation) return match;
-  const double miss_first = (first.position - person.walker.expected(BodyPart::first_leg)).norm();
-  const double miss_second = (second.position - person.walker.expected(BodyPart::second_leg)).norm();
-  const bool first_wrong = miss_first > miss_second;
-  int& wrong = first_wrong ? match.first : match.second;
-  std::optional<ClusterTrack>& leg = person.legs[first_wrong ? 0 : 1];
-  remember_leg(leg, first_wrong ? first : second);
-  clusters_.push_back(*leg);  // nobody's, with what was seen of it
-  leg.reset();
-  wrong = -1;
-  return match;
-}
-
 Sighting Tracker::Impl::sighting_of(const Detection& d) const {
   return {.sweep = sweep_,
-          .time = (*now_ - origin_).to_seconds(),
+          .time = seconds(),
           .position = d.position,
           .variance = d.covariance.trace() / 2.0,
           .leg_score = d.leg_score,
@@ -238,82 +220,54 @@ void Tracker::Impl::correct_clusters() {
     const int j = matching_.of_cluster(i);
     if (j >= 0) clusters_[i].correct(sighting_of(detections_[static_cast<std::size_t>(j)]));
   }
-  const double now = (*now_ - origin_).to_seconds();
   std::erase_if(clusters_, [&](const ClusterTrack& cluster) {
-    return now - cluster.last().time > options_.death.cluster_unseen;
+    return seconds() - cluster.last().time > options_.death.cluster_unseen;
   });
   for (std::size_t j = 0; j < detections_.size(); ++j)
     if (!matching_.taken(j)) clusters_.emplace_back(sighting_of(detections_[j]));
 }
 
-void Tracker::Impl::remember_leg(std::optional<ClusterTrack>& leg, const Detection& d) const {
-  constexpr double kStep = 0.45;  // [m] no leg does more from one sweep to the next
-  const bool same =
-      leg && leg->last().sweep + 3 >= sweep_ && (leg->last().position - d.position).norm() < kStep;
-  if (same) {
-    leg->correct(sighting_of(d));
-  } else {
-    leg.emplace(sighting_of(d));
-  }
+/// What a person is known by from now on: two legs, or one, or both in one.
+void Tracker::Impl::follow_legs(PersonTrack& person, const ClusterTrack& first,
+                                const ClusterTrack* second) const {
+  person.walker = walker_of(first, second, options_.walker);
+  if (options_.motion == "heading")
+    person.heading = heading_of(first, second, person.walker, options_.heading);
+  person.last_seen = *now_;
+  person.empty_seconds = 0.0;
+  person.unseen = {0, second == nullptr ? 1 : 0};
+  person.legs = {first, second == nullptr ? std::nullopt : std::optional(*second)};
+  person.sure = person.settled = state_of(person);
 }
 
 void Tracker::Impl::untangle() {
   for (std::size_t i = 0; i < people_.size(); ++i) {
     if (people_[i].last_seen != *now_) continue;
-    pair_legs_anew({&people_[i]});
+    pair_legs_anew({i});
     for (std::size_t j = i + 1; j < people_.size(); ++j) {
       const double distance = (people_[i].walker.position() - people_[j].walker.position()).norm();
-      if (distance <= options_.untangle.near && people_[j].last_seen == *now_)
-        pair_legs_anew({&people_[i], &people_[j]});
+      if (distance <= options_.untangle.near && people_[j].last_seen == *now_) pair_legs_anew({i, j});
     }
   }
   for (PersonTrack& person : people_) {
-    const auto& [first, second] = person.legs;
-    if (!first || !second || first->last().sweep != sweep_ || second->last().sweep != sweep_) continue;
-    const auto doubt = doubt_of_legs(*first, *second, options_.untangle);
+    if (!person.both_legs_seen(sweep_)) continue;
+    const auto doubt = doubt_of_legs(*person.legs[0], *person.legs[1], options_.untangle);
     if (doubt && *doubt < options_.untangle.settled) person.settled = state_of(person);
   }
 }
 
-void Tracker::Impl::pair_legs_anew(const std::vector<PersonTrack*>& people) {
-  std::vector<const ClusterTrack*> strangers;
-  for (const ClusterTrack& cluster : clusters_) {
-    const Sighting& last = cluster.last();
-    if (last.sweep != sweep_ || last.leg_score < options_.birth.walking_score || strangers.size() >= 4)
-      continue;
-    const auto near = [&](const PersonTrack* person) {
-      return (last.position - person->walker.position()).norm() <= options_.association.separation;
-    };
-    if (std::ranges::any_of(people, near)) strangers.push_back(&cluster);
+void Tracker::Impl::pair_legs_anew(std::initializer_list<std::size_t> of_people) {
+  std::vector<const PersonTrack*> people;
+  for (const std::size_t i : of_people) people.push_back(&people_[i]);
+  auto pairs = pair_anew(people, clusters_, sweep_, options_.untangle);
+  if (!pairs) return;
+  std::size_t k = 0;
+  for (const std::size_t i : of_people) {
+    follow_legs(people_[i], pairs->legs[k][0], &pairs->legs[k][1]);
+    ++k;
   }
-  const std::vector<LegPair> pairs =
-      better_pairs({people.begin(), people.end()}, strangers, sweep_, options_.untangle);
-  if (pairs.empty()) return;
-
-  const auto chosen = [&](const ClusterTrack* leg) {
-    return std::ranges::any_of(pairs, [&](const LegPair& pair) { return pair[0] == leg || pair[1] == leg; });
-  };
-  std::vector<ClusterTrack> left;  // legs that are nobody's now
-  for (const PersonTrack* person : people)
-    for (const auto& leg : person->legs)
-      if (leg && leg->last().sweep == sweep_ && !chosen(&*leg)) left.push_back(*leg);
-  std::vector<int> used;
-  for (const ClusterTrack* stranger : strangers)
-    if (chosen(stranger)) used.push_back(static_cast<int>(stranger - clusters_.data()));
-  std::vector<std::array<ClusterTrack, 2>> legs;
-  for (const LegPair& pair : pairs) legs.push_back({*pair[0], *pair[1]});
-  for (std::size_t i = 0; i < people.size(); ++i) {
-    PersonTrack& person = *people[i];
-    person.walker = walker_of(legs[i][0], &legs[i][1], options_.walker);
-    if (person.heading) person.heading = heading_of(legs[i][0], &legs[i][1], person.walker, options_.heading);
-    person.legs = {legs[i][0], legs[i][1]};
-    person.last_seen = *now_;
-    person.empty_seconds = 0.0;
-    person.first_unseen = person.second_unseen = 0;
-    person.sure = person.settled = state_of(person);
-  }
-  forget_clusters(used);
-  clusters_.insert(clusters_.end(), left.begin(), left.end());
+  forget_clusters(pairs->taken);
+  clusters_.insert(clusters_.end(), pairs->left.begin(), pairs->left.end());
 }
 
 void Tracker::Impl::forget_clusters(std::vector<int>& used) {
@@ -346,64 +300,6 @@ void Tracker::Impl::lose_people() {
   std::erase_if(lost_, [&](const PersonTrack& person) { return *now_ > person.last_seen + remembered; });
 }
 
-/// A leg that came back outside of its gate has become a cluster meanwhile: the person takes it back.
-void Tracker::Impl::give_missing_legs_back() {
-  constexpr int kMissing = 3;
-  for (PersonTrack& person : people_) {
-    const bool first = person.first_unseen >= kMissing && person.second_unseen == 0;
-    const bool second = person.second_unseen >= kMissing && person.first_unseen == 0;
-    if (first == second) continue;
-    const Vector2 seen = person.walker.expected(first ? BodyPart::second_leg : BodyPart::first_leg);
-    auto nearest = clusters_.end();
-    double best = options_.birth.separation;
-    for (auto cluster = clusters_.begin(); cluster != clusters_.end(); ++cluster) {
-      const Sighting& last = cluster->last();
-      if (last.sweep != sweep_ || last.leg_score < options_.birth.walking_score) continue;
-      if (cluster->remembered() < options_.birth.sightings) continue;
-      if ((cluster->velocity() - person.walker.velocity()).norm() >
-          0.5 + 1.2 * person.walker.velocity().norm())
-        continue;
-      const double distance = (last.position - seen).norm();
-      if (distance >= best) continue;
-      best = distance;
-      nearest = cluster;
-    }
-    if (nearest == clusters_.end()) continue;
-    const Sighting& last = nearest->last();
-    person.walker.forget_legs(options_.walker);
-    const BodyPart missing = first ? BodyPart::first_leg : BodyPart::second_leg;
-    person.walker.correct(missing, last.position, last.variance * Eigen::Matrix2d::Identity(),
-                          options_.walker);
-    (first ? person.first_unseen : person.second_unseen) = 0;
-    clusters_.erase(nearest);
-  }
-}
-
-/// Takes out whoever was lost, or is not seen in this sweep, and most likely is who appeared.
-std::optional<PersonTrack> Tracker::Impl::take_lost(const ClusterTrack& appeared) {
-  const Sighting& first = appeared.sighting(appeared.remembered() - 1);
-  const double now = (*now_ - origin_).to_seconds();
-  std::vector<PersonTrack>* from = nullptr;
-  std::size_t likeliest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::vector<PersonTrack>* among : {&people_, &lost_}) {
-    for (std::size_t i = 0; i < among->size(); ++i) {
-      const PersonTrack& person = (*among)[i];
-      if (among == &people_ && now - person.sure.time < options_.back.absent) continue;
-      const auto doubt = doubt_of_return(person, first.position, first.time, options_.back);
-      if (!doubt || *doubt >= least) continue;
-      least = *doubt;
-      from = among;
-      likeliest = i;
-    }
-  }
-  if (from == nullptr) return std::nullopt;
-  const auto place = from->begin() + static_cast<std::ptrdiff_t>(likeliest);
-  const PersonTrack person = *place;
-  from->erase(place);
-  return person;
-}
-
 void Tracker::Impl::find_new_people() {
   find_people(clusters_, sweep_, options_.birth, candidates_);
   std::vector<int> used;
@@ -411,27 +307,18 @@ void Tracker::Impl::find_new_people() {
     const ClusterTrack& first = clusters_[static_cast<std::size_t>(candidate.first)];
     const ClusterTrack* second =
         candidate.second < 0 ? nullptr : &clusters_[static_cast<std::size_t>(candidate.second)];
-    const Walker walker = walker_of(first, second, options_.walker);
     used.push_back(candidate.first);
     if (second != nullptr) used.push_back(candidate.second);
-    std::optional<PersonTrack> known = take_lost(first);
-    if (!known) {
-      const Sighting& oldest = first.sighting(first.remembered() - 1);
-      known = PersonTrack{.id = ++last_id_,
-                          .walker = walker,
-                          .born = origin_ + Duration::seconds(oldest.time),
-                          .confirmed = *now_};
-    }
-    known->walker = walker;
-    known->score = first.last().human_score();
-    if (options_.motion == "heading") known->heading = heading_of(first, second, walker, options_.heading);
-    known->last_seen = *now_;
-    known->empty_seconds = 0.0;
-    known->sure = known->settled = state_of(*known);
-    known->legs = {first, second == nullptr ? std::nullopt : std::optional(*second)};
-    known->first_unseen = 0;
-    known->second_unseen = second == nullptr ? 1 : 0;
-    people_.insert(std::ranges::upper_bound(people_, known->id, {}, &PersonTrack::id), *known);
+    const Sighting& oldest = first.sighting(first.remembered() - 1);
+    auto person = take_returned(people_, lost_, oldest, seconds(), options_.back);
+    if (!person)
+      person = PersonTrack{.id = ++last_id_,
+                           .walker = walker_of(first, second, options_.walker),
+                           .born = origin_ + Duration::seconds(oldest.time),
+                           .confirmed = *now_};
+    person->score = first.last().human_score();
+    follow_legs(*person, first, second);
+    people_.insert(std::ranges::upper_bound(people_, person->id, {}, &PersonTrack::id), *person);
   }
   forget_clusters(used);
 }

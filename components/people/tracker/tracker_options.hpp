@@ -13,10 +13,9 @@ namespace bw::people {
 struct AssociationOptions {
   double gate = 9.21;
   double reach = 1.2;
-  double step = 0.3;
-  double pace = 0.1;
+  double step = 0.5;
+  double pace = 0.2;
   double slack = 0.12;
-  double separation = 0.7;
   double unlike = 2.0;
   double people_first = 2.0;
   double on_static = 2.0;
@@ -36,8 +35,6 @@ struct AssociationOptions {
        .min = 0,
        .max = 1,
        .doc = "added to the spread of every prediction while choosing: people turn and stop"});
-    v("separation", separation,
-      {.unit = "m", .min = 0.2, .max = 1.5, .doc = "from leg to leg of a person, at most"});
     v("unlike", unlike,
       {.min = 0, .max = 20, .doc = "what -ln(score) of a detection adds for legs of people"});
     v("on_static", on_static,
@@ -131,20 +128,25 @@ struct DeathOptions {
 
 struct UntangleOptions {
   double near = 1.2;
-  int sweeps = 5;
+  double separation = 0.7;
+  double score = 0.4;
+  int strangers = 4;
+  int sightings = 5;
   int least = 3;
   double alone = 0.8;
-  double stranger = 0.1;
   double margin = 0.25;
   double settled = 0.55;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("near", near, {.unit = "m", .min = 0, .max = 5, .doc = "people so close may have each other's legs"});
-    v("sweeps", sweeps, {.min = 2, .max = 12, .doc = "how far back legs are compared"});
-    v("least", least, {.min = 2, .max = 12, .doc = "of them that must show both legs"});
+    v("separation", separation,
+      {.unit = "m", .min = 0, .max = 2, .doc = "from somebody to what may be a leg of theirs, at most"});
+    v("score", score, {.min = 0, .max = 1, .doc = "leg score of it, at least"});
+    v("strangers", strangers, {.min = 0, .max = 20, .doc = "how many of them are tried"});
+    v("sightings", sightings, {.min = 2, .max = 12, .doc = "how far back legs are compared"});
+    v("least", least, {.min = 2, .max = 12, .doc = "sweeps that must show both legs"});
     v("alone", alone, {.unit = "m", .min = 0, .max = 5, .doc = "doubt of somebody of whom one leg is known"});
-    v("stranger", stranger, {.unit = "m", .min = 0, .max = 5, .doc = "doubt of a leg that was nobody's"});
     v("margin", margin,
       {.unit = "m", .min = 0, .max = 5, .doc = "pairs must be so much less doubtful to be changed"});
     v("settled", settled, {.unit = "m", .min = 0, .max = 5, .doc = "legs less doubtful are one person's"});

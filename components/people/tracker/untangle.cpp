@@ -1,88 +1,127 @@
 #include "components/people/tracker/untangle.hpp"
 
-#include <limits>
+#include <algorithm>
+#include <utility>
+
+#include "components/people/tracker/gait.hpp"
 
 namespace bw::people {
 namespace {
 
-constexpr double kImpossible = std::numeric_limits<double>::infinity();
+constexpr int kNobody = -1;
 
 struct Leg {
   const ClusterTrack* track;
-  bool stranger;
+  int cluster;  ///< index of what was nobody's; kNobody for a leg of these people
 };
 
 struct Pairing {
-  std::size_t i = 0;
-  std::size_t j = 0;
-  double doubt = kImpossible;
+  std::size_t i;
+  std::size_t j;
+  double doubt;
 };
 
-/// How far the legs' way starts from where the person was going [m].
-double miss_of(const PersonTrack& person, const LegPair& legs, const UntangleOptions& options) {
-  const Gait gait = gait_of(*legs[0], *legs[1], options.sweeps);
-  const Vector2 expected =
-      person.settled.position + (gait.since - person.settled.time) * person.settled.velocity;
-  return (gait.start - expected).norm();
+bool overlap(const Pairing& a, const Pairing& b) {
+  return a.i == b.i || a.i == b.j || a.j == b.i || a.j == b.j;
+}
+
+/// Theirs and what stands near and looks like a leg, as far as this sweep showed it.
+std::vector<Leg> legs_about(const std::vector<const PersonTrack*>& people,
+                            const std::vector<ClusterTrack>& clusters, std::int64_t sweep,
+                            const UntangleOptions& options) {
+  std::vector<Leg> legs;
+  for (const PersonTrack* person : people)
+    for (const auto& leg : person->legs)
+      if (leg && leg->last().sweep == sweep) legs.push_back({&*leg, kNobody});
+  int room = options.strangers;
+  for (std::size_t i = 0; i < clusters.size() && room > 0; ++i) {
+    const Sighting& last = clusters[i].last();
+    if (last.sweep != sweep || last.leg_score < options.score) continue;
+    const auto near = [&](const PersonTrack* person) {
+      return (last.position - person->walker.position()).norm() <= options.separation;
+    };
+    if (std::ranges::none_of(people, near)) continue;
+    legs.push_back({&clusters[i], static_cast<int>(i)});
+    --room;
+  }
+  return legs;
+}
+
+/// Doubt of the legs as they are paired.
+double doubt_now(const PersonTrack& person, std::int64_t sweep, const UntangleOptions& options) {
+  if (!person.both_legs_seen(sweep)) return options.alone;
+  return doubt_of_legs(*person.legs[0], *person.legs[1], options).value_or(options.alone);
+}
+
+/// The least doubtful choice of one pair for each of `count` people, if less doubtful than `least`.
+std::vector<Pairing> best_of(const std::vector<Pairing>& pairings, std::size_t count, double least) {
+  std::vector<Pairing> best;
+  for (std::size_t k = 0; k < pairings.size(); ++k) {
+    const Pairing& first = pairings[k];
+    if (count == 1 && first.doubt < least) {
+      least = first.doubt;
+      best = {first};
+    }
+    for (std::size_t l = k + 1; count == 2 && l < pairings.size(); ++l) {
+      const Pairing& second = pairings[l];
+      if (overlap(first, second) || first.doubt + second.doubt >= least) continue;
+      least = first.doubt + second.doubt;
+      best = {first, second};
+    }
+  }
+  return best;
+}
+
+/// How far the legs' way starts from where the person was going when they were last sure to be theirs [m].
+double miss_of(const PersonTrack& person, const Leg& a, const Leg& b, const UntangleOptions& options) {
+  const Gait gait = gait_of(CommonSightings(*a.track, *b.track), options.sightings);
+  const PastState& before = person.settled;
+  return (gait.start - before.position - (gait.since - before.time) * before.velocity).norm();
 }
 
 }  // namespace
 
 std::optional<double> doubt_of_legs(const ClusterTrack& a, const ClusterTrack& b,
                                     const UntangleOptions& options) {
-  const Gait gait = gait_of(a, b, options.sweeps);
-  if (gait.common < options.least) return std::nullopt;
+  const CommonSightings common(a, b);
+  if (common.count < options.least) return std::nullopt;
+  const Gait gait = gait_of(common, options.sightings);
   return gait.widest + 4.0 * gait.misfit;
 }
 
-std::vector<LegPair> better_pairs(const std::vector<const PersonTrack*>& people,
-                                  const std::vector<const ClusterTrack*>& strangers, std::int64_t sweep,
+std::optional<NewPairs> pair_anew(const std::vector<const PersonTrack*>& people,
+                                  const std::vector<ClusterTrack>& clusters, std::int64_t sweep,
                                   const UntangleOptions& options) {
-  std::vector<Leg> legs;
+  const std::vector<Leg> legs = legs_about(people, clusters, sweep, options);
+  if (legs.size() < 2 * people.size()) return std::nullopt;
   double now = -options.margin;
-  for (const PersonTrack* person : people) {
-    const auto& [first, second] = person->legs;
-    for (const auto* leg : {&first, &second})
-      if (*leg && (*leg)->last().sweep == sweep) legs.push_back({&**leg, false});
-    const bool both = first && second && first->last().sweep == sweep && second->last().sweep == sweep;
-    now += both ? doubt_of_legs(*first, *second, options).value_or(options.alone) : options.alone;
-  }
-  for (const ClusterTrack* stranger : strangers) legs.push_back({stranger, true});
-  if (legs.size() < 2 * people.size()) return {};
+  for (const PersonTrack* person : people) now += doubt_now(*person, sweep, options);
 
   std::vector<Pairing> pairings;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     for (std::size_t j = i + 1; j < legs.size(); ++j) {
+      if (legs[i].cluster != kNobody && legs[j].cluster != kNobody) continue;
       const auto doubt = doubt_of_legs(*legs[i].track, *legs[j].track, options);
-      if (!doubt || (legs[i].stranger && legs[j].stranger)) continue;
-      const double strange = legs[i].stranger || legs[j].stranger ? options.stranger : 0.0;
-      if (*doubt + strange < now) pairings.push_back({i, j, *doubt + strange});
+      if (doubt && *doubt < now) pairings.push_back({i, j, *doubt});
     }
   }
-  double least = now;
-  std::vector<LegPair> best;
-  const auto pair_of = [&](const Pairing& p) { return LegPair{legs[p.i].track, legs[p.j].track}; };
-  for (const Pairing& first : pairings) {
-    if (people.size() == 1) {
-      if (first.doubt >= least) continue;
-      least = first.doubt;
-      best = {pair_of(first)};
-      continue;
-    }
-    for (const Pairing& second : pairings) {
-      if (&second <= &first || first.i == second.i || first.i == second.j || first.j == second.i ||
-          first.j == second.j || first.doubt + second.doubt >= least)
-        continue;
-      least = first.doubt + second.doubt;
-      best = {pair_of(first), pair_of(second)};
-    }
-  }
+  std::vector<Pairing> best = best_of(pairings, people.size(), now);
+  if (best.empty()) return std::nullopt;
   if (best.size() == 2) {
-    const double straight = miss_of(*people[0], best[0], options) + miss_of(*people[1], best[1], options);
-    const double crossed = miss_of(*people[0], best[1], options) + miss_of(*people[1], best[0], options);
-    if (crossed < straight) std::swap(best[0], best[1]);
+    const auto miss = [&](std::size_t person, std::size_t pair) {
+      return miss_of(*people[person], legs[best[pair].i], legs[best[pair].j], options);
+    };
+    if (miss(0, 1) + miss(1, 0) < miss(0, 0) + miss(1, 1)) std::swap(best[0], best[1]);
   }
-  return best;
+
+  NewPairs result;
+  for (const Pairing& pairing : best) result.legs.push_back({*legs[pairing.i].track, *legs[pairing.j].track});
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const bool chosen = std::ranges::any_of(best, [&](const Pairing& p) { return p.i == i || p.j == i; });
+    if (chosen && legs[i].cluster != kNobody) result.taken.push_back(legs[i].cluster);
+    if (!chosen && legs[i].cluster == kNobody) result.left.push_back(*legs[i].track);
+  }
+  return result;
 }
 
 }  // namespace bw::people

@@ -111,12 +111,4 @@ double Walker::position_sigma() const {
   return std::sqrt(std::max(0.0, mean + std::sqrt(half * half + p(0, 1) * p(0, 1))));
 }
 
-void Walker::forget_legs(const WalkerOptions& options) {
-  const double leg = options.half_width * options.half_width;
-  P_.bottomRows<4>().setZero();
-  P_.rightCols<4>().setZero();
-  P_.diagonal().tail<4>() << leg, leg, 0.3, 0.3;
-  x_.tail<4>().setZero();
-}
-
 }  // namespace bw::people

@@ -92,9 +92,6 @@ class Walker {
   Eigen::Matrix4d covariance() const { return P_.topLeftCorner<4, 4>(); }
   double position_sigma() const;  ///< largest standard deviation [m]
 
-  /// Forgets where the legs are beyond what any pair of legs obeys.
-  void forget_legs(const WalkerOptions& options);
-
  private:
   static double sign(BodyPart part);
 
