@@ -50,8 +50,11 @@ std::optional<double> doubt_of_pair(const ClusterTrack& a, const ClusterTrack& b
     return doubt;
 
   const bool stands = common.count >= options.standing_sightings && score >= options.standing_score &&
-                      gait.widest <= options.standing_separation &&
-                      std::max(static_share(a), static_share(b)) < 0.5;
+                      gait.widest <= options.standing_separation;
+  const bool on_background = std::max(static_share(a), static_share(b)) >= 0.5;
+  if (stands && on_background &&
+      (score < options.background_score || common.count < options.background_sightings))
+    return std::nullopt;
   if (stands) return doubt + 0.2;
   return std::nullopt;
 }

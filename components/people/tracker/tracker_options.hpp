@@ -61,6 +61,8 @@ struct BirthOptions {
   int standing_sightings = 4;
   double standing_separation = 0.42;
   double standing_score = 0.7;
+  double background_score = 0.8;
+  int background_sightings = 8;
   double single_travel = 0.5;
   int single_sightings = 6;
   int single_of_sweeps = 8;
@@ -83,6 +85,9 @@ struct BirthOptions {
     v("standing_separation", standing_separation,
       {.unit = "m", .min = 0.1, .max = 1, .doc = "from leg to leg, at most, while standing"});
     v("standing_score", standing_score, {.min = 0, .max = 1, .doc = "of each leg of a pair that stands"});
+    v("background_score", background_score,
+      {.min = 0, .max = 1, .doc = "of each leg of a pair that stands where something has long stood"});
+    v("background_sightings", background_sightings, {.min = 2, .max = 12, .doc = "of such a pair"});
     v("single_travel", single_travel,
       {.unit = "m", .min = 0.05, .max = 3, .doc = "way walked by a leg, or two legs in one, alone"});
     v("single_sightings", single_sightings, {.min = 2, .max = 12, .doc = "of it"});

@@ -30,7 +30,7 @@ void print(const char* name, const Score& score) {
 
 TEST(Perception, FollowsPeopleAroundAStandingAndADrivingRobot) {
   Score all;
-  std::uint64_t seed = 401;
+  std::uint64_t seed = 801;
   for (const bool furnished : {false, true}) {
     for (const bool driving : {false, true}) {
       for (const int people : {1, 3, 6, 10, 20}) {
@@ -49,19 +49,18 @@ TEST(Perception, FollowsPeopleAroundAStandingAndADrivingRobot) {
   EXPECT_GE(all.mota(), 0.80);
   EXPECT_LE(all.motp(), 0.10);
   EXPECT_GE(all.precision(), 0.95);
-  EXPECT_LE(all.velocity_rmse(), 0.18);  // asked: 0.15; with people who turn on the spot and bump into walls
-  EXPECT_LE(all.steady_rmse(), 0.15);
+  EXPECT_LE(all.velocity_rmse(), 0.15);
   EXPECT_LE(all.confirmation_quantile(0.5), 0.5);
-  // Asked: recall 0.95 and 0.1 switches per person-minute. Reached: see components/people/tracker/README.md.
-  EXPECT_GE(all.recall(), 0.90);
-  EXPECT_LE(static_cast<double>(all.switches_seen), 0.8 * all.person_minutes());
+  // Asked: recall 0.95 and 0.1 switches per person-minute; what is reached: README of the tracker.
+  EXPECT_GE(all.recall(), 0.92);
+  EXPECT_LE(static_cast<double>(all.switches_seen), 0.4 * all.person_minutes());
 }
 
 // Nobody is there: whatever is tracked is false. Asked: one in ten minutes.
 TEST(Perception, TakesFurnitureForNobody) {
   int false_tracks = 0;
   double minutes = 0.0;
-  for (std::uint64_t seed = 501; seed < 505; ++seed) {
+  for (std::uint64_t seed = 851; seed < 855; ++seed) {
     const double seconds = seconds_each(60.0);
     const TrialRecord record = Trial({.people = 0}, {}, {}, seed).run(seconds);
     false_tracks += record.false_tracks;
