@@ -1,0 +1,74 @@
+// When one cluster alone is a person.
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "components/people/tracker/birth.hpp"
+#include "tests/components/people/tracker_sightings.hpp"
+
+namespace bw::people {
+namespace {
+
+/// Along x; `score` of each sighting.
+std::vector<Sighting> leg(const std::vector<double>& places, double score = 0.9) {
+  std::vector<Sighting> sightings;
+  for (const double x : places)
+    sightings.push_back(sighting(static_cast<std::int64_t>(sightings.size()), {x, 0.0}, score));
+  return sightings;
+}
+
+/// Six sightings, 0.79 m: the third step is `leap` [m], the others share the rest.
+std::vector<double> way_with(double leap) {
+  const double step = (0.79 - leap) / 4.0;
+  return {0.0, step, 2.0 * step, 2.0 * step + leap, 3.0 * step + leap, 4.0 * step + leap};
+}
+
+// 6 sightings, 0.79 m straight on. Cut from chair to chair by a step of 0.75 m, it is nobody; a leg does up
+// to 0.35 m. Without that its doubt is 1 - 0.9.
+TEST(Birth, WhatLeapsFromChairToChairIsNobody) {
+  EXPECT_FALSE(doubt_of_single(track_of(leg(way_with(0.75))), {}));
+  EXPECT_FALSE(doubt_of_single(track_of(leg(way_with(0.36))), {}));
+  for (const double step : {0.158, 0.34}) {
+    const auto doubt = doubt_of_single(track_of(leg(way_with(step))), {});
+    ASSERT_TRUE(doubt) << step;
+    EXPECT_NEAR(*doubt, 0.1, 1e-12);
+  }
+}
+
+// The last 6 sightings must be of 8 sweeps: 2 may be missed among them, not 3. What was missed before does
+// not count.
+TEST(Birth, WhatIsSeenNowAndThenIsNobody) {
+  const auto seen_in = [](const std::vector<std::int64_t>& sweeps) {
+    std::vector<Sighting> sightings;
+    for (const std::int64_t sweep : sweeps)
+      sightings.push_back(sighting(sweep, {0.08 * static_cast<double>(sweep), 0.0}));
+    return doubt_of_single(track_of(sightings), {}).has_value();
+  };
+  EXPECT_TRUE(seen_in({0, 1, 3, 4, 6, 7}));
+  EXPECT_FALSE(seen_in({0, 1, 3, 4, 6, 8}));
+  EXPECT_FALSE(seen_in({0, 2, 3, 5, 6, 8}));
+  EXPECT_TRUE(seen_in({0, 3, 4, 5, 6, 7, 8}));
+}
+
+TEST(Birth, WhatDoesNotWalkLikeALegIsNobody) {
+  const auto born = [](const std::vector<Sighting>& seen) { return doubt_of_single(track_of(seen), {}); };
+  const auto walked = [](double way) {
+    return std::vector<double>{0.0, 0.2 * way, 0.4 * way, 0.6 * way, 0.8 * way, way};
+  };
+  EXPECT_TRUE(born(leg(walked(0.51))));
+  EXPECT_FALSE(born(leg(walked(0.49))));  // 0.5 m are asked
+  EXPECT_TRUE(born(leg(walked(0.8), 0.61)));
+  EXPECT_FALSE(born(leg(walked(0.8), 0.59)));                             // a mean score of 0.6
+  EXPECT_FALSE(born(leg({0.0, 0.2, 0.4, 0.6, 0.8})));                     // six sightings
+  EXPECT_TRUE(born(leg({0.0, 0.3, 0.25, 0.5, 0.45, 0.6, 0.8, 1.0})));     // 1.0 m by a path of 1.2 m
+  EXPECT_FALSE(born(leg({0.0, 0.3, 0.15, 0.45, 0.3, 0.6, 0.45, 0.75})));  // 0.75 m by a path of 1.65 m
+  std::vector<Sighting> cut = leg(walked(0.8));
+  for (std::size_t k = 0; k < 3; ++k) cut[k].occluded = true;
+  EXPECT_TRUE(born(cut));  // cut off on a side in half of the sweeps at most
+  cut[3].occluded = true;
+  EXPECT_FALSE(born(cut));
+}
+
+}  // namespace
+}  // namespace bw::people
