@@ -1,5 +1,5 @@
 // When clusters are a person: two that walk or stand like legs, or one that walks like a leg with the other
-// one hidden.
+// one hidden, seen nearly always and without leaps.
 #pragma once
 
 #include <optional>

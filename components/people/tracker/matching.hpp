@@ -1,9 +1,11 @@
 // Which detection is which leg of whom, or which other cluster: all at once, for the least sum of
 //
-//   d^2 + ln det S - ln det S_0   (- unlike ln score, for legs; + people_first, for others)
+//   d^2 + ln det S - ln det S_0   (- unlike ln score, + on_static on background, for legs;
+//                                  + people_first, for others)
 //
 // d: distance in standard deviations, S: spread of the prediction plus noise plus `slack`, S_0: the same of a
-// prediction without error. Beyond the gates nothing is possible; leaving something unseen costs the gate.
+// prediction without error. Beyond the gate, and beyond min(reach, step + pace * sweeps missed), nothing is
+// possible; leaving something unseen costs the gate.
 #pragma once
 
 #include <vector>

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
@@ -24,13 +26,12 @@ namespace {
 
 double human_score(const Detection& d) { return std::max(d.leg_score, d.body_score); }
 
-constexpr double kLargestVariance = 2.0;  // [m^2] of a place that says anything
+constexpr double kLargestVariance = 2.0;  // [m^2] of a place that says anything, both axes together
 
 bool usable(const Detection& d, const AssociationOptions& options) {
   const Eigen::Matrix2d& c = d.covariance;
   return d.position.allFinite() && c.allFinite() && c(0, 0) > 0.0 && c.determinant() > 0.0 &&
          std::abs(c(0, 1) - c(1, 0)) <= 1e-6 * c.trace() && c.trace() <= kLargestVariance &&
-
          d.leg_score >= 0.0 && d.leg_score <= 1.0 && d.body_score >= 0.0 && d.body_score <= 1.0 &&
          d.width <= options.largest;
 }

@@ -3,8 +3,9 @@
 // All in the frame O of the detections (odom). Spec 7.2, 7.3; joint legs after Leigh et al., ICRA 2015.
 //
 // One sweep: predict everything; assign detections to legs of people and to other clusters at once (global
-// nearest neighbour); correct; pair clusters that walk or stand like legs into new people; let go of who has
-// not been seen where they could have been seen.
+// nearest neighbour); correct; pair legs anew that went to the wrong person; make people of clusters that
+// walk or stand like legs, or find in them who was lost; let go of who has not been seen where they could
+// have been seen.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,7 @@ namespace bw::people {
 
 /// A person who is believed to be there, at the stamp of the last sweep.
 struct TrackedPerson {
-  std::uint32_t id = 0;                                      ///< from 1; never given twice
+  std::uint32_t id = 0;                                      ///< from 1; for one only, also lost and back
   Vector2 position{0.0, 0.0};                                ///< between the legs, in O [m]
   Vector2 velocity{0.0, 0.0};                                ///< in O [m/s]
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();  ///< of (x, y, vx, vy) [m, m/s]
@@ -42,8 +43,8 @@ class Tracker {
 
   /// Confirmed people after this sweep, by rising id; valid until the next call. A sweep not later than the
   /// one before is ignored, except that a jump back of more than `longest_gap` or a longer silence forgets
-  /// everybody. Detections that are not finite, whose covariance is not positive definite
-  /// or whose scores are not within 0 and 1, are ignored.
+  /// everybody. Detections that are not finite, whose covariance is not positive definite or
+  /// has a trace above 2 m^2, whose scores are not within 0 and 1, or that are too wide, are ignored.
   const std::vector<TrackedPerson>& update(const DetectionSet& sweep);
 
   const std::vector<TrackedPerson>& people() const;

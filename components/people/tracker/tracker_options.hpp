@@ -29,7 +29,8 @@ struct AssociationOptions {
     v("reach", reach,
       {.unit = "m", .min = 0.1, .max = 5, .doc = "and metres: the human-oriented gate of spec 7.2"});
     v("step", step, {.unit = "m", .min = 0.05, .max = 5, .doc = "of a leg that was just seen, at most"});
-    v("pace", pace, {.unit = "m", .min = 0, .max = 5, .doc = "and more for each sweep that missed it"});
+    v("pace", pace,
+      {.unit = "m", .min = 0, .max = 5, .doc = "and so much more for each sweep that missed it"});
     v("slack", slack,
       {.unit = "m",
        .min = 0,
