@@ -18,13 +18,14 @@ struct Passer {
   Vector2 crossing;  ///< where they are at 2 s
   double direction;
   double speed;
-  double phase;  ///< of the legs
+  double phase;         ///< of the legs
+  double starts = 0.0;  ///< stands until then [s]
 
   Vector2 along() const { return {std::cos(direction), std::sin(direction)}; }
-  Vector2 middle(double t) const { return crossing + speed * (t - 2.0) * along(); }
+  Vector2 middle(double t) const { return crossing + speed * (std::max(t, starts) - 2.0) * along(); }
   Vector2 leg(double t, double side) const {
-    const double swing =
-        0.18 * std::min(1.0, speed / 1.3) * std::sin(2.0 * std::numbers::pi * speed * t / 1.4 + phase);
+    const double swing = 0.18 * std::min(1.0, speed / 1.3) *
+                         std::sin(2.0 * std::numbers::pi * speed * std::max(t, starts) / 1.4 + phase);
     const Vector2 across(-along().y(), along().x());
     return middle(t) + side * (0.1 * across + swing * along());
   }
@@ -114,6 +115,24 @@ TEST(Tracker, PairingLegsAnewKeepsIdentities) {
   EXPECT_GE(all, 700);
   EXPECT_LE(lost, 0.6 * lost_without);
   EXPECT_LE(lost, 0.15 * all) << "of " << all << ", " << lost_without << " without";
+}
+
+// Who stood until 0.8 s and was born standing is known by how they walked when their legs last were theirs
+// for sure. Measured on 1003 other crossings: 10.0 % lose an identity, 14.8 % when known by their birth only.
+TEST(Tracker, WhoIsWhoIsToldByHowTheyWalkedLately) {
+  Random random(29);
+  int all = 0;
+  int lost = 0;
+  for (int k = 0; k < 1000; ++k) {
+    Two two = any_two(random);
+    for (Passer& passer : two) passer.starts = 0.8;
+    const auto kept = keep_their_ids(two, {});
+    if (!kept) continue;
+    ++all;
+    lost += *kept ? 0 : 1;
+  }
+  EXPECT_GE(all, 600);
+  EXPECT_LE(lost, 0.125 * all) << "of " << all;
 }
 
 }  // namespace
