@@ -1,4 +1,4 @@
-// When one cluster alone is a person.
+// When one cluster alone, or two that stand on background, are a person.
 #include <algorithm>
 #include <vector>
 
@@ -68,6 +68,29 @@ TEST(Birth, WhatDoesNotWalkLikeALegIsNobody) {
   EXPECT_TRUE(born(cut));  // cut off on a side in half of the sweeps at most
   cut[3].occluded = true;
   EXPECT_FALSE(born(cut));
+}
+
+// Legs 0.2 m apart that do not move: 4 sightings that score 0.7 in the open, 8 that score 0.8 where something
+// has long stood. Their doubt is 0.2 - 0.5 * score + 0.2.
+TEST(Birth, LegsOnBackgroundMustLookMoreLikeLegs) {
+  const auto doubt = [](int count, double score, bool on_static) {
+    const auto leg = [&](double y) {
+      std::vector<Sighting> seen;
+      for (int k = 0; k < count; ++k) {
+        seen.push_back(sighting(k, {1.0, y}, score));
+        seen.back().on_static = on_static;
+      }
+      return track_of(seen);
+    };
+    return doubt_of_pair(leg(0.1), leg(-0.1), {});
+  };
+  EXPECT_TRUE(doubt(4, 0.71, false));
+  EXPECT_FALSE(doubt(3, 0.71, false));
+  EXPECT_FALSE(doubt(4, 0.69, false));
+  EXPECT_FALSE(doubt(7, 0.81, true));
+  EXPECT_FALSE(doubt(8, 0.79, true));
+  ASSERT_TRUE(doubt(8, 0.81, true));
+  EXPECT_NEAR(*doubt(8, 0.81, true), 0.4 - 0.5 * 0.81, 1e-12);
 }
 
 }  // namespace
