@@ -1,4 +1,5 @@
-// Parameters of the tracker. Defaults suit a laser at the height of shins with 5 to 40 sweeps per second.
+// Parameters of the tracker. Defaults suit a laser at the height of shins with about 10 sweeps per
+// second.
 #pragma once
 
 #include <string>
