@@ -2,6 +2,7 @@
 // tracker. All in one frame that does not jump (odom), called O here.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "components/model/pose2.hpp"
@@ -19,6 +20,8 @@ struct Detection {
   double body_score = 0.0;  ///< how likely it is a whole person: two legs in one, 0 to 1
   bool occluded = false;    ///< something nearer hides an edge of it: it may be larger
   bool on_static = false;   ///< lies on the map's walls, or on what has long stood there
+
+  double human_score() const { return std::max(leg_score, body_score); }
 };
 
 /// All of one sweep, and what the sweep could see.

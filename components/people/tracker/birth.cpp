@@ -41,7 +41,7 @@ std::optional<double> doubt_of_pair(const ClusterTrack& a, const ClusterTrack& b
   const int oldest = common.count - 1;
   const double travel = gait.velocity.norm() * (common.time(0) - common.time(oldest));
   if (gait.misfit > options.misfit || gait.widest > options.separation) return std::nullopt;
-  const double doubt = gait.widest + 4.0 * gait.misfit - 0.5 * score;
+  const double doubt = gait.doubt() - 0.5 * score;
 
   const auto moved = [&](const auto& legs) {
     return (legs[0]->position - legs[static_cast<std::size_t>(oldest)]->position).norm() > 0.25 * travel;

@@ -2,6 +2,7 @@
 // velocity, both axes alike, and what was seen of it lately.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "components/model/pose2.hpp"
@@ -20,7 +21,7 @@ struct Sighting {
   bool on_static = false;
   bool occluded = false;
 
-  double human_score() const { return leg_score > body_score ? leg_score : body_score; }
+  double human_score() const { return std::max(leg_score, body_score); }
 };
 
 class ClusterTrack {

@@ -26,6 +26,9 @@ struct Gait {
   Vector2 velocity{0.0, 0.0};  ///< along that way [m/s]
   Vector2 start{0.0, 0.0};     ///< on that way, at `since`
   double since = 0.0;          ///< the first of the sightings [s]
+
+  /// How little the two look like legs of one person [m].
+  double doubt() const { return widest + 4.0 * misfit; }
 };
 
 /// Of the last `sightings` at most; at least one must be common.

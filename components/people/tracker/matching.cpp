@@ -25,7 +25,7 @@ void Matching::match(const std::vector<Detection>& detections, const std::vector
                      const AssociationOptions& options) {
   likeness_.clear();
   for (const Detection& d : detections)
-    likeness_.push_back(-std::log(std::clamp(std::max(d.leg_score, d.body_score), 0.02, 1.0)));
+    likeness_.push_back(-std::log(std::clamp(d.human_score(), 0.02, 1.0)));
 
   assignment_.begin(detections.size());
   const double slack = options.slack * options.slack;

@@ -24,8 +24,6 @@
 namespace bw::people {
 namespace {
 
-double human_score(const Detection& d) { return std::max(d.leg_score, d.body_score); }
-
 constexpr double kLargestVariance = 2.0;  // [m^2] of a place that says anything, both axes together
 
 bool usable(const Detection& d, const AssociationOptions& options) {
@@ -152,13 +150,13 @@ void Tracker::Impl::take_in(const DetectionSet& sweep) {
   for (const Detection& d : sweep.detections) {
     if (!usable(d, options_.association)) continue;
     detections_.push_back(d);
-    const double vague = options_.association.vague * (1.0 - human_score(d));
+    const double vague = options_.association.vague * (1.0 - d.human_score());
     detections_.back().covariance += vague * vague * Eigen::Matrix2d::Identity();
   }
   const auto most = static_cast<std::size_t>(options_.most_detections);
   if (detections_.size() <= most) return;
   std::stable_sort(detections_.begin(), detections_.end(),
-                   [](const Detection& a, const Detection& b) { return human_score(a) > human_score(b); });
+                   [](const Detection& a, const Detection& b) { return a.human_score() > b.human_score(); });
   detections_.resize(most);
 }
 
@@ -172,10 +170,10 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     const bool whole = one && d.body_score > d.leg_score;
     person.walker.correct(whole ? BodyPart::middle : part, d.position, d.covariance, options_.walker);
     person.score =
-        options_.death.score_memory * person.score + (1.0 - options_.death.score_memory) * human_score(d);
+        options_.death.score_memory * person.score + (1.0 - options_.death.score_memory) * d.human_score();
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
-    if (human_score(d) >= options_.back.likeness) person.sure = state_of(person);
+    if (d.human_score() >= options_.back.likeness) person.sure = state_of(person);
     const std::size_t leg = part == BodyPart::first_leg ? 0 : 1;
     if (whole) {
       person.unseen = {0, 0};

@@ -85,8 +85,7 @@ std::optional<double> doubt_of_legs(const ClusterTrack& a, const ClusterTrack& b
                                     const UntangleOptions& options) {
   const CommonSightings common(a, b);
   if (common.count < options.least) return std::nullopt;
-  const Gait gait = gait_of(common, options.sightings);
-  return gait.widest + 4.0 * gait.misfit;
+  return gait_of(common, options.sightings).doubt();
 }
 
 std::optional<NewPairs> pair_anew(const std::vector<const PersonTrack*>& people,

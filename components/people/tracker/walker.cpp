@@ -6,6 +6,8 @@
 
 #include <Eigen/Dense>
 
+#include "components/people/tracker/heading_model.hpp"
+
 namespace bw::people {
 namespace {
 
@@ -52,22 +54,19 @@ void Walker::predict(double dt, const WalkerOptions& options) {
   const double s = std::sin(w * dt);
 
   Covariance F = Covariance::Identity();
-  F.block<2, 2>(0, 2) = dt * Block2::Identity();
+  F.topLeftCorner<4, 4>() = glide(dt);
   F.block<2, 2>(4, 4) = fade * c * along + across;
   F.block<2, 2>(4, 6) = fade * s / w * along;
   F.block<2, 2>(6, 4) = -fade * w * s * along;
   F.block<2, 2>(6, 6) = fade * c * along;
 
   const double spread = std::lerp(options.acceleration_standing, options.acceleration_walking, walking);
-  const double q = spread * spread;
   const double reach = options.swing * std::min(1.0, speed / options.full_swing_speed);
   const double swing = (1.0 - fade * fade) * reach * reach / 2.0;  // keeps the variance of a sine
   const double drift = options.drift_across * options.drift_across * dt;
 
   Covariance Q = Covariance::Zero();
-  Q.block<2, 2>(0, 0) = q * dt * dt * dt / 3.0 * Block2::Identity();
-  Q.block<2, 2>(0, 2) = Q.block<2, 2>(2, 0) = q * dt * dt / 2.0 * Block2::Identity();
-  Q.block<2, 2>(2, 2) = q * dt * Block2::Identity();
+  Q.topLeftCorner<4, 4>() = glide_noise(dt, spread);
   Q.block<2, 2>(4, 4) = swing * along + drift * Block2::Identity();
   Q.block<2, 2>(6, 6) = w * w * swing * along + 0.3 * dt * Block2::Identity();
 
