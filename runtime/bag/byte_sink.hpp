@@ -1,0 +1,25 @@
+// Where a writer's bytes go: a file, or whatever a test puts in its place.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "runtime/bag/bytes.hpp"
+
+namespace bw::bag {
+
+class ByteSink {
+ public:
+  virtual ~ByteSink() = default;
+  /// Appends all of `bytes`. Throws std::system_error with the system's reason; a part may have been written then.
+  virtual void write(BytesView bytes) = 0;
+  /// Asks the device to keep what was written. Throws as write() does.
+  virtual void sync() = 0;
+  /// Bytes written so far.
+  [[nodiscard]] virtual std::uint64_t size() const = 0;
+};
+
+/// A new file; nobody else's is overwritten. Throws std::system_error naming the path.
+std::unique_ptr<ByteSink> create_file(const std::filesystem::path& path);
+
+}  // namespace bw::bag
