@@ -26,7 +26,7 @@ install(DIRECTORY runtime DESTINATION ${headers} FILES_MATCHING PATTERN "*.hpp"
   PATTERN cli EXCLUDE PATTERN raw_type.hpp EXCLUDE PATTERN loopback_sockets.hpp EXCLUDE)
 install(DIRECTORY components/model components/messages DESTINATION ${headers}/components FILES_MATCHING PATTERN "*.hpp")
 install(DIRECTORY ${CMAKE_BINARY_DIR}/idl/ DESTINATION ${headers}/idl
-  FILES_MATCHING REGEX "/msg/[A-Za-z0-9_]+\\.(h|hpp)$" PATTERN CMakeFiles EXCLUDE PATTERN compiler EXCLUDE PATTERN scratch EXCLUDE)
+  FILES_MATCHING REGEX "/msg/[A-Za-z0-9_]+\\.hpp$" PATTERN CMakeFiles EXCLUDE PATTERN compiler EXCLUDE)
 install(DIRECTORY idl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/bandwagon/idl
   FILES_MATCHING PATTERN "*.idl" PATTERN compiler EXCLUDE)
 install(DIRECTORY config DESTINATION ${CMAKE_INSTALL_DATADIR}/bandwagon)

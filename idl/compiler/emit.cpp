@@ -3,6 +3,7 @@
 #include <cctype>
 #include <set>
 
+#include "idl/compiler/emit_class.hpp"
 #include "idl/compiler/type_hash.hpp"
 
 namespace bw::idl {
@@ -71,10 +72,11 @@ std::string header_path(const std::string& idl_path) {
 }
 
 std::string message_header(const File& file, const Types& types) {
-  const std::string path = file.path.substr(0, file.path.rfind('.'));
-  std::string out = kBanner;
-  out += "#pragma once\n\n" + include(path + ".h") + include("runtime/wire/serialization.hpp") +
-         "\nnamespace bw {\n";
+  std::string out = std::string(kBanner) + "#pragma once\n\n" + class_includes(file) +
+                    include("runtime/wire/serialization.hpp");
+  for (const Constants& constants : file.constants) out += constants_definition(constants);
+  for (const Struct& type : file.structs) out += class_definition(type, types);
+  out += "\nnamespace bw {\n";
   for (const Struct& type : file.structs) {
     out += "\ntemplate <>\nstruct " + traits(type) + " {\n  using Message = " + type.cpp_name() +
            ";\n  static constexpr std::string_view ros_name = " + quoted(type.ros_name()) +
@@ -89,10 +91,14 @@ std::string message_header(const File& file, const Types& types) {
   return out + "\n}  // namespace bw\n";
 }
 
-std::string package_source(const std::vector<File>& files_of_package) {
+std::string package_source(const std::vector<File>& files_of_package, const Types& types) {
   std::string out = kBanner;
   for (const File& file : files_of_package) out += include(header_path(file.path));
-  out += include("idl/fast_cdr.hpp") + "\nnamespace bw {\n";
+  out += include("idl/fast_cdr.hpp");
+  for (const File& file : files_of_package) {
+    for (const Struct& type : file.structs) out += special_members(type, types);
+  }
+  out += "\nnamespace bw {\n";
   for (const File& file : files_of_package) {
     for (const Struct& type : file.structs) {
       out += "\nvoid " + traits(type) +

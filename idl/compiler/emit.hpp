@@ -11,11 +11,11 @@ namespace bw::idl {
 /// "nav_msgs/msg/Odometry.idl" -> "nav_msgs/msg/odometry.hpp", the header name ROS 2 gives a message.
 [[nodiscard]] std::string header_path(const std::string& idl_path);
 
-/// <package>/<category>/<name>.hpp: the generated class and its bw::MessageTraits.
+/// <package>/<category>/<name>.hpp: the class and its bw::MessageTraits.
 [[nodiscard]] std::string message_header(const File& file, const Types& types);
 
-/// <package>/wire.cpp: serialisation of a package's messages through Fast CDR.
-[[nodiscard]] std::string package_source(const std::vector<File>& files_of_package);
+/// <package>/wire.cpp: what the headers of a package declare and what need not be compiled by each of their users.
+[[nodiscard]] std::string package_source(const std::vector<File>& files_of_package, const Types& types);
 
 /// type_registry.cpp: all descriptions as constants, and the functions of runtime/wire/type_registry.hpp.
 [[nodiscard]] std::string registry_source(const std::vector<File>& files, const Types& types);

@@ -30,11 +30,26 @@ struct Struct {
   [[nodiscard]] std::string dds_name() const { return package + "::" + category + "::dds_::" + name + "_"; }
 };
 
+struct Constant {
+  Kind kind = Kind::kInt32;
+  std::string name;
+  std::string value;  ///< as written, sign included
+};
+
+/// module <Name>_Constants. Constants do not travel: they exist in C++ alone.
+struct Constants {
+  std::string package;
+  std::string category;
+  std::string name;  ///< "Marker_Constants"
+  std::vector<Constant> values;
+};
+
 /// One IDL file. Includes and the file's own path are relative to the root of the interfaces.
 struct File {
   std::string path;  ///< "nav_msgs/msg/Odometry.idl"
   std::vector<std::string> includes;
   std::vector<Struct> structs;
+  std::vector<Constants> constants;
 };
 
 }  // namespace bw::idl

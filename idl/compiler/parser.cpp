@@ -18,12 +18,18 @@ constexpr std::pair<std::string_view, Kind> kPrimitives[] = {
     {"uint64", Kind::kUint64},   {"float", Kind::kFloat32}, {"double", Kind::kFloat64},
 };
 
+std::optional<Kind> primitive(std::string_view name) {
+  const auto* found = std::find_if(std::begin(kPrimitives), std::end(kPrimitives),
+                                   [&](const auto& entry) { return entry.first == name; });
+  return found == std::end(kPrimitives) ? std::nullopt : std::optional(found->second);
+}
+
 class Parser {
  public:
   Parser(std::string_view text, const std::string& path) : path_(path), tokens_(tokenize(text, path)) {}
 
   File run() {
-    File file{path_, {}, {}};
+    File file{path_, {}, {}, {}};
     while (now().type == Token::Type::kInclude) file.includes.push_back(next().text);
     while (now().type != Token::Type::kEnd) {
       const std::string package = open_module();
@@ -76,11 +82,11 @@ class Parser {
 
   void definition(const std::string& package, const std::string& category, File& file) {
     if (accept("module")) {
-      if (!word("a module's name").ends_with("_Constants")) fail("a module named <Name>_Constants before");
-      while (!accept("}")) {
-        if (now().type == Token::Type::kEnd) fail("'}'");
-        next();
-      }
+      Constants result{package, category, word("a module's name"), {}};
+      if (!result.name.ends_with("_Constants")) fail("a module named <Name>_Constants before");
+      expect("{");
+      while (!accept("}")) result.values.push_back(constant());
+      file.constants.push_back(std::move(result));
     } else {
       expect("struct");
       Struct result{package, category, word("a struct's name"), {}};
@@ -91,6 +97,20 @@ class Parser {
       file.structs.push_back(std::move(result));
     }
     expect(";");
+  }
+
+  Constant constant() {
+    expect("const");
+    Constant result;
+    const auto kind = primitive(word("a type"));
+    if (!kind) fail("a number's type before");
+    result.kind = *kind;
+    result.name = word("a constant's name");
+    expect("=");
+    if (accept("-")) result.value = "-";
+    result.value += word("a number");
+    expect(";");
+    return result;
   }
 
   Member member() {
@@ -117,10 +137,8 @@ class Parser {
 
   void element(Member& result) {
     const std::string name = word("a type");
-    const auto* primitive = std::find_if(std::begin(kPrimitives), std::end(kPrimitives),
-                                         [&](const auto& entry) { return entry.first == name; });
-    if (primitive != std::end(kPrimitives)) {
-      result.kind = primitive->second;
+    if (const auto kind = primitive(name)) {
+      result.kind = *kind;
     } else if (name == "string") {
       result.kind = Kind::kString;
       if (accept("<")) {

@@ -1,6 +1,6 @@
 // Reads the subset of OMG IDL that ROS 2 interfaces need: package and category modules, structs of
-// primitives, strings, nested structs, one-dimensional arrays and sequences. Constants (module
-// <Name>_Constants) do not travel and are skipped.
+// primitives, strings, nested structs, one-dimensional arrays and sequences, and numeric constants in a module
+// <Name>_Constants.
 #pragma once
 
 #include <map>

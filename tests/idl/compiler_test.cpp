@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "idl/compiler/emit.hpp"
+#include "idl/compiler/emit_class.hpp"
 #include "idl/compiler/parser.hpp"
 #include "idl/compiler/type_hash.hpp"
 
@@ -56,6 +57,30 @@ TEST(IdlCompiler, ReadsEveryKindOfMember) {
   EXPECT_EQ(type.members[2].capacity, 5U);
   EXPECT_EQ(type.members[3].string_capacity, 8U);
   EXPECT_EQ(type.members[4].message, "c/msg/D");
+  ASSERT_EQ(file.constants.size(), 1U);
+  EXPECT_EQ(file.constants[0].name, "B_Constants");
+  ASSERT_EQ(file.constants[0].values.size(), 1U);
+  EXPECT_EQ(file.constants[0].values[0].kind, Kind::kInt8);
+  EXPECT_EQ(file.constants[0].values[0].name, "LOW");
+  EXPECT_EQ(file.constants[0].values[0].value, "-1");
+}
+
+// What the wire cannot show: the constants, and that only a class which owns memory has members to be compiled elsewhere.
+TEST(IdlCompiler, WritesConstantsAndClasses) {
+  const File file =
+      parse(in_module("module B_Constants { const int8 LOW = -1; }; struct B { octet x; float y[2]; };"
+                      "struct C { sequence<string> texts; };"),
+            "a/msg/B.idl");
+  const Types types = link({file});
+  EXPECT_THAT(constants_definition(file.constants[0]), HasSubstr("inline constexpr std::int8_t LOW = -1;\n"));
+  const std::string plain = class_definition(file.structs[0], types);
+  EXPECT_THAT(plain, HasSubstr("  std::uint8_t x_{};\n  std::array<float, 2> y_{};\n"));
+  EXPECT_THAT(plain, Not(HasSubstr("~B()")));
+  EXPECT_EQ(special_members(file.structs[0], types), "");
+  const std::string owner = class_definition(file.structs[1], types);
+  EXPECT_THAT(owner, HasSubstr("  std::vector<std::string> texts_{};\n"));
+  EXPECT_THAT(owner, HasSubstr("  ~C();\n"));
+  EXPECT_THAT(special_members(file.structs[1], types), HasSubstr("C::~C() = default;\n"));
 }
 
 TEST(IdlCompiler, RefusesWithFileAndLine) {
@@ -65,6 +90,8 @@ TEST(IdlCompiler, RefusesWithFileAndLine) {
   EXPECT_THAT(fault(in_module("struct B { float x[0]; };")),
               HasSubstr("a/msg/B.idl:2: expected a positive number"));
   EXPECT_THAT(fault(in_module("@key struct B { float x; };")), HasSubstr("a/msg/B.idl:2: unexpected '@'"));
+  EXPECT_THAT(fault(in_module("module B_Constants {\n const string NAME = x; };")),
+              HasSubstr("a/msg/B.idl:3: expected a number's type before"));
   EXPECT_THAT(fault("module a {"), HasSubstr("found 'the end of the file'"));
   EXPECT_THAT(fault("/* for ever"), HasSubstr("a/msg/B.idl:1: comment without end"));
   EXPECT_THAT(fault("#pragma once"), HasSubstr("a/msg/B.idl:1: unknown directive"));

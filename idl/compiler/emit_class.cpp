@@ -1,0 +1,117 @@
+#include "idl/compiler/emit_class.hpp"
+
+#include <algorithm>
+
+#include "idl/compiler/emit.hpp"
+
+namespace bw::idl {
+namespace {
+
+std::string cpp_type(Kind kind) {
+  constexpr const char* kNames[] = {"bool",         "std::uint8_t",  "std::int8_t",  "std::uint8_t",
+                                    "std::int16_t", "std::uint16_t", "std::int32_t", "std::uint32_t",
+                                    "std::int64_t", "std::uint64_t", "float",        "double",
+                                    "std::string"};
+  return kNames[static_cast<int>(kind)];
+}
+
+/// nav_msgs/msg/Odometry -> nav_msgs::msg::Odometry
+std::string cpp_name(std::string ros_name) {
+  for (std::size_t at = 0; (at = ros_name.find('/', at)) != std::string::npos;) ros_name.replace(at, 1, "::");
+  return ros_name;
+}
+
+std::string cpp_type(const Member& member) {
+  const std::string element =
+      member.kind == Kind::kMessage ? cpp_name(member.message) : cpp_type(member.kind);
+  switch (member.shape) {
+    case Shape::kArray:
+      return "std::array<" + element + ", " + std::to_string(member.capacity) + ">";
+    case Shape::kSequence:
+      return "std::vector<" + element + ">";
+    case Shape::kSingle:
+      break;
+  }
+  return element;
+}
+
+bool is_number(const Member& member) { return member.shape == Shape::kSingle && wire_size(member.kind) > 0; }
+
+bool owns_memory(const Struct& type, const Types& types) {
+  return std::any_of(type.members.begin(), type.members.end(), [&](const Member& member) {
+    return member.shape == Shape::kSequence || member.kind == Kind::kString ||
+           (member.kind == Kind::kMessage && owns_memory(types.at(member.message), types));
+  });
+}
+
+std::string accessors(const Member& member) {
+  const std::string& name = member.name;
+  const std::string type = cpp_type(member);
+  const std::string field = name + "_";
+  const std::string refer = "  " + type + "& " + name + "() { return " + field + "; }\n";
+  if (is_number(member)) {
+    return "  [[nodiscard]] " + type + " " + name + "() const { return " + field + "; }\n" + refer +
+           "  void " + name + "(" + type + " to) { " + field + " = to; }\n";
+  }
+  return "  [[nodiscard]] const " + type + "& " + name + "() const { return " + field + "; }\n" + refer +
+         "  void " + name + "(const " + type + "& to) { " + field + " = to; }\n  void " + name + "(" + type +
+         "&& to) { " + field + " = std::move(to); }\n";
+}
+
+std::string open_namespace(const std::string& package, const std::string& category) {
+  return "\nnamespace " + package + "::" + category + " {\n";
+}
+
+}  // namespace
+
+std::string class_includes(const File& file) {
+  std::string out =
+      "#include <array>\n#include <cstdint>\n#include <string>\n#include <utility>\n#include <vector>\n\n";
+  for (const std::string& include : file.includes) out += "#include \"" + header_path(include) + "\"\n";
+  return out;
+}
+
+std::string constants_definition(const Constants& constants) {
+  std::string out =
+      open_namespace(constants.package, constants.category) + "namespace " + constants.name + " {\n";
+  for (const Constant& constant : constants.values) {
+    out +=
+        "inline constexpr " + cpp_type(constant.kind) + " " + constant.name + " = " + constant.value + ";\n";
+  }
+  return out + "}\n}\n";
+}
+
+std::string class_definition(const Struct& type, const Types& types) {
+  const std::string& name = type.name;
+  std::string out = open_namespace(type.package, type.category) + "\nclass " + name + " {\n public:\n";
+  if (owns_memory(type, types)) {
+    out += "  " + name + "();\n  ~" + name + "();\n  " + name + "(const " + name + "&);\n  " + name + "(" +
+           name + "&&) noexcept;\n  " + name + "& operator=(const " + name + "&);\n  " + name +
+           "& operator=(" + name + "&&) noexcept;\n";
+  }
+  out += "  [[nodiscard]] bool operator==(const " + name + "&) const = default;\n\n";
+  std::string visits;
+  std::string fields;
+  for (const Member& member : type.members) {
+    out += accessors(member);
+    visits += " f(" + member.name + "_);";
+    fields += "  " + cpp_type(member) + " " + member.name + "_{};\n";
+  }
+  for (const char* constness : {"", " const"}) {
+    out += std::string("  template <class F>\n  void for_each_field(F&& f)") + constness + " {" + visits +
+           " }\n";
+  }
+  return out + "\n private:\n" + fields + "};\n\n}\n";
+}
+
+std::string special_members(const Struct& type, const Types& types) {
+  if (!owns_memory(type, types)) return "";
+  const std::string& name = type.name;
+  const std::string scope = name + "::";
+  return open_namespace(type.package, type.category) + scope + name + "() = default;\n" + scope + "~" + name +
+         "() = default;\n" + scope + name + "(const " + name + "&) = default;\n" + scope + name + "(" + name +
+         "&&) noexcept = default;\n" + name + "& " + scope + "operator=(const " + name + "&) = default;\n" +
+         name + "& " + scope + "operator=(" + name + "&&) noexcept = default;\n}\n";
+}
+
+}  // namespace bw::idl
