@@ -1,9 +1,11 @@
 #include "idl/compiler/emit.hpp"
 
 #include <cctype>
+#include <map>
 #include <set>
 
 #include "idl/compiler/emit_class.hpp"
+#include "idl/compiler/msg_text.hpp"
 #include "idl/compiler/type_hash.hpp"
 
 namespace bw::idl {
@@ -35,11 +37,21 @@ std::string enumerator(Shape shape) {
   return std::string("Shape::") + kNames[static_cast<int>(shape)];
 }
 
+/// .msg texts by ROS name.
+std::map<std::string, std::string> definitions(const std::vector<File>& files) {
+  std::map<std::string, std::string> texts;
+  for (const File& file : files) {
+    for (const Struct& type : file.structs) texts[type.ros_name()] = msg_text(type, file.constants);
+  }
+  return texts;
+}
+
 /// A description after those of the types it contains.
-void describe(const Struct& type, const Types& types, std::set<std::string>& done, std::string& out) {
+void describe(const Struct& type, const Types& types, const std::map<std::string, std::string>& texts,
+              std::set<std::string>& done, std::string& out) {
   if (!done.insert(type.ros_name()).second) return;
   for (const Member& member : type.members) {
-    if (member.kind == Kind::kMessage) describe(types.at(member.message), types, done, out);
+    if (member.kind == Kind::kMessage) describe(types.at(member.message), types, texts, done, out);
   }
   const std::string name = constant(type.ros_name());
   out += "constexpr FieldDescription " + name + "_fields[] = {\n";
@@ -49,7 +61,7 @@ void describe(const Struct& type, const Types& types, std::set<std::string>& don
            (member.kind == Kind::kMessage ? "&" + constant(member.message) : "nullptr") + "},\n";
   }
   out += "};\nconstexpr TypeDescription " + name + "{" + traits(type) + "::ros_name, " + traits(type) +
-         "::dds_name,\n    " + traits(type) + "::type_hash, " + name + "_fields};\n";
+         "::dds_name,\n    " + traits(type) + "::type_hash, " + name + "_fields,\n    R\"(" + texts.at(type.ros_name()) + ")\"};\n";
 }
 
 }  // namespace
@@ -117,7 +129,8 @@ std::string registry_source(const std::vector<File>& files, const Types& types) 
   for (const File& file : files) out += include(header_path(file.path));
   out += include("runtime/wire/type_registry.hpp") + "\nnamespace bw {\nnamespace {\n\n";
   std::set<std::string> done;
-  for (const auto& [name, type] : types) describe(type, types, done, out);
+  const std::map<std::string, std::string> texts = definitions(files);
+  for (const auto& [name, type] : types) describe(type, types, texts, done, out);
   out += "\nconstexpr const TypeDescription* kAllTypes[] = {\n";
   for (const auto& [name, type] : types) out += "    &" + constant(name) + ",\n";
   out += "};\n\n}  // namespace\n\n";

@@ -44,6 +44,7 @@ struct TypeDescription {
   std::string_view dds_name;   ///< "nav_msgs::msg::dds_::Odometry_"
   std::string_view type_hash;  ///< "RIHS01_" and 64 hexadecimal digits (REP 2011)
   std::span<const FieldDescription> fields;
+  std::string_view definition;  ///< as a .msg file has it: constants and fields, nested types as package/Name
 };
 
 /// Size of one element on the wire [bytes], which is also its alignment; 0 for strings and messages.
