@@ -1,0 +1,174 @@
+#include "runtime/bag/bag_writer.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "runtime/atomic_file.hpp"
+
+namespace bw::bag {
+namespace {
+
+std::uint64_t to_mcap_time(Time time) {
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(time.nanoseconds, 0));
+}
+
+/// Held as long as the folder is written; a kill lets go of it.
+int lock_folder(const std::filesystem::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) throw std::system_error(errno, std::generic_category(), folder.string());
+  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    close(descriptor);
+    throw std::runtime_error(folder.string() + ": another recorder writes there");
+  }
+  return descriptor;
+}
+
+}  // namespace
+
+BagWriter::BagWriter(std::filesystem::path path, BagWriterOptions options)
+    : path_(std::move(path)), options_(std::move(options)), is_folder_(path_.extension() != ".mcap") {
+  if (!is_folder_) {
+    if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path());
+    open_file();
+    return;
+  }
+  std::filesystem::create_directories(path_);
+  path_ = std::filesystem::canonical(path_);
+  lock_ = lock_folder(path_);
+  if (!std::filesystem::is_empty(path_)) {
+    ::close(lock_);
+    throw std::runtime_error(path_.string() + " is not empty: a recording needs a folder of its own");
+  }
+  open_file();
+}
+
+BagWriter::~BagWriter() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+std::filesystem::path BagWriter::file_path(std::size_t number) const {
+  if (!is_folder_) return path_;
+  return path_ / (path_.filename().string() + "_" + std::to_string(number) + ".mcap");
+}
+
+void BagWriter::open_file() {
+  const std::filesystem::path file = file_path(next_number_++);
+  file_ = std::make_unique<mcap::Writer>(options_.create(file),
+                                         mcap::WriterOptions{.compression = options_.compression});
+  for (const mcap::Schema& schema : schemas_) file_->add_schema(schema);
+  for (const mcap::Channel& channel : channels_) file_->add_channel(channel);
+  metadata_.files.push_back({.path = file.filename().string()});
+  file_has_messages_ = false;
+}
+
+std::size_t BagWriter::add_topic(const BagTopic& topic) {
+  std::uint16_t& schema_id = schema_ids_[{topic.type, topic.schema_text}];
+  if (schema_id == 0) {
+    schema_id = static_cast<std::uint16_t>(schemas_.size() + 1);
+    schemas_.push_back({.id = schema_id,
+                        .name = topic.type,
+                        .encoding = topic.schema_encoding,
+                        .data = {topic.schema_text.begin(), topic.schema_text.end()}});
+    file_->add_schema(schemas_.back());
+  }
+  channels_.push_back({.id = static_cast<std::uint16_t>(channels_.size() + 1),
+                       .schema_id = schema_id,
+                       .topic = topic.name,
+                       .message_encoding = topic.serialization_format,
+                       .metadata = {{"offered_qos_profiles", topic.offered_qos_profiles},
+                                    {"topic_type_hash", topic.type_hash}}});
+  file_->add_channel(channels_.back());
+  topics_.push_back(topic);
+  metadata_.topics.push_back({.name = topic.name,
+                              .type = topic.type,
+                              .serialization_format = topic.serialization_format,
+                              .offered_qos_profiles = topic.offered_qos_profiles,
+                              .type_hash = topic.type_hash});
+  return topics_.size() - 1;
+}
+
+void BagWriter::write(std::size_t topic, Time log_time, Time publish_time, BytesView data) {
+  const bool too_large = options_.split_size > 0 && file_->size() > options_.split_size;
+  const bool too_long =
+      options_.split_duration > Duration{} && log_time - file_start_ > options_.split_duration;
+  if (is_folder_ && file_has_messages_ && (too_large || too_long)) {
+    close_file();
+    open_file();
+    delete_oldest();
+  }
+  file_->write({.channel_id = channels_[topic].id,
+                .log_time = to_mcap_time(log_time),
+                .publish_time = to_mcap_time(publish_time),
+                .data = data});
+  if (!std::exchange(file_has_messages_, true)) file_start_ = log_time;
+  ++metadata_.topics[topic].message_count;
+  ++metadata_.message_count;
+}
+
+void BagWriter::attach(const std::string& name, const std::string& media_type, std::string_view content,
+                       Time now) {
+  file_->write(mcap::Attachment{.log_time = to_mcap_time(now),
+                                .create_time = 0,
+                                .name = name,
+                                .media_type = media_type,
+                                .data = {content.begin(), content.end()}});
+}
+
+void BagWriter::add_metadata(const std::string& name, const std::map<std::string, std::string>& entries) {
+  file_->write(mcap::Metadata{.name = name, .entries = entries});
+}
+
+void BagWriter::flush() { file_->flush(); }
+
+std::uint64_t BagWriter::size() const {
+  std::uint64_t sum = file_ ? file_->size() : 0;
+  for (const Closed& file : closed_) sum += file.size;
+  return sum;
+}
+
+void BagWriter::close_file() {
+  const mcap::Statistics& s = file_->statistics();
+  FileMetadata& file = metadata_.files.back();
+  file.start = s.start_time;
+  file.duration = s.end_time - s.start_time;
+  file.message_count = s.message_count;
+  if (s.message_count > 0) {
+    const std::uint64_t end = std::max(metadata_.start + metadata_.duration, s.end_time);
+    const bool is_first = metadata_.start == 0 && metadata_.duration == 0;
+    metadata_.start = is_first ? s.start_time : std::min(metadata_.start, s.start_time);
+    metadata_.duration = end - metadata_.start;
+  }
+  file_->write(mcap::Metadata{.name = "rosbag2", .entries = {{"serialized_metadata", to_record(metadata_)}}});
+  file_->close();
+  closed_.push_back({file_->size(), s.channel_message_counts});
+  file_.reset();
+  write_metadata();
+}
+
+void BagWriter::delete_oldest() {
+  while (options_.max_size > 0 && metadata_.files.size() > 1 && size() > options_.max_size) {
+    std::filesystem::remove(path_ / metadata_.files.front().path);
+    metadata_.message_count -= metadata_.files.front().message_count;
+    for (const auto& [channel, count] : closed_.front().counts)
+      metadata_.topics[channel - 1U].message_count -= count;
+    metadata_.files.erase(metadata_.files.begin());
+    closed_.erase(closed_.begin());
+  }
+}
+
+void BagWriter::write_metadata() {
+  if (is_folder_) write_file_atomically(path_ / "metadata.yaml", to_yaml(metadata_));
+}
+
+void BagWriter::close() {
+  if (file_) close_file();
+}
+
+}  // namespace bw::bag

@@ -1,0 +1,84 @@
+// Writes a recording: one MCAP file, or a folder of them with the metadata.yaml of rosbag2, split by size or time.
+//
+//   drive.mcap          one file
+//   drive/              drive_0.mcap, drive_1.mcap, ..., metadata.yaml
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/bag/bag.hpp"
+#include "runtime/bag/bag_metadata.hpp"
+#include "runtime/bag/mcap_writer.hpp"
+
+namespace bw::bag {
+
+struct BagWriterOptions {
+  Compression compression = Compression::zstd;
+  std::uint64_t split_size = 0;  ///< a new file begins beyond this [bytes]; 0: never. Folders only
+  Duration split_duration{};     ///< or after this time; 0: never. Folders only
+  std::uint64_t max_size =
+      0;  ///< the oldest files go beyond this, all together [bytes]; 0: never. Folders only
+  /// Makes the files; a test puts a disk that is full or slow in this place.
+  std::function<std::unique_ptr<ByteSink>(const std::filesystem::path&)> create = create_file;
+};
+
+class BagWriter {
+ public:
+  /// `path` ends in .mcap: one file; else a folder, which is made. Throws std::runtime_error or std::system_error
+  /// naming the path: it exists already, somebody records there, or it cannot be written. Every later call may throw
+  /// what the sinks throw; what was written before stays.
+  BagWriter(std::filesystem::path path, BagWriterOptions options);
+  ~BagWriter();
+  BagWriter(const BagWriter&) = delete;
+  BagWriter& operator=(const BagWriter&) = delete;
+
+  /// Names the topic in write(). Its message_count is not looked at.
+  std::size_t add_topic(const BagTopic& topic);
+  void write(std::size_t topic, Time log_time, Time publish_time, BytesView data);
+  /// In the file that is open now.
+  void attach(const std::string& name, const std::string& media_type, std::string_view content, Time now);
+  void add_metadata(const std::string& name, const std::map<std::string, std::string>& entries);
+  /// What was written so far survives a kill of the program.
+  void flush();
+  /// Writes summaries and metadata.yaml.
+  void close();
+
+  [[nodiscard]] std::uint64_t size() const;  ///< of all files [bytes]
+  [[nodiscard]] std::uint64_t message_count() const { return metadata_.message_count; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  void open_file();
+  void close_file();
+  void delete_oldest();
+  void write_metadata();
+  [[nodiscard]] std::filesystem::path file_path(std::size_t number) const;
+
+  std::filesystem::path path_;
+  BagWriterOptions options_;
+  bool is_folder_;
+  int lock_ = -1;
+  std::vector<BagTopic> topics_;
+  std::map<std::pair<std::string, std::string>, std::uint16_t> schema_ids_;  ///< by type and text
+  std::vector<mcap::Schema> schemas_;
+  std::vector<mcap::Channel> channels_;
+  std::unique_ptr<mcap::Writer> file_;
+  std::size_t next_number_ = 0;
+  Time file_start_;
+  bool file_has_messages_ = false;
+  BagMetadata metadata_;
+  /// A file that was closed and is still there.
+  struct Closed {
+    std::uint64_t size = 0;                         ///< [bytes]
+    std::map<std::uint16_t, std::uint64_t> counts;  ///< messages by channel
+  };
+  std::vector<Closed> closed_;  ///< the oldest first, as in metadata_
+};
+
+}  // namespace bw::bag

@@ -1,0 +1,174 @@
+// Recordings: folders, splits, limits, locks, disks that fail. Expected counts and times are those written.
+#include "runtime/bag/bag_writer.hpp"
+
+#include <cerrno>
+#include <system_error>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "tests/runtime/bag/mcap_files.hpp"
+
+namespace bw::bag {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using ::testing::UnorderedElementsAre;
+
+const BagTopic kTopic{.name = "/text",
+                      .type = "std_msgs/msg/String",
+                      .offered_qos_profiles = "- depth: 1",
+                      .type_hash = "RIHS01_00",
+                      .schema_encoding = "ros2msg",
+                      .schema_text = "string data\n"};
+
+std::vector<std::int64_t> times(const Bag& bag) {
+  std::vector<std::int64_t> out;
+  const auto messages = bag.messages({});
+  for (BagMessage m; messages->next(m) == Step::message;) out.push_back(m.log_time.nanoseconds);
+  return out;
+}
+
+std::vector<std::string> names_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.push_back(entry.path().filename());
+  return names;
+}
+
+TEST(BagWriter, WritesAFolderThatRosbag2Reads) {
+  const mcap::Folder folder;
+  {
+    BagWriter writer(folder / "drive", {});
+    const std::size_t topic = writer.add_topic(kTopic);
+    writer.attach("graph.yaml", "text/yaml", "components:", {5});
+    for (std::int64_t i = 1; i <= 3; ++i) writer.write(topic, {i}, {10 * i}, mcap::as_bytes("abc"));
+    writer.close();
+  }
+  EXPECT_THAT(names_in(folder / "drive"), UnorderedElementsAre("drive_0.mcap", "metadata.yaml"));
+  const BagMetadata metadata = read_bag_metadata(folder / "drive/metadata.yaml");
+  EXPECT_EQ(metadata.version, 5);
+  EXPECT_EQ(metadata.message_count, 3U);
+  EXPECT_EQ(metadata.start, 1U);
+  EXPECT_EQ(metadata.duration, 2U);
+  EXPECT_EQ(metadata.topics.at(0).message_count, 3U);
+  const auto bag = open_bag(folder / "drive");
+  EXPECT_THAT(times(*bag), ElementsAre(1, 2, 3));
+  ASSERT_THAT(bag->topics(), SizeIs(1));
+  EXPECT_EQ(bag->topics()[0].schema_text, kTopic.schema_text);
+  EXPECT_EQ(bag->topics()[0].type_hash, kTopic.type_hash);
+  const Bytes graph = bag->attachment("graph.yaml").value();
+  EXPECT_EQ(std::string(graph.begin(), graph.end()), "components:");
+  EXPECT_THAT(bag->metadata().at("rosbag2").at("serialized_metadata"), HasSubstr("version: 5"));
+}
+
+TEST(BagWriter, WritesASingleFileByItsName) {
+  const mcap::Folder folder;
+  {
+    BagWriter writer(folder / "drive.mcap", {});
+    writer.write(writer.add_topic(kTopic), {7}, {7}, mcap::as_bytes("x"));
+    writer.close();
+  }
+  EXPECT_THAT(times(*open_bag(folder / "drive.mcap")), ElementsAre(7));
+}
+
+TEST(BagWriter, SplitsByTimeAndSize) {
+  const mcap::Folder folder;
+  const std::string filler(1000, 'f');
+  for (const auto& [name, options] :
+       {std::pair("time", BagWriterOptions{.split_duration = Duration{2}}),
+        std::pair("size", BagWriterOptions{.compression = Compression::none, .split_size = 3000})}) {
+    BagWriter writer(folder / name, options);
+    const std::size_t topic = writer.add_topic(kTopic);
+    for (std::int64_t i = 0; i < 6; ++i) writer.write(topic, {i}, {i}, mcap::as_bytes(filler));
+    writer.close();
+    // Times 0 to 2 span 2 ns; three messages of 1031 bytes exceed 3000.
+    EXPECT_THAT(
+        names_in(folder / name),
+        UnorderedElementsAre(std::string(name) + "_0.mcap", std::string(name) + "_1.mcap", "metadata.yaml"));
+    EXPECT_THAT(times(*open_bag(folder / name)), ElementsAre(0, 1, 2, 3, 4, 5));
+  }
+}
+
+TEST(BagWriter, DropsTheOldestFilesBeyondTheLimit) {
+  const mcap::Folder folder;
+  const std::string filler(1000, 'f');
+  BagWriter writer(folder / "d", {.compression = Compression::none, .split_size = 3000, .max_size = 12'000});
+  const std::size_t topic = writer.add_topic(kTopic);
+  for (std::int64_t i = 0; i < 60; ++i) writer.write(topic, {i}, {i}, mcap::as_bytes(filler));
+  writer.close();
+  const auto bag = open_bag(folder / "d");
+  const std::vector<std::int64_t> kept = times(*bag);
+  EXPECT_EQ(kept.back(), 59);
+  EXPECT_EQ(kept.front(), 60 - static_cast<std::int64_t>(kept.size()));  // the newest, without a gap
+  EXPECT_GE(kept.size(), 4U);
+  EXPECT_LE(kept.size(), 12U);  // 12 messages alone have more than 12,000 bytes
+  const BagMetadata metadata = read_bag_metadata(folder / "d/metadata.yaml");
+  EXPECT_EQ(metadata.message_count, kept.size());
+  EXPECT_EQ(metadata.topics.at(0).message_count, kept.size());
+}
+
+TEST(BagWriter, RefusesAFolderThatIsUsedOrWritten) {
+  const mcap::Folder folder;
+  {
+    BagWriter first(folder / "d", {});
+    try {
+      const BagWriter second(folder / "d", {});
+      FAIL() << "two recorders in one folder";
+    } catch (const std::runtime_error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("another recorder writes there"));
+    }
+    first.close();
+  }
+  try {
+    const BagWriter again(folder / "d", {});
+    FAIL() << "a recording is overwritten";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("is not empty"));
+  }
+}
+
+/// A disk with room for so many bytes.
+class SmallDisk final : public ByteSink {
+ public:
+  SmallDisk(std::unique_ptr<ByteSink> file, std::uint64_t room) : file_(std::move(file)), room_(room) {}
+  void write(BytesView bytes) override {
+    const std::uint64_t fits = std::min<std::uint64_t>(bytes.size(), room_ - file_->size());
+    file_->write(bytes.first(static_cast<std::size_t>(fits)));
+    if (fits < bytes.size()) throw std::system_error(ENOSPC, std::generic_category(), "disk");
+  }
+  void sync() override { file_->sync(); }
+  std::uint64_t size() const override { return file_->size(); }
+
+ private:
+  std::unique_ptr<ByteSink> file_;
+  std::uint64_t room_;
+};
+
+TEST(BagWriter, WhatFitOnAFullDiskIsRead) {
+  const mcap::Folder folder;
+  const std::string filler(1000, 'f');
+  BagWriter writer(folder / "d",
+                   {.compression = Compression::none, .create = [](const std::filesystem::path& file) {
+                      return std::make_unique<SmallDisk>(create_file(file), 10'000);
+                    }});
+  const std::size_t topic = writer.add_topic(kTopic);
+  std::int64_t written = 0;
+  try {
+    for (; written < 100; ++written) {
+      writer.write(topic, {written}, {written}, mcap::as_bytes(filler));
+      writer.flush();
+    }
+    FAIL() << "the disk was never full";
+  } catch (const std::system_error& error) {
+    EXPECT_EQ(error.code().value(), ENOSPC);
+  }
+  const auto bag = open_bag(folder / "d");
+  EXPECT_THAT(times(*bag), SizeIs(static_cast<std::size_t>(written)));
+  EXPECT_FALSE(bag->faults().empty());
+}
+
+}  // namespace
+}  // namespace bw::bag
