@@ -43,6 +43,9 @@ struct Sample {
   std::uint64_t publish_time = 0;
   std::string data;
   bool operator==(const Sample&) const = default;
+  friend void PrintTo(const Sample& s, std::ostream* out) {
+    *out << s.channel << "@" << s.log_time << " " << s.data;
+  }
 };
 
 inline BytesView as_bytes(std::string_view text) {
