@@ -5,7 +5,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build git ccache
   libfastrtps-dev libfastcdr-dev
-  libeigen3-dev libceres-dev libyaml-cpp-dev libpng-dev libssl-dev
+  libeigen3-dev libceres-dev libyaml-cpp-dev libpng-dev liblz4-dev libsqlite3-dev libzstd-dev zlib1g-dev libssl-dev
   libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   cyclonedds-dev cyclonedds-tools
