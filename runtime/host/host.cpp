@@ -170,9 +170,10 @@ void Host::connect() {
     for (const auto& output : actor->outputs) {
       output->writer =
           participant_->create_writer(endpoint_options(output->topic, output->type, output->qos));
-      output->always_read = lockstep;
+      output->always_read = lockstep || options_.tap != nullptr;
     }
   }
+  if (options_.tap) tap_outputs();
   for (Actor* actor : local_) {
     for (const auto& input : actor->inputs) {
       input->reader =
@@ -181,6 +182,15 @@ void Host::connect() {
     }
   }
   announce_nodes();
+}
+
+void Host::tap_outputs() {
+  std::vector<const OutputEnd*> outputs;
+  for (const Actor* actor : local_) {
+    for (const auto& output : actor->outputs) outputs.push_back(output.get());
+  }
+  options_.tap->connect(outputs);
+  runner_->set_tap(options_.tap.get());
 }
 
 void Host::announce_nodes() {

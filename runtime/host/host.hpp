@@ -15,6 +15,7 @@
 #include "runtime/host/actor.hpp"
 #include "runtime/host/component_clock.hpp"
 #include "runtime/host/runner.hpp"
+#include "runtime/host/sample_tap.hpp"
 
 namespace bw {
 
@@ -29,6 +30,7 @@ struct HostOptions {
   std::uint64_t seed = 1;
   std::string only_process;  ///< empty: all processes of the graph in this one
   double pace = 0.0;         ///< lock-step: virtual seconds per real second; 0 as fast as possible
+  std::shared_ptr<SampleTap> tap = nullptr;  ///< sees every sample of this process
 };
 
 /// A component that is not in the graph file, such as a program's own observer of a run.
@@ -69,6 +71,7 @@ class Host {
   void add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here);
   void connect();
   void announce_nodes();
+  void tap_outputs();
   void log(const Actor& actor, LogLevel level, const std::string& text);
   std::vector<Actor*> local_actors() const;
 

@@ -29,6 +29,7 @@ void LockstepRunner::publish(OutputEnd& output, std::span<const std::uint8_t> cd
 
 void LockstepRunner::write(OutputEnd& output, std::span<const std::uint8_t> cdr) {
   hash_.add(output.topic, now_, cdr);
+  if (tap_ != nullptr) tap_->on_sample(output, now_, cdr);
   if (!output.writer->write(cdr)) throw std::runtime_error("DDS refused a sample on " + output.topic);
 }
 

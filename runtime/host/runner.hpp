@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/host/actor.hpp"
+#include "runtime/host/sample_tap.hpp"
 
 namespace bw {
 
@@ -27,6 +28,11 @@ class Runner : public SampleSink {
   virtual RunEnd run(std::optional<Duration> duration) = 0;
   /// Ends the run; with a grace every actor first sees Health::stop for that long. Callable from any thread.
   virtual void finish(RunEnd end, Duration grace) = 0;
+  /// Null: nobody looks. Before run().
+  void set_tap(SampleTap* tap) { tap_ = tap; }
+
+ protected:
+  SampleTap* tap_ = nullptr;
 };
 
 }  // namespace bw

@@ -37,6 +37,7 @@ thread_local std::vector<Input*>* t_reached = nullptr;
 }  // namespace
 
 void WallRunner::publish(OutputEnd& output, std::span<const std::uint8_t> cdr) {
+  if (tap_ != nullptr) tap_->on_sample(output, clock_.now(), cdr);
   thread_local std::vector<Input*> reached;
   t_reached = &reached;
   output.writer->write(cdr);

@@ -2,11 +2,13 @@
 
 #include <atomic>
 #include <chrono>
+#include <iostream>
 #include <memory>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "components/tools/program/recording.hpp"
 #include "components/tools/program/run_observer.hpp"
 #include "components/tools/program/score_card_json.hpp"
 #include "runtime/cli/signals.hpp"
@@ -89,13 +91,25 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
            return running == nullptr ? 0.0 : planner_median_ms(*running, planner_name);
          })});
   }
-  Host host(std::move(graph), options.host, std::move(extra));
+  HostOptions host_options = options.host;
+  const bool lockstep = host_options.clock == ClockMode::lockstep;
+  std::optional<Recording> recording;
+  if (!options.record.empty()) {
+    recording.emplace(options.record, lockstep);
+    host_options.tap = recording->tap();
+    if (!lockstep) extra.push_back({"recorder", recording->make_reporter()});
+  }
+  Host host(std::move(graph), host_options, std::move(extra));
+  if (recording) recording->describe(host, host_options);
   running = &host;
   cli::catch_interrupts();
   const InterruptWatch watch(host);
   const Duration started = steady_time();
   result.end = host.run(options.longest);
   const double real_s = (steady_time() - started).to_seconds();
+  if (recording) {
+    if (const std::string lost = recording->finish(host); !lost.empty()) std::cerr << lost << "\n";
+  }
 
   const RunFacts facts{.graph = graph_file,
                        .seed = options.host.seed,

@@ -18,6 +18,7 @@ struct DriveOptions {
   HostOptions host;
   std::optional<Duration> longest;  ///< ends then, on the component clock
   std::filesystem::path svg;        ///< picture of the drive; empty: none
+  std::filesystem::path record;     ///< bag of the drive: a folder, or a file.mcap; empty: none
   bool show_progress = false;       ///< one refreshing line on stderr
 };
 

@@ -22,6 +22,7 @@ struct RunOptions {
   double pace = 0.0;
   std::string json;
   std::string svg;
+  std::string record;
   bool progress = false;
   bool fail_on_contact = false;
 };
@@ -39,6 +40,7 @@ int run(const RunOptions& options) {
                       .pace = options.pace},
              .longest = options.for_s > 0.0 ? std::optional(Duration::seconds(options.for_s)) : std::nullopt,
              .svg = options.svg,
+             .record = options.record,
              .show_progress = options.progress || isatty(STDERR_FILENO) != 0});
   if (!options.json.empty()) write_file_atomically(options.json, result.json.dump(2) + "\n");
   if (!result.judged) return result.end.ok ? 0 : 1;
@@ -65,6 +67,7 @@ CLI::App* add_run(CLI::App& app, int& status) {
       ->check(CLI::NonNegativeNumber);
   verb->add_option("--json", options->json, "Writes the score card here");
   verb->add_option("--svg", options->svg, "Writes a picture of the run here");
+  verb->add_option("--record", options->record, "Records every message: a new folder, or a file.mcap");
   verb->add_flag("--progress", options->progress, "Progress line even when stderr is no terminal");
   verb->add_flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 after any contact");
   verb->callback([options, &status] { status = run(*options); });

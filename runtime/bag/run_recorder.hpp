@@ -1,0 +1,33 @@
+// Records what the outputs of a process write, without a second serialisation: their bytes go into the bag as they are.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "runtime/bag/recorder.hpp"
+#include "runtime/host/sample_tap.hpp"
+
+namespace bw::bag {
+
+class RunRecorder final : public SampleTap {
+ public:
+  /// Throws as BagWriter does.
+  RunRecorder(const std::filesystem::path& path, RecorderOptions options)
+      : recorder_(path, std::move(options)) {}
+
+  void connect(const std::vector<const OutputEnd*>& outputs) override;
+  void on_sample(const OutputEnd& output, Time now, std::span<const std::uint8_t> cdr) override;
+
+  Recorder& recorder() { return recorder_; }
+
+ private:
+  struct Topic {
+    std::size_t number = 0;
+    bool has_stamp = false;
+  };
+  Recorder recorder_;
+  std::map<const OutputEnd*, Topic> topics_;
+};
+
+}  // namespace bw::bag

@@ -1,0 +1,17 @@
+// Which program on which kind of processor: what equal bytes depend on besides graph and seed.
+#pragma once
+
+#include <string>
+
+namespace bw {
+
+/// The linker's build ids of this program and of the project's own libraries that it has loaded, in hexadecimal, joined
+/// by `+`. It changes with any change of code or compiler.
+[[nodiscard]] std::string build_id();
+
+/// The processor's name, as its vendor gives it; "unknown" where the system does not tell.
+[[nodiscard]] std::string cpu_type();
+
+[[nodiscard]] std::string host_name();
+
+}  // namespace bw

@@ -1,0 +1,23 @@
+// Sees every sample that the outputs of a process write, as it is written: for a recorder.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/base/time.hpp"
+
+namespace bw {
+
+class OutputEnd;
+
+class SampleTap {
+ public:
+  virtual ~SampleTap() = default;
+  /// Once, before the first sample: all outputs there are. They live until the run is over.
+  virtual void connect(const std::vector<const OutputEnd*>& outputs) = 0;
+  /// From any lane, several at a time in real time. Must not hold the caller up.
+  virtual void on_sample(const OutputEnd& output, Time now, std::span<const std::uint8_t> cdr) = 0;
+};
+
+}  // namespace bw
