@@ -118,6 +118,11 @@ class Setup {
   Output<M> output(const std::string& topic, const Qos& qos = Qos::standard()) {
     return Output<M>(add_output(topic, message_type<M>(), qos, false));
   }
+  /// An output whose messages are bytes already: CDR with its encapsulation, passed through as they are. `type` must
+  /// outlive the run.
+  OutputPort* raw_output(const std::string& topic, const MessageType& type, const Qos& qos) {
+    return add_output(topic, type, qos, false);
+  }
   /// An output that moves something: one publisher in the whole graph, checked.
   template <class M>
   Output<M> command(const std::string& topic) {

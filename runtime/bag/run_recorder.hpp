@@ -18,8 +18,11 @@ class RunRecorder final : public SampleTap {
 
   void connect(const std::vector<const OutputEnd*>& outputs) override;
   void on_sample(const OutputEnd& output, Time now, std::span<const std::uint8_t> cdr) override;
+  void run_is_over() override { messages_of_run_ = recorder_.status().recorded; }
 
   Recorder& recorder() { return recorder_; }
+  /// Messages recorded before the components were deactivated.
+  [[nodiscard]] std::uint64_t messages_of_run() const { return messages_of_run_; }
 
  private:
   struct Topic {
@@ -28,6 +31,7 @@ class RunRecorder final : public SampleTap {
   };
   Recorder recorder_;
   std::map<const OutputEnd*, Topic> topics_;
+  std::uint64_t messages_of_run_ = 0;
 };
 
 }  // namespace bw::bag

@@ -91,7 +91,8 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
   }
   for (const std::string& plugin : graph_.settings.plugins) load_plugin(plugin);
   for (ExtraComponent& e : extra) {
-    graph_.components.push_back(
+    graph_.components.insert(
+        e.first ? graph_.components.begin() : graph_.components.end(),
         {.name = e.name, .type = e.name, .process = only.empty() ? "main" : only, .lane = e.lane});
   }
 
@@ -161,7 +162,10 @@ void Host::connect() {
       dds::ParticipantOptions{.network = dds::Network::from_environment(transport),
                               .private_partition = lockstep ? "lockstep" + std::to_string(getpid()) : ""});
   if (lockstep) {
-    runner_ = std::make_unique<LockstepRunner>(local_, options_.pace);
+    runner_ = std::make_unique<LockstepRunner>(
+        local_, LockstepOptions{.pace = options_.pace,
+                                .start = options_.start.value_or(LockstepRunner::kStart),
+                                .source = options_.source});
   } else {
     runner_ = std::make_unique<WallRunner>(local_, *clock_);
   }
@@ -216,6 +220,7 @@ RunEnd Host::run(std::optional<Duration> duration) {
   }
   for (Actor* actor : local_) actor->component->activate({.now = runner_->now()});
   RunEnd end = runner_->run(duration);
+  if (options_.tap) options_.tap->run_is_over();
   const std::vector<Actor*> backwards(local_.rbegin(), local_.rend());
   for (Actor* actor : backwards)
     actor->component->deactivate({.now = runner_->now(), .health = Health::stop});

@@ -14,6 +14,7 @@
 #include "runtime/graph/graph.hpp"
 #include "runtime/host/actor.hpp"
 #include "runtime/host/component_clock.hpp"
+#include "runtime/host/event_source.hpp"
 #include "runtime/host/runner.hpp"
 #include "runtime/host/sample_tap.hpp"
 
@@ -30,6 +31,8 @@ struct HostOptions {
   std::uint64_t seed = 1;
   std::string only_process;  ///< empty: all processes of the graph in this one
   double pace = 0.0;         ///< lock-step: virtual seconds per real second; 0 as fast as possible
+  std::optional<Time> start = std::nullopt;  ///< lock-step: where virtual time begins
+  EventSource* source = nullptr;             ///< lock-step: what happens besides the components
   std::shared_ptr<SampleTap> tap = nullptr;  ///< sees every sample of this process
 };
 
@@ -38,6 +41,7 @@ struct ExtraComponent {
   std::string name;
   std::unique_ptr<Component> component;
   std::string lane = "main";
+  bool first = false;  ///< comes before the graph's components, else after them
 };
 
 class Host {

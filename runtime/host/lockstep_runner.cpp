@@ -7,8 +7,8 @@
 
 namespace bw {
 
-LockstepRunner::LockstepRunner(std::vector<Actor*> actors, double pace)
-    : actors_(std::move(actors)), pace_(pace) {}
+LockstepRunner::LockstepRunner(std::vector<Actor*> actors, const LockstepOptions& options)
+    : actors_(std::move(actors)), options_(options), now_(options.start) {}
 
 void LockstepRunner::push(Event event) {
   event.sequence = next_sequence_++;
@@ -29,8 +29,9 @@ void LockstepRunner::publish(OutputEnd& output, std::span<const std::uint8_t> cd
 
 void LockstepRunner::write(OutputEnd& output, std::span<const std::uint8_t> cdr) {
   hash_.add(output.topic, now_, cdr);
-  if (tap_ != nullptr) tap_->on_sample(output, now_, cdr);
   if (!output.writer->write(cdr)) throw std::runtime_error("DDS refused a sample on " + output.topic);
+  // After the write: what a replay publishes in answer comes behind this sample.
+  if (tap_ != nullptr) tap_->on_sample(output, now_, cdr);
 }
 
 RunEnd LockstepRunner::run(std::optional<Duration> duration) {
@@ -41,28 +42,38 @@ RunEnd LockstepRunner::run(std::optional<Duration> duration) {
   }
   std::optional<Time> last = duration ? std::optional(now_ + *duration) : std::nullopt;
   bool stopping = false;
-  while (!events_.empty()) {
+  while (const std::optional<Time> next = next_time()) {
     if (end_requested_ && !stopping) {
       stopping = true;
       for (Actor* actor : actors_) actor->stop_requested = grace_ > Duration{};
       const Time end_time = now_ + grace_;
       last = last ? std::min(*last, end_time) : end_time;
     }
+    if (last && *next > *last) break;
+    if (*next != now_) go_to(*next);
+    if (events_.empty() || events_.top().time != now_) continue;
     const Event event = events_.top();
-    if (last && event.time > *last) break;
     events_.pop();
-    if (event.time != now_) {
-      now_ = event.time;
-      events_at_now_ = 0;
-      instant_callbacks_.clear();
-      wait_for_pace();
-    }
     count_event(event);
     dispatch(event);
     if (stopping && grace_ == Duration{}) break;
   }
   const std::lock_guard lock(finish_mutex_);
   return end_.value_or(RunEnd{.ok = true, .reason = "the time is over"});
+}
+
+std::optional<Time> LockstepRunner::next_time() const {
+  std::optional<Time> next = options_.source == nullptr ? std::nullopt : options_.source->next();
+  if (!events_.empty() && (!next || events_.top().time < *next)) next = events_.top().time;
+  return next;
+}
+
+void LockstepRunner::go_to(Time time) {
+  now_ = time;
+  events_at_now_ = 0;
+  instant_callbacks_.clear();
+  wait_for_pace();
+  if (options_.source != nullptr) options_.source->run(now_);
 }
 
 void LockstepRunner::dispatch(const Event& event) {
@@ -135,8 +146,8 @@ void LockstepRunner::count_event(const Event& event) {
 }
 
 void LockstepRunner::wait_for_pace() const {
-  if (pace_ <= 0.0) return;
-  const double real = static_cast<double>((now_ - kStart).nanoseconds) / pace_;
+  if (options_.pace <= 0.0) return;
+  const double real = static_cast<double>((now_ - options_.start).nanoseconds) / options_.pace;
   const Duration ahead = Duration{static_cast<std::int64_t>(real)} - (steady_time() - real_start_);
   if (ahead > Duration{}) std::this_thread::sleep_for(std::chrono::nanoseconds(ahead.nanoseconds));
 }

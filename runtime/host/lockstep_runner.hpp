@@ -8,10 +8,17 @@
 #include <queue>
 #include <vector>
 
+#include "runtime/host/event_source.hpp"
 #include "runtime/host/runner.hpp"
 #include "runtime/host/sample_hash.hpp"
 
 namespace bw {
+
+struct LockstepOptions {
+  double pace = 0.0;              ///< virtual seconds per real second; 0 as fast as possible
+  Time start;                     ///< where virtual time begins
+  EventSource* source = nullptr;  ///< what happens besides the components' own events
+};
 
 class LockstepRunner final : public Runner {
  public:
@@ -20,8 +27,7 @@ class LockstepRunner final : public Runner {
   /// More events than this at one instant are a loop.
   static constexpr int kMaxEventsPerInstant = 1000;
 
-  /// `pace`: virtual seconds per real second; 0 as fast as possible.
-  LockstepRunner(std::vector<Actor*> actors, double pace);
+  LockstepRunner(std::vector<Actor*> actors, const LockstepOptions& options);
 
   Time now() const override { return now_; }
   void sample_arrived(Input& input) override;
@@ -56,6 +62,8 @@ class LockstepRunner final : public Runner {
     std::vector<Event> deferred;
   };
 
+  std::optional<Time> next_time() const;
+  void go_to(Time time);
   void push(Event event);
   void dispatch(const Event& event);
   void schedule_next(Timer& timer, Time due);
@@ -65,8 +73,8 @@ class LockstepRunner final : public Runner {
   void wait_for_pace() const;
 
   std::vector<Actor*> actors_;
-  double pace_;
-  Time now_ = kStart;
+  LockstepOptions options_;
+  Time now_;
   Duration real_start_;
   std::priority_queue<Event, std::vector<Event>, std::greater<>> events_;
   std::uint64_t next_sequence_ = 0;

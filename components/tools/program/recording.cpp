@@ -86,9 +86,10 @@ void Recording::describe(const Host& host, const HostOptions& options) {
 }
 
 std::string Recording::finish(const Host& host) {
-  if (const std::string hash = host.samples_sha256(); !hash.empty()) {
-    recorder_->recorder().add_metadata("result", {{"samples_sha256", hash}});
-  }
+  std::map<std::string, std::string> result = {
+      {"messages_of_run", std::to_string(recorder_->messages_of_run())}};
+  if (std::string hash = host.samples_sha256(); !hash.empty()) result["samples_sha256"] = std::move(hash);
+  recorder_->recorder().add_metadata("result", result);
   recorder_->recorder().close();
   return in_words(recorder_->recorder().status());
 }

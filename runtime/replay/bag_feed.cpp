@@ -1,0 +1,138 @@
+#include "runtime/replay/bag_feed.hpp"
+
+#include <utility>
+
+#include "runtime/bag/qos_text.hpp"
+#include "runtime/wire/type_registry.hpp"
+#include "runtime/wire/validate.hpp"
+
+namespace bw::replay {
+namespace {
+
+/// nav_msgs/msg/Odometry -> nav_msgs::msg::dds_::Odometry_
+std::string dds_name(const std::string& ros_name) {
+  const std::size_t first = ros_name.find('/');
+  const std::size_t last = ros_name.rfind('/');
+  if (first == std::string::npos || first == last) return ros_name;
+  return ros_name.substr(0, first) + "::" + ros_name.substr(first + 1, last - first - 1) +
+         "::dds_::" + ros_name.substr(last + 1) + "_";
+}
+
+}  // namespace
+
+/// Owns the outputs; everything else is the feed's.
+class BagFeed::Player final : public Component {
+ public:
+  explicit Player(BagFeed& feed) : feed_(feed) {}
+
+  void configure(Setup& setup) override {
+    const std::vector<bag::BagTopic>& topics = feed_.recording_.topics();
+    for (std::size_t i = 0; i < topics.size(); ++i) {
+      if (feed_.roles_[i] != Role::played) continue;
+      const MessageType type{
+          .ros_name = topics[i].type, .dds_name = feed_.dds_names_[i], .type_hash = topics[i].type_hash};
+      feed_.ports_[i] = setup.raw_output(
+          topics[i].name, type, bag::playing_qos(bag::from_qos_text(topics[i].offered_qos_profiles)));
+    }
+  }
+  void activate(const Tick& tick) override {
+    feed_.is_active_ = true;
+    feed_.run(tick.now);
+  }
+  void deactivate(const Tick&) override { feed_.is_active_ = false; }
+
+ private:
+  BagFeed& feed_;
+};
+
+BagFeed::BagFeed(const bag::Bag& recording, FeedOptions options, OutputComparison& comparison)
+    : recording_(recording),
+      options_(std::move(options)),
+      comparison_(comparison),
+      messages_(recording.messages({})) {
+  for (const bag::BagTopic& topic : recording.topics()) {
+    const bool is_live = options_.live.contains(topic.name);
+    roles_.push_back(is_live                                 ? Role::live
+                     : options_.ignored.contains(topic.name) ? Role::ignored
+                                                             : Role::played);
+    if (is_live) comparison_.add_topic(topic.name, topic.type);
+    types_.push_back(find_type(topic.type));
+    dds_names_.push_back(dds_name(topic.type));
+  }
+  ports_.resize(roles_.size(), nullptr);
+  read();
+}
+
+std::unique_ptr<Component> BagFeed::make_component() { return std::make_unique<Player>(*this); }
+
+void BagFeed::read() {
+  pending_.reset();
+  pending_is_told_ = false;
+  while (read_ < options_.messages) {
+    bag::BagMessage message;
+    const bag::Step step = messages_->next(message);
+    if (step == bag::Step::end) return;
+    if (step == bag::Step::damaged) {
+      if (!damage_) damage_ = messages_->fault();
+      continue;
+    }
+    ++read_;
+    if (roles_[message.topic] == Role::ignored) continue;
+    pending_ = message;
+    return;
+  }
+}
+
+std::optional<Time> BagFeed::next() const {
+  if (!pending_) return std::nullopt;
+  // A running component still owes a message of an instant that is over: the next nanosecond gives it up.
+  if (last_run_ && pending_->log_time <= *last_run_) return *last_run_ + Duration{1};
+  return pending_->log_time;
+}
+
+void BagFeed::run(Time now) {
+  last_run_ = now;
+  advance(now);
+}
+
+void BagFeed::advance(Time now) {
+  while (pending_ && pending_->log_time <= now) {
+    const std::string& topic = recording_.topics()[pending_->topic].name;
+    if (roles_[pending_->topic] == Role::played) {
+      publish();
+      read();
+      continue;
+    }
+    if (!std::exchange(pending_is_told_, true)) comparison_.expect(topic, pending_->log_time, pending_->data);
+    std::int64_t& ahead = ahead_[topic];
+    if (ahead <= 0 && pending_->log_time == now) return;  // it will come within this instant
+    --ahead;
+    read();
+  }
+}
+
+void BagFeed::publish() {
+  const std::size_t topic = pending_->topic;
+  if (types_[topic] != nullptr && !validate(*types_[topic], pending_->data)) {
+    ++malformed_;
+    return;
+  }
+  if (ports_[topic] == nullptr || !is_active_) return;
+  ports_[topic]->publish(pending_->data);
+  ++published_;
+}
+
+void BagFeed::on_live(const std::string& topic, Time now, bag::BytesView cdr) {
+  comparison_.got(topic, now, cdr);
+  ++ahead_[topic];
+  advance(now);
+}
+
+void BagFeed::finish() {
+  for (; pending_; read()) {
+    if (roles_[pending_->topic] != Role::live || std::exchange(pending_is_told_, true)) continue;
+    comparison_.expect(recording_.topics()[pending_->topic].name, pending_->log_time, pending_->data);
+  }
+}
+
+}  // namespace bw::replay

@@ -1,0 +1,76 @@
+// The recorded side of a replay: publishes what the bag holds of components that do not run, in virtual time and in the
+// order of the recording, and tells the comparison what the running ones wrote.
+//
+// Within one instant a recorded message comes when all messages that the bag has before it have come, those of running
+// components included. So every running component meets its inputs in the order of the recording.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "runtime/bag/bag.hpp"
+#include "runtime/component.hpp"
+#include "runtime/host/event_source.hpp"
+#include "runtime/replay/output_comparison.hpp"
+
+namespace bw::replay {
+
+struct FeedOptions {
+  std::set<std::string> live;     ///< topics that running components write: compared, not published
+  std::set<std::string> ignored;  ///< neither
+  std::uint64_t messages = ~std::uint64_t{0};  ///< only so many of the bag, from its beginning
+};
+
+class BagFeed final : public EventSource {
+ public:
+  /// Bag and comparison must outlive this.
+  BagFeed(const bag::Bag& recording, FeedOptions options, OutputComparison& comparison);
+
+  /// The component through which it publishes; must come first in the graph's order. It must not outlive this.
+  std::unique_ptr<Component> make_component();
+
+  std::optional<Time> next() const override;
+  void run(Time now) override;
+  /// A running component wrote a message.
+  void on_live(const std::string& topic, Time now, bag::BytesView cdr);
+  /// The rest of the bag, when the run is over.
+  void finish();
+
+  [[nodiscard]] std::uint64_t published() const { return published_; }
+  /// Messages that do not fit their type; they were not published.
+  [[nodiscard]] std::uint64_t malformed() const { return malformed_; }
+  [[nodiscard]] std::optional<bag::BagFault> damage() const { return damage_; }
+
+ private:
+  class Player;
+  enum class Role { played, live, ignored };
+
+  void read();
+  void advance(Time now);
+  void publish();
+
+  const bag::Bag& recording_;
+  FeedOptions options_;
+  OutputComparison& comparison_;
+  std::unique_ptr<bag::BagMessages> messages_;
+  std::vector<Role> roles_;         ///< by topic of the bag
+  std::vector<OutputPort*> ports_;  ///< by topic of the bag; null: not played
+  std::vector<const TypeDescription*> types_;
+  std::vector<std::string> dds_names_;  ///< of the types, by topic
+
+  std::optional<bag::BagMessage> pending_;  ///< the next message of the bag
+  bool pending_is_told_ = false;            ///< a live one, and the comparison knows it
+  std::uint64_t read_ = 0;
+  std::map<std::string, std::int64_t> ahead_;  ///< live messages that came less those the bag had
+  std::optional<Time> last_run_;
+  std::uint64_t published_ = 0;
+  std::uint64_t malformed_ = 0;
+  std::optional<bag::BagFault> damage_;
+  bool is_active_ = false;
+};
+
+}  // namespace bw::replay

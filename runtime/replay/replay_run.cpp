@@ -1,0 +1,134 @@
+#include "runtime/replay/replay_run.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "runtime/build_identity.hpp"
+#include "runtime/host/host.hpp"
+#include "runtime/parameters/nearest.hpp"
+#include "runtime/replay/bag_feed.hpp"
+
+namespace bw::replay {
+namespace {
+
+/// Every process says these for itself.
+const std::set<std::string> kOfTheProcess = {"/rosout", "/diagnostics", "/clock"};
+
+/// Gives the feed what the running components write.
+class LiveTap final : public SampleTap {
+ public:
+  LiveTap(BagFeed& feed, std::set<std::string> live) : feed_(feed), live_(std::move(live)) {}
+  void connect(const std::vector<const OutputEnd*>&) override {}
+  void on_sample(const OutputEnd& output, Time now, std::span<const std::uint8_t> cdr) override {
+    if (live_.contains(output.topic)) feed_.on_live(output.topic, now, cdr);
+  }
+
+ private:
+  BagFeed& feed_;
+  std::set<std::string> live_;
+};
+
+void keep_only(Graph& graph, const std::vector<std::string>& names) {
+  std::vector<std::string_view> known;
+  for (const ComponentNode& node : graph.components) known.push_back(node.name);
+  for (const std::string& name : names) {
+    if (graph.find(name) == nullptr)
+      throw std::runtime_error("--run " + name + ": " + unknown_rule("component", name, known));
+  }
+  for (ComponentNode& node : graph.components)
+    node.enabled = std::ranges::find(names, node.name) != names.end();
+}
+
+/// What the components of the graph write, by their declarations.
+std::set<std::string> outputs_of(const Graph& graph) {
+  const Host host(graph, {.clock = ClockMode::lockstep});
+  std::set<std::string> topics;
+  for (const ComponentDeclaration& declaration : host.declarations()) {
+    for (const auto& output : declaration.outputs)
+      topics.insert(host.graph().find(declaration.name)->topic_of(output.name));
+  }
+  return topics;
+}
+
+std::string entry(const std::map<std::string, std::map<std::string, std::string>>& metadata,
+                  const char* record, const char* key) {
+  const auto found = metadata.find(record);
+  if (found == metadata.end()) return {};
+  const auto value = found->second.find(key);
+  return value == found->second.end() ? std::string() : value->second;
+}
+
+std::vector<std::string> notes_on(const bag::Bag& recording) {
+  std::vector<std::string> notes;
+  const auto metadata = recording.metadata();
+  const auto compare = [&](const char* key, const std::string& here, const char* what) {
+    const std::string there = entry(metadata, "bandwagon", key);
+    if (there.empty()) {
+      notes.push_back(fmt::format("the bag does not say which {} made it", what));
+    } else if (there != here) {
+      notes.push_back(fmt::format("another {} made the bag ({}, this is {}): bytes may differ for that alone",
+                                  what, there, here));
+    }
+  };
+  compare("build_id", build_id(), "build");
+  compare("cpu", cpu_type(), "CPU type");
+  for (const bag::BagFault& fault : recording.faults()) {
+    notes.push_back(fmt::format("{}: byte {}: {}", fault.file.string(), fault.offset, fault.what));
+  }
+  return notes;
+}
+
+}  // namespace
+
+ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions& options) {
+  keep_only(graph, options.run);
+  std::set<std::string> recorded;
+  for (const bag::BagTopic& topic : recording.topics()) recorded.insert(topic.name);
+  FeedOptions feed_options{.ignored = kOfTheProcess};
+  for (const std::string& topic : outputs_of(graph)) {
+    if (recorded.contains(topic) && !kOfTheProcess.contains(topic)) feed_options.live.insert(topic);
+  }
+  if (feed_options.live.empty())
+    throw std::runtime_error("nothing that these components write is in the bag");
+  const std::set<std::string> live = feed_options.live;
+  const auto metadata = recording.metadata();
+  if (const std::string count = entry(metadata, "result", "messages_of_run"); !count.empty()) {
+    feed_options.messages = std::stoull(count);
+  }
+  const std::string seed = entry(metadata, "bandwagon", "seed");
+
+  OutputComparison comparison(options.tolerances);
+  BagFeed feed(recording, std::move(feed_options), comparison);
+  std::vector<ExtraComponent> extra;
+  extra.push_back({.name = "bag_player", .component = feed.make_component(), .first = true});
+  HostOptions host_options{.clock = ClockMode::lockstep,
+                           .seed = seed.empty() ? 1 : std::stoull(seed),
+                           .start = recording.start(),
+                           .source = &feed,
+                           .tap = std::make_shared<LiveTap>(feed, live)};
+  {
+    Host host(std::move(graph), host_options, std::move(extra));
+    host.run(recording.end() - recording.start());
+  }
+  feed.finish();
+  comparison.finish(recording.end());
+
+  ReplayResult result{.topics = comparison.verdicts(),
+                      .first_topic = comparison.first_topic().value_or(""),
+                      .compared = comparison.compared(),
+                      .published = feed.published(),
+                      .malformed = feed.malformed(),
+                      .notes = notes_on(recording)};
+  if (const auto damage = feed.damage()) {
+    result.notes.push_back(
+        fmt::format("{}: byte {}: {}", damage->file.string(), damage->offset, damage->what));
+  }
+  return result;
+}
+
+}  // namespace bw::replay

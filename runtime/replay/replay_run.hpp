@@ -1,0 +1,35 @@
+// Runs components of a graph again on what a bag holds of the others, and compares what they write.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "runtime/bag/bag.hpp"
+#include "runtime/graph/graph.hpp"
+#include "runtime/replay/output_comparison.hpp"
+
+namespace bw::replay {
+
+struct ReplayOptions {
+  std::vector<std::string> run;  ///< names of components of the graph
+  Tolerances tolerances;
+};
+
+struct ReplayResult {
+  std::map<std::string, TopicVerdict> topics;
+  std::string first_topic;         ///< with the earliest difference; empty: all equal
+  std::uint64_t compared = 0;      ///< messages
+  std::uint64_t published = 0;     ///< messages of the bag
+  std::uint64_t malformed = 0;     ///< that do not fit their type, left out
+  std::vector<std::string> notes;  ///< what limits the comparison: another build, another CPU type, damage
+
+  [[nodiscard]] bool is_equal() const { return first_topic.empty() && compared > 0; }
+};
+
+/// In lock-step, from the bag's first message to its last. Throws ConfigError or std::runtime_error: a component that
+/// is not in the graph or writes nothing that was recorded, an input nobody feeds.
+[[nodiscard]] ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions& options);
+
+}  // namespace bw::replay
