@@ -1,6 +1,6 @@
 # The kinds of target of this project, told apart by function and by folder:
 #
-#   bw_algorithm   pure: values in, result out. Any folder of components/ but those below. tests/interop/check_purity.sh holds it to that.
+#   bw_algorithm   pure: values in, result out. Any folder of components/ but those below. tests/house/check_purity.sh holds it to that.
 #   bw_files       reads and writes files, no middleware          components/files/, components/<name>/files/
 #   bw_component   adapts an algorithm to topics                  components/<name>/adaptor/, components/messages/
 #   bw_tool        benches, experiments, training; no middleware  components/tools/<name>/
@@ -11,7 +11,8 @@ add_library(bw_compile_options INTERFACE)
 target_compile_features(bw_compile_options INTERFACE cxx_std_20)
 target_compile_options(bw_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-field-initializers -Werror
-  -Wno-restrict)  # GCC 12 sees overlaps that are not there in std::string operator+ (its bug 105651)
+  # GCC 12 sees overlaps and overflows that are not there in std::string operator+ (its bugs 105651, 105329).
+  -Wno-restrict -Wno-stringop-overflow)
 target_include_directories(bw_compile_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 if(BANDWAGON_SANITIZE)
   # GCC 12 warns of uninitialised memory inside its own library once code is instrumented.
@@ -20,37 +21,41 @@ if(BANDWAGON_SANITIZE)
   add_link_options(-fsanitize=${BANDWAGON_SANITIZE})
 endif()
 
+include(${CMAKE_CURRENT_LIST_DIR}/precompiled.cmake)
+
 # A static library bw_<name> that knows no middleware.
-macro(bw_plain_library name)
+macro(bw_plain_library name precompiled)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE" ${ARGN})
   add_library(bw_${name} STATIC ${ARG_SOURCES})
   target_link_libraries(bw_${name}
     PRIVATE $<BUILD_INTERFACE:bw_compile_options> ${ARG_PRIVATE}
     PUBLIC Eigen3::Eigen ${ARG_LINK})
   target_include_directories(bw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  bw_precompiled(bw_${name} ${precompiled})
 endmacro()
 
 # bw_algorithm(<name> SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, plain C++ and Eigen (and what it links).
 function(bw_algorithm name)
-  bw_plain_library(${name} ${ARGN})
+  bw_plain_library(${name} plain ${ARGN})
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_ALGORITHMS bw_${name})
 endfunction()
 
 # bw_files(<name> SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, between files and values.
 function(bw_files name)
-  bw_plain_library(${name} ${ARGN})
+  bw_plain_library(${name} plain ${ARGN})
 endfunction()
 
 # bw_tool(<name> SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, what a verb or a program of its own does.
 function(bw_tool name)
-  bw_plain_library(${name} ${ARGN})
+  bw_plain_library(${name} tool ${ARGN})
 endfunction()
 
 # An object library, linked into the program whole: what it registers when it is loaded must not be left out.
-macro(bw_part_of_program target)
+macro(bw_part_of_program target precompiled)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_library(${target} OBJECT ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE bw_compile_options PUBLIC bandwagon_runtime ${ARG_LINK})
+  bw_precompiled(${target} ${precompiled})
 endmacro()
 
 # bw_component(<name> SOURCES ... [LINK ...]): adaptor; registers itself with BW_COMPONENT.
@@ -58,7 +63,7 @@ function(bw_component name)
   if(BANDWAGON_ALGORITHMS_ONLY)
     return()
   endif()
-  bw_part_of_program(bw_component_${name} ${ARGN})
+  bw_part_of_program(bw_component_${name} component ${ARGN})
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_COMPONENTS bw_component_${name})
 endfunction()
 
@@ -67,7 +72,7 @@ function(bw_verb name)
   if(BANDWAGON_ALGORITHMS_ONLY)
     return()
   endif()
-  bw_part_of_program(bw_verb_${name} ${ARGN})
+  bw_part_of_program(bw_verb_${name} verb ${ARGN})
   target_link_libraries(bw_verb_${name} PUBLIC bw_cli)
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_VERBS bw_verb_${name})
 endfunction()
@@ -79,6 +84,7 @@ function(bw_test name)
   add_executable(test_${name} ${ARG_SOURCES})
   target_link_libraries(test_${name} PRIVATE bw_compile_options ${ARG_LINK} GTest::gmock GTest::gtest_main)
   target_compile_definitions(test_${name} PRIVATE BANDWAGON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  bw_precompiled(test_${name} test)
   add_test(NAME ${name} COMMAND test_${name})
   set_tests_properties(${name} PROPERTIES TIMEOUT 600)
   if(ARG_DOMAIN)
