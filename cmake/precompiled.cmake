@@ -1,6 +1,6 @@
 # Precompiled headers: most of the time that a source takes is spent in headers that all sources of its kind share. One set for each
 # kind of target (cmake/bandwagon.cmake), built once. They speed up, they do not replace an include: with BANDWAGON_PRECOMPILE=OFF
-# everything builds without them, and launch_scripts/lint.sh looks at every source that way.
+# everything builds, launch_scripts/lint.sh looks at every source that way, and tests/house/check_includes.sh knows the names that they bring.
 option(BANDWAGON_PRECOMPILE "Precompiled headers" ON)
 
 set(bw_plain_headers

@@ -1,4 +1,6 @@
 // The verbs a ROS 2 user types, against a running graph.
+#include <memory>
+
 #include <gmock/gmock.h>
 
 #include "tests/interop/running_graph.hpp"
