@@ -30,9 +30,9 @@ std::optional<ReferencePose> reference_at(const RecordedDrive& drive, Time time,
 Twist2 twist_between(const ReferencePose& from, const ReferencePose& to) {
   const double dt = (to.time - from.time).to_seconds();
   if (dt <= 0.0 || !from.heading || !to.heading) return {};
-  const double turn = wrap_angle(*to.heading - *from.heading);
-  const Vector2 along = direction(*from.heading + turn / 2.0);
-  return {(to.position - from.position).dot(along) / dt, turn / dt};
+  const auto pose = [](const ReferencePose& r) { return Pose2{r.position.x(), r.position.y(), *r.heading}; };
+  const ArcTravel arc = arc_between(pose(from), pose(to));
+  return {arc.distance / dt, arc.turn / dt};
 }
 
 std::vector<RecordedEvent> in_time_order(const RecordedDrive& drive) {

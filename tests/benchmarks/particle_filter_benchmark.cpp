@@ -5,8 +5,8 @@
 #include <benchmark/benchmark.h>
 
 #include "components/localization/particle_filter/particle_filter.hpp"
-#include "components/localization/wheel_step.hpp"
 #include "components/model/differential_drive.hpp"
+#include "components/model/wheel_step.hpp"
 #include "tests/components/localization/particle_filter_rooms.hpp"
 
 namespace bw::localization {

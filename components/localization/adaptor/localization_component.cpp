@@ -1,9 +1,9 @@
 #include "components/localization/adaptor/localization_component.hpp"
 
-#include "components/localization/wheel_step.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
 #include "components/messages/laser.hpp"
+#include "components/model/wheel_step.hpp"
 
 namespace bw::localization {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "components/localization/ekf/arc.hpp"
 #include "components/localization/ekf/correction.hpp"
 #include "components/localization/ekf/covariance_bounds.hpp"
 #include "components/localization/ekf/slip.hpp"
+#include "components/model/arc.hpp"
 
 namespace bw::localization {
 namespace {
@@ -115,7 +115,7 @@ bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) 
   const double travelled = joint(5) - slip.of_step;  // during this step
   const double distance = travelled - slip.catch_up;
   const double turn = joint(6);
-  const ArcStep arc = advance_arc({joint(0), joint(1), joint(2)}, distance, turn);
+  const ArcStep arc = arc_step({joint(0), joint(1), joint(2)}, distance, turn);
   Eigen::Matrix<double, kStates, kJoint> J = Eigen::Matrix<double, kStates, kJoint>::Zero();
   J.topLeftCorner<3, 3>() = arc.by_pose;
   J(3, 3) = J(4, 4) = 1.0;
@@ -128,7 +128,7 @@ bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) 
   wander(state.P, dt, options.bias);
   bound(state.P);
 
-  state.X_OB = advance_arc(state.X_OB, distance, turn).pose;
+  state.X_OB = advance_arc(state.X_OB, distance, turn);
   state.odometer += std::abs(distance);
   state.turned += turn;
   state.twist = {travelled / dt, turn / dt};
@@ -175,7 +175,7 @@ void advance_unknown(EkfState& state, Time time, const EkfOptions& options) {
 
 Extrapolated extrapolate(const EkfState& state, Time time, const MotionOptions& options) {
   const double tau = std::max(0.0, seconds(time - state.time));
-  const ArcStep arc = advance_arc(state.pose(), state.twist.v * tau, state.twist.omega * tau);
+  const ArcStep arc = arc_step(state.pose(), state.twist.v * tau, state.twist.omega * tau);
   const double moved = options.acceleration * tau * tau / 2.0;
   const double turned = options.turn_acceleration * tau * tau / 2.0;
   return {arc.pose, arc.by_pose, moved * moved, turned * turned};

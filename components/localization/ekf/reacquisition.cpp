@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "components/localization/chi_square.hpp"
-#include "components/localization/ekf/arc.hpp"
+#include "components/model/arc.hpp"
 
 namespace bw::localization {
 namespace {
@@ -24,8 +24,7 @@ Odometry odometry_at(const EkfState& state, Time time) {
   const double tau = std::max(0.0, (time - state.time).to_seconds());
   const double distance = state.twist.v * tau;
   const double turn = state.twist.omega * tau;
-  return {advance_arc(state.X_OB, distance, turn).pose, state.odometer + std::abs(distance),
-          state.turned + turn};
+  return {advance_arc(state.X_OB, distance, turn), state.odometer + std::abs(distance), state.turned + turn};
 }
 
 bool agrees(const RejectedRun& run, const Rejection& r, const Odometry& now, double probability) {

@@ -7,11 +7,10 @@
 
 #include <tf2_msgs/msg/tf_message.hpp>
 
-#include "components/localization/ekf/arc.hpp"
-#include "components/localization/wheel_step.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/odometry.hpp"
 #include "components/model/robot.hpp"
+#include "components/model/wheel_step.hpp"
 #include "components/recordings/adaptor/recording_messages.hpp"
 #include "components/recordings/files/log_files.hpp"
 #include "components/recordings/recorded_robot_options.hpp"
@@ -136,12 +135,9 @@ class RecordedRobotComponent final : public Component {
   }
 
   void grow_covariance(const OdometrySample& sample, OdometryState& state) {
-    const localization::WheelStep step =
-        localization::step_from_poses(state.time, sample.time - before_->time, before_->X_OB, sample.X_OB,
-                                      drive_.wheel_separation, options_.variance_per_metre);
-    const localization::ArcStep arc = localization::advance_arc(before_->X_OB, step.distance, step.turn);
-    pose_covariance_ = arc.by_pose * pose_covariance_ * arc.by_pose.transpose() +
-                       arc.by_step * step.covariance * arc.by_step.transpose();
+    const WheelStep step = step_from_poses(state.time, sample.time - before_->time, before_->X_OB,
+                                           sample.X_OB, drive_.wheel_separation, options_.variance_per_metre);
+    pose_covariance_ = covariance_after(before_->X_OB, pose_covariance_, step);
     const double seconds = step.over.to_seconds() / options_.rate;
     state.twist_covariance = step.covariance / (seconds * seconds);
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "components/localization/wheel_step.hpp"
+#include "components/model/wheel_step.hpp"
 
 namespace bw {
 namespace {

@@ -1,8 +1,10 @@
-#include "components/localization/wheel_step.hpp"
+#include "components/model/wheel_step.hpp"
 
 #include <cmath>
 
-namespace bw::localization {
+#include "components/model/arc.hpp"
+
+namespace bw {
 
 WheelStep step_from_wheels(Time time, Duration over, double left, double right, double separation,
                            double variance_per_metre) {
@@ -33,13 +35,15 @@ WheelStep step_from_twist(Time time, Duration over, const Twist2& twist, const E
 
 WheelStep step_from_poses(Time time, Duration over, const Pose2& from, const Pose2& to, double separation,
                           double variance_per_metre) {
-  const Pose2 moved = inverse(from) * to;
-  const double half = moved.theta / 2.0;
-  const double sinc = std::abs(half) < 1e-6 ? 1.0 : std::sin(half) / half;
-  // The chord points along the mean heading; what lies across it is not motion of a differential drive.
-  const double distance = moved.position().dot(direction(half)) / sinc;
-  const double across = separation * moved.theta / 2.0;
-  return step_from_wheels(time, over, distance - across, distance + across, separation, variance_per_metre);
+  const ArcTravel arc = arc_between(from, to);
+  const double across = separation * arc.turn / 2.0;
+  return step_from_wheels(time, over, arc.distance - across, arc.distance + across, separation,
+                          variance_per_metre);
 }
 
-}  // namespace bw::localization
+Eigen::Matrix3d covariance_after(const Pose2& X_OB, const Eigen::Matrix3d& C, const WheelStep& step) {
+  const ArcStep arc = arc_step(X_OB, step.distance, step.turn);
+  return arc.by_pose * C * arc.by_pose.transpose() + arc.by_step * step.covariance * arc.by_step.transpose();
+}
+
+}  // namespace bw

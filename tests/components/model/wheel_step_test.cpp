@@ -1,4 +1,4 @@
-#include "components/localization/wheel_step.hpp"
+#include "components/model/wheel_step.hpp"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include "components/model/differential_drive.hpp"
 #include "components/model/random.hpp"
 
-namespace bw::localization {
+namespace bw {
 namespace {
 
 // var(distance) = (0.3 + 0.1) k / 4, var(turn) = (0.3 + 0.1) k / b^2, cov = (0.3 - 0.1) k / (2 b).
@@ -42,4 +42,4 @@ TEST(WheelStep, PosesOfAnArcGiveTheArcBack) {
 }
 
 }  // namespace
-}  // namespace bw::localization
+}  // namespace bw
