@@ -14,10 +14,6 @@ constexpr std::size_t kMostWaiting = 4;  // scans whose odometry has not come
 constexpr Duration kSilence = Duration::milliseconds(500);
 const Duration kMarkerLifetime = Duration::milliseconds(250);
 
-PersonState state_of(const TrackedPerson& person) {
-  return {person.id, person.position, person.velocity, person.covariance, person.radius};
-}
-
 }  // namespace
 
 void PeopleComponent::configure(Setup& setup) {
@@ -110,32 +106,13 @@ void PeopleComponent::look_at(const sensor_msgs::msg::LaserScan& scan, const Pos
   publish(detections, tracker_->update(detections));
 }
 
-void PeopleComponent::publish(const DetectionSet& detections, const std::vector<TrackedPerson>& tracked) {
+void PeopleComponent::publish(const DetectionSet& detections, std::vector<TrackedPerson> people) {
   const std_msgs::msg::Header header = make_header(odom_frame_, detections.time);
-  const std::vector<ReportedPerson> reported = report_of(tracked, detections.time);
-  tracks_.publish(to_tracks(reported, header));
-  people_.publish(to_people(reported, header));
-  if (people_markers_.has_readers()) people_markers_.publish(to_markers(reported, kMarkerLifetime, header));
+  predictor_->predict(people, walls_at(detections.time), detections.time);
+  tracks_.publish(to_tracks(people, header));
+  people_.publish(to_people(people, header));
+  if (people_markers_.has_readers()) people_markers_.publish(to_markers(people, kMarkerLifetime, header));
   if (leg_markers_.has_readers()) leg_markers_.publish(to_markers(detections, kMarkerLifetime, header));
-}
-
-std::vector<ReportedPerson> PeopleComponent::report_of(const std::vector<TrackedPerson>& tracked, Time time) {
-  std::vector<PersonState> states;
-  states.reserve(tracked.size());
-  for (const TrackedPerson& person : tracked) states.push_back(state_of(person));
-  const auto predictions = predictor_->predict(states, walls_at(time), time);
-  std::vector<ReportedPerson> reported;
-  for (std::size_t i = 0; i < tracked.size(); ++i) {
-    const TrackedPerson& person = tracked[i];
-    reported.push_back({{.id = person.id,
-                         .position = person.position,
-                         .velocity = person.velocity,
-                         .radius = person.radius,
-                         .predictions = predictions[i]},
-                        person.covariance,
-                        person.confidence});
-  }
-  return reported;
 }
 
 StaticObstacles PeopleComponent::walls_at(Time time) const {

@@ -36,8 +36,7 @@ class PeopleComponent final : public Component {
   /// Looks at the scans whose odometry has come, in order.
   void look();
   void look_at(const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB);
-  void publish(const DetectionSet& detections, const std::vector<TrackedPerson>& tracked);
-  std::vector<ReportedPerson> report_of(const std::vector<TrackedPerson>& tracked, Time time);
+  void publish(const DetectionSet& detections, std::vector<TrackedPerson> people);
   /// What people walk round, in odom; nothing when the obstacles are too old or their place is unknown.
   StaticObstacles walls_at(Time time) const;
   void refuse(const std::string& why);  ///< counts a scan that is not looked at, and says so once

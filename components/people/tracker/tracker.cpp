@@ -330,15 +330,15 @@ void Tracker::Impl::report() {
   for (const PersonTrack& person : people_) {
     const double unseen = (*now_ - person.last_seen).to_seconds();
     const auto [position, velocity, covariance] = motion_of(person);
-    reported_.push_back({.id = person.id,
-                         .position = X_OS * position,
-                         .velocity = rotate(X_OS, velocity),
-                         .covariance = R * covariance * R.transpose(),
-                         .radius = options_.person_radius,
-                         .confidence = person.score * std::exp(-unseen / options_.death.unseen),
-                         .born = person.born,
-                         .confirmed = person.confirmed,
-                         .last_seen = person.last_seen});
+    reported_.push_back({{.id = person.id,
+                          .position = X_OS * position,
+                          .velocity = rotate(X_OS, velocity),
+                          .radius = options_.person_radius},
+                         R * covariance * R.transpose(),
+                         person.score * std::exp(-unseen / options_.death.unseen),
+                         person.born,
+                         person.confirmed,
+                         person.last_seen});
   }
 }
 

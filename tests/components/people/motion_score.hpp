@@ -111,17 +111,16 @@ class MotionJudge {
       }
       return true;
     });
-    std::vector<PersonState> states;
-    for (const TrackedPerson& t : tracks)
-      states.push_back({t.id, t.position, t.velocity, t.covariance, t.radius});
-    const auto straight = straight_.predict(states, {}, stamp);
-    const auto turning = turning_.predict(states, {}, stamp);
+    std::vector<TrackedPerson> straight = tracks;
+    std::vector<TrackedPerson> turning = tracks;
+    straight_.predict(straight, {}, stamp);
+    turning_.predict(turning, {}, stamp);
     for (const Followed& f : followed_) {
-      for (std::size_t i = 0; i < states.size(); ++i) {
-        if (states[i].id != f.track) continue;
+      for (std::size_t i = 0; i < tracks.size(); ++i) {
+        if (tracks[i].id != f.track) continue;
         for (std::size_t k = 0; k < kAhead.size(); ++k)
-          foreseen_.push_back(
-              {f.person, now + kAhead[k], k, X_MO * straight[i][k].position, X_MO * turning[i][k].position});
+          foreseen_.push_back({f.person, now + kAhead[k], k, X_MO * straight[i].predictions[k].position,
+                               X_MO * turning[i].predictions[k].position});
       }
     }
     followed_.clear();
