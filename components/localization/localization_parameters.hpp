@@ -30,7 +30,7 @@ struct DatumParameters {
 
 /// What the filter listens to. Topics: README.md.
 struct SensorParameters {
-  double wheel_noise = 5e-4;
+  double wheel_noise = 0.0;
   bool gyro = true;
   double gyro_noise = 0.01;
   bool compass = true;
@@ -48,7 +48,9 @@ struct SensorParameters {
       {.unit = "m",
        .min = 0,
        .max = 1,
-       .doc = "k of spec 2.2: variance of a wheel's travel per metre of it"});
+       .doc =
+           "k of spec 2.2, variance of a wheel's travel per metre of it; 0: as the covariance of odom grows, "
+           "5e-4 where it does not"});
     v("gyro", gyro, {.doc = "use the turn rate of imu"});
     v("gyro_noise", gyro_noise,
       {.unit = "rad/s", .min = 1e-6, .max = 1, .doc = "standard deviation where the message gives none"});

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "components/model/arc.hpp"
-
 namespace bw {
 
 WheelStep step_from_wheels(Time time, Duration over, double left, double right, double separation,
@@ -39,6 +37,17 @@ WheelStep step_from_poses(Time time, Duration over, const Pose2& from, const Pos
   const double across = separation * arc.turn / 2.0;
   return step_from_wheels(time, over, arc.distance - across, arc.distance + across, separation,
                           variance_per_metre);
+}
+
+std::optional<double> declared_variance_per_metre(double heading_variance_before,
+                                                  double heading_variance_after, const ArcTravel& arc,
+                                                  double separation) {
+  const double across = separation * arc.turn / 2.0;
+  const double way = std::abs(arc.distance + across) + std::abs(arc.distance - across);
+  const double growth = heading_variance_after - heading_variance_before;
+  if (!(growth > 0.0) || !(way > 0.0)) return std::nullopt;
+  const double k = growth * separation * separation / way;
+  return std::isfinite(k) ? std::optional(k) : std::nullopt;
 }
 
 Eigen::Matrix3d covariance_after(const Pose2& X_OB, const Eigen::Matrix3d& C, const WheelStep& step) {

@@ -1,8 +1,11 @@
 // Wheel steps from what bases give: travel of two wheels, a measured twist, or poses of an odometry.
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
+#include "components/model/arc.hpp"
 #include "runtime/base/pose2.hpp"
 #include "runtime/base/time.hpp"
 
@@ -31,6 +34,13 @@ WheelStep step_from_twist(Time time, Duration over, const Twist2& twist, const E
 /// `separation` apart had measured it.
 WheelStep step_from_poses(Time time, Duration over, const Pose2& from, const Pose2& to, double separation,
                           double variance_per_metre);
+
+/// The k [m] of step_from_wheels() by which an odometry's own covariance grew on an arc: the variance of its
+/// heading, which no lever enlarges, grows by k (|R| + |L|) / separation^2. Nothing where it did not grow or
+/// the wheels did not move: the odometry declares none.
+std::optional<double> declared_variance_per_metre(double heading_variance_before,
+                                                  double heading_variance_after, const ArcTravel& arc,
+                                                  double separation);
 
 /// Covariance of (x, y, theta) after `step` from X_OB, where it was C: F C F^T + G Q G^T, F and G the
 /// derivatives of arc.hpp.

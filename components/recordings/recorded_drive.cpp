@@ -1,10 +1,23 @@
 #include "components/recordings/recorded_drive.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "components/model/differential_drive.hpp"
 
 namespace bw {
+
+WheelStep step_between(const RecordedDrive& drive, const OdometrySample& from, const OdometrySample& to,
+                       double variance_per_metre) {
+  const Duration over = to.time - from.time;
+  const double b = drive.wheel_separation;
+  WheelStep step = step_from_poses(to.time, over, from.X_OB, to.X_OB, b, variance_per_metre);
+  if (drive.wheel_variance > 0.0) {  // of both speeds, held for the step
+    const double variance = drive.wheel_variance * std::pow(over.to_seconds(), 2);
+    step.covariance << variance / 2.0, 0.0, 0.0, 2.0 * variance / (b * b);
+  }
+  return step;
+}
 
 OdometrySample advance(const OdometrySample& sample, const Twist2& twist, Time time) {
   return {time, advance_exact(sample.X_OB, twist, (time - sample.time).to_seconds()), twist};

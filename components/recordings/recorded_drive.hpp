@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "components/model/local_plane.hpp"
+#include "components/model/wheel_step.hpp"
 #include "runtime/base/pose2.hpp"
 #include "runtime/base/time.hpp"
 
@@ -72,6 +73,11 @@ struct RecordedDrive {
   double wheel_separation = 0.0;  ///< [m]
   double wheel_variance = 0.0;    ///< declared for the speed of a wheel [m^2/s^2]; 0: not declared
 };
+
+/// Travel of the wheels between two samples of the drive, in the time of the log: with the covariance that
+/// the log declares, else by variance_per_metre (wheel_step.hpp).
+WheelStep step_between(const RecordedDrive& drive, const OdometrySample& from, const OdometrySample& to,
+                       double variance_per_metre);
 
 /// Continues an odometry along the arc of `twist` until `time`.
 OdometrySample advance(const OdometrySample& sample, const Twist2& twist, Time time);

@@ -19,7 +19,7 @@ struct RecordedRobotOptions {
   SyntheticSensorOptions synthetic;
   double datum_latitude = 21.0;
   double datum_longitude = 105.8;
-  double variance_per_metre = 1e-3;
+  double variance_per_metre = 5e-4;
   std::string imu_frame = "imu";
   std::string gps_frame = "gps";
   std::string laser_frame = "laser";
@@ -39,7 +39,10 @@ struct RecordedRobotOptions {
     v("datum_longitude", datum_longitude,
       {.unit = "deg", .min = -180, .max = 180, .doc = "mrclam: place on earth given to the origin of map"});
     v("variance_per_metre", variance_per_metre,
-      {.unit = "m", .min = 0, .max = 1, .doc = "wheel travel variance per metre (k of spec 2.2), for odom"});
+      {.unit = "m",
+       .min = 0,
+       .max = 1,
+       .doc = "wheel travel variance per metre (k of spec 2.2), where the log declares none"});
     v("imu_frame", imu_frame, {.doc = "frame_id of imu"});
     v("gps_frame", gps_frame, {.doc = "frame_id of gps/fix"});
     v("laser_frame", laser_frame, {.doc = "frame_id of scan"});

@@ -9,6 +9,7 @@ namespace bw::localization {
 namespace {
 
 constexpr std::size_t kMostParticlesShown = 1000;
+constexpr double kUndeclaredWheelNoise = 5e-4;  // [m]: 2 cm after one metre of a wheel
 
 }  // namespace
 
@@ -88,15 +89,24 @@ void LocalizationComponent::on_odometry(const nav_msgs::msg::Odometry& message, 
   const Pose2 X_OB = from_pose(message.pose().pose());
   if (!is_finite(X_OB)) return;
   const std::optional<Pose2> before = X_OB_;
+  const double variance_before = heading_variance_;
+  heading_variance_ = planar_covariance(message.pose().covariance())(2, 2);
   const Duration over = time - odometry_time_;
   X_OB_ = X_OB;
   odometry_time_ = time;
   if (!before || over.nanoseconds <= 0) return;  // the first one, or a clock that went back
-  WheelStep step =
-      step_from_poses(time, over, *before, X_OB, robot_.wheel_separation, parameters_.sensors.wheel_noise);
+  const double k = wheel_noise(arc_between(*before, X_OB), variance_before, heading_variance_);
+  WheelStep step = step_from_poses(time, over, *before, X_OB, robot_.wheel_separation, k);
   step.source = kWheels;
   filter_->add(step, tick.now);
   publish_pose(X_OB, time);
+}
+
+double LocalizationComponent::wheel_noise(const ArcTravel& arc, double variance_before,
+                                          double variance_after) const {
+  if (parameters_.sensors.wheel_noise > 0.0) return parameters_.sensors.wheel_noise;
+  return declared_variance_per_metre(variance_before, variance_after, arc, robot_.wheel_separation)
+      .value_or(kUndeclaredWheelNoise);
 }
 
 void LocalizationComponent::on_imu(const sensor_msgs::msg::Imu& message, const Tick& tick) {

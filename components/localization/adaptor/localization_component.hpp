@@ -14,6 +14,7 @@
 #include "components/localization/adaptor/sensor_messages.hpp"
 #include "components/localization/course_from_fixes.hpp"
 #include "components/localization/localization_parameters.hpp"
+#include "components/model/arc.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/sensor_mounts.hpp"
@@ -28,6 +29,7 @@ class LocalizationComponent final : public Component {
  private:
   void listen(Setup& setup);
   void on_odometry(const nav_msgs::msg::Odometry& message, const Tick& tick);
+  double wheel_noise(const ArcTravel& arc, double variance_before, double variance_after) const;
   void on_imu(const sensor_msgs::msg::Imu& message, const Tick& tick);
   void on_fix(const sensor_msgs::msg::NavSatFix& message, const Tick& tick);
   void on_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message, const Tick& tick);
@@ -46,6 +48,7 @@ class LocalizationComponent final : public Component {
   CourseFromFixes course_{kCourse, {}};
   std::optional<Pose2> X_OB_;  ///< of the newest odometry
   Time odometry_time_;
+  double heading_variance_ = 0.0;  ///< of the newest odometry, as it declares it [rad^2]
   HealthState state_ = HealthState::init;
 
   std::string map_frame_;

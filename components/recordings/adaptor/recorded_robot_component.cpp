@@ -10,7 +10,6 @@
 #include "components/messages/geometry.hpp"
 #include "components/messages/odometry.hpp"
 #include "components/model/robot.hpp"
-#include "components/model/wheel_step.hpp"
 #include "components/recordings/adaptor/recording_messages.hpp"
 #include "components/recordings/files/log_files.hpp"
 #include "components/recordings/recorded_robot_options.hpp"
@@ -135,8 +134,7 @@ class RecordedRobotComponent final : public Component {
   }
 
   void grow_covariance(const OdometrySample& sample, OdometryState& state) {
-    const WheelStep step = step_from_poses(state.time, sample.time - before_->time, before_->X_OB,
-                                           sample.X_OB, drive_.wheel_separation, options_.variance_per_metre);
+    const WheelStep step = step_between(drive_, *before_, sample, options_.variance_per_metre);
     pose_covariance_ = covariance_after(before_->X_OB, pose_covariance_, step);
     const double seconds = step.over.to_seconds() / options_.rate;
     state.twist_covariance = step.covariance / (seconds * seconds);
