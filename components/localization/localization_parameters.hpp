@@ -98,7 +98,7 @@ struct InitialPoseParameters {
 };
 
 struct LocalizationParameters {
-  std::string algorithm = "ekf";
+  Algorithm algorithm = Algorithm::ekf;
   bool set_initial_pose = false;
   InitialPoseParameters initial_pose;
   bool start_anywhere = false;
@@ -111,7 +111,7 @@ struct LocalizationParameters {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("algorithm", algorithm, {.choices = localizer_names(), .doc = "filter in use"});
+    v("algorithm", algorithm, {.doc = "filter in use"});
     v("set_initial_pose", set_initial_pose, {.doc = "start at initial_pose; otherwise find the first pose"});
     v("initial_pose", initial_pose, {.doc = "the pose at the start"});
     v("start_anywhere", start_anywhere, {.doc = "search the whole map at the start (particle filter)"});
@@ -131,7 +131,7 @@ struct LocalizationParameters {
 
   std::optional<std::string> violated_rule() const {
     if (set_initial_pose && start_anywhere) return "set_initial_pose and start_anywhere exclude each other";
-    if (start_anywhere && algorithm != "particle_filter")
+    if (start_anywhere && algorithm != Algorithm::particle_filter)
       return "start_anywhere needs algorithm: particle_filter";
     const Geodetic place{datum.latitude, datum.longitude, datum.altitude};
     if (datum.enabled && !LocalPlane::around(place)) return "datum must be a place on the earth";

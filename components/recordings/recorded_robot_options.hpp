@@ -6,12 +6,20 @@
 
 #include "components/recordings/hold_out.hpp"
 #include "components/recordings/synthetic_sensors.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
 
+enum class LogFormat { husky, mrclam, labyrinth, laser };
+constexpr auto choice_table(LogFormat) {
+  using enum LogFormat;
+  return choices<LogFormat>(
+      {{husky, "husky"}, {mrclam, "mrclam"}, {labyrinth, "labyrinth"}, {laser, "laser"}});
+}
+
 struct RecordedRobotOptions {
-  std::string format = "husky";
+  LogFormat format = LogFormat::husky;
   std::string folder;
   double rate = 1.0;
   double start = 0.0;
@@ -27,7 +35,7 @@ struct RecordedRobotOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("format", format, {.choices = {"husky", "mrclam", "labyrinth", "laser"}, .doc = "of the log"});
+    v("format", format, {.doc = "of the log"});
     v("folder", folder, {.doc = "folder of the log's files; must be given"});
     v("rate", rate, {.min = 0.01, .max = 100, .doc = "times as fast as it was; speeds are scaled alike"});
     v("start", start, {.unit = "s", .min = 0, .max = 1e6, .doc = "first second of the log that is played"});

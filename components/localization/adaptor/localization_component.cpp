@@ -25,7 +25,7 @@ void LocalizationComponent::configure(Setup& setup) {
   mounts_ = {setup, setup.transforms()};
   log_ = setup.log();
   diagnostics_ = &setup.diagnostics();
-  diagnostics_->set_value("filter", parameters_.algorithm);
+  diagnostics_->set_value("filter", std::string(text_of(parameters_.algorithm)));
   filtered_ = setup.output<nav_msgs::msg::Odometry>("odometry/filtered");
   tf_ = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf());
   pose_ = setup.output<geometry_msgs::msg::PoseWithCovarianceStamped>("amcl_pose", Qos::latched());
@@ -63,7 +63,7 @@ void LocalizationComponent::listen(Setup& setup) {
         },
         Need::optional);
   }
-  if (sensors.laser && parameters_.algorithm == "particle_filter") {
+  if (sensors.laser && parameters_.algorithm == Algorithm::particle_filter) {
     setup.input<sensor_msgs::msg::LaserScan>(
         "scan", Qos::sensor(), [this](const auto& m, const Tick& tick) { on_scan(m, tick); }, Need::optional);
     setup.input<nav_msgs::msg::OccupancyGrid>(
@@ -178,7 +178,7 @@ void LocalizationComponent::search(Time time) {
   if (filter_->start_anywhere(time)) {
     log_.info("searching the whole map");
   } else {
-    log_.error("{} cannot search the map: give it a pose", parameters_.algorithm);
+    log_.error("{} cannot search the map: give it a pose", text_of(parameters_.algorithm));
   }
 }
 

@@ -96,7 +96,7 @@ void Ekf::jump_to(Time time, Duration lost) {
   last_clock_jump_ = time;
   ++clock_jumps_;
   if (!initialised_) return;
-  if (fusion_.options().on_clock_jump == "reset") {
+  if (fusion_.options().on_clock_jump == OnClockJump::reset) {
     initialised_ = false;
     initial_.restart();
     return;

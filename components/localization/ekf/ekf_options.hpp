@@ -5,6 +5,7 @@
 #include <string>
 
 #include "components/localization/measurement_check.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::localization {
@@ -195,6 +196,11 @@ struct HealthOptions {
   }
 };
 
+enum class OnClockJump { hold, reset };
+constexpr auto choice_table(OnClockJump) {
+  return choices<OnClockJump>({{OnClockJump::hold, "hold"}, {OnClockJump::reset, "reset"}});
+}
+
 struct EkfOptions {
   MeasurementLimits limits;
   BiasOptions bias;
@@ -208,7 +214,7 @@ struct EkfOptions {
   int capacity = 2048;
   double course_speed = 0.3;
   double future_tolerance = 0.1;
-  std::string on_clock_jump = "hold";
+  OnClockJump on_clock_jump = OnClockJump::hold;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -231,8 +237,7 @@ struct EkfOptions {
     v("future_tolerance", future_tolerance,
       {.unit = "s", .min = 0, .max = 10, .doc = "stamps may be so far ahead of now"});
     v("on_clock_jump", on_clock_jump,
-      {.choices = {"hold", "reset"},
-       .doc = "hold: keep the pose, less sure, and go on from the new time; reset: find a new first pose"});
+      {.doc = "hold: keep the pose, less sure, and go on from the new time; reset: find a new first pose"});
   }
 
   std::optional<std::string> violated_rule() const {

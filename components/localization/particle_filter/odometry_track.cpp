@@ -148,9 +148,9 @@ bool OdometryTrack::add(const WheelStep& step) {
 
   const ArcStep arc = arc_step(behind_.X_BB, distance, turn);
   Eigen::Matrix3d C = arc.by_pose * behind_.covariance * arc.by_pose.transpose();
-  if (options_.noise == "declared" || options_.noise == "both")
+  if (options_.noise == MotionNoise::declared || options_.noise == MotionNoise::both)
     C += arc.by_step * covariance * arc.by_step.transpose();
-  if (options_.noise == "per_step") {
+  if (options_.noise == MotionNoise::per_step) {
     const Eigen::Vector3d sigma(options_.step_along, options_.step_across, options_.step_heading);
     const Eigen::Matrix3d R = turned_by(arc.pose.theta);
     C += R * sigma.cwiseAbs2().asDiagonal() * R.transpose();
@@ -190,7 +190,7 @@ void OdometryTrack::advance_unknown(Time time) {
 
 UncertainMotion OdometryTrack::behind() const {
   UncertainMotion motion = behind_;
-  if (options_.noise == "amcl" || options_.noise == "both")
+  if (options_.noise == MotionNoise::amcl || options_.noise == MotionNoise::both)
     motion.covariance += amcl_covariance(behind_.X_BB, options_);
   return motion;
 }

@@ -14,16 +14,10 @@ constexpr double kKnownHeading = 0.0625;  // (0.25 rad)^2: a heading from a way 
 constexpr double kLeastVariance = 1e-9;   // that an answer claims: a set may be one particle many times
 constexpr double kAnyHeading = 0.1;       // share of injected particles that look anywhere, without one
 
-WeightLaw law_named(const std::string& name) {
-  if (name == "printed") return WeightLaw::printed;
-  return name == "printed_unscaled" ? WeightLaw::printed_unscaled : WeightLaw::gaussian;
-}
-
 }  // namespace
 
 ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, std::uint64_t seed)
     : options_(options),
-      law_(law_named(options.weight_law)),
       random_(seed),
       motion_(random_.bits()),
       track_(options.motion, Duration::seconds(options.window)),
@@ -157,7 +151,7 @@ Outcome ParticleFilter::use(const M& reading) {
     differences(c, particles_, differences_);
   }
   log_weight_.assign(particles_.size(), 0.0);
-  add_log_weights(c, differences_, law_, log_weight_);
+  add_log_weights(c, differences_, options_.weight_law, log_weight_);
   weigh();
   return outcome;
 }

@@ -88,7 +88,6 @@ class ParticleFilter final : public Localizer {
   SourceWatch& source_watch(int source) { return sources_[static_cast<std::size_t>(source)]; }
 
   ParticleFilterOptions options_;
-  WeightLaw law_;
   std::array<double, 4> gates_{};  ///< by degrees of freedom
   Random random_;
   ParticleMotion motion_;

@@ -46,7 +46,7 @@ void PeopleComponent::configure(Setup& setup) {
     setup.input<nav_msgs::msg::OccupancyGrid>(
         "map", Qos::latched(), [this](const auto& message, const Tick&) { on_map(message); }, Need::optional);
   }
-  if (parameters.prediction.model == "social_force") {
+  if (parameters.prediction.model == PredictionModel::social_force) {
     obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::standard(), Need::optional);
   }
   setup.every(Duration::milliseconds(500), "health", [this](const Tick& tick) { report_health(tick); });

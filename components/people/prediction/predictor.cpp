@@ -73,7 +73,7 @@ void Predictor::predict(std::vector<TrackedPerson>& people, const StaticObstacle
   calibration_.forget(now - kForget);
   std::erase_if(turns_, [&](const auto& turn) { return now - turn.second.time > kForget; });
   std::vector<std::vector<Vector2>> walked;
-  if (options_.model == "social_force") {
+  if (options_.model == PredictionModel::social_force) {
     std::vector<TrackedPerson> sound;
     std::copy_if(people.begin(), people.end(), std::back_inserter(sound), is_finite_person);
     walked = walk_on(sound, walls, options_);
@@ -85,7 +85,7 @@ void Predictor::predict(std::vector<TrackedPerson>& people, const StaticObstacle
     std::vector<PredictedPosition>& predictions = person.predictions;
     predictions.clear();
     if (!is_finite_person(person)) continue;
-    const double omega = options_.model == "constant_turn_rate" ? turn_rate(person, now) : 0.0;
+    const double omega = options_.model == PredictionModel::constant_turn_rate ? turn_rate(person, now) : 0.0;
     for (int k = 1; k <= steps; ++k) {
       const double t = k * options_.step;
       Vector2 place = person.position + t * person.velocity;

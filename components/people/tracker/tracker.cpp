@@ -230,7 +230,7 @@ void Tracker::Impl::correct_clusters() {
 void Tracker::Impl::follow_legs(PersonTrack& person, const ClusterTrack& first,
                                 const ClusterTrack* second) const {
   person.walker = walker_of(first, second, options_.walker);
-  if (options_.motion == "heading")
+  if (options_.motion == MotionFilter::heading)
     person.heading = heading_of(first, second, person.walker, options_.heading);
   person.last_seen = *now_;
   person.empty_seconds = 0.0;

@@ -7,6 +7,7 @@
 #include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/walker.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::people {
@@ -181,13 +182,19 @@ struct ReturnOptions {
   }
 };
 
+/// Which filter of a person's motion is reported.
+enum class MotionFilter { gait, heading };
+constexpr auto choice_table(MotionFilter) {
+  return choices<MotionFilter>({{MotionFilter::gait, "gait"}, {MotionFilter::heading, "heading"}});
+}
+
 struct TrackerOptions {
   double person_radius = 0.3;
   double longest_gap = 1.0;
   int most_detections = 1000;
   AlignmentOptions alignment;
   AssociationOptions association;
-  std::string motion = "heading";
+  MotionFilter motion = MotionFilter::heading;
   WalkerOptions walker;
   HeadingOptions heading;
   BirthOptions birth;
@@ -205,8 +212,7 @@ struct TrackerOptions {
     v("alignment", alignment, {.doc = "errors of odometry from sweep to sweep"});
     v("association", association, {.doc = "which detection belongs to whom"});
     v("motion", motion,
-      {.choices = {"gait", "heading"},
-       .doc =
+      {.doc =
            "which filter's position, velocity and covariance are reported; legs are always assigned by the "
            "gait. gait: both legs swing (walker); heading: position, heading and speed of the point between "
            "the legs (heading)"});

@@ -20,11 +20,18 @@ namespace {
 
 constexpr Duration kStep = Duration::milliseconds(5);
 
-RecordedDrive read_log(const std::string& format, const std::filesystem::path& folder) {
-  if (format == "husky") return read_husky_log(folder);
-  if (format == "mrclam") return read_mrclam_log(folder);
-  if (format == "labyrinth") return read_labyrinth_log(folder);
-  return read_laser_log(folder);
+RecordedDrive read_log(LogFormat format, const std::filesystem::path& folder) {
+  switch (format) {
+    case LogFormat::husky:
+      return read_husky_log(folder);
+    case LogFormat::mrclam:
+      return read_mrclam_log(folder);
+    case LogFormat::labyrinth:
+      return read_labyrinth_log(folder);
+    case LogFormat::laser:
+      return read_laser_log(folder);
+  }
+  return {};
 }
 
 class RecordedRobotComponent final : public Component {
@@ -33,7 +40,7 @@ class RecordedRobotComponent final : public Component {
     options_ = setup.parameters<RecordedRobotOptions>();
     robot_ = setup.shared<Robot>("robot");
     drive_ = read_log(options_.format, setup.file_parameter("folder"));
-    if (options_.format == "mrclam") {
+    if (options_.format == LogFormat::mrclam) {
       add_synthetic_sensors(drive_, options_.synthetic,
                             {options_.datum_latitude, options_.datum_longitude, 0.0}, setup.seed());
     }
@@ -43,7 +50,7 @@ class RecordedRobotComponent final : public Component {
     take_events(in_time_order(held_out_), held_out_events_);
     declare_outputs(setup);
     setup.every(kStep, "play", [this](const Tick& tick) { play(tick.now); });
-    setup.log().info("{} entries of a {} log", events_.size(), options_.format);
+    setup.log().info("{} entries of a {} log", events_.size(), text_of(options_.format));
   }
 
   void activate(const Tick& tick) override {

@@ -72,12 +72,12 @@ std::vector<Vector2> by_wheels(const std::vector<Step>& steps, bool with_fixes) 
 ParticleFilterOptions filter_options(PfMethod method, int particles) {
   ParticleFilterOptions options;
   options.count.min_particles = options.count.max_particles = particles;
-  options.motion.noise = "per_step";
+  options.motion.noise = MotionNoise::per_step;
   options.motion.longest_way = 0.0;  // Algorithm 1 moves them every step
   options.motion.walk = options.motion.heading_walk = 0.0;
   options.gate.enabled = false;  // Algorithm 1 has none
-  if (method == PfMethod::printed) options.weight_law = "printed";
-  if (method == PfMethod::printed_unscaled) options.weight_law = "printed_unscaled";
+  if (method == PfMethod::printed) options.weight_law = WeightLaw::printed;
+  if (method == PfMethod::printed_unscaled) options.weight_law = WeightLaw::printed_unscaled;
   return options;
 }
 

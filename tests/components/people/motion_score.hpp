@@ -55,7 +55,9 @@ struct MotionScore {
 class MotionJudge {
  public:
   explicit MotionJudge(Trial& trial)
-      : trial_(&trial), straight_(with("constant_velocity")), turning_(with("constant_turn_rate")) {
+      : trial_(&trial),
+        straight_(with(PredictionModel::constant_velocity)),
+        turning_(with(PredictionModel::constant_turn_rate)) {
     trial.keeper().on_followed = [this](const TruePerson& person, const TrackedPerson& track, bool steady) {
       judge(person, track, steady);
       followed_.push_back({person.id, track.id});
@@ -81,7 +83,7 @@ class MotionJudge {
     Vector2 straight, turning;  ///< in M
   };
 
-  static PredictionOptions with(const char* model) {
+  static PredictionOptions with(PredictionModel model) {
     PredictionOptions options;
     options.model = model;
     options.step = kAhead[0];

@@ -54,7 +54,7 @@ TEST(Prediction, KeepsTheVelocity) {
 // turned by omega tau = 0.6 rad, and the last chord points there.
 TEST(Prediction, LetsATurnGoOnAndDieOut) {
   PredictionOptions options;
-  options.model = "constant_turn_rate";
+  options.model = PredictionModel::constant_turn_rate;
   options.horizon = 10.0;
   options.step = 0.1;
   options.calibration_rate = 0.0;
@@ -83,7 +83,7 @@ TEST(Prediction, LetsATurnGoOnAndDieOut) {
 // off it; who stands stays.
 TEST(Prediction, SocialForcesLeadPeopleRoundOneAnotherAndAlongWalls) {
   PredictionOptions options;
-  options.model = "social_force";
+  options.model = PredictionModel::social_force;
   Predictor predictor(options);
   const auto apart = predictions_of(
       predictor, {walker(1, {0.0, 0.0}, {1.0, 0.0}), walker(2, {6.0, 0.0}, {-1.0, 0.0})}, {}, kNow);
@@ -106,7 +106,7 @@ TEST(Prediction, SocialForcesLeadPeopleRoundOneAnotherAndAlongWalls) {
 
 TEST(Prediction, LeavesOutWhoIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const char* model : {"constant_velocity", "constant_turn_rate", "social_force"}) {
+  for (const auto& [model, name] : choice_table(PredictionModel{})) {
     PredictionOptions options;
     options.model = model;
     Predictor predictor(options);
@@ -115,7 +115,7 @@ TEST(Prediction, LeavesOutWhoIsNotFinite) {
     ASSERT_EQ(predictions.size(), 2U);
     EXPECT_TRUE(predictions[0].empty());
     EXPECT_EQ(predictions[1].size(), 8U);
-    EXPECT_NEAR((predictions[1].back().position - Vector2(4.0, 0.0)).norm(), 0.0, 1e-9) << model;
+    EXPECT_NEAR((predictions[1].back().position - Vector2(4.0, 0.0)).norm(), 0.0, 1e-9) << name;
   }
 }
 
