@@ -6,9 +6,9 @@
 namespace bw::localization {
 
 std::unique_ptr<Localizer> make_localizer(Algorithm algorithm, const LocalizerOptions& options,
-                                          std::uint64_t seed) {
-  if (algorithm == Algorithm::ekf) return std::make_unique<Ekf>(options.ekf);
-  return std::make_unique<ParticleFilter>(options.particle_filter, seed);
+                                          std::uint64_t seed, int sources) {
+  if (algorithm == Algorithm::ekf) return std::make_unique<Ekf>(options.ekf, sources);
+  return std::make_unique<ParticleFilter>(options.particle_filter, seed, sources);
 }
 
 }  // namespace bw::localization

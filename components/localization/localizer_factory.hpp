@@ -27,7 +27,8 @@ constexpr auto choice_table(Algorithm) {
   return choices<Algorithm>({{Algorithm::ekf, "ekf"}, {Algorithm::particle_filter, "particle_filter"}});
 }
 
+/// With room for so many sources.
 std::unique_ptr<Localizer> make_localizer(Algorithm algorithm, const LocalizerOptions& options,
-                                          std::uint64_t seed);
+                                          std::uint64_t seed, int sources);
 
 }  // namespace bw::localization

@@ -12,8 +12,9 @@
 
 namespace bw::localization {
 
-/// Sources are numbered from 0; one source gives one kind of measurement.
-constexpr int kMaxSources = 8;
+/// Sources are numbered from 0; one source gives one kind of measurement. A filter is told at its making how
+/// many there are; this many have room in one that was told nothing.
+constexpr int kUsualSources = 8;
 
 /// Place of an antenna, e.g. a satellite fix taken to the local plane (local_plane.hpp).
 struct PositionFix {

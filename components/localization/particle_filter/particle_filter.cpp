@@ -16,13 +16,14 @@ constexpr double kAnyHeading = 0.1;       // share of injected particles that lo
 
 }  // namespace
 
-ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, std::uint64_t seed)
+ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, std::uint64_t seed, int sources)
     : options_(options),
       random_(seed),
       motion_(random_.bits()),
       track_(options.motion, Duration::seconds(options.window)),
       initial_(options.initial, options.gate.probability),
       stamps_(Duration::seconds(options.future_tolerance)),
+      sources_(static_cast<std::size_t>(sources)),
       recovery_(options.recovery, options.search) {
   for (int dof = 1; dof <= 3; ++dof) {
     gates_[static_cast<std::size_t>(dof)] = options.gate.enabled
@@ -96,7 +97,7 @@ Outcome ParticleFilter::add(const Measurement& measurement, Time now) {
 }
 
 Outcome ParticleFilter::sort_in(const Measurement& measurement, Time now) {
-  const Verdict sound = check(measurement, options_.limits);
+  const Verdict sound = check(measurement, options_.limits, static_cast<int>(sources_.size()));
   if (sound != Verdict::accepted) return {sound};
   SourceWatch& watch = source_watch(source(measurement));
   const Time time = stamp(measurement);
@@ -157,9 +158,9 @@ Outcome ParticleFilter::use(const M& reading) {
 }
 
 bool ParticleFilter::supported_by_others(const Comparison& c, int source, const RejectionRun& run) const {
-  for (int i = 0; i < kMaxSources; ++i) {
-    const SourceWatch& other = sources_[static_cast<std::size_t>(i)];
-    if (i == source || !other.ever_used() || other.last_used() < run.since) continue;
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const SourceWatch& other = sources_[i];
+    if (static_cast<int>(i) == source || !other.ever_used() || other.last_used() < run.since) continue;
     if (c.position ? other.gives_position() : other.gives_heading()) return true;
     const double driven = track_.odometer() - run.odometer;
     if (!c.position && other.gives_position() && driven >= options_.gate.heading_support) return true;

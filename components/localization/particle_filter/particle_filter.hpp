@@ -37,7 +37,9 @@ namespace bw::localization {
 
 class ParticleFilter final : public Localizer {
  public:
-  explicit ParticleFilter(const ParticleFilterOptions& options, std::uint64_t seed = 1);
+  /// With room for so many sources.
+  explicit ParticleFilter(const ParticleFilterOptions& options, std::uint64_t seed = 1,
+                          int sources = kUsualSources);
   ParticleFilter(const ParticleFilter&) = delete;
   ParticleFilter& operator=(const ParticleFilter&) = delete;
 
@@ -94,7 +96,7 @@ class ParticleFilter final : public Localizer {
   OdometryTrack track_;
   InitialPose initial_;
   StampWatch stamps_;
-  std::array<SourceWatch, kMaxSources> sources_;
+  std::vector<SourceWatch> sources_;  ///< by number
   std::array<std::uint64_t, 16> counts_{};
 
   bool initialised_ = false;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kLaserKind = 100;  // no Measurement has this index
 
-Verdict check(const LaserReading& r) {
-  if (r.source < 0 || r.source >= kMaxSources) return Verdict::bad_source;
+Verdict check(const LaserReading& r, std::size_t sources) {
+  if (r.source < 0 || static_cast<std::size_t>(r.source) >= sources) return Verdict::bad_source;
   const bool on_robot = r.X_FL.position().norm() <= 100.0;
   return fault_of(r) == SweepFault::none && on_robot ? Verdict::accepted : Verdict::implausible;
 }
@@ -62,7 +62,7 @@ bool ParticleFilter::start_anywhere(Time time) {
 
 Outcome ParticleFilter::add(const LaserReading& reading, Time now) {
   const bool jumped = look_at_clock(now);
-  Outcome outcome{check(reading)};
+  Outcome outcome{check(reading, sources_.size())};
   if (outcome.verdict == Verdict::accepted) {
     SourceWatch& watch = source_watch(reading.source);
     if (!watch.is_kind(kLaserKind)) {
