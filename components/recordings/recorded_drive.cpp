@@ -64,4 +64,13 @@ std::vector<RecordedEvent> in_time_order(const RecordedDrive& drive) {
   return events;
 }
 
+std::vector<RecordedEvent> events_between(const RecordedDrive& drive, double start, double end) {
+  std::vector<RecordedEvent> events = in_time_order(drive);
+  std::erase_if(events, [&](const RecordedEvent& event) {
+    const double t = stamp(event).to_seconds();
+    return t < start || (end != 0.0 && t > end);
+  });
+  return events;
+}
+
 }  // namespace bw

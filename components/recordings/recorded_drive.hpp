@@ -99,4 +99,7 @@ inline Time stamp(const RecordedEvent& event) {
 /// All entries by stamp; those of one stamp in the order of the alternatives.
 std::vector<RecordedEvent> in_time_order(const RecordedDrive& drive);
 
+/// Those from second `start` of the log to second `end`, if that is not 0.
+std::vector<RecordedEvent> events_between(const RecordedDrive& drive, double start, double end);
+
 }  // namespace bw

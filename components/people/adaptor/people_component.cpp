@@ -1,16 +1,14 @@
 #include "components/people/adaptor/people_component.hpp"
 
-#include <cmath>
-
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
 #include "components/messages/laser.hpp"
 #include "components/messages/obstacles.hpp"
+#include "components/messages/placed.hpp"
 
 namespace bw::people {
 namespace {
 
-constexpr std::size_t kMostWaiting = 4;  // scans whose odometry has not come
 constexpr Duration kSilence = Duration::milliseconds(500);
 const Duration kMarkerLifetime = Duration::milliseconds(250);
 
@@ -71,31 +69,23 @@ void PeopleComponent::on_map(const nav_msgs::msg::OccupancyGrid& message) {
 
 void PeopleComponent::on_scan(const sensor_msgs::msg::LaserScan& message) {
   if (from_stamp(message.header().stamp()) == Time{}) return refuse("it has no stamp");
-  if (waiting_.size() >= kMostWaiting) {
-    waiting_.pop_front();
-    refuse("no odometry at its stamp");
-  }
-  waiting_.push_back(message);
+  if (!waiting_.add(message, now_)) refuse("no odometry at its stamp");
   look();
 }
 
 void PeopleComponent::look() {
-  while (!waiting_.empty()) {
-    const Time stamp = from_stamp(waiting_.front().header().stamp());
-    const auto X_OB = odometry_.lookup_planar(odom_frame_, base_frame_, stamp);
-    if (!X_OB) return;  // odometry of that moment may still come
-    const sensor_msgs::msg::LaserScan scan = std::move(waiting_.front());
-    waiting_.pop_front();
-    look_at(scan, *X_OB);
-  }
+  waiting_.hand_over([this](const sensor_msgs::msg::LaserScan& scan, Time) {
+    const auto X_OB = odometry_.lookup_planar(odom_frame_, base_frame_, from_stamp(scan.header().stamp()));
+    if (X_OB) look_at(scan, *X_OB);
+    return X_OB.has_value();
+  });
 }
 
 void PeopleComponent::look_at(const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB) {
   const LaserSweep sweep = to_sweep(scan, X_OB * mounts_.of(scan.header().frame_id()));
   if (const SweepFault fault = fault_for_people(sweep); fault != SweepFault::none)
     return refuse(to_text(fault));
-  if (!refused_.empty()) log_.info("scans are sound again");
-  refused_.clear();
+  if (refused_.is_news("")) log_.info("scans are sound again");
   last_look_ = now_;
   Surroundings surroundings;
   if (!map_of_detector_.empty())
@@ -116,17 +106,13 @@ void PeopleComponent::publish(const DetectionSet& detections, std::vector<Tracke
 }
 
 StaticObstacles PeopleComponent::walls_at(Time time) const {
-  if (!obstacles_) return {};
-  const double age = (time - from_stamp(obstacles_->header().stamp())).to_seconds();
-  const auto X_OF = transforms_->lookup_planar(odom_frame_, obstacles_->header().frame_id());
-  if (!X_OF || std::abs(age) > obstacles_timeout_) return {};
-  return to_obstacles(*obstacles_, *X_OF);
+  const auto from = placed(obstacles_, *transforms_, odom_frame_, time, obstacles_timeout_);
+  return from ? to_obstacles(*obstacles_, from->X_TF) : StaticObstacles{};
 }
 
 void PeopleComponent::refuse(const std::string& why) {
   ++refusals_;
-  if (refused_ != why) log_.warn("a scan is not looked at: {}", why);
-  refused_ = why;
+  if (refused_.is_news(why)) log_.warn("a scan is not looked at: {}", why);
 }
 
 void PeopleComponent::report_health(const Tick& tick) {
@@ -135,8 +121,8 @@ void PeopleComponent::report_health(const Tick& tick) {
   diagnostics_->set_value("people", std::to_string(tracker_->people().size()));
   diagnostics_->set_value("other_clusters", std::to_string(tracker_->cluster_count()));
   const bool blind = !last_look_ || tick.now - *last_look_ > kSilence;
-  if (!refused_.empty()) {
-    diagnostics_->report(Level::error, "scans are refused: " + refused_);
+  if (refused_) {
+    diagnostics_->report(Level::error, "scans are refused: " + refused_.what());
   } else if (blind) {
     diagnostics_->report(Level::error, "no scan to look at");
   } else {
