@@ -5,6 +5,7 @@
 // ICRA 2008), weighted so that people, who move, hardly count (Tukey), with the odometry as prior.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "components/people/detection.hpp"
@@ -52,6 +53,15 @@ class SweepAlignment {
     Vector2 point;
     Vector2 normal;
   };
+  struct Equations {
+    Eigen::Matrix3d information;
+    Eigen::Vector3d pull;
+    int compared = 0;  ///< points with a surface
+    int fitting = 0;   ///< those near it
+  };
+  /// (x, y, turn about the sensor) by which the sweep fits; nothing when too little does.
+  std::optional<Eigen::Vector3d> correction_of(const DetectionSet& sweep) const;
+  Equations compare(const DetectionSet& sweep, const Eigen::Vector3d& correction, double reach) const;
   bool surface_towards(const Vector2& p_O, Surface& surface) const;
   Vector2 remembered_point(std::size_t beam) const;
   void remember(const DetectionSet& sweep);
