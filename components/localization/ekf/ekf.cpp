@@ -104,7 +104,7 @@ void Ekf::jump_to(Time time, Duration lost) {
     return;
   }
   EkfState state = ring_.newest();
-  advance_unknown(state, state.time + lost, fusion_.options());
+  predict_without_wheels(state, state.time + lost, fusion_.options());
   state.time = time;
   state.last_wheel = time;
   state.gyro = {};

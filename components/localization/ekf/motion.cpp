@@ -45,7 +45,7 @@ void bound(StateMatrix& P) {
   hold_definite(P, P.diagonal());
 }
 
-void wander(StateMatrix& P, double dt, const BiasOptions& bias) {
+void add_process_noise(StateMatrix& P, double dt, const BiasOptions& bias) {
   if (bias.gyro_bias) P(3, 3) += bias.gyro_bias_walk * bias.gyro_bias_walk * dt;
   if (bias.heading_offset) P(4, 4) += bias.heading_offset_walk * bias.heading_offset_walk * dt;
 }
@@ -102,7 +102,7 @@ SlipCorrection update_by_gyro(EkfState& state, Joint& joint, const WheelStep& st
       joint.turn_variance() += z.residual(0) * z.residual(0);
     }
   }
-  if (!gyro_in_doubt(state.slip, options.slip)) correct(joint.mean, joint.covariance, z);
+  if (!gyro_in_doubt(state.slip, options.slip)) update(joint.mean, joint.covariance, z);
   if (slipping(state.slip)) {
     joint.turn_variance() += common_error(state.slip.excess.turned, z.residual(0), options.slip.turn_share);
   }
@@ -122,7 +122,7 @@ void move(EkfState& state, Joint& joint, double distance, double dt, const EkfOp
   const double walked = options.motion.position_walk * options.motion.position_walk * std::abs(distance);
   state.P(0, 0) += walked;
   state.P(1, 1) += walked;
-  wander(state.P, dt, options.bias);
+  add_process_noise(state.P, dt, options.bias);
   bound(state.P);
 
   state.X_OB = advance_arc(state.X_OB, distance, turn);
@@ -146,11 +146,11 @@ void add_gyro(EkfState& state, const GyroReading& reading, const EkfOptions& opt
   gyro.variance = reading.variance;
 }
 
-bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) {
+bool predict(EkfState& state, const WheelStep& step, const EkfOptions& options) {
   const Duration ahead = step.time - state.time;
   if (ahead.nanoseconds <= 0) return false;
   if (seconds(ahead - step.over) > options.motion.extrapolation)
-    advance_unknown(state, step.time - step.over, options);
+    predict_without_wheels(state, step.time - step.over, options);
   const Duration span = step.time - state.time;
   const double dt = seconds(span);
   const double part = span == step.over ? 1.0 : dt / seconds(step.over);
@@ -169,7 +169,7 @@ bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) 
   return true;
 }
 
-void advance_unknown(EkfState& state, Time time, const EkfOptions& options) {
+void predict_without_wheels(EkfState& state, Time time, const EkfOptions& options) {
   const Duration span = time - state.time;
   if (span.nanoseconds <= 0) return;
   const double dt = seconds(span);
@@ -194,7 +194,7 @@ void advance_unknown(EkfState& state, Time time, const EkfOptions& options) {
     state.P(2, 2) += turned * turned * squares;
   }
   restart(gyro);
-  wander(state.P, dt, options.bias);
+  add_process_noise(state.P, dt, options.bias);
   bound(state.P);
 
   state.x(2) = wrap_angle(state.x(2) + turn);

@@ -153,7 +153,7 @@ Outcome ParticleFilter::use(const M& reading) {
   }
   log_weight_.assign(particles_.size(), 0.0);
   add_log_weights(c, differences_, options_.weight_law, log_weight_);
-  weigh();
+  update_weights();
   return outcome;
 }
 
@@ -224,7 +224,7 @@ void ParticleFilter::refresh_estimate() {
 }
 
 // The set takes log_weight_ in, answers, and is drawn anew if few particles count.
-void ParticleFilter::weigh() {
+void ParticleFilter::update_weights() {
   if (!reweigh(particles_.weight, log_weight_)) {
     ++weightless_;
     return;
@@ -235,10 +235,10 @@ void ParticleFilter::weigh() {
   const ResamplingOptions& resampling = options_.resampling;
   if (since_resampling_ < resampling.resample_interval) return;
   if (effective_size_ > resampling.n_eff_share * static_cast<double>(particles_.size())) return;
-  draw_anew();
+  resample();
 }
 
-void ParticleFilter::draw_anew() {
+void ParticleFilter::resample() {
   const ParticleCountOptions& count = options_.count;
   std::size_t wanted = static_cast<std::size_t>(count.max_particles);
   if (count.min_particles < count.max_particles) {

@@ -81,9 +81,9 @@ class ParticleFilter final : public Localizer {
 
   void begin(Time time, bool anywhere);
   void follow();
-  void weigh();
+  void update_weights();
   void refresh_estimate();
-  void draw_anew();
+  void resample();
   Outcome use(const LaserReading& reading);
   /// `poses` at the sweep's stamp, X_SB from there to now; `ends` as seen from now.
   bool inject(const std::vector<PoseHypothesis>& poses, const Pose2& X_SB, const BeamEnds& ends);

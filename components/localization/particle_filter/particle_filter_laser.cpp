@@ -108,8 +108,8 @@ Outcome ParticleFilter::use(const LaserReading& reading) {
   if (!injected && !far && !use_next_sweep_) return {Verdict::unusable};
   log_weight_.assign(particles_.size(), 0.0);
   add_log_weights(*field_, ends_, particles_, log_weight_);
-  weigh();
-  if (injected && particles_.size() > static_cast<std::size_t>(options_.count.max_particles)) draw_anew();
+  update_weights();
+  if (injected && particles_.size() > static_cast<std::size_t>(options_.count.max_particles)) resample();
   X_OB_last_sweep_ = X_OS;
   use_next_sweep_ = false;
   source_watch(reading.source).note_compared(reading.time, true, 0.0, 0);

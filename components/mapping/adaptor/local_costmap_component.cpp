@@ -106,17 +106,8 @@ class LocalCostmapComponent final : public Component {
   }
 
   std::vector<Disc> people_at(Time time) const {
-    std::vector<Disc> people;
     const auto from = placed(tracks_, *transforms_, odom_frame_, time, parameters_.tracks_timeout);
-    if (!from) return people;
-    constexpr double kMostRadius = 1.0;  // [m]; more is no person
-    for (const auto& track : tracks_->tracks()) {
-      const Vector2 position(track.position().x() + from->age * track.velocity().x(),
-                             track.position().y() + from->age * track.velocity().y());
-      if (position.allFinite() && track.radius() >= 0.0 && track.radius() <= kMostRadius)
-        people.push_back({from->X_TF * position, track.radius()});
-    }
-    return people;
+    return from ? to_discs(*tracks_, from->age, from->X_TF) : std::vector<Disc>{};
   }
 
   /// Says once why sweeps are not used, and once that they are again.

@@ -13,13 +13,11 @@ namespace bw {
 namespace {
 
 struct RobotBaseOptions {
-  std::string driver = "simulated";
   OdometryOptions odometry;
   WatchdogOptions watchdog;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("driver", driver, {.choices = {"simulated"}, .doc = "the base behind the wheel commands"});
     v("odometry", odometry, {.doc = "from encoder counts to pose and twist"});
     v("watchdog", watchdog, {.doc = "the stop when wheel commands stop"});
   }
