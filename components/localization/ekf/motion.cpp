@@ -104,7 +104,7 @@ SlipCorrection update_by_gyro(EkfState& state, Joint& joint, const WheelStep& st
   }
   if (!gyro_in_doubt(state.slip, options.slip)) update(joint.mean, joint.covariance, z);
   if (slipping(state.slip)) {
-    joint.turn_variance() += common_error(state.slip.excess.turned, z.residual(0), options.slip.turn_share);
+    joint.turn_variance() += common_error(state.slip.excess.turned, z.residual(0), options.slip.kTurnShare);
   }
   return correction;
 }

@@ -131,13 +131,13 @@ bool ParticleFilter::inject(const std::vector<PoseHypothesis>& poses, const Pose
   for (const PoseHypothesis& pose : poses) {
     all.push_back(pose.X_MB * X_SB);
     const ScanFit there = scan_fit(*field_, ends, all.back());
-    const bool clearly = there.agreement() > here.agreement() + o.better_by && there.hit > here.hit;
+    const bool clearly = there.agreement() > here.agreement() + o.kBetterBy && there.hit > here.hit;
     if (known ? clearly : there.agreement() >= o.scan_ok) better.push_back(all.back());
   }
   if (!known && better.empty()) better.swap(all);
   if (better.empty()) return false;
   const std::size_t before = particles_.size();
-  const double share = known ? o.rival_share : o.share;
+  const double share = known ? o.kRivalShare : o.share;
   const std::size_t each =
       std::max<std::size_t>(20, static_cast<std::size_t>(options_.count.max_particles) / better.size());
   particles_.resize(before + each * better.size());

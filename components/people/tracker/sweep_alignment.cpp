@@ -94,7 +94,7 @@ std::optional<Eigen::Vector3d> SweepAlignment::correction_of(const DetectionSet&
   for (int round = 0; round < kRounds; ++round) {
     const double reach = round == 0 ? options_.reach : std::min(options_.reach, 5.0 * options_.range_noise);
     const Equations sum = compare(sweep, correction, reach);
-    if (sum.fitting < kFewest || sum.fitting < options_.least_share * sum.compared) return std::nullopt;
+    if (sum.fitting < kFewest || sum.fitting < options_.kLeastShare * sum.compared) return std::nullopt;
     correction += sum.information.ldlt().solve(sum.pull);
   }
   return correction.allFinite() ? std::optional(correction) : std::nullopt;

@@ -20,7 +20,8 @@ struct AlignmentOptions {
   double reach = 0.15;
   double way_sigma = 0.004;
   double turn_sigma = 0.015;
-  double least_share = 0.4;
+  /// of points that must fit, or odometry is believed
+  static constexpr double kLeastShare = 0.4;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -33,8 +34,6 @@ struct AlignmentOptions {
       {.unit = "m", .min = 1e-5, .max = 1, .doc = "error of the way between two sweeps, by odometry"});
     v("turn_sigma", turn_sigma,
       {.unit = "rad", .min = 1e-5, .max = 1, .doc = "the same of the turn; raise it where wheels slip"});
-    v("least_share", least_share,
-      {.min = 0.05, .max = 1, .doc = "of points that must fit, or odometry is believed"});
   }
 };
 

@@ -170,10 +170,10 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     const bool whole = one && d.body_score > d.leg_score;
     person.walker.correct(whole ? BodyPart::middle : part, d.position, d.covariance, options_.walker);
     person.score =
-        options_.death.score_memory * person.score + (1.0 - options_.death.score_memory) * d.human_score();
+        options_.death.kScoreMemory * person.score + (1.0 - options_.death.kScoreMemory) * d.human_score();
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
-    if (d.human_score() >= options_.back.likeness) person.sure = state_of(person);
+    if (d.human_score() >= options_.back.kLikeness) person.sure = state_of(person);
     const std::size_t leg = part == BodyPart::first_leg ? 0 : 1;
     if (whole) {
       person.unseen = {0, 0};
@@ -291,7 +291,7 @@ void Tracker::Impl::delete_tracks() {
   const DeathOptions& death = options_.death;
   const auto gone = [&](const PersonTrack& person) {
     return person.empty_seconds >= death.unseen - 1e-9 || person.walker.position_sigma() > death.sigma ||
-           (person.score < death.unlike_score && person.walker.velocity().norm() < death.unlike_speed);
+           (person.score < death.unlike_score && person.walker.velocity().norm() < death.kUnlikeSpeed);
   };
   std::ranges::copy_if(people_, std::back_inserter(lost_), gone);
   std::erase_if(people_, gone);
