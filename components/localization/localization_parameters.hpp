@@ -30,7 +30,7 @@ struct DatumParameters {
 
 /// What the filter listens to. Topics: README.md.
 struct SensorParameters {
-  double wheel_noise = 5e-4;
+  double wheel_noise = 0.0;
   bool gyro = true;
   double gyro_noise = 0.01;
   bool compass = true;
@@ -48,7 +48,9 @@ struct SensorParameters {
       {.unit = "m",
        .min = 0,
        .max = 1,
-       .doc = "k of spec 2.2: variance of a wheel's travel per metre of it"});
+       .doc =
+           "k of spec 2.2, variance of a wheel's travel per metre of it; 0: as the covariance of odom grows, "
+           "5e-4 where it does not"});
     v("gyro", gyro, {.doc = "use the turn rate of imu"});
     v("gyro_noise", gyro_noise,
       {.unit = "rad/s", .min = 1e-6, .max = 1, .doc = "standard deviation where the message gives none"});
@@ -96,7 +98,7 @@ struct InitialPoseParameters {
 };
 
 struct LocalizationParameters {
-  std::string algorithm = "ekf";
+  Algorithm algorithm = Algorithm::ekf;
   bool set_initial_pose = false;
   InitialPoseParameters initial_pose;
   bool start_anywhere = false;
@@ -109,7 +111,7 @@ struct LocalizationParameters {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("algorithm", algorithm, {.choices = localizer_names(), .doc = "filter in use"});
+    v("algorithm", algorithm, {.doc = "filter in use"});
     v("set_initial_pose", set_initial_pose, {.doc = "start at initial_pose; otherwise find the first pose"});
     v("initial_pose", initial_pose, {.doc = "the pose at the start"});
     v("start_anywhere", start_anywhere, {.doc = "search the whole map at the start (particle filter)"});
@@ -129,7 +131,7 @@ struct LocalizationParameters {
 
   std::optional<std::string> violated_rule() const {
     if (set_initial_pose && start_anywhere) return "set_initial_pose and start_anywhere exclude each other";
-    if (start_anywhere && algorithm != "particle_filter")
+    if (start_anywhere && algorithm != Algorithm::particle_filter)
       return "start_anywhere needs algorithm: particle_filter";
     const Geodetic place{datum.latitude, datum.longitude, datum.altitude};
     if (datum.enabled && !LocalPlane::around(place)) return "datum must be a place on the earth";

@@ -14,12 +14,6 @@ constexpr double kStanding = 0.02;        // [m/s]: slower is at rest, and no sp
 constexpr double kFreely = 0.9;           // share of the sector of travel that must be covered
 constexpr double kLongestSweepAge = 0.2;  // [s]: a stamp that is older is of another clock
 
-Action action_of(const std::string& action_type) {
-  if (action_type == "stop") return Action::stop;
-  if (action_type == "slowdown") return Action::slowdown;
-  return action_type == "approach" ? Action::approach : Action::limit;
-}
-
 std::string_view cause_of(LaserState state) {
   if (state == LaserState::silent) return kLaserSilent;
   if (state == LaserState::frozen) return kLaserFrozen;
@@ -72,7 +66,7 @@ std::optional<std::string_view> CollisionMonitor::fault(Time now) {
     const bool is_start = state == LaserState::waiting || !odometry_at_;
     fault_cause_ = state != LaserState::ok ? cause_of(state) : kOdometrySilent;
     fault_at_ = now;
-    latched_ = options_.resume == "manual" && !is_start;
+    latched_ = options_.resume == Resume::manual && !is_start;
     return fault_cause_;
   }
   if (latched_) return kWaitingForReset;
@@ -135,8 +129,7 @@ CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted, const A
   consider(sight_speed(wanted.v), Action::limit, kSight);
   for (const Zone& zone : zones_) {
     const double share = zone.share_left(wanted, ahead.points);
-    if (share < 1.0)
-      consider(share * std::abs(wanted.v), action_of(zone.options().action_type), zone.options().name);
+    if (share < 1.0) consider(share * std::abs(wanted.v), zone.options().action_type, zone.options().name);
   }
   return bound;
 }
@@ -171,7 +164,7 @@ Verdict CollisionMonitor::judge(Time now, const Twist2& wanted) {
     for (const Zone& zone : zones_) {
       const double share = zone.share_left(wanted, ahead.points);
       if (std::abs(share * wanted.omega) >= std::abs(verdict.allowed.omega)) continue;
-      verdict = {{0.0, share * wanted.omega}, action_of(zone.options().action_type), zone.options().name};
+      verdict = {{0.0, share * wanted.omega}, zone.options().action_type, zone.options().name};
     }
   }
   // The command asks for less than the robot still does: what it does now must fit as well, or it brakes

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "components/model/robot.hpp"
+#include "components/safety/action.hpp"
 #include "components/safety/collision_monitor_options.hpp"
 #include "components/safety/free_way.hpp"
 #include "components/safety/limit_hold.hpp"
@@ -28,9 +29,6 @@
 #include "runtime/base/time.hpp"
 
 namespace bw::safety {
-
-/// As nav2_msgs/CollisionMonitorState numbers them.
-enum class Action { do_nothing = 0, stop = 1, slowdown = 2, approach = 3, limit = 4 };
 
 struct Verdict {
   Twist2 allowed;                      ///< never faster than wanted

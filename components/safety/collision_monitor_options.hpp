@@ -1,7 +1,6 @@
 // Parameters of the collision monitor. Names as in nav2_collision_monitor where it has the same thing.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "components/safety/sweep_options.hpp"
@@ -76,11 +75,16 @@ struct SightOptions {
   }
 };
 
+enum class Resume { automatic, manual };
+constexpr auto choice_table(Resume) {
+  return choices<Resume>({{Resume::automatic, "automatic"}, {Resume::manual, "manual"}});
+}
+
 struct CollisionMonitorOptions {
   double source_timeout = 0.25;
   double command_timeout = 0.2;
   double clear_after = 0.4;
-  std::string resume = "automatic";
+  Resume resume = Resume::automatic;
   SweepOptions sweep;
   SightOptions sight;
   StoppingOptions stopping;
@@ -101,8 +105,7 @@ struct CollisionMonitorOptions {
        .max = 10,
        .doc = "a limit or a stop is eased so long after its cause; raise it against stop and go"});
     v("resume", resume,
-      {.choices = {"automatic", "manual"},
-       .doc = "after a fault of the laser: by itself, or when collision_monitor/reset says so"});
+      {.doc = "after a fault of the laser: by itself, or when collision_monitor/reset says so"});
     v("sweep", sweep, {.doc = "what makes a sweep usable"});
     v("sight", sight, {.doc = "where the robot drives it must see"});
     v("stopping", stopping, {.doc = "speed limited by the way that is free"});

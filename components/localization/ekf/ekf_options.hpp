@@ -5,6 +5,7 @@
 #include <string>
 
 #include "components/localization/measurement_check.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::localization {
@@ -118,19 +119,20 @@ struct SlipOptions {
   bool enabled = true;
   double window = 0.25;
   double gate = 25.0;
-  double least_rate = 0.1;
+  /// [rad/s] smaller disagreements are never slip
+  static constexpr double kLeastRate = 0.1;
   double hold = 0.3;
   double longest = 5.0;
-  double distance_share = 0.05;
-  double turn_share = 0.2;
+  /// standard deviation of what is left of the way during slip, as a share of it
+  static constexpr double kDistanceShare = 0.05;
+  /// the same of the turn, as a share of what wheels and gyro disagree about: the gyro may be wrong
+  static constexpr double kTurnShare = 0.2;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("enabled", enabled, {.doc = "compare the turn of the wheels with the gyro"});
     v("window", window, {.unit = "s", .min = 0.01, .max = 10, .doc = "memory of the comparison"});
     v("gate", gate, {.min = 1, .max = 1000, .doc = "squared standard deviations of disagreement for slip"});
-    v("least_rate", least_rate,
-      {.unit = "rad/s", .min = 0, .max = 10, .doc = "smaller disagreements are never slip"});
     v("hold", hold,
       {.unit = "s", .min = 0, .max = 10, .doc = "slip lasts so long after the last sign of it"});
     v("longest", longest,
@@ -138,15 +140,6 @@ struct SlipOptions {
        .min = 0.1,
        .max = 1000,
        .doc = "more slip within half a minute is a fault: then the gyro is not used either"});
-    v("distance_share", distance_share,
-      {.min = 0,
-       .max = 10,
-       .doc = "standard deviation of what is left of the way during slip, as a share of it"});
-    v("turn_share", turn_share,
-      {.min = 0,
-       .max = 10,
-       .doc =
-           "the same of the turn, as a share of what wheels and gyro disagree about: the gyro may be wrong"});
   }
 };
 
@@ -195,6 +188,11 @@ struct HealthOptions {
   }
 };
 
+enum class OnClockJump { hold, reset };
+constexpr auto choice_table(OnClockJump) {
+  return choices<OnClockJump>({{OnClockJump::hold, "hold"}, {OnClockJump::reset, "reset"}});
+}
+
 struct EkfOptions {
   MeasurementLimits limits;
   BiasOptions bias;
@@ -208,7 +206,7 @@ struct EkfOptions {
   int capacity = 2048;
   double course_speed = 0.3;
   double future_tolerance = 0.1;
-  std::string on_clock_jump = "hold";
+  OnClockJump on_clock_jump = OnClockJump::hold;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -231,8 +229,7 @@ struct EkfOptions {
     v("future_tolerance", future_tolerance,
       {.unit = "s", .min = 0, .max = 10, .doc = "stamps may be so far ahead of now"});
     v("on_clock_jump", on_clock_jump,
-      {.choices = {"hold", "reset"},
-       .doc = "hold: keep the pose, less sure, and go on from the new time; reset: find a new first pose"});
+      {.doc = "hold: keep the pose, less sure, and go on from the new time; reset: find a new first pose"});
   }
 
   std::optional<std::string> violated_rule() const {

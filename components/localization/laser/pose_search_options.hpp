@@ -11,8 +11,10 @@ struct PoseSearchOptions {
   double clearance = 0.1;
   int hypotheses = 20;
   double apart = 0.5;
-  double apart_angle = 0.35;
-  double least_fit = 0.4;
+  /// [rad] poses near each other with less than this between their headings are one
+  static constexpr double kApartAngle = 0.35;
+  /// poses that fit worse are not reported
+  static constexpr double kLeastFit = 0.4;
   double margin = 0.25;
   int candidates = 20000;
 
@@ -28,9 +30,6 @@ struct PoseSearchOptions {
        .doc = "the base is never nearer than this to an obstacle of the map"});
     v("hypotheses", hypotheses, {.min = 1, .max = 1000, .doc = "poses that are reported at most"});
     v("apart", apart, {.unit = "m", .min = 0.1, .max = 10, .doc = "poses nearer than this"});
-    v("apart_angle", apart_angle,
-      {.unit = "rad", .min = 0.05, .max = 3.1, .doc = "and with less than this between headings are one"});
-    v("least_fit", least_fit, {.min = 0, .max = 1, .doc = "poses that fit worse are not reported"});
     v("margin", margin,
       {.min = 0, .max = 1, .doc = "nor those that fit by so much worse than the best of the map"});
     v("candidates", candidates,

@@ -9,6 +9,7 @@
 #include "components/localization/laser/pose_search_options.hpp"
 #include "components/localization/measurement_check.hpp"
 #include "components/localization/particle_filter/recovery_options.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::localization {
@@ -37,8 +38,16 @@ struct ParticleCountOptions {
   }
 };
 
+/// Where the noise of the motion comes from (noise below).
+enum class MotionNoise { declared, amcl, both, per_step };
+constexpr auto choice_table(MotionNoise) {
+  using enum MotionNoise;
+  return choices<MotionNoise>(
+      {{declared, "declared"}, {amcl, "amcl"}, {both, "both"}, {per_step, "per_step"}});
+}
+
 struct ParticleMotionOptions {
-  std::string noise = "declared";
+  MotionNoise noise = MotionNoise::declared;
   double alpha1 = 0.2;
   double alpha2 = 0.2;
   double alpha3 = 0.2;
@@ -59,8 +68,7 @@ struct ParticleMotionOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("noise", noise,
-      {.choices = {"declared", "amcl", "both", "per_step"},
-       .doc = "declared: the covariance of each wheel step; amcl: alpha1 to alpha4 on the way between two "
+      {.doc = "declared: the covariance of each wheel step; amcl: alpha1 to alpha4 on the way between two "
               "updates; both: their sum; per_step: step_along, step_across, step_heading for every step"});
     v("alpha1", alpha1, {.min = 0, .max = 10, .doc = "noise of the turn by the turn, rad^2/rad^2"});
     v("alpha2", alpha2, {.min = 0, .max = 10, .doc = "noise of the turn by the way, rad^2/m^2"});
@@ -139,11 +147,19 @@ struct ParticleHealthOptions {
   }
 };
 
+/// What the errors of a particle make of its weight (weight_law below).
+enum class WeightLaw { gaussian, printed, printed_unscaled };
+constexpr auto choice_table(WeightLaw) {
+  using enum WeightLaw;
+  return choices<WeightLaw>(
+      {{gaussian, "gaussian"}, {printed, "printed"}, {printed_unscaled, "printed_unscaled"}});
+}
+
 struct ParticleFilterOptions {
   MeasurementLimits limits;
   ParticleCountOptions count;
   ParticleMotionOptions motion;
-  std::string weight_law = "gaussian";
+  WeightLaw weight_law = WeightLaw::gaussian;
   ResamplingOptions resampling;
   LaserUseOptions laser;
   LikelihoodFieldOptions field;
@@ -163,8 +179,7 @@ struct ParticleFilterOptions {
     v("count", count, {.doc = "how many particles"});
     v("motion", motion, {.doc = "how particles move"});
     v("weight_law", weight_law,
-      {.choices = {"gaussian", "printed", "printed_unscaled"},
-       .doc = "gaussian: exp(-d^2/2) of the errors in standard deviations; printed: exp(-d^0.4/2), as in the "
+      {.doc = "gaussian: exp(-d^2/2) of the errors in standard deviations; printed: exp(-d^0.4/2), as in the "
               "dissertation; printed_unscaled: the same of metres and radians as they are"});
     v("resampling", resampling, {.doc = "when particles are drawn anew"});
     v("laser", laser, {.doc = "which sweeps and beams count"});

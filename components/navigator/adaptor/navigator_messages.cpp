@@ -50,4 +50,15 @@ FollowReport from_message(const bandwagon_msgs::msg::FollowStatus& message) {
   return {message.id(), static_cast<FollowState>(std::min(message.status(), kLast)), message.reason()};
 }
 
+void log(const GoalReport& report, const Logger& log) {
+  if (report.status == GoalStatus::succeeded) {
+    log.info("goal {}: {} in {:.1f} s", report.goal_id, report.reason, report.navigation_time.to_seconds());
+  } else if (report.status == GoalStatus::accepted) {
+    log.info("goal {}: to ({:.2f}, {:.2f}, {:.2f})", report.goal_id, report.X_MG.x, report.X_MG.y,
+             report.X_MG.theta);
+  } else if (!report.reason.empty()) {
+    log.warn("goal {}: {}", report.goal_id, report.reason);
+  }
+}
+
 }  // namespace bw

@@ -5,12 +5,21 @@
 #include <string>
 
 #include "components/model/social_force.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::people {
 
+enum class PredictionModel { constant_velocity, constant_turn_rate, social_force };
+constexpr auto choice_table(PredictionModel) {
+  using enum PredictionModel;
+  return choices<PredictionModel>({{constant_velocity, "constant_velocity"},
+                                   {constant_turn_rate, "constant_turn_rate"},
+                                   {social_force, "social_force"}});
+}
+
 struct PredictionOptions {
-  std::string model = "constant_velocity";
+  PredictionModel model = PredictionModel::constant_velocity;
   double horizon = 4.0;
   double step = 0.5;
   double spread_along = 0.0;
@@ -24,8 +33,7 @@ struct PredictionOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("model", model,
-      {.choices = {"constant_velocity", "constant_turn_rate", "social_force"},
-       .doc = "constant_velocity: straight on; constant_turn_rate: the turn goes on and dies out; "
+      {.doc = "constant_velocity: straight on; constant_turn_rate: the turn goes on and dies out; "
               "social_force: straight "
               "on, but round one another and along walls"});
     v("horizon", horizon, {.unit = "s", .min = 0, .max = 20, .doc = "how far ahead positions are predicted"});

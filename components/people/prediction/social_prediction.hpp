@@ -8,7 +8,7 @@
 namespace bw::people {
 
 /// Positions of everybody at step, 2 step, ...: result[k][i] is person i at (k + 1) step.
-std::vector<std::vector<Vector2>> walk_on(const std::vector<PersonState>& people,
+std::vector<std::vector<Vector2>> walk_on(const std::vector<TrackedPerson>& people,
                                           const StaticObstacles& walls, const PredictionOptions& options);
 
 }  // namespace bw::people

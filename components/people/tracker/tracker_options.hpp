@@ -7,6 +7,7 @@
 #include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/walker.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::people {
@@ -18,7 +19,8 @@ struct AssociationOptions {
   double pace = 0.2;
   double slack = 0.12;
   double unlike = 2.0;
-  double people_first = 2.0;
+  /// what it adds to give a detection to something that is not a person
+  static constexpr double kPeopleFirst = 2.0;
   double on_static = 2.0;
   double largest = 0.8;
   double vague = 0.1;
@@ -41,8 +43,6 @@ struct AssociationOptions {
       {.min = 0, .max = 20, .doc = "what -ln(score) of a detection adds for legs of people"});
     v("on_static", on_static,
       {.min = 0, .max = 20, .doc = "what it adds that a detection lies on background, for legs of people"});
-    v("people_first", people_first,
-      {.min = 0, .max = 20, .doc = "what it adds to give a detection to something that is not a person"});
     v("vague", vague,
       {.unit = "m",
        .min = 0,
@@ -61,17 +61,26 @@ struct BirthOptions {
   double misfit = 0.05;
   double walking_score = 0.4;
   int standing_sightings = 4;
-  double standing_separation = 0.42;
+  /// [m] from leg to leg, at most, while standing
+  static constexpr double kStandingSeparation = 0.42;
   double standing_score = 0.7;
-  double background_score = 0.8;
-  int background_sightings = 8;
-  double single_travel = 0.5;
-  int single_sightings = 6;
-  int single_of_sweeps = 8;
+  /// score of each leg of a pair that stands where something has long stood
+  static constexpr double kBackgroundScore = 0.8;
+  /// sightings of each leg of such a pair
+  static constexpr int kBackgroundSightings = 8;
+  /// [m] way walked by a leg, or two legs in one, alone
+  static constexpr double kSingleTravel = 0.5;
+  /// sightings of such a leg
+  static constexpr int kSingleSightings = 6;
+  /// sweeps within which they come
+  static constexpr int kSingleOfSweeps = 8;
   double single_step = 0.35;
-  double single_score = 0.6;
-  double single_straight = 0.8;
-  double single_cut = 0.5;
+  /// mean human score of such a leg
+  static constexpr double kSingleScore = 0.6;
+  /// share of its path that brought it forward
+  static constexpr double kSingleStraight = 0.8;
+  /// share of sightings in which something may hide an edge of it
+  static constexpr double kSingleCut = 0.5;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -84,35 +93,23 @@ struct BirthOptions {
       {.unit = "m", .min = 0.01, .max = 1, .doc = "of the middle to a straight way, root mean square"});
     v("walking_score", walking_score, {.min = 0, .max = 1, .doc = "of each leg of a pair that walks"});
     v("standing_sightings", standing_sightings, {.min = 2, .max = 12, .doc = "of a pair that stands"});
-    v("standing_separation", standing_separation,
-      {.unit = "m", .min = 0.1, .max = 1, .doc = "from leg to leg, at most, while standing"});
     v("standing_score", standing_score, {.min = 0, .max = 1, .doc = "of each leg of a pair that stands"});
-    v("background_score", background_score,
-      {.min = 0, .max = 1, .doc = "of each leg of a pair that stands where something has long stood"});
-    v("background_sightings", background_sightings, {.min = 2, .max = 12, .doc = "of such a pair"});
-    v("single_travel", single_travel,
-      {.unit = "m", .min = 0.05, .max = 3, .doc = "way walked by a leg, or two legs in one, alone"});
-    v("single_sightings", single_sightings, {.min = 2, .max = 12, .doc = "of it"});
-    v("single_of_sweeps", single_of_sweeps, {.min = 2, .max = 40, .doc = "within so many sweeps"});
     v("single_step", single_step,
       {.unit = "m",
        .min = 0.05,
        .max = 2,
        .doc = "from sighting to sighting, at most: else it is something else"});
-    v("single_score", single_score, {.min = 0, .max = 1, .doc = "of it"});
-    v("single_cut", single_cut,
-      {.min = 0, .max = 1, .doc = "share of sightings in which something may hide an edge of it"});
-    v("single_straight", single_straight,
-      {.min = 0, .max = 1, .doc = "share of its path that brought it forward"});
   }
 };
 
 struct DeathOptions {
   double unseen = 1.0;
   double sigma = 0.9;
-  double score_memory = 0.9;
+  /// share of a person's mean score that one sighting leaves as it was
+  static constexpr double kScoreMemory = 0.9;
   double unlike_score = 0.35;
-  double unlike_speed = 0.2;
+  /// [m/s] slower counts as standing
+  static constexpr double kUnlikeSpeed = 0.2;
   double cluster_unseen = 0.5;
   double margin = 0.15;
 
@@ -121,11 +118,8 @@ struct DeathOptions {
     v("unseen", unseen,
       {.unit = "s", .min = 0.1, .max = 10, .doc = "not seen so long where they could have been"});
     v("sigma", sigma, {.unit = "m", .min = 0.1, .max = 5, .doc = "position not known better, hidden or not"});
-    v("score_memory", score_memory,
-      {.min = 0, .max = 0.999, .doc = "share of a person's mean score that one sighting leaves as it was"});
     v("unlike_score", unlike_score,
       {.min = 0, .max = 1, .doc = "mean score of somebody who stands, below which it was furniture"});
-    v("unlike_speed", unlike_speed, {.unit = "m/s", .min = 0, .max = 5, .doc = "slower counts as standing"});
     v("cluster_unseen", cluster_unseen,
       {.unit = "s", .min = 0.1, .max = 10, .doc = "other clusters are forgotten then"});
     v("margin", margin,
@@ -137,7 +131,8 @@ struct UntangleOptions {
   double near = 1.2;
   double separation = 0.7;
   double score = 0.4;
-  int strangers = 4;
+  /// how many of them are tried
+  static constexpr int kStrangers = 4;
   int sightings = 5;
   int least = 3;
   double alone = 0.8;
@@ -150,7 +145,6 @@ struct UntangleOptions {
     v("separation", separation,
       {.unit = "m", .min = 0, .max = 2, .doc = "from somebody to what may be a leg of theirs, at most"});
     v("score", score, {.min = 0, .max = 1, .doc = "leg score of it, at least"});
-    v("strangers", strangers, {.min = 0, .max = 20, .doc = "how many of them are tried"});
     v("sightings", sightings, {.min = 2, .max = 12, .doc = "how far back legs are compared"});
     v("least", least, {.min = 2, .max = 12, .doc = "sweeps that must show both legs"});
     v("alone", alone, {.unit = "m", .min = 0, .max = 5, .doc = "doubt of somebody of whom one leg is known"});
@@ -161,7 +155,8 @@ struct UntangleOptions {
 };
 
 struct ReturnOptions {
-  double likeness = 0.5;
+  /// score of a detection that shows somebody for sure
+  static constexpr double kLikeness = 0.5;
   double absent = 0.25;
   double remembered = 6.0;
   double slack = 0.5;
@@ -170,7 +165,6 @@ struct ReturnOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("likeness", likeness, {.min = 0, .max = 1, .doc = "score of a detection that shows somebody for sure"});
     v("absent", absent, {.unit = "s", .min = 0, .max = 60, .doc = "not seen for sure so long is lost"});
     v("remembered", remembered,
       {.unit = "s", .min = 0, .max = 60, .doc = "who appears so long after somebody was lost may be them"});
@@ -181,13 +175,19 @@ struct ReturnOptions {
   }
 };
 
+/// Which filter of a person's motion is reported.
+enum class MotionFilter { gait, heading };
+constexpr auto choice_table(MotionFilter) {
+  return choices<MotionFilter>({{MotionFilter::gait, "gait"}, {MotionFilter::heading, "heading"}});
+}
+
 struct TrackerOptions {
   double person_radius = 0.3;
   double longest_gap = 1.0;
   int most_detections = 1000;
   AlignmentOptions alignment;
   AssociationOptions association;
-  std::string motion = "heading";
+  MotionFilter motion = MotionFilter::heading;
   WalkerOptions walker;
   HeadingOptions heading;
   BirthOptions birth;
@@ -205,8 +205,7 @@ struct TrackerOptions {
     v("alignment", alignment, {.doc = "errors of odometry from sweep to sweep"});
     v("association", association, {.doc = "which detection belongs to whom"});
     v("motion", motion,
-      {.choices = {"gait", "heading"},
-       .doc =
+      {.doc =
            "which filter's position, velocity and covariance are reported; legs are always assigned by the "
            "gait. gait: both legs swing (walker); heading: position, heading and speed of the point between "
            "the legs (heading)"});

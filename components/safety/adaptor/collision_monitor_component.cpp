@@ -12,6 +12,7 @@
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/laser.hpp"
+#include "components/safety/adaptor/limited_share.hpp"
 #include "components/safety/adaptor/zone_markers.hpp"
 #include "components/safety/collision_monitor.hpp"
 #include "runtime/component.hpp"
@@ -64,7 +65,7 @@ class CollisionMonitorComponent final : public Component {
 
   void deactivate(const Tick&) override {
     command_.publish({});
-    if (driving_cycles_ > 0) log_.info("limited in {}", share_limited());
+    if (limited_.cycles() > 0) log_.info("limited in {}", limited_.text());
   }
 
  private:
@@ -86,8 +87,7 @@ class CollisionMonitorComponent final : public Component {
     const bool silent = verdict.cause == kCommandSilent && !moves(monitor_->actual());
     if (!silent || moves(last_.allowed)) publish(verdict);
     const bool counts = moves(wanted_) && verdict.cause != kCommandSilent;
-    driving_cycles_ += counts ? 1U : 0U;
-    limited_cycles_ += counts && verdict.action != Action::do_nothing ? 1U : 0U;
+    if (counts) limited_.count(verdict.action != Action::do_nothing);
     if (silent != idle_ || verdict.action != last_.action || verdict.cause != last_.cause)
       report(verdict, silent);
     idle_ = silent;
@@ -110,7 +110,7 @@ class CollisionMonitorComponent final : public Component {
 
   void report(const Verdict& verdict, bool silent) {
     using Level = DiagnosticReporter::Level;
-    diagnostics_->set_value("limited", share_limited());
+    diagnostics_->set_value("limited", limited_.text());
     if (silent) return diagnostics_->report(Level::ok, "nobody drives");
     if (verdict.action == Action::do_nothing) return diagnostics_->report(Level::ok, "the way is free");
     const bool is_laser = verdict.cause == safety::kLaserSilent || verdict.cause == safety::kLaserFrozen ||
@@ -125,13 +125,6 @@ class CollisionMonitorComponent final : public Component {
         fmt::format("{}: {}", verdict.action == Action::stop ? "stop" : "limited", verdict.cause));
   }
 
-  std::string share_limited() const {
-    const double share = driving_cycles_ > 0
-                             ? static_cast<double>(limited_cycles_) / static_cast<double>(driving_cycles_)
-                             : 0.0;
-    return fmt::format("{:.2f} % of {} driving cycles", 100.0 * share, driving_cycles_);
-  }
-
   safety::CollisionMonitorOptions options_;
   Robot robot_;  ///< its sensors by the frames their messages name
   std::optional<safety::CollisionMonitor> monitor_;
@@ -141,8 +134,7 @@ class CollisionMonitorComponent final : public Component {
   std::optional<Time> wanted_at_;
   Verdict last_;
   bool idle_ = true;
-  std::uint64_t driving_cycles_ = 0;
-  std::uint64_t limited_cycles_ = 0;
+  LimitedShare limited_;
   std::optional<Time> drawn_at_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;

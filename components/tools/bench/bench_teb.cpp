@@ -8,6 +8,7 @@
 #include "components/tools/bench/banded_solver.hpp"
 #include "components/tools/bench/bench.hpp"
 #include "components/tools/bench/bench_common.hpp"
+#include "runtime/base/quantile.hpp"
 
 namespace bw {
 namespace {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "components/tools/bench/bench_common.hpp"
+#include "runtime/base/quantile.hpp"
 
 namespace bw {
 namespace {

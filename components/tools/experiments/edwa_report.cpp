@@ -50,14 +50,6 @@ Json rows_json(const EdwaTable& table) {
   return list;
 }
 
-Json criteria_json(const EdwaTable& table) {
-  Json list = Json::array();
-  for (const Criterion& c : table.criteria) {
-    list.push_back({{"name", c.name}, {"asked", c.asked}, {"measured", number(c.measured)}, {"met", c.met}});
-  }
-  return list;
-}
-
 }  // namespace
 
 std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t last_seed) {
@@ -99,13 +91,13 @@ nlohmann::ordered_json edwa_json(const std::vector<EdwaResult>& results) {
   Json json = {{"experiment", "edwa"},
                {"seeds", {first.variant.options.first_seed, first.variant.options.last_seed}},
                {"rows", rows_json(first.table)},
-               {"criteria", criteria_json(first.table)},
+               {"criteria", criteria_json(first.table.criteria)},
                {"variants", Json::array()}};
   for (std::size_t i = 1; i < results.size(); ++i) {
     json["variants"].push_back({{"name", results[i].variant.name},
                                 {"meaning", results[i].variant.meaning},
                                 {"rows", rows_json(results[i].table)},
-                                {"criteria", criteria_json(results[i].table)}});
+                                {"criteria", criteria_json(results[i].table.criteria)}});
   }
   return json;
 }

@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "components/localization/ekf/ekf.hpp"
-#include "components/localization/wheel_step.hpp"
 #include "components/model/differential_drive.hpp"
 #include "components/model/random.hpp"
+#include "components/model/wheel_step.hpp"
 
 namespace bw {
 namespace {

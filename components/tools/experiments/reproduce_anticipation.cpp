@@ -1,5 +1,4 @@
 // bandwagon reproduce pteb|eteb: E5 in process, then E6 as drives of the hallway suite.
-#include <algorithm>
 #include <iostream>
 #include <stdexcept>
 
@@ -106,11 +105,6 @@ std::vector<HallwayDrive> drive_hallway(const std::vector<CrossingEntry>& entrie
   return drives;
 }
 
-void print(const std::vector<Criterion>& criteria) {
-  for (const Criterion& c : criteria)
-    fmt::print("{:7} {}: {:.3f}, asked {}\n", c.met ? "met" : "NOT MET", c.name, c.measured, c.asked);
-}
-
 bool reproduce(const std::string& subject, const ReproduceArguments& arguments) {
   const bool with_eteb = subject == "eteb";
   const int runs = arguments.quick ? kQuickRuns : kRuns;
@@ -127,11 +121,9 @@ bool reproduce(const std::string& subject, const ReproduceArguments& arguments) 
   write_file_atomically(arguments.out / "index.html", anticipation_page(results));
   fmt::print("{}\n{}\n", crossing_table(results.crossing), hallway_table(hallway_rows(results.hallway)));
   const std::vector<Criterion> criteria = anticipation_criteria(results);
-  print(criteria);
-  fmt::print("as published:\n");
-  print(published_criteria(results));
+  fmt::print("{}as published:\n{}", criteria_text(criteria), criteria_text(published_criteria(results)));
   fmt::print("written: {}\n", (arguments.out / "index.html").string());
-  return std::all_of(criteria.begin(), criteria.end(), [](const Criterion& c) { return c.met; });
+  return all_met(criteria);
 }
 
 }  // namespace

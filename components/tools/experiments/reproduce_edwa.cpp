@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iostream>
 
 #include <fmt/format.h>
@@ -21,9 +20,7 @@ void print(const EdwaTable& table) {
                to_string(row.pairing), row.published, row.mean, row.sd, row.success, row.runs.size(),
                row.contacts, row.timeouts);
   }
-  for (const Criterion& c : table.criteria) {
-    fmt::print("{:7} {}: {:.4f}, asked {}\n", c.met ? "met" : "NOT MET", c.name, c.measured, c.asked);
-  }
+  fmt::print("{}", criteria_text(table.criteria));
 }
 
 }  // namespace
@@ -47,7 +44,7 @@ bool reproduce_edwa(const ReproduceArguments& arguments) {
   const EdwaTable& table = results.front().table;
   print(table);
   fmt::print("written: {}\n", (arguments.out / "index.html").string());
-  return std::all_of(table.criteria.begin(), table.criteria.end(), [](const Criterion& c) { return c.met; });
+  return all_met(table.criteria);
 }
 
 }  // namespace bw

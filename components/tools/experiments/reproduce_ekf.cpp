@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 
@@ -32,8 +31,7 @@ void print(const EkfReport& report) {
   } else {
     fmt::print("real data: not run: {}\n", report.real_data_missing);
   }
-  for (const Criterion& c : all_criteria(report))
-    fmt::print("{:7} {}: {:.4f}, asked {}\n", c.met ? "met" : "NOT MET", c.name, c.measured, c.asked);
+  fmt::print("{}", criteria_text(all_criteria(report)));
 }
 
 }  // namespace
@@ -53,8 +51,7 @@ bool reproduce_ekf(const ReproduceArguments& arguments) {
   write_file_atomically(arguments.out / "index.html", ekf_page(report));
   print(report);
   fmt::print("written: {}\n", (arguments.out / "index.html").string());
-  const std::vector<Criterion> criteria = all_criteria(report);
-  return std::all_of(criteria.begin(), criteria.end(), [](const Criterion& c) { return c.met; });
+  return all_met(all_criteria(report));
 }
 
 }  // namespace bw

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iostream>
 
 #include <fmt/format.h>
@@ -23,8 +22,7 @@ void print(const PfTable& table) {
     for (const PfCell& cell : table.cells[row]) fmt::print(" {:22.4f}", cell.mean);
     fmt::print("\n");
   }
-  for (const Criterion& c : table.criteria)
-    fmt::print("{:7} {}: {:.4f}, asked {}\n", c.met ? "met" : "NOT MET", c.name, c.measured, c.asked);
+  fmt::print("{}", criteria_text(table.criteria));
 }
 
 }  // namespace
@@ -40,7 +38,7 @@ bool reproduce_pf(const ReproduceArguments& arguments) {
   write_file_atomically(arguments.out / "index.html", pf_page(table));
   print(table);
   fmt::print("written: {}\n", (arguments.out / "index.html").string());
-  return std::all_of(table.criteria.begin(), table.criteria.end(), [](const Criterion& c) { return c.met; });
+  return all_met(table.criteria);
 }
 
 }  // namespace bw

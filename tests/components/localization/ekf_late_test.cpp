@@ -29,7 +29,7 @@ void expect_same_bits(const EkfState& a, const EkfState& b) {
   EXPECT_EQ(std::memcmp(a.x.data(), b.x.data(), sizeof(double) * kStates), 0);
   EXPECT_EQ(std::memcmp(a.P.data(), b.P.data(), sizeof(double) * kStates * kStates), 0);
   EXPECT_EQ(a.time, b.time);
-  for (std::size_t i = 0; i < kMaxSources; ++i) {
+  for (std::size_t i = 0; i < a.sources.size(); ++i) {
     EXPECT_EQ(a.sources[i].used, b.sources[i].used);
     EXPECT_EQ(a.sources[i].rejected, b.sources[i].rejected);
     EXPECT_EQ(a.sources[i].nis_all, b.sources[i].nis_all);

@@ -238,7 +238,7 @@ TEST(ParticleFilterFaults, GarbageLeavesItFinite) {
   ParticleFilterOptions options;
   options.count.min_particles = 50;
   options.count.max_particles = 200;
-  for (const char* law : {"gaussian", "printed", "printed_unscaled"}) {
+  for (const WeightLaw law : {WeightLaw::gaussian, WeightLaw::printed, WeightLaw::printed_unscaled}) {
     options.weight_law = law;
     ParticleFilter filter(options, 11);
     filter.start_at({}, Eigen::Matrix3d::Identity(), kStart);

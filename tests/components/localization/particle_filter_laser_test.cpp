@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "components/localization/particle_filter/particle_filter.hpp"
-#include "components/localization/wheel_step.hpp"
 #include "components/model/differential_drive.hpp"
+#include "components/model/wheel_step.hpp"
 #include "tests/components/localization/particle_filter_rooms.hpp"
 
 namespace bw::localization {
@@ -72,7 +72,7 @@ Eigen::Matrix3d start_covariance() {
 
 // Anchors 1.6: RMSE <= 0.08 m, largest error <= 0.21 m, at most 850 particles on average.
 TEST(ParticleFilterLaser, Tracks) {
-  for (const char* noise : {"declared", "amcl"}) {
+  for (const MotionNoise noise : {MotionNoise::declared, MotionNoise::amcl}) {
     ParticleFilterOptions options;
     options.motion.noise = noise;
     Rover rover(1);

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "components/localization/measurements.hpp"
-#include "components/localization/wheel_step.hpp"
 #include "components/model/differential_drive.hpp"
 #include "components/model/random.hpp"
+#include "components/model/wheel_step.hpp"
 
 namespace bw::localization {
 

@@ -20,9 +20,9 @@ struct Candidate {
 
 std::vector<Candidate> candidates() {
   TrackerOptions gait;
-  gait.motion = "gait";
+  gait.motion = MotionFilter::gait;
   TrackerOptions heading;
-  heading.motion = "heading";
+  heading.motion = MotionFilter::heading;
   TrackerOptions turning = heading;
   turning.heading.turn_rate = true;
   TrackerOptions gliding = heading;  // never has a heading

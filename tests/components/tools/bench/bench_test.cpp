@@ -12,13 +12,6 @@
 namespace bw {
 namespace {
 
-TEST(BenchCommon, QuantileIsTheNearestRank) {
-  EXPECT_EQ(quantile({5, 1, 4, 2, 3}, 0.5), 3.0);
-  EXPECT_EQ(quantile({5, 1, 4, 2, 3}, 0.99), 5.0);
-  EXPECT_EQ(quantile({5, 1, 4, 2, 3}, 0.0), 1.0);
-  EXPECT_EQ(quantile({}, 0.5), 0.0);
-}
-
 TEST(BenchCommon, WilsonIntervalOf27In30) {
   // Closed form with z = 1.96: centre 0.8546, half width 0.1109.
   const Interval interval = wilson95(27, 30);
