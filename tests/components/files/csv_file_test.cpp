@@ -19,19 +19,19 @@ std::string complaint(const std::string& header, const std::string& file) {
   return "none";
 }
 
-/// time, then beam_1 to beam_512: the header of a scan table.
+/// time, then r1 to r512: the header of a scan table.
 std::string scan_header() {
   std::string text = "time";
-  for (int i = 1; i <= 512; ++i) text += ",beam_" + std::to_string(i);
+  for (int i = 1; i <= 512; ++i) text += ",r" + std::to_string(i);
   return text;
 }
 
 TEST(CsvFile, OfAWrongHeaderTheFirstColumnThatDiffersIsTold) {
   std::string found = scan_header();
-  const std::string swapped = "beam_300,";
-  found.replace(found.find(swapped), swapped.size(), "beam_3OO,");  // letters for digits
+  const std::string swapped = "r300,";
+  found.replace(found.find(swapped), swapped.size(), "r3OO,");  // letters for digits
   EXPECT_EQ(complaint(scan_header(), found + "\n"),
-            "t.csv:1: column 301 of the header must be 'beam_300', found 'beam_3OO'");
+            "t.csv:1: column 301 of the header must be 'r300', found 'r3OO'");
 }
 
 TEST(CsvFile, AHeaderThatEndsTooEarlyOrTooLateIsTold) {
