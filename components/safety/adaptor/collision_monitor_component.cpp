@@ -85,6 +85,11 @@ class CollisionMonitorComponent final : public Component {
     const Verdict verdict = judge(tick);
     const bool silent = verdict.cause == kCommandSilent && !moves(monitor_->actual());
     if (!silent || moves(last_.allowed)) publish(verdict);
+    if (!told_of_empty_sight_ && moves(verdict.allowed)) {
+      told_of_empty_sight_ = true;
+      if (!monitor_->has_seen())
+        log_.warn("the laser has hit nothing since the start: an open place, or it does not work");
+    }
     const bool counts = moves(wanted_) && verdict.cause != kCommandSilent;
     driving_cycles_ += counts ? 1U : 0U;
     limited_cycles_ += counts && verdict.action != Action::do_nothing ? 1U : 0U;
@@ -141,6 +146,7 @@ class CollisionMonitorComponent final : public Component {
   std::optional<Time> wanted_at_;
   Verdict last_;
   bool idle_ = true;
+  bool told_of_empty_sight_ = false;
   std::uint64_t driving_cycles_ = 0;
   std::uint64_t limited_cycles_ = 0;
   std::optional<Time> drawn_at_;
