@@ -26,6 +26,7 @@ struct SuiteResult {
   std::vector<EpisodeResult> episodes;
 };
 
+/// Of one suite; the verb adds {planned, driven, complete}, which count drives:
 /// {suite, summary: {planner: {episodes, reached, successes, wilson95, contacts, contacts_at_speed,
 /// min_distance_m, closest_person_m, max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3,
 /// localization: {mean_rms_m, max_m}, planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner,
