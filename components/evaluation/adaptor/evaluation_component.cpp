@@ -93,7 +93,7 @@ class EvaluationComponent final : public Component {
     if (is_new) {
       goal_id_ = message.goal_id();
       const Vector2 goal = from_pose(message.goal().pose()).position();
-      keeper_->start(tick.now, goal);
+      keeper_->start(tick.now, goal, tolerance_of(message));
       errors_ = {};
       recorder_->start(tick.now, goal);
     }

@@ -76,6 +76,21 @@ TEST(Evaluate, SameSeedSameBytesAnotherSeedOthers) {
   EXPECT_EQ(hash(both, 1), hash(second, 0));
 }
 
+// One figure, the navigator's, moves planner and judge with it; a planner that is told to end its drive outside of it
+// does not. Before, all but the first of these ended without a goal reached.
+TEST(Evaluate, TheGoalToleranceOfTheNavigatorIsThatOfAll) {
+  const auto distance = [](const std::string& set) {
+    const Outcome run = evaluate(kSuites + "hallway.yaml --planners teb --episode light --seeds 3..3 " + set);
+    EXPECT_TRUE(run.json["episodes"][0]["reached"].get<bool>()) << set << run.json["episodes"][0]["reason"];
+    return run.json["episodes"][0]["distance_to_goal_m"].get<double>();
+  };
+  EXPECT_LT(distance(""), 0.3);
+  const double wide = distance("--set navigator.xy_tolerance=3.0");
+  EXPECT_GT(wide, 0.3);  // the planner ends its drive at 1.5 m, and from 1 m/s needs 0.5 m and a little more
+  EXPECT_LT(wide, 1.5);
+  EXPECT_LT(distance("--set local_planner.xy_goal_tolerance=1.5"), 0.3);
+}
+
 // A limit of 3 s is too short for 18 m at 1 m/s: the drive fails, and --at-least says so.
 TEST(Evaluate, FailsBelowTheShareAskedFor) {
   std::ofstream(folder() / "short.yaml") << "graph: " << BANDWAGON_SOURCE_DIR
