@@ -79,6 +79,13 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
     apply_override(graph, Override{.path = {evaluation->name, "svg"}, .value = std::move(file)});
   }
 
+  if (evaluation != nullptr && options.longest) {
+    ConfigNode limit;
+    limit.kind = ConfigNode::Kind::kScalar;
+    limit.scalar = std::to_string(options.longest->to_seconds());
+    apply_override(graph, Override{.path = {evaluation->name, "time_limit"}, .value = std::move(limit)});
+  }
+
   DriveResult result{.judged = evaluation != nullptr};
   auto seen = std::make_shared<Observation>();
   Host* running = nullptr;
@@ -106,6 +113,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
                        .end_reason = result.end.reason};
   result.card = seen->card;
   result.json = to_json(seen->card, facts, host.statistics());
+  if (seen->card) result.json["robot_path"] = path_json(seen->path, *seen->card);
   return result;
 }
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "runtime/stamps.hpp"
+
 namespace bw {
 namespace {
 
@@ -50,6 +52,21 @@ std::string meters(const nlohmann::json& value) {
 }
 
 }  // namespace
+
+nlohmann::json path_json(const std::vector<PathPoint>& path, const bandwagon_msgs::msg::ScoreCard& card) {
+  const auto rounded = [](double value) { return std::round(value * 1e3) / 1e3; };
+  const Time began = from_stamp(card.header().stamp()) - Duration::seconds(card.time_to_goal_s());
+  constexpr double kPeriod = 0.5;  // [s]: at 1 m/s every half metre
+  double next = 0.0;
+  nlohmann::json points = nlohmann::json::array();
+  for (const auto& [time, X_MB] : path) {
+    const double t = rounded((time - began).to_seconds());
+    if (t < next) continue;
+    next = kPeriod * (std::floor(t / kPeriod) + 1.0);
+    points.push_back({t, rounded(X_MB.x), rounded(X_MB.y), rounded(X_MB.theta)});
+  }
+  return points;
+}
 
 nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card, const RunFacts& facts,
                        const std::vector<CallbackStatistics>& statistics) {

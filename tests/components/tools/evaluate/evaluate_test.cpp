@@ -100,6 +100,17 @@ TEST(Evaluate, FailsBelowTheShareAskedFor) {
   const Outcome run = evaluate(suite + " --at-least 0.5");
   EXPECT_EQ(run.status, 1);
   EXPECT_FALSE(run.json["episodes"][0]["reached"].get<bool>());
+  // The goal of the graph is set after 1 s: 2 s of driving from (1, 0) towards +x, a point every 0.5 s.
+  const nlohmann::json& path = run.json["episodes"][0]["robot_path"];
+  ASSERT_GE(path.size(), 3U);
+  ASSERT_LE(path.size(), 5U);
+  EXPECT_LE(path[0][0].get<double>(), 0.1);
+  EXPECT_NEAR(path[0][1].get<double>(), 1.0, 0.02);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    ASSERT_EQ(path[i].size(), 4U);
+    EXPECT_NEAR(path[i][0].get<double>() - path[i - 1][0].get<double>(), 0.5, 0.101);
+    EXPECT_GE(path[i][1].get<double>(), path[i - 1][1].get<double>());
+  }
   EXPECT_EQ(evaluate(suite).status, 0);
 }
 
