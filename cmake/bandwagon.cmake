@@ -5,7 +5,7 @@
 #   bw_component   adapts an algorithm to topics                  components/<name>/adaptor/, components/messages/
 #   bw_tool        benches, experiments, training; no middleware  components/tools/<name>/
 #   bw_verb        a verb of the program `bandwagon`              components/tools/<name>/, runtime/cli/
-#   bw_test        one GoogleTest program, one CTest entry        tests/
+#   bw_test        one GoogleTest program, one to three CTest entries   tests/
 
 add_library(bw_compile_options INTERFACE)
 target_compile_features(bw_compile_options INTERFACE cxx_std_20)
@@ -77,22 +77,52 @@ function(bw_verb name)
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_VERBS bw_verb_${name})
 endfunction()
 
-# bw_test(<name> SOURCES ... [LINK ...] [DOMAIN <id>]): one GoogleTest program, one CTest entry. A test that uses DDS names a domain id
-# of its own; it never leaves loopback.
+# bw_test(<name> SOURCES ... [LINK ...] [DOMAIN <id>] [RECORDED <filter>] [SHORTFALL <filter>] [NOTHING_ELSE]): one GoogleTest program. A
+# test that uses DDS names a domain id of its own; it never leaves loopback. The filters name tests as --gtest_filter does, and make entries of
+# their own:
+#
+#   RECORDED   tests that need recorded data: entry <name>_recorded, label `recorded`, shown as skipped where the data are not at hand
+#   SHORTFALL  tests whose limits lie below what was asked: entry <name>_shortfall, label `shortfall`; they print asked and reached
+#
+# A test that both name is one of the shortfalls. NOTHING_ELSE: the program has no other tests, and no entry <name>.
 function(bw_test name)
-  cmake_parse_arguments(ARG "" "DOMAIN" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "NOTHING_ELSE" "DOMAIN;RECORDED;SHORTFALL" "SOURCES;LINK" ${ARGN})
+  if(NOT TARGET bw_test_main)
+    add_library(bw_test_main STATIC ${PROJECT_SOURCE_DIR}/tests/main.cpp)
+    target_link_libraries(bw_test_main PRIVATE bw_compile_options PUBLIC GTest::gmock GTest::gtest)
+  endif()
   add_executable(test_${name} ${ARG_SOURCES})
-  target_link_libraries(test_${name} PRIVATE bw_compile_options ${ARG_LINK} GTest::gmock GTest::gtest_main)
+  target_link_libraries(test_${name} PRIVATE bw_compile_options ${ARG_LINK} bw_test_main)
   target_compile_definitions(test_${name} PRIVATE BANDWAGON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   bw_precompiled(test_${name} test)
-  add_test(NAME ${name} COMMAND test_${name})
-  set_tests_properties(${name} PROPERTIES TIMEOUT 600)
+  set(elsewhere ${ARG_RECORDED} ${ARG_SHORTFALL})
+  list(JOIN elsewhere ":" elsewhere)
+  if(elsewhere)
+    set(elsewhere --gtest_filter=-${elsewhere})
+  endif()
+  set(entries)
+  if(NOT ARG_NOTHING_ELSE)
+    add_test(NAME ${name} COMMAND test_${name} ${elsewhere})
+    list(APPEND entries ${name})
+  endif()
+  if(ARG_RECORDED)
+    string(REGEX REPLACE "-$" "" filter "${ARG_RECORDED}-${ARG_SHORTFALL}")
+    add_test(NAME ${name}_recorded COMMAND test_${name} --gtest_filter=${filter})
+    set_tests_properties(${name}_recorded PROPERTIES LABELS recorded SKIP_RETURN_CODE 77)
+    list(APPEND entries ${name}_recorded)
+  endif()
+  if(ARG_SHORTFALL)
+    add_test(NAME ${name}_shortfall COMMAND test_${name} --gtest_filter=${ARG_SHORTFALL})
+    set_tests_properties(${name}_shortfall PROPERTIES LABELS shortfall SKIP_RETURN_CODE 77)
+    list(APPEND entries ${name}_shortfall)
+  endif()
+  set_tests_properties(${entries} PROPERTIES TIMEOUT 600)
   if(ARG_DOMAIN)
     get_property(domains GLOBAL PROPERTY BANDWAGON_TEST_DOMAINS)
     if(ARG_DOMAIN IN_LIST domains)
       message(FATAL_ERROR "test ${name}: domain ${ARG_DOMAIN} belongs to another test; tests run side by side")
     endif()
     set_property(GLOBAL APPEND PROPERTY BANDWAGON_TEST_DOMAINS ${ARG_DOMAIN})
-    set_tests_properties(${name} PROPERTIES ENVIRONMENT "ROS_DOMAIN_ID=${ARG_DOMAIN}")
+    set_tests_properties(${entries} PROPERTIES ENVIRONMENT "ROS_DOMAIN_ID=${ARG_DOMAIN}" RESOURCE_LOCK domain_${ARG_DOMAIN})
   endif()
 endfunction()

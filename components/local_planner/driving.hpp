@@ -10,8 +10,8 @@
 namespace bw {
 
 struct DrivingOptions {
-  double xy_goal_tolerance = 0.1;
-  double yaw_goal_tolerance = 0.1;
+  double xy_goal_tolerance = 0.0;
+  double yaw_goal_tolerance = 0.0;
   double feasibility_check_time = 3.0;
   double feasibility_margin = 0.0;
   double mover_margin = 0.1;
@@ -22,11 +22,16 @@ struct DrivingOptions {
   void fields(Visitor& v) {
     v("xy_goal_tolerance", xy_goal_tolerance,
       {.unit = "m",
-       .min = 0.005,
+       .min = 0,
        .max = 5,
-       .doc = "from here the robot only turns to the goal heading and stops"});
+       .doc = "from here the robot only turns to the goal heading and stops; 0, or more than the navigator's "
+              "xy_tolerance: half of that"});
     v("yaw_goal_tolerance", yaw_goal_tolerance,
-      {.unit = "rad", .min = 0.005, .max = 3.15, .doc = "heading error at which it has arrived"});
+      {.unit = "rad",
+       .min = 0,
+       .max = 3.15,
+       .doc = "heading error at which it has arrived; 0, or more than the navigator's yaw_tolerance: a third "
+              "of that"});
     v("feasibility_check_time", feasibility_check_time,
       {.unit = "s",
        .min = 0,
@@ -46,7 +51,11 @@ struct DrivingOptions {
   }
 };
 
-/// Within xy_goal_tolerance of the final goal, or, if it `had_arrived`, still within twice that.
+/// Where the planner ends its drive: what `options` say, or, where they say nothing or would end it outside of
+/// what counts as reached, inside(problem.goal_tolerance).
+GoalTolerance arrival_tolerance(const PlanningProblem& problem, const DrivingOptions& options);
+
+/// Within arrival_tolerance of the final goal, or, if it `had_arrived`, still within twice that.
 bool has_arrived(const PlanningProblem& problem, const DrivingOptions& options, bool had_arrived);
 
 /// Turns to the heading of the goal without leaving the place; then stands.

@@ -4,13 +4,14 @@
 #include <optional>
 #include <string>
 
+#include "components/model/goal_tolerance.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
 
 struct NavigatorOptions {
-  double xy_tolerance = 0.2;
-  double yaw_tolerance = 0.3;
+  double xy_tolerance = GoalTolerance{}.xy;
+  double yaw_tolerance = GoalTolerance{}.yaw;
   double stopped_speed = 0.05;
   double stopped_turn_rate = 0.1;
   double settle_time = 1.5;
@@ -31,7 +32,11 @@ struct NavigatorOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("xy_tolerance", xy_tolerance,
-      {.unit = "m", .min = 0.01, .max = 5, .doc = "distance to the goal that counts as there"});
+      {.unit = "m",
+       .min = 0.01,
+       .max = 5,
+       .doc = "distance to the goal that counts as there; the local planner stops at half of it and "
+              "evaluation allows 0.1 m more, unless they say otherwise"});
     v("yaw_tolerance", yaw_tolerance,
       {.unit = "rad", .min = 0.01, .max = 3.15, .doc = "heading error that counts as there; 3.15: any"});
     v("stopped_speed", stopped_speed,
@@ -67,6 +72,8 @@ struct NavigatorOptions {
     v("max_plan_failures", max_plan_failures,
       {.min = 1, .max = 1000, .doc = "answers in a row that the goal cannot be reached before giving up"});
   }
+
+  GoalTolerance tolerance() const { return {xy_tolerance, yaw_tolerance}; }
 
   std::optional<std::string> violated_rule() const {
     if (blocked_patience > movement_time) return "blocked_patience must not exceed movement_time";

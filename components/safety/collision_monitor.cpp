@@ -28,6 +28,7 @@ CollisionMonitor::CollisionMonitor(const Robot& robot, const CollisionMonitorOpt
       options_(options),
       stopping_{options.stopping.reaction_time, robot.limits.stop_deceleration,
                 options.stopping.approach_speed},
+      empty_sight_(options.sweep),
       watch_(Duration::seconds(options.source_timeout)),
       hold_(Duration::seconds(options.clear_after), robot.limits.acc_max) {
   for (const ZoneOptions& zone : options_.polygons) {
@@ -49,6 +50,8 @@ Pose2 CollisionMonitor::pose_at(Time time) const {
 
 void CollisionMonitor::sweep(Time now, const LaserSweep& sweep) {
   CheckedSweep checked = check_sweep(sweep, options_.sweep);
+  if (checked.fault == SweepFault::none && !empty_sight_.believes(sweep, checked))
+    checked.fault = SweepFault::no_returns;
   sweep_fault_ = checked.fault;
   const double age = (now - sweep.time).to_seconds();
   const Time measured_at = age >= 0.0 && age <= kLongestSweepAge ? sweep.time : now;

@@ -21,6 +21,7 @@
 #include "components/model/robot.hpp"
 #include "components/safety/action.hpp"
 #include "components/safety/collision_monitor_options.hpp"
+#include "components/safety/empty_sight.hpp"
 #include "components/safety/free_way.hpp"
 #include "components/safety/limit_hold.hpp"
 #include "components/safety/sweep.hpp"
@@ -56,12 +57,17 @@ class CollisionMonitor {
   /// A sweep that arrived at `now`, the laser in base_link.
   void sweep(Time now, const LaserSweep& sweep);
   /// Ends a stop after a fault of the laser, when resume is manual.
-  void reset() { latched_ = false; }
+  void reset() {
+    latched_ = false;
+    empty_sight_.forget();
+  }
 
   Verdict judge(Time now, const Twist2& wanted);
 
   LaserState laser(Time now) const { return watch_.state(now); }
   SweepFault sweep_fault() const { return sweep_fault_; }
+  /// Whether the laser ever hit anything.
+  bool has_seen() const { return empty_sight_.has_seen(); }
   const Twist2& actual() const { return twist_; }
 
  private:
@@ -91,6 +97,7 @@ class CollisionMonitor {
   CollisionMonitorOptions options_;
   Stopping stopping_;
   std::vector<Zone> zones_;
+  EmptySight empty_sight_;
   SweepWatch watch_;
   LimitHold hold_;
   Bound held_cause_;

@@ -168,5 +168,46 @@ TEST(LaserFaults, TenPercentOfUnusableBeamsDoNotStopTheRobot) {
   }
 }
 
+// No walls: every beam of every sweep is +inf, and rightly so.
+TEST(LaserFaults, AnOpenPlaceIsNoFault) {
+  double slowest = 1.0;
+  int hits = 0;
+  GuardedDrive drive;
+  drive.wish = [](double) { return Twist2{1.0, 0.0}; };
+  drive.filter = [&](double, sensor_msgs::msg::LaserScan& scan) {
+    hits += static_cast<int>(std::count_if(scan.ranges().begin(), scan.ranges().end(),
+                                           [](float range) { return std::isfinite(range); }));
+    return true;
+  };
+  drive.see = [&](double t, const bandwagon_msgs::msg::GroundTruth& truth) {
+    if (t > 2.5) slowest = std::min(slowest, truth.twist().linear().x());
+  };
+  drive.run(8.0);
+  EXPECT_EQ(hits, 0);
+  EXPECT_GT(slowest, 0.98);
+}
+
+// Out of a hall into the open: the last walls are left behind, and with them all returns. The laser sees 135 degrees
+// to either side; the ends of the walls at x = 3 leave its field 2.5 m further on.
+TEST(LaserFaults, LeavingAHallForAnOpenPlaceIsNoFault) {
+  double slowest = 1.0;
+  int hits_at_end = -1;
+  GuardedDrive drive;
+  drive.world =
+      "      walls: [{x1: -5.0, y1: -2.0, x2: 3.0, y2: -2.0}, {x1: -5.0, y1: 2.5, x2: 3.0, y2: 2.5}]\n";
+  drive.wish = [](double) { return Twist2{1.0, 0.0}; };
+  drive.filter = [&](double, sensor_msgs::msg::LaserScan& scan) {
+    hits_at_end = static_cast<int>(std::count_if(scan.ranges().begin(), scan.ranges().end(),
+                                                 [](float range) { return std::isfinite(range); }));
+    return true;
+  };
+  drive.see = [&](double t, const bandwagon_msgs::msg::GroundTruth& truth) {
+    if (t > 2.5) slowest = std::min(slowest, truth.twist().linear().x());
+  };
+  drive.run(12.0);
+  EXPECT_EQ(hits_at_end, 0);
+  EXPECT_GT(slowest, 0.98);
+}
+
 }  // namespace
 }  // namespace bw

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 #include "components/local_planner/adaptor/planner_markers.hpp"
 #include "components/local_planner/adaptor/problem_messages.hpp"
@@ -64,6 +65,8 @@ void LocalPlannerComponent::on_request(const bandwagon_msgs::msg::FollowRequest&
   request_ = request;
   plan_in_map_ = from_path(request.path());
   plan_index_ = 0;
+  const std::string complaint = tolerance_complaint(goal_tolerance_of(request), parameters_.planners.driving);
+  if (complaint != std::exchange(told_, complaint) && !complaint.empty()) log_.warn("{}", complaint);
   if (request.mode() != mode::STOP) at_rest_ = false;
 }
 
@@ -71,6 +74,7 @@ PlanningProblem LocalPlannerComponent::make_problem(const Tick& tick, std::strin
   PlanningProblem problem{.now = tick.now, .footprint = {.radius = robot_.radius}, .limits = robot_.limits};
   problem.control_period = period_;
   problem.command_lead = parameters_.command_lead;
+  problem.goal_tolerance = goal_tolerance_of(request_);
   problem.budget = watch_->budget();
   if (pool_) {
     problem.parallel_for = [this](std::size_t count, const auto& body) { pool_->run(count, body); };

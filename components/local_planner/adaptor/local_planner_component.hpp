@@ -50,6 +50,7 @@ class LocalPlannerComponent final : public Component {
   std::vector<Pose2> plan_in_map_;
   std::size_t plan_index_ = 0;
   PlanWindow window_;
+  std::string told_;     ///< about tolerances that are not used
   bool at_rest_ = true;  ///< STOP was obeyed: nothing more to say
 
   Latest<nav_msgs::msg::Odometry> odometry_;

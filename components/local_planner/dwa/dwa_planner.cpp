@@ -72,6 +72,7 @@ ScoreColumns DwaPlanner::columns_of(const std::vector<Sample>& samples, const Pl
   const bool has_direction = advice && hrvo_speed >= edwa_->options.min_hrvo_speed;
   const std::string heading = has_direction ? edwa_->options.heading : "goal";
   const double theta_hrvo = has_direction ? bearing(advice->velocity) : 0.0;
+  const double arrival_distance = arrival_tolerance(problem, driving_).xy;
 
   ScoreColumns columns;
   for (const Sample& sample : samples) {
@@ -84,7 +85,7 @@ ScoreColumns DwaPlanner::columns_of(const std::vector<Sample>& samples, const Pl
       error = wrap_angle(theta_hrvo - (problem.pose.theta + twist.omega * time));
     } else {
       // The nearer to the goal an arc ends, the less its bearing from there says: it fades out.
-      const double says = std::min(1.0, left_to_go.norm() / driving_.xy_goal_tolerance);
+      const double says = std::min(1.0, left_to_go.norm() / arrival_distance);
       error = says * wrap_angle(bearing(left_to_go) - (heading == "goal" ? end.theta : theta_hrvo));
     }
     columns.heading.push_back(kPi - std::abs(error));

@@ -133,7 +133,8 @@ void LocalizationComponent::report_health(const Tick& tick) {
   }
   state_ = health.state;
   if (!filter_->initialised()) return;
-  pose_.publish(to_pose_message(estimate, map_frame_));
+  if (state_ != HealthState::lost || parameters_.publish_when_lost)
+    pose_.publish(to_pose_message(estimate, map_frame_));
   const ParticleSet* particles = filter_->particles();
   if (particles == nullptr) return;
   const auto header = make_header(map_frame_, estimate.time);

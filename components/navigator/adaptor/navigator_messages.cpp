@@ -21,6 +21,8 @@ bandwagon_msgs::msg::FollowRequest to_message(const FollowOrder& order, const st
   message.id(order.id);
   message.mode(static_cast<std::uint8_t>(order.mode));
   message.path(to_path(header.frame_id(), from_stamp(header.stamp()), order.path));
+  message.xy_tolerance(order.tolerance.xy);
+  message.yaw_tolerance(order.tolerance.yaw);
   return message;
 }
 
@@ -33,6 +35,8 @@ bandwagon_msgs::msg::NavigationStatus to_message(const GoalReport& report,
   message.reason(report.reason);
   message.goal().header(header);
   message.goal().pose(to_pose(report.X_MG));
+  message.xy_tolerance(report.tolerance.xy);
+  message.yaw_tolerance(report.tolerance.yaw);
   message.distance_remaining(report.distance_remaining);
   message.number_of_recoveries(report.recoveries);
   message.navigation_time(to_message(report.navigation_time));

@@ -86,6 +86,11 @@ class CollisionMonitorComponent final : public Component {
     const Verdict verdict = judge(tick);
     const bool silent = verdict.cause == kCommandSilent && !moves(monitor_->actual());
     if (!silent || moves(last_.allowed)) publish(verdict);
+    if (!told_of_empty_sight_ && moves(verdict.allowed)) {
+      told_of_empty_sight_ = true;
+      if (!monitor_->has_seen())
+        log_.warn("the laser has hit nothing since the start: an open place, or it does not work");
+    }
     const bool counts = moves(wanted_) && verdict.cause != kCommandSilent;
     if (counts) limited_.count(verdict.action != Action::do_nothing);
     if (silent != idle_ || verdict.action != last_.action || verdict.cause != last_.cause)
@@ -135,6 +140,7 @@ class CollisionMonitorComponent final : public Component {
   Verdict last_;
   bool idle_ = true;
   LimitedShare limited_;
+  bool told_of_empty_sight_ = false;
   std::optional<Time> drawn_at_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;

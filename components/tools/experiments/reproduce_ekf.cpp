@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "components/tools/experiments/ekf_report.hpp"
+#include "components/tools/experiments/honesty.hpp"
 #include "components/tools/experiments/reproduce.hpp"
 #include "runtime/atomic_file.hpp"
 
@@ -47,11 +48,16 @@ bool reproduce_ekf(const ReproduceArguments& arguments) {
   } else {
     report.real_data_missing = "BANDWAGON_SHARED names no folder of recorded data";
   }
-  write_file_atomically(arguments.out / "results.json", ekf_json(report).dump(2) + "\n");
+  nlohmann::ordered_json json = ekf_json(report);
+  json["tuned_to_published"] = tuned_to_published("ekf");
+  write_file_atomically(arguments.out / "results.json", json.dump(2) + "\n");
   write_file_atomically(arguments.out / "index.html", ekf_page(report));
   print(report);
-  fmt::print("written: {}\n", (arguments.out / "index.html").string());
-  return all_met(all_criteria(report));
+  const std::vector<Criterion> criteria = all_criteria(report);
+  fmt::print("{}written: {}\n",
+             closing_lines("ekf", "the EKF, simulated and on logs where they are at hand", criteria),
+             (arguments.out / "index.html").string());
+  return all_met(criteria);
 }
 
 }  // namespace bw

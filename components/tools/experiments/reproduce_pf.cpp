@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "components/tools/experiments/honesty.hpp"
 #include "components/tools/experiments/pf_report.hpp"
 #include "components/tools/experiments/reproduce.hpp"
 #include "runtime/atomic_file.hpp"
@@ -34,10 +35,14 @@ bool reproduce_pf(const ReproduceArguments& arguments) {
   };
   const PfExperimentOptions options{.last_seed = arguments.quick ? kQuickSeeds : kSeeds};
   const PfTable table = run_pf_experiments(options, progress);
-  write_file_atomically(arguments.out / "results.json", pf_json(table).dump(2) + "\n");
+  nlohmann::ordered_json json = pf_json(table);
+  json["tuned_to_published"] = tuned_to_published("pf");
+  write_file_atomically(arguments.out / "results.json", json.dump(2) + "\n");
   write_file_atomically(arguments.out / "index.html", pf_page(table));
   print(table);
-  fmt::print("written: {}\n", (arguments.out / "index.html").string());
+  fmt::print("{}written: {}\n",
+             closing_lines("pf", "the particle filter with Gaussian weights", table.criteria),
+             (arguments.out / "index.html").string());
   return all_met(table.criteria);
 }
 

@@ -27,10 +27,9 @@ std::string algorithm_of(const Host& host, const std::string& component) {
 }
 
 double planner_median_ms(const Host& host, const std::string& component) {
-  for (const CallbackStatistics& s : host.statistics()) {
-    if (s.component == component && s.callback == "control_cycle") return s.run.quantile_ms(0.5);
-  }
-  return 0.0;
+  const std::vector<CallbackStatistics> statistics = host.statistics();
+  const CallbackStatistics* cycle = planner_cycle(statistics, component);
+  return cycle == nullptr ? 0.0 : cycle->run.quantile_ms(0.5);
 }
 
 /// Asks the host to end when a person does.
@@ -79,6 +78,13 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
     apply_override(graph, Override{.path = {evaluation->name, "svg"}, .value = std::move(file)});
   }
 
+  if (evaluation != nullptr && options.longest) {
+    ConfigNode limit;
+    limit.kind = ConfigNode::Kind::kScalar;
+    limit.scalar = std::to_string(options.longest->to_seconds());
+    apply_override(graph, Override{.path = {evaluation->name, "time_limit"}, .value = std::move(limit)});
+  }
+
   DriveResult result{.judged = evaluation != nullptr};
   auto seen = std::make_shared<Observation>();
   Host* running = nullptr;
@@ -91,6 +97,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   }
   Host host(std::move(graph), options.host, std::move(extra));
   running = &host;
+  planner_cycle(host.statistics(), planner_name);  // found now or never: not after a long drive
   cli::catch_interrupts();
   const InterruptWatch watch(host);
   const Duration started = steady_time();
@@ -106,6 +113,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
                        .end_reason = result.end.reason};
   result.card = seen->card;
   result.json = to_json(seen->card, facts, host.statistics());
+  if (seen->card) result.json["robot_path"] = path_json(seen->path, *seen->card);
   return result;
 }
 

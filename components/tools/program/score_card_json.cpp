@@ -1,9 +1,12 @@
 #include "components/tools/program/score_card_json.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "runtime/stamps.hpp"
 
 namespace bw {
 namespace {
@@ -14,17 +17,15 @@ nlohmann::json number(double value) {
 }
 
 nlohmann::json planner_json(const RunFacts& facts, const std::vector<CallbackStatistics>& statistics) {
-  for (const CallbackStatistics& s : statistics) {
-    if (s.component != facts.planner_component || s.callback != "control_cycle") continue;
-    return {{"name", facts.planner_name},
-            {"cycles", s.run.count()},
-            {"mean_ms", s.run.mean_ms()},
-            {"median_ms", s.run.quantile_ms(0.5)},
-            {"p95_ms", s.run.quantile_ms(0.95)},
-            {"p99_ms", s.run.quantile_ms(0.99)},
-            {"max_ms", s.run.max().to_seconds() * 1e3}};
-  }
-  return nullptr;
+  const CallbackStatistics* cycle = planner_cycle(statistics, facts.planner_component);
+  if (cycle == nullptr) return nullptr;
+  return {{"name", facts.planner_name},
+          {"cycles", cycle->run.count()},
+          {"mean_ms", cycle->run.mean_ms()},
+          {"median_ms", cycle->run.quantile_ms(0.5)},
+          {"p95_ms", cycle->run.quantile_ms(0.95)},
+          {"p99_ms", cycle->run.quantile_ms(0.99)},
+          {"max_ms", cycle->run.max().to_seconds() * 1e3}};
 }
 
 nlohmann::json callbacks_json(const std::vector<CallbackStatistics>& statistics) {
@@ -50,6 +51,30 @@ std::string meters(const nlohmann::json& value) {
 }
 
 }  // namespace
+
+const CallbackStatistics* planner_cycle(const std::vector<CallbackStatistics>& statistics,
+                                        const std::string& component) {
+  if (component.empty()) return nullptr;
+  for (const CallbackStatistics& s : statistics) {
+    if (s.component == component && s.callback == "control_cycle") return &s;
+  }
+  throw std::runtime_error(component + " has no callback control_cycle: its times are not known");
+}
+
+nlohmann::json path_json(const std::vector<PathPoint>& path, const bandwagon_msgs::msg::ScoreCard& card) {
+  const auto rounded = [](double value) { return std::round(value * 1e3) / 1e3; };
+  const Time began = from_stamp(card.header().stamp()) - Duration::seconds(card.time_to_goal_s());
+  constexpr double kPeriod = 0.5;  // [s]: at 1 m/s every half metre
+  double next = 0.0;
+  nlohmann::json points = nlohmann::json::array();
+  for (const auto& [time, X_MB] : path) {
+    const double t = rounded((time - began).to_seconds());
+    if (t < next) continue;
+    next = kPeriod * (std::floor(t / kPeriod) + 1.0);
+    points.push_back({t, rounded(X_MB.x), rounded(X_MB.y), rounded(X_MB.theta)});
+  }
+  return points;
+}
 
 nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card, const RunFacts& facts,
                        const std::vector<CallbackStatistics>& statistics) {

@@ -8,6 +8,7 @@
 #include <bandwagon_msgs/msg/score_card.hpp>
 #include <nlohmann/json_fwd.hpp>
 
+#include "components/tools/program/run_observer.hpp"
 #include "runtime/host/statistics.hpp"
 
 namespace bw {
@@ -21,6 +22,15 @@ struct RunFacts {
   std::string samples_sha256;
   std::string end_reason;
 };
+
+/// Of the callback in which `component` plans; nullptr without a component. Throws std::runtime_error when it has none
+/// of that name: a planner whose times are not found would seem to take none.
+const CallbackStatistics* planner_cycle(const std::vector<CallbackStatistics>& statistics,
+                                        const std::string& component);
+
+/// The robot's true way in map as [[t, x, y, theta], ...]: t [s] since the drive began, places [m], heading [rad].
+/// One point every 0.5 s, rounded to 1 ms, 1 mm and 1 mrad; what was before the drive is left out.
+nlohmann::json path_json(const std::vector<PathPoint>& path, const bandwagon_msgs::msg::ScoreCard& card);
 
 nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card, const RunFacts& facts,
                        const std::vector<CallbackStatistics>& statistics);

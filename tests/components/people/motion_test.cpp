@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/components/people/motion_score.hpp"
+#include "tests/shortfall.hpp"
 
 namespace bw::people::test {
 namespace {
@@ -93,7 +94,8 @@ TEST(Motion, ReportsTheBetterFilter) {
     EXPECT_LE(chosen.straight[1].value(), 1.02 * all.straight[1].value()) << candidate.name;
     EXPECT_LE(all.nees.value(), 2.0) << candidate.name;
   }
-  EXPECT_LE(chosen.score.velocity_rmse(), 0.18);  // asked: 0.15, as in perception_test
+  // As in perception_test; the rooms here are other ones, and in the short run few.
+  bw::test::expect_at_most("velocity error [m/s]", 0.15, 0.18, chosen.score.velocity_rmse());
   EXPECT_LE(chosen.score.motp(), 0.10);
 }
 
