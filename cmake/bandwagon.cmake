@@ -1,4 +1,11 @@
-# The four kinds of target of this project. An algorithm knows no middleware; a component adapts it to topics.
+# The kinds of target of this project, told apart by function and by folder:
+#
+#   bw_algorithm   pure: values in, result out. Any folder of components/ but those below. tests/house/check_purity.sh holds it to that.
+#   bw_files       reads and writes files, no middleware          components/files/, components/<name>/files/
+#   bw_component   adapts an algorithm to topics                  components/<name>/adaptor/, components/messages/
+#   bw_tool        benches, experiments, training; no middleware  components/tools/<name>/
+#   bw_verb        a verb of the program `bandwagon`              components/tools/<name>/, runtime/cli/
+#   bw_test        one GoogleTest program, one CTest entry        tests/
 
 add_library(bw_compile_options INTERFACE)
 target_compile_features(bw_compile_options INTERFACE cxx_std_20)
@@ -13,24 +20,56 @@ if(BANDWAGON_SANITIZE)
   add_link_options(-fsanitize=${BANDWAGON_SANITIZE})
 endif()
 
-# bw_algorithm(<name> SOURCES ... [LINK ...]): library bw_<name>, plain C++ and Eigen (and what it links).
-function(bw_algorithm name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+# A static library bw_<name> that knows no middleware.
+macro(bw_plain_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE" ${ARGN})
   add_library(bw_${name} STATIC ${ARG_SOURCES})
-  target_link_libraries(bw_${name} PRIVATE $<BUILD_INTERFACE:bw_compile_options> PUBLIC Eigen3::Eigen ${ARG_LINK})
+  target_link_libraries(bw_${name}
+    PRIVATE $<BUILD_INTERFACE:bw_compile_options> ${ARG_PRIVATE}
+    PUBLIC Eigen3::Eigen ${ARG_LINK})
   target_include_directories(bw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+endmacro()
+
+# bw_algorithm(<name> SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, plain C++ and Eigen (and what it links).
+function(bw_algorithm name)
+  bw_plain_library(${name} ${ARGN})
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_ALGORITHMS bw_${name})
 endfunction()
 
-# bw_component(<name> SOURCES ... [LINK ...]): adaptor, linked into the program `bandwagon`.
+# bw_files(<name> SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, between files and values.
+function(bw_files name)
+  bw_plain_library(${name} ${ARGN})
+endfunction()
+
+# bw_tool(<name> SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, what a verb or a program of its own does.
+function(bw_tool name)
+  bw_plain_library(${name} ${ARGN})
+endfunction()
+
+# An object library, linked into the program whole: what it registers when it is loaded must not be left out.
+macro(bw_part_of_program target)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_library(${target} OBJECT ${ARG_SOURCES})
+  target_link_libraries(${target} PRIVATE bw_compile_options PUBLIC bandwagon_runtime ${ARG_LINK})
+endmacro()
+
+# bw_component(<name> SOURCES ... [LINK ...]): adaptor; registers itself with BW_COMPONENT.
 function(bw_component name)
   if(BANDWAGON_ALGORITHMS_ONLY)
     return()
   endif()
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
-  add_library(bw_component_${name} OBJECT ${ARG_SOURCES})
-  target_link_libraries(bw_component_${name} PRIVATE bw_compile_options PUBLIC bandwagon_runtime ${ARG_LINK})
+  bw_part_of_program(bw_component_${name} ${ARGN})
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_COMPONENTS bw_component_${name})
+endfunction()
+
+# bw_verb(<name> SOURCES ... [LINK ...]): registers itself with BW_VERB.
+function(bw_verb name)
+  if(BANDWAGON_ALGORITHMS_ONLY)
+    return()
+  endif()
+  bw_part_of_program(bw_verb_${name} ${ARGN})
+  target_link_libraries(bw_verb_${name} PUBLIC bw_cli)
+  set_property(GLOBAL APPEND PROPERTY BANDWAGON_VERBS bw_verb_${name})
 endfunction()
 
 # bw_test(<name> SOURCES ... [LINK ...] [DOMAIN <id>]): one GoogleTest program, one CTest entry. A test that uses DDS names a domain id

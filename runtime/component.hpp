@@ -21,7 +21,7 @@
 #include <string_view>
 #include <utility>
 
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 #include "runtime/graph/qos.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/parameters/list_parameters.hpp"

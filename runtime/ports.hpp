@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

@@ -4,7 +4,7 @@
 #include <builtin_interfaces/msg/duration.hpp>
 #include <builtin_interfaces/msg/time.hpp>
 
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

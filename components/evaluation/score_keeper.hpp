@@ -9,7 +9,7 @@
 
 #include "components/evaluation/rms_jerk.hpp"
 #include "components/evaluation/truth_sample.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw {
 

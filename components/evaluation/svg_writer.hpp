@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
 

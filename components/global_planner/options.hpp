@@ -1,7 +1,7 @@
 // What a person may tune about the global planner.
 #pragma once
 
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw {
 

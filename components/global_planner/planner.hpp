@@ -10,7 +10,7 @@
 #include "components/global_planner/search_grid.hpp"
 #include "components/model/obstacles.hpp"
 #include "components/model/occupancy_grid.hpp"
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "components/mapping/distance_transform.hpp"
+#include "components/model/distance_transform.hpp"
 
 namespace bw {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "components/model/obstacles.hpp"
 #include "components/model/random.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
 

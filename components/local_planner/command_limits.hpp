@@ -3,7 +3,7 @@
 #pragma once
 
 #include "components/model/limits.hpp"
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "components/localization/local_plane.hpp"
 #include "components/localization/localizer_factory.hpp"
-#include "runtime/parameters/field.hpp"
+#include "components/model/local_plane.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::localization {
 

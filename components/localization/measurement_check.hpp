@@ -3,7 +3,7 @@
 
 #include "components/localization/measurements.hpp"
 #include "components/localization/verdict.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::localization {
 

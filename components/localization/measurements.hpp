@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "components/model/pose2.hpp"
-#include "components/model/time.hpp"
+#include "runtime/base/pose2.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw::localization {
 

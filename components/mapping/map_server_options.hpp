@@ -8,7 +8,7 @@
 
 #include "components/model/occupancy_grid.hpp"
 #include "components/model/shape_options.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw {
 

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <span>
 
-#include "components/mapping/obstacle_rule.hpp"
+#include "components/model/obstacle_rule.hpp"
 #include "components/model/obstacles.hpp"
 #include "components/model/occupancy_grid.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw {
 

@@ -13,7 +13,7 @@
 #include <nav_msgs/msg/path.hpp>
 #include <std_msgs/msg/header.hpp>
 
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {

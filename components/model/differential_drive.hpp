@@ -2,7 +2,7 @@
 // (spec 2.1).
 #pragma once
 
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "components/model/pose2.hpp"
-#include "components/model/time.hpp"
+#include "runtime/base/pose2.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

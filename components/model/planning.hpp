@@ -10,8 +10,8 @@
 #include "components/model/footprint.hpp"
 #include "components/model/limits.hpp"
 #include "components/model/obstacles.hpp"
-#include "components/model/pose2.hpp"
-#include "components/model/time.hpp"
+#include "runtime/base/pose2.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "components/model/limits.hpp"
-#include "components/model/pose2.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
 

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "components/model/pose2.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
 

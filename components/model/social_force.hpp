@@ -2,8 +2,8 @@
 // Social term: Moussaid et al. 2009; constants: libpedsim (spec 7.6).
 #pragma once
 
-#include "components/model/pose2.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
 

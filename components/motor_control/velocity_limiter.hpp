@@ -18,7 +18,7 @@
 
 #include "components/model/differential_drive.hpp"
 #include "components/model/robot.hpp"
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "components/model/pose2.hpp"
-#include "components/model/time.hpp"
+#include "runtime/base/pose2.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw::people {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "components/recordings/recorded_drive.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw {
 

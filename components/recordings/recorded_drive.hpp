@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "components/localization/local_plane.hpp"
-#include "components/model/pose2.hpp"
-#include "components/model/time.hpp"
+#include "components/model/local_plane.hpp"
+#include "runtime/base/pose2.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

@@ -6,7 +6,7 @@
 
 #include "components/recordings/hold_out.hpp"
 #include "components/recordings/synthetic_sensors.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "components/recordings/recorded_drive.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw {
 

@@ -14,9 +14,10 @@
 
 #include <Eigen/Core>
 
-#include "components/model/pose2.hpp"
+#include "components/model/odometry_state.hpp"
 #include "components/model/robot.hpp"
-#include "components/model/time.hpp"
+#include "runtime/base/pose2.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 
@@ -59,16 +60,6 @@ enum class CountsStatus {
   jump,    ///< further than the wheels can go; ignored
   reset,   ///< like jump, and the counters are back near zero
   rebased  ///< second reading that agrees with a jump or reset: the new reference
-};
-
-struct OdometryState {
-  Time time;
-  Pose2 X_OB;                                                  ///< base_link in odom
-  Twist2 twist;                                                ///< body velocity over the window
-  Eigen::Matrix3d pose_covariance = Eigen::Matrix3d::Zero();   ///< of (x, y, theta) [m, rad]
-  Eigen::Matrix2d twist_covariance = Eigen::Matrix2d::Zero();  ///< of (v, omega)
-  double left_angle = 0.0;  ///< turned by the left wheel since the start [rad]
-  double right_angle = 0.0;
 };
 
 struct OdometryFaults {

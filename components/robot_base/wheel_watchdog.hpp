@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "components/model/differential_drive.hpp"
-#include "components/model/time.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

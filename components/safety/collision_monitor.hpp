@@ -19,13 +19,13 @@
 #include <vector>
 
 #include "components/model/robot.hpp"
-#include "components/model/time.hpp"
 #include "components/safety/collision_monitor_options.hpp"
 #include "components/safety/free_way.hpp"
 #include "components/safety/limit_hold.hpp"
 #include "components/safety/sweep.hpp"
 #include "components/safety/sweep_watch.hpp"
 #include "components/safety/zone.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw::safety {
 

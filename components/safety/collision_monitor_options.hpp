@@ -6,7 +6,7 @@
 
 #include "components/safety/sweep_options.hpp"
 #include "components/safety/zone.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::safety {
 

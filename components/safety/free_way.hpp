@@ -1,7 +1,7 @@
 // How far a disc can drive along its present arc until it touches a point, and how fast it may drive there.
 #pragma once
 
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::safety {
 

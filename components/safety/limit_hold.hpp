@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw::safety {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::safety {
 

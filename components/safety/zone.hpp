@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "components/model/pose2.hpp"
 #include "components/safety/sweep.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::safety {
 

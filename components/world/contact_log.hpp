@@ -6,8 +6,8 @@
 #include <set>
 #include <vector>
 
-#include "components/model/time.hpp"
 #include "components/world/person.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

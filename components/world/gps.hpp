@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "components/model/pose2.hpp"
 #include "components/model/random.hpp"
-#include "components/model/time.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
+#include "runtime/base/pose2.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

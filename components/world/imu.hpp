@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "components/model/pose2.hpp"
 #include "components/model/random.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
 

@@ -11,7 +11,7 @@
 
 #include "components/model/random.hpp"
 #include "components/world/static_scene.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw {
 

@@ -8,7 +8,7 @@
 
 #include "components/model/obstacles.hpp"
 #include "components/world/person.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw {
 

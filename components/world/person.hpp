@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
 

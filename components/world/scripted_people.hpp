@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "components/world/person.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw {
 

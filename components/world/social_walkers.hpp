@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "components/model/random.hpp"
-#include "components/world/person.hpp"
 #include "components/model/social_force.hpp"
+#include "components/world/person.hpp"
 #include "components/world/static_scene.hpp"
 
 namespace bw {

@@ -15,7 +15,7 @@
 #include "components/world/replayed_people.hpp"
 #include "components/world/scripted_people.hpp"
 #include "components/world/social_walkers.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw {
 

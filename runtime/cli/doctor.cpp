@@ -8,7 +8,7 @@
 #include <sys/socket.h>
 
 #include "runtime/cli/outside.hpp"
-#include "runtime/cli/verbs.hpp"
+#include "runtime/cli/verb.hpp"
 #include "runtime/dds/loopback_sockets.hpp"
 
 namespace bw::cli {
@@ -98,10 +98,8 @@ void check_discovery(Report& report) {
   }
 }
 
-}  // namespace
-
-void add_doctor(CLI::App& app, int& status) {
-  app.add_subcommand("doctor", "Checks this machine: sockets, discovery, buffers, leftovers")
+CLI::App* add_doctor(CLI::App& app, int& status) {
+  return app.add_subcommand("doctor", "Checks this machine: sockets, discovery, buffers, leftovers")
       ->callback([&status] {
         Report report;
         check_environment(report);
@@ -111,5 +109,9 @@ void add_doctor(CLI::App& app, int& status) {
         status = report.status();
       });
 }
+
+}  // namespace
+
+BW_VERB(look, "doctor", add_doctor)
 
 }  // namespace bw::cli

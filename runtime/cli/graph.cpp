@@ -4,10 +4,9 @@
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 
-#include "runtime/cli/verbs.hpp"
+#include "runtime/cli/verb.hpp"
 #include "runtime/graph/dot.hpp"
 #include "runtime/host/host.hpp"
-#include "runtime/registry.hpp"
 
 namespace bw::cli {
 namespace {
@@ -40,9 +39,7 @@ void show(const GraphOptions& options) {
   }
 }
 
-}  // namespace
-
-void add_graph(CLI::App& app, int&) {
+CLI::App* add_graph(CLI::App& app, int&) {
   auto options = std::make_shared<GraphOptions>();
   CLI::App* graph = app.add_subcommand("graph", "Checks a graph file and shows its components and topics");
   graph->add_option("GRAPH", options->path, "Graph file")->required();
@@ -50,12 +47,11 @@ void add_graph(CLI::App& app, int&) {
   graph->add_flag("--dot", options->dot, "As a Graphviz picture");
   graph->add_flag("--processes", options->processes, "Only the names of its processes");
   graph->callback([options] { show(*options); });
+  return graph;
 }
 
-void add_list(CLI::App& app, int&) {
-  app.add_subcommand("list", "Component types this program knows")->callback([] {
-    for (const std::string& name : registered_components()) std::cout << name << "\n";
-  });
-}
+}  // namespace
+
+BW_VERB(look, "graph", add_graph)
 
 }  // namespace bw::cli

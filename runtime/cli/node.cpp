@@ -4,11 +4,12 @@
 #include <CLI/App.hpp>
 
 #include "runtime/cli/outside.hpp"
-#include "runtime/cli/verbs.hpp"
+#include "runtime/cli/verb.hpp"
 
 namespace bw::cli {
+namespace {
 
-void add_node(CLI::App& app, int&) {
+CLI::App* add_node(CLI::App& app, int&) {
   CLI::App* node = app.add_subcommand("node", "Nodes on the wire")->require_subcommand(1);
   node->add_subcommand("list", "Full names of all nodes")->callback([] {
     Outside outside;
@@ -21,6 +22,11 @@ void add_node(CLI::App& app, int&) {
     }
     for (const std::string& name : names) std::cout << name << "\n";
   });
+  return node;
 }
+
+}  // namespace
+
+BW_VERB(look, "node", add_node)
 
 }  // namespace bw::cli

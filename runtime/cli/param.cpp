@@ -7,7 +7,7 @@
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 
-#include "runtime/cli/verbs.hpp"
+#include "runtime/cli/verb.hpp"
 #include "runtime/host/host.hpp"
 
 namespace bw::cli {
@@ -41,9 +41,7 @@ void for_each_component(const ParamOptions& options, Print print) {
   if (!found) throw std::runtime_error("the graph has no component \"" + options.component + "\"");
 }
 
-}  // namespace
-
-void add_param(CLI::App& app, int&) {
+CLI::App* add_param(CLI::App& app, int&) {
   auto options = std::make_shared<ParamOptions>();
   CLI::App* param = app.add_subcommand("param", "Parameters of a graph's components")->require_subcommand(1);
   const auto common = [&](CLI::App* verb) {
@@ -72,6 +70,11 @@ void add_param(CLI::App& app, int&) {
       for (std::string line; std::getline(lines, line);) std::cout << "  " << line << "\n";
     });
   });
+  return param;
 }
+
+}  // namespace
+
+BW_VERB(look, "param", add_param)
 
 }  // namespace bw::cli

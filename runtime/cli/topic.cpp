@@ -11,7 +11,7 @@
 
 #include "runtime/cli/outside.hpp"
 #include "runtime/cli/signals.hpp"
-#include "runtime/cli/verbs.hpp"
+#include "runtime/cli/verb.hpp"
 #include "runtime/wire/type_registry.hpp"
 #include "runtime/wire/validate.hpp"
 #include "runtime/wire/yaml.hpp"
@@ -170,9 +170,7 @@ int hz(const TopicOptions& options) {
   return gaps.empty() ? 1 : 0;
 }
 
-}  // namespace
-
-void add_topic(CLI::App& app, int& status) {
+CLI::App* add_topic(CLI::App& app, int& status) {
   auto options = std::make_shared<TopicOptions>();
   CLI::App* topic = app.add_subcommand("topic", "Topics on the wire")->require_subcommand(1);
   CLI::App* list_verb = topic->add_subcommand("list", "Names of all topics");
@@ -192,6 +190,11 @@ void add_topic(CLI::App& app, int& status) {
   hz_verb->add_option("TOPIC", options->topic)->required();
   hz_verb->add_option("--for", options->window_s, "Ends after so many seconds");
   hz_verb->callback([options, &status] { status = hz(*options); });
+  return topic;
 }
+
+}  // namespace
+
+BW_VERB(look, "topic", add_topic)
 
 }  // namespace bw::cli

@@ -27,7 +27,7 @@
 #include <string_view>
 #include <vector>
 
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/parameters/config_node.hpp"
 

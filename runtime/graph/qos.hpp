@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

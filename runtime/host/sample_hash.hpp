@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

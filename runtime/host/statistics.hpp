@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

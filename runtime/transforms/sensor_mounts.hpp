@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/transform_tree.hpp"
 

@@ -11,8 +11,8 @@
 
 #include <Eigen/Geometry>
 
-#include "components/model/pose2.hpp"
-#include "components/model/time.hpp"
+#include "runtime/base/pose2.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 

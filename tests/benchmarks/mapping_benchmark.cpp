@@ -2,8 +2,8 @@
 // fields.
 #include <benchmark/benchmark.h>
 
-#include "components/mapping/distance_transform.hpp"
 #include "components/mapping/obstacle_extraction.hpp"
+#include "components/model/distance_transform.hpp"
 #include "tests/components/global_planner/random_floor.hpp"
 
 namespace bw {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "components/local_planner/dwa/clearance_field.hpp"
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::dwa {
 

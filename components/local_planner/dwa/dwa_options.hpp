@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::dwa {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "components/model/limits.hpp"
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::dwa {
 

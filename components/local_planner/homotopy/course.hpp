@@ -2,7 +2,7 @@
 #pragma once
 
 #include "components/local_planner/homotopy/homotopy_options.hpp"
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::homotopy {
 

@@ -8,7 +8,7 @@
 #include "components/local_planner/teb/band_options.hpp"
 #include "components/local_planner/teb/prediction_options.hpp"
 #include "components/model/obstacles.hpp"
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::teb {
 

@@ -6,7 +6,7 @@
 
 #include "components/local_planner/teb/band_options.hpp"
 #include "components/model/limits.hpp"
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::teb {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "components/local_planner/teb/band_options.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::teb {
 

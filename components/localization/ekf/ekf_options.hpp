@@ -5,7 +5,7 @@
 #include <string>
 
 #include "components/localization/measurement_check.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::localization {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::localization {
 

@@ -6,7 +6,7 @@
 #include "components/localization/laser/beam_ends.hpp"
 #include "components/localization/laser/likelihood_field.hpp"
 #include "components/localization/particle_filter/particle_set.hpp"
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::localization {
 

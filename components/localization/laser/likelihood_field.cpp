@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "components/mapping/distance_transform.hpp"
+#include "components/model/distance_transform.hpp"
 
 namespace bw::localization {
 namespace {

@@ -1,7 +1,7 @@
 // Parameters of the comparison of laser beams with a map. Names as in AMCL where it has one.
 #pragma once
 
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::localization {
 

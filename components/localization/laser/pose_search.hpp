@@ -13,7 +13,7 @@
 #include "components/localization/laser/likelihood_field.hpp"
 #include "components/localization/laser/pose_search_options.hpp"
 #include "components/localization/laser/pose_search_tables.hpp"
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::localization {
 

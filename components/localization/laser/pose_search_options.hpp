@@ -1,7 +1,7 @@
 // Parameters of the search over the whole map.
 #pragma once
 
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::localization {
 

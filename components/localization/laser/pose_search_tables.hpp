@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "components/localization/laser/likelihood_field.hpp"
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::localization {
 

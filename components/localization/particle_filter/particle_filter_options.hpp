@@ -9,7 +9,7 @@
 #include "components/localization/laser/pose_search_options.hpp"
 #include "components/localization/measurement_check.hpp"
 #include "components/localization/particle_filter/recovery_options.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::localization {
 

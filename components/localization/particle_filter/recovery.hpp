@@ -12,7 +12,7 @@
 #include "components/localization/laser/laser_model.hpp"
 #include "components/localization/laser/pose_search.hpp"
 #include "components/localization/particle_filter/recovery_options.hpp"
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw::localization {
 

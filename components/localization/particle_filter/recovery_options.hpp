@@ -1,7 +1,7 @@
 // Parameters of finding the way back: after a start anywhere, and when the scan no longer fits.
 #pragma once
 
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::localization {
 

@@ -5,7 +5,7 @@
 
 #include "components/localization/particle_filter/particle_set.hpp"
 #include "components/localization/particle_filter/pose_histogram.hpp"
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::localization {
 

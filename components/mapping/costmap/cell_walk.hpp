@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::costmap {
 

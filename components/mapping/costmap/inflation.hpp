@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "components/mapping/costmap/costmap_options.hpp"
-#include "components/mapping/distance_transform.hpp"
+#include "components/model/distance_transform.hpp"
 #include "components/model/occupancy_grid.hpp"
 
 namespace bw::costmap {

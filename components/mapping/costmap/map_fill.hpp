@@ -1,7 +1,7 @@
 // What the map knows of cells that nobody has seen yet.
 #pragma once
 
-#include "components/mapping/obstacle_rule.hpp"
+#include "components/model/obstacle_rule.hpp"
 #include "components/model/occupancy_grid.hpp"
 
 namespace bw::costmap {

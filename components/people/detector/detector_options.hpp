@@ -1,7 +1,7 @@
 // Parameters of the detector. Defaults suit a laser at the height of shins, 0.3 to 0.5 degrees between beams.
 #pragma once
 
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::people {
 

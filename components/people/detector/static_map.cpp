@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "components/mapping/distance_transform.hpp"
+#include "components/model/distance_transform.hpp"
 
 namespace bw::people {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "components/model/obstacles.hpp"
-#include "components/model/time.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw::people {
 

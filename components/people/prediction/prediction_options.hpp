@@ -5,7 +5,7 @@
 #include <string>
 
 #include "components/model/social_force.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::people {
 

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "components/model/obstacles.hpp"
-#include "components/model/time.hpp"
 #include "components/people/prediction/calibration.hpp"
 #include "components/people/prediction/prediction_options.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw::people {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "components/model/pose2.hpp"
 #include "components/people/detection.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::people {
 

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "components/people/tracker/heading_model.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::people {
 

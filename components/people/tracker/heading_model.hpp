@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "components/model/pose2.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::people {
 

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "components/model/time.hpp"
 #include "components/people/tracker/cluster_track.hpp"
 #include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/walker.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw::people {
 

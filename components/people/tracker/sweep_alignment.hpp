@@ -7,9 +7,9 @@
 
 #include <vector>
 
-#include "components/model/pose2.hpp"
 #include "components/people/detection.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::people {
 

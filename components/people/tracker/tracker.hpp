@@ -14,10 +14,10 @@
 
 #include <Eigen/Core>
 
-#include "components/model/pose2.hpp"
-#include "components/model/time.hpp"
 #include "components/people/detection.hpp"
 #include "components/people/tracker/tracker_options.hpp"
+#include "runtime/base/pose2.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw::people {
 

@@ -7,7 +7,7 @@
 #include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/walker.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
 
 namespace bw::people {
 

@@ -15,8 +15,8 @@
 
 #include <Eigen/Core>
 
-#include "components/model/pose2.hpp"
-#include "runtime/parameters/field.hpp"
+#include "runtime/base/field.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw::people {
 

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "components/files/map_file.hpp"
 #include "components/global_planner/path_shape.hpp"
 #include "components/global_planner/planner.hpp"
-#include "components/mapping/map_file.hpp"
 #include "components/model/random.hpp"
 #include "tests/components/global_planner/random_floor.hpp"
 

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "components/local_planner/bench/band_evaluator.hpp"
-#include "components/local_planner/bench/banded_solver.hpp"
-#include "components/local_planner/bench/bench.hpp"
 #include "components/model/random.hpp"
+#include "components/tools/bench/band_evaluator.hpp"
+#include "components/tools/bench/banded_solver.hpp"
+#include "components/tools/bench/bench.hpp"
 
 namespace bw::teb {
 namespace {

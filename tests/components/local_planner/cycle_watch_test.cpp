@@ -1,4 +1,4 @@
-#include "components/local_planner/cycle_watch.hpp"
+#include "components/local_planner/adaptor/cycle_watch.hpp"
 
 #include <map>
 

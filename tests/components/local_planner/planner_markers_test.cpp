@@ -1,4 +1,4 @@
-#include "components/local_planner/planner_markers.hpp"
+#include "components/local_planner/adaptor/planner_markers.hpp"
 
 #include <cmath>
 #include <limits>

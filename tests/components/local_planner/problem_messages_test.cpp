@@ -1,4 +1,4 @@
-#include "components/local_planner/problem_messages.hpp"
+#include "components/local_planner/adaptor/problem_messages.hpp"
 
 #include <numbers>
 

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "components/files/map_file.hpp"
 #include "components/localization/laser/beam_ends.hpp"
 #include "components/localization/laser/likelihood_field.hpp"
-#include "components/mapping/map_file.hpp"
 #include "components/model/random.hpp"
 
 namespace bw::localization {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "components/mapping/distance_transform.hpp"
 #include "components/model/differential_drive.hpp"
+#include "components/model/distance_transform.hpp"
 #include "components/model/occupancy_grid.hpp"
 #include "components/model/random.hpp"
 

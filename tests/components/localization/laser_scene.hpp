@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "components/mapping/map_file.hpp"
+#include "components/files/map_file.hpp"
 #include "components/mapping/rasterize.hpp"
 #include "components/model/occupancy_grid.hpp"
 #include "components/model/random.hpp"

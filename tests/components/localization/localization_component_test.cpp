@@ -12,9 +12,9 @@
 #include <sensor_msgs/msg/nav_sat_fix.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
-#include "components/localization/local_plane.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/model/differential_drive.hpp"
+#include "components/model/local_plane.hpp"
 #include "tests/components/component_rig.hpp"
 
 namespace bw {

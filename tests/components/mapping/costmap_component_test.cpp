@@ -11,8 +11,8 @@
 #include <sensor_msgs/msg/laser_scan.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
-#include "components/mapping/grid_messages.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/messages/grid.hpp"
 #include "components/model/differential_drive.hpp"
 #include "components/world/ray.hpp"
 #include "tests/components/component_rig.hpp"

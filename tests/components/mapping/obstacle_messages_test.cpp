@@ -1,8 +1,8 @@
-#include "components/mapping/obstacle_messages.hpp"
-
 #include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "components/messages/obstacles.hpp"
 
 namespace bw {
 namespace {

@@ -27,8 +27,8 @@
 
 #include <gtest/gtest.h>
 
-#include "components/recordings/log_files.hpp"
-#include "components/world/csv_file.hpp"
+#include "components/files/csv_file.hpp"
+#include "components/recordings/files/log_files.hpp"
 #include "tests/components/people/perception_trial.hpp"
 #include "tests/components/people/recorded_picture.hpp"
 

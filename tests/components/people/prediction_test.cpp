@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "components/files/shape_file.hpp"
 #include "components/model/random.hpp"
 #include "components/people/prediction/predictor.hpp"
-#include "components/world/shape_file.hpp"
-#include "components/world/track_file.hpp"
+#include "components/world/files/track_file.hpp"
 #include "tests/components/people/prediction_score.hpp"
 
 namespace bw::people {

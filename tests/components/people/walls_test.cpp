@@ -8,7 +8,7 @@
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <gtest/gtest.h>
 
-#include "components/mapping/obstacle_messages.hpp"
+#include "components/messages/obstacles.hpp"
 #include "components/model/social_force.hpp"
 #include "tests/components/component_rig.hpp"
 

@@ -1,4 +1,4 @@
-#include "components/recordings/log_files.hpp"
+#include "components/recordings/files/log_files.hpp"
 
 #include <cstdlib>
 #include <filesystem>

@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "components/files/shape_file.hpp"
 #include "components/model/random.hpp"
-#include "components/world/shape_file.hpp"
-#include "components/world/track_file.hpp"
+#include "components/world/files/track_file.hpp"
 
 namespace bw {
 namespace {

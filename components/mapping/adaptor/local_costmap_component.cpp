@@ -1,0 +1,167 @@
+// Adaptor of the local costmap: sweeps of the laser in; costs, and obstacles for the local planner out.
+#include <deque>
+#include <optional>
+#include <string>
+
+#include <bandwagon_msgs/msg/tracks.hpp>
+#include <nav_msgs/msg/occupancy_grid.hpp>
+#include <sensor_msgs/msg/laser_scan.hpp>
+
+#include "components/mapping/costmap/inflation.hpp"
+#include "components/mapping/costmap/local_grid.hpp"
+#include "components/mapping/costmap/map_fill.hpp"
+#include "components/mapping/local_costmap_parameters.hpp"
+#include "components/messages/grid.hpp"
+#include "components/messages/laser.hpp"
+#include "components/messages/obstacles.hpp"
+#include "components/model/robot.hpp"
+#include "runtime/component.hpp"
+#include "runtime/transforms/transform_tree.hpp"
+
+namespace bw::costmap {
+
+class LocalCostmapComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    parameters_ = setup.parameters<LocalCostmapParameters>();
+    robot_radius_ = setup.shared<Robot>("robot").radius;
+    grid_.emplace(parameters_.grid);
+    inflation_.emplace(parameters_.inflation, robot_radius_, parameters_.grid.resolution);
+    log_ = setup.log();
+    diagnostics_ = &setup.diagnostics();
+    odom_frame_ = setup.frame("odom");
+    base_frame_ = setup.frame("base_link");
+    transforms_ = setup.transforms();
+    costmap_ = setup.output<nav_msgs::msg::OccupancyGrid>("local_costmap");
+    obstacles_ = setup.output<bandwagon_msgs::msg::Obstacles>("obstacles");
+    setup.input<sensor_msgs::msg::LaserScan>("scan", Qos::sensor(),
+                                             [this](const auto& message, const Tick& tick) {
+                                               if (waiting_.size() >= kMostWaiting) waiting_.pop_front();
+                                               waiting_.push_back({message, tick.now});
+                                               take_in(tick.now);
+                                             });
+    tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::standard(), Need::optional);
+    if (parameters_.use_map) {
+      setup.input<nav_msgs::msg::OccupancyGrid>(
+          "map", Qos::latched(), [this](const auto& message, const Tick&) { keep_map(message); });
+    }
+    setup.every(Duration::milliseconds(10), "sweeps", [this](const Tick& tick) { take_in(tick.now); });
+  }
+
+ private:
+  static constexpr std::size_t kMostWaiting = 4;
+
+  struct Waiting {
+    sensor_msgs::msg::LaserScan message;
+    Time received;
+  };
+
+  void keep_map(const nav_msgs::msg::OccupancyGrid& message) {
+    const std::string fault = read_grid(message, map_);
+    if (fault.empty()) {
+      map_frame_ = message.header().frame_id();
+    } else {
+      log_.warn("the map is not used: {}", fault);
+    }
+  }
+
+  /// A sweep is usually here before the odometry of its time.
+  void take_in(Time now) {
+    while (!waiting_.empty()) {
+      const sensor_msgs::msg::LaserScan& scan = waiting_.front().message;
+      const Time stamp = from_stamp(scan.header().stamp());
+      const auto X_OL = transforms_->lookup_planar(odom_frame_, scan.header().frame_id(), stamp);
+      const auto X_OB = transforms_->lookup_planar(odom_frame_, base_frame_, stamp);
+      if (stamp <= Time{}) {
+        note("it has no stamp");
+      } else if (X_OL && X_OB) {
+        add(scan, stamp, *X_OL, *X_OB);
+      } else if (now - waiting_.front().received <= Duration::seconds(parameters_.transform_timeout)) {
+        return;
+      } else {
+        note("no transform to odom at the time of the sweep");
+      }
+      waiting_.pop_front();
+    }
+  }
+
+  void add(const sensor_msgs::msg::LaserScan& message, Time stamp, const Pose2& X_OL, const Pose2& X_OB) {
+    const SweepFault fault = grid_->add(to_sweep(message, X_OL), X_OB, robot_radius_, people_at(stamp));
+    note(fault == SweepFault::none ? std::string() : to_text(fault));
+    if (fault != SweepFault::none) return;
+    // A tenth of a period for stamps that tremble.
+    if (published_ && stamp - *published_ < Duration::seconds(0.9 / parameters_.rate) && stamp > *published_)
+      return;
+    published_ = stamp;
+    publish(stamp, X_OB.position());
+  }
+
+  /// Silent while no sweep is usable: whoever reads obstacles watches their age.
+  void publish(Time stamp, const Vector2& position) {
+    cells_ = grid_->cells();
+    if (const auto X_MO =
+            map_frame_.empty() ? std::nullopt : transforms_->lookup_planar(map_frame_, odom_frame_))
+      fill_unknown(cells_, map_, *X_MO, {});
+    const ExtractionResult near =
+        extract_obstacles(cells_, position, parameters_.obstacles, grid_->surface());
+    obstacles_.publish(to_message(near.obstacles, {}, odom_frame_, stamp));
+    diagnostics_->set_value("shapes", std::to_string(near.obstacles.size()));
+    diagnostics_->set_value("shapes_dropped", std::to_string(near.dropped));
+    if (!costmap_.has_readers()) return;
+    const std::vector<std::uint8_t>& costs = inflation_->costs(cells_);
+    for (std::size_t i = 0; i < costs.size(); ++i) cells_.cells[i] = occupancy_of(costs[i]);
+    costmap_.publish(to_message(cells_, odom_frame_, stamp));
+  }
+
+  std::vector<Disc> people_at(Time time) const {
+    std::vector<Disc> people;
+    if (!tracks_) return people;
+    const double age = (time - from_stamp(tracks_->header().stamp())).to_seconds();
+    const auto X_OF = transforms_->lookup_planar(odom_frame_, tracks_->header().frame_id());
+    if (!X_OF || std::abs(age) > parameters_.tracks_timeout) return people;
+    constexpr double kMostRadius = 1.0;  // [m]; more is no person
+    for (const auto& track : tracks_->tracks()) {
+      const Vector2 position(track.position().x() + age * track.velocity().x(),
+                             track.position().y() + age * track.velocity().y());
+      if (position.allFinite() && track.radius() >= 0.0 && track.radius() <= kMostRadius)
+        people.push_back({*X_OF * position, track.radius()});
+    }
+    return people;
+  }
+
+  /// Says once why sweeps are not used, and once that they are again.
+  void note(const std::string& fault) {
+    if (fault == fault_) return;
+    fault_ = fault;
+    using Level = DiagnosticReporter::Level;
+    if (fault.empty()) {
+      diagnostics_->report(Level::ok, "sweeps are used");
+    } else {
+      log_.warn("a sweep is not used: {}", fault);
+      diagnostics_->report(Level::error, "sweeps are not used: " + fault);
+    }
+  }
+
+  LocalCostmapParameters parameters_;
+  double robot_radius_ = 0.0;
+  std::optional<LocalGrid> grid_;
+  std::optional<Inflation> inflation_;
+  OccupancyGrid cells_;
+  OccupancyGrid map_;
+  std::deque<Waiting> waiting_;
+  std::optional<Time> published_;
+  std::string fault_ = "none came yet";
+  Logger log_;
+  DiagnosticReporter* diagnostics_ = nullptr;
+  std::string odom_frame_;
+  std::string base_frame_;
+  std::string map_frame_;  ///< empty until a usable map came
+  std::shared_ptr<const TransformTree> transforms_;
+  Latest<bandwagon_msgs::msg::Tracks> tracks_;
+  Output<nav_msgs::msg::OccupancyGrid> costmap_;
+  Output<bandwagon_msgs::msg::Obstacles> obstacles_;
+};
+
+BW_COMPONENT(LocalCostmapComponent, "local_costmap")
+
+}  // namespace bw::costmap

@@ -1,0 +1,78 @@
+// Adaptor of the obstacle extraction: the map's walls near the robot, in odom.
+#include <nav_msgs/msg/occupancy_grid.hpp>
+
+#include "components/mapping/obstacle_extraction.hpp"
+#include "components/messages/grid.hpp"
+#include "components/messages/obstacles.hpp"
+#include "runtime/component.hpp"
+#include "runtime/transforms/transform_tree.hpp"
+
+namespace bw {
+namespace {
+
+struct ObstaclesOptions {
+  double rate = 10.0;  ///< [Hz]
+  ExtractionOptions extraction;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("rate", rate, {.unit = "Hz", .min = 0.1, .max = 100, .doc = "obstacle messages per second"});
+    extraction.fields(v);
+  }
+};
+
+}  // namespace
+
+class ObstaclesComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    options_ = setup.parameters<ObstaclesOptions>();
+    log_ = setup.log();
+    odom_frame_ = setup.frame("odom");
+    base_frame_ = setup.frame("base_link");
+    transforms_ = setup.transforms();
+    obstacles_ = setup.output<bandwagon_msgs::msg::Obstacles>("obstacles");
+    setup.input<nav_msgs::msg::OccupancyGrid>(
+        "map", Qos::latched(), [this](const auto& message, const Tick&) { keep_map(message); });
+    setup.every(Duration::seconds(1.0 / options_.rate), "extract",
+                [this](const Tick& tick) { extract(tick.now); });
+  }
+
+ private:
+  void keep_map(const nav_msgs::msg::OccupancyGrid& message) {
+    const std::string fault = read_grid(message, grid_);
+    if (fault.empty()) {
+      map_frame_ = message.header().frame_id();
+    } else {
+      log_.warn("the map is not used: {}", fault);
+    }
+  }
+
+  /// Silent until there is a map and a place in it: whoever reads obstacles watches their age.
+  void extract(Time now) {
+    if (map_frame_.empty()) return;
+    const std::optional<Pose2> X_OM = transforms_->lookup_planar(odom_frame_, map_frame_);
+    const std::optional<Pose2> X_MB = transforms_->lookup_planar(map_frame_, base_frame_);
+    if (!X_OM || !X_MB) return;
+    const ExtractionResult near = extract_obstacles(grid_, X_MB->position(), options_.extraction);
+    obstacles_.publish(to_message(near.obstacles, *X_OM, odom_frame_, now));
+    if (near.dropped > 0 && !dropping_) {
+      log_.warn("the farthest {} obstacles are left out (max_obstacles)", near.dropped);
+    }
+    dropping_ = near.dropped > 0;
+  }
+
+  ObstaclesOptions options_;
+  Logger log_;
+  std::string odom_frame_;
+  std::string base_frame_;
+  std::string map_frame_;  ///< empty until a usable map came
+  OccupancyGrid grid_;
+  bool dropping_ = false;
+  std::shared_ptr<const TransformTree> transforms_;
+  Output<bandwagon_msgs::msg::Obstacles> obstacles_;
+};
+
+BW_COMPONENT(ObstaclesComponent, "obstacles")
+
+}  // namespace bw

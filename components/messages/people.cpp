@@ -1,0 +1,95 @@
+#include "components/messages/people.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "components/messages/geometry.hpp"
+#include "components/messages/markers.hpp"
+
+namespace bw::people {
+namespace {
+
+constexpr double kHeight = 1.7;  // of a person [m]
+constexpr Color kBody{0.42F, 0.35F, 0.80F, 0.7F};
+constexpr Color kArrow{0.42F, 0.35F, 0.80F, 0.95F};
+
+}  // namespace
+
+bandwagon_msgs::msg::Tracks to_tracks(const std::vector<ReportedPerson>& people,
+                                      const std_msgs::msg::Header& header) {
+  bandwagon_msgs::msg::Tracks message;
+  message.header(header);
+  for (const ReportedPerson& person : people) {
+    bandwagon_msgs::msg::Track out;
+    out.id(person.body.id);
+    out.position(to_point(person.body.position));
+    out.velocity(to_vector3(person.body.velocity));
+    out.radius(person.body.radius);
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j)
+        out.covariance()[static_cast<std::size_t>(4 * i + j)] = person.covariance(i, j);
+    }
+    for (const PredictedPosition& predicted : person.body.predictions) {
+      bandwagon_msgs::msg::PredictedPosition position;
+      position.time_from_start(to_message(Duration::seconds(predicted.time)));
+      position.x(predicted.position.x());
+      position.y(predicted.position.y());
+      position.cov_xx(predicted.covariance(0, 0));
+      position.cov_xy(predicted.covariance(0, 1));
+      position.cov_yy(predicted.covariance(1, 1));
+      out.predictions().push_back(position);
+    }
+    message.tracks().push_back(std::move(out));
+  }
+  return message;
+}
+
+people_msgs::msg::People to_people(const std::vector<ReportedPerson>& people,
+                                   const std_msgs::msg::Header& header) {
+  people_msgs::msg::People message;
+  message.header(header);
+  for (const ReportedPerson& person : people) {
+    people_msgs::msg::Person out;
+    out.name(std::to_string(person.body.id));
+    out.position(to_point(person.body.position));
+    out.velocity().x(person.body.velocity.x());
+    out.velocity().y(person.body.velocity.y());
+    out.reliability(person.reliability);
+    message.people().push_back(std::move(out));
+  }
+  return message;
+}
+
+visualization_msgs::msg::MarkerArray to_markers(const std::vector<ReportedPerson>& people, Duration lifetime,
+                                                const std_msgs::msg::Header& header) {
+  namespace constants = visualization_msgs::msg::Marker_Constants;
+  visualization_msgs::msg::MarkerArray array;
+  for (const ReportedPerson& person : people) {
+    const Mover& track = person.body;
+    const auto id = static_cast<std::int32_t>(track.id);
+    visualization_msgs::msg::Marker body = make_marker("people", id, constants::CYLINDER, lifetime, header);
+    body.pose(to_pose({track.position.x(), track.position.y(), 0.0}));
+    body.pose().position().z(kHeight / 2.0);
+    body.scale().x(2.0 * track.radius);
+    body.scale().y(2.0 * track.radius);
+    body.scale().z(kHeight);
+    paint(body, kBody);
+    array.markers().push_back(std::move(body));
+
+    const double speed = track.velocity.norm();
+    if (speed < 0.05) continue;
+    visualization_msgs::msg::Marker arrow = make_marker("velocities", id, constants::ARROW, lifetime, header);
+    arrow.pose(to_pose(
+        {track.position.x(), track.position.y(), std::atan2(track.velocity.y(), track.velocity.x())}));
+    arrow.pose().position().z(kHeight / 2.0);
+    arrow.scale().x(speed);  // one metre for each metre per second
+    arrow.scale().y(0.08);
+    arrow.scale().z(0.08);
+    paint(arrow, kArrow);
+    array.markers().push_back(std::move(arrow));
+  }
+  return array;
+}
+
+}  // namespace bw::people

@@ -1,0 +1,156 @@
+// Adaptor of the navigator: goals from /goal_pose or the graph, requests to the planners, status for
+// everybody.
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <nav_msgs/msg/odometry.hpp>
+#include <std_msgs/msg/empty.hpp>
+
+#include "components/messages/geometry.hpp"
+#include "components/navigator/adaptor/navigator_messages.hpp"
+#include "components/navigator/navigator.hpp"
+#include "components/navigator/navigator_parameters.hpp"
+#include "runtime/component.hpp"
+#include "runtime/transforms/transform_tree.hpp"
+
+namespace bw {
+namespace {
+
+using namespace bandwagon_msgs::msg;
+
+class NavigatorComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    parameters_ = setup.parameters<NavigatorParameters>();
+    navigator_.emplace(parameters_);
+    log_ = setup.log();
+    map_frame_ = setup.frame("map");
+    transforms_ = setup.transforms();
+    odometry_ = setup.latest<nav_msgs::msg::Odometry>("odometry/filtered", Qos::command());
+    plan_request_ = setup.output<PlanRequest>("plan_request");
+    follow_request_ = setup.output<FollowRequest>("follow_request");
+    status_ = setup.output<NavigationStatus>("navigation_status");
+    setup.input<geometry_msgs::msg::PoseStamped>(
+        "goal_pose", Qos::standard(), [this](const auto& goal, const Tick& tick) { on_goal(goal, tick); },
+        Need::optional);
+    setup.input<std_msgs::msg::Empty>(
+        "cancel_goal", Qos::standard(),
+        [this](const auto&, const Tick& tick) {
+          navigator_->cancel(situation(tick));
+          send(tick);
+        },
+        Need::optional);
+    setup.input<PlanResult>("plan_result", Qos::standard(), [this](const auto& result, const Tick& tick) {
+      navigator_->on_plan(from_message(result), situation(tick));
+      send(tick);
+    });
+    setup.input<FollowStatus>("follow_status", Qos::standard(), [this](const auto& status, const Tick& tick) {
+      navigator_->on_follow(from_message(status), situation(tick));
+      send(tick);
+    });
+    setup.every(Duration::seconds(1.0 / parameters_.rate), "step", [this](const Tick& tick) { step(tick); });
+  }
+
+  void activate(const Tick& tick) override { activated_ = tick.now; }
+
+  void deactivate(const Tick& tick) override {
+    navigator_->cancel(situation(tick));
+    send(tick);
+  }
+
+ private:
+  Situation situation(const Tick& tick) const {
+    Situation s{tick.now, std::nullopt, {}};
+    if (!odometry_) return s;
+    s.twist = from_twist(odometry_->twist().twist());
+    const Pose2 X_MB = from_pose(odometry_->pose().pose());
+    const bool fresh = (tick.now - odometry_.received()).to_seconds() <= parameters_.pose_timeout;
+    if (fresh && tick.health != Health::stop && is_finite(X_MB) && is_finite(s.twist)) s.X_MB = X_MB;
+    return s;
+  }
+
+  void on_goal(const geometry_msgs::msg::PoseStamped& goal, const Tick& tick) {
+    const std::string& frame = goal.header().frame_id();
+    const std::optional<Pose2> X_MF =
+        frame == map_frame_ ? Pose2{} : transforms_->lookup_planar(map_frame_, frame);
+    if (X_MF) {
+      navigator_->accept(*X_MF * from_pose(goal.pose()), situation(tick));
+    } else {
+      navigator_->refuse(from_pose(goal.pose()),
+                         "the goal is in frame '" + frame + "', which is not known in '" + map_frame_ + "'");
+    }
+    send(tick);
+  }
+
+  void step(const Tick& tick) {
+    send_own_goal(tick);
+    send(tick);
+    const bool feedback_is_due = (tick.now - last_feedback_).to_seconds() >= parameters_.feedback_period;
+    if (navigator_->has_goal() && feedback_is_due) publish(navigator_->report(situation(tick)), tick);
+  }
+
+  /// The goal of the graph, as soon as it is known where the robot is.
+  void send_own_goal(const Tick& tick) {
+    const GoalParameters& goal = parameters_.goal;
+    const double waited = (tick.now - activated_).to_seconds() - goal.delay;
+    if (!goal.enabled || goal_sent_ || waited < 0.0) return;
+    const Situation now = situation(tick);
+    goal_sent_ = now.X_MB.has_value();
+    if (goal_sent_) navigator_->accept({goal.x, goal.y, goal.theta}, now);
+    constexpr double kPatience = 10.0;  // [s] until a person is told
+    if (!goal_sent_ && !told_ && waited > kPatience) {
+      log_.warn("the goal waits: no pose on odometry/filtered yet");
+      told_ = true;
+    }
+  }
+
+  void send(const Tick& tick) {
+    const NavigatorActions actions = navigator_->step(situation(tick));
+    for (const GoalReport& report : actions.reports) {
+      log(report);
+      publish(report, tick);
+    }
+    if (actions.follow)
+      follow_request_.publish(to_message(*actions.follow, make_header(map_frame_, tick.now)));
+    if (actions.plan) plan_request_.publish(to_message(*actions.plan, make_header(map_frame_, tick.now)));
+  }
+
+  void log(const GoalReport& report) const {
+    if (report.status == GoalStatus::succeeded) {
+      log_.info("goal {}: {} in {:.1f} s", report.goal_id, report.reason,
+                report.navigation_time.to_seconds());
+    } else if (report.status == GoalStatus::accepted) {
+      log_.info("goal {}: to ({:.2f}, {:.2f}, {:.2f})", report.goal_id, report.X_MG.x, report.X_MG.y,
+                report.X_MG.theta);
+    } else if (!report.reason.empty()) {
+      log_.warn("goal {}: {}", report.goal_id, report.reason);
+    }
+  }
+
+  void publish(const GoalReport& report, const Tick& tick) {
+    status_.publish(to_message(report, make_header(map_frame_, tick.now)));
+    last_feedback_ = tick.now;
+  }
+
+  NavigatorParameters parameters_;
+  std::optional<Navigator> navigator_;
+  Time activated_;
+  Time last_feedback_;
+  bool goal_sent_ = false;
+  bool told_ = false;
+  Logger log_;
+  std::string map_frame_;
+  std::shared_ptr<const TransformTree> transforms_;
+  Latest<nav_msgs::msg::Odometry> odometry_;
+  Output<PlanRequest> plan_request_;
+  Output<FollowRequest> follow_request_;
+  Output<NavigationStatus> status_;
+};
+
+}  // namespace
+
+BW_COMPONENT(NavigatorComponent, "navigator")
+
+}  // namespace bw

@@ -1,0 +1,71 @@
+// Adaptor: scans and odometry in; tracked people with predictions out. Topics: README.md.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <bandwagon_msgs/msg/obstacles.hpp>
+#include <bandwagon_msgs/msg/tracks.hpp>
+#include <nav_msgs/msg/occupancy_grid.hpp>
+#include <nav_msgs/msg/odometry.hpp>
+#include <people_msgs/msg/people.hpp>
+#include <sensor_msgs/msg/laser_scan.hpp>
+#include <visualization_msgs/msg/marker_array.hpp>
+
+#include "components/messages/people.hpp"
+#include "components/people/adaptor/detection_markers.hpp"
+#include "components/people/detector/detector.hpp"
+#include "components/people/people_parameters.hpp"
+#include "components/people/prediction/predictor.hpp"
+#include "components/people/tracker/tracker.hpp"
+#include "runtime/component.hpp"
+#include "runtime/transforms/sensor_mounts.hpp"
+
+namespace bw::people {
+
+class PeopleComponent final : public Component {
+ public:
+  void configure(Setup& setup) override;
+
+ private:
+  void on_odometry(const nav_msgs::msg::Odometry& message);
+  void on_scan(const sensor_msgs::msg::LaserScan& message);
+  void on_map(const nav_msgs::msg::OccupancyGrid& message);
+  /// Looks at the scans whose odometry has come, in order.
+  void look();
+  void look_at(const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB);
+  void publish(const DetectionSet& detections, const std::vector<TrackedPerson>& tracked);
+  std::vector<ReportedPerson> report_of(const std::vector<TrackedPerson>& tracked, Time time);
+  /// What people walk round, in odom; nothing when the obstacles are too old or their place is unknown.
+  StaticObstacles walls_at(Time time) const;
+  void refuse(const std::string& why);  ///< counts a scan that is not looked at, and says so once
+  void report_health(const Tick& tick);
+
+  std::unique_ptr<Detector> detector_;
+  std::unique_ptr<Tracker> tracker_;
+  std::unique_ptr<Predictor> predictor_;
+  TransformTree odometry_;  ///< of the last seconds
+  std::deque<sensor_msgs::msg::LaserScan> waiting_;
+  Latest<bandwagon_msgs::msg::Obstacles> obstacles_;  ///< only for social_force
+  double obstacles_timeout_ = 0.0;                    ///< [s]
+  std::string map_of_detector_;                       ///< frame of the map; empty without one
+  std::string refused_;                               ///< why the last scan was; empty when it was not
+  std::uint64_t refusals_ = 0;
+  std::optional<Time> last_look_;  ///< on the component clock
+  Time now_;
+
+  std::string odom_frame_;
+  std::string base_frame_;
+  std::shared_ptr<const TransformTree> transforms_;
+  SensorMounts mounts_;
+  Output<bandwagon_msgs::msg::Tracks> tracks_;
+  Output<people_msgs::msg::People> people_;
+  Output<visualization_msgs::msg::MarkerArray> people_markers_;
+  Output<visualization_msgs::msg::MarkerArray> leg_markers_;
+  Logger log_;
+  DiagnosticReporter* diagnostics_ = nullptr;
+};
+
+}  // namespace bw::people

@@ -1,0 +1,158 @@
+// Adaptor of the collision monitor: sweeps, odometry and wanted velocities in, allowed velocities out.
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <geometry_msgs/msg/twist.hpp>
+#include <nav2_msgs/msg/collision_monitor_state.hpp>
+#include <nav_msgs/msg/odometry.hpp>
+#include <sensor_msgs/msg/laser_scan.hpp>
+#include <std_msgs/msg/empty.hpp>
+
+#include "components/messages/geometry.hpp"
+#include "components/messages/laser.hpp"
+#include "components/safety/adaptor/zone_markers.hpp"
+#include "components/safety/collision_monitor.hpp"
+#include "runtime/component.hpp"
+
+namespace bw {
+namespace {
+
+using safety::Action;
+using safety::Verdict;
+
+constexpr double kAtRest = 0.01;  // [m/s], [rad/s]
+constexpr Duration kCycle = Duration::milliseconds(20);
+constexpr Duration kMarkerPeriod = Duration::milliseconds(200);
+constexpr std::string_view kCommandSilent = "command_silent";
+constexpr std::string_view kInputStale = "input_stale";
+
+bool moves(const Twist2& twist) { return std::abs(twist.v) > kAtRest || std::abs(twist.omega) > kAtRest; }
+
+class CollisionMonitorComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    options_ = setup.parameters<safety::CollisionMonitorOptions>();
+    robot_ = setup.shared<Robot>("robot");
+    monitor_.emplace(robot_, options_);
+    command_timeout_ = Duration::seconds(options_.command_timeout);
+    for (SensorMount& mount : robot_.sensors) mount.frame = setup.frame(mount.frame);
+    base_frame_ = setup.frame("base_link");
+    log_ = setup.log();
+    diagnostics_ = &setup.diagnostics();
+    command_ = setup.command<geometry_msgs::msg::Twist>("cmd_vel");
+    state_ = setup.output<nav2_msgs::msg::CollisionMonitorState>("collision_monitor_state");
+    markers_ = setup.output<visualization_msgs::msg::MarkerArray>("collision_monitor_markers");
+    setup.input<sensor_msgs::msg::LaserScan>(
+        "scan", Qos::sensor(), [this](const auto& message, const Tick& tick) { on_scan(message, tick); });
+    setup.input<nav_msgs::msg::Odometry>(
+        "odom", Qos::sensor(), [this](const auto& message, const Tick& tick) {
+          monitor_->odometry(tick.now, from_pose(message.pose().pose()), from_twist(message.twist().twist()));
+        });
+    setup.input<geometry_msgs::msg::Twist>("cmd_vel_nav", Qos::command(),
+                                           [this](const auto& message, const Tick& tick) {
+                                             wanted_ = from_twist(message);
+                                             wanted_at_ = tick.now;
+                                             pass_on(tick);
+                                           });
+    setup.input<std_msgs::msg::Empty>(
+        "collision_monitor/reset", Qos::standard(), [this](const auto&, const Tick&) { monitor_->reset(); },
+        Need::optional);
+    setup.every(kCycle, "limit", [this](const Tick& tick) { pass_on(tick); });
+  }
+
+  void deactivate(const Tick&) override {
+    command_.publish({});
+    if (driving_cycles_ > 0) log_.info("limited in {}", share_limited());
+  }
+
+ private:
+  void on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick) {
+    monitor_->sweep(tick.now, to_sweep(message, robot_.mount_of(message.header().frame_id())));
+    if (wanted_at_) pass_on(tick);
+  }
+
+  Verdict judge(const Tick& tick) {
+    if (tick.health == Health::stop) return {{}, Action::stop, kInputStale};
+    if (tick.now - *wanted_at_ > command_timeout_) return {{}, Action::stop, kCommandSilent};
+    return monitor_->judge(tick.now, wanted_);
+  }
+
+  /// Says nothing to a robot that stands and that nobody drives.
+  void pass_on(const Tick& tick) {
+    if (!wanted_at_) return;
+    const Verdict verdict = judge(tick);
+    const bool silent = verdict.cause == kCommandSilent && !moves(monitor_->actual());
+    if (!silent || moves(last_.allowed)) publish(verdict);
+    const bool counts = moves(wanted_) && verdict.cause != kCommandSilent;
+    driving_cycles_ += counts ? 1U : 0U;
+    limited_cycles_ += counts && verdict.action != Action::do_nothing ? 1U : 0U;
+    if (silent != idle_ || verdict.action != last_.action || verdict.cause != last_.cause)
+      report(verdict, silent);
+    idle_ = silent;
+    last_ = verdict;
+    if (markers_.has_readers() && (!drawn_at_ || tick.now - *drawn_at_ >= kMarkerPeriod)) {
+      drawn_at_ = tick.now;
+      markers_.publish(
+          safety::to_markers(options_, robot_.radius, verdict, make_header(base_frame_, tick.now)));
+    }
+  }
+
+  /// The state goes first: motor_control brakes by it.
+  void publish(const Verdict& verdict) {
+    nav2_msgs::msg::CollisionMonitorState state;
+    state.action_type(static_cast<std::uint8_t>(verdict.action));
+    state.polygon_name(std::string(verdict.cause));
+    state_.publish(state);
+    command_.publish(to_twist_message(verdict.allowed));
+  }
+
+  void report(const Verdict& verdict, bool silent) {
+    using Level = DiagnosticReporter::Level;
+    diagnostics_->set_value("limited", share_limited());
+    if (silent) return diagnostics_->report(Level::ok, "nobody drives");
+    if (verdict.action == Action::do_nothing) return diagnostics_->report(Level::ok, "the way is free");
+    const bool is_laser = verdict.cause == safety::kLaserSilent || verdict.cause == safety::kLaserFrozen ||
+                          verdict.cause == safety::kLaserInvalid;
+    if (is_laser && last_.cause != verdict.cause) {
+      const bool unsound = verdict.cause == safety::kLaserInvalid;
+      log_.error("{}: stopping{}{}", verdict.cause, unsound ? ": " : "",
+                 unsound ? to_text(monitor_->sweep_fault()) : "");
+    }
+    diagnostics_->report(
+        is_laser ? Level::error : Level::warn,
+        fmt::format("{}: {}", verdict.action == Action::stop ? "stop" : "limited", verdict.cause));
+  }
+
+  std::string share_limited() const {
+    const double share = driving_cycles_ > 0
+                             ? static_cast<double>(limited_cycles_) / static_cast<double>(driving_cycles_)
+                             : 0.0;
+    return fmt::format("{:.2f} % of {} driving cycles", 100.0 * share, driving_cycles_);
+  }
+
+  safety::CollisionMonitorOptions options_;
+  Robot robot_;  ///< its sensors by the frames their messages name
+  std::optional<safety::CollisionMonitor> monitor_;
+  Duration command_timeout_;
+  std::string base_frame_;
+  Twist2 wanted_;
+  std::optional<Time> wanted_at_;
+  Verdict last_;
+  bool idle_ = true;
+  std::uint64_t driving_cycles_ = 0;
+  std::uint64_t limited_cycles_ = 0;
+  std::optional<Time> drawn_at_;
+  Logger log_;
+  DiagnosticReporter* diagnostics_ = nullptr;
+  Output<geometry_msgs::msg::Twist> command_;
+  Output<nav2_msgs::msg::CollisionMonitorState> state_;
+  Output<visualization_msgs::msg::MarkerArray> markers_;
+};
+
+}  // namespace
+
+BW_COMPONENT(CollisionMonitorComponent, "collision_monitor")
+
+}  // namespace bw

@@ -1,0 +1,123 @@
+#include "components/tools/bench/crowd_episode.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/tools/bench/crowd_walk.hpp"
+
+namespace bw {
+namespace {
+
+constexpr int kStepsPerPeriod = 5;
+constexpr double kCollisionIndexSigma = 0.6;  // [m] spec 7.7
+constexpr double kStandingSpeed = 0.1;        // [m/s]
+
+PlanningProblem problem_at(const Scene& scene, const SceneFile& file, double time, const Pose2& pose,
+                           const Twist2& twist) {
+  const ClosedLoop& rule = *file.closed_loop;
+  PlanningProblem problem;
+  problem.now = Time::seconds(1.0 + time);
+  problem.pose = pose;
+  problem.twist = twist;
+  problem.plan = {scene.start, scene.goal};
+  problem.footprint.radius = rule.robot_radius;
+  problem.limits = file.limits;
+  problem.control_period = rule.control_period;
+  std::uint32_t id = 0;
+  for (const SceneObstacle& o : scene.obstacles) {
+    ++id;
+    if (!o.moves()) {
+      problem.obstacles.discs.push_back({o.position, o.radius});
+      continue;
+    }
+    Mover mover;
+    mover.id = id;
+    mover.position = position_at(o, rule.box, time);
+    mover.velocity = velocity_at(o, rule.box, time);
+    mover.radius = o.radius;
+    problem.movers.push_back(mover);
+  }
+  return problem;
+}
+
+void judge(const Scene& scene, const ClosedLoop& rule, double time, const Pose2& pose, const Twist2& twist,
+           CrowdEpisode& episode) {
+  double clearance = std::numeric_limits<double>::infinity();
+  for (const SceneObstacle& o : scene.obstacles) {
+    const double centre = (position_at(o, rule.box, time) - pose.position()).norm();
+    clearance = std::min(clearance, centre - o.radius);
+    if (!o.moves()) continue;
+    const double index = std::exp(-centre * centre / (2.0 * kCollisionIndexSigma * kCollisionIndexSigma));
+    episode.max_collision_index = std::max(episode.max_collision_index, index);
+  }
+  episode.min_clearance = std::min(episode.min_clearance, clearance);
+  if (clearance >= rule.robot_radius) return;
+  episode.collision = true;
+  if (std::abs(twist.v) > kStandingSpeed) episode.collision_at_speed = true;
+}
+
+// The command within the limits and within what one period may change.
+Twist2 applied(const Twist2& command, const Twist2& last, const Limits& limits, double period) {
+  const double dv = 2.0 * limits.acc_max * period;
+  const double domega = 2.0 * limits.alpha_max * period;
+  return {std::clamp(std::clamp(command.v, -limits.v_back_max, limits.v_max), last.v - dv, last.v + dv),
+          std::clamp(std::clamp(command.omega, -limits.omega_max, limits.omega_max), last.omega - domega,
+                     last.omega + domega)};
+}
+
+Pose2 unicycle_step(const Pose2& pose, const Twist2& twist, double h) {
+  const double heading = pose.theta + twist.omega * h / 2.0;
+  return {pose.x + twist.v * h * std::cos(heading), pose.y + twist.v * h * std::sin(heading),
+          wrap_angle(pose.theta + twist.omega * h)};
+}
+
+double rms_jerk(const std::vector<double>& accelerations, double period) {
+  if (accelerations.size() < 2) return 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 1; i < accelerations.size(); ++i) {
+    const double jerk = (accelerations[i] - accelerations[i - 1]) / period;
+    squares += jerk * jerk;
+  }
+  return std::sqrt(squares / static_cast<double>(accelerations.size() - 1));
+}
+
+}  // namespace
+
+CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner& planner,
+                         const CpuClock& clock, const StepObserver& observer) {
+  const ClosedLoop& rule = *file.closed_loop;
+  const double period = rule.control_period;
+  CrowdEpisode episode;
+  episode.name = scene.name;
+  Pose2 pose = scene.start;
+  Twist2 twist;
+  std::vector<double> accelerations;
+  const int cycles = static_cast<int>(std::lround(rule.timeout / period));
+  for (int cycle = 0; cycle < cycles; ++cycle) {
+    const double begin = cycle * period;
+    const PlanningProblem problem = problem_at(scene, file, begin, pose, twist);
+    const double before = clock();
+    const PlanningResult result = planner.plan(problem);
+    episode.ms.push_back(clock() - before);
+    if (result.status != PlanningStatus::ok) ++episode.not_ok;
+
+    const Twist2 last = twist;
+    twist = applied(result.command, last, file.limits, period);
+    accelerations.push_back((twist.v - last.v) / period);
+    const double h = period / kStepsPerPeriod;
+    for (int step = 1; step <= kStepsPerPeriod; ++step) {
+      pose = unicycle_step(pose, twist, h);
+      judge(scene, rule, begin + step * h, pose, twist, episode);
+      if (observer) observer(begin + step * h, pose, twist);
+    }
+    episode.time = begin + period;
+    if ((pose.position() - scene.goal.position()).norm() <= rule.goal_tolerance) {
+      episode.success = !episode.collision;
+      break;
+    }
+  }
+  episode.rms_jerk = rms_jerk(accelerations, period);
+  return episode;
+}
+
+}  // namespace bw

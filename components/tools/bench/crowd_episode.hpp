@@ -1,0 +1,38 @@
+// One drive among walkers that do not react: planner, unicycle and discs, by the closed-loop rule of the
+// scenes' README. Deterministic but for the times.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "components/model/planning.hpp"
+#include "components/tools/bench/scene_file.hpp"
+
+namespace bw {
+
+struct CrowdEpisode {
+  std::string name;
+  bool success = false;             ///< goal reached in time without any contact
+  bool collision = false;           ///< some clearance fell below the robot's radius
+  bool collision_at_speed = false;  ///< and the robot was faster than 0.1 m/s then
+  double time = 0.0;                ///< [s] to the goal, or the timeout
+  double min_clearance = std::numeric_limits<double>::infinity();  ///< [m] centre of the robot to an edge
+  double max_collision_index = 0.0;                                ///< over walkers, spec 7.7
+  double rms_jerk = 0.0;                                           ///< [m/s^3] of the applied commands
+  int not_ok = 0;                                                  ///< cycles without a feasible trajectory
+  std::vector<double> ms;                                          ///< CPU time of every planner call
+};
+
+/// CPU time so far [ms].
+using CpuClock = std::function<double()>;
+
+/// Called after every integration step: time since the start [s], pose, velocity driven.
+using StepObserver = std::function<void(double time, const Pose2& pose, const Twist2& twist)>;
+
+/// `file.closed_loop` must be set. `planner` should be new: it keeps its warm start.
+CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner& planner,
+                         const CpuClock& clock, const StepObserver& observer = {});
+
+}  // namespace bw

@@ -1,0 +1,37 @@
+// The figures of one planner over crowd scenes, as JSON for scripts and as a table for people.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "components/tools/bench/bench_common.hpp"
+#include "components/tools/bench/crowd_episode.hpp"
+
+namespace bw {
+
+/// Means are over all episodes, those of cycle times over all cycles.
+struct CrowdSummary {
+  std::string planner;
+  int episodes = 0, successes = 0, contacts = 0, contacts_at_speed = 0, timeouts = 0;
+  Interval wilson;
+  double mean_time = 0.0;
+  double mean_min_clearance = 0.0, min_clearance = 0.0;
+  double mean_max_collision_index = 0.0, max_collision_index = 0.0;
+  double mean_rms_jerk = 0.0;
+  double mean_ms = 0.0, p95_ms = 0.0, max_ms = 0.0;
+};
+
+CrowdSummary summarize(const std::string& planner, const std::vector<CrowdEpisode>& episodes);
+
+/// {planner, episodes: [...], summary: {...}}, fields as in the README of the planner.
+nlohmann::ordered_json to_json(const CrowdSummary& summary, const std::vector<CrowdEpisode>& episodes);
+
+/// One episode on one line.
+std::string in_a_line(const CrowdEpisode& episode);
+
+/// One row per planner below a head.
+std::string table(const std::vector<CrowdSummary>& summaries);
+
+}  // namespace bw

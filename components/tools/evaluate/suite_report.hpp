@@ -1,0 +1,43 @@
+// Many drives as one result: per planner how many succeeded, and the figures of all. A drive succeeds when
+// the goal is reached and nobody was touched while the robot moved (collisions_at_speed is 0): people who do
+// not see the robot may walk into one that stands.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace bw {
+
+/// One drive: name, seed, planner, and its score card (score_card_json.hpp).
+struct EpisodeResult {
+  std::string name;
+  std::int64_t seed = 0;
+  std::string planner;
+  nlohmann::json card;
+
+  bool succeeded() const;
+};
+
+/// The drives of one suite.
+struct SuiteResult {
+  std::string suite;  ///< its file
+  std::vector<EpisodeResult> episodes;
+};
+
+/// {suite, summary: {planner: {episodes, reached, successes, wilson95, contacts, contacts_at_speed,
+/// min_distance_m, closest_person_m, max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3,
+/// localization: {mean_rms_m, max_m}, planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner,
+/// success, ... score card}]}. Times and jerk are means over reached goals and over all drives; p95 of the
+/// planner's time is that of the worst drive.
+nlohmann::json to_json(const SuiteResult& result);
+
+/// The drives that failed, and one table: a row for each suite and planner, planners in the order they were
+/// driven.
+std::string in_words(const std::vector<SuiteResult>& results);
+
+/// One drive on one line.
+std::string in_a_line(const EpisodeResult& result);
+
+}  // namespace bw

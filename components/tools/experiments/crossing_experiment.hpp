@@ -1,0 +1,47 @@
+// Experiment E5 (spec 8.5): which planner passes behind people who cross?
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "components/tools/bench/crowd_episode.hpp"
+#include "components/tools/experiments/crossing_scene.hpp"
+
+namespace bw {
+
+/// One planner as it takes part.
+struct CrossingEntry {
+  std::string label;
+  std::string planner;
+  std::vector<std::string> set;  ///< parameters unlike the defaults, as `bandwagon bench crowd --set`
+};
+
+struct CrossingRun {
+  std::uint64_t seed = 0;
+  Passing passing_a = Passing::not_crossed;
+  Passing passing_b = Passing::not_crossed;
+  CrowdEpisode episode;
+  std::vector<TimedPosition> path;
+};
+
+struct CrossingResult {
+  CrossingEntry entry;
+  std::vector<CrossingRun> runs;
+};
+
+/// Means and shares over all runs.
+struct CrossingSummary {
+  int runs = 0, successes = 0, contacts = 0;
+  double share_behind_a = 0.0, share_behind_b = 0.0;
+  double mean_max_collision_index = 0.0, max_collision_index = 0.0;
+  double mean_time = 0.0;
+  double mean_min_clearance = 0.0;  ///< [m] centre of the robot to a person's edge
+};
+
+/// Seeds 1 to `runs`. Deterministic but for the cycle times. Throws std::runtime_error on an unknown planner
+/// or parameter.
+CrossingResult run_crossing(const CrossingEntry& entry, const CrossingGeometry& geometry, int runs);
+
+CrossingSummary summarize(const CrossingResult& result);
+
+}  // namespace bw

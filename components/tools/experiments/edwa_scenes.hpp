@@ -1,0 +1,34 @@
+// The scenes of experiment E3 (Table 3.2; spec 8.3). The source shows them as a picture only: start and goal
+// places are proposals of the spec.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/base/pose2.hpp"
+
+namespace bw {
+
+/// One robot's errand, straight from start to goal; it begins at rest, looking at its goal.
+struct Errand {
+  Pose2 start;
+  Pose2 goal;
+};
+
+/// The robot under test is the first.
+struct EdwaScene {
+  std::string name;
+  std::vector<Errand> errands;
+};
+
+constexpr int kEdwaScenes = 4;
+
+/// "S1 head-on", ...; `index` from 0.
+std::string_view edwa_scene_name(int index);
+
+/// Scene `index` (0 to 3) with the places of the others jittered by `seed`.
+EdwaScene edwa_scene(int index, std::uint64_t seed);
+
+}  // namespace bw

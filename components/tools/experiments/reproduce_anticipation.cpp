@@ -1,0 +1,142 @@
+// bandwagon reproduce pteb|eteb: E5 in process, then E6 as drives of the hallway suite.
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "components/tools/evaluate/suite.hpp"
+#include "components/tools/experiments/anticipation_report.hpp"
+#include "components/tools/experiments/reproduce.hpp"
+#include "components/tools/program/drive.hpp"
+#include "runtime/atomic_file.hpp"
+#include "runtime/cli/signals.hpp"
+
+namespace bw {
+namespace {
+
+constexpr int kRuns = 40;
+constexpr int kQuickRuns = 5;
+constexpr std::int64_t kQuickSeeds = 2;
+
+// From the project's folder, from its build folder, or installed.
+std::filesystem::path suite_file() {
+  const std::filesystem::path suite = "config/suites/hallway.yaml";
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  for (const std::filesystem::path& folder : {std::filesystem::path("."), program / "../share/bandwagon",
+                                              program / "../../..", program / "../../../.."}) {
+    if (std::filesystem::exists(folder / suite)) return folder / suite;
+  }
+  throw std::runtime_error(suite.string() + " is not found: run this in the project's folder");
+}
+
+std::vector<CrossingResult> drive_crossing(const std::vector<CrossingEntry>& entries,
+                                           const CrossingGeometry& geometry, int runs) {
+  std::vector<CrossingResult> results;
+  for (const CrossingEntry& entry : entries) {
+    std::cerr << fmt::format("people crossing, {}: {} runs\n", entry.label, runs);
+    results.push_back(run_crossing(entry, geometry, runs));
+  }
+  return results;
+}
+
+Graph hallway_graph(const Suite& suite, std::size_t episode, const CrossingEntry& entry, bool people_react) {
+  Graph graph = suite.graph_of(episode);
+  const auto set = [&graph](const std::string& text) { apply_override(graph, parse_override(text)); };
+  const ComponentNode* planner = find_type(graph, "local_planner", "");
+  if (planner == nullptr) throw std::runtime_error(suite.graph.string() + ": has no local_planner");
+  const std::string name = planner->name;
+  set(name + ".algorithm=" + entry.planner);
+  for (const std::string& text : entry.set) set(name + "." + text);
+  // Planners are compared, not what they are told.
+  for (const char* exact :
+       {"localization.enabled=false", "ideal_localization.enabled=true", "people.enabled=false",
+        "ideal_people.enabled=true", "local_costmap.enabled=false", "obstacles.enabled=true",
+        "world.drive={}", "world.imu={}"}) {
+    set(exact);
+  }
+  set(std::string("world.people_react=") + (people_react ? "true" : "false"));
+  return graph;
+}
+
+struct HallwayJob {
+  CrossingEntry entry;
+  bool people_react = true;
+  std::size_t episode = 0;
+  std::int64_t seed = 1;
+};
+
+std::vector<HallwayJob> hallway_jobs(const Suite& suite, const std::vector<CrossingEntry>& entries,
+                                     std::int64_t last_seed) {
+  std::vector<HallwayJob> jobs;
+  for (const bool people_react : {true, false}) {
+    for (std::size_t episode = 0; episode < suite.options.episodes.size(); ++episode) {
+      for (const CrossingEntry& entry : entries) {
+        for (std::int64_t seed = suite.options.seeds.first; seed <= last_seed; ++seed)
+          jobs.push_back({entry, people_react, episode, seed});
+      }
+    }
+  }
+  return jobs;
+}
+
+std::vector<HallwayDrive> drive_hallway(const std::vector<CrossingEntry>& entries, bool quick) {
+  const Suite suite = load_suite(suite_file());
+  const std::int64_t last_seed =
+      quick ? suite.options.seeds.first + kQuickSeeds - 1 : suite.options.seeds.last;
+  const std::vector<HallwayJob> jobs = hallway_jobs(suite, entries, last_seed);
+  // A wrong parameter is found before the first drive.
+  for (const HallwayJob& job : jobs) hallway_graph(suite, job.episode, job.entry, job.people_react);
+  std::vector<HallwayDrive> drives;
+  cli::catch_interrupts();
+  for (const HallwayJob& job : jobs) {
+    const DriveOptions options{
+        .host = {.clock = ClockMode::lockstep, .seed = static_cast<std::uint64_t>(job.seed)},
+        .longest = Duration::seconds(suite.options.time_limit)};
+    const DriveResult result = drive(hallway_graph(suite, job.episode, job.entry, job.people_react), options);
+    if (cli::interrupted()) throw std::runtime_error("interrupted");
+    const HallwayDrive row = hallway_drive(job.entry.label, suite.options.episodes[job.episode].name,
+                                           job.people_react, job.seed, result.json);
+    drives.push_back(row);
+    std::cerr << fmt::format(
+        "[{}/{}] hallway {}, people {}, {} seed {}: {}, largest CI {:.2f}\n", drives.size(), jobs.size(),
+        row.episode, row.people_react ? "react" : "do not react", row.planner, row.seed,
+        row.succeeded() ? fmt::format("{:.1f} s", row.time) : "FAILED", row.max_collision_index);
+  }
+  return drives;
+}
+
+void print(const std::vector<Criterion>& criteria) {
+  for (const Criterion& c : criteria)
+    fmt::print("{:7} {}: {:.3f}, asked {}\n", c.met ? "met" : "NOT MET", c.name, c.measured, c.asked);
+}
+
+bool reproduce(const std::string& subject, const ReproduceArguments& arguments) {
+  const bool with_eteb = subject == "eteb";
+  const int runs = arguments.quick ? kQuickRuns : kRuns;
+  const std::vector<CrossingEntry> defaults = default_entries(with_eteb);
+  std::vector<CrossingEntry> all = defaults;
+  for (CrossingEntry& entry : published_entries(with_eteb)) all.push_back(std::move(entry));
+
+  AnticipationResults results{.subject = subject};
+  results.crossing = drive_crossing(all, results.geometry, runs);
+  results.proposed = drive_crossing(defaults, proposed_crossing(), runs);
+  results.hallway = drive_hallway(arguments.quick ? defaults : all, arguments.quick);
+
+  write_file_atomically(arguments.out / "results.json", anticipation_json(results).dump(2) + "\n");
+  write_file_atomically(arguments.out / "index.html", anticipation_page(results));
+  fmt::print("{}\n{}\n", crossing_table(results.crossing), hallway_table(hallway_rows(results.hallway)));
+  const std::vector<Criterion> criteria = anticipation_criteria(results);
+  print(criteria);
+  fmt::print("as published:\n");
+  print(published_criteria(results));
+  fmt::print("written: {}\n", (arguments.out / "index.html").string());
+  return std::all_of(criteria.begin(), criteria.end(), [](const Criterion& c) { return c.met; });
+}
+
+}  // namespace
+
+bool reproduce_pteb(const ReproduceArguments& arguments) { return reproduce("pteb", arguments); }
+bool reproduce_eteb(const ReproduceArguments& arguments) { return reproduce("eteb", arguments); }
+
+}  // namespace bw

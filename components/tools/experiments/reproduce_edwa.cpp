@@ -1,0 +1,53 @@
+#include <algorithm>
+#include <iostream>
+
+#include <fmt/format.h>
+
+#include "components/tools/experiments/edwa_report.hpp"
+#include "components/tools/experiments/reproduce.hpp"
+#include "runtime/atomic_file.hpp"
+
+namespace bw {
+namespace {
+
+constexpr std::uint64_t kSeeds = 40;
+constexpr std::uint64_t kQuickSeeds = 5;
+
+void print(const EdwaTable& table) {
+  fmt::print("{:28} {:10} {:>9} {:>7} {:>7} {:>8} {:>9} {:>9}\n", "scene", "pairing", "published", "mean",
+             "sd", "reached", "contacts", "timeouts");
+  for (const EdwaRow& row : table.rows) {
+    fmt::print("{:28} {:10} {:9.4f} {:7.4f} {:7.4f} {:4}/{:3} {:9} {:9}\n", edwa_scene_name(row.scene),
+               to_string(row.pairing), row.published, row.mean, row.sd, row.success, row.runs.size(),
+               row.contacts, row.timeouts);
+  }
+  for (const Criterion& c : table.criteria) {
+    fmt::print("{:7} {}: {:.4f}, asked {}\n", c.met ? "met" : "NOT MET", c.name, c.measured, c.asked);
+  }
+}
+
+}  // namespace
+
+bool reproduce_edwa(const ReproduceArguments& arguments) {
+  std::vector<EdwaVariant> variants = edwa_variants(1, arguments.quick ? kQuickSeeds : kSeeds);
+  if (arguments.quick) variants.erase(variants.begin() + 1, variants.end());
+  std::vector<EdwaResult> results;
+  for (const EdwaVariant& variant : variants) {
+    const auto progress = [&](const EdwaRow& row, int done, int all) {
+      std::cerr << fmt::format(
+          "[{}/{}] {}: {} {} {:.4f} m/s, {}/{} reached\n",
+          results.size() * static_cast<std::size_t>(all) + static_cast<std::size_t>(done),
+          variants.size() * static_cast<std::size_t>(all), variant.name, edwa_scene_name(row.scene),
+          to_string(row.pairing), row.mean, row.success, row.runs.size());
+    };
+    results.push_back({variant, run_edwa_experiment(variant.options, progress)});
+  }
+  write_file_atomically(arguments.out / "results.json", edwa_json(results).dump(2) + "\n");
+  write_file_atomically(arguments.out / "index.html", edwa_page(results));
+  const EdwaTable& table = results.front().table;
+  print(table);
+  fmt::print("written: {}\n", (arguments.out / "index.html").string());
+  return std::all_of(table.criteria.begin(), table.criteria.end(), [](const Criterion& c) { return c.met; });
+}
+
+}  // namespace bw

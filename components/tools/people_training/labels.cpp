@@ -1,0 +1,78 @@
+#include "components/tools/people_training/labels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/world/ray.hpp"
+
+namespace bw::people {
+namespace {
+
+constexpr double kMajority = 0.8;
+
+/// The leg on whose rim the point lies, within the noise; -1 when the furniture is nearer or nothing fits.
+int leg_at(const TrainingRoom& room, const RoomSweep& sweep, const Vector2& p_M) {
+  const double tolerance = 4.0 * room.laser().range_noise + 0.02;
+  double nearest = tolerance;
+  int leg = -1;
+  for (std::size_t i = 0; i < sweep.legs.size(); ++i) {
+    const Disc& disc = sweep.legs[i];
+    const double distance = std::abs((p_M - disc.center).norm() - disc.radius);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    leg = static_cast<int>(i);
+  }
+  if (leg >= 0 && room.scene().clearance(p_M, tolerance) < nearest) return -1;
+  return leg;
+}
+
+}  // namespace
+
+std::vector<Label> label_clusters(const TrainingRoom& room, const RoomSweep& sweep,
+                                  const Detector& detector) {
+  const Pose2 X_MO = sweep.X_MO();
+  std::vector<Label> labels;
+  std::vector<int> on_leg(sweep.legs.size());
+  for (const Cluster& cluster : detector.clusters().all) {
+    std::fill(on_leg.begin(), on_leg.end(), 0);
+    int human = 0;
+    for (const int beam : detector.clusters().beams_of(cluster)) {
+      const int leg = leg_at(room, sweep, X_MO * detector.beams().points[static_cast<std::size_t>(beam)]);
+      if (leg < 0) continue;
+      ++on_leg[static_cast<std::size_t>(leg)];
+      ++human;
+    }
+    Label label;
+    if (human > 0) {
+      const auto most = std::max_element(on_leg.begin(), on_leg.end());
+      label.leg = static_cast<int>(most - on_leg.begin());
+      const int other_leg = on_leg[static_cast<std::size_t>(label.leg ^ 1)];
+      const double enough = kMajority * cluster.count;
+      label.kind = *most >= enough ? Kind::leg : *most + other_leg >= enough ? Kind::body : Kind::mixed;
+    }
+    labels.push_back(label);
+  }
+  return labels;
+}
+
+std::vector<Visibility> visibility(const TrainingRoom& room, const RoomSweep& sweep,
+                                   const Detector& detector) {
+  const Pose2 X_MO = sweep.X_MO();
+  std::vector<Visibility> people(sweep.people.size());
+  const Beams& beams = detector.beams();
+  for (int i = 0; i < beams.size(); ++i) {
+    const auto beam = static_cast<std::size_t>(i);
+    const Vector2 ray = direction(beams.angle_min + i * beams.angle_increment + X_MO.theta);
+    for (std::size_t person = 0; person < people.size(); ++person) {
+      const bool crosses = ray_hit(sweep.X_ML.position(), ray, sweep.legs[2 * person]) != kNoHit ||
+                           ray_hit(sweep.X_ML.position(), ray, sweep.legs[2 * person + 1]) != kNoHit;
+      if (crosses) ++people[person].expected;
+    }
+    if (beams.kinds[beam] != BeamKind::hit) continue;
+    const int leg = leg_at(room, sweep, X_MO * beams.points[beam]);
+    if (leg >= 0) ++people[static_cast<std::size_t>(leg / 2)].seen;
+  }
+  return people;
+}
+
+}  // namespace bw::people

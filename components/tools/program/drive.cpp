@@ -1,0 +1,112 @@
+#include "components/tools/program/drive.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "components/tools/program/run_observer.hpp"
+#include "components/tools/program/score_card_json.hpp"
+#include "runtime/cli/signals.hpp"
+#include "runtime/parameters/overrides.hpp"
+
+namespace bw {
+namespace {
+
+/// The planner's own name, from the parameter that selects it.
+std::string algorithm_of(const Host& host, const std::string& component) {
+  for (const auto& [name, report] : host.parameters()) {
+    if (name != component) continue;
+    for (const ParameterRow& row : report.rows) {
+      if (row.name == "algorithm") return row.value;
+    }
+  }
+  return component;
+}
+
+double planner_median_ms(const Host& host, const std::string& component) {
+  for (const CallbackStatistics& s : host.statistics()) {
+    if (s.component == component && s.callback == "control_cycle") return s.run.quantile_ms(0.5);
+  }
+  return 0.0;
+}
+
+/// Asks the host to end when a person does.
+class InterruptWatch {
+ public:
+  explicit InterruptWatch(Host& host)
+      : thread_([this, &host] {
+          while (!done_) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            if (!cli::interrupted()) continue;
+            host.finish({.ok = true, .reason = "interrupted"}, false);
+            return;
+          }
+        }) {}
+  ~InterruptWatch() {
+    done_ = true;
+    thread_.join();
+  }
+  InterruptWatch(const InterruptWatch&) = delete;
+  InterruptWatch& operator=(const InterruptWatch&) = delete;
+
+ private:
+  std::atomic<bool> done_ = false;
+  std::thread thread_;
+};
+
+}  // namespace
+
+const ComponentNode* find_type(const Graph& graph, const std::string& type, const std::string& process) {
+  for (const ComponentNode& node : graph.components) {
+    if (node.enabled && node.type == type && (process.empty() || node.process == process)) return &node;
+  }
+  return nullptr;
+}
+
+DriveResult drive(Graph graph, const DriveOptions& options) {
+  const ComponentNode* evaluation = find_type(graph, "evaluation", options.host.only_process);
+  const ComponentNode* planner = find_type(graph, "local_planner", options.host.only_process);
+  const std::string planner_name = planner == nullptr ? "" : planner->name;
+  const std::string graph_file = graph.path.string();
+  if (evaluation != nullptr && !options.svg.empty()) {
+    ConfigNode file;
+    file.kind = ConfigNode::Kind::kScalar;
+    file.scalar = std::filesystem::absolute(options.svg).string();
+    file.quoted = true;
+    apply_override(graph, Override{.path = {evaluation->name, "svg"}, .value = std::move(file)});
+  }
+
+  DriveResult result{.judged = evaluation != nullptr};
+  auto seen = std::make_shared<Observation>();
+  Host* running = nullptr;
+  std::vector<ExtraComponent> extra;
+  if (result.judged) {
+    extra.push_back(
+        {"run_observer", std::make_unique<RunObserver>(seen, options.show_progress, [&running, planner_name] {
+           return running == nullptr ? 0.0 : planner_median_ms(*running, planner_name);
+         })});
+  }
+  Host host(std::move(graph), options.host, std::move(extra));
+  running = &host;
+  cli::catch_interrupts();
+  const InterruptWatch watch(host);
+  const Duration started = steady_time();
+  result.end = host.run(options.longest);
+  const double real_s = (steady_time() - started).to_seconds();
+
+  const RunFacts facts{.graph = graph_file,
+                       .seed = options.host.seed,
+                       .planner_component = planner_name,
+                       .planner_name = planner_name.empty() ? "" : algorithm_of(host, planner_name),
+                       .realtime_factor = host.elapsed_seconds() / real_s,
+                       .samples_sha256 = host.samples_sha256(),
+                       .end_reason = result.end.reason};
+  result.card = seen->card;
+  result.json = to_json(seen->card, facts, host.statistics());
+  return result;
+}
+
+}  // namespace bw

@@ -1,0 +1,78 @@
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <unistd.h>
+
+#include "components/tools/program/drive.hpp"
+#include "components/tools/program/score_card_json.hpp"
+#include "runtime/atomic_file.hpp"
+#include "runtime/cli/verb.hpp"
+
+namespace bw {
+namespace {
+
+struct RunOptions {
+  std::string graph;
+  std::string clock = "wall";
+  std::uint64_t seed = 1;
+  std::vector<std::string> set;
+  std::string only;
+  double for_s = 0.0;
+  double pace = 0.0;
+  std::string json;
+  std::string svg;
+  bool progress = false;
+  bool fail_on_contact = false;
+};
+
+ClockMode clock_mode(const std::string& name) {
+  return name == "lockstep" ? ClockMode::lockstep : name == "topic" ? ClockMode::topic : ClockMode::wall;
+}
+
+int run(const RunOptions& options) {
+  const DriveResult result =
+      drive(load_graph(options.graph, options.set),
+            {.host = {.clock = clock_mode(options.clock),
+                      .seed = options.seed,
+                      .only_process = options.only,
+                      .pace = options.pace},
+             .longest = options.for_s > 0.0 ? std::optional(Duration::seconds(options.for_s)) : std::nullopt,
+             .svg = options.svg,
+             .show_progress = options.progress || isatty(STDERR_FILENO) != 0});
+  if (!options.json.empty()) write_file_atomically(options.json, result.json.dump(2) + "\n");
+  if (!result.judged) return result.end.ok ? 0 : 1;
+  std::cout << in_words(result.json);
+  const bool contact = result.card && result.card->collisions() > 0;
+  return result.json.value("reached", false) && !(options.fail_on_contact && contact) ? 0 : 1;
+}
+
+CLI::App* add_run(CLI::App& app, int& status) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* verb = app.add_subcommand("run", "Runs a graph, or one process of it");
+  verb->add_option("GRAPH", options->graph, "Graph file")->required();
+  verb->add_option("--clock", options->clock,
+                   "wall, lockstep (virtual time, repeatable) or topic (/clock from outside)")
+      ->check(CLI::IsMember({"wall", "lockstep", "topic"}));
+  verb->add_option("--seed", options->seed, "Of everything random");
+  verb->add_option("--set", options->set, "component.param=value, as often as needed")
+      ->allow_extra_args(false);
+  verb->add_option("--only", options->only, "Only this process of the graph");
+  verb->add_option("--for", options->for_s, "Ends after so many seconds of the component clock")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--pace", options->pace,
+                   "Lock-step: virtual seconds per real second; 0 as fast as possible")
+      ->check(CLI::NonNegativeNumber);
+  verb->add_option("--json", options->json, "Writes the score card here");
+  verb->add_option("--svg", options->svg, "Writes a picture of the run here");
+  verb->add_flag("--progress", options->progress, "Progress line even when stderr is no terminal");
+  verb->add_flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 after any contact");
+  verb->callback([options, &status] { status = run(*options); });
+  return verb;
+}
+
+}  // namespace
+
+BW_VERB(drive, "run", add_run)
+
+}  // namespace bw

@@ -1,0 +1,119 @@
+#include "components/tools/program/score_card_json.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace bw {
+namespace {
+
+/// JSON knows no infinity: nobody was met, nothing was measured.
+nlohmann::json number(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
+}
+
+nlohmann::json planner_json(const RunFacts& facts, const std::vector<CallbackStatistics>& statistics) {
+  for (const CallbackStatistics& s : statistics) {
+    if (s.component != facts.planner_component || s.callback != "control_cycle") continue;
+    return {{"name", facts.planner_name},
+            {"cycles", s.run.count()},
+            {"mean_ms", s.run.mean_ms()},
+            {"median_ms", s.run.quantile_ms(0.5)},
+            {"p95_ms", s.run.quantile_ms(0.95)},
+            {"p99_ms", s.run.quantile_ms(0.99)},
+            {"max_ms", s.run.max().to_seconds() * 1e3}};
+  }
+  return nullptr;
+}
+
+nlohmann::json callbacks_json(const std::vector<CallbackStatistics>& statistics) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const CallbackStatistics& s : statistics) {
+    all.push_back({{"component", s.component},
+                   {"callback", s.callback},
+                   {"count", s.run.count()},
+                   {"run_p50_ms", s.run.quantile_ms(0.5)},
+                   {"run_p99_ms", s.run.quantile_ms(0.99)},
+                   {"run_max_ms", s.run.max().to_seconds() * 1e3},
+                   {"wait_p50_ms", s.wait.quantile_ms(0.5)},
+                   {"wait_p99_ms", s.wait.quantile_ms(0.99)},
+                   {"wait_max_ms", s.wait.max().to_seconds() * 1e3},
+                   {"rejected", s.rejected},
+                   {"missed", s.missed}});
+  }
+  return all;
+}
+
+std::string meters(const nlohmann::json& value) {
+  return value.is_number() ? fmt::format("{:.2f} m", value.get<double>()) : "-";
+}
+
+}  // namespace
+
+nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card, const RunFacts& facts,
+                       const std::vector<CallbackStatistics>& statistics) {
+  nlohmann::json json;
+  json["graph"] = facts.graph;
+  json["seed"] = facts.seed;
+  json["reached"] = card && card->reached();
+  json["reason"] = card && card->finished() ? card->reason() : facts.end_reason;
+  if (card) {
+    json["time_to_goal_s"] = number(card->time_to_goal_s());
+    json["path_length_m"] = number(card->path_length_m());
+    json["distance_to_goal_m"] = number(card->distance_to_goal_m());
+    json["min_distance_m"] = number(card->min_distance_m());
+    json["closest_person_m"] = number(card->closest_person_m());
+    json["collisions"] = card->collisions();
+    json["collisions_at_speed"] = card->collisions_at_speed();
+    json["max_collision_index"] = number(card->max_collision_index());
+    json["max_collision_index_045"] = number(card->max_collision_index_045());
+    json["share_ci_above_0_54"] = number(card->share_ci_above_0_54());
+    json["share_ci_above_0_14"] = number(card->share_ci_above_0_14());
+    json["mean_speed_mps"] = number(card->mean_speed_mps());
+    json["rms_jerk_mps3"] = number(card->rms_jerk_mps3());
+    json["localization"] = {{"rms_m", number(card->localization_rms_m())},
+                            {"max_m", number(card->localization_max_m())},
+                            {"rms_rad", number(card->localization_rms_rad())}};
+  }
+  json["planner"] = planner_json(facts, statistics);
+  json["realtime_factor"] = number(facts.realtime_factor);
+  if (!facts.samples_sha256.empty()) json["samples_sha256"] = facts.samples_sha256;
+  json["callbacks"] = callbacks_json(statistics);
+  return json;
+}
+
+std::string in_words(const nlohmann::json& card) {
+  std::string text = card.value("reached", false)
+                         ? fmt::format("Goal reached in {:.1f} s", card.value("time_to_goal_s", 0.0))
+                         : fmt::format("Goal not reached: {}", card.value("reason", "no score card"));
+  if (!card.contains("collisions")) return text + ".\n";
+  text += fmt::format(" over {}, {} contacts ({} while the robot moved).\n", meters(card["path_length_m"]),
+                      card["collisions"].get<int>(), card["collisions_at_speed"].get<int>());
+  text += fmt::format(
+      "Closest to a person {} (boundary to boundary), collision index at most {:.2f}, above 0.54 for {:.1f} "
+      "% of the time.\n",
+      meters(card["closest_person_m"]),
+      card["max_collision_index"].is_number() ? card["max_collision_index"].get<double>() : 0.0,
+      100.0 * (card["share_ci_above_0_54"].is_number() ? card["share_ci_above_0_54"].get<double>() : 0.0));
+  text += fmt::format("Mean speed {:.2f} m/s, RMS jerk {:.2f} m/s^3.\n",
+                      card["mean_speed_mps"].is_number() ? card["mean_speed_mps"].get<double>() : 0.0,
+                      card["rms_jerk_mps3"].is_number() ? card["rms_jerk_mps3"].get<double>() : 0.0);
+  if (const auto& pose = card["localization"]; pose.is_object() && pose["rms_m"].is_number()) {
+    text +=
+        fmt::format("Localization off by {:.3f} m and {:.4f} rad rms, {:.3f} m at most.\n",
+                    pose["rms_m"].get<double>(), pose["rms_rad"].get<double>(), pose["max_m"].get<double>());
+  }
+  if (const auto& planner = card["planner"]; planner.is_object()) {
+    text +=
+        fmt::format("Planner {}: {} cycles, CPU median {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms.\n",
+                    planner.value("name", ""), planner.value("cycles", 0), planner.value("median_ms", 0.0),
+                    planner.value("p99_ms", 0.0), planner.value("max_ms", 0.0));
+  }
+  if (card["realtime_factor"].is_number()) {
+    text += fmt::format("Simulated at {:.1f} times real time.\n", card["realtime_factor"].get<double>());
+  }
+  return text;
+}
+
+}  // namespace bw

@@ -1,0 +1,116 @@
+// Adaptor of the simulated world: wheel commands in, sensors and truth out.
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include <sensor_msgs/msg/joint_state.hpp>
+
+#include "components/files/map_file.hpp"
+#include "components/files/shape_file.hpp"
+#include "components/world/adaptor/world_messages.hpp"
+#include "components/world/files/track_file.hpp"
+#include "components/world/world.hpp"
+#include "runtime/component.hpp"
+
+namespace bw {
+namespace {
+
+WorldFiles read_files(const Setup& setup) {
+  WorldFiles files;
+  if (const auto file = setup.file_parameter("map"); !file.empty()) files.map = load_map(file);
+  if (const auto file = setup.file_parameter("tracks"); !file.empty())
+    files.tracks = read_tracks(file.string());
+  if (const auto file = setup.file_parameter("track_walls"); !file.empty()) {
+    files.shapes.segments = read_walls(file.string());
+  }
+  if (const auto file = setup.file_parameter("track_circles"); !file.empty()) {
+    files.shapes.discs = read_circles(file.string());
+  }
+  return files;
+}
+
+class WorldComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    options_ = setup.parameters<WorldOptions>();
+    const std::uint64_t seed = setup.seed() + static_cast<std::uint64_t>(options_.seed_offset);
+    world_ = std::make_unique<World>(options_, setup.shared<Robot>("robot"), read_files(setup), seed);
+    log_ = setup.log();
+
+    setup.input<sensor_msgs::msg::JointState>("sim/wheel_commands", Qos::command(),
+                                              [this](const auto& message, const Tick&) { command(message); });
+    ticks_ = setup.output<bandwagon_msgs::msg::WheelTicks>("sim/wheel_ticks");
+    truth_ = setup.output<bandwagon_msgs::msg::GroundTruth>("sim/ground_truth");
+    scan_ = setup.output<sensor_msgs::msg::LaserScan>("scan");
+    imu_ = setup.output<sensor_msgs::msg::Imu>("imu");
+    fix_ = setup.output<sensor_msgs::msg::NavSatFix>("gps/fix");
+    map_frame_ = setup.frame("map");
+    base_frame_ = setup.frame("base_link");
+    imu_frame_ = setup.frame(options_.imu.frame);
+    gps_frame_ = setup.frame(options_.gps.frame);
+    scan_message_.header().frame_id(setup.frame(options_.laser.frame));
+    setup.every(world_->physics_step(), "physics", [this](const Tick& tick) { catch_up(tick.now); });
+  }
+
+  void activate(const Tick& tick) override { start_ = tick.now - world_->time(); }
+  void deactivate(const Tick&) override { world_->command({}); }
+
+ private:
+  void command(const sensor_msgs::msg::JointState& message) {
+    const auto& rates = message.velocity();
+    const bool usable = rates.size() == 2 && world_->command({rates[0], rates[1]});
+    if (!usable) world_->command({});
+    if (!usable && was_usable_) {
+      log_.warn("wheel commands must hold two finite rates, left and right; the base brakes");
+    }
+    was_usable_ = usable;
+  }
+
+  /// Steps up to `now`. A host that was held up for long slows the world down instead of racing after the
+  /// clock.
+  void catch_up(Time now) {
+    constexpr Duration kMostBehind = Duration::milliseconds(500);
+    if (now - start_ > world_->time() + kMostBehind) start_ = now - world_->time() - kMostBehind;
+    while (start_ + world_->time() + world_->physics_step() <= now) publish(world_->step());
+  }
+
+  void publish(const WorldSample& sample) {
+    const Time stamp = start_ + sample.time;
+    if (sample.ticks) send(ticks_, to_message(*sample.ticks, stamp), base_frame_);
+    if (sample.imu) send(imu_, to_message(*sample.imu, options_.imu, stamp), imu_frame_);
+    for (const GpsFix& fix : sample.fixes) send(fix_, to_message(fix, options_.gps, start_), gps_frame_);
+    if (sample.truth_due) send(truth_, ground_truth(*world_, stamp), map_frame_);
+    if (sample.scan) {
+      to_message(*sample.scan, options_.laser, stamp, scan_message_);
+      scan_.publish(scan_message_);
+    }
+  }
+
+  template <class Message>
+  static void send(Output<Message>& output, Message message, const std::string& frame) {
+    message.header().frame_id(frame);
+    output.publish(message);
+  }
+
+  WorldOptions options_;
+  std::unique_ptr<World> world_;
+  Logger log_;
+  Time start_;  ///< component time of world time zero
+  bool was_usable_ = true;
+  std::string map_frame_;
+  std::string base_frame_;
+  std::string imu_frame_;
+  std::string gps_frame_;
+  sensor_msgs::msg::LaserScan scan_message_;
+  Output<bandwagon_msgs::msg::WheelTicks> ticks_;
+  Output<bandwagon_msgs::msg::GroundTruth> truth_;
+  Output<sensor_msgs::msg::LaserScan> scan_;
+  Output<sensor_msgs::msg::Imu> imu_;
+  Output<sensor_msgs::msg::NavSatFix> fix_;
+};
+
+}  // namespace
+
+BW_COMPONENT(WorldComponent, "world")
+
+}  // namespace bw

@@ -1,0 +1,107 @@
+#include "components/tools/bench/crowd_episode.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "components/tools/bench/crowd_generator.hpp"
+#include "components/tools/bench/crowd_report.hpp"
+#include "components/tools/bench/crowd_walk.hpp"
+
+namespace bw {
+namespace {
+
+class ConstantPlanner final : public LocalPlanner {
+ public:
+  explicit ConstantPlanner(const Twist2& command) : command_(command) {}
+  PlanningResult plan(const PlanningProblem&) override {
+    PlanningResult result;
+    result.status = PlanningStatus::ok;
+    result.command = command_;
+    return result;
+  }
+  void reset() override {}
+
+ private:
+  Twist2 command_;
+};
+
+double no_time() { return 0.0; }
+
+CrowdEpisode drive(const std::vector<SceneObstacle>& obstacles, double speed, const SceneFile& file) {
+  ConstantPlanner planner({speed, 0.0});
+  return drive_crowd({"hand made", {}, {12.0, 0.0, 0.0}, obstacles}, file, planner, no_time);
+}
+
+TEST(CrowdWalk, WalkersAreMirroredAtTheWalls) {
+  const SceneBox box{-1.0, 13.0, -4.0, 4.0};
+  const SceneObstacle walker{{12.0, -3.0}, 0.3, {1.0, -0.5}};
+  // After 4 s: x = 16 is mirrored at 13 to 10, y = -5 at -4 to -3.
+  EXPECT_TRUE(position_at(walker, box, 4.0).isApprox(Vector2(10.0, -3.0)));
+  EXPECT_TRUE(velocity_at(walker, box, 4.0).isApprox(Vector2(-1.0, 0.5)));
+  // After one period of x (28 s), y = -17 has met three walls: -17 -> 9 -> -1.
+  EXPECT_TRUE(position_at(walker, box, 28.0).isApprox(Vector2(12.0, -1.0)));
+  EXPECT_TRUE(velocity_at(walker, box, 28.0).isApprox(Vector2(1.0, -0.5)));
+  const SceneObstacle outside{{20.0, 0.0}, 0.3, {0.0, 0.0}};
+  EXPECT_EQ(position_at(outside, box, 4.0), outside.position);
+}
+
+TEST(CrowdEpisode, StraightDriveHasTheTimeAndJerkOfTheRule) {
+  // The speed rises by 2 acc_max 0.1 s = 0.2 m/s per period: 0.3 m in 5 periods, then 0.1 m each. 11.65 m are
+  // reached in 5 + 114 periods. One jerk of 2 / 0.1 = 20 m/s^3 among 118 differences.
+  SceneFile file = crowd_rules();
+  file.closed_loop->goal_tolerance = 0.35;
+  const CrowdEpisode episode = drive({}, 1.0, file);
+  EXPECT_TRUE(episode.success);
+  EXPECT_NEAR(episode.time, 11.9, 1e-9);
+  EXPECT_NEAR(episode.rms_jerk, 20.0 / std::sqrt(118.0), 1e-9);
+  EXPECT_EQ(episode.ms.size(), 119u);
+  EXPECT_EQ(episode.max_collision_index, 0.0);
+}
+
+TEST(CrowdEpisode, DrivingThroughADiscIsACollisionAtSpeedAndNoSuccess) {
+  const CrowdEpisode episode = drive({{{6.0, 0.5}, 0.3, {0.0, 0.0}}}, 1.0, crowd_rules());
+  EXPECT_TRUE(episode.collision);
+  EXPECT_TRUE(episode.collision_at_speed);
+  EXPECT_FALSE(episode.success);
+  EXPECT_NEAR(episode.min_clearance, 0.2, 1e-3);  // passes the centre at 0.5 m
+  EXPECT_LT(episode.time, 13.0);                  // the run goes on to the goal
+}
+
+TEST(CrowdEpisode, AWalkerWhoWalksIntoAStandingRobotIsNoContactAtSpeed) {
+  const CrowdEpisode episode = drive({{{-0.9, 3.0}, 0.3, {0.3, -1.0}}}, 0.0, crowd_rules());
+  EXPECT_TRUE(episode.collision);
+  EXPECT_FALSE(episode.collision_at_speed);
+  EXPECT_NEAR(episode.time, 60.0, 1e-9);
+  EXPECT_GT(episode.max_collision_index, 0.99);  // it passes the centre
+}
+
+TEST(CrowdEpisode, CollisionIndexIsThatOfTheNearestApproach) {
+  // A walker crosses ahead of a standing robot along x = 0.9: CI = exp(-0.81 / 0.72) = 0.3247.
+  const CrowdEpisode episode = drive({{{0.9, 3.9}, 0.3, {0.0, -1.0}}}, 0.0, crowd_rules());
+  EXPECT_NEAR(episode.max_collision_index, std::exp(-0.81 / 0.72), 1e-9);
+  EXPECT_FALSE(episode.collision);
+  EXPECT_FALSE(episode.success);
+}
+
+TEST(CrowdSummary, CountsAndMeansOfHandMadeEpisodes) {
+  CrowdEpisode good{.name = "good", .success = true, .time = 10.0, .min_clearance = 0.5};
+  good.ms = {1.0, 2.0};
+  CrowdEpisode touched{.name = "touched", .collision = true, .time = 14.0, .min_clearance = 0.1};
+  touched.ms = {3.0};
+  CrowdEpisode late{.name = "late", .time = 60.0, .min_clearance = 0.6};
+  const CrowdSummary s = summarize("x", {good, touched, late});
+  EXPECT_EQ(s.episodes, 3);
+  EXPECT_EQ(s.successes, 1);
+  EXPECT_EQ(s.contacts, 1);
+  EXPECT_EQ(s.contacts_at_speed, 0);
+  EXPECT_EQ(s.timeouts, 1);
+  EXPECT_NEAR(s.mean_time, 28.0, 1e-12);
+  EXPECT_NEAR(s.min_clearance, 0.1, 1e-12);
+  EXPECT_NEAR(s.mean_ms, 2.0, 1e-12);
+  EXPECT_EQ(s.max_ms, 3.0);
+  EXPECT_NE(table({s}).find("1 of 3"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bw

@@ -1,0 +1,165 @@
+// Suite files are read strictly, and their results are summed up as the formulas say.
+#include "components/tools/evaluate/suite.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "components/tools/evaluate/suite_report.hpp"
+
+namespace bw {
+namespace {
+
+class SuiteFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) / "bandwagon_suite_test";
+    std::filesystem::create_directories(folder_);
+    std::ofstream(folder_ / "graph.yaml") << "components:\n  world:\n    parameters: {physics_step: 0.01}\n";
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  Suite load(const std::string& text) {
+    const std::filesystem::path file = folder_ / "suite.yaml";
+    std::ofstream(file) << text;
+    return load_suite(file);
+  }
+
+  std::string refusal(const std::string& text) {
+    try {
+      load(text);
+    } catch (const ConfigError& error) {
+      return std::string(error.what()).substr(folder_.string().size() + 1);
+    }
+    return "accepted";
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(SuiteFile, AppliesItsOverridesThenTheEpisodesOwn) {
+  setenv("BANDWAGON_SUITE_TEST", "/somewhere", 1);
+  const Suite suite = load(
+      "graph: graph.yaml\n"
+      "seeds: {first: 3, last: 4}\n"
+      "set: [world.people_react=false, 'world.map=${BANDWAGON_SUITE_TEST}/map.yaml', world.tracks=eth.csv]\n"
+      "episodes:\n"
+      "  - name: a\n"
+      "  - {name: b, set: [world.people_react=true]}\n");
+  EXPECT_EQ(suite.options.seeds.first, 3);
+  EXPECT_EQ(suite.graph, folder_ / "graph.yaml");
+  const Graph a = suite.graph_of(0);
+  const ConfigNode& parameters = a.find("world")->parameters;
+  EXPECT_EQ(parameters.find("people_react")->scalar, "false");
+  EXPECT_EQ(parameters.find("physics_step")->scalar, "0.01");
+  EXPECT_EQ(parameters.find("map")->scalar, "/somewhere/map.yaml");
+  // Files are relative to the suite, not to the folder somebody happens to be in.
+  const ConfigNode& tracks = *parameters.find("tracks");
+  EXPECT_EQ(resolve_path(tracks.where, tracks.scalar), folder_ / "eth.csv");
+  EXPECT_EQ(suite.graph_of(1).find("world")->parameters.find("people_react")->scalar, "true");
+}
+
+TEST_F(SuiteFile, RefusesWithFileLineAndRule) {
+  EXPECT_EQ(refusal("graph: g.yaml\nepisodes: [{name: a}]\nsedes: {first: 1}\n"),
+            "suite.yaml:3: sedes: unknown key; did you mean 'seeds'?");
+  EXPECT_EQ(refusal("graph: g.yaml\nepisodes: []\n"), "suite.yaml:1: episodes must hold at least one");
+  EXPECT_EQ(refusal("graph: g.yaml\nepisodes: [{name: a}, {name: a}]\n"),
+            "suite.yaml:1: two episodes are named 'a'");
+  EXPECT_EQ(refusal("graph: g.yaml\nepisodes: [{name: ../a}]\n"),
+            "suite.yaml:1: an episode's name must be letters, digits, dot, _ and -, not '../a'");
+  EXPECT_EQ(refusal("graph: g.yaml\nset:\n  - world.map=${NOT_SET_ANYWHERE}/m.yaml\nepisodes: [{name: a}]\n"),
+            "suite.yaml:3: set = world.map=${NOT_SET_ANYWHERE}/m.yaml: "
+            "the environment variable NOT_SET_ANYWHERE must be set");
+  EXPECT_EQ(refusal("graph: g.yaml\nepisodes:\n  - name: a\n    set: [world.map]\n"),
+            "suite.yaml:4: world.map: must have the form component.param=value");
+}
+
+TEST_F(SuiteFile, AnOverrideOfNothingNamesTheSuite) {
+  const Suite suite = load("graph: graph.yaml\nepisodes:\n  - {name: a, set: [wrld.map=m]}\n");
+  try {
+    suite.graph_of(0);
+    FAIL() << "accepted";
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(error.violations().front().where.line, 3);
+    EXPECT_EQ(error.violations().front().key, "wrld.map");
+  }
+}
+
+EpisodeResult drive(const std::string& name, bool reached, int contacts, int at_speed, double index) {
+  return {name,
+          1,
+          "teb",
+          {{"reached", reached},
+           {"reason", "because"},
+           {"collisions", contacts},
+           {"collisions_at_speed", at_speed},
+           {"min_distance_m", 1.0 - index},
+           {"closest_person_m", 2.0 - index},
+           {"max_collision_index", index},
+           {"time_to_goal_s", reached ? 10.0 * contacts : 99.0},
+           {"rms_jerk_mps3", index},
+           {"localization", {{"rms_m", index / 10.0}, {"max_m", index}}},
+           {"planner",
+            {{"name", "teb"}, {"mean_ms", 10.0 * index}, {"p95_ms", 20.0 * index}, {"max_ms", 50.0}}}}};
+}
+
+// A contact of a standing robot is no failure; one at speed and a goal not reached are. Wilson 95 % of 2 of 4
+// is 0.150 to 0.850 (z = 1.96: (0.5 + 0.4802 -+ 1.96 sqrt(0.0625 + 0.06002)) / 1.9604 by hand).
+TEST(SuiteReport, SumsUpByPlanner) {
+  const SuiteResult result{"suite.yaml",
+                           {drive("a", true, 0, 0, 0.1), drive("b", true, 1, 0, 0.2),
+                            drive("c", true, 2, 1, 0.4), drive("d", false, 0, 0, 0.3)}};
+  const nlohmann::json json = to_json(result);
+  const nlohmann::json& row = json["summary"]["teb"];
+  EXPECT_EQ(row["episodes"], 4);
+  EXPECT_EQ(row["reached"], 3);
+  EXPECT_EQ(row["successes"], 2);
+  EXPECT_NEAR(row["wilson95"][0].get<double>(), 0.150, 5e-4);
+  EXPECT_NEAR(row["wilson95"][1].get<double>(), 0.850, 5e-4);
+  EXPECT_EQ(row["contacts"], 3);
+  EXPECT_EQ(row["contacts_at_speed"], 1);
+  EXPECT_DOUBLE_EQ(row["min_distance_m"].get<double>(), 0.6);
+  EXPECT_DOUBLE_EQ(row["closest_person_m"].get<double>(), 1.6);
+  EXPECT_DOUBLE_EQ(row["planner_ms"]["mean"].get<double>(), 2.5);
+  EXPECT_DOUBLE_EQ(row["planner_ms"]["p95"].get<double>(), 8.0);
+  EXPECT_DOUBLE_EQ(row["planner_ms"]["max"].get<double>(), 50.0);
+  EXPECT_DOUBLE_EQ(row["max_collision_index"]["max"].get<double>(), 0.4);
+  EXPECT_DOUBLE_EQ(row["max_collision_index"]["median"].get<double>(), 0.2);
+  EXPECT_DOUBLE_EQ(row["mean_time_s"].get<double>(), 10.0);
+  EXPECT_DOUBLE_EQ(row["mean_rms_jerk_mps3"].get<double>(), 0.25);
+  EXPECT_DOUBLE_EQ(row["localization"]["mean_rms_m"].get<double>(), 0.025);
+  EXPECT_DOUBLE_EQ(row["localization"]["max_m"].get<double>(), 0.4);
+  EXPECT_EQ(json["episodes"][2]["planner"], "teb");
+  EXPECT_EQ(json["episodes"][2]["success"], false);
+  const std::string words = in_words({result});
+  EXPECT_NE(words.find("failed: d seed 1 teb: not reached (because)"), std::string::npos) << words;
+  EXPECT_NE(words.find("2 of 4"), std::string::npos) << words;
+}
+
+// One row for each suite and planner, planners in the order of --planners and not of the alphabet.
+TEST(SuiteReport, OneTableForAllSuitesAndPlanners) {
+  const auto by = [](const std::string& planner) {
+    EpisodeResult result = drive("a", true, 0, 0, 0.1);
+    result.planner = planner;
+    return result;
+  };
+  const std::string words =
+      in_words({{"x/hall.yaml", {by("teb"), by("dwa"), by("teb")}}, {"x/eth.yaml", {by("teb_homotopy")}}});
+  std::vector<std::string> rows;
+  std::istringstream lines(words);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields(line);
+    std::string suite, planner, successes, of, drives;
+    fields >> suite >> planner >> successes >> of >> drives;
+    rows.push_back(suite + " " + planner + " " + successes + "/" + drives);
+  }
+  ASSERT_EQ(rows.size(), 4U) << words;
+  EXPECT_EQ(rows[1], "hall teb 2/2");
+  EXPECT_EQ(rows[2], "hall dwa 1/1");
+  EXPECT_EQ(rows[3], "eth teb_homotopy 1/1");
+}
+
+}  // namespace
+}  // namespace bw
