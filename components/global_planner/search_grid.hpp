@@ -46,7 +46,7 @@ class SearchGrid {
 
   /// A cell is blocked where its clearance is below `robot_radius` [m]. Clearance is the distance between
   /// cell centres less half a cell, which is where the surface of the obstacle cell begins. The map's sides
-  /// must not exceed kMaxSide. Cost of a cell (spec 7.4): 1 + weight ((range - clearance) / (range -
+  /// must not exceed kMaxSide. Cost of a cell (book 7.4): 1 + weight ((range - clearance) / (range -
   /// radius))^2 below the range, else 1.
   void build(const OccupancyGrid& map, double robot_radius, const GlobalPlannerOptions& options);
 

@@ -16,7 +16,7 @@
 
 namespace bw {
 
-/// What PTEB adds to the choice between topologies (spec 6.4).
+/// What PTEB adds to the choice between topologies (book 6.4).
 struct PtebOptions {
   double hrvo_angle_weight = 0.5;
 

@@ -48,7 +48,7 @@ struct SensorParameters {
       {.unit = "m",
        .min = 0,
        .max = 1,
-       .doc = "k of spec 2.2: variance of a wheel's travel per metre of it"});
+       .doc = "k of book 2.2: variance of a wheel's travel per metre of it"});
     v("gyro", gyro, {.doc = "use the turn rate of imu"});
     v("gyro_noise", gyro_noise,
       {.unit = "rad/s", .min = 1e-6, .max = 1, .doc = "standard deviation where the message gives none"});

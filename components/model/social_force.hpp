@@ -1,5 +1,5 @@
 // Forces per unit mass [m/s^2] that make people walk round one another and along walls.
-// Social term: Moussaid et al. 2009; constants: libpedsim (spec 7.6).
+// Social term: Moussaid et al. 2009; constants: libpedsim (book 7.6).
 #pragma once
 
 #include "runtime/base/field.hpp"

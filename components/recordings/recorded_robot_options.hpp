@@ -39,7 +39,7 @@ struct RecordedRobotOptions {
     v("datum_longitude", datum_longitude,
       {.unit = "deg", .min = -180, .max = 180, .doc = "mrclam: place on earth given to the origin of map"});
     v("variance_per_metre", variance_per_metre,
-      {.unit = "m", .min = 0, .max = 1, .doc = "wheel travel variance per metre (k of spec 2.2), for odom"});
+      {.unit = "m", .min = 0, .max = 1, .doc = "wheel travel variance per metre (k of book 2.2), for odom"});
     v("imu_frame", imu_frame, {.doc = "frame_id of imu"});
     v("gps_frame", gps_frame, {.doc = "frame_id of gps/fix"});
     v("laser_frame", laser_frame, {.doc = "frame_id of scan"});

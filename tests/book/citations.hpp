@@ -16,7 +16,7 @@ enum class CitationKind {
   table,       ///< Table 3.2
   figure,      ///< Figure 3.8b, Figures 3.7, 3.11
   algorithm,   ///< Algorithm 1
-  path,        ///< components/model/pose2.hpp, config/robots/*.yaml: from the project's folder
+  path,        ///< components/model/planning.hpp, config/robots/*.yaml: from the project's folder
   link,        ///< Markdown's [text](target), from the file's own folder
   test,        ///< `Suite.Name` of a GoogleTest test
   forbidden,   ///< names a text that is not in the tree

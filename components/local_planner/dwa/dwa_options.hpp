@@ -1,5 +1,5 @@
 // Parameters of DWA and of what EDWA changes in it. Motion limits are the robot's (PlanningProblem::limits);
-// Table 3.1 has 1 m/s, 0.35 rad/s and, by spec 2.3, 1 m/s^2 and 1 rad/s^2.
+// Table 3.1 has 1 m/s, 0.35 rad/s and, by book 2.3, 1 m/s^2 and 1 rad/s^2.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The complex H-signature of a path (Bhattacharya et al. 2010; spec 6.2, literal form). It grows with the
+// The complex H-signature of a path (Bhattacharya et al. 2010; book 6.2, literal form). It grows with the
 // product of the distances between obstacles, so that its digits do not reach beyond about ten of them: the
 // winding vector is the default.
 #pragma once

@@ -10,7 +10,7 @@
 
 namespace bw::teb {
 
-/// Weights of the squared residuals (spec 6.1). Limits are stiffer than the package's 2/1/1/1, so that plans
+/// Weights of the squared residuals (book 6.1). Limits are stiffer than the package's 2/1/1/1, so that plans
 /// keep them.
 struct BandWeights {
   double time = 1.0;

@@ -1,4 +1,4 @@
-// How the band sees movers: where they are expected, and how sure that is (spec 6.5, D10).
+// How the band sees movers: where they are expected, and how sure that is (book 6.5, D10).
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Residuals of one segment of the band: time, kinematics, speed and acceleration (spec 6.1), with analytic
+// Residuals of one segment of the band: time, kinematics, speed and acceleration (book 6.1), with analytic
 // Jacobians. Plain C++ shared by the solver, the tests and the oracle.
 #pragma once
 

@@ -15,7 +15,7 @@ struct ArcStep {
   Eigen::Matrix<double, 3, 2> by_step;  ///< d pose / d (distance, turn)
 };
 
-/// x+ = x + s sinc(t/2) cos(theta + t/2), y+ alike with sin, theta+ = theta + t (spec 2.1 on the exact arc).
+/// x+ = x + s sinc(t/2) cos(theta + t/2), y+ alike with sin, theta+ = theta + t (book 2.1 on the exact arc).
 inline ArcStep advance_arc(const Pose2& X, double s, double t) {
   const double h = t / 2.0;
   const bool small = std::abs(h) < 1e-3;

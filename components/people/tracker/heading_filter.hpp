@@ -1,4 +1,4 @@
-// The extended Kalman filter of spec 7.3: position, heading and speed of somebody, from places where they
+// The extended Kalman filter of book 7.3: position, heading and speed of somebody, from places where they
 // were seen. While they stand, or nearly, a velocity shows no heading: then the state is (x, y, vx, vy).
 //
 // The covariance goes from velocities to a heading by the derivative, and back by the exact moments, as the
@@ -13,7 +13,7 @@
 
 namespace bw::people {
 
-/// Spec 7.3 has heading_noise 0.5, acceleration 0.8 for both, position_noise 0.05; README.md compares.
+/// Book 7.3 compares the defaults with heading_noise 0.5, acceleration 0.8 for both, position_noise 0.05.
 struct HeadingOptions {
   double heading_noise = 0.7;
   double acceleration = 0.8;

@@ -28,7 +28,7 @@ struct AssociationOptions {
     v("gate", gate,
       {.min = 1, .max = 100, .doc = "squared standard deviations (2 dof) that may lie between"});
     v("reach", reach,
-      {.unit = "m", .min = 0.1, .max = 5, .doc = "and metres: the human-oriented gate of spec 7.2"});
+      {.unit = "m", .min = 0.1, .max = 5, .doc = "and metres: the human-oriented gate of book 7.2"});
     v("step", step, {.unit = "m", .min = 0.05, .max = 5, .doc = "of a leg that was just seen, at most"});
     v("pace", pace,
       {.unit = "m", .min = 0, .max = 5, .doc = "and so much more for each sweep that missed it"});

@@ -1,4 +1,4 @@
-// Experiment E6 (spec 8.6, Figures 3.8b, 3.9, 3.12): the whole robot in a hallway among walkers. The drives
+// Experiment E6 (book 8.6, Figures 3.8b, 3.9, 3.12): the whole robot in a hallway among walkers. The drives
 // are those of a suite in lock-step; here is what is made of their score cards.
 #pragma once
 

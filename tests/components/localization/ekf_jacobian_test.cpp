@@ -47,17 +47,17 @@ TEST(ArcJacobian, MatchesNumericalDerivativesWithin1e6) {
   }
 }
 
-// Spec 2.2: for a straight step G of wheels = [[c/2 - s sin/(2b), ...]] exactly, since midpoint and arc
+// Book 2.2: for a straight step G of wheels = [[c/2 - s sin/(2b), ...]] exactly, since midpoint and arc
 // agree.
-TEST(ArcJacobian, StraightStepEqualsTheSpecsWheelForm) {
+TEST(ArcJacobian, StraightStepEqualsTheWheelFormOfTheBook) {
   const double b = 0.4, s = 0.3, theta = 0.7;
   const WheelStep step = step_from_wheels(Time{0}, Duration{1}, s, s, b, 1e-3);
   const Eigen::Matrix<double, 3, 2> G = advance_arc({0, 0, theta}, s, 0.0).by_step;
   const double c = std::cos(theta), sn = std::sin(theta);
-  Eigen::Matrix<double, 3, 2> spec;
-  spec << c / 2 - s * sn / (2 * b), c / 2 + s * sn / (2 * b), sn / 2 + s * c / (2 * b),
+  Eigen::Matrix<double, 3, 2> wheel_form;
+  wheel_form << c / 2 - s * sn / (2 * b), c / 2 + s * sn / (2 * b), sn / 2 + s * c / (2 * b),
       sn / 2 - s * c / (2 * b), 1 / b, -1 / b;
-  const Eigen::Matrix3d expected = spec * (1e-3 * s) * spec.transpose();
+  const Eigen::Matrix3d expected = wheel_form * (1e-3 * s) * wheel_form.transpose();
   EXPECT_LT((G * step.covariance * G.transpose() - expected).norm(), 1e-15);
 }
 
