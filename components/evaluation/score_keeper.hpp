@@ -52,7 +52,8 @@ struct EvaluationOptions {
       {.unit = "m",
        .min = 0.01,
        .max = 10,
-       .doc = "a goal claimed from farther away than this is not counted as reached"});
+       .doc = "a goal that the robot claims from farther away than this, by its true place, is not "
+              "reached"});
   }
 };
 

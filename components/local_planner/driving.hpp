@@ -24,25 +24,40 @@ struct DrivingOptions {
       {.unit = "m",
        .min = 0.005,
        .max = 5,
-       .doc = "from here the robot only turns to the goal heading and stops"});
+       .doc = "distance to a final goal from which the robot only turns to its heading and stops; raise "
+              "it for bases that cannot be placed exactly"});
     v("yaw_goal_tolerance", yaw_goal_tolerance,
-      {.unit = "rad", .min = 0.005, .max = 3.15, .doc = "heading error at which it has arrived"});
+      {.unit = "rad",
+       .min = 0.005,
+       .max = 3.15,
+       .doc = "heading error at which the robot has arrived; 3.15 for any heading"});
     v("feasibility_check_time", feasibility_check_time,
       {.unit = "s",
        .min = 0,
        .max = 20,
-       .doc = "how far ahead the footprint must be free before the robot moves"});
+       .doc = "how far ahead the footprint must be free before the robot moves; longer is safer, and "
+              "stops more often in crowds"});
     v("feasibility_margin", feasibility_margin,
-      {.unit = "m", .min = 0, .max = 5, .doc = "gap that this check asks for"});
+      {.unit = "m",
+       .min = 0,
+       .max = 5,
+       .doc = "gap that the check of the footprint asks for; raise it where the robot drives less exactly "
+              "than it plans"});
     v("mover_margin", mover_margin,
       {.unit = "m",
        .min = 0,
        .max = 5,
        .doc = "a motion that passes a mover with a smaller gap is left for an evasive move that keeps more"});
     v("evasion_horizon", evasion_horizon,
-      {.unit = "s", .min = 0, .max = 10, .doc = "simulated time of an evasive move; 0: only stop"});
+      {.unit = "s",
+       .min = 0,
+       .max = 10,
+       .doc = "how long an evasive move is simulated ahead; 0: the robot only stops"});
     v("evasion_gap", evasion_gap,
-      {.unit = "m", .min = 0, .max = 5, .doc = "gap beyond which evasive moves count as equally safe"});
+      {.unit = "m",
+       .min = 0,
+       .max = 5,
+       .doc = "gap beyond which evasive moves count as equally safe; raise it to give way more widely"});
   }
 };
 

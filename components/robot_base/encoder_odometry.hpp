@@ -39,7 +39,7 @@ struct OdometryOptions {
       {.unit = "m",
        .min = 0,
        .max = 1,
-       .doc = "wheel travel variance per metre (k of book 2.2); raise it on slippery floors"});
+       .doc = "k of book 2.2: variance of a wheel's travel per metre; raise it on slippery floors"});
     v("speed_margin", speed_margin,
       {.min = 1.1,
        .max = 100,

@@ -37,8 +37,11 @@ struct DriveOptions {
     v("scale", scale,
       {.min = -0.5, .max = 0.5, .doc = "common error of both encoders: 0.01 counts 1 % too much"});
     v("mismatch", mismatch,
-      {.min = -0.5, .max = 0.5, .doc = "e: right encoder counts this share more than the left"});
-    v("noise", noise, {.unit = "m", .min = 0, .max = 1, .doc = "k: variance of encoder travel per metre"});
+      {.min = -0.5,
+       .max = 0.5,
+       .doc = "e of book 2.2: the right encoder counts this share more than the left"});
+    v("noise", noise,
+      {.unit = "m", .min = 0, .max = 1, .doc = "k of book 2.2: variance of encoder travel per metre"});
     v("first_tick", first_tick,
       {.min = -2147483648.0,
        .max = 2147483647.0,

@@ -29,7 +29,8 @@ struct RecoveryOptions {
       {.doc = "search the whole map when the scan does not fit, or after a start anywhere"});
     v("recovery_alpha_slow", recovery_alpha_slow,
       {.min = 0, .max = 1, .doc = "share of a new scan in the long average of how well scans fit; 0: off"});
-    v("recovery_alpha_fast", recovery_alpha_fast, {.min = 0, .max = 1, .doc = "the same, short average"});
+    v("recovery_alpha_fast", recovery_alpha_fast,
+      {.min = 0, .max = 1, .doc = "share of a new scan in the short average of how well scans fit; 0: off"});
     v("fallen_to", fallen_to,
       {.min = 0,
        .max = 1,
@@ -45,7 +46,7 @@ struct RecoveryOptions {
     v("search_after", search_after,
       {.unit = "s", .min = 0, .max = 100, .doc = "a search begins when the mismatch has lasted so long"});
     v("search_again", search_again,
-      {.unit = "s", .min = 0, .max = 100, .doc = "between the end of a search and the next one"});
+      {.unit = "s", .min = 0, .max = 100, .doc = "time between the end of a search and the next one"});
     v("verify_every", verify_every,
       {.unit = "s",
        .min = 0.1,
@@ -64,9 +65,12 @@ struct RecoveryOptions {
     v("rival_share", rival_share,
       {.min = 0.001,
        .max = 0.99,
-       .doc = "the same while there is one: the scans that follow must speak for them"});
-    v("sigma", sigma, {.unit = "m", .min = 0.001, .max = 5, .doc = "spread of particles about a pose found"});
-    v("heading_sigma", heading_sigma, {.unit = "rad", .min = 0.001, .max = 3, .doc = "the same, heading"});
+       .doc = "weight that the poses found get together while a pose is known: the scans that follow must "
+              "speak for them"});
+    v("sigma", sigma,
+      {.unit = "m", .min = 0.001, .max = 5, .doc = "spread of the particles about a pose found: position"});
+    v("heading_sigma", heading_sigma,
+      {.unit = "rad", .min = 0.001, .max = 3, .doc = "spread of the particles about a pose found: heading"});
     v("lost_mismatch", lost_mismatch,
       {.unit = "s", .min = 0.1, .max = 100, .doc = "LOST when the scan has not fitted for so long"});
   }
