@@ -5,8 +5,8 @@
 // speed then approaches the command with the largest acceleration a' that can still be taken back by the jerk
 // limit j before the command is passed:
 //
-//   v + a' dt + a' |a'| / (2 j) = command   =>   |a'| = 2 |e| / (dt + sqrt(dt^2 + 2 |e| / j)),   e = command
-//   - v
+//   v + a' dt + a' |a'| / (2 j) = command   =>   |a'| = 2 |e| / (dt + sqrt(dt^2 + 2 |e| / j))
+//   with e = command - v
 //
 // clipped to |a'| <= acc_max and |a' - a| <= j dt. The turn rate approaches with alpha_max, within what the
 // wheels have left. While a safety function slows the robot down, |v| falls with stop_deceleration and

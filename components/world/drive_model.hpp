@@ -2,10 +2,12 @@
 // err.
 //
 // Every step the rim speeds move towards the command by at most wheel_acceleration * dt, and the pose follows
-// the exact arc of their mean over the step. Encoders count rim travel by book 2.2: measured = true (1 +
-// scale + s e / 2) + N(0, k |true|), s = +1 right, -1 left, then whole ticks in a counter that wraps at 32
-// bits. A wall stops the base: a step that would bring its disc further into a wall keeps the turn and loses
-// the rest, and the wheels stall.
+// the exact arc of their mean over the step. Encoders count rim travel by book 2.2:
+//
+//   measured = true (1 + scale + s e / 2) + N(0, k |true|)   with s = +1 right, -1 left
+//
+// then whole ticks in a counter that wraps at 32 bits. A wall stops the base: a step that would bring its
+// disc further into a wall keeps the turn and loses the rest, and the wheels stall.
 #pragma once
 
 #include <cstdint>

@@ -12,10 +12,9 @@ namespace bw::teb {
 
 /// Square roots of weights and the limits, fixed during one solve. Two readings of motion:
 /// - consistent_motion: v = d . dir(mean heading) / dt, held at the middle of its segment, so that the first
-/// and last accelerations act over
-///   half an interval. A command read from this profile keeps the limits.
-/// - else the public package's: v = |d| / dt with a smoothed sign, first and last accelerations over a whole
-/// interval.
+///   and last accelerations act over half an interval. A command read from this profile keeps the limits.
+/// - otherwise the public package's: v = |d| / dt with a smoothed sign, and the first and last accelerations
+///   act over a whole interval.
 struct SegmentModel {
   SegmentModel(const BandOptions& options, const Limits& limits);
 

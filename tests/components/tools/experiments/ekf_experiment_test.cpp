@@ -7,7 +7,7 @@
 namespace bw {
 namespace {
 
-constexpr int kSeeds = 100;  // as the specification says
+constexpr int kSeeds = 100;  // as in book 8.1
 
 EkfErrors mean_of(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise) {
   EkfErrors mean;
