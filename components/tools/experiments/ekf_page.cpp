@@ -31,8 +31,8 @@ constexpr std::string_view kRealData =
     "against the fixes held out, which err by metres themselves and wander together with those given. "
     "MRCLAM: an iRobot Create, its velocity commands as odometry, against motion capture, from the pose "
     "known at the start. Labyrinth: radio ranges, long by 0.1 m at the median, against its reference. "
-    "Reference: an earlier study on the same data, with its own filter and parameters; "
-    "where none was made the cell is empty.</p>\n";
+    "Reference: an earlier study on the same data, with its own filter and parameters; where none was made "
+    "the cell is empty.</p>\n";
 
 std::string figure_table(const EkfReport& report) {
   std::string html = head({"sensors", "way", "filter", "published ME", "ME", "1 %", "99 %",

@@ -22,7 +22,7 @@ struct RealDataRow {
   std::string log;
   std::string task;
   std::string sensors;
-  std::string reference;     ///< mean error [m] of an earlier study on the same data, with its own filter; empty: none
+  std::string reference;     ///< mean error [m] of an earlier study on the same data; empty: none
   double mean = 0.0;         ///< of the position [m], over the seeds
   double rms = 0.0;          ///< the same
   double largest = 0.0;      ///< of all seeds
