@@ -4,8 +4,8 @@
 //   class Doubler final : public bw::Component {
 //     void configure(bw::Setup& setup) override {
 //       out_ = setup.output<std_msgs::msg::Float64>("doubled");
-//       setup.input<std_msgs::msg::Float64>("value", bw::Qos::standard(), [this](const auto& message, const
-//       bw::Tick&) { ... });
+//       setup.input<std_msgs::msg::Float64>("value", bw::Qos::standard(),
+//                                           [this](const auto& message, const bw::Tick&) { ... });
 //     }
 //     bw::Output<std_msgs::msg::Float64> out_;
 //   };

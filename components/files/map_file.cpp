@@ -31,12 +31,15 @@ struct MapYaml {
   template <class Visitor>
   void fields(Visitor& v) {
     v("image", image, {.doc = "picture, relative to this file"});
-    v("mode", mode, {.doc = "what a shade means"});
+    v("mode", mode, {.doc = "what a shade means: free, occupied or unknown (trinary), in proportion (scale), or its own "
+              "value (raw)"});
     v("resolution", resolution, {.unit = "m", .min = 0.001, .max = 100, .doc = "edge of a cell"});
     v("origin", origin, {.min = -1e6, .max = 1e6, .doc = "lower left corner: x [m], y [m], yaw [rad]"});
     v("negate", negate, {.min = 0, .max = 1, .doc = "1: white is occupied"});
-    v("occupied_thresh", occupied_thresh, {.min = 0, .max = 1, .doc = "occupied above this"});
-    v("free_thresh", free_thresh, {.min = 0, .max = 1, .doc = "free below this"});
+    v("occupied_thresh", occupied_thresh,
+      {.min = 0, .max = 1, .doc = "a cell is occupied when its shade, 0 to 1, lies above this"});
+    v("free_thresh", free_thresh,
+      {.min = 0, .max = 1, .doc = "a cell is free when its shade, 0 to 1, lies below this"});
   }
 
   std::optional<std::string> violated_rule() const {

@@ -1,8 +1,9 @@
 // Tracks of people from the world's truth: those in range, with seeded noise if wanted, and a
 // constant-velocity prediction
 //
-//   p(t) = p + v t,   cov(t) = (s_p^2 + s_v^2 t^2 + (a t^2 / 2)^2) I,   a: what a walker may do against the
-//   prediction
+//   p(t) = p + v t,   cov(t) = (s_p^2 + s_v^2 t^2 + (a t^2 / 2)^2) I
+//
+// with a the acceleration by which a walker may deviate from the prediction.
 #pragma once
 
 #include <optional>

@@ -36,18 +36,29 @@ struct DrivingOptions {
       {.unit = "s",
        .min = 0,
        .max = 20,
-       .doc = "how far ahead the footprint must be free before the robot moves"});
+       .doc = "how far ahead the footprint must be free before the robot moves; longer is safer, and "
+              "stops more often in crowds"});
     v("feasibility_margin", feasibility_margin,
-      {.unit = "m", .min = 0, .max = 5, .doc = "gap that this check asks for"});
+      {.unit = "m",
+       .min = 0,
+       .max = 5,
+       .doc = "gap that the check of the footprint asks for; raise it where the robot drives less exactly "
+              "than it plans"});
     v("mover_margin", mover_margin,
       {.unit = "m",
        .min = 0,
        .max = 5,
        .doc = "a motion that passes a mover with a smaller gap is left for an evasive move that keeps more"});
     v("evasion_horizon", evasion_horizon,
-      {.unit = "s", .min = 0, .max = 10, .doc = "simulated time of an evasive move; 0: only stop"});
+      {.unit = "s",
+       .min = 0,
+       .max = 10,
+       .doc = "how long an evasive move is simulated ahead; 0: the robot only stops"});
     v("evasion_gap", evasion_gap,
-      {.unit = "m", .min = 0, .max = 5, .doc = "gap beyond which evasive moves count as equally safe"});
+      {.unit = "m",
+       .min = 0,
+       .max = 5,
+       .doc = "gap beyond which evasive moves count as equally safe; raise it to give way more widely"});
   }
 };
 

@@ -1,5 +1,5 @@
 // The stretch of a global plan that a local planner works on: from the robot to a local goal some way ahead
-// (spec 7.4).
+// (book 7.4).
 #pragma once
 
 #include <vector>

@@ -16,7 +16,7 @@
 
 namespace bw {
 
-/// What PTEB adds to the choice between topologies (spec 6.4).
+/// What PTEB adds to the choice between topologies (book 6.4).
 struct PtebOptions {
   double hrvo_angle_weight = 0.5;
 
@@ -25,7 +25,8 @@ struct PtebOptions {
     v("hrvo_angle_weight", hrvo_angle_weight,
       {.min = 0,
        .max = 100,
-       .doc = "cost per radian between a candidate and the HRVO direction; delta_hrvo"});
+       .doc = "delta_hrvo of (3.12): cost per radian between a band and the HRVO direction; raise it to "
+              "follow HRVO against shorter ways"});
   }
 };
 

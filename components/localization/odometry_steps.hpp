@@ -12,7 +12,7 @@ class OdometrySteps {
   static constexpr double kUndeclaredNoise = 5e-4;  ///< [m]: 2 cm after one metre of a wheel
 
   OdometrySteps() = default;
-  /// `noise`: k of spec 2.2 [m]; 0: as the variance of the odometry's heading grows, kUndeclaredNoise where it
+  /// `noise`: k of book 2.2 [m]; 0: as the variance of the odometry's heading grows, kUndeclaredNoise where it
   /// does not.
   OdometrySteps(int source, double separation, double noise)
       : source_(source), separation_(separation), noise_(noise) {}

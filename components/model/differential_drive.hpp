@@ -1,5 +1,5 @@
 // Differential-drive kinematics: equation (1.1) of the dissertation summary and its wheel relations
-// (spec 2.1).
+// (book 2.1).
 #pragma once
 
 #include "components/model/arc.hpp"

@@ -32,9 +32,10 @@ struct HoldOutOptions {
     v("rule", rule,
       {.doc =
            "which fixes are held out: none, every second one, all but one in a period, those of an outage"});
-    v("period", period, {.unit = "s", .min = 0, .max = 1e6, .doc = "sparse: from a fix given to the next"});
-    v("from", from, {.unit = "s", .min = 0, .max = 1e6, .doc = "outage: first second of the log"});
-    v("to", to, {.unit = "s", .min = 0, .max = 1e6, .doc = "outage: last second of the log"});
+    v("period", period,
+      {.unit = "s", .min = 0, .max = 1e6, .doc = "rule sparse: time from a fix that is given to the next"});
+    v("from", from, {.unit = "s", .min = 0, .max = 1e6, .doc = "rule outage: its first second in the log"});
+    v("to", to, {.unit = "s", .min = 0, .max = 1e6, .doc = "rule outage: its last second in the log"});
   }
 };
 

@@ -1,9 +1,8 @@
 // The last look before the wheels: passes a wanted velocity on only as far as the laser shows room for it.
 // Knows no map, no plan, no people and no place, so that none of them can be wrong.
 //
-//   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's disc along
-//   the
-//           wanted arc (free_way.hpp); v and omega shrink together, so the path stays
+//   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's disc
+//           along the wanted arc (free_way.hpp); v and omega shrink together, so the path stays
 //   graze   what the side of the robot would touch by less than `graze` is passed at graze_speed
 //   body    around narrow things (legs) the robot is down to narrow_speed narrow_margin earlier
 //   sight   into a sector the laser does not see it creeps; into one whose beams are broken it stops

@@ -1,5 +1,5 @@
-// The laser fails while the robot drives at top speed (test battery, rows 6 to 8): time from the last sound
-// sweep until the wheels brake, and until the robot stands. Whole chain in virtual time: world, laser filter
+// The laser fails while the robot drives at top speed (rows 6 to 8 of tests/README.md): time from the last
+// sound sweep until the wheels brake, and until the robot stands. Whole chain in virtual time: world, laser filter
 // (this test), collision monitor, motor control, base.
 //
 // Brakes at the latest: 250 ms source_timeout + 20 ms cycle + 20 ms motor control + 10 ms physics, and 10 ms

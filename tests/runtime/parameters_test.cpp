@@ -180,8 +180,7 @@ TEST(ReadParameters, ReportsAllViolationsAndRulesOverFields) {
             "w.yaml:2: world.scan.rate = 0: must be between 0.1 and 100 Hz\n"
             "w.yaml:2: world.scan.beams = 0: must be between 1 and 10000\n"
             "w.yaml:3: world.colour: unknown key; known: react, seed, model, label, scan, walls, gains, "
-            "flags, cells, "
-            "slow, fast");
+            "flags, cells, slow, fast");
   const ConfigNode limits = parse_yaml("limits:\n  acc_max: 3\n", "robot.yaml");
   EXPECT_THAT([&] { read_parameters<Robot>(limits, "robot"); },
               testing::ThrowsMessage<ConfigError>(

@@ -1,5 +1,5 @@
-// Local planners `dwa` (Fox, Burgard, Thrun 1997; spec 5.2) and `edwa`, the same with the heading and speed
-// that HRVO advises (spec 5.4).
+// Local planners `dwa` (Fox, Burgard, Thrun 1997; book 5.2) and `edwa`, the same with the heading and speed
+// that HRVO advises (book 5.4).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Parameters of the velocity obstacles (spec 5.3) and of the planner that drives by them alone.
+// Parameters of the velocity obstacles (book 5.3) and of the planner that drives by them alone.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,10 @@ struct HrvoOptions {
        .max = 5,
        .doc = "added to the sum of the radii; raise it when the base follows velocities slowly"});
     v("neighbour_range", neighbour_range,
-      {.unit = "m", .min = 0.1, .max = 100, .doc = "neighbours further away are not looked at"});
+      {.unit = "m",
+       .min = 0.1,
+       .max = 100,
+       .doc = "neighbours further away are not looked at; lower it when the robot yields too early"});
     v("view_angle", view_angle,
       {.unit = "rad",
        .min = 0.1,
@@ -50,16 +53,16 @@ struct HrvoOptions {
        .doc = "who is trusted to do half of the avoiding: movers known to run HRVO, or all movers"});
     v("passing_side", passing_side,
       {.choices = {"actual", "preferred"},
-       .doc =
-           "velocity that decides on which side a reciprocal mover is passed: the paper's or the library's"});
+       .doc = "velocity that decides on which side a reciprocal mover is passed: the actual one (the "
+              "paper) or the preferred one (the public library)"});
     v("time_step", time_step,
       {.unit = "s",
        .min = 0.01,
        .max = 5,
-       .doc =
-           "time in which an overlap is left; nearer to the goal than this at v_max the robot slows down"});
+       .doc = "time in which an overlap with a neighbour is left; within this time of the goal at v_max "
+              "the robot slows down"});
     v("sensing_margin", sensing_margin,
-      {.unit = "m/s", .min = 0, .max = 2, .doc = "error of the velocities that the cones allow for"});
+      {.unit = "m/s", .min = 0, .max = 2, .doc = "error of measured velocities that the cones allow for"});
     v("hysteresis", hysteresis,
       {.unit = "m/s",
        .min = 0,

@@ -16,7 +16,7 @@
 namespace bw::hrvo {
 namespace {
 
-constexpr double kNoDirection = 0.02;  // [m/s] below which a velocity has none (spec 5.3): blocked
+constexpr double kNoDirection = 0.02;  // [m/s] below which a velocity has none (book 5.3): blocked
 constexpr double kStep = 0.1;          // [s] of the prediction
 constexpr std::array kMarginShares{1.0, 0.5, 0.25};
 constexpr std::array kSpeedShares{1.0, 0.75, 0.5, 0.25, 0.0};

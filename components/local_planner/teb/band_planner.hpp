@@ -1,4 +1,4 @@
-// Local planners on timed elastic bands, kept from cycle to cycle (spec 6.1 to 6.7): `teb` on one band,
+// Local planners on timed elastic bands, kept from cycle to cycle (book 6.1 to 6.7): `teb` on one band,
 // `teb_homotopy`, `pteb` and `eteb` on one band in each of the best topologies.
 #pragma once
 

@@ -1,4 +1,4 @@
-// How the band sees movers: where they are expected, and how sure that is (spec 6.5, D10).
+// How the band sees movers: where they are expected, and how sure that is (book 6.5, D10).
 #pragma once
 
 #include <string>
@@ -22,18 +22,22 @@ struct PredictionOptions {
            "time_indexed: every pose meets a mover where it is at the pose's time; doubled: movers are discs "
            "that stand at their present and at their future place; present: at their present place only"});
     v("prediction_time", prediction_time,
-      {.unit = "s", .min = 0, .max = 10, .doc = "how far ahead that future place is (doubled)"});
+      {.unit = "s",
+       .min = 0,
+       .max = 10,
+       .doc = "how far ahead the second place of a mover lies (prediction: doubled)"});
     v("uncertainty_factor", uncertainty_factor,
       {.min = 0,
        .max = 5,
-       .doc = "standard deviations of a prediction by which the inflation of a mover grows"});
+       .doc = "how many standard deviations of its prediction the inflation of a mover grows by; raise it "
+              "among people who turn"});
     v("uncertainty_growth", uncertainty_growth,
       {.unit = "m/s",
        .min = 0,
        .max = 2,
-       .doc = "growth of that standard deviation for movers whose predictions have none"});
+       .doc = "growth per second of the standard deviation of movers whose predictions have none"});
     v("max_uncertainty", max_uncertainty,
-      {.unit = "m", .min = 0, .max = 2, .doc = "its inflation grows at most by this"});
+      {.unit = "m", .min = 0, .max = 2, .doc = "the inflation of a mover grows at most by this"});
   }
 };
 

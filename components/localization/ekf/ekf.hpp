@@ -1,4 +1,4 @@
-// EKF localization (spec 3): wheels predict; positions, headings, courses and poses correct, each at its own
+// EKF localization (book 3): wheels predict; positions, headings, courses and poses correct, each at its own
 // stamp. Late measurements are put where they belong and what followed is computed again.
 //
 //   Ekf ekf(options);

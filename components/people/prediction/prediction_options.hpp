@@ -43,9 +43,13 @@ struct PredictionOptions {
        .min = 0,
        .max = 10,
        .doc = "white acceleration along the way that people may show against the prediction"});
-    v("spread_across", spread_across, {.unit = "m^2/s^3", .min = 0, .max = 10, .doc = "the same across it"});
+    v("spread_across", spread_across,
+      {.unit = "m^2/s^3",
+       .min = 0,
+       .max = 10,
+       .doc = "white acceleration across the way that people may show against the prediction"});
     v("walking_speed", walking_speed,
-      {.unit = "m/s", .min = 0, .max = 2, .doc = "slower, a velocity shows no heading and no turn"});
+      {.unit = "m/s", .min = 0, .max = 2, .doc = "below this speed a velocity shows no heading and no turn"});
     v("turn_window", turn_window,
       {.unit = "s", .min = 0.1, .max = 10, .doc = "time over which the turn rate is averaged"});
     v("turn_memory", turn_memory,
@@ -54,7 +58,7 @@ struct PredictionOptions {
       {.min = 0,
        .max = 1,
        .doc = "how fast the size of predicted ellipses follows what people do; 0: fixed"});
-    v("forces", forces, {.doc = "social_force"});
+    v("forces", forces, {.doc = "the forces of model: social_force"});
   }
 
   std::optional<std::string> violated_rule() const {

@@ -15,8 +15,8 @@ bool is_finite_person(const TrackedPerson& p) {
   return p.position.allFinite() && p.velocity.allFinite() && p.covariance.allFinite();
 }
 
-/// Displacement after t [s] with a turn rate that dies out: the heading turns by omega tau (1 - exp(-t /
-/// tau)); the way is summed up in small chords.
+/// Displacement after t [s] with a turn rate that dies out. The heading turns by
+/// omega tau (1 - exp(-t / tau)); the way is summed up in small chords.
 Vector2 arc(const Vector2& velocity, double omega, double tau, double t) {
   constexpr double kChord = 0.05;  // [s]
   const double speed = velocity.norm();

@@ -1,9 +1,9 @@
-// Where people will be: positions with covariance over the planner's horizon (spec 7.3, 7.6).
+// Where people will be: positions with covariance over the planner's horizon (book 7.8).
 //
 //   mean        constant velocity:   p + v t
 //               constant turn rate:  an arc whose turn rate dies out, omega(t) = omega exp(-t / turn_memory)
-//               social force:        everybody wants to keep their velocity and is pushed by the others and
-//               by walls
+//               social force:        everybody wants to keep their velocity, and is pushed by the others
+//                                    and by walls
 //   covariance  J P J^T + R(heading) diag(spread_along, spread_across) R^T t^3 / 3,   J = [I  t I]
 //               P of (position, velocity) as tracked; the second term is what white acceleration adds; all of
 //               it scaled so that 95 % of the ellipses hold the truth (calibration.hpp)

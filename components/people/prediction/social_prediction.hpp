@@ -1,4 +1,4 @@
-// People who walk on as they like, round one another and along walls: the forces of spec 7.6, integrated.
+// People who walk on as they like, round one another and along walls: the forces of book 7.6, integrated.
 #pragma once
 
 #include <vector>

@@ -28,28 +28,32 @@ struct AssociationOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("gate", gate,
-      {.min = 1, .max = 100, .doc = "squared standard deviations (2 dof) that may lie between"});
+      {.min = 1, .max = 100, .doc = "a detection further than this from a track, in squared standard deviations (2 values), is "
+              "not its own"});
     v("reach", reach,
-      {.unit = "m", .min = 0.1, .max = 5, .doc = "and metres: the human-oriented gate of spec 7.2"});
-    v("step", step, {.unit = "m", .min = 0.05, .max = 5, .doc = "of a leg that was just seen, at most"});
+      {.unit = "m", .min = 0.1, .max = 5, .doc = "nor is one further than this in metres: the radius of book 7.2"});
+    v("step", step, {.unit = "m", .min = 0.05, .max = 5, .doc = "longest step of a leg that was seen in the last sweep"});
     v("pace", pace,
-      {.unit = "m", .min = 0, .max = 5, .doc = "and so much more for each sweep that missed it"});
+      {.unit = "m", .min = 0, .max = 5, .doc = "by this much longer for each sweep that missed the leg"});
     v("slack", slack,
       {.unit = "m",
        .min = 0,
        .max = 1,
-       .doc = "added to the spread of every prediction while choosing: people turn and stop"});
+       .doc = "added to the spread of every prediction while detections are assigned, for people turn and "
+              "stop"});
     v("unlike", unlike,
-      {.min = 0, .max = 20, .doc = "what -ln(score) of a detection adds for legs of people"});
+      {.min = 0, .max = 20, .doc = "weight of -ln(score) in the cost of giving a detection to a leg; raise it to trust scores "
+              "more"});
     v("on_static", on_static,
-      {.min = 0, .max = 20, .doc = "what it adds that a detection lies on background, for legs of people"});
+      {.min = 0, .max = 20, .doc = "cost of giving a detection that lies on background to a leg"});
     v("vague", vague,
       {.unit = "m",
        .min = 0,
        .max = 2,
-       .doc = "error added to a detection that does not look human: two legs of two people, half a leg"});
+       .doc = "standard deviation added to a detection that does not look human, such as legs of two "
+              "people in one"});
     v("largest", largest,
-      {.unit = "m", .min = 0.2, .max = 10, .doc = "wider detections are no part of a person"});
+      {.unit = "m", .min = 0.2, .max = 10, .doc = "detections wider than this are no part of a person"});
   }
 };
 
@@ -84,21 +88,21 @@ struct BirthOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("sightings", sightings, {.min = 2, .max = 12, .doc = "of both legs"});
-    v("of_sweeps", of_sweeps, {.min = 2, .max = 12, .doc = "within so many sweeps"});
-    v("travel", travel, {.unit = "m", .min = 0.05, .max = 3, .doc = "way walked by the middle of two legs"});
+    v("sightings", sightings, {.min = 2, .max = 12, .doc = "a pair that walks is a person after this many sightings of both legs"});
+    v("of_sweeps", of_sweeps, {.min = 2, .max = 12, .doc = "within this many sweeps"});
+    v("travel", travel, {.unit = "m", .min = 0.05, .max = 3, .doc = "way that the middle of the pair must have walked; raise it against false people"});
     v("separation", separation,
-      {.unit = "m", .min = 0.2, .max = 1, .doc = "from leg to leg, at most, while walking"});
+      {.unit = "m", .min = 0.2, .max = 1, .doc = "widest distance from leg to leg while walking"});
     v("misfit", misfit,
-      {.unit = "m", .min = 0.01, .max = 1, .doc = "of the middle to a straight way, root mean square"});
-    v("walking_score", walking_score, {.min = 0, .max = 1, .doc = "of each leg of a pair that walks"});
-    v("standing_sightings", standing_sightings, {.min = 2, .max = 12, .doc = "of a pair that stands"});
-    v("standing_score", standing_score, {.min = 0, .max = 1, .doc = "of each leg of a pair that stands"});
+      {.unit = "m", .min = 0.01, .max = 1, .doc = "how far the middle of the pair may be from a straight way (root mean square)"});
+    v("walking_score", walking_score, {.min = 0, .max = 1, .doc = "least leg score of each leg of a pair that walks"});
+    v("standing_sightings", standing_sightings, {.min = 2, .max = 12, .doc = "a pair that stands is a person after this many sightings"});
+    v("standing_score", standing_score, {.min = 0, .max = 1, .doc = "least leg score of each leg of a pair that stands; raise it against chairs"});
     v("single_step", single_step,
       {.unit = "m",
        .min = 0.05,
        .max = 2,
-       .doc = "from sighting to sighting, at most: else it is something else"});
+       .doc = "longest step of a leg alone from sighting to sighting; what leaps is something else"});
   }
 };
 
@@ -116,14 +120,14 @@ struct DeathOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("unseen", unseen,
-      {.unit = "s", .min = 0.1, .max = 10, .doc = "not seen so long where they could have been"});
-    v("sigma", sigma, {.unit = "m", .min = 0.1, .max = 5, .doc = "position not known better, hidden or not"});
+      {.unit = "s", .min = 0.1, .max = 10, .doc = "a person not seen for this long where beams pass is gone"});
+    v("sigma", sigma, {.unit = "m", .min = 0.1, .max = 5, .doc = "a person whose position is less sure than this is gone, hidden or not"});
     v("unlike_score", unlike_score,
-      {.min = 0, .max = 1, .doc = "mean score of somebody who stands, below which it was furniture"});
+      {.min = 0, .max = 1, .doc = "somebody who stands with a lower mean score was furniture"});
     v("cluster_unseen", cluster_unseen,
-      {.unit = "s", .min = 0.1, .max = 10, .doc = "other clusters are forgotten then"});
+      {.unit = "s", .min = 0.1, .max = 10, .doc = "clusters that are no person are forgotten when unseen for this long"});
     v("margin", margin,
-      {.unit = "m", .min = 0, .max = 1, .doc = "a beam that passes by so much beyond shows an empty place"});
+      {.unit = "m", .min = 0, .max = 1, .doc = "a beam that ends by this much beyond a place shows that it is empty"});
   }
 };
 
@@ -143,14 +147,14 @@ struct UntangleOptions {
   void fields(Visitor& v) {
     v("near", near, {.unit = "m", .min = 0, .max = 5, .doc = "people so close may have each other's legs"});
     v("separation", separation,
-      {.unit = "m", .min = 0, .max = 2, .doc = "from somebody to what may be a leg of theirs, at most"});
-    v("score", score, {.min = 0, .max = 1, .doc = "leg score of it, at least"});
-    v("sightings", sightings, {.min = 2, .max = 12, .doc = "how far back legs are compared"});
-    v("least", least, {.min = 2, .max = 12, .doc = "sweeps that must show both legs"});
+      {.unit = "m", .min = 0, .max = 2, .doc = "widest distance from somebody to what may be a leg of theirs"});
+    v("score", score, {.min = 0, .max = 1, .doc = "least leg score of what may be a leg of theirs"});
+    v("sightings", sightings, {.min = 2, .max = 12, .doc = "over how many of the last sightings legs are compared"});
+    v("least", least, {.min = 2, .max = 12, .doc = "fewest of these sweeps that must show both legs"});
     v("alone", alone, {.unit = "m", .min = 0, .max = 5, .doc = "doubt of somebody of whom one leg is known"});
     v("margin", margin,
-      {.unit = "m", .min = 0, .max = 5, .doc = "pairs must be so much less doubtful to be changed"});
-    v("settled", settled, {.unit = "m", .min = 0, .max = 5, .doc = "legs less doubtful are one person's"});
+      {.unit = "m", .min = 0, .max = 5, .doc = "legs are paired anew when the new pairs are by this much less doubtful"});
+    v("settled", settled, {.unit = "m", .min = 0, .max = 5, .doc = "legs less doubtful than this are one person's, and stay"});
   }
 };
 
@@ -165,10 +169,10 @@ struct ReturnOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("absent", absent, {.unit = "s", .min = 0, .max = 60, .doc = "not seen for sure so long is lost"});
+    v("absent", absent, {.unit = "s", .min = 0, .max = 60, .doc = "somebody not seen for sure for this long may come back as somebody who appears"});
     v("remembered", remembered,
       {.unit = "s", .min = 0, .max = 60, .doc = "who appears so long after somebody was lost may be them"});
-    v("slack", slack, {.unit = "m", .min = 0, .max = 2, .doc = "from where they could be, at once"});
+    v("slack", slack, {.unit = "m", .min = 0, .max = 2, .doc = "how far from where somebody could be they may appear, however short they were away"});
     v("speed", speed, {.unit = "m/s", .min = 0, .max = 5, .doc = "nobody goes faster out of sight"});
     v("deviation", deviation,
       {.unit = "m/s", .min = 0, .max = 5, .doc = "how fast people leave their straight way out of sight"});
@@ -197,20 +201,19 @@ struct TrackerOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("person_radius", person_radius, {.unit = "m", .min = 0.05, .max = 1, .doc = "reported of everybody"});
+    v("person_radius", person_radius, {.unit = "m", .min = 0.05, .max = 1, .doc = "radius that is reported of everybody"});
     v("longest_gap", longest_gap,
-      {.unit = "s", .min = 0.1, .max = 60, .doc = "silence or jump back in time that forgets everybody"});
+      {.unit = "s", .min = 0.1, .max = 60, .doc = "a longer silence of the laser, or jump back in time, forgets everybody"});
     v("most_detections", most_detections,
-      {.min = 1, .max = 20000, .doc = "of a sweep; the rest is ignored, the least human first"});
-    v("alignment", alignment, {.doc = "errors of odometry from sweep to sweep"});
+      {.min = 1, .max = 20000, .doc = "most detections of a sweep; of more the least human are ignored"});
+    v("alignment", alignment, {.doc = "taking out errors of odometry from sweep to sweep"});
     v("association", association, {.doc = "which detection belongs to whom"});
     v("motion", motion,
-      {.doc =
-           "which filter's position, velocity and covariance are reported; legs are always assigned by the "
+      {.doc = "which filter's position, velocity and covariance are reported; legs are always assigned by the "
            "gait. gait: both legs swing (walker); heading: position, heading and speed of the point between "
            "the legs (heading)"});
     v("walker", walker, {.doc = "how people and their legs move"});
-    v("heading", heading, {.doc = "the filter of motion: heading"});
+    v("heading", heading, {.doc = "the filter that motion: heading reports"});
     v("birth", birth, {.doc = "when clusters become a person"});
     v("death", death, {.doc = "when a person is no longer believed to be there"});
     v("untangle", untangle, {.doc = "whose leg is whose where people pass close to each other"});

@@ -14,19 +14,14 @@ using page::head;
 constexpr std::string_view kCrossing =
     "<h2>E5: people who cross (Figures 3.7, 3.11)</h2>\n"
     "<p>Published, as pictures without figures: TEB passes in front of the left crossing person, PTEB and "
-    "ETEB "
-    "behind. Asked here: behind A in at least 0.2 more of the runs than TEB, no contact, a lower largest "
-    "collision "
-    "index. The robot drives from (0, 0) to (10, 0) with at most 1 m/s and 0.5 m/s<sup>2</sup>; A comes from "
-    "below "
-    "at x = 4, B from above at x = 6.5, both with 1 m/s and without reacting. At the places first proposed "
-    "every "
-    "planner that knows of motion passes behind both; so both start 1 m farther away (the one shift "
-    "allowed).</p>\n"
+    "ETEB behind. Asked here: behind A in at least 0.2 more of the runs than TEB, no contact, a lower "
+    "largest collision index. The robot drives from (0, 0) to (10, 0) with at most 1 m/s and 0.5 "
+    "m/s<sup>2</sup>; A comes from below at x = 4, B from above at x = 6.5, both with 1 m/s and without "
+    "reacting. At the places first proposed every planner that knows of motion passes behind both; so both "
+    "start 1 m farther away (the one shift allowed).</p>\n"
     "<p>Rows named published take people as standing (TEB, PTEB) or doubled, now and 1.6 s ahead (ETEB); the "
     "others meet them where they will be. A robot that takes people as standing may walk beside A until A is "
-    "out "
-    "of its way, and is then counted as behind: see its time.</p>\n";
+    "out of its way, and is then counted as behind: see its time.</p>\n";
 
 constexpr std::string_view kHallway =
     "<h2>E6: hallway (Figures 3.8b, 3.9, 3.12)</h2>\n"

@@ -55,7 +55,7 @@ Json rows_json(const EdwaTable& table) {
 std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t last_seed) {
   const EdwaExperimentOptions base{.first_seed = first_seed, .last_seed = last_seed};
   std::vector<EdwaVariant> variants(
-      7, EdwaVariant{"default", "The default reading of the specification, Table 3.1.", base});
+      7, EdwaVariant{"default", "The reading of every decision that is the default here, Table 3.1.", base});
   variants[1].name = "held braking";
   variants[1].meaning =
       "Braking is judged with the command held for one more period; arcs that lead out of the contact margin "

@@ -14,7 +14,7 @@ namespace {
 
 using namespace localization;
 
-// Spec 4.3.
+// Book 4.3.
 constexpr double kSpeed = 1.0;    // [m/s]
 constexpr double kPeriod = 0.1;   // [s]
 constexpr double kRadius = 15.0;  // [m]

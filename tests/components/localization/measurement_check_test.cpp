@@ -91,7 +91,7 @@ TEST(MeasurementCheck, NamesTheFault) {
   step = wheels(0.1, 0.0);
   step.covariance(0, 0) = -1e-9;
   EXPECT_EQ(check(step, kLimits), Verdict::bad_covariance);
-  // Small beside the distance's variance, and yet no covariance: its symmetric part has the eigenvalue
+  // Small beside the distance's variance, and yet no covariance: an eigenvalue of its symmetric part is
   // -0.027.
   step.covariance << 1e6, 0.0, 0.33, 1e-10;
   EXPECT_EQ(check(step, kLimits), Verdict::bad_covariance);

@@ -31,7 +31,7 @@ double drive_rmse(ParticleFilter& filter, const Drive& drive, double outlier_sha
   return std::sqrt(squares / samples);
 }
 
-// Anchors 1.3, 1.6: 2 % fixes off by 42 m cost at most a tenth. Ten drives, since the filter's own draws
+// Book 9.1, 9.3: 2 % fixes off by 42 m cost at most a tenth. Ten drives, since the filter's own draws
 // differ.
 TEST(ParticleFilterGate, OutliersCostLittle) {
   double clean = 0.0, spoilt = 0.0;

@@ -29,15 +29,15 @@ std::vector<Candidate> candidates() {
   TrackerOptions gliding = heading;  // never has a heading
   gliding.heading.walking_speed = 100.0;
   gliding.heading.acceleration_standing = 0.5;
-  TrackerOptions as_in_spec = heading;
-  as_in_spec.heading.heading_noise = 0.5;
-  as_in_spec.heading.acceleration = as_in_spec.heading.acceleration_standing = 0.8;
-  as_in_spec.heading.position_noise = 0.05;
+  TrackerOptions as_planned = heading;
+  as_planned.heading.heading_noise = 0.5;
+  as_planned.heading.acceleration = as_planned.heading.acceleration_standing = 0.8;
+  as_planned.heading.position_noise = 0.05;
   return {{"gait", gait},
           {"heading", heading},
           {"heading, turn rate", turning},
           {"constant velocity", gliding},
-          {"heading, noise of 7.3", as_in_spec}};
+          {"heading, noise first planned", as_planned}};
 }
 
 /// Twelve rooms: 3, 8, 20 people; bare and furnished; robot standing and driving.

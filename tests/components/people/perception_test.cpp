@@ -22,8 +22,7 @@ bool is_long() { return std::getenv("BANDWAGON_PEOPLE_MINUTES") != nullptr; }
 void print(const char* name, const Score& score) {
   std::printf(
       "%-28s %5.1f person-min  MOTA %.3f  MOTP %.3f m  recall %.3f  precision %.3f  switches %ld (%ld in "
-      "view)  "
-      "velocity %.3f (steady %.3f) m/s  confirmed %.1f s (95 %%: %.1f)\n",
+      "view)  velocity %.3f (steady %.3f) m/s  confirmed %.1f s (95 %%: %.1f)\n",
       name, score.person_minutes(), score.mota(), score.motp(), score.recall(), score.precision(),
       score.switches, score.switches_seen, score.velocity_rmse(), score.steady_rmse(),
       score.confirmation_quantile(0.5), score.confirmation_quantile(0.95));

@@ -99,8 +99,8 @@ TEST(WorldComponent, SaysWhereTheRobotIsAndWhatItSees) {
   EXPECT_EQ(scan.ranges()[0], std::numeric_limits<float>::infinity());
   EXPECT_NEAR(scan.angle_max(), 0.75 * std::numbers::pi, 1e-6);
   // The standing person, 3 m to the left (90 deg): beam (90 + 135) / 270 * 720 = 600 passes between the legs,
-  // and the legs, facing +x, stand 0.12 m before and behind: in line with the beam, the near one 3 - 0.12 -
-  // 0.07 away.
+  // and the legs, facing +x, stand 0.12 m before and behind: in line with the beam, the near one
+  // 3 - 0.12 - 0.07 away.
   EXPECT_NEAR(scan.ranges()[600], 2.81, 1e-4);
 
   ASSERT_EQ(seen.readings.back().linear_acceleration_covariance()[0], -1.0);

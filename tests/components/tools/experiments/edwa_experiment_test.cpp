@@ -14,7 +14,7 @@
 namespace bw {
 namespace {
 
-TEST(EdwaScenes, JitterWithinTheRangesOfTheSpecification) {
+TEST(EdwaScenes, JitterWithinTheRangesOfTheBook) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     for (int i = 0; i < kEdwaScenes; ++i) {
       const std::vector<Errand> errands = edwa_scene(i, seed).errands;
