@@ -31,7 +31,8 @@ struct MapYaml {
   template <class Visitor>
   void fields(Visitor& v) {
     v("image", image, {.doc = "picture, relative to this file"});
-    v("mode", mode, {.doc = "what a shade means: free, occupied or unknown (trinary), in proportion (scale), or its own "
+    v("mode", mode,
+      {.doc = "what a shade means: free, occupied or unknown (trinary), in proportion (scale), or its own "
               "value (raw)"});
     v("resolution", resolution, {.unit = "m", .min = 0.001, .max = 100, .doc = "edge of a cell"});
     v("origin", origin, {.min = -1e6, .max = 1e6, .doc = "lower left corner: x [m], y [m], yaw [rad]"});

@@ -160,8 +160,15 @@ struct SlipOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("enabled", enabled, {.doc = "find slipping wheels by comparing their turn with the gyro"});
-    v("window", window, {.unit = "s", .min = 0.01, .max = 10, .doc = "how long the comparison of wheels and gyro looks back; longer finds weaker slip, later"});
-    v("gate", gate, {.min = 1, .max = 1000, .doc = "disagreement of wheels and gyro, in squared standard deviations, that is slip; lower finds "
+    v("window", window,
+      {.unit = "s",
+       .min = 0.01,
+       .max = 10,
+       .doc = "how long the comparison of wheels and gyro looks back; longer finds weaker slip, later"});
+    v("gate", gate,
+      {.min = 1,
+       .max = 1000,
+       .doc = "disagreement of wheels and gyro, in squared standard deviations, that is slip; lower finds "
               "weaker slip and false ones"});
     v("hold", hold,
       {.unit = "s", .min = 0, .max = 10, .doc = "slip lasts so long after the last sign of it"});

@@ -35,11 +35,13 @@ struct RecoveryOptions {
       {.doc = "search the whole map when the scan does not fit, or after a start anywhere"});
     v("recovery_alpha_slow", recovery_alpha_slow,
       {.min = 0, .max = 1, .doc = "share of a new scan in the long average of how well scans fit; 0: off"});
-    v("recovery_alpha_fast", recovery_alpha_fast, {.min = 0, .max = 1, .doc = "share of a new scan in the short average of how well scans fit; 0: off"});
+    v("recovery_alpha_fast", recovery_alpha_fast,
+      {.min = 0, .max = 1, .doc = "share of a new scan in the short average of how well scans fit; 0: off"});
     v("scan_ok", scan_ok,
       {.min = 0,
        .max = 1,
-       .doc = "share of beams that agree with the map, of those that end at its obstacles or went through one; "
+       .doc =
+           "share of beams that agree with the map, of those that end at its obstacles or went through one; "
            "less is a mismatch"});
     v("search_after", search_after,
       {.unit = "s", .min = 0, .max = 100, .doc = "a search begins when the mismatch has lasted so long"});
@@ -51,8 +53,10 @@ struct RecoveryOptions {
        .doc = "poses looked at per sweep (1000: some 0.1 ms); more finds earlier"});
     v("share", share,
       {.min = 0.01, .max = 0.99, .doc = "weight that the poses found get together while no pose is known"});
-    v("sigma", sigma, {.unit = "m", .min = 0.001, .max = 5, .doc = "spread of the particles about a pose found: position"});
-    v("heading_sigma", heading_sigma, {.unit = "rad", .min = 0.001, .max = 3, .doc = "spread of the particles about a pose found: heading"});
+    v("sigma", sigma,
+      {.unit = "m", .min = 0.001, .max = 5, .doc = "spread of the particles about a pose found: position"});
+    v("heading_sigma", heading_sigma,
+      {.unit = "rad", .min = 0.001, .max = 3, .doc = "spread of the particles about a pose found: heading"});
     v("lost_mismatch", lost_mismatch,
       {.unit = "s", .min = 0.1, .max = 100, .doc = "LOST when the scan has not fitted for so long"});
   }

@@ -29,11 +29,20 @@ struct AlignmentOptions {
     v("range_noise", range_noise,
       {.unit = "m", .min = 0.001, .max = 0.2, .doc = "standard deviation of a range"});
     v("reach", reach,
-      {.unit = "m", .min = 0.02, .max = 1, .doc = "points farther than this from what the sweep before saw say nothing"});
+      {.unit = "m",
+       .min = 0.02,
+       .max = 1,
+       .doc = "points farther than this from what the sweep before saw say nothing"});
     v("way_sigma", way_sigma,
-      {.unit = "m", .min = 1e-5, .max = 1, .doc = "error of the way between two sweeps by odometry; raise it where wheels slip"});
+      {.unit = "m",
+       .min = 1e-5,
+       .max = 1,
+       .doc = "error of the way between two sweeps by odometry; raise it where wheels slip"});
     v("turn_sigma", turn_sigma,
-      {.unit = "rad", .min = 1e-5, .max = 1, .doc = "error of the turn between two sweeps by odometry; raise it where wheels slip"});
+      {.unit = "rad",
+       .min = 1e-5,
+       .max = 1,
+       .doc = "error of the turn between two sweeps by odometry; raise it where wheels slip"});
   }
 };
 

@@ -28,11 +28,17 @@ struct AssociationOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("gate", gate,
-      {.min = 1, .max = 100, .doc = "a detection further than this from a track, in squared standard deviations (2 values), is "
+      {.min = 1,
+       .max = 100,
+       .doc = "a detection further than this from a track, in squared standard deviations (2 values), is "
               "not its own"});
     v("reach", reach,
-      {.unit = "m", .min = 0.1, .max = 5, .doc = "nor is one further than this in metres: the radius of book 7.2"});
-    v("step", step, {.unit = "m", .min = 0.05, .max = 5, .doc = "longest step of a leg that was seen in the last sweep"});
+      {.unit = "m",
+       .min = 0.1,
+       .max = 5,
+       .doc = "nor is one further than this in metres: the radius of book 7.2"});
+    v("step", step,
+      {.unit = "m", .min = 0.05, .max = 5, .doc = "longest step of a leg that was seen in the last sweep"});
     v("pace", pace,
       {.unit = "m", .min = 0, .max = 5, .doc = "by this much longer for each sweep that missed the leg"});
     v("slack", slack,
@@ -42,7 +48,9 @@ struct AssociationOptions {
        .doc = "added to the spread of every prediction while detections are assigned, for people turn and "
               "stop"});
     v("unlike", unlike,
-      {.min = 0, .max = 20, .doc = "weight of -ln(score) in the cost of giving a detection to a leg; raise it to trust scores "
+      {.min = 0,
+       .max = 20,
+       .doc = "weight of -ln(score) in the cost of giving a detection to a leg; raise it to trust scores "
               "more"});
     v("on_static", on_static,
       {.min = 0, .max = 20, .doc = "cost of giving a detection that lies on background to a leg"});
@@ -88,16 +96,29 @@ struct BirthOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("sightings", sightings, {.min = 2, .max = 12, .doc = "a pair that walks is a person after this many sightings of both legs"});
+    v("sightings", sightings,
+      {.min = 2, .max = 12, .doc = "a pair that walks is a person after this many sightings of both legs"});
     v("of_sweeps", of_sweeps, {.min = 2, .max = 12, .doc = "within this many sweeps"});
-    v("travel", travel, {.unit = "m", .min = 0.05, .max = 3, .doc = "way that the middle of the pair must have walked; raise it against false people"});
+    v("travel", travel,
+      {.unit = "m",
+       .min = 0.05,
+       .max = 3,
+       .doc = "way that the middle of the pair must have walked; raise it against false people"});
     v("separation", separation,
       {.unit = "m", .min = 0.2, .max = 1, .doc = "widest distance from leg to leg while walking"});
     v("misfit", misfit,
-      {.unit = "m", .min = 0.01, .max = 1, .doc = "how far the middle of the pair may be from a straight way (root mean square)"});
-    v("walking_score", walking_score, {.min = 0, .max = 1, .doc = "least leg score of each leg of a pair that walks"});
-    v("standing_sightings", standing_sightings, {.min = 2, .max = 12, .doc = "a pair that stands is a person after this many sightings"});
-    v("standing_score", standing_score, {.min = 0, .max = 1, .doc = "least leg score of each leg of a pair that stands; raise it against chairs"});
+      {.unit = "m",
+       .min = 0.01,
+       .max = 1,
+       .doc = "how far the middle of the pair may be from a straight way (root mean square)"});
+    v("walking_score", walking_score,
+      {.min = 0, .max = 1, .doc = "least leg score of each leg of a pair that walks"});
+    v("standing_sightings", standing_sightings,
+      {.min = 2, .max = 12, .doc = "a pair that stands is a person after this many sightings"});
+    v("standing_score", standing_score,
+      {.min = 0,
+       .max = 1,
+       .doc = "least leg score of each leg of a pair that stands; raise it against chairs"});
     v("single_step", single_step,
       {.unit = "m",
        .min = 0.05,
@@ -120,14 +141,27 @@ struct DeathOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("unseen", unseen,
-      {.unit = "s", .min = 0.1, .max = 10, .doc = "a person not seen for this long where beams pass is gone"});
-    v("sigma", sigma, {.unit = "m", .min = 0.1, .max = 5, .doc = "a person whose position is less sure than this is gone, hidden or not"});
+      {.unit = "s",
+       .min = 0.1,
+       .max = 10,
+       .doc = "a person not seen for this long where beams pass is gone"});
+    v("sigma", sigma,
+      {.unit = "m",
+       .min = 0.1,
+       .max = 5,
+       .doc = "a person whose position is less sure than this is gone, hidden or not"});
     v("unlike_score", unlike_score,
       {.min = 0, .max = 1, .doc = "somebody who stands with a lower mean score was furniture"});
     v("cluster_unseen", cluster_unseen,
-      {.unit = "s", .min = 0.1, .max = 10, .doc = "clusters that are no person are forgotten when unseen for this long"});
+      {.unit = "s",
+       .min = 0.1,
+       .max = 10,
+       .doc = "clusters that are no person are forgotten when unseen for this long"});
     v("margin", margin,
-      {.unit = "m", .min = 0, .max = 1, .doc = "a beam that ends by this much beyond a place shows that it is empty"});
+      {.unit = "m",
+       .min = 0,
+       .max = 1,
+       .doc = "a beam that ends by this much beyond a place shows that it is empty"});
   }
 };
 
@@ -147,14 +181,22 @@ struct UntangleOptions {
   void fields(Visitor& v) {
     v("near", near, {.unit = "m", .min = 0, .max = 5, .doc = "people so close may have each other's legs"});
     v("separation", separation,
-      {.unit = "m", .min = 0, .max = 2, .doc = "widest distance from somebody to what may be a leg of theirs"});
+      {.unit = "m",
+       .min = 0,
+       .max = 2,
+       .doc = "widest distance from somebody to what may be a leg of theirs"});
     v("score", score, {.min = 0, .max = 1, .doc = "least leg score of what may be a leg of theirs"});
-    v("sightings", sightings, {.min = 2, .max = 12, .doc = "over how many of the last sightings legs are compared"});
+    v("sightings", sightings,
+      {.min = 2, .max = 12, .doc = "over how many of the last sightings legs are compared"});
     v("least", least, {.min = 2, .max = 12, .doc = "fewest of these sweeps that must show both legs"});
     v("alone", alone, {.unit = "m", .min = 0, .max = 5, .doc = "doubt of somebody of whom one leg is known"});
     v("margin", margin,
-      {.unit = "m", .min = 0, .max = 5, .doc = "legs are paired anew when the new pairs are by this much less doubtful"});
-    v("settled", settled, {.unit = "m", .min = 0, .max = 5, .doc = "legs less doubtful than this are one person's, and stay"});
+      {.unit = "m",
+       .min = 0,
+       .max = 5,
+       .doc = "legs are paired anew when the new pairs are by this much less doubtful"});
+    v("settled", settled,
+      {.unit = "m", .min = 0, .max = 5, .doc = "legs less doubtful than this are one person's, and stay"});
   }
 };
 
@@ -169,10 +211,18 @@ struct ReturnOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("absent", absent, {.unit = "s", .min = 0, .max = 60, .doc = "somebody not seen for sure for this long may come back as somebody who appears"});
+    v("absent", absent,
+      {.unit = "s",
+       .min = 0,
+       .max = 60,
+       .doc = "somebody not seen for sure for this long may come back as somebody who appears"});
     v("remembered", remembered,
       {.unit = "s", .min = 0, .max = 60, .doc = "who appears so long after somebody was lost may be them"});
-    v("slack", slack, {.unit = "m", .min = 0, .max = 2, .doc = "how far from where somebody could be they may appear, however short they were away"});
+    v("slack", slack,
+      {.unit = "m",
+       .min = 0,
+       .max = 2,
+       .doc = "how far from where somebody could be they may appear, however short they were away"});
     v("speed", speed, {.unit = "m/s", .min = 0, .max = 5, .doc = "nobody goes faster out of sight"});
     v("deviation", deviation,
       {.unit = "m/s", .min = 0, .max = 5, .doc = "how fast people leave their straight way out of sight"});
@@ -201,15 +251,20 @@ struct TrackerOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("person_radius", person_radius, {.unit = "m", .min = 0.05, .max = 1, .doc = "radius that is reported of everybody"});
+    v("person_radius", person_radius,
+      {.unit = "m", .min = 0.05, .max = 1, .doc = "radius that is reported of everybody"});
     v("longest_gap", longest_gap,
-      {.unit = "s", .min = 0.1, .max = 60, .doc = "a longer silence of the laser, or jump back in time, forgets everybody"});
+      {.unit = "s",
+       .min = 0.1,
+       .max = 60,
+       .doc = "a longer silence of the laser, or jump back in time, forgets everybody"});
     v("most_detections", most_detections,
       {.min = 1, .max = 20000, .doc = "most detections of a sweep; of more the least human are ignored"});
     v("alignment", alignment, {.doc = "taking out errors of odometry from sweep to sweep"});
     v("association", association, {.doc = "which detection belongs to whom"});
     v("motion", motion,
-      {.doc = "which filter's position, velocity and covariance are reported; legs are always assigned by the "
+      {.doc =
+           "which filter's position, velocity and covariance are reported; legs are always assigned by the "
            "gait. gait: both legs swing (walker); heading: position, heading and speed of the point between "
            "the legs (heading)"});
     v("walker", walker, {.doc = "how people and their legs move"});

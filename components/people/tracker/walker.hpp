@@ -41,16 +41,25 @@ struct WalkerOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("acceleration_standing", acceleration_standing,
-      {.unit = "m/s^2/sqrt(Hz)", .min = 0.01, .max = 10, .doc = "how fast people who stand begin to move, as legs are assigned"});
+      {.unit = "m/s^2/sqrt(Hz)",
+       .min = 0.01,
+       .max = 10,
+       .doc = "how fast people who stand begin to move, as legs are assigned"});
     v("acceleration_walking", acceleration_walking,
-      {.unit = "m/s^2/sqrt(Hz)", .min = 0.01, .max = 10, .doc = "how fast people who walk change their velocity, as legs are assigned"});
+      {.unit = "m/s^2/sqrt(Hz)",
+       .min = 0.01,
+       .max = 10,
+       .doc = "how fast people who walk change their velocity, as legs are assigned"});
     v("stride", stride, {.unit = "m", .min = 0.5, .max = 3, .doc = "way of two steps: one swing"});
     v("swing", swing,
       {.unit = "m", .min = 0.01, .max = 0.6, .doc = "reach of a leg, forward or back, at full swing"});
     v("full_swing_speed", full_swing_speed,
       {.unit = "m/s", .min = 0.1, .max = 5, .doc = "below this speed legs swing less, in proportion"});
     v("half_width", half_width,
-      {.unit = "m", .min = 0.02, .max = 0.4, .doc = "standard deviation of the place of a leg that nobody has seen, from the middle, per axis"});
+      {.unit = "m",
+       .min = 0.02,
+       .max = 0.4,
+       .doc = "standard deviation of the place of a leg that nobody has seen, from the middle, per axis"});
   }
 };
 
