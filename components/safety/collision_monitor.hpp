@@ -43,6 +43,9 @@ inline constexpr std::string_view kLaserWaiting = "laser_waiting";
 inline constexpr std::string_view kLaserSilent = "laser_silent";
 inline constexpr std::string_view kLaserFrozen = "laser_frozen";
 inline constexpr std::string_view kLaserInvalid = "laser_invalid";
+inline constexpr bool is_laser_fault(std::string_view cause) {
+  return cause == kLaserSilent || cause == kLaserFrozen || cause == kLaserInvalid;
+}
 inline constexpr std::string_view kOdometrySilent = "odometry_silent";
 inline constexpr std::string_view kWaitingForReset = "waiting_for_reset";
 
