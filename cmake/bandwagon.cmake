@@ -20,17 +20,22 @@ if(BANDWAGON_SANITIZE)
   add_link_options(-fsanitize=${BANDWAGON_SANITIZE})
 endif()
 
-# A static library bw_<name> that knows no middleware.
+# A library bw_<name> that knows no middleware; static unless SHARED.
 macro(bw_plain_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE" ${ARGN})
-  add_library(bw_${name} STATIC ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "SHARED" "" "SOURCES;LINK;PRIVATE" ${ARGN})
+  if(ARG_SHARED)
+    add_library(bw_${name} SHARED ${ARG_SOURCES})
+    set_target_properties(bw_${name} PROPERTIES OUTPUT_NAME bandwagon_${name})
+  else()
+    add_library(bw_${name} STATIC ${ARG_SOURCES})
+  endif()
   target_link_libraries(bw_${name}
     PRIVATE $<BUILD_INTERFACE:bw_compile_options> ${ARG_PRIVATE}
     PUBLIC Eigen3::Eigen ${ARG_LINK})
   target_include_directories(bw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 endmacro()
 
-# bw_algorithm(<name> SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, plain C++ and Eigen (and what it links).
+# bw_algorithm(<name> [SHARED] SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, plain C++ and Eigen (and what it links).
 function(bw_algorithm name)
   bw_plain_library(${name} ${ARGN})
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_ALGORITHMS bw_${name})

@@ -16,7 +16,6 @@ struct DrivingOptions {
   double feasibility_margin = 0.0;
   double mover_margin = 0.1;
   double evasion_horizon = 3.0;
-  double evasion_gap = 0.3;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -41,8 +40,6 @@ struct DrivingOptions {
        .doc = "a motion that passes a mover with a smaller gap is left for an evasive move that keeps more"});
     v("evasion_horizon", evasion_horizon,
       {.unit = "s", .min = 0, .max = 10, .doc = "simulated time of an evasive move; 0: only stop"});
-    v("evasion_gap", evasion_gap,
-      {.unit = "m", .min = 0, .max = 5, .doc = "gap beyond which evasive moves count as equally safe"});
   }
 };
 

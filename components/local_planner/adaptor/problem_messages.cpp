@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "components/messages/geometry.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {
@@ -48,6 +49,21 @@ std::vector<Mover> to_movers(const bandwagon_msgs::msg::Tracks& message, const P
   for (const auto& track : message.tracks())
     movers.push_back(advanced(to_mover(track, X_OF), std::max(0.0, age)));
   return movers;
+}
+
+bandwagon_msgs::msg::FollowStatus to_follow_status(const PlanningResult& result, bool idle) {
+  namespace follow = bandwagon_msgs::msg::FollowStatus_Constants;
+  bandwagon_msgs::msg::FollowStatus status;
+  if (idle) {
+    status.status(follow::IDLE);
+  } else if (result.status == PlanningStatus::ok) {
+    status.status(follow::FOLLOWING);
+  } else {
+    status.status(result.status == PlanningStatus::infeasible ? follow::BLOCKED : follow::FAILED);
+  }
+  status.reason(idle ? "" : result.reason);
+  status.command(to_twist_message(result.command));
+  return status;
 }
 
 }  // namespace bw

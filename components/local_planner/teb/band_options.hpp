@@ -49,10 +49,12 @@ struct BandWeights {
   }
 };
 
+/// Fewer poses have none that could move: start and goal stay.
+inline constexpr int kFewestPoses = 3;
+
 struct BandOptions {
   double dt_ref = 0.3;
   double dt_hysteresis = 0.1;
-  int min_samples = 3;
   int max_samples = 150;
 
   double min_obstacle_dist = 0.2;
@@ -79,9 +81,8 @@ struct BandOptions {
       {.unit = "s", .min = 0.02, .max = 2, .doc = "wanted time between poses; lower is finer and slower"});
     v("dt_hysteresis", dt_hysteresis,
       {.unit = "s", .min = 0, .max = 2, .doc = "an interval further from dt_ref resamples"});
-    v("min_samples", min_samples, {.min = 3, .max = 500, .doc = "fewest poses of a band"});
     v("max_samples", max_samples,
-      {.min = 3, .max = 500, .doc = "most poses of a band; bounds the time of a cycle"});
+      {.min = kFewestPoses, .max = 500, .doc = "most poses of a band; bounds the time of a cycle"});
     v("min_obstacle_dist", min_obstacle_dist,
       {.unit = "m", .min = 0, .max = 10, .doc = "wanted gap between footprint and obstacle"});
     v("inflation_dist", inflation_dist,
@@ -117,7 +118,6 @@ struct BandOptions {
   }
 
   std::optional<std::string> violated_rule() const {
-    if (max_samples < min_samples) return "max_samples must be at least min_samples";
     if (dt_hysteresis >= dt_ref) return "dt_hysteresis must be below dt_ref";
     return std::nullopt;
   }

@@ -115,7 +115,7 @@ TEST(EdwaExperiment, EdwaReachesTheGoalWithoutContactAndDwaDoesNotAlways) {
 
 TEST(EdwaExperiment, PrintedHeadingDoesNotReachTheGoal) {
   EdwaExperimentOptions options;
-  options.planners.edwa.heading = "hrvo_printed";
+  options.planners.edwa.heading = dwa::EdwaHeading::hrvo_printed;
   options.rules.timeout = 30.0;
   EXPECT_NE(run_edwa_scene(1, kEdwaPairings[1], 1, options).outcome, FloorOutcome::reached);
 }
