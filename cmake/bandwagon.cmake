@@ -22,10 +22,15 @@ endif()
 
 include(${CMAKE_CURRENT_LIST_DIR}/precompiled.cmake)
 
-# A static library bw_<name> that knows no middleware.
+# A library bw_<name> that knows no middleware; static unless SHARED.
 macro(bw_plain_library name precompiled)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE" ${ARGN})
-  add_library(bw_${name} STATIC ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "SHARED" "" "SOURCES;LINK;PRIVATE" ${ARGN})
+  if(ARG_SHARED)
+    add_library(bw_${name} SHARED ${ARG_SOURCES})
+    set_target_properties(bw_${name} PROPERTIES OUTPUT_NAME bandwagon_${name})
+  else()
+    add_library(bw_${name} STATIC ${ARG_SOURCES})
+  endif()
   target_link_libraries(bw_${name}
     PRIVATE $<BUILD_INTERFACE:bw_compile_options> ${ARG_PRIVATE}
     PUBLIC Eigen3::Eigen ${ARG_LINK})
@@ -33,7 +38,7 @@ macro(bw_plain_library name precompiled)
   bw_precompiled(bw_${name} ${precompiled})
 endmacro()
 
-# bw_algorithm(<name> SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, plain C++ and Eigen (and what it links).
+# bw_algorithm(<name> [SHARED] SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, plain C++ and Eigen (and what it links).
 function(bw_algorithm name)
   bw_plain_library(${name} plain ${ARGN})
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_ALGORITHMS bw_${name})

@@ -12,6 +12,7 @@ namespace bw {
 namespace {
 
 constexpr double kCheckStep = 0.05;     // [m] between footprint tests
+constexpr double kEnoughGap = 0.3;      // [m] beyond which evasive moves count as equally safe
 constexpr double kWorthEvading = 0.03;  // [m] of comfort for which a free motion is left
 constexpr double kLeaveGoalFactor =
     2.0;  // of the arrival tolerance: pushed out so far, the robot drives again
@@ -78,7 +79,7 @@ bool evade(const PlanningProblem& problem, const DrivingOptions& options, const 
   }
   EvasiveMove move = best_evasive_move(
       problem, problem.plan.back().position(),
-      {options.evasion_horizon, problem.command_lead, options.feasibility_margin, options.evasion_gap});
+      {options.evasion_horizon, problem.command_lead, options.feasibility_margin, kEnoughGap});
   if (safety.free && std::min(move.mover_gap, options.mover_margin) < safety.comfort + kWorthEvading)
     return false;
   stop();

@@ -16,7 +16,6 @@ struct DrivingOptions {
   double feasibility_margin = 0.0;
   double mover_margin = 0.1;
   double evasion_horizon = 3.0;
-  double evasion_gap = 0.3;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -54,11 +53,6 @@ struct DrivingOptions {
        .min = 0,
        .max = 10,
        .doc = "how long an evasive move is simulated ahead; 0: the robot only stops"});
-    v("evasion_gap", evasion_gap,
-      {.unit = "m",
-       .min = 0,
-       .max = 5,
-       .doc = "gap beyond which evasive moves count as equally safe; raise it to give way more widely"});
   }
 };
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "components/messages/geometry.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {
@@ -65,6 +66,21 @@ std::string tolerance_complaint(const GoalTolerance& goal, const DrivingOptions&
       "xy_goal_tolerance {:g} m and yaw_goal_tolerance {:g} rad must not exceed what the navigator calls reached, {:g} m "
       "and {:g} rad: {:g} m and {:g} rad are used",
       own.xy_goal_tolerance, own.yaw_goal_tolerance, goal.xy, goal.yaw, used.xy, used.yaw);
+}
+
+bandwagon_msgs::msg::FollowStatus to_follow_status(const PlanningResult& result, bool idle) {
+  namespace follow = bandwagon_msgs::msg::FollowStatus_Constants;
+  bandwagon_msgs::msg::FollowStatus status;
+  if (idle) {
+    status.status(follow::IDLE);
+  } else if (result.status == PlanningStatus::ok) {
+    status.status(follow::FOLLOWING);
+  } else {
+    status.status(result.status == PlanningStatus::infeasible ? follow::BLOCKED : follow::FAILED);
+  }
+  status.reason(idle ? "" : result.reason);
+  status.command(to_twist_message(result.command));
+  return status;
 }
 
 }  // namespace bw

@@ -3,14 +3,40 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::dwa {
 
+/// How the columns of scores are made comparable (D8).
+enum class Profile {
+  fixed_scales,
+  sum,              ///< each by its sum
+  minmax,           ///< each by its range (Fox, Burgard, Thrun 1997)
+  teaching_sample,  ///< the MATLAB sample that Table 3.1's constants come from: by sums, gap of the end pose
+};
+constexpr auto choice_table(Profile) {
+  return choices<Profile>({{Profile::fixed_scales, "default"},
+                           {Profile::sum, "sum"},
+                           {Profile::minmax, "minmax"},
+                           {Profile::teaching_sample, "sample"}});
+}
+
+/// Where EDWA's heading term comes from.
+enum class EdwaHeading {
+  hrvo,          ///< towards the direction that HRVO advises (D5)
+  hrvo_printed,  ///< (3.4) as printed, which turns away from it
+  goal,          ///< as DWA
+};
+constexpr auto choice_table(EdwaHeading) {
+  return choices<EdwaHeading>({{EdwaHeading::hrvo, "hrvo"},
+                               {EdwaHeading::hrvo_printed, "hrvo_printed"},
+                               {EdwaHeading::goal, "goal"}});
+}
+
 struct DwaOptions {
-  std::string profile = "default";
+  Profile profile = Profile::fixed_scales;
   double heading_weight = 3.0;
   double clearance_weight = 0.1;
   double velocity_weight = 0.1;
@@ -32,8 +58,7 @@ struct DwaOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("profile", profile,
-      {.choices = {"default", "sum", "minmax", "sample"},
-       .doc = "how the terms of the score are made comparable: by fixed scales (default), by each "
+      {.doc = "how the terms of the score are made comparable: by fixed scales (default), by each "
               "column's sum, by its range (minmax); sample: the MATLAB teaching sample"});
     v("heading_weight", heading_weight,
       {.min = 0,
@@ -97,27 +122,20 @@ struct DwaOptions {
 };
 
 struct EdwaOptions {
-  std::string heading = "hrvo";
+  EdwaHeading heading = EdwaHeading::hrvo;
   double heading_time = 1.0;
   bool hrvo_speed = true;
-  double min_hrvo_speed = 0.02;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("heading", heading,
-      {.choices = {"hrvo", "hrvo_printed", "goal"},
-       .doc = "turn towards the HRVO direction; hrvo_printed: (3.4) as printed, turns away; goal: as DWA"});
+      {.doc = "turn towards the HRVO direction; hrvo_printed: (3.4) as printed, turns away; goal: as DWA"});
     v("heading_time", heading_time,
       {.unit = "s",
        .min = 0.05,
        .max = 10,
        .doc = "the heading that a sample has after this time is compared with the HRVO direction"});
     v("hrvo_speed", hrvo_speed, {.doc = "the best speed is that of HRVO; false: the highest"});
-    v("min_hrvo_speed", min_hrvo_speed,
-      {.unit = "m/s",
-       .min = 0,
-       .max = 1,
-       .doc = "a slower HRVO velocity has no direction: then the heading term is that of DWA"});
   }
 };
 

@@ -3,20 +3,51 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::homotopy {
+
+/// Vertices of the graph that is searched.
+enum class Vertices { keypoints, roadmap };
+constexpr auto choice_table(Vertices) {
+  return choices<Vertices>({{Vertices::keypoints, "keypoints"}, {Vertices::roadmap, "roadmap"}});
+}
+
+enum class SearchOrder { best_first, depth_first };
+constexpr auto choice_table(SearchOrder) {
+  return choices<SearchOrder>(
+      {{SearchOrder::best_first, "best_first"}, {SearchOrder::depth_first, "depth_first"}});
+}
+
+/// What tells classes of paths apart.
+enum class ClassMeasure { winding, h_signature };
+constexpr auto choice_table(ClassMeasure) {
+  return choices<ClassMeasure>(
+      {{ClassMeasure::winding, "winding"}, {ClassMeasure::h_signature, "h_signature"}});
+}
+
+/// Where a mover stands in the way of a path.
+enum class MoverTopology {
+  time_indexed,  ///< where it is when the robot passes
+  capsule,       ///< all of its way of prediction_horizon
+  present,
+};
+constexpr auto choice_table(MoverTopology) {
+  return choices<MoverTopology>({{MoverTopology::time_indexed, "time_indexed"},
+                                 {MoverTopology::capsule, "capsule"},
+                                 {MoverTopology::present, "present"}});
+}
 
 struct HomotopyOptions {
   int max_number_classes = 4;
   int max_bodies = 20;
   int max_expansions = 2000;
-  std::string method = "keypoints";
-  std::string search = "best_first";
-  std::string signature = "winding";
-  std::string mover_topology = "time_indexed";
+  Vertices method = Vertices::keypoints;
+  SearchOrder search = SearchOrder::best_first;
+  ClassMeasure signature = ClassMeasure::winding;
+  MoverTopology mover_topology = MoverTopology::time_indexed;
   double prediction_horizon = 1.6;
   double h_signature_threshold = 0.1;
   double obstacle_keypoint_offset = 0.1;
@@ -44,18 +75,14 @@ struct HomotopyOptions {
     v("max_expansions", max_expansions,
       {.min = 1, .max = 1e6, .doc = "vertices that the search may visit in one cycle; bounds its time"});
     v("method", method,
-      {.choices = {"keypoints", "roadmap"},
-       .doc = "where paths may lead through: keypoints beside each obstacle, or a random roadmap"});
+      {.doc = "where paths may lead through: keypoints beside each obstacle, or a random roadmap"});
     v("search", search,
-      {.choices = {"best_first", "depth_first"},
-       .doc = "best_first: the shortest classes come first; depth_first: those that are met first, as "
+      {.doc = "best_first: the shortest classes come first; depth_first: those that are met first, as "
               "published"});
     v("signature", signature,
-      {.choices = {"winding", "h_signature"},
-       .doc = "how classes are told apart; h_signature loses its digits beyond about 10 obstacles"});
+      {.doc = "how classes are told apart; h_signature loses its digits beyond about 10 obstacles"});
     v("mover_topology", mover_topology,
-      {.choices = {"time_indexed", "capsule", "present"},
-       .doc = "time_indexed: movers where they are when the robot passes; capsule: with their way of "
+      {.doc = "time_indexed: movers where they are when the robot passes; capsule: with their way of "
               "prediction_horizon; present: where they stand"});
     v("prediction_horizon", prediction_horizon,
       {.unit = "s",

@@ -10,6 +10,9 @@
 
 namespace bw::hrvo {
 
+/// A velocity below this [m/s] has no direction: the robot is blocked (book 5.3).
+inline constexpr double kNoDirection = 0.02;
+
 /// What the rule says at one moment. Velocities in the planning frame [m/s].
 struct Advice {
   Vector2 preferred{0.0, 0.0};      ///< straight to the goal

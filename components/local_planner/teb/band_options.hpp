@@ -71,10 +71,12 @@ struct BandWeights {
   }
 };
 
+/// Fewer poses have none that could move: start and goal stay.
+inline constexpr int kFewestPoses = 3;
+
 struct BandOptions {
   double dt_ref = 0.3;
   double dt_hysteresis = 0.1;
-  int min_samples = 3;
   int max_samples = 150;
 
   double min_obstacle_dist = 0.2;
@@ -104,9 +106,8 @@ struct BandOptions {
        .min = 0,
        .max = 2,
        .doc = "the band is resampled when an interval is further than this from dt_ref"});
-    v("min_samples", min_samples, {.min = 3, .max = 500, .doc = "fewest poses of a band"});
     v("max_samples", max_samples,
-      {.min = 3, .max = 500, .doc = "most poses of a band; bounds the time of a cycle"});
+      {.min = kFewestPoses, .max = 500, .doc = "most poses of a band; bounds the time of a cycle"});
     v("min_obstacle_dist", min_obstacle_dist,
       {.unit = "m",
        .min = 0,
@@ -155,7 +156,6 @@ struct BandOptions {
   }
 
   std::optional<std::string> violated_rule() const {
-    if (max_samples < min_samples) return "max_samples must be at least min_samples";
     if (dt_hysteresis >= dt_ref) return "dt_hysteresis must be below dt_ref";
     return std::nullopt;
   }

@@ -1,14 +1,25 @@
 // How the band sees movers: where they are expected, and how sure that is (book 6.5, D10).
 #pragma once
 
-#include <string>
-
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::teb {
 
+/// Where a mover is when a pose of the band meets it.
+enum class Prediction {
+  time_indexed,  ///< where it will be at the pose's time
+  doubled,       ///< at its present and at one future place, standing (6.5 as published)
+  present,       ///< at its present place, standing
+};
+constexpr auto choice_table(Prediction) {
+  return choices<Prediction>({{Prediction::time_indexed, "time_indexed"},
+                              {Prediction::doubled, "doubled"},
+                              {Prediction::present, "present"}});
+}
+
 struct PredictionOptions {
-  std::string prediction = "time_indexed";
+  Prediction prediction = Prediction::time_indexed;
   double prediction_time = 1.6;
   double uncertainty_factor = 0.0;
   double uncertainty_growth = 0.0;
@@ -17,8 +28,7 @@ struct PredictionOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("prediction", prediction,
-      {.choices = {"time_indexed", "doubled", "present"},
-       .doc =
+      {.doc =
            "time_indexed: every pose meets a mover where it is at the pose's time; doubled: movers are discs "
            "that stand at their present and at their future place; present: at their present place only"});
     v("prediction_time", prediction_time,

@@ -71,18 +71,18 @@ std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t l
   variants[2].options.planners.driving.evasion_horizon = DrivingOptions{}.evasion_horizon;
   variants[3].name = "sum";
   variants[3].meaning = "Each column of scores divided by its sum.";
-  variants[3].options.planners.dwa.profile = "sum";
+  variants[3].options.planners.dwa.profile = dwa::Profile::sum;
   variants[4].name = "sample";
   variants[4].meaning =
       "As the MATLAB teaching sample: distance from the end pose only, capped at 2 m, column sums.";
-  variants[4].options.planners.dwa.profile = "sample";
+  variants[4].options.planners.dwa.profile = dwa::Profile::teaching_sample;
   variants[5].name = "direction only";
   variants[5].meaning = "EDWA without HRVO's speed, and everybody is taken to share the avoiding.";
   variants[5].options.planners.edwa.hrvo_speed = false;
-  variants[5].options.planners.hrvo.reciprocity = "all";
+  variants[5].options.planners.hrvo.reciprocity = hrvo::Reciprocity::all;
   variants[6].name = "as printed";
   variants[6].meaning = "The heading term (3.4) as printed.";
-  variants[6].options.planners.edwa.heading = "hrvo_printed";
+  variants[6].options.planners.edwa.heading = dwa::EdwaHeading::hrvo_printed;
   return variants;
 }
 

@@ -26,12 +26,6 @@ std::string algorithm_of(const Host& host, const std::string& component) {
   return component;
 }
 
-double planner_median_ms(const Host& host, const std::string& component) {
-  const std::vector<CallbackStatistics> statistics = host.statistics();
-  const CallbackStatistics* cycle = planner_cycle(statistics, component);
-  return cycle == nullptr ? 0.0 : cycle->run.quantile_ms(0.5);
-}
-
 /// Asks the host to end when a person does.
 class InterruptWatch {
  public:
@@ -92,12 +86,14 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   if (result.judged) {
     extra.push_back(
         {"run_observer", std::make_unique<RunObserver>(seen, options.show_progress, [&running, planner_name] {
-           return running == nullptr ? 0.0 : planner_median_ms(*running, planner_name);
+           if (running == nullptr || planner_name.empty()) return 0.0;
+           return planner_cycle(running->statistics(), planner_name).run.quantile_ms(0.5);
          })});
   }
   Host host(std::move(graph), options.host, std::move(extra));
   running = &host;
-  planner_cycle(host.statistics(), planner_name);  // found now or never: not after a long drive
+  if (!planner_name.empty())
+    planner_cycle(host.statistics(), planner_name);  // else: an error before the drive
   cli::catch_interrupts();
   const InterruptWatch watch(host);
   const Duration started = steady_time();

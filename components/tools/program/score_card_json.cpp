@@ -17,15 +17,15 @@ nlohmann::json number(double value) {
 }
 
 nlohmann::json planner_json(const RunFacts& facts, const std::vector<CallbackStatistics>& statistics) {
-  const CallbackStatistics* cycle = planner_cycle(statistics, facts.planner_component);
-  if (cycle == nullptr) return nullptr;
+  if (facts.planner_component.empty()) return nullptr;
+  const DurationHistogram& run = planner_cycle(statistics, facts.planner_component).run;
   return {{"name", facts.planner_name},
-          {"cycles", cycle->run.count()},
-          {"mean_ms", cycle->run.mean_ms()},
-          {"median_ms", cycle->run.quantile_ms(0.5)},
-          {"p95_ms", cycle->run.quantile_ms(0.95)},
-          {"p99_ms", cycle->run.quantile_ms(0.99)},
-          {"max_ms", cycle->run.max().to_seconds() * 1e3}};
+          {"cycles", run.count()},
+          {"mean_ms", run.mean_ms()},
+          {"median_ms", run.quantile_ms(0.5)},
+          {"p95_ms", run.quantile_ms(0.95)},
+          {"p99_ms", run.quantile_ms(0.99)},
+          {"max_ms", run.max().to_seconds() * 1e3}};
 }
 
 nlohmann::json callbacks_json(const std::vector<CallbackStatistics>& statistics) {
@@ -52,13 +52,16 @@ std::string meters(const nlohmann::json& value) {
 
 }  // namespace
 
-const CallbackStatistics* planner_cycle(const std::vector<CallbackStatistics>& statistics,
+const CallbackStatistics& planner_cycle(const std::vector<CallbackStatistics>& statistics,
                                         const std::string& component) {
-  if (component.empty()) return nullptr;
+  std::string others;
   for (const CallbackStatistics& s : statistics) {
-    if (s.component == component && s.callback == "control_cycle") return &s;
+    if (s.component != component) continue;
+    if (s.callback == "control_cycle") return s;
+    others.append(others.empty() ? "" : ", ").append(s.callback);
   }
-  throw std::runtime_error(component + " has no callback control_cycle: its times are not known");
+  throw std::runtime_error("the planner's time is that of the callback control_cycle, which " + component +
+                           " does not have; it has: " + (others.empty() ? "none" : others));
 }
 
 nlohmann::json path_json(const std::vector<PathPoint>& path, const bandwagon_msgs::msg::ScoreCard& card) {

@@ -90,7 +90,7 @@ TEST(Cones, StraightAheadPassesRight) {
 
 TEST(Cones, PreferredVelocityDecidesTheSideOnRequest) {
   HrvoOptions options;
-  options.passing_side = "preferred";
+  options.passing_side = PassingSide::preferred;
   RobotMotion robot = moving({1.0, -0.1});
   robot.preferred = {1.0, 0.1};
   const VelocityCone cone = cone_of(disc({4.0, 0.0}, {0.0, 0.0}, 1.0, true), robot, options);

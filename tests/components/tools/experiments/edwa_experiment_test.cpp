@@ -128,7 +128,7 @@ TEST(EdwaExperiment, TheGainOverDwaFallsShort) {
 
 TEST(EdwaExperiment, PrintedHeadingDoesNotReachTheGoal) {
   EdwaExperimentOptions options;
-  options.planners.edwa.heading = "hrvo_printed";
+  options.planners.edwa.heading = dwa::EdwaHeading::hrvo_printed;
   options.rules.timeout = 30.0;
   EXPECT_NE(run_edwa_scene(1, kEdwaPairings[1], 1, options).outcome, FloorOutcome::reached);
 }
