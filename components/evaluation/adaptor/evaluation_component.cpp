@@ -14,8 +14,8 @@
 #include <nav_msgs/msg/odometry.hpp>
 
 #include "components/evaluation/adaptor/truth_messages.hpp"
+#include "components/evaluation/evaluation_parameters.hpp"
 #include "components/evaluation/run_recorder.hpp"
-#include "components/evaluation/score_keeper.hpp"
 #include "components/evaluation/svg_picture.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/obstacles.hpp"
@@ -30,27 +30,6 @@ using bandwagon_msgs::msg::NavigationStatus;
 namespace status_value = bandwagon_msgs::msg::NavigationStatus_Constants;
 
 constexpr double kClockStep = 0.1;  // [s] by which a run may end before its limit
-
-struct EvaluationParameters : EvaluationOptions {
-  double rate = 2.0;
-  std::string svg;
-  std::string title = "Bandwagon";
-  double time_limit = 0.0;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    EvaluationOptions::fields(v);
-    v("rate", rate, {.unit = "Hz", .min = 0.1, .max = 50, .doc = "score cards per second while driving"});
-    v("svg", svg, {.doc = "file for the picture of the run; empty: none"});
-    v("title", title, {.doc = "heading of the picture"});
-    v("time_limit", time_limit,
-      {.unit = "s",
-       .min = 0,
-       .max = 1e9,
-       .doc = "when the run ends (set by run --for and by evaluate): who drives until then is called late in "
-              "the picture; 0: none"});
-  }
-};
 
 class EvaluationComponent final : public Component {
  public:
