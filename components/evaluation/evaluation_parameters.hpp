@@ -1,4 +1,4 @@
-// Parameters of the evaluation component.
+// What the graph says of evaluation beyond its judgements: how often it tells, what it draws.
 #pragma once
 
 #include <string>

@@ -18,8 +18,7 @@ namespace {
 constexpr int kRuns = 40;
 constexpr int kQuickRuns = 5;
 constexpr std::int64_t kQuickSeeds = 2;
-constexpr std::int64_t kOwnSensesSeeds =
-    10;  // half of those by ideal senses: a drive takes three times as long
+constexpr std::int64_t kOwnSensesSeeds = 10;  // half of those by ideal senses: reported, not judged
 
 // From the project's folder, from its build folder, or installed.
 std::filesystem::path suite_file() {
