@@ -33,6 +33,7 @@ macro(bw_plain_library name)
     PRIVATE $<BUILD_INTERFACE:bw_compile_options> ${ARG_PRIVATE}
     PUBLIC Eigen3::Eigen ${ARG_LINK})
   target_include_directories(bw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  target_compile_features(bw_${name} PUBLIC cxx_std_20)  # of its headers, for projects outside
 endmacro()
 
 # bw_algorithm(<name> [SHARED] SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, plain C++ and Eigen (and what it links).
