@@ -11,8 +11,7 @@ add_library(bw_compile_options INTERFACE)
 target_compile_features(bw_compile_options INTERFACE cxx_std_20)
 target_compile_options(bw_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-field-initializers -Werror
-  # GCC 12 sees overlaps and overflows that are not there in std::string operator+ (its bugs 105651, 105329).
-  -Wno-restrict -Wno-stringop-overflow)
+  -Wno-restrict)  # GCC 12 sees overlaps that are not there in std::string operator+ (its bug 105651)
 target_include_directories(bw_compile_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 if(BANDWAGON_SANITIZE)
   # GCC 12 warns of uninitialised memory inside its own library once code is instrumented.
