@@ -44,7 +44,4 @@ if(BANDWAGON_TESTS)
 endif()
 if(NOT BANDWAGON_ALGORITHMS_ONLY)
   bw_precompiled_set(component OBJECT HEADERS ${bw_plain_headers} <fmt/format.h> <runtime/component.hpp> LINK bandwagon_runtime)
-  bw_precompiled_set(verb OBJECT
-    HEADERS ${bw_plain_headers} <fmt/format.h> <nlohmann/json.hpp> <CLI/CLI.hpp> <runtime/component.hpp>
-    LINK bandwagon_runtime CLI11::CLI11 nlohmann_json::nlohmann_json)
 endif()
