@@ -35,6 +35,7 @@ macro(bw_plain_library name precompiled)
     PRIVATE $<BUILD_INTERFACE:bw_compile_options> ${ARG_PRIVATE}
     PUBLIC Eigen3::Eigen ${ARG_LINK})
   target_include_directories(bw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  target_compile_features(bw_${name} PUBLIC cxx_std_20)  # of its headers, for projects outside
   bw_precompiled(bw_${name} ${precompiled})
 endmacro()
 
