@@ -3,24 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "components/localization/ekf/observation.hpp"
-#include "components/model/arc.hpp"
-#include "components/model/differential_drive.hpp"
 #include "components/model/random.hpp"
-#include "components/model/wheel_step.hpp"
 
 namespace bw::localization {
 namespace {
 
 constexpr double kH = 1e-5;  // central differences: error of order h^2 = 1e-10
-
-Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
-  return {a.x - b.x, a.y - b.y, wrap_angle(a.theta - b.theta)};
-}
-
-Pose2 moved(Pose2 X, int axis, double h) {
-  (axis == 0 ? X.x : axis == 1 ? X.y : X.theta) += h;
-  return X;
-}
 
 EkfState random_state(Random& random) {
   EkfState state;
