@@ -192,7 +192,7 @@ TEST(EkfLate, ASmallRingShortensTheWindowAndSaysSo) {
   EkfOptions small;
   small.capacity = 16;
   const Fusion fusion(small);
-  EventRing ring(fusion, Duration::seconds(2.0), small.capacity);
+  EventRing ring(fusion, Duration::seconds(2.0), small.capacity, kUsualSources);
   EkfState state;
   state.time = state.last_wheel = kStart;
   state.P.topLeftCorner<3, 3>().setIdentity();

@@ -263,7 +263,7 @@ TEST(ParticleFilterFaults, GarbageLeavesItFinite) {
       filter.health(now);
     }
     const std::uint64_t used = filter.count(Verdict::accepted) + filter.count(Verdict::reacquired);
-    EXPECT_GT(used, static_cast<std::uint64_t>(steps / 40)) << law;  // not all is refused
+    EXPECT_GT(used, static_cast<std::uint64_t>(steps / 40)) << text_of(law);  // not all is refused
   }
 }
 

@@ -94,14 +94,14 @@ TEST(ParticleFilterLaser, Tracks) {
       ASSERT_NE(state, HealthState::lost) << i;
       if (state != HealthState::ok) ++not_ok;
     }
-    RecordProperty(std::string("rmse_") + noise, std::to_string(std::sqrt(squares)));
-    RecordProperty(std::string("largest_") + noise, std::to_string(largest));
-    EXPECT_LE(std::sqrt(squares), 0.08) << noise;
-    EXPECT_LE(largest, 0.21) << noise;
-    EXPECT_LE(particles, 850.0) << noise;
+    RecordProperty("rmse_" + std::string(text_of(noise)), std::to_string(std::sqrt(squares)));
+    RecordProperty("largest_" + std::string(text_of(noise)), std::to_string(largest));
+    EXPECT_LE(std::sqrt(squares), 0.08) << text_of(noise);
+    EXPECT_LE(largest, 0.21) << text_of(noise);
+    EXPECT_LE(particles, 850.0) << text_of(noise);
     // These wheels leave the heading 2 degrees off after a quick turn: far walls miss until the next sweep
     // counts.
-    EXPECT_LE(not_ok, kSweeps / 100) << noise;
+    EXPECT_LE(not_ok, kSweeps / 100) << text_of(noise);
   }
 }
 

@@ -1,4 +1,4 @@
-// The planner's time on a score card is that of its control cycle, or there is none.
+// The planner's time on a score card is that of its control cycle, or there is none; the robot's path is thinned.
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "components/tools/program/score_card_json.hpp"
+#include "runtime/stamps.hpp"
 
 namespace bw {
 namespace {
@@ -39,6 +40,23 @@ TEST(ScoreCard, ARenamedControlCycleIsAnErrorAndNoFastPlanner) {
 
 TEST(ScoreCard, WithoutAPlannerThereIsNoTime) {
   EXPECT_TRUE(to_json({}, {}, {called("world", "step", 1)})["planner"].is_null());
+}
+
+// The drive began at 10 s and the card is of 12 s: looks at 9.8 and 9.9 s were before it.
+TEST(ScoreCard, ThePathIsThinnedAndBeginsWithTheDrive) {
+  std::vector<PathPoint> path;
+  for (int i = 98; i <= 120; ++i) path.push_back({Time::seconds(0.1 * i), {0.1 * i - 10.0, 0.12345, -3.0}});
+  bandwagon_msgs::msg::ScoreCard card;
+  card.header().stamp(to_stamp(Time::seconds(12.0)));
+  card.time_to_goal_s(2.0);
+  const nlohmann::json points = path_json(path, card);
+  ASSERT_EQ(points.size(), 5U);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(points[i][0].get<double>(), 0.5 * static_cast<double>(i), 1e-9);
+    EXPECT_NEAR(points[i][1].get<double>(), 0.5 * static_cast<double>(i), 1e-9);
+  }
+  EXPECT_EQ(points[0][2], 0.123);
+  EXPECT_EQ(points[0][3], -3.0);
 }
 
 }  // namespace
