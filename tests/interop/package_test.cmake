@@ -61,7 +61,7 @@ endif()
 
 # Its parameters are listed and read as strictly as all others.
 execute_process(COMMAND ${STAGE}/prefix/bin/bandwagon param list ${with_planner} local_planner OUTPUT_VARIABLE listed)
-if(NOT listed MATCHES "pure_pursuit\\.lookahead \\(double, m; 0\\.2 to 10\\): aims at the plan this far ahead")
+if(NOT listed MATCHES "pure_pursuit\\.lookahead \\(double, m; 0\\.2 to 10; default 1\\.0\\): aims at the plan this far ahead")
   message(FATAL_ERROR "param list does not show the planner's own parameters:\n${listed}")
 endif()
 execute_process(COMMAND ${STAGE}/prefix/bin/bandwagon param list ${with_planner} --set local_planner.pure_pursuit.lookahed=1

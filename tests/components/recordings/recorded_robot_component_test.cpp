@@ -95,8 +95,8 @@ TEST_F(RecordedRobot, PlaysAHuskyLogAtItsOwnStamps) {
   EXPECT_EQ(heard.odometry[1].twist().twist().angular().z(), 0.25);
   // k = 0.001 per metre of either wheel over 0.25 m straight on: (0.25 + 0.25) k / 4 along the way; across it
   // the turn's, (0.25 + 0.25) k / b^2, at half the way.
-  EXPECT_NEAR(heard.odometry[1].pose().covariance()[0], 0.001 * 0.5 / 4.0, 1e-9);
-  EXPECT_NEAR(heard.odometry[1].pose().covariance()[7], 0.125 * 0.125 * 0.001 * 0.5 / (0.5708 * 0.5708),
+  EXPECT_NEAR(heard.odometry[1].pose().covariance()[0], 0.0005 * 0.5 / 4.0, 1e-9);
+  EXPECT_NEAR(heard.odometry[1].pose().covariance()[7], 0.125 * 0.125 * 0.0005 * 0.5 / (0.5708 * 0.5708),
               1e-9);
   ASSERT_EQ(heard.tf.size(), 3U);
   EXPECT_EQ(heard.tf[2].transforms().at(0).transform().translation().x(), 8.5);
