@@ -1,11 +1,11 @@
 # The kinds of target of this project, told apart by function and by folder:
 #
-#   bw_algorithm   pure: values in, result out. Any folder of components/ but those below. tests/interop/check_purity.sh holds it to that.
+#   bw_algorithm   pure: values in, result out. Any folder of components/ but those below. tests/house/check_purity.sh holds it to that.
 #   bw_files       reads and writes files, no middleware          components/files/, components/<name>/files/
 #   bw_component   adapts an algorithm to topics                  components/<name>/adaptor/, components/messages/
 #   bw_tool        benches, experiments, training; no middleware  components/tools/<name>/
 #   bw_verb        a verb of the program `bandwagon`              components/tools/<name>/, runtime/cli/
-#   bw_test        one GoogleTest program, one CTest entry        tests/
+#   bw_test        one GoogleTest program, one to three CTest entries   tests/
 
 add_library(bw_compile_options INTERFACE)
 target_compile_features(bw_compile_options INTERFACE cxx_std_20)
@@ -20,37 +20,47 @@ if(BANDWAGON_SANITIZE)
   add_link_options(-fsanitize=${BANDWAGON_SANITIZE})
 endif()
 
-# A static library bw_<name> that knows no middleware.
-macro(bw_plain_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE" ${ARGN})
-  add_library(bw_${name} STATIC ${ARG_SOURCES})
+include(${CMAKE_CURRENT_LIST_DIR}/precompiled.cmake)
+
+# A library bw_<name> that knows no middleware; static unless SHARED.
+macro(bw_plain_library name precompiled)
+  cmake_parse_arguments(ARG "SHARED" "" "SOURCES;LINK;PRIVATE" ${ARGN})
+  if(ARG_SHARED)
+    add_library(bw_${name} SHARED ${ARG_SOURCES})
+    set_target_properties(bw_${name} PROPERTIES OUTPUT_NAME bandwagon_${name})
+  else()
+    add_library(bw_${name} STATIC ${ARG_SOURCES})
+  endif()
   target_link_libraries(bw_${name}
     PRIVATE $<BUILD_INTERFACE:bw_compile_options> ${ARG_PRIVATE}
     PUBLIC Eigen3::Eigen ${ARG_LINK})
   target_include_directories(bw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  target_compile_features(bw_${name} PUBLIC cxx_std_20)  # of its headers, for projects outside
+  bw_precompiled(bw_${name} ${precompiled})
 endmacro()
 
-# bw_algorithm(<name> SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, plain C++ and Eigen (and what it links).
+# bw_algorithm(<name> [SHARED] SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, plain C++ and Eigen (and what it links).
 function(bw_algorithm name)
-  bw_plain_library(${name} ${ARGN})
+  bw_plain_library(${name} plain ${ARGN})
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_ALGORITHMS bw_${name})
 endfunction()
 
 # bw_files(<name> SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, between files and values.
 function(bw_files name)
-  bw_plain_library(${name} ${ARGN})
+  bw_plain_library(${name} plain ${ARGN})
 endfunction()
 
 # bw_tool(<name> SOURCES ... [LINK ...] [PRIVATE ...]): library bw_<name>, what a verb or a program of its own does.
 function(bw_tool name)
-  bw_plain_library(${name} ${ARGN})
+  bw_plain_library(${name} tool ${ARGN})
 endfunction()
 
 # An object library, linked into the program whole: what it registers when it is loaded must not be left out.
-macro(bw_part_of_program target)
+macro(bw_part_of_program target precompiled)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_library(${target} OBJECT ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE bw_compile_options PUBLIC bandwagon_runtime ${ARG_LINK})
+  bw_precompiled(${target} ${precompiled})
 endmacro()
 
 # bw_component(<name> SOURCES ... [LINK ...]): adaptor; registers itself with BW_COMPONENT.
@@ -58,7 +68,7 @@ function(bw_component name)
   if(BANDWAGON_ALGORITHMS_ONLY)
     return()
   endif()
-  bw_part_of_program(bw_component_${name} ${ARGN})
+  bw_part_of_program(bw_component_${name} component ${ARGN})
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_COMPONENTS bw_component_${name})
 endfunction()
 
@@ -67,26 +77,57 @@ function(bw_verb name)
   if(BANDWAGON_ALGORITHMS_ONLY)
     return()
   endif()
-  bw_part_of_program(bw_verb_${name} ${ARGN})
+  bw_part_of_program(bw_verb_${name} component ${ARGN})
   target_link_libraries(bw_verb_${name} PUBLIC bw_cli)
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_VERBS bw_verb_${name})
 endfunction()
 
-# bw_test(<name> SOURCES ... [LINK ...] [DOMAIN <id>]): one GoogleTest program, one CTest entry. A test that uses DDS names a domain id
-# of its own; it never leaves loopback.
+# bw_test(<name> SOURCES ... [LINK ...] [DOMAIN <id>] [RECORDED <filter>] [SHORTFALL <filter>] [NOTHING_ELSE]): one GoogleTest program. A
+# test that uses DDS names a domain id of its own; it never leaves loopback. The filters name tests as --gtest_filter does, and make entries of
+# their own:
+#
+#   RECORDED   tests that need recorded data: entry <name>_recorded, label `recorded`, shown as skipped where the data are not at hand
+#   SHORTFALL  tests whose limits lie below what was asked: entry <name>_shortfall, label `shortfall`; they print asked and reached
+#
+# A test that both name is one of the shortfalls. NOTHING_ELSE: the program has no other tests, and no entry <name>.
 function(bw_test name)
-  cmake_parse_arguments(ARG "" "DOMAIN" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "NOTHING_ELSE" "DOMAIN;RECORDED;SHORTFALL" "SOURCES;LINK" ${ARGN})
+  if(NOT TARGET bw_test_main)
+    add_library(bw_test_main STATIC ${PROJECT_SOURCE_DIR}/tests/main.cpp)
+    target_link_libraries(bw_test_main PRIVATE bw_compile_options PUBLIC GTest::gmock GTest::gtest)
+  endif()
   add_executable(test_${name} ${ARG_SOURCES})
-  target_link_libraries(test_${name} PRIVATE bw_compile_options ${ARG_LINK} GTest::gmock GTest::gtest_main)
+  target_link_libraries(test_${name} PRIVATE bw_compile_options ${ARG_LINK} bw_test_main)
   target_compile_definitions(test_${name} PRIVATE BANDWAGON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  add_test(NAME ${name} COMMAND test_${name})
-  set_tests_properties(${name} PROPERTIES TIMEOUT 600)
+  bw_precompiled(test_${name} test)
+  set(elsewhere ${ARG_RECORDED} ${ARG_SHORTFALL})
+  list(JOIN elsewhere ":" elsewhere)
+  if(elsewhere)
+    set(elsewhere --gtest_filter=-${elsewhere})
+  endif()
+  set(entries)
+  if(NOT ARG_NOTHING_ELSE)
+    add_test(NAME ${name} COMMAND test_${name} ${elsewhere})
+    list(APPEND entries ${name})
+  endif()
+  if(ARG_RECORDED)
+    string(REGEX REPLACE "-$" "" filter "${ARG_RECORDED}-${ARG_SHORTFALL}")
+    add_test(NAME ${name}_recorded COMMAND test_${name} --gtest_filter=${filter})
+    set_tests_properties(${name}_recorded PROPERTIES LABELS recorded SKIP_RETURN_CODE 77)
+    list(APPEND entries ${name}_recorded)
+  endif()
+  if(ARG_SHORTFALL)
+    add_test(NAME ${name}_shortfall COMMAND test_${name} --gtest_filter=${ARG_SHORTFALL})
+    set_tests_properties(${name}_shortfall PROPERTIES LABELS shortfall SKIP_RETURN_CODE 77)
+    list(APPEND entries ${name}_shortfall)
+  endif()
+  set_tests_properties(${entries} PROPERTIES TIMEOUT 600)
   if(ARG_DOMAIN)
     get_property(domains GLOBAL PROPERTY BANDWAGON_TEST_DOMAINS)
     if(ARG_DOMAIN IN_LIST domains)
       message(FATAL_ERROR "test ${name}: domain ${ARG_DOMAIN} belongs to another test; tests run side by side")
     endif()
     set_property(GLOBAL APPEND PROPERTY BANDWAGON_TEST_DOMAINS ${ARG_DOMAIN})
-    set_tests_properties(${name} PROPERTIES ENVIRONMENT "ROS_DOMAIN_ID=${ARG_DOMAIN}")
+    set_tests_properties(${entries} PROPERTIES ENVIRONMENT "ROS_DOMAIN_ID=${ARG_DOMAIN}" RESOURCE_LOCK domain_${ARG_DOMAIN})
   endif()
 endfunction()

@@ -1,5 +1,5 @@
-# The installed package: find_package(bandwagon) gives bandwagon::runtime (all that a component links), bandwagon::program, and
-# bandwagon_add_component().
+# The installed package: find_package(bandwagon) gives bandwagon::runtime (all that a component links), bandwagon::local_planner (all
+# that a planner links), bandwagon::program, bandwagon_add_component() and bandwagon_add_planner().
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -8,6 +8,7 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/bandwagon)
 
 # target and its name outside
 set(exported bandwagon_runtime runtime bandwagon_idl idl bw_graph graph bw_parameters parameters bw_wire wire bw_model model
+  bw_local_planner local_planner
   bandwagon program)
 while(exported)
   list(POP_FRONT exported target name)
@@ -17,7 +18,7 @@ while(exported)
     target_include_directories(${target} SYSTEM INTERFACE $<INSTALL_INTERFACE:${headers}> $<INSTALL_INTERFACE:${headers}/idl>)
   endif()
 endwhile()
-set_target_properties(bandwagon_runtime bandwagon_idl PROPERTIES INSTALL_RPATH $ORIGIN)
+set_target_properties(bandwagon_runtime bandwagon_idl bw_local_planner PROPERTIES INSTALL_RPATH $ORIGIN)
 file(RELATIVE_PATH libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 set_target_properties(bandwagon PROPERTIES INSTALL_RPATH $ORIGIN/${libraries})
 
@@ -25,6 +26,10 @@ set_target_properties(bandwagon PROPERTIES INSTALL_RPATH $ORIGIN/${libraries})
 install(DIRECTORY runtime DESTINATION ${headers} FILES_MATCHING PATTERN "*.hpp"
   PATTERN cli EXCLUDE PATTERN raw_type.hpp EXCLUDE PATTERN loopback_sockets.hpp EXCLUDE)
 install(DIRECTORY components/model components/messages DESTINATION ${headers}/components FILES_MATCHING PATTERN "*.hpp")
+# What a planner of another project includes: the registry, and what every planner shares.
+file(GLOB shared_by_planners CONFIGURE_DEPENDS components/local_planner/*.hpp)
+list(FILTER shared_by_planners EXCLUDE REGEX "/(planner_factory|local_planner_parameters)\\.hpp$")
+install(FILES ${shared_by_planners} DESTINATION ${headers}/components/local_planner)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/idl/ DESTINATION ${headers}/idl
   FILES_MATCHING REGEX "/msg/[A-Za-z0-9_]+\\.hpp$" PATTERN CMakeFiles EXCLUDE PATTERN compiler EXCLUDE)
 install(DIRECTORY idl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/bandwagon/idl

@@ -1,13 +1,40 @@
 #!/usr/bin/env bash
-# Configures and builds a preset (default: release). Run by demo.sh and test.sh after setup.sh.
+# build.sh [PRESET] [program|tests]: configures and builds a preset (default: release, tests: everything).
+# A new build folder that is asked for the program alone needs neither GoogleTest nor Benchmark; tests that a folder once had stay.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 preset=${1:-release}
+what=${2:-tests}
 cd "$root"
-launcher=()
-if command -v ccache >/dev/null; then
-  launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_C_COMPILER_LAUNCHER=ccache)
+
+options=()
+targets=()
+new=false
+[[ -f build/$preset/CMakeCache.txt ]] || new=true
+case $what in
+  program)
+    $new && options+=(-DBANDWAGON_TESTS=OFF)
+    targets=(--target bandwagon)
+    echo "Building the program, $preset (from scratch: about 4 minutes on two cores) ..."
+    ;;
+  tests)
+    options+=(-DBANDWAGON_TESTS=ON)
+    echo "Building the program, its tests and benchmarks, $preset (from scratch: about 12 minutes on two cores) ..."
+    ;;
+  *)
+    echo "usage: $0 [PRESET] [program|tests]" >&2
+    exit 2
+    ;;
+esac
+# Only a new folder gets ccache: another launcher would compile everything again.
+if $new && command -v ccache >/dev/null; then
+  # What ccache must overlook before it touches a source that uses a precompiled header.
+  launcher='env;CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime;ccache'
+  options+=("-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher" -DCMAKE_C_COMPILER_LAUNCHER=ccache)
 fi
-cmake --preset "$preset" "${launcher[@]}" >/dev/null
-cmake --build --preset "$preset" -j "${BANDWAGON_JOBS:-2}"
+
+SECONDS=0
+cmake --preset "$preset" "${options[@]}" >/dev/null
+cmake --build --preset "$preset" -j "${BANDWAGON_JOBS:-2}" "${targets[@]}"
+printf 'Built in %d min %02d s.\n' $((SECONDS / 60)) $((SECONDS % 60))

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and drives through the hallway. Options go to `bandwagon run`, for example: demo.sh --seed 3
+# Installs what is missing, builds the program, and drives through the hallway. Options go to `bandwagon run`, for example: demo.sh --seed 3
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 "$root/launch_scripts/setup.sh"
-"$root/launch_scripts/build.sh" release
+"$root/launch_scripts/build.sh" release program
 
 out=$root/run/demo
 mkdir -p "$out"

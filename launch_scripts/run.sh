@@ -10,6 +10,6 @@ if (($# == 0)); then
 fi
 if [[ ! -x $program ]]; then
   "$root/launch_scripts/setup.sh"
-  "$root/launch_scripts/build.sh" release
+  "$root/launch_scripts/build.sh" release program
 fi
 exec "$program" run "$@"

@@ -1,16 +1,24 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that building and testing need, if any is missing. Says what it does; sudo only when not root.
+# Installs the Debian packages that are missing: setup.sh for the program, `setup.sh tests` for its tests and checks too.
+# Says what it does; sudo only when not root and something is missing.
 set -euo pipefail
 
 packages=(
-  g++ cmake ninja-build git ccache
+  g++ cmake ninja-build
   libfastrtps-dev libfastcdr-dev
   libeigen3-dev libceres-dev libyaml-cpp-dev libpng-dev liblz4-dev libsqlite3-dev libzstd-dev zlib1g-dev libssl-dev
   libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
-  libgtest-dev libgmock-dev libbenchmark-dev
-  cyclonedds-dev cyclonedds-tools
-  shellcheck procps
 )
+case ${1:-program} in
+  program) ;;
+  tests)
+    packages+=(libgtest-dev libgmock-dev libbenchmark-dev cyclonedds-dev cyclonedds-tools procps git ccache shellcheck)
+    ;;
+  *)
+    echo "usage: $0 [program|tests]" >&2
+    exit 2
+    ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do
@@ -31,6 +39,6 @@ if ((EUID != 0)); then
   as_root=(sudo)
 fi
 echo "Installing from Debian: ${missing[*]}"
-export DEBIAN_FRONTEND=noninteractive
-"${as_root[@]}" apt-get update -qq
-"${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}"
+as_root+=(env DEBIAN_FRONTEND=noninteractive)
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"

@@ -3,8 +3,8 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-"$root/launch_scripts/setup.sh"
-"$root/launch_scripts/build.sh" release
+"$root/launch_scripts/setup.sh" tests
+"$root/launch_scripts/build.sh" release tests
 if [[ -n ${BANDWAGON_SHARED:-} ]]; then
   BANDWAGON_SHARED=$(cd "$BANDWAGON_SHARED" && pwd)
   export BANDWAGON_SHARED

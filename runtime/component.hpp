@@ -4,8 +4,8 @@
 //   class Doubler final : public bw::Component {
 //     void configure(bw::Setup& setup) override {
 //       out_ = setup.output<std_msgs::msg::Float64>("doubled");
-//       setup.input<std_msgs::msg::Float64>("value", bw::Qos::standard(), [this](const auto& message, const
-//       bw::Tick&) { ... });
+//       setup.input<std_msgs::msg::Float64>("value", bw::Qos::standard(),
+//                                           [this](const auto& message, const bw::Tick&) { ... });
 //     }
 //     bw::Output<std_msgs::msg::Float64> out_;
 //   };
@@ -104,11 +104,13 @@ class Setup {
     declare_parameters(values);
     return values;
   }
-  /// A section shared by components, such as `robot`.
+  /// A section of the graph that components share. What it describes may move, and then says by a member
+  /// `Duration time_to_rest() const` how long the run goes on after an end that finds it moving.
   template <class S>
   S shared(std::string_view section) {
     S values;
     read_into(values, shared_section(section), section);
+    if constexpr (requires { values.time_to_rest(); }) comes_to_rest_within(section, values.time_to_rest());
     return values;
   }
   /// The file a text parameter names, relative to the YAML that says so. Empty path when the text is empty.
@@ -191,6 +193,7 @@ class Setup {
   virtual const ConfigNode& parameter_section() const = 0;
   virtual std::string parameter_path() const = 0;
   virtual const ConfigNode& shared_section(std::string_view section) const = 0;
+  virtual void comes_to_rest_within(std::string_view section, Duration time) = 0;
   virtual void keep_parameters(ParameterReport report) = 0;
 };
 

@@ -1,10 +1,9 @@
-// Collision index of Truong and Ngo (spec 7.7): how deep the robot is in somebody's space, from 0 to 1.
+// Collision index of Truong and Ngo (book 7.7): how deep the robot is in somebody's space, from 0 to 1.
 //
-//   CI = max over people of exp(-d^2 / (2 sigma^2)),  d between centres, sigma = half the comfortable
-//   distance
+//   CI = max over people of exp(-d^2 / (2 sigma^2))
 //
-// With sigma 0.6 m: 0.54 (physical limit) lies at 0.67 m, 0.14 (comfort limit) at 1.19 m, contact of two 0.3
-// m discs at 0.607.
+// with d the distance between centres and sigma half the comfortable distance. With sigma = 0.6 m, 0.54
+// (physical limit) lies at 0.67 m, 0.14 (comfort limit) at 1.19 m, and two discs of 0.3 m touch at 0.607.
 #pragma once
 
 #include <algorithm>

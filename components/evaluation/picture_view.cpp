@@ -11,6 +11,7 @@ namespace bw {
 namespace {
 
 constexpr double kRoom = 2.0;          // about the drive [m]
+constexpr double kRim = 0.25;          // beyond the border of the place [m]
 constexpr double kFlattest = 1 / 3.0;  // height over width
 constexpr double kSteepest = 1.0;
 
@@ -21,23 +22,56 @@ void widen(Eigen::AlignedBox2d& box, int axis, double size) {
   box.max()[axis] += missing / 2.0;
 }
 
+/// Moves the box along one axis so that it shows nothing beyond the border that it could show within; what is
+/// larger than the border has it in its middle.
+void shift_inside(Eigen::AlignedBox2d& box, int axis, const Eigen::AlignedBox2d& border) {
+  const double size = box.sizes()[axis];
+  double low = std::clamp(box.min()[axis], border.min()[axis],
+                          std::max(border.min()[axis], border.max()[axis] - size));
+  if (size > border.sizes()[axis]) low = border.center()[axis] - size / 2.0;
+  box.min()[axis] = low;
+  box.max()[axis] = low + size;
+}
+
+/// Where the place ends, as far as it is known; empty: nothing is.
+Eigen::AlignedBox2d border_of(const RunRecording& recording) {
+  Eigen::AlignedBox2d border;
+  if (recording.map) {
+    const OccupancyGrid& map = *recording.map;
+    border.extend(map.origin);
+    border.extend(map.origin + Vector2(map.width * map.resolution, map.height * map.resolution));
+  } else {
+    for (const Segment& wall : recording.shapes.segments) border.extend(wall.a).extend(wall.b);
+    for (const Disc& disc : recording.shapes.discs) {
+      border.extend(disc.center - Vector2::Constant(disc.radius));
+      border.extend(disc.center + Vector2::Constant(disc.radius));
+    }
+  }
+  return border;
+}
+
 }  // namespace
 
 PictureView view_of(const RunRecording& recording, double width, const Vector2& corner) {
-  Eigen::AlignedBox2d box(recording.goal);
-  for (const RecordedMoment& moment : recording.moments) box.extend(moment.X_MB.position());
+  Eigen::AlignedBox2d drive(recording.goal);
+  for (const RecordedMoment& moment : recording.moments) drive.extend(moment.X_MB.position());
+  Eigen::AlignedBox2d box = drive;
   box.min().array() -= kRoom;
   box.max().array() += kRoom;
-  if (recording.map) {
-    const OccupancyGrid& map = *recording.map;
-    const Vector2 size(map.width * map.resolution, map.height * map.resolution);
-    constexpr double kRim = 0.25;
-    const Eigen::AlignedBox2d border(map.origin - Vector2::Constant(kRim),
-                                     map.origin + size + Vector2::Constant(kRim));
-    if (border.intersects(box)) box = box.intersection(border);
+  Eigen::AlignedBox2d border = border_of(recording);
+  const bool is_bordered = !border.isEmpty() && border.intersects(box);
+  if (is_bordered) {
+    border.extend(drive);
+    border.min().array() -= kRim;
+    border.max().array() += kRim;
+    box = box.intersection(border);
   }
   widen(box, 1, box.sizes().x() * kFlattest);
   widen(box, 0, box.sizes().y() / kSteepest);
+  if (is_bordered) {
+    shift_inside(box, 0, border);
+    shift_inside(box, 1, border);
+  }
   return {box, width / box.sizes().x(), corner};
 }
 

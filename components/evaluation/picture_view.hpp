@@ -20,7 +20,7 @@ struct PictureView {
   }
 };
 
-/// The drive with room about it, cut at the border of the map, `width` pixels wide and at most as high as
+/// The drive with room about it, cut at the border of the place, `width` pixels wide and at most as high as
 /// wide.
 PictureView view_of(const RunRecording& recording, double width, const Vector2& corner);
 

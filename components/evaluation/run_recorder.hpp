@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "components/evaluation/score_keeper.hpp"
@@ -24,7 +25,7 @@ struct RunRecording {
   double robot_radius = 0.3;
   double top_speed = 1.0;  ///< of the robot, end of the colour scale [m/s]
   std::optional<OccupancyGrid> map;
-  StaticObstacles shapes;  ///< walls and pillars where there is no map
+  StaticObstacles shapes;  ///< the world's walls and pillars
   Vector2 goal{0.0, 0.0};
   std::vector<RecordedMoment> moments;
 };
@@ -33,14 +34,23 @@ class RunRecorder {
  public:
   RunRecorder(double robot_radius, double top_speed);
 
-  /// Forgets the moments, keeps the map.
+  /// Forgets the moments, keeps map and shapes.
   void start(Time now, const Vector2& goal);
   void add(const TruthSample& sample);
-  void set_map(const OccupancyGrid& map) { recording_.map = map; }
+  /// The robot's map; drawn where the world has none of its own.
+  void set_map(const OccupancyGrid& map) {
+    if (!has_true_map_) recording_.map = map;
+  }
+  void set_true_map(const OccupancyGrid& map) {
+    recording_.map = map;
+    has_true_map_ = true;
+  }
+  void set_shapes(StaticObstacles shapes) { recording_.shapes = std::move(shapes); }
   const RunRecording& recording() const { return recording_; }
 
  private:
   RunRecording recording_;
+  bool has_true_map_ = false;
   Time started_;
   Duration period_;
   std::optional<Time> last_;

@@ -25,10 +25,11 @@ bool is_sound(const TruthSample& sample) {
 
 }  // namespace
 
-void ScoreKeeper::start(Time now, const Vector2& goal) {
+void ScoreKeeper::start(Time now, const Vector2& goal, const GoalTolerance& tolerance) {
   ScoreKeeper fresh(options_, radius_);
   fresh.running_ = true;
   fresh.goal_ = goal;
+  fresh.tolerance_ = tolerance;
   fresh.started_ = now;
   *this = fresh;
 }
@@ -115,7 +116,8 @@ void ScoreKeeper::finish(Time now, bool claimed, const std::string& reason) {
   card_.finished = true;
   card_.time_to_goal = (now - started_).to_seconds();
   card_.mean_speed = card_.time_to_goal > 0.0 ? card_.path_length / card_.time_to_goal : 0.0;
-  card_.reached = claimed && last_ && card_.distance_to_goal <= options_.goal_tolerance;
+  const double allowed = options_.goal_tolerance > 0.0 ? options_.goal_tolerance : judged_xy(tolerance_);
+  card_.reached = claimed && last_ && card_.distance_to_goal <= allowed;
   card_.reason = reason;
   if (claimed && !card_.reached) card_.reason = "the robot claims the goal but is not there";
 }

@@ -9,6 +9,7 @@
 
 #include "components/evaluation/rms_jerk.hpp"
 #include "components/evaluation/truth_sample.hpp"
+#include "components/model/goal_tolerance.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
@@ -25,7 +26,7 @@ struct Encounter {
 
 struct ScoreCard {
   bool finished = false;
-  bool reached = false;  ///< claimed, and truly within goal_tolerance
+  bool reached = false;  ///< claimed, and truly within the judge's tolerance
   std::string reason;
   double time_to_goal = 0.0;      ///< since the start of the drive; of a goal not reached, the time spent [s]
   double path_length = 0.0;       ///< truly driven [m]
@@ -44,15 +45,16 @@ struct ScoreCard {
 };
 
 struct EvaluationOptions {
-  double goal_tolerance = 0.3;
+  double goal_tolerance = 0.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("goal_tolerance", goal_tolerance,
       {.unit = "m",
-       .min = 0.01,
+       .min = 0,
        .max = 10,
-       .doc = "a goal claimed from farther away than this is not counted as reached"});
+       .doc = "a goal claimed from farther away than this is not counted as reached; 0: 0.1 m more than the "
+              "navigator's xy_tolerance"});
   }
 };
 
@@ -62,8 +64,8 @@ class ScoreKeeper {
   ScoreKeeper(const EvaluationOptions& options, double robot_radius)
       : options_(options), radius_(robot_radius) {}
 
-  /// Opens a fresh card; the drive lasts until finish().
-  void start(Time now, const Vector2& goal);
+  /// Opens a fresh card; the drive lasts until finish(). `tolerance`: the navigator's.
+  void start(Time now, const Vector2& goal, const GoalTolerance& tolerance = {});
   /// Counts while a drive lasts. Samples that are not newer or not finite are ignored.
   void add(const TruthSample& sample);
   /// `claimed`: the robot says that it stands at the goal.
@@ -87,6 +89,7 @@ class ScoreKeeper {
   bool running_ = false;
   ScoreCard card_;
   Vector2 goal_{0.0, 0.0};
+  GoalTolerance tolerance_;
   Time started_;
   std::optional<TruthSample> last_;
   RmsJerk jerk_;

@@ -214,7 +214,7 @@ void draw_header(SvgWriter& svg, const ScoreCard& card, const PictureOptions& op
   svg.text({kMargin, 40}, options.title, label_style(kInk, 24, "start", 700));
   const bool failed = card.collisions > 0 || (card.finished && !card.reached);
   const std::string_view color = failed ? kAlarm : card.finished ? "#0f868c" : kSoftInk;
-  std::string result = !card.finished ? "still driving"
+  std::string result = !card.finished ? options.unfinished
                        : card.reached ? "goal reached"
                                       : "goal not reached: " + card.reason;
   if (card.collisions > 0)

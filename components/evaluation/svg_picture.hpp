@@ -11,9 +11,10 @@ namespace bw {
 
 struct PictureOptions {
   std::string title = "Bandwagon";
-  double width = 1280.0;          ///< of the page [px]
-  double footprint_period = 2.0;  ///< [s]
-  double near = 3.0;              ///< people closer to the robot than this are shown with their bodies [m]
+  double width = 1280.0;                     ///< of the page [px]
+  double footprint_period = 2.0;             ///< [s]
+  std::string unfinished = "still driving";  ///< title of a drive that was not decided
+  double near = 3.0;  ///< people closer to the robot than this are shown with their bodies [m]
 };
 
 std::string svg_picture(const RunRecording& recording, const ScoreCard& card,

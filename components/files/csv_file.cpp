@@ -20,6 +20,27 @@ std::string excerpt(std::string_view text) {
   return "'" + shown + (text.size() > 40 ? "...'" : "'");
 }
 
+/// The first column in which two headers differ, as a sentence: tables may have hundreds of columns.
+std::string first_difference(std::string_view expected, std::string_view found) {
+  const auto name = [](std::string_view rest) { return rest.substr(0, rest.find(',')); };
+  for (std::size_t column = 1;; ++column) {
+    const std::size_t comma_expected = expected.find(',');
+    const std::size_t comma_found = found.find(',');
+    const bool ends_expected = comma_expected == std::string_view::npos;
+    const bool ends_found = comma_found == std::string_view::npos;
+    const std::string here = "column " + std::to_string(column) + " of the header ";
+    if (name(expected) != name(found))
+      return here + "must be " + excerpt(name(expected)) + ", found " + excerpt(name(found));
+    if (ends_expected) return here + "must be the last, found more";
+    if (ends_found) {
+      expected.remove_prefix(comma_expected + 1);
+      return here + "is the last, but " + excerpt(name(expected)) + " must follow";
+    }
+    expected.remove_prefix(comma_expected + 1);
+    found.remove_prefix(comma_found + 1);
+  }
+}
+
 }  // namespace
 
 void fail_at(const std::string& file, std::size_t line, const std::string& what) {
@@ -48,9 +69,8 @@ bool next_line(std::istream& input, std::string& text, const std::string& file, 
 std::vector<CsvRow> read_csv(std::istream& input, const std::string& file, std::string_view header,
                              CsvNumbers numbers) {
   std::string text;
-  if (!next_line(input, text, file, 1) || text != header) {
-    fail_at(file, 1, "the first line must be '" + std::string(header) + "', found " + excerpt(text));
-  }
+  if (!next_line(input, text, file, 1)) fail_at(file, 1, "the header is missing");
+  if (text != header) fail_at(file, 1, first_difference(header, text));
   const auto columns = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
   std::vector<CsvRow> rows;
   for (std::size_t line = 2; next_line(input, text, file, line); ++line) {

@@ -7,15 +7,21 @@
 #include <vector>
 
 #include "components/files/map_image.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/parameters/read_parameters.hpp"
 #include "runtime/parameters/yaml_file.hpp"
 
 namespace bw {
 namespace {
 
+enum class MapMode { trinary, scale, raw };
+constexpr auto choice_table(MapMode) {
+  return choices<MapMode>({{MapMode::trinary, "trinary"}, {MapMode::scale, "scale"}, {MapMode::raw, "raw"}});
+}
+
 struct MapYaml {
   std::string image;
-  std::string mode = "trinary";
+  MapMode mode = MapMode::trinary;
   double resolution = 0.0;
   std::vector<double> origin;
   int negate = 0;
@@ -25,12 +31,16 @@ struct MapYaml {
   template <class Visitor>
   void fields(Visitor& v) {
     v("image", image, {.doc = "picture, relative to this file"});
-    v("mode", mode, {.choices = {"trinary", "scale", "raw"}, .doc = "what a shade means"});
+    v("mode", mode,
+      {.doc = "what a shade means: free, occupied or unknown (trinary), in proportion (scale), or its own "
+              "value (raw)"});
     v("resolution", resolution, {.unit = "m", .min = 0.001, .max = 100, .doc = "edge of a cell"});
     v("origin", origin, {.min = -1e6, .max = 1e6, .doc = "lower left corner: x [m], y [m], yaw [rad]"});
     v("negate", negate, {.min = 0, .max = 1, .doc = "1: white is occupied"});
-    v("occupied_thresh", occupied_thresh, {.min = 0, .max = 1, .doc = "occupied above this"});
-    v("free_thresh", free_thresh, {.min = 0, .max = 1, .doc = "free below this"});
+    v("occupied_thresh", occupied_thresh,
+      {.min = 0, .max = 1, .doc = "a cell is occupied when its shade, 0 to 1, lies above this"});
+    v("free_thresh", free_thresh,
+      {.min = 0, .max = 1, .doc = "a cell is free when its shade, 0 to 1, lies below this"});
   }
 
   std::optional<std::string> violated_rule() const {
@@ -65,14 +75,14 @@ MapYaml read_map_yaml(ConfigNode& root) {
 
 CellOfShade rule_of(const MapYaml& yaml) {
   return [yaml](double shade) -> std::int8_t {
-    if (yaml.mode == "raw") {
+    if (yaml.mode == MapMode::raw) {
       const long value = std::lround(shade * 255.0);
       return value <= 100 ? static_cast<std::int8_t>(value) : OccupancyGrid::kUnknown;
     }
     const double p = yaml.negate == 1 ? shade : 1.0 - shade;
     if (p > yaml.occupied_thresh) return OccupancyGrid::kOccupied;
     if (p < yaml.free_thresh) return OccupancyGrid::kFree;
-    if (yaml.mode == "trinary") return OccupancyGrid::kUnknown;
+    if (yaml.mode == MapMode::trinary) return OccupancyGrid::kUnknown;
     const double range = yaml.occupied_thresh - yaml.free_thresh;
     const double share = range > 0.0 ? (p - yaml.free_thresh) / range : 0.5;
     return static_cast<std::int8_t>(1 + std::lround(98.0 * share));

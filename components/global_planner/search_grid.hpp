@@ -38,16 +38,17 @@ inline std::uint32_t step_cost(std::uint32_t cell_cost, bool diagonal) {
   return diagonal ? (cell_cost * 46341u + 16384u) >> 15 : cell_cost;
 }
 
-/// The cells of a map with a blocked rim of one cell, so that neighbours always exist. Cells are named by (x,
-/// y) in the rimmed grid: (1, 1) is cell (0, 0) of the map.
+/// The cells of a map with a blocked rim of one cell, so that neighbours always exist. Cells are named by
+/// (x, y) in the rimmed grid: (1, 1) is cell (0, 0) of the map.
 class SearchGrid {
  public:
   static constexpr int kMaxSide = 65'000;  ///< coordinates fit 16 bits
 
   /// A cell is blocked where its clearance is below `robot_radius` [m]. Clearance is the distance between
   /// cell centres less half a cell, which is where the surface of the obstacle cell begins. The map's sides
-  /// must not exceed kMaxSide. Cost of a cell (spec 7.4): 1 + weight ((range - clearance) / (range -
-  /// radius))^2 below the range, else 1.
+  /// must not exceed kMaxSide. A cell costs (book 7.4)
+  ///
+  ///   1 + weight ((range - clearance) / (range - radius))^2   below the range, else 1
   void build(const OccupancyGrid& map, double robot_radius, const GlobalPlannerOptions& options);
 
   bool empty() const { return cells_.empty(); }

@@ -4,16 +4,18 @@
 
 namespace bw {
 
-std::vector<Mover> ideal_tracks(const std::vector<Mover>& people, const Vector2& robot,
-                                const IdealPeopleOptions& options, Random& random) {
-  std::vector<Mover> tracks;
+std::vector<TrackedPerson> ideal_tracks(const std::vector<Mover>& people, const Vector2& robot,
+                                        const IdealPeopleOptions& options, Random& random) {
+  const double p2 = options.position_noise * options.position_noise;
+  const double v2 = options.velocity_noise * options.velocity_noise;
+  std::vector<TrackedPerson> tracks;
   for (const Mover& person : people) {
     // Drawn for everybody, so that one person's range does not change another's noise.
     const Vector2 position_error(random.normal(), random.normal());
     const Vector2 velocity_error(random.normal(), random.normal());
     if (!person.position.allFinite() || !person.velocity.allFinite()) continue;
     if ((person.position - robot).norm() > options.range) continue;
-    Mover track = person;
+    TrackedPerson track{person, Eigen::Vector4d(p2, p2, v2, v2).asDiagonal()};
     track.position += options.position_noise * position_error;
     track.velocity += options.velocity_noise * velocity_error;
     track.predictions.clear();
@@ -22,8 +24,7 @@ std::vector<Mover> ideal_tracks(const std::vector<Mover>& people, const Vector2&
     for (int i = 1; i <= steps; ++i) {
       const double t = i * options.prediction_step;
       const double turn = options.walker_acceleration * t * t / 2.0;
-      const double variance = options.position_noise * options.position_noise +
-                              options.velocity_noise * options.velocity_noise * t * t + turn * turn;
+      const double variance = p2 + v2 * t * t + turn * turn;
       track.predictions.push_back(
           {t, track.position + track.velocity * t, variance * Eigen::Matrix2d::Identity()});
     }

@@ -1,16 +1,17 @@
 // Tracks of people from the world's truth: those in range, with seeded noise if wanted, and a
 // constant-velocity prediction
 //
-//   p(t) = p + v t,   cov(t) = (s_p^2 + s_v^2 t^2 + (a t^2 / 2)^2) I,   a: what a walker may do against the
-//   prediction
+//   p(t) = p + v t,   cov(t) = (s_p^2 + s_v^2 t^2 + (a t^2 / 2)^2) I
+//
+// with a the acceleration by which a walker may deviate from the prediction.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "components/model/obstacles.hpp"
 #include "components/model/random.hpp"
+#include "components/model/tracked_person.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
@@ -51,9 +52,9 @@ struct IdealPeopleOptions {
   }
 };
 
-/// `people` as they truly are (in map), `robot` in map. Predictions are filled in; one position covariance
-/// now is s_p^2 I.
-std::vector<Mover> ideal_tracks(const std::vector<Mover>& people, const Vector2& robot,
-                                const IdealPeopleOptions& options, Random& random);
+/// `people` as they truly are, and `robot`, in map. Predictions are filled in; the covariance now has s_p^2
+/// and s_v^2 on its diagonal.
+std::vector<TrackedPerson> ideal_tracks(const std::vector<Mover>& people, const Vector2& robot,
+                                        const IdealPeopleOptions& options, Random& random);
 
 }  // namespace bw

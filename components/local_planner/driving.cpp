@@ -11,14 +11,26 @@
 namespace bw {
 namespace {
 
-constexpr double kCheckStep = 0.05;       // [m] between footprint tests
-constexpr double kWorthEvading = 0.03;    // [m] of comfort for which a free motion is left
-constexpr double kLeaveGoalFactor = 2.0;  // of xy_goal_tolerance: pushed out so far, the robot drives again
+constexpr double kCheckStep = 0.05;     // [m] between footprint tests
+constexpr double kEnoughGap = 0.3;      // [m] beyond which evasive moves count as equally safe
+constexpr double kWorthEvading = 0.03;  // [m] of comfort for which a free motion is left
+constexpr double kLeaveGoalFactor =
+    2.0;  // of the arrival tolerance: pushed out so far, the robot drives again
 
 }  // namespace
 
+GoalTolerance arrival_tolerance(const PlanningProblem& problem, const DrivingOptions& options) {
+  const GoalTolerance& reached = problem.goal_tolerance;
+  GoalTolerance own = inside(reached);
+  if (options.xy_goal_tolerance > 0.0 && options.xy_goal_tolerance <= reached.xy)
+    own.xy = options.xy_goal_tolerance;
+  if (options.yaw_goal_tolerance > 0.0 && options.yaw_goal_tolerance <= reached.yaw)
+    own.yaw = options.yaw_goal_tolerance;
+  return own;
+}
+
 bool has_arrived(const PlanningProblem& problem, const DrivingOptions& options, bool had_arrived) {
-  const double tolerance = options.xy_goal_tolerance * (had_arrived ? kLeaveGoalFactor : 1.0);
+  const double tolerance = arrival_tolerance(problem, options).xy * (had_arrived ? kLeaveGoalFactor : 1.0);
   return problem.goal_is_final &&
          (problem.plan.back().position() - problem.pose.position()).norm() <= tolerance;
 }
@@ -26,7 +38,7 @@ bool has_arrived(const PlanningProblem& problem, const DrivingOptions& options, 
 PlanningResult arrive(const PlanningProblem& problem, const DrivingOptions& options) {
   const double error = wrap_angle(problem.plan.back().theta - problem.pose.theta);
   Twist2 wanted;
-  if (std::abs(error) > options.yaw_goal_tolerance) {
+  if (std::abs(error) > arrival_tolerance(problem, options).yaw) {
     // Turn rate from which half of alpha_max still stops at the heading.
     const double rate = std::sqrt(2.0 * 0.5 * problem.limits.alpha_max * std::abs(error));
     wanted.omega = std::copysign(std::min(rate, problem.limits.omega_max), error);
@@ -67,7 +79,7 @@ bool evade(const PlanningProblem& problem, const DrivingOptions& options, const 
   }
   EvasiveMove move = best_evasive_move(
       problem, problem.plan.back().position(),
-      {options.evasion_horizon, problem.command_lead, options.feasibility_margin, options.evasion_gap});
+      {options.evasion_horizon, problem.command_lead, options.feasibility_margin, kEnoughGap});
   if (safety.free && std::min(move.mover_gap, options.mover_margin) < safety.comfort + kWorthEvading)
     return false;
   stop();

@@ -10,43 +10,57 @@
 namespace bw {
 
 struct DrivingOptions {
-  double xy_goal_tolerance = 0.1;
-  double yaw_goal_tolerance = 0.1;
+  double xy_goal_tolerance = 0.0;
+  double yaw_goal_tolerance = 0.0;
   double feasibility_check_time = 3.0;
   double feasibility_margin = 0.0;
   double mover_margin = 0.1;
   double evasion_horizon = 3.0;
-  double evasion_gap = 0.3;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("xy_goal_tolerance", xy_goal_tolerance,
       {.unit = "m",
-       .min = 0.005,
+       .min = 0,
        .max = 5,
-       .doc = "from here the robot only turns to the goal heading and stops"});
+       .doc = "from here the robot only turns to the goal heading and stops; 0, or more than the navigator's "
+              "xy_tolerance: half of that"});
     v("yaw_goal_tolerance", yaw_goal_tolerance,
-      {.unit = "rad", .min = 0.005, .max = 3.15, .doc = "heading error at which it has arrived"});
+      {.unit = "rad",
+       .min = 0,
+       .max = 3.15,
+       .doc = "heading error at which it has arrived; 0, or more than the navigator's yaw_tolerance: a third "
+              "of that"});
     v("feasibility_check_time", feasibility_check_time,
       {.unit = "s",
        .min = 0,
        .max = 20,
-       .doc = "how far ahead the footprint must be free before the robot moves"});
+       .doc = "how far ahead the footprint must be free before the robot moves; longer is safer, and "
+              "stops more often in crowds"});
     v("feasibility_margin", feasibility_margin,
-      {.unit = "m", .min = 0, .max = 5, .doc = "gap that this check asks for"});
+      {.unit = "m",
+       .min = 0,
+       .max = 5,
+       .doc = "gap that the check of the footprint asks for; raise it where the robot drives less exactly "
+              "than it plans"});
     v("mover_margin", mover_margin,
       {.unit = "m",
        .min = 0,
        .max = 5,
        .doc = "a motion that passes a mover with a smaller gap is left for an evasive move that keeps more"});
     v("evasion_horizon", evasion_horizon,
-      {.unit = "s", .min = 0, .max = 10, .doc = "simulated time of an evasive move; 0: only stop"});
-    v("evasion_gap", evasion_gap,
-      {.unit = "m", .min = 0, .max = 5, .doc = "gap beyond which evasive moves count as equally safe"});
+      {.unit = "s",
+       .min = 0,
+       .max = 10,
+       .doc = "how long an evasive move is simulated ahead; 0: the robot only stops"});
   }
 };
 
-/// Within xy_goal_tolerance of the final goal, or, if it `had_arrived`, still within twice that.
+/// Where the planner ends its drive: what `options` say, or, where they say nothing or would end it outside of
+/// what counts as reached, inside(problem.goal_tolerance).
+GoalTolerance arrival_tolerance(const PlanningProblem& problem, const DrivingOptions& options);
+
+/// Within arrival_tolerance of the final goal, or, if it `had_arrived`, still within twice that.
 bool has_arrived(const PlanningProblem& problem, const DrivingOptions& options, bool had_arrived);
 
 /// Turns to the heading of the goal without leaving the place; then stands.

@@ -71,7 +71,7 @@ class Search {
       Motion motion = start();
       for (const double phase : kFirstPhases) {
         extend(motion, first, steps_until(phase));
-        if (hopeless(motion)) break;
+        if (is_pruned(motion)) break;
         second_phase(motion);
       }
     }
@@ -101,7 +101,7 @@ class Search {
       Motion motion = so_far;
       for (const double phase : kSecondPhases) {
         extend(motion, second, std::min(steps_, begin + steps_until(phase)));
-        if (hopeless(motion)) break;
+        if (is_pruned(motion)) break;
         third_phase(motion);
       }
     }
@@ -119,7 +119,7 @@ class Search {
   void extend(Motion& motion, const Twist2& target, int last) {
     const Limits& limits = problem_.limits;
     const double h = options_.period / tests_;
-    while (static_cast<int>(motion.trajectory.size()) <= last && !hopeless(motion)) {
+    while (static_cast<int>(motion.trajectory.size()) <= last && !is_pruned(motion)) {
       const TrajectoryPoint from = motion.trajectory.back();
       const auto i = motion.trajectory.size();
       const double period = options_.period;
@@ -146,7 +146,7 @@ class Search {
   }
 
   // It met something, can no longer win, or there is no time left to see.
-  bool hopeless(const Motion& motion) const {
+  bool is_pruned(const Motion& motion) const {
     if (best_score_ == -kInfinity && latest_.trajectory.empty())
       return false;  // the stop is simulated to its end
     return motion.contact_time < kInfinity || kGapWeight * motion.gap < best_score_ || looks_ > kMostLooks;

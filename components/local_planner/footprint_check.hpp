@@ -6,9 +6,9 @@
 
 namespace bw {
 
-/// Gap [m] between the footprint at `pose` and all points within `radius` of segment a-b (a point when a ==
-/// b); negative on contact (a lower bound of the depth). Where the enclosing disc of a polygon is clear, its
-/// gap.
+/// Gap [m] between the footprint at `pose` and all points within `radius` of segment a-b, which is a point
+/// when a and b are equal. Negative on contact (a lower bound of the depth). Where the enclosing disc of a
+/// polygon is clear, the gap of that disc.
 double gap_to(const Pose2& pose, const Footprint& footprint, const Vector2& a, const Vector2& b,
               double radius);
 

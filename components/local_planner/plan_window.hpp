@@ -1,7 +1,9 @@
 // The stretch of a global plan that a local planner works on: from the robot to a local goal some way ahead
-// (spec 7.4).
+// (book 7.4).
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "runtime/base/pose2.hpp"
@@ -18,5 +20,26 @@ struct PlanWindow {
 /// so that a plan that crosses itself is followed in order.
 PlanWindow plan_window(const std::vector<Pose2>& plan, const Pose2& robot, double lookahead,
                        std::size_t& start_hint);
+
+/// A plan and how far the robot has come on it.
+class FollowedPlan {
+ public:
+  /// A new plan; the distance to its goal is known from the next window() on.
+  void start(std::vector<Pose2> plan) {
+    plan_ = std::move(plan);
+    index_ = 0;
+  }
+  /// The stretch ahead of `robot` (in the plan's frame), about `lookahead` [m] long.
+  const PlanWindow& window(const Pose2& robot, double lookahead) {
+    return window_ = plan_window(plan_, robot, lookahead, index_);
+  }
+  /// [m], as of the last window.
+  double distance_to_goal() const { return window_.distance_to_goal; }
+
+ private:
+  std::vector<Pose2> plan_;
+  std::size_t index_ = 0;
+  PlanWindow window_;
+};
 
 }  // namespace bw

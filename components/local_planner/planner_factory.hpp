@@ -1,6 +1,7 @@
 // Local planners by the name a graph gives them.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -13,10 +14,11 @@
 #include "components/local_planner/teb/prediction_options.hpp"
 #include "components/local_planner/teb/teb_options.hpp"
 #include "components/model/planning.hpp"
+#include "runtime/base/any_fields.hpp"
 
 namespace bw {
 
-/// What PTEB adds to the choice between topologies (spec 6.4).
+/// What PTEB adds to the choice between topologies (book 6.4).
 struct PtebOptions {
   double hrvo_angle_weight = 0.5;
 
@@ -25,8 +27,26 @@ struct PtebOptions {
     v("hrvo_angle_weight", hrvo_angle_weight,
       {.min = 0,
        .max = 100,
-       .doc = "cost per radian between a candidate and the HRVO direction; delta_hrvo"});
+       .doc = "delta_hrvo of (3.12): cost per radian between a band and the HRVO direction; raise it to "
+              "follow HRVO against shorter ways"});
   }
+};
+
+/// Parameters of planners that registered with options of their own, a section for each; at first their
+/// defaults. Planners registered later are not in it.
+class PlannerSections {
+ public:
+  PlannerSections();
+
+  /// Throws std::out_of_range for a planner without options of its own.
+  const AnyOptions& of(const std::string& planner) const { return sections_.at(planner); }
+  template <class Visitor>
+  void fields(Visitor& v) {
+    for (auto& [name, options] : sections_) v(name, options, {.doc = "parameters of this planner alone"});
+  }
+
+ private:
+  std::map<std::string, AnyOptions> sections_;
 };
 
 /// Parameters of all local planners: what they share, then a section for each idea.
@@ -39,6 +59,7 @@ struct LocalPlannerOptions {
   homotopy::HomotopyOptions homotopy;
   PtebOptions pteb;
   teb::PredictionOptions eteb = teb::default_eteb_prediction();
+  PlannerSections others;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -50,10 +71,11 @@ struct LocalPlannerOptions {
     v("homotopy", homotopy, {.doc = "bands in several topologies: teb_homotopy, pteb, eteb"});
     v("pteb", pteb, {.doc = "what PTEB adds: the HRVO direction in the choice"});
     v("eteb", eteb, {.doc = "what ETEB adds: predicted obstacles and how sure they are"});
+    others.fields(v);
   }
 };
 
-/// As the parameter `algorithm` knows them; the texts live as long as the program.
+/// As the parameter `algorithm` knows them, sorted; the texts live as long as the program.
 std::vector<std::string_view> planner_names();
 
 /// Throws std::runtime_error naming the known planners when `name` is none of them.

@@ -1,4 +1,4 @@
-// Course over ground from position fixes, for receivers that do not give it (spec 3.2, gps_heading).
+// Course over ground from position fixes, for receivers that do not give it (book 3.2).
 #pragma once
 
 #include <cmath>

@@ -20,17 +20,18 @@ struct DatumParameters {
   template <class Visitor>
   void fields(Visitor& v) {
     v("enabled", enabled, {.doc = "the origin of map is given here; otherwise it is the first fix"});
-    v("latitude", latitude, {.unit = "deg", .min = -90, .max = 90, .doc = "of the origin of map, WGS 84"});
+    v("latitude", latitude,
+      {.unit = "deg", .min = -90, .max = 90, .doc = "latitude of the origin of map, WGS 84"});
     v("longitude", longitude,
-      {.unit = "deg", .min = -180, .max = 180, .doc = "of the origin of map, WGS 84"});
+      {.unit = "deg", .min = -180, .max = 180, .doc = "longitude of the origin of map, WGS 84"});
     v("altitude", altitude,
-      {.unit = "m", .min = -1000, .max = 20000, .doc = "of the origin of map, above the ellipsoid"});
+      {.unit = "m", .min = -1000, .max = 20000, .doc = "altitude of the origin of map above the ellipsoid"});
   }
 };
 
 /// What the filter listens to. Topics: README.md.
 struct SensorParameters {
-  double wheel_noise = 5e-4;
+  double wheel_noise = 0.0;
   bool gyro = true;
   double gyro_noise = 0.01;
   bool compass = true;
@@ -48,19 +49,27 @@ struct SensorParameters {
       {.unit = "m",
        .min = 0,
        .max = 1,
-       .doc = "k of spec 2.2: variance of a wheel's travel per metre of it"});
+       .doc =
+           "k of book 2.2, variance of a wheel's travel per metre of it; 0: as the covariance of odom grows, "
+           "5e-4 where it does not"});
     v("gyro", gyro, {.doc = "use the turn rate of imu"});
     v("gyro_noise", gyro_noise,
-      {.unit = "rad/s", .min = 1e-6, .max = 1, .doc = "standard deviation where the message gives none"});
+      {.unit = "rad/s",
+       .min = 1e-6,
+       .max = 1,
+       .doc = "standard deviation of a turn rate where the message gives none"});
     v("compass", compass, {.doc = "use the orientation of imu as heading in map (0 is east)"});
     v("compass_noise", compass_noise,
-      {.unit = "rad", .min = 1e-6, .max = 3.15, .doc = "standard deviation where the message gives none"});
+      {.unit = "rad",
+       .min = 1e-6,
+       .max = 3.15,
+       .doc = "standard deviation of a heading where the message gives none"});
     v("gps", gps, {.doc = "use gps/fix"});
     v("gps_noise", gps_noise,
       {.unit = "m",
        .min = 0.001,
        .max = 1000,
-       .doc = "standard deviation per axis where the message gives none"});
+       .doc = "standard deviation of a fix, per axis, where the message gives none"});
     v("course", course, {.doc = "use the direction between two fixes as heading, without a compass"});
     v("laser", laser, {.doc = "use scan against map (particle filter)"});
     v("ranges", ranges, {.doc = "use ranges to anchors"});
@@ -86,17 +95,17 @@ struct InitialPoseParameters {
       {.unit = "m",
        .min = 0.001,
        .max = 100,
-       .doc = "standard deviation per axis, also of a pose given without any"});
+       .doc = "standard deviation of the position per axis, also of a clicked pose that has none"});
     v("yaw_sigma", yaw_sigma,
       {.unit = "rad",
        .min = 0.001,
        .max = 3.15,
-       .doc = "standard deviation, also of a pose given without any"});
+       .doc = "standard deviation of the heading, also of a clicked pose that has none"});
   }
 };
 
 struct LocalizationParameters {
-  std::string algorithm = "ekf";
+  Algorithm algorithm = Algorithm::ekf;
   bool set_initial_pose = false;
   InitialPoseParameters initial_pose;
   bool start_anywhere = false;
@@ -109,7 +118,7 @@ struct LocalizationParameters {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("algorithm", algorithm, {.choices = localizer_names(), .doc = "filter in use"});
+    v("algorithm", algorithm, {.doc = "filter in use"});
     v("set_initial_pose", set_initial_pose, {.doc = "start at initial_pose; otherwise find the first pose"});
     v("initial_pose", initial_pose, {.doc = "the pose at the start"});
     v("start_anywhere", start_anywhere, {.doc = "search the whole map at the start (particle filter)"});
@@ -121,7 +130,10 @@ struct LocalizationParameters {
        .max = 10,
        .doc = "map->odom is dated so far ahead, so that readers find it in time"});
     v("pose_rate", pose_rate,
-      {.unit = "Hz", .min = 0.1, .max = 100, .doc = "amcl_pose, particles and health per second"});
+      {.unit = "Hz",
+       .min = 0.1,
+       .max = 100,
+       .doc = "how many times a second amcl_pose, particles and health are published"});
     v("publish_when_lost", publish_when_lost,
       {.doc = "go on with odometry/filtered while LOST; otherwise it stops, and with it the drive"});
     filters.fields(v);
@@ -129,7 +141,7 @@ struct LocalizationParameters {
 
   std::optional<std::string> violated_rule() const {
     if (set_initial_pose && start_anywhere) return "set_initial_pose and start_anywhere exclude each other";
-    if (start_anywhere && algorithm != "particle_filter")
+    if (start_anywhere && algorithm != Algorithm::particle_filter)
       return "start_anywhere needs algorithm: particle_filter";
     const Geodetic place{datum.latitude, datum.longitude, datum.altitude};
     if (datum.enabled && !LocalPlane::around(place)) return "datum must be a place on the earth";

@@ -3,13 +3,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "components/localization/ekf/ekf_options.hpp"
 #include "components/localization/localizer.hpp"
 #include "components/localization/particle_filter/particle_filter_options.hpp"
+#include "runtime/base/choice.hpp"
 
 namespace bw::localization {
 
@@ -24,10 +22,13 @@ struct LocalizerOptions {
   }
 };
 
-std::vector<std::string_view> localizer_names();
+enum class Algorithm { ekf, particle_filter };
+constexpr auto choice_table(Algorithm) {
+  return choices<Algorithm>({{Algorithm::ekf, "ekf"}, {Algorithm::particle_filter, "particle_filter"}});
+}
 
-/// Throws std::invalid_argument for a name that localizer_names() does not hold.
-std::unique_ptr<Localizer> make_localizer(const std::string& name, const LocalizerOptions& options,
-                                          std::uint64_t seed);
+/// With room for so many sources.
+std::unique_ptr<Localizer> make_localizer(Algorithm algorithm, const LocalizerOptions& options,
+                                          std::uint64_t seed, int sources);
 
 }  // namespace bw::localization

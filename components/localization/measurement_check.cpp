@@ -106,9 +106,9 @@ struct Checker {
 
 }  // namespace
 
-Verdict check(const Measurement& measurement, const MeasurementLimits& limits) {
+Verdict check(const Measurement& measurement, const MeasurementLimits& limits, int sources) {
   const int from = source(measurement);
-  if (from < 0 || from >= kMaxSources) return Verdict::bad_source;
+  if (from < 0 || from >= sources) return Verdict::bad_source;
   return std::visit(Checker{limits}, measurement);
 }
 

@@ -29,6 +29,7 @@ struct MeasurementLimits {
 };
 
 /// Verdict::accepted when sound; else not_finite, bad_covariance, bad_interval, implausible or bad_source.
-Verdict check(const Measurement& measurement, const MeasurementLimits& limits);
+/// Sources are numbered from 0 to below `sources`.
+Verdict check(const Measurement& measurement, const MeasurementLimits& limits, int sources = kUsualSources);
 
 }  // namespace bw::localization

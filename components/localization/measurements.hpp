@@ -6,24 +6,15 @@
 
 #include <Eigen/Core>
 
+#include "components/model/wheel_step.hpp"
 #include "runtime/base/pose2.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw::localization {
 
-/// Sources are numbered from 0; one source gives one kind of measurement.
-constexpr int kMaxSources = 8;
-
-/// Travel along an arc during [time - over, time], as wheels measure it. Makers: wheel_step.hpp.
-struct WheelStep {
-  Time time;
-  int source = 0;
-  Duration over;
-  double distance = 0.0;                                 ///< forward [m]
-  double turn = 0.0;                                     ///< counter-clockwise [rad]
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of (distance, turn); may be singular
-  double separation = 0.0;  ///< of the wheels [m]; 0: not two wheels, or not known
-};
+/// Sources are numbered from 0; one source gives one kind of measurement. A filter is told at its making how
+/// many there are; this many have room in one that was told nothing.
+constexpr int kUsualSources = 8;
 
 /// Place of an antenna, e.g. a satellite fix taken to the local plane (local_plane.hpp).
 struct PositionFix {

@@ -15,7 +15,7 @@ enum class Verdict {
   bad_covariance,  ///< not symmetric, not positive definite, or beyond MeasurementLimits::variance
   bad_interval,    ///< wheel step over no time, negative time or too long a time
   implausible,     ///< faster or farther than MeasurementLimits allow
-  bad_source,      ///< source outside [0, kMaxSources), or one that has given another kind before
+  bad_source,      ///< source that the filter has no room for, or one that has given another kind before
   duplicate,       ///< same kind, source and stamp as one in the window
   too_old,         ///< before the window of rewinding
   future,          ///< stamped after now

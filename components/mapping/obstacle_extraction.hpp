@@ -28,7 +28,8 @@ struct ExtractionOptions {
        .min = 0.1,
        .max = 2,
        .doc = "how closely segments follow the cells; raise it for fewer"});
-    v("max_obstacles", max_obstacles, {.min = 1, .max = 10000, .doc = "the nearest this many are kept"});
+    v("max_obstacles", max_obstacles,
+      {.min = 1, .max = 10000, .doc = "how many shapes are given, the nearest ones"});
     v("occupied_at", occupied_at,
       {.min = 1, .max = 100, .doc = "smallest occupancy of a map cell that is an obstacle"});
     v("face_unknown", face_unknown,

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <bandwagon_msgs/msg/obstacles.hpp>
+#include <bandwagon_msgs/msg/tracks.hpp>
 
 #include "components/messages/geometry.hpp"
 #include "components/model/obstacles.hpp"
@@ -55,6 +57,20 @@ inline StaticObstacles to_obstacles(const bandwagon_msgs::msg::Obstacles& messag
     obstacles.segments.push_back({.a = X_OF * Vector2(s.x1(), s.y1()), .b = X_OF * Vector2(s.x2(), s.y2())});
   }
   return obstacles;
+}
+
+/// Tracked people `age` [s] after the message, in the frame that X_TF is seen from; without those that are not
+/// finite or larger than a person.
+inline std::vector<Disc> to_discs(const bandwagon_msgs::msg::Tracks& message, double age, const Pose2& X_TF) {
+  constexpr double kMostRadius = 1.0;  // [m]
+  std::vector<Disc> discs;
+  for (const auto& track : message.tracks()) {
+    const Vector2 position(track.position().x() + age * track.velocity().x(),
+                           track.position().y() + age * track.velocity().y());
+    if (position.allFinite() && track.radius() >= 0.0 && track.radius() <= kMostRadius)
+      discs.push_back({X_TF * position, track.radius()});
+  }
+  return discs;
 }
 
 }  // namespace bw

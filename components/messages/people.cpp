@@ -16,21 +16,21 @@ constexpr Color kArrow{0.42F, 0.35F, 0.80F, 0.95F};
 
 }  // namespace
 
-bandwagon_msgs::msg::Tracks to_tracks(const std::vector<ReportedPerson>& people,
+bandwagon_msgs::msg::Tracks to_tracks(const std::vector<TrackedPerson>& people,
                                       const std_msgs::msg::Header& header) {
   bandwagon_msgs::msg::Tracks message;
   message.header(header);
-  for (const ReportedPerson& person : people) {
+  for (const TrackedPerson& person : people) {
     bandwagon_msgs::msg::Track out;
-    out.id(person.body.id);
-    out.position(to_point(person.body.position));
-    out.velocity(to_vector3(person.body.velocity));
-    out.radius(person.body.radius);
+    out.id(person.id);
+    out.position(to_point(person.position));
+    out.velocity(to_vector3(person.velocity));
+    out.radius(person.radius);
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j)
         out.covariance()[static_cast<std::size_t>(4 * i + j)] = person.covariance(i, j);
     }
-    for (const PredictedPosition& predicted : person.body.predictions) {
+    for (const PredictedPosition& predicted : person.predictions) {
       bandwagon_msgs::msg::PredictedPosition position;
       position.time_from_start(to_message(Duration::seconds(predicted.time)));
       position.x(predicted.position.x());
@@ -45,28 +45,27 @@ bandwagon_msgs::msg::Tracks to_tracks(const std::vector<ReportedPerson>& people,
   return message;
 }
 
-people_msgs::msg::People to_people(const std::vector<ReportedPerson>& people,
+people_msgs::msg::People to_people(const std::vector<TrackedPerson>& people,
                                    const std_msgs::msg::Header& header) {
   people_msgs::msg::People message;
   message.header(header);
-  for (const ReportedPerson& person : people) {
+  for (const TrackedPerson& person : people) {
     people_msgs::msg::Person out;
-    out.name(std::to_string(person.body.id));
-    out.position(to_point(person.body.position));
-    out.velocity().x(person.body.velocity.x());
-    out.velocity().y(person.body.velocity.y());
-    out.reliability(person.reliability);
+    out.name(std::to_string(person.id));
+    out.position(to_point(person.position));
+    out.velocity().x(person.velocity.x());
+    out.velocity().y(person.velocity.y());
+    out.reliability(person.confidence);
     message.people().push_back(std::move(out));
   }
   return message;
 }
 
-visualization_msgs::msg::MarkerArray to_markers(const std::vector<ReportedPerson>& people, Duration lifetime,
+visualization_msgs::msg::MarkerArray to_markers(const std::vector<TrackedPerson>& people, Duration lifetime,
                                                 const std_msgs::msg::Header& header) {
   namespace constants = visualization_msgs::msg::Marker_Constants;
   visualization_msgs::msg::MarkerArray array;
-  for (const ReportedPerson& person : people) {
-    const Mover& track = person.body;
+  for (const TrackedPerson& track : people) {
     const auto id = static_cast<std::int32_t>(track.id);
     visualization_msgs::msg::Marker body = make_marker("people", id, constants::CYLINDER, lifetime, header);
     body.pose(to_pose({track.position.x(), track.position.y(), 0.0}));

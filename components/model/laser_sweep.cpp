@@ -27,7 +27,7 @@ const char* to_text(SweepFault fault) {
     case SweepFault::not_later:
       return "it is not later than the one before";
     case SweepFault::no_returns:
-      return "it hits nothing";
+      return "it hits nothing where something was just seen";
     case SweepFault::mostly_unknown:
       return "too few of its beams say anything";
   }

@@ -39,7 +39,7 @@ enum class SweepFault {
   wrong_length,    ///< fewer than two beams, more than go round once, or not as many as angle_max promises
   bad_pose,        ///< X_FL is not finite, or farther away than any robot
   not_later,       ///< than the sweep before
-  no_returns,      ///< too few beams hit anything
+  no_returns,      ///< nothing is hit where something must be
   mostly_unknown,  ///< too few beams say anything
 };
 const char* to_text(SweepFault fault);

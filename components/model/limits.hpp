@@ -25,10 +25,12 @@ struct Limits {
     v("v_back_max", v_back_max,
       {.unit = "m/s", .min = 0, .max = 10, .doc = "top backward speed; 0 forbids driving back"});
     v("omega_max", omega_max, {.unit = "rad/s", .min = 0.01, .max = 20, .doc = "top turn rate"});
-    v("acc_max", acc_max, {.unit = "m/s^2", .min = 0.01, .max = 20, .doc = "linear acceleration"});
-    v("alpha_max", alpha_max, {.unit = "rad/s^2", .min = 0.01, .max = 50, .doc = "angular acceleration"});
+    v("acc_max", acc_max,
+      {.unit = "m/s^2", .min = 0.01, .max = 20, .doc = "largest linear acceleration; lower is gentler"});
+    v("alpha_max", alpha_max,
+      {.unit = "rad/s^2", .min = 0.01, .max = 50, .doc = "largest angular acceleration; lower is gentler"});
     v("jerk_max", jerk_max,
-      {.unit = "m/s^3", .min = 0.1, .max = 1000, .doc = "linear jerk; lower is smoother"});
+      {.unit = "m/s^3", .min = 0.1, .max = 1000, .doc = "largest linear jerk; lower is smoother"});
     v("stop_deceleration", stop_deceleration,
       {.unit = "m/s^2", .min = 0.1, .max = 20, .doc = "deceleration of a safety stop; what the tyres hold"});
   }

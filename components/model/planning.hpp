@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "components/model/footprint.hpp"
+#include "components/model/goal_tolerance.hpp"
 #include "components/model/limits.hpp"
 #include "components/model/obstacles.hpp"
 #include "runtime/base/pose2.hpp"
@@ -30,7 +31,8 @@ struct PlanningProblem {
   Pose2 pose;               ///< of base_link
   Twist2 twist;             ///< measured body velocity
   std::vector<Pose2> plan;  ///< path to follow from near `pose` to the local goal, which is the last element
-  bool goal_is_final = true;  ///< the local goal is the end of the journey: arrive there at rest
+  bool goal_is_final = true;     ///< the local goal is the end of the journey: arrive there at rest
+  GoalTolerance goal_tolerance;  ///< within which whoever set the goal calls it reached
   Footprint footprint;
   Limits limits;
   double control_period = 0.1;  ///< [s] between calls

@@ -8,6 +8,7 @@
 #include "components/model/limits.hpp"
 #include "runtime/base/field.hpp"
 #include "runtime/base/pose2.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw {
 
@@ -44,6 +45,9 @@ struct Robot {
     }
     return {};
   }
+
+  /// From top speed, and a little more: while it brakes, a run goes on.
+  Duration time_to_rest() const { return Duration::milliseconds(1'000); }
 
   template <class Visitor>
   void fields(Visitor& v) {

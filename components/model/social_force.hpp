@@ -1,5 +1,5 @@
 // Forces per unit mass [m/s^2] that make people walk round one another and along walls.
-// Social term: Moussaid et al. 2009; constants: libpedsim (spec 7.6).
+// Social term: Moussaid et al. 2009; constants: libpedsim (book 7.6).
 #pragma once
 
 #include "runtime/base/field.hpp"
@@ -21,19 +21,30 @@ struct SocialForceOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("relaxation_time", relaxation_time,
-      {.unit = "s", .min = 0.05, .max = 10, .doc = "time to regain the desired velocity"});
-    v("desired_factor", desired_factor, {.min = 0, .max = 100, .doc = "weight of the pull to the goal"});
+      {.unit = "s", .min = 0.05, .max = 10, .doc = "time in which people regain the velocity they want"});
+    v("desired_factor", desired_factor,
+      {.min = 0, .max = 100, .doc = "weight of the pull to the goal; raise it for people who hurry"});
     v("social_factor", social_factor,
       {.min = 0,
        .max = 100,
        .doc = "weight of keeping clear of others; below 5 shoulders may brush head-on"});
     v("obstacle_factor", obstacle_factor, {.min = 0, .max = 100, .doc = "weight of keeping clear of walls"});
     v("obstacle_sigma", obstacle_sigma,
-      {.unit = "m", .min = 0.01, .max = 10, .doc = "reach of walls; 0.2 for narrow doors"});
-    v("lambda", lambda, {.min = 0, .max = 100, .doc = "weight of relative velocity against direction"});
-    v("gamma", gamma, {.min = 0.01, .max = 10, .doc = "reach of the interaction per unit of D"});
-    v("n", n, {.min = 0, .max = 100, .doc = "angular width of the sideways force"});
-    v("n_prime", n_prime, {.min = 0, .max = 100, .doc = "angular width of the slowing force"});
+      {.unit = "m",
+       .min = 0.01,
+       .max = 10,
+       .doc = "distance over which the push of a wall fades; 0.2 for narrow doors"});
+    v("lambda", lambda,
+      {.min = 0,
+       .max = 100,
+       .doc = "weight of the relative velocity against the direction to somebody (book 7.6)"});
+    v("gamma", gamma,
+      {.min = 0.01,
+       .max = 10,
+       .doc = "reach of the force per unit of |D| (book 7.6); raise it for people who keep clear earlier"});
+    v("n", n, {.min = 0, .max = 100, .doc = "how narrow the sideways force is in angle (book 7.6)"});
+    v("n_prime", n_prime,
+      {.min = 0, .max = 100, .doc = "how narrow the slowing force is in angle (book 7.6)"});
   }
 };
 

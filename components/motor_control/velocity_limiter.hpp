@@ -1,12 +1,12 @@
 // Turns commanded twists into twists the base can follow: bounded speed, acceleration and jerk, and a stop
 // when the command is unusable.
 //
-// Saturation scales v and omega together, so the curvature omega / v of the command stays (spec 2.1). Linear
+// Saturation scales v and omega together, so the curvature omega / v of the command stays (book 2.1). Linear
 // speed then approaches the command with the largest acceleration a' that can still be taken back by the jerk
 // limit j before the command is passed:
 //
-//   v + a' dt + a' |a'| / (2 j) = command   =>   |a'| = 2 |e| / (dt + sqrt(dt^2 + 2 |e| / j)),   e = command
-//   - v
+//   v + a' dt + a' |a'| / (2 j) = command   =>   |a'| = 2 |e| / (dt + sqrt(dt^2 + 2 |e| / j))
+//   with e = command - v
 //
 // clipped to |a'| <= acc_max and |a' - a| <= j dt. The turn rate approaches with alpha_max, within what the
 // wheels have left. While a safety function slows the robot down, |v| falls with stop_deceleration and

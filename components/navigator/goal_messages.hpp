@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "components/model/goal_tolerance.hpp"
 #include "runtime/base/pose2.hpp"
 #include "runtime/base/time.hpp"
 
@@ -60,6 +61,7 @@ struct FollowOrder {
   std::uint64_t id = 0;
   FollowMode mode = FollowMode::stop;
   std::vector<Pose2> path;
+  GoalTolerance tolerance;  ///< of the goal in hand
 };
 
 enum class FollowState : std::uint8_t { idle, following, blocked, reached, failed };
@@ -79,6 +81,7 @@ struct GoalReport {
   double distance_remaining = 0.0;  ///< along the path in use, else straight [m]
   std::uint32_t recoveries = 0;
   Duration navigation_time;
+  GoalTolerance tolerance;  ///< within which the goal counts as reached
 };
 
 /// What the navigator wants sent, in this order.

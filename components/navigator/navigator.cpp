@@ -37,7 +37,8 @@ std::uint64_t Navigator::accept(const Pose2& X_MG, const Situation& situation) {
 }
 
 std::uint64_t Navigator::refuse(const Pose2& X_MG, const std::string& reason) {
-  actions_.reports.push_back({++last_goal_id_, GoalStatus::aborted, reason, X_MG, 0.0, 0, {}});
+  actions_.reports.push_back(
+      {++last_goal_id_, GoalStatus::aborted, reason, X_MG, 0.0, 0, {}, options_.tolerance()});
   return last_goal_id_;
 }
 
@@ -198,7 +199,7 @@ void Navigator::order(FollowMode mode, Time now, std::vector<Pose2> path) {
   follow_id_ = ++last_order_id_;
   if (mode != follow_mode_) follow_heard_ = now;  // a path renewed each second must not excuse silence
   follow_mode_ = mode;
-  actions_.follow = FollowOrder{follow_id_, mode, std::move(path)};
+  actions_.follow = FollowOrder{follow_id_, mode, std::move(path), options_.tolerance()};
 }
 
 void Navigator::recover(const std::string& problem, const Situation& situation, Cure cure) {
@@ -241,7 +242,7 @@ GoalReport Navigator::report(const Situation& situation) const {
     distance = phase_ == Phase::following && !path_.empty() ? remaining_length(path_, position)
                                                             : (X_MG_.position() - position).norm();
   }
-  return {goal_id_, status_, reason_, X_MG_, distance, recoveries_, navigation_time_};
+  return {goal_id_, status_, reason_, X_MG_, distance, recoveries_, navigation_time_, options_.tolerance()};
 }
 
 }  // namespace bw

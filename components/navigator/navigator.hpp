@@ -5,9 +5,9 @@
 //              |   v        v
 //              +-- waiting, backing_off          ... max_recoveries in a row without progress: aborted
 //
-//   A newer goal preempts: the older one ends `aborted`, and its path is followed until the first plan of the
-//   newer one. cancel(): canceling until the robot stands, then canceled.  No pose: stop, and abort after
-//   lost_patience.
+// A newer goal preempts: the older one ends `aborted`, and its path is followed until the first plan of the
+// newer one. After cancel() the goal is `canceling` until the robot stands, then `canceled`. Without a pose
+// the robot stops, and the goal is aborted after lost_patience.
 //
 // Answers and reports count only when they carry the id of the newest order. After every event call step();
 // it is also called at a steady rate, since silence is an event too.

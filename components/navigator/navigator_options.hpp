@@ -4,13 +4,14 @@
 #include <optional>
 #include <string>
 
+#include "components/model/goal_tolerance.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
 
 struct NavigatorOptions {
-  double xy_tolerance = 0.2;
-  double yaw_tolerance = 0.3;
+  double xy_tolerance = GoalTolerance{}.xy;
+  double yaw_tolerance = GoalTolerance{}.yaw;
   double stopped_speed = 0.05;
   double stopped_turn_rate = 0.1;
   double settle_time = 1.5;
@@ -31,7 +32,11 @@ struct NavigatorOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("xy_tolerance", xy_tolerance,
-      {.unit = "m", .min = 0.01, .max = 5, .doc = "distance to the goal that counts as there"});
+      {.unit = "m",
+       .min = 0.01,
+       .max = 5,
+       .doc = "distance to the goal that counts as there; the local planner stops at half of it and "
+              "evaluation allows 0.1 m more, unless they say otherwise"});
     v("yaw_tolerance", yaw_tolerance,
       {.unit = "rad", .min = 0.01, .max = 3.15, .doc = "heading error that counts as there; 3.15: any"});
     v("stopped_speed", stopped_speed,
@@ -42,31 +47,38 @@ struct NavigatorOptions {
       {.unit = "s",
        .min = 0,
        .max = 30,
-       .doc = "time within tolerance after which it is told to stop there"});
+       .doc = "time within the tolerances after which the robot is told to stop there"});
     v("replan_period", replan_period,
       {.unit = "s", .min = 0.1, .max = 60, .doc = "time between plans while driving"});
     v("plan_timeout", plan_timeout, {.unit = "s", .min = 0.1, .max = 60, .doc = "longest wait for a plan"});
     v("follow_timeout", follow_timeout,
       {.unit = "s", .min = 0.1, .max = 60, .doc = "longest silence of the local planner"});
     v("required_movement", required_movement,
-      {.unit = "m", .min = 0.01, .max = 10, .doc = "movement within movement_time that is progress"});
+      {.unit = "m",
+       .min = 0.01,
+       .max = 10,
+       .doc = "a robot that moved less within movement_time makes no progress"});
     v("required_turn", required_turn,
-      {.unit = "rad", .min = 0.01, .max = 6.3, .doc = "turn within movement_time that is progress"});
+      {.unit = "rad", .min = 0.01, .max = 6.3, .doc = "a turn within movement_time that is progress too"});
     v("movement_time", movement_time,
       {.unit = "s", .min = 0.5, .max = 600, .doc = "time without progress before a recovery"});
     v("blocked_patience", blocked_patience,
       {.unit = "s", .min = 0, .max = 600, .doc = "time blocked before a recovery; raise it in crowds"});
     v("lost_patience", lost_patience,
       {.unit = "s", .min = 0.1, .max = 600, .doc = "time without a pose before giving up"});
-    v("wait_time", wait_time, {.unit = "s", .min = 0, .max = 60, .doc = "length of the recovery `wait`"});
+    v("wait_time", wait_time,
+      {.unit = "s", .min = 0, .max = 60, .doc = "how long the recovery `wait` lasts; raise it in crowds"});
     v("back_off_distance", back_off_distance,
-      {.unit = "m", .min = 0.02, .max = 5, .doc = "way of the recovery `back off`"});
-    v("back_off_time", back_off_time, {.unit = "s", .min = 0.1, .max = 60, .doc = "longest `back off`"});
+      {.unit = "m", .min = 0.02, .max = 5, .doc = "how far the recovery `back off` drives back"});
+    v("back_off_time", back_off_time,
+      {.unit = "s", .min = 0.1, .max = 60, .doc = "longest time of the recovery `back off`"});
     v("max_recoveries", max_recoveries,
       {.min = 0, .max = 1000, .doc = "recoveries in a row without progress before giving up"});
     v("max_plan_failures", max_plan_failures,
       {.min = 1, .max = 1000, .doc = "answers in a row that the goal cannot be reached before giving up"});
   }
+
+  GoalTolerance tolerance() const { return {xy_tolerance, yaw_tolerance}; }
 
   std::optional<std::string> violated_rule() const {
     if (blocked_patience > movement_time) return "blocked_patience must not exceed movement_time";

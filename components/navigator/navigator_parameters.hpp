@@ -20,7 +20,10 @@ struct GoalParameters {
     v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
     v("theta", theta, {.unit = "rad", .min = -3.1416, .max = 3.1416, .doc = "heading in map"});
     v("delay", delay,
-      {.unit = "s", .min = 0, .max = 3600, .doc = "after the start, and never before the pose is known"});
+      {.unit = "s",
+       .min = 0,
+       .max = 3600,
+       .doc = "time after the start before the goal is taken up, and never before the pose is known"});
   }
 };
 
@@ -33,10 +36,14 @@ struct NavigatorParameters : NavigatorOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     NavigatorOptions::fields(v);
-    v("rate", rate, {.unit = "Hz", .min = 1, .max = 200, .doc = "looks at the drive per second"});
+    v("rate", rate,
+      {.unit = "Hz",
+       .min = 1,
+       .max = 200,
+       .doc = "how many times a second the navigator looks at the drive"});
     v("pose_timeout", pose_timeout, {.unit = "s", .min = 0.05, .max = 10, .doc = "an older pose means lost"});
     v("feedback_period", feedback_period,
-      {.unit = "s", .min = 0.02, .max = 60, .doc = "between two status messages while driving"});
+      {.unit = "s", .min = 0.02, .max = 60, .doc = "time between two status messages while driving"});
     v("goal", goal, {.doc = "a goal of the graph itself"});
   }
 };

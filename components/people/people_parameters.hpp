@@ -15,8 +15,8 @@ struct PeopleParameters {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("detector", detector, {.doc = "sweep to legs"});
-    v("tracker", tracker, {.doc = "legs to people"});
+    v("detector", detector, {.doc = "from a sweep to legs"});
+    v("tracker", tracker, {.doc = "from legs to people"});
     v("prediction", prediction, {.doc = "where people will be"});
     v("obstacles_timeout", obstacles_timeout,
       {.unit = "s", .min = 0, .max = 10, .doc = "older obstacles are no walls for social_force"});

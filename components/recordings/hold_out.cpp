@@ -12,9 +12,19 @@ std::vector<FixSample> hold_out(RecordedDrive& drive, const HoldOutOptions& opti
     const FixSample& fix = drive.fixes[i];
     const double t = fix.time.to_seconds();
     bool held = false;
-    if (options.rule == "every_second") held = i % 2 == 1;
-    if (options.rule == "sparse") held = !given.empty() && fix.time - given.back().time < period;
-    if (options.rule == "outage") held = t >= options.from && t <= options.to;
+    switch (options.rule) {
+      case HoldOutRule::none:
+        break;
+      case HoldOutRule::every_second:
+        held = i % 2 == 1;
+        break;
+      case HoldOutRule::sparse:
+        held = !given.empty() && fix.time - given.back().time < period;
+        break;
+      case HoldOutRule::outage:
+        held = t >= options.from && t <= options.to;
+        break;
+    }
     (held ? held_out : given).push_back(fix);
   }
   drive.fixes = std::move(given);

@@ -1,16 +1,28 @@
 // Fixes kept from the filter, to measure it against them.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "components/recordings/recorded_drive.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
 
+enum class HoldOutRule {
+  none,
+  every_second,
+  sparse,  ///< all but one in a period
+  outage,  ///< those from one moment to another
+};
+constexpr auto choice_table(HoldOutRule) {
+  using enum HoldOutRule;
+  return choices<HoldOutRule>(
+      {{none, "none"}, {every_second, "every_second"}, {sparse, "sparse"}, {outage, "outage"}});
+}
+
 struct HoldOutOptions {
-  std::string rule = "none";
+  HoldOutRule rule = HoldOutRule::none;
   double period = 10.0;
   double from = 150.0;
   double to = 250.0;
@@ -18,12 +30,12 @@ struct HoldOutOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("rule", rule,
-      {.choices = {"none", "every_second", "sparse", "outage"},
-       .doc =
+      {.doc =
            "which fixes are held out: none, every second one, all but one in a period, those of an outage"});
-    v("period", period, {.unit = "s", .min = 0, .max = 1e6, .doc = "sparse: from a fix given to the next"});
-    v("from", from, {.unit = "s", .min = 0, .max = 1e6, .doc = "outage: first second of the log"});
-    v("to", to, {.unit = "s", .min = 0, .max = 1e6, .doc = "outage: last second of the log"});
+    v("period", period,
+      {.unit = "s", .min = 0, .max = 1e6, .doc = "rule sparse: time from a fix that is given to the next"});
+    v("from", from, {.unit = "s", .min = 0, .max = 1e6, .doc = "rule outage: its first second in the log"});
+    v("to", to, {.unit = "s", .min = 0, .max = 1e6, .doc = "rule outage: its last second in the log"});
   }
 };
 

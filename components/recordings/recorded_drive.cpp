@@ -1,10 +1,23 @@
 #include "components/recordings/recorded_drive.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "components/model/differential_drive.hpp"
 
 namespace bw {
+
+WheelStep step_between(const RecordedDrive& drive, const OdometrySample& from, const OdometrySample& to,
+                       double variance_per_metre) {
+  const Duration over = to.time - from.time;
+  const double b = drive.wheel_separation;
+  WheelStep step = step_from_poses(to.time, over, from.X_OB, to.X_OB, b, variance_per_metre);
+  if (drive.wheel_variance > 0.0) {  // of both speeds, held for the step
+    const double variance = drive.wheel_variance * std::pow(over.to_seconds(), 2);
+    step.covariance << variance / 2.0, 0.0, 0.0, 2.0 * variance / (b * b);
+  }
+  return step;
+}
 
 OdometrySample advance(const OdometrySample& sample, const Twist2& twist, Time time) {
   return {time, advance_exact(sample.X_OB, twist, (time - sample.time).to_seconds()), twist};
@@ -30,9 +43,9 @@ std::optional<ReferencePose> reference_at(const RecordedDrive& drive, Time time,
 Twist2 twist_between(const ReferencePose& from, const ReferencePose& to) {
   const double dt = (to.time - from.time).to_seconds();
   if (dt <= 0.0 || !from.heading || !to.heading) return {};
-  const double turn = wrap_angle(*to.heading - *from.heading);
-  const Vector2 along = direction(*from.heading + turn / 2.0);
-  return {(to.position - from.position).dot(along) / dt, turn / dt};
+  const auto pose = [](const ReferencePose& r) { return Pose2{r.position.x(), r.position.y(), *r.heading}; };
+  const ArcTravel arc = arc_between(pose(from), pose(to));
+  return {arc.distance / dt, arc.turn / dt};
 }
 
 std::vector<RecordedEvent> in_time_order(const RecordedDrive& drive) {
@@ -48,6 +61,15 @@ std::vector<RecordedEvent> in_time_order(const RecordedDrive& drive) {
   add(drive.truth);
   std::stable_sort(events.begin(), events.end(),
                    [](const RecordedEvent& a, const RecordedEvent& b) { return stamp(a) < stamp(b); });
+  return events;
+}
+
+std::vector<RecordedEvent> events_between(const RecordedDrive& drive, double start, double end) {
+  std::vector<RecordedEvent> events = in_time_order(drive);
+  std::erase_if(events, [&](const RecordedEvent& event) {
+    const double t = stamp(event).to_seconds();
+    return t < start || (end != 0.0 && t > end);
+  });
   return events;
 }
 

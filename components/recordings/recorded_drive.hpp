@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "components/model/local_plane.hpp"
+#include "components/model/wheel_step.hpp"
 #include "runtime/base/pose2.hpp"
 #include "runtime/base/time.hpp"
 
@@ -73,6 +74,11 @@ struct RecordedDrive {
   double wheel_variance = 0.0;    ///< declared for the speed of a wheel [m^2/s^2]; 0: not declared
 };
 
+/// Travel of the wheels between two samples of the drive, in the time of the log: with the covariance that
+/// the log declares, else by variance_per_metre (wheel_step.hpp).
+WheelStep step_between(const RecordedDrive& drive, const OdometrySample& from, const OdometrySample& to,
+                       double variance_per_metre);
+
 /// Continues an odometry along the arc of `twist` until `time`.
 OdometrySample advance(const OdometrySample& sample, const Twist2& twist, Time time);
 
@@ -92,5 +98,8 @@ inline Time stamp(const RecordedEvent& event) {
 
 /// All entries by stamp; those of one stamp in the order of the alternatives.
 std::vector<RecordedEvent> in_time_order(const RecordedDrive& drive);
+
+/// Those from second `start` of the log to second `end`, if that is not 0.
+std::vector<RecordedEvent> events_between(const RecordedDrive& drive, double start, double end);
 
 }  // namespace bw

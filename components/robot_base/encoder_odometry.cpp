@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "components/model/differential_drive.hpp"
+#include "components/model/arc.hpp"
+#include "components/model/wheel_step.hpp"
 
 namespace bw {
 namespace {
@@ -76,26 +77,10 @@ bool EncoderOdometry::possible(const EncoderCounts& from, const EncoderCounts& t
 }
 
 void EncoderOdometry::integrate(double ds_left, double ds_right) {
-  const double ds = (ds_right + ds_left) / 2.0;
-  const double turn = (ds_right - ds_left) / separation_;
-  const double mid = state_.X_OB.theta + turn / 2.0;
-  const double c = std::cos(mid);
-  const double s = std::sin(mid);
-
-  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
-  F(0, 2) = -ds * s;
-  F(1, 2) = ds * c;
-  const double half = ds / (2.0 * separation_);
-  Eigen::Matrix<double, 3, 2> G;
-  G << c / 2.0 - half * s, c / 2.0 + half * s,  //
-      s / 2.0 + half * c, s / 2.0 - half * c,   //
-      1.0 / separation_, -1.0 / separation_;
-  const Eigen::Vector2d variances =
-      options_.variance_per_metre * Eigen::Vector2d(std::abs(ds_right), std::abs(ds_left));
-  state_.pose_covariance =
-      F * state_.pose_covariance * F.transpose() + G * variances.asDiagonal() * G.transpose();
-
-  state_.X_OB = advance_exact(state_.X_OB, {ds, turn}, 1.0);
+  const WheelStep step =
+      step_from_wheels(state_.time, {}, ds_left, ds_right, separation_, options_.variance_per_metre);
+  state_.pose_covariance = covariance_after(state_.X_OB, state_.pose_covariance, step);
+  state_.X_OB = advance_arc(state_.X_OB, step.distance, step.turn);
   state_.left_angle += ds_left / radius_;
   state_.right_angle += ds_right / radius_;
 
@@ -104,7 +89,7 @@ void EncoderOdometry::integrate(double ds_left, double ds_right) {
     --history_size_;
   }
   const Travelled& last = history_[history_size_ - 1];
-  history_[history_size_++] = {state_.time, last.distance + ds, last.turn + turn};
+  history_[history_size_++] = {state_.time, last.distance + step.distance, last.turn + step.turn};
 }
 
 void EncoderOdometry::measure_twist() {

@@ -1,5 +1,5 @@
-// Pose and twist from two wrapping encoder counters: exact arcs (spec 2.1), covariance by the wheel noise
-// model of spec 2.2.
+// Pose and twist from two wrapping encoder counters: exact arcs (book 2.1), covariance by the wheel noise
+// model of book 2.2.
 //
 //   ds = (ds_R + ds_L) / 2,  dtheta = (ds_R - ds_L) / b
 //   P+ = F P F^T + G diag(k |ds_R|, k |ds_L|) G^T,  F = d pose+ / d pose,  G = d pose+ / d (ds_R, ds_L)
@@ -29,7 +29,7 @@ struct EncoderCounts {
 };
 
 struct OdometryOptions {
-  double variance_per_metre = 1e-3;
+  double variance_per_metre = 5e-4;
   double speed_margin = 2.0;
   double velocity_window = 0.06;
 
@@ -39,7 +39,8 @@ struct OdometryOptions {
       {.unit = "m",
        .min = 0,
        .max = 1,
-       .doc = "wheel travel variance per metre (k of spec 2.2); raise it on slippery floors"});
+       .doc = "wheel travel variance per metre (k of book 2.2), for the localization too; raise it on "
+              "slippery floors and for wheels that are not equal"});
     v("speed_margin", speed_margin,
       {.min = 1.1,
        .max = 100,

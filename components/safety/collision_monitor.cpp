@@ -14,12 +14,6 @@ constexpr double kStanding = 0.02;        // [m/s]: slower is at rest, and no sp
 constexpr double kFreely = 0.9;           // share of the sector of travel that must be covered
 constexpr double kLongestSweepAge = 0.2;  // [s]: a stamp that is older is of another clock
 
-Action action_of(const std::string& action_type) {
-  if (action_type == "stop") return Action::stop;
-  if (action_type == "slowdown") return Action::slowdown;
-  return action_type == "approach" ? Action::approach : Action::limit;
-}
-
 std::string_view cause_of(LaserState state) {
   if (state == LaserState::silent) return kLaserSilent;
   if (state == LaserState::frozen) return kLaserFrozen;
@@ -34,6 +28,7 @@ CollisionMonitor::CollisionMonitor(const Robot& robot, const CollisionMonitorOpt
       options_(options),
       stopping_{options.stopping.reaction_time, robot.limits.stop_deceleration,
                 options.stopping.approach_speed},
+      empty_sight_(options.sweep),
       watch_(Duration::seconds(options.source_timeout)),
       hold_(Duration::seconds(options.clear_after), robot.limits.acc_max) {
   for (const ZoneOptions& zone : options_.polygons) {
@@ -55,6 +50,8 @@ Pose2 CollisionMonitor::pose_at(Time time) const {
 
 void CollisionMonitor::sweep(Time now, const LaserSweep& sweep) {
   CheckedSweep checked = check_sweep(sweep, options_.sweep);
+  if (checked.fault == SweepFault::none && !empty_sight_.believes(sweep, checked))
+    checked.fault = SweepFault::no_returns;
   sweep_fault_ = checked.fault;
   const double age = (now - sweep.time).to_seconds();
   const Time measured_at = age >= 0.0 && age <= kLongestSweepAge ? sweep.time : now;
@@ -72,7 +69,7 @@ std::optional<std::string_view> CollisionMonitor::fault(Time now) {
     const bool is_start = state == LaserState::waiting || !odometry_at_;
     fault_cause_ = state != LaserState::ok ? cause_of(state) : kOdometrySilent;
     fault_at_ = now;
-    latched_ = options_.resume == "manual" && !is_start;
+    latched_ = options_.resume == Resume::manual && !is_start;
     return fault_cause_;
   }
   if (latched_) return kWaitingForReset;
@@ -135,8 +132,7 @@ CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted, const A
   consider(sight_speed(wanted.v), Action::limit, kSight);
   for (const Zone& zone : zones_) {
     const double share = zone.share_left(wanted, ahead.points);
-    if (share < 1.0)
-      consider(share * std::abs(wanted.v), action_of(zone.options().action_type), zone.options().name);
+    if (share < 1.0) consider(share * std::abs(wanted.v), zone.options().action_type, zone.options().name);
   }
   return bound;
 }
@@ -171,7 +167,7 @@ Verdict CollisionMonitor::judge(Time now, const Twist2& wanted) {
     for (const Zone& zone : zones_) {
       const double share = zone.share_left(wanted, ahead.points);
       if (std::abs(share * wanted.omega) >= std::abs(verdict.allowed.omega)) continue;
-      verdict = {{0.0, share * wanted.omega}, action_of(zone.options().action_type), zone.options().name};
+      verdict = {{0.0, share * wanted.omega}, zone.options().action_type, zone.options().name};
     }
   }
   // The command asks for less than the robot still does: what it does now must fit as well, or it brakes

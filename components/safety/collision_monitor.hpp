@@ -1,9 +1,8 @@
 // The last look before the wheels: passes a wanted velocity on only as far as the laser shows room for it.
 // Knows no map, no plan, no people and no place, so that none of them can be wrong.
 //
-//   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's disc along
-//   the
-//           wanted arc (free_way.hpp); v and omega shrink together, so the path stays
+//   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's disc
+//           along the wanted arc (free_way.hpp); v and omega shrink together, so the path stays
 //   graze   what the side of the robot would touch by less than `graze` is passed at graze_speed
 //   body    around narrow things (legs) the robot is down to narrow_speed narrow_margin earlier
 //   sight   into a sector the laser does not see it creeps; into one whose beams are broken it stops
@@ -19,7 +18,9 @@
 #include <vector>
 
 #include "components/model/robot.hpp"
+#include "components/safety/action.hpp"
 #include "components/safety/collision_monitor_options.hpp"
+#include "components/safety/empty_sight.hpp"
 #include "components/safety/free_way.hpp"
 #include "components/safety/limit_hold.hpp"
 #include "components/safety/sweep.hpp"
@@ -28,9 +29,6 @@
 #include "runtime/base/time.hpp"
 
 namespace bw::safety {
-
-/// As nav2_msgs/CollisionMonitorState numbers them.
-enum class Action { do_nothing = 0, stop = 1, slowdown = 2, approach = 3, limit = 4 };
 
 struct Verdict {
   Twist2 allowed;                      ///< never faster than wanted
@@ -45,6 +43,9 @@ inline constexpr std::string_view kLaserWaiting = "laser_waiting";
 inline constexpr std::string_view kLaserSilent = "laser_silent";
 inline constexpr std::string_view kLaserFrozen = "laser_frozen";
 inline constexpr std::string_view kLaserInvalid = "laser_invalid";
+inline constexpr bool is_laser_fault(std::string_view cause) {
+  return cause == kLaserSilent || cause == kLaserFrozen || cause == kLaserInvalid;
+}
 inline constexpr std::string_view kOdometrySilent = "odometry_silent";
 inline constexpr std::string_view kWaitingForReset = "waiting_for_reset";
 
@@ -58,12 +59,17 @@ class CollisionMonitor {
   /// A sweep that arrived at `now`, the laser in base_link.
   void sweep(Time now, const LaserSweep& sweep);
   /// Ends a stop after a fault of the laser, when resume is manual.
-  void reset() { latched_ = false; }
+  void reset() {
+    latched_ = false;
+    empty_sight_.forget();
+  }
 
   Verdict judge(Time now, const Twist2& wanted);
 
   LaserState laser(Time now) const { return watch_.state(now); }
   SweepFault sweep_fault() const { return sweep_fault_; }
+  /// Whether the laser ever hit anything.
+  bool has_seen() const { return empty_sight_.has_seen(); }
   const Twist2& actual() const { return twist_; }
 
  private:
@@ -93,6 +99,7 @@ class CollisionMonitor {
   CollisionMonitorOptions options_;
   Stopping stopping_;
   std::vector<Zone> zones_;
+  EmptySight empty_sight_;
   SweepWatch watch_;
   LimitHold hold_;
   Bound held_cause_;

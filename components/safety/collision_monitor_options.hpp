@@ -1,7 +1,6 @@
 // Parameters of the collision monitor. Names as in nav2_collision_monitor where it has the same thing.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "components/safety/sweep_options.hpp"
@@ -23,26 +22,34 @@ struct StoppingOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("margin", margin,
-      {.unit = "m", .min = 0, .max = 2, .doc = "left between the robot at rest and what stopped it"});
-    v("padding", padding, {.unit = "m", .min = 0, .max = 1, .doc = "added to the robot's radius, all round"});
+      {.unit = "m",
+       .min = 0,
+       .max = 2,
+       .doc = "distance left between the robot at rest and what stopped it"});
+    v("padding", padding,
+      {.unit = "m",
+       .min = 0,
+       .max = 1,
+       .doc = "added to the robot's radius, all round; raise it for what sticks out"});
     v("reaction_time", reaction_time,
       {.unit = "s",
        .min = 0,
        .max = 2,
-       .doc = "from a sweep to braking wheels; raise it by every latency on the way"});
+       .doc = "time from a sweep to braking wheels (t of book 7.9); raise it by every latency on the way"});
     v("approach_speed", approach_speed,
       {.unit = "m/s",
        .min = 0,
        .max = 3,
-       .doc = "at which what is ahead may come nearer meanwhile; 1.6 is a walking person (ISO 13855); 0: it "
-              "stands"});
+       .doc = "speed at which what is ahead may come nearer meanwhile (u of book 7.9); 1.6 is a walking "
+              "person (ISO 13855); 0: it stands"});
     v("graze", graze,
       {.unit = "m",
        .min = 0,
        .max = 0.2,
-       .doc = "what the robot's side would touch no deeper than this is passed at graze_speed, not stopped "
-              "for; as much as noise of the laser and arcs that are not held exactly"});
-    v("graze_speed", graze_speed, {.unit = "m/s", .min = 0, .max = 1, .doc = "top speed there"});
+       .doc = "what the robot's side would touch no deeper than this is passed at graze_speed, not "
+              "stopped for; as large as the noise of the laser and of arcs that are not held exactly"});
+    v("graze_speed", graze_speed,
+      {.unit = "m/s", .min = 0, .max = 1, .doc = "top speed past what the side would graze"});
     v("narrow_margin", narrow_margin,
       {.unit = "m",
        .min = 0,
@@ -50,7 +57,8 @@ struct StoppingOptions {
        .doc =
            "a body is this much wider than the legs a laser sees; around narrow things the robot is down to "
            "narrow_speed so far off; 0: nothing special"});
-    v("narrow_speed", narrow_speed, {.unit = "m/s", .min = 0, .max = 10, .doc = "top speed there"});
+    v("narrow_speed", narrow_speed,
+      {.unit = "m/s", .min = 0, .max = 10, .doc = "top speed within narrow_margin of narrow things"});
   }
 };
 
@@ -70,17 +78,25 @@ struct SightOptions {
     v("max_unknown", max_unknown,
       {.min = 0, .max = 1, .doc = "share of unknown beams there beyond which the robot creeps"});
     v("creep_speed", creep_speed,
-      {.unit = "m/s", .min = 0, .max = 2, .doc = "into what the laser does not see; 0: not at all"});
+      {.unit = "m/s",
+       .min = 0,
+       .max = 2,
+       .doc = "top speed into what the laser does not see; 0: the robot does not go there"});
     v("stop_unknown", stop_unknown,
       {.min = 0, .max = 1, .doc = "share of unknown beams there beyond which the robot stops"});
   }
 };
 
+enum class Resume { automatic, manual };
+constexpr auto choice_table(Resume) {
+  return choices<Resume>({{Resume::automatic, "automatic"}, {Resume::manual, "manual"}});
+}
+
 struct CollisionMonitorOptions {
   double source_timeout = 0.25;
   double command_timeout = 0.2;
   double clear_after = 0.4;
-  std::string resume = "automatic";
+  Resume resume = Resume::automatic;
   SweepOptions sweep;
   SightOptions sight;
   StoppingOptions stopping;
@@ -92,7 +108,7 @@ struct CollisionMonitorOptions {
       {.unit = "s",
        .min = 0.02,
        .max = 5,
-       .doc = "longest time without a sound sweep; at least two of its periods and a half"});
+       .doc = "longest time without a sound sweep; at least two and a half periods of the laser"});
     v("command_timeout", command_timeout,
       {.unit = "s", .min = 0.02, .max = 1, .doc = "oldest command that is passed on"});
     v("clear_after", clear_after,
@@ -101,8 +117,7 @@ struct CollisionMonitorOptions {
        .max = 10,
        .doc = "a limit or a stop is eased so long after its cause; raise it against stop and go"});
     v("resume", resume,
-      {.choices = {"automatic", "manual"},
-       .doc = "after a fault of the laser: by itself, or when collision_monitor/reset says so"});
+      {.doc = "after a fault of the laser: by itself, or when collision_monitor/reset says so"});
     v("sweep", sweep, {.doc = "what makes a sweep usable"});
     v("sight", sight, {.doc = "where the robot drives it must see"});
     v("stopping", stopping, {.doc = "speed limited by the way that is free"});

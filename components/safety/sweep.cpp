@@ -88,10 +88,6 @@ CheckedSweep check_sweep(const LaserSweep& sweep, const SweepOptions& options) {
   if (static_cast<double>(count(BeamKind::unknown)) >
       options.max_unknown * static_cast<double>(out.beams.size())) {
     out.fault = SweepFault::mostly_unknown;
-  } else if (count(BeamKind::hit) < options.min_returns) {
-    out.fault = SweepFault::no_returns;
-  }
-  if (out.fault != SweepFault::none) {
     out.beams.clear();
     return out;
   }

@@ -30,8 +30,9 @@ struct SweepOptions {
     v("min_returns", min_returns,
       {.min = 0,
        .max = 10000,
-       .doc = "a sweep that hits less is taken for a broken laser; 0 on open floors, where nothing is in "
-              "reach"});
+       .doc =
+           "a sweep that hits less although things were just seen is taken for a broken laser; 0: never, where "
+           "people come and go from one sweep to the next, as in recordings"});
     v("max_unknown", max_unknown,
       {.min = 0, .max = 1, .doc = "share of unknown beams beyond which a sweep counts as lost"});
     v("narrow_width", narrow_width,

@@ -13,7 +13,7 @@ Zone::Zone(const ZoneOptions& options) : options_(options) {
 }
 
 bool Zone::contains(const Vector2& p) const {
-  if (options_.type == "circle") return p.squaredNorm() <= options_.radius * options_.radius;
+  if (options_.type == ZoneShape::circle) return p.squaredNorm() <= options_.radius * options_.radius;
   bool inside = false;  // crossings of the ray from p towards +x with the edges
   for (std::size_t i = 0, j = corners_.size() - 1; i < corners_.size(); j = i++) {
     const Vector2& a = corners_[i];
@@ -55,10 +55,10 @@ double Zone::approach_share(const Twist2& wanted, const std::vector<SeenPoint>& 
 }
 
 double Zone::share_left(const Twist2& wanted, const std::vector<SeenPoint>& points) const {
-  if (options_.action_type == "stop") return stop_share(wanted, points);
-  if (options_.action_type == "approach") return approach_share(wanted, points);
+  if (options_.action_type == Action::stop) return stop_share(wanted, points);
+  if (options_.action_type == Action::approach) return approach_share(wanted, points);
   if (!triggered(points, {})) return 1.0;
-  if (options_.action_type == "slowdown") return options_.slowdown_ratio;
+  if (options_.action_type == Action::slowdown) return options_.slowdown_ratio;
   double share = 1.0;
   if (std::abs(wanted.v) > options_.linear_limit) share = options_.linear_limit / std::abs(wanted.v);
   if (std::abs(wanted.omega) > options_.angular_limit)

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "components/safety/action.hpp"
 #include "components/safety/sweep.hpp"
 #include "runtime/base/field.hpp"
 #include "runtime/base/pose2.hpp"
@@ -24,14 +25,19 @@ struct CornerOptions {
   }
 };
 
+enum class ZoneShape { circle, polygon };
+constexpr auto choice_table(ZoneShape) {
+  return choices<ZoneShape>({{ZoneShape::circle, "circle"}, {ZoneShape::polygon, "polygon"}});
+}
+
 /// Names and meaning of nav2's parameters. A stop zone differs in one point: motions that lead away from
 /// everything inside, and turns on the spot, stay allowed, so that the robot can get out.
 struct ZoneOptions {
   std::string name = "zone";
-  std::string type = "circle";
+  ZoneShape type = ZoneShape::circle;
   double radius = 0.35;
   std::vector<CornerOptions> points;
-  std::string action_type = "stop";
+  Action action_type = Action::stop;
   bool enabled = true;
   std::int64_t min_points = 4;
   double slowdown_ratio = 0.5;
@@ -43,27 +49,34 @@ struct ZoneOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("name", name, {.doc = "shown in collision_monitor_state"});
-    v("type", type, {.choices = {"circle", "polygon"}, .doc = "shape of the zone"});
-    v("radius", radius, {.unit = "m", .min = 0, .max = 20, .doc = "of a circle around base_link"});
-    v("points", points, {.doc = "corners of a polygon"});
+    v("type", type, {.doc = "shape of the zone"});
+    v("radius", radius, {.unit = "m", .min = 0, .max = 20, .doc = "circle: radius around base_link"});
+    v("points", points, {.doc = "polygon: its corners"});
     v("action_type", action_type,
-      {.choices = {"stop", "slowdown", "limit", "approach"},
-       .doc = "stop: nothing moves towards what is inside; slowdown: scale the command; limit: cap it; "
+      {.doc = "stop: nothing moves towards what is inside; slowdown: scale the command; limit: cap it; "
               "approach: keep time_before_collision until the shape, moved on, holds something"});
     v("enabled", enabled, {.doc = "whether the zone is looked at"});
-    v("min_points", min_points, {.min = 1, .max = 10000, .doc = "returns inside that make it count"});
-    v("slowdown_ratio", slowdown_ratio, {.min = 0, .max = 1, .doc = "of a slowdown zone"});
-    v("linear_limit", linear_limit, {.unit = "m/s", .min = 0, .max = 10, .doc = "of a limit zone"});
-    v("angular_limit", angular_limit, {.unit = "rad/s", .min = 0, .max = 20, .doc = "of a limit zone"});
+    v("min_points", min_points,
+      {.min = 1,
+       .max = 10000,
+       .doc = "how many returns must lie inside for the zone to act; raise it against single false ones"});
+    v("slowdown_ratio", slowdown_ratio, {.min = 0, .max = 1, .doc = "slowdown: factor on the command"});
+    v("linear_limit", linear_limit, {.unit = "m/s", .min = 0, .max = 10, .doc = "limit: largest speed"});
+    v("angular_limit", angular_limit,
+      {.unit = "rad/s", .min = 0, .max = 20, .doc = "limit: largest turn rate"});
     v("time_before_collision", time_before_collision,
-      {.unit = "s", .min = 0.1, .max = 20, .doc = "of an approach zone"});
+      {.unit = "s", .min = 0.1, .max = 20, .doc = "approach: time before a collision that is kept"});
     v("simulation_time_step", simulation_time_step,
-      {.unit = "s", .min = 0.01, .max = 1, .doc = "of an approach zone"});
+      {.unit = "s",
+       .min = 0.01,
+       .max = 1,
+       .doc = "approach: step of the simulated motion; finer finds thinner things"});
   }
 
   std::optional<std::string> violated_rule() const {
-    if (type == "polygon" && points.size() < 3) return "points of a polygon must be at least three";
-    if (type == "circle" && !points.empty()) return "points are for a polygon; a circle has a radius";
+    if (type == ZoneShape::polygon && points.size() < 3) return "points of a polygon must be at least three";
+    if (type == ZoneShape::circle && !points.empty())
+      return "points are for a polygon; a circle has a radius";
     return std::nullopt;
   }
 };

@@ -2,10 +2,12 @@
 // err.
 //
 // Every step the rim speeds move towards the command by at most wheel_acceleration * dt, and the pose follows
-// the exact arc of their mean over the step. Encoders count rim travel by spec 2.2: measured = true (1 +
-// scale + s e / 2) + N(0, k |true|), s = +1 right, -1 left, then whole ticks in a counter that wraps at 32
-// bits. A wall stops the base: a step that would bring its disc further into a wall keeps the turn and loses
-// the rest, and the wheels stall.
+// the exact arc of their mean over the step. Encoders count rim travel by book 2.2:
+//
+//   measured = true (1 + scale + s e / 2) + N(0, k |true|)   with s = +1 right, -1 left
+//
+// then whole ticks in a counter that wraps at 32 bits. A wall stops the base: a step that would bring its
+// disc further into a wall keeps the turn and loses the rest, and the wheels stall.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +39,11 @@ struct DriveOptions {
     v("scale", scale,
       {.min = -0.5, .max = 0.5, .doc = "common error of both encoders: 0.01 counts 1 % too much"});
     v("mismatch", mismatch,
-      {.min = -0.5, .max = 0.5, .doc = "e: right encoder counts this share more than the left"});
-    v("noise", noise, {.unit = "m", .min = 0, .max = 1, .doc = "k: variance of encoder travel per metre"});
+      {.min = -0.5,
+       .max = 0.5,
+       .doc = "e of book 2.2: the right encoder counts this share more than the left"});
+    v("noise", noise,
+      {.unit = "m", .min = 0, .max = 1, .doc = "k of book 2.2: variance of encoder travel per metre"});
     v("first_tick", first_tick,
       {.min = -2147483648.0,
        .max = 2147483647.0,

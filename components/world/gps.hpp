@@ -21,10 +21,10 @@ struct OutageZone {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("x_min", x_min, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "rectangle in map"});
-    v("y_min", y_min, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "rectangle in map"});
-    v("x_max", x_max, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "rectangle in map"});
-    v("y_max", y_max, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "rectangle in map"});
+    v("x_min", x_min, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "one corner of the rectangle, in map"});
+    v("y_min", y_min, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "one corner of the rectangle, in map"});
+    v("x_max", x_max, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "other corner of the rectangle, in map"});
+    v("y_max", y_max, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "other corner of the rectangle, in map"});
   }
 };
 
@@ -40,13 +40,14 @@ struct GpsOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("rate", rate, {.unit = "Hz", .min = 0, .max = 100, .doc = "fixes per second; 0: no receiver"});
-    v("noise", noise, {.unit = "m", .min = 0, .max = 100, .doc = "standard deviation per axis"});
-    v("latency", latency, {.unit = "s", .min = 0, .max = 60, .doc = "from the measurement to its arrival"});
+    v("noise", noise, {.unit = "m", .min = 0, .max = 100, .doc = "standard deviation of a fix per axis"});
+    v("latency", latency,
+      {.unit = "s", .min = 0, .max = 60, .doc = "time from the measurement of a fix to its arrival"});
     v("outage_zones", outage_zones, {.doc = "where there is no fix"});
     v("datum_latitude", datum_latitude,
-      {.unit = "deg", .min = -85, .max = 85, .doc = "of the origin of map, WGS 84"});
+      {.unit = "deg", .min = -85, .max = 85, .doc = "latitude of the origin of map, WGS 84"});
     v("datum_longitude", datum_longitude,
-      {.unit = "deg", .min = -180, .max = 180, .doc = "of the origin of map, WGS 84"});
+      {.unit = "deg", .min = -180, .max = 180, .doc = "longitude of the origin of map, WGS 84"});
     v("frame", frame, {.doc = "frame_id of the fixes"});
   }
 };

@@ -27,12 +27,11 @@ struct LaserOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("rate", rate, {.unit = "Hz", .min = 0, .max = 1000, .doc = "scans per second; 0: no laser"});
-    v("beams", beams, {.min = 2, .max = 20000, .doc = "beams of a scan"});
+    v("beams", beams, {.min = 2, .max = 20000, .doc = "number of beams of a scan"});
     v("field_of_view", field_of_view,
-      {.unit = "rad", .min = 0.01, .max = 6.283185307179586, .doc = "from the first to the last beam"});
+      {.unit = "rad", .min = 0.01, .max = 6.283185307179586, .doc = "angle from the first to the last beam"});
     v("range_min", range_min, {.unit = "m", .min = 0, .max = 10, .doc = "nearer returns read -inf"});
-    v("range_max", range_max,
-      {.unit = "m", .min = 0.1, .max = 1000, .doc = "without a return up to here: +inf"});
+    v("range_max", range_max, {.unit = "m", .min = 0.1, .max = 1000, .doc = "farther returns read +inf"});
     v("range_noise", range_noise, {.unit = "m", .min = 0, .max = 1, .doc = "standard deviation of a range"});
     v("frame", frame, {.doc = "frame_id of the scans"});
   }

@@ -21,7 +21,7 @@ struct LegOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("radius", radius, {.unit = "m", .min = 0.01, .max = 0.3, .doc = "of one leg"});
+    v("radius", radius, {.unit = "m", .min = 0.01, .max = 0.3, .doc = "radius of one leg"});
     v("separation", separation,
       {.unit = "m", .min = 0, .max = 1, .doc = "sideways distance between the centres of the legs"});
     v("stride", stride,
@@ -29,7 +29,7 @@ struct LegOptions {
     v("swing", swing,
       {.unit = "m", .min = 0, .max = 1, .doc = "reach of a leg to the front and to the back at full swing"});
     v("full_swing_speed", full_swing_speed,
-      {.unit = "m/s", .min = 0.1, .max = 10, .doc = "below it the swing shrinks in proportion"});
+      {.unit = "m/s", .min = 0.1, .max = 10, .doc = "below this speed the swing shrinks in proportion"});
   }
 };
 

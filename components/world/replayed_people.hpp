@@ -38,7 +38,8 @@ struct ReplayOptions {
     v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "origin of the recording in map"});
     v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "origin of the recording in map"});
     v("theta", theta, {.unit = "rad", .min = -6.3, .max = 6.3, .doc = "turn of the recording in map"});
-    v("radius", radius, {.unit = "m", .min = 0.05, .max = 2, .doc = "of the disc that counts as contact"});
+    v("radius", radius,
+      {.unit = "m", .min = 0.05, .max = 2, .doc = "radius of the disc that counts as contact"});
   }
 };
 

@@ -36,7 +36,8 @@ struct ScriptedPersonOptions {
     v("start_time", start_time,
       {.unit = "s", .min = 0, .max = 1e6, .doc = "stands at the first waypoint until then"});
     v("turn_round", turn_round, {.doc = "walks back at the end, to and fro; else stands there"});
-    v("radius", radius, {.unit = "m", .min = 0.05, .max = 2, .doc = "of the disc that counts as contact"});
+    v("radius", radius,
+      {.unit = "m", .min = 0.05, .max = 2, .doc = "radius of the disc that counts as contact"});
   }
 
   std::optional<std::string> violated_rule() const {

@@ -42,15 +42,18 @@ struct SocialWalkersOptions {
   void fields(Visitor& v) {
     v("walkers", walkers, {.doc = "one person each"});
     v("speed_min", speed_min,
-      {.unit = "m/s", .min = 0, .max = 5, .doc = "each desired speed is drawn between these"});
-    v("speed_max", speed_max,
-      {.unit = "m/s", .min = 0, .max = 5, .doc = "each desired speed is drawn between these"});
+      {.unit = "m/s",
+       .min = 0,
+       .max = 5,
+       .doc = "least of the desired speeds, one of which is drawn for each walker"});
+    v("speed_max", speed_max, {.unit = "m/s", .min = 0, .max = 5, .doc = "largest of the desired speeds"});
     v("start_jitter", start_jitter,
       {.unit = "m", .min = 0, .max = 10, .doc = "starts are moved by up to this in x and y"});
     v("turn_round", turn_round, {.doc = "at the goal walk back to the start, to and fro; else stand there"});
     v("goal_tolerance", goal_tolerance,
       {.unit = "m", .min = 0.05, .max = 10, .doc = "nearer than this the goal is reached"});
-    v("radius", radius, {.unit = "m", .min = 0.05, .max = 2, .doc = "of the disc that counts as contact"});
+    v("radius", radius,
+      {.unit = "m", .min = 0.05, .max = 2, .doc = "radius of the disc that counts as contact"});
     v("forces", forces, {.doc = "constants of the social force model"});
   }
 

@@ -40,7 +40,8 @@ void compile(const std::filesystem::path& root, const std::filesystem::path& out
   const bw::idl::Types types = bw::idl::link(files);
   for (const bw::idl::File& file : files)
     write(out / bw::idl::header_path(file.path), message_header(file, types));
-  for (const auto& [package, members] : packages) write(out / package / "wire.cpp", package_source(members, types));
+  for (const auto& [package, members] : packages)
+    write(out / package / "wire.cpp", package_source(members, types));
   write(out / "type_registry.cpp", registry_source(files, types));
   write(out / "all_messages.hpp", all_messages_header(files));
 }

@@ -9,8 +9,8 @@
 //   };
 //
 // That one list feeds YAML, validation, `bandwagon param`, the wire and the documentation. A field may be
-// bool, int, std::int64_t, double, std::string, a nested struct with fields(), or a std::vector of any of
-// these. A rule over several fields is `std::optional<std::string> violated_rule() const`, which returns the
+// bool, int, std::int64_t, double, std::string, an enum with a table (choice.hpp), a nested struct with
+// fields(), or a std::vector of any of these. A rule over several fields is `std::optional<std::string> violated_rule() const`, which returns the
 // broken rule as a sentence. Plain C++ only: algorithms include this header.
 #pragma once
 
@@ -25,7 +25,7 @@ struct Field {
   double min = -std::numeric_limits<double>::infinity();  ///< smallest allowed number, inclusive
   double max = std::numeric_limits<double>::infinity();   ///< largest allowed number, inclusive
   bool infinity = false;  ///< .inf and -.inf are numbers here, as far as min and max allow
-  std::vector<std::string_view> choices = {};  ///< allowed texts; empty: any
+  std::vector<std::string_view> choices = {};  ///< allowed texts of a string; empty: any
   bool path = false;                           ///< a file, read as relative to the YAML that names it
   std::string_view doc = {};                   ///< one line: what it does, when to raise it
 };

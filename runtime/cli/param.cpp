@@ -19,6 +19,16 @@ struct ParamOptions {
   std::vector<std::string> set;
 };
 
+/// Empty text is shown as such, so that the line does not end in nothing.
+std::string shown(const std::string& yaml) { return yaml.empty() ? "''" : yaml; }
+
+/// The default, and what the graph sets instead.
+std::string value_text(const ParameterRow& row) {
+  if (row.default_value.empty()) return "= " + shown(row.value);  // of a list element the graph adds
+  if (row.value == row.default_value) return "default " + shown(row.value);
+  return "default " + shown(row.default_value) + ", here " + shown(row.value);
+}
+
 std::string range_text(const ParameterRow& row) {
   if (!row.choices.empty()) return fmt::format("one of {}", fmt::join(row.choices, ", "));
   const bool low = std::isfinite(row.min);
@@ -49,14 +59,16 @@ CLI::App* add_param(CLI::App& app, int&) {
     verb->add_option("COMPONENT", options->component, "Only this component");
     verb->add_option("--set", options->set, "component.param=value")->allow_extra_args(false);
   };
-  CLI::App* list = param->add_subcommand("list", "Names, types, ranges and meaning");
+  CLI::App* list =
+      param->add_subcommand("list", "Names, types, ranges, defaults, values set by the graph, and meaning");
   common(list);
   list->callback([options] {
     for_each_component(*options, [](const std::string& name, const ParameterReport& report) {
       std::cout << name << ":\n";
       for (const ParameterRow& row : report.rows) {
-        std::cout << fmt::format("  {} ({}{}{}; {}): {}\n", row.name, row.type, row.unit.empty() ? "" : ", ",
-                                 row.unit, range_text(row), row.doc);
+        std::cout << fmt::format("  {} ({}{}{}; {}; {}): {}\n", row.name, row.type,
+                                 row.unit.empty() ? "" : ", ", row.unit, range_text(row), value_text(row),
+                                 row.doc);
       }
     });
   });

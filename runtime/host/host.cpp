@@ -21,9 +21,6 @@
 namespace bw {
 namespace {
 
-/// What a robot at top speed needs to stand still, and a little more.
-constexpr Duration kStopGrace = Duration::milliseconds(1'000);
-
 spdlog::logger& terminal() {
   static const std::shared_ptr<spdlog::logger> kLogger = [] {
     auto logger = spdlog::stderr_color_mt("bandwagon");
@@ -230,8 +227,7 @@ RunEnd Host::run(std::optional<Duration> duration) {
 
 void Host::finish(RunEnd end, bool at_rest) {
   if (!runner_) return;
-  const bool drives = graph_.shared.contains("robot");
-  runner_->finish(std::move(end), drives && !at_rest ? kStopGrace : Duration{});
+  runner_->finish(std::move(end), at_rest ? Duration{} : time_to_rest_);
 }
 
 void Host::log(const Actor& actor, LogLevel level, const std::string& text) {

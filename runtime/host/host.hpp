@@ -54,7 +54,8 @@ class Host {
 
   /// Connects, activates, runs to the end, deactivates. Once.
   RunEnd run(std::optional<Duration> duration);
-  /// Ends the run from any thread. With `at_rest` false the robot gets time to stop first.
+  /// Ends the run from any thread. With `at_rest` false what moves gets the time to stop that it
+  /// asked for (Setup::shared).
   void finish(RunEnd end, bool at_rest);
 
   const Graph& graph() const { return graph_; }
@@ -90,6 +91,7 @@ class Host {
   std::unique_ptr<dds::Writer> node_writer_;
   class ProcessServices* services_ = nullptr;
   std::optional<Time> started_;
+  Duration time_to_rest_;  ///< the longest that a component asked for
   std::mutex log_mutex_;
 };
 

@@ -1,5 +1,6 @@
 #include "runtime/host/host_setup.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "runtime/host/host.hpp"
@@ -83,6 +84,12 @@ const ConfigNode& HostSetup::shared_section(std::string_view section) const {
   static const ConfigNode kNothing{};
   const auto found = host_.graph().shared.find(std::string(section));
   return found == host_.graph().shared.end() ? kNothing : found->second;
+}
+
+// What a graph does not mention stays where it is.
+void HostSetup::comes_to_rest_within(std::string_view section, Duration time) {
+  if (host_.graph().shared.contains(std::string(section)))
+    host_.time_to_rest_ = std::max(host_.time_to_rest_, time);
 }
 
 }  // namespace bw

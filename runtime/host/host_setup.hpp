@@ -32,6 +32,7 @@ class HostSetup final : public Setup {
   const ConfigNode& parameter_section() const override { return node_.parameters; }
   std::string parameter_path() const override { return node_.name; }
   const ConfigNode& shared_section(std::string_view section) const override;
+  void comes_to_rest_within(std::string_view section, Duration time) override;
   void keep_parameters(ParameterReport report) override { actor_.parameters = std::move(report); }
 
  private:

@@ -1,4 +1,4 @@
-// What every process offers beside its components, as one more node: /clock in lock-step, /rosout,
+// What every process offers beside its components, as one more node: /clock in lock-step, /rosout and
 // /diagnostics.
 #pragma once
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <ctime>
 
+#include "runtime/base/quantile.hpp"
+
 namespace bw {
 namespace {
 
@@ -35,11 +37,11 @@ double DurationHistogram::mean_ms() const {
 
 double DurationHistogram::quantile_ms(double q) const {
   if (count_ == 0) return 0.0;
-  const double wanted = q * static_cast<double>(count_);
-  double seen = 0.0;
+  const std::uint64_t wanted = nearest_rank(count_, q);
+  std::uint64_t seen = 0;
   for (std::size_t i = 0; i < kBuckets; ++i) {
     seen += buckets_[i];
-    if (seen >= wanted) {
+    if (seen > wanted) {
       const double middle_ns = kFirstBucketNs * std::exp((static_cast<double>(i) + 0.5) * kLogGrowth);
       return std::min(middle_ns, static_cast<double>(max_.nanoseconds)) * 1e-6;
     }

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {

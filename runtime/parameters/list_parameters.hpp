@@ -13,7 +13,7 @@ namespace bw {
 
 struct ParameterRow {
   std::string name;           ///< dotted; elements of a list of structs by index, as walls.0.x
-  std::string type;           ///< bool, integer, double, string; a list of these: "double list"
+  std::string type;           ///< bool, integer, double, string (choices too); a list: "double list"
   std::string value;          ///< as YAML
   std::string default_value;  ///< as YAML; empty for list elements that the defaults do not have
   std::string unit;
@@ -33,12 +33,23 @@ std::string type_name() {
     return "integer";
   else if constexpr (std::same_as<T, double>)
     return "double";
-  else if constexpr (std::same_as<T, std::string>)
+  else if constexpr (std::same_as<T, std::string> || ChoiceField<T>)
     return "string";
   else if constexpr (ListField<T>)
     return type_name<typename T::value_type>() + " list";
   else
     return "struct";
+}
+
+/// The texts that a field may have; empty: any, or it is no text.
+template <class T>
+std::vector<std::string_view> texts_allowed(const Field& field) {
+  if constexpr (ChoiceField<T>)
+    return choice_texts<T>();
+  else if constexpr (ListField<T>)
+    return texts_allowed<typename T::value_type>(field);
+  else
+    return field.choices;
 }
 
 /// The visitor that collects the rows.
@@ -65,8 +76,9 @@ class ParameterLister {
         if (!value.empty()) return;
       }
     }
+    const std::vector<std::string_view> allowed = texts_allowed<T>(field);
     rows_.push_back({name, type_name<T>(), flow_text(value), "", std::string(field.unit), field.min,
-                     field.max, std::vector<std::string>(field.choices.begin(), field.choices.end()),
+                     field.max, std::vector<std::string>(allowed.begin(), allowed.end()),
                      std::string(field.doc)});
   }
 

@@ -95,15 +95,29 @@ void read_double(const ConfigNode& node, const std::string& key, const Field& fi
   }
 }
 
-void read_string(const ConfigNode& node, const std::string& key, const Field& field, std::string& value,
-                 std::vector<Violation>& violations) {
+const std::string* read_choice(const ConfigNode& node, const std::string& key,
+                               const std::vector<std::string_view>& choices,
+                               std::vector<Violation>& violations) {
   if (!node.is_scalar()) {
     violations.push_back({node.where, key, node.text(), "must be text"});
+    return nullptr;
+  }
+  if (std::find(choices.begin(), choices.end(), node.scalar) != choices.end()) return &node.scalar;
+  std::string rule = "must be one of " + comma_separated(choices);
+  if (const auto nearest = nearest_of(node.scalar, choices))
+    rule.append("; did you mean '").append(*nearest).append("'?");
+  violations.push_back({node.where, key, node.text(), std::move(rule)});
+  return nullptr;
+}
+
+void read_string(const ConfigNode& node, const std::string& key, const Field& field, std::string& value,
+                 std::vector<Violation>& violations) {
+  if (!field.choices.empty()) {
+    if (read_choice(node, key, field.choices, violations) != nullptr) value = node.scalar;
     return;
   }
-  const auto& choices = field.choices;
-  if (!choices.empty() && std::find(choices.begin(), choices.end(), node.scalar) == choices.end()) {
-    violations.push_back({node.where, key, node.text(), "must be one of " + comma_separated(choices)});
+  if (!node.is_scalar()) {
+    violations.push_back({node.where, key, node.text(), "must be text"});
     return;
   }
   if (field.path && node.scalar.find('\0') != std::string::npos) {

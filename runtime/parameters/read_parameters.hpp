@@ -47,6 +47,9 @@ bool read_integer(const ConfigNode&, const std::string& key, const Field&, std::
 void read_double(const ConfigNode&, const std::string& key, const Field&, double&, std::vector<Violation>&);
 void read_string(const ConfigNode&, const std::string& key, const Field&, std::string&,
                  std::vector<Violation>&);
+/// The scalar, if it is one of `choices`.
+const std::string* read_choice(const ConfigNode&, const std::string& key,
+                               const std::vector<std::string_view>& choices, std::vector<Violation>&);
 bool is_list(const ConfigNode&, const std::string& key, std::vector<Violation>&);
 bool is_section(const ConfigNode&, const std::string& key, std::vector<Violation>&);
 
@@ -68,6 +71,9 @@ void read_value(const ConfigNode& node, const std::string& key, const Field& fie
     read_double(node, key, field, value, violations);
   } else if constexpr (std::same_as<T, std::string>) {
     read_string(node, key, field, value, violations);
+  } else if constexpr (ChoiceField<T>) {
+    if (const std::string* text = read_choice(node, key, choice_texts<T>(), violations))
+      value = *choice_of<T>(*text);
   } else if constexpr (ListField<T>) {
     if (!is_list(node, key, violations)) return;
     T list;
@@ -79,8 +85,10 @@ void read_value(const ConfigNode& node, const std::string& key, const Field& fie
     }
     value = std::move(list);
   } else {
-    static_assert(HasFields<T>,
-                  "a field is a bool, integer, double, string, struct with fields(), or a vector of these");
+    static_assert(
+        HasFields<T>,
+        "a field is a bool, integer, double, string, enum with choice_table(), struct with fields(), "
+        "or a vector of these");
     if (!is_section(node, key, violations)) return;
     const std::size_t before = violations.size();
     ParameterReader reader(node, key, violations);

@@ -75,6 +75,8 @@ std::string flow_text(T& value) {
     return "[" + text + "]";
   } else if constexpr (IntegerField<T>) {
     return to_text(static_cast<std::int64_t>(value));
+  } else if constexpr (ChoiceField<T>) {
+    return to_text(std::string(text_of(value)));
   } else {
     return to_text(value);
   }

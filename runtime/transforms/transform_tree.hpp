@@ -1,6 +1,6 @@
 // Which frame is where, over time: the last seconds of every parent-child transform, looked up along the tree
-// with interpolation. X_PC is the pose of the child frame C in its parent P. Plain C++: fed by whoever reads
-// /tf.
+// with interpolation. X_PC is the pose of the child frame C in its parent P. Plain C++: whoever reads /tf
+// feeds it.
 #pragma once
 
 #include <deque>

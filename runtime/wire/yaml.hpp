@@ -10,8 +10,7 @@
 namespace bw {
 
 /// YAML that ends with a newline and without the `---` between messages. Arrays and strings longer than 128
-/// end in
-/// '...'. Bytes that validate() refuses become one comment line with the reason.
+/// end in '...'. Bytes that validate() refuses become one comment line with the reason.
 [[nodiscard]] std::string to_yaml(const TypeDescription& type, std::span<const std::uint8_t> cdr);
 
 }  // namespace bw

@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "components/localization/ekf/ekf.hpp"
+#include "runtime/base/quantile.hpp"
 #include "tests/components/localization/simulated_drive.hpp"
 
 namespace bw::localization {
@@ -63,13 +64,9 @@ void InOrderOneByOne(benchmark::State& state) {
       times[i] = std::min(times[i], thread_seconds() - before);
     }
   }
-  std::sort(times.begin(), times.end());
-  const auto share = [&](double s) {
-    return times[static_cast<std::size_t>(s * static_cast<double>(times.size() - 1))];
-  };
-  state.counters["median"] = share(0.5);
-  state.counters["p99.9"] = share(0.999);
-  state.counters["worst"] = times.back();
+  state.counters["median"] = quantile(times, 0.5);
+  state.counters["p99.9"] = quantile(times, 0.999);
+  state.counters["worst"] = quantile(times, 1.0);
 }
 BENCHMARK(InOrderOneByOne)->ArgName("adaptive")->Arg(0)->Unit(benchmark::kMillisecond)->Iterations(5);
 

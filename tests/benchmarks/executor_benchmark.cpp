@@ -19,6 +19,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "runtime/base/quantile.hpp"
 #include "runtime/host/host.hpp"
 
 namespace bw {
@@ -37,12 +38,7 @@ double cpu_seconds() {
 
 struct Samples {
   std::vector<double> latency_us;
-  double quantile(double q) {
-    if (latency_us.empty()) return 0.0;
-    std::ranges::sort(latency_us);
-    return latency_us[std::min(latency_us.size() - 1,
-                               static_cast<std::size_t>(q * static_cast<double>(latency_us.size())))];
-  }
+  double quantile(double q) const { return bw::quantile(latency_us, q); }
 };
 
 /// A message of 256 bytes that carries the steady time of its sending.

@@ -1,12 +1,12 @@
 // CPU time of whole updates of the particle filter: 0.26 m of wheels, one sweep of 60 beams, every particle
-// drawn anew. Conditions of the anchors (1.4): 20 x 20 m, cells of 5 cm.
+// drawn anew. Conditions of book 9.2: 20 x 20 m, cells of 5 cm.
 #include <numbers>
 
 #include <benchmark/benchmark.h>
 
 #include "components/localization/particle_filter/particle_filter.hpp"
-#include "components/localization/wheel_step.hpp"
 #include "components/model/differential_drive.hpp"
+#include "components/model/wheel_step.hpp"
 #include "tests/components/localization/particle_filter_rooms.hpp"
 
 namespace bw::localization {
@@ -33,7 +33,7 @@ std::vector<Sweep> drive_circle() {
   return sweeps;
 }
 
-void update(benchmark::State& state, ParticleFilterOptions options, const char* noise) {
+void update(benchmark::State& state, ParticleFilterOptions options, MotionNoise noise) {
   const std::vector<Sweep> sweeps = drive_circle();
   options.laser.update_min_d = options.laser.update_min_a = 0.0;
   options.motion.noise = noise;
@@ -66,7 +66,7 @@ void FixedCount(benchmark::State& state) {
   ParticleFilterOptions options;
   options.count.min_particles = options.count.max_particles = static_cast<int>(state.range(0));
   options.resampling.n_eff_share = 1.0;
-  update(state, options, "declared");
+  update(state, options, MotionNoise::declared);
 }
 BENCHMARK(FixedCount)->Arg(500)->Arg(2000)->Arg(10000)->Arg(50000)->Unit(benchmark::kMicrosecond);
 
@@ -74,7 +74,7 @@ BENCHMARK(FixedCount)->Arg(500)->Arg(2000)->Arg(10000)->Arg(50000)->Unit(benchma
 void AdaptiveCount(benchmark::State& state) {
   ParticleFilterOptions options;
   options.resampling.n_eff_share = 1.0;
-  update(state, options, "amcl");
+  update(state, options, MotionNoise::amcl);
 }
 BENCHMARK(AdaptiveCount)->Unit(benchmark::kMicrosecond);
 

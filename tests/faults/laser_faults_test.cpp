@@ -1,5 +1,5 @@
-// The laser fails while the robot drives at top speed (test battery, rows 6 to 8): time from the last sound
-// sweep until the wheels brake, and until the robot stands. Whole chain in virtual time: world, laser filter
+// The laser fails while the robot drives at top speed (rows 6 to 8 of tests/README.md): time from the last
+// sound sweep until the wheels brake, and until the robot stands. Whole chain in virtual time: world, laser filter
 // (this test), collision monitor, motor control, base.
 //
 // Brakes at the latest: 250 ms source_timeout + 20 ms cycle + 20 ms motor control + 10 ms physics, and 10 ms
@@ -166,6 +166,47 @@ TEST(LaserFaults, TenPercentOfUnusableBeamsDoNotStopTheRobot) {
     EXPECT_EQ(stop.braking, 0.0) << value;
     EXPECT_FALSE(stop.stopped) << value;
   }
+}
+
+// No walls: every beam of every sweep is +inf, and rightly so.
+TEST(LaserFaults, AnOpenPlaceIsNoFault) {
+  double slowest = 1.0;
+  int hits = 0;
+  GuardedDrive drive;
+  drive.wish = [](double) { return Twist2{1.0, 0.0}; };
+  drive.filter = [&](double, sensor_msgs::msg::LaserScan& scan) {
+    hits += static_cast<int>(std::count_if(scan.ranges().begin(), scan.ranges().end(),
+                                           [](float range) { return std::isfinite(range); }));
+    return true;
+  };
+  drive.see = [&](double t, const bandwagon_msgs::msg::GroundTruth& truth) {
+    if (t > 2.5) slowest = std::min(slowest, truth.twist().linear().x());
+  };
+  drive.run(8.0);
+  EXPECT_EQ(hits, 0);
+  EXPECT_GT(slowest, 0.98);
+}
+
+// Out of a hall into the open: the last walls are left behind, and with them all returns. The laser sees 135 degrees
+// to either side; the ends of the walls at x = 3 leave its field 2.5 m further on.
+TEST(LaserFaults, LeavingAHallForAnOpenPlaceIsNoFault) {
+  double slowest = 1.0;
+  int hits_at_end = -1;
+  GuardedDrive drive;
+  drive.world =
+      "      walls: [{x1: -5.0, y1: -2.0, x2: 3.0, y2: -2.0}, {x1: -5.0, y1: 2.5, x2: 3.0, y2: 2.5}]\n";
+  drive.wish = [](double) { return Twist2{1.0, 0.0}; };
+  drive.filter = [&](double, sensor_msgs::msg::LaserScan& scan) {
+    hits_at_end = static_cast<int>(std::count_if(scan.ranges().begin(), scan.ranges().end(),
+                                                 [](float range) { return std::isfinite(range); }));
+    return true;
+  };
+  drive.see = [&](double t, const bandwagon_msgs::msg::GroundTruth& truth) {
+    if (t > 2.5) slowest = std::min(slowest, truth.twist().linear().x());
+  };
+  drive.run(12.0);
+  EXPECT_EQ(hits_at_end, 0);
+  EXPECT_GT(slowest, 0.98);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Somebody steps out from behind a wall 0.2 m beside the robot's way, at 1 m/s across it, and the robot comes
-// at 1 m/s (test battery, row 33). Nobody plans, tracks or predicts; only the collision monitor sees it.
+// at 1 m/s (row 33 of tests/README.md). Nobody plans, tracks or predicts; only the collision monitor sees it.
 //
 // "d ahead": when the rim of the person's disc (0.3 m) enters the way of the robot's disc, d [m] lie between
 // the two along the way. What braking at a = 2 m/s^2 can do, with t_r from the person being in the way to

@@ -1,4 +1,6 @@
 // The verbs a ROS 2 user types, against a running graph.
+#include <memory>
+
 #include <gmock/gmock.h>
 
 #include "tests/interop/running_graph.hpp"
@@ -81,6 +83,19 @@ TEST_F(CommandLine, NodeListNamesEveryComponent) {
   const Outcome list = bandwagon({"node", "list"});
   EXPECT_EQ(list.status, 0) << list.err;
   EXPECT_EQ(list.out, "/bandwagon\n/map_server\n/motor_control\n/robot_base\n/world\n");
+}
+
+TEST_F(CommandLine, ParamListTellsDefaultsAndWhatTheGraphSets) {
+  const Outcome list =
+      bandwagon({"param", "list", std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml",
+                 "navigator", "--set", "navigator.settle_time=2.5"});
+  EXPECT_EQ(list.status, 0) << list.err;
+  for (const char* line : {"  xy_tolerance (double, m; 0.01 to 5; default 0.2): ",
+                           "  settle_time (double, s; 0 to 30; default 1.5, here 2.5): ",
+                           "  goal.enabled (bool; any; default false, here true): ",
+                           "  goal.x (double, m; -100000 to 100000; default 0.0, here 19.0): "}) {
+    EXPECT_THAT(list.out, HasSubstr(line));
+  }
 }
 
 }  // namespace

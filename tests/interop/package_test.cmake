@@ -1,5 +1,5 @@
 # cmake -DBUILD= -DPROJECT= -DREADME= -DSTAGE= -P package_test.cmake
-# What a user of the package does: installs it, builds a component of their own against it, and runs both together.
+# What a user of the package does: installs it, builds a component and a planner of their own against it, and runs them together.
 function(run what)
   execute_process(COMMAND ${ARGN} TIMEOUT 240 RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT status STREQUAL "0")
@@ -43,12 +43,41 @@ foreach(wanted "wanderer scan" "motor_control cmd_vel")
   endif()
 endforeach()
 
-# README.md shows this component, and nothing that was not built here.
+# The planner drives the robot through the hallway with its boxes and people (42 s; status 0 means reached), and its name is on the
+# score card.
+set(graphs ${STAGE}/prefix/share/bandwagon/config/graphs)
+file(READ ${graphs}/hallway.yaml hallway)
+file(WRITE ${graphs}/hallway_by_pure_pursuit.yaml "plugins: [${project}/build/libpure_pursuit.so]\n${hallway}")
+set(with_planner ${graphs}/hallway_by_pure_pursuit.yaml --set local_planner.algorithm=pure_pursuit)
+run("driving by the planner" ${STAGE}/prefix/bin/bandwagon run ${with_planner} --set local_planner.pure_pursuit.lookahead=1.5
+  --clock lockstep --seed 7 --for 120 --json ${STAGE}/drive.json)
+file(READ ${STAGE}/drive.json json)
+string(JSON planner GET "${json}" planner name)
+string(JSON cycles GET "${json}" planner cycles)
+string(JSON reached GET "${json}" reached)
+if(NOT planner STREQUAL "pure_pursuit" OR cycles LESS 200 OR NOT reached)
+  message(FATAL_ERROR "reached ${reached} by ${planner} in ${cycles} cycles, expected pure_pursuit in more than 20 s at 10 Hz")
+endif()
+
+# Its parameters are listed and read as strictly as all others.
+execute_process(COMMAND ${STAGE}/prefix/bin/bandwagon param list ${with_planner} local_planner OUTPUT_VARIABLE listed)
+if(NOT listed MATCHES "pure_pursuit\\.lookahead \\(double, m; 0\\.2 to 10; default 1\\.0\\): aims at the plan this far ahead")
+  message(FATAL_ERROR "param list does not show the planner's own parameters:\n${listed}")
+endif()
+execute_process(COMMAND ${STAGE}/prefix/bin/bandwagon param list ${with_planner} --set local_planner.pure_pursuit.lookahed=1
+  ERROR_VARIABLE refused OUTPUT_VARIABLE refused RESULT_VARIABLE status)
+if(status EQUAL 0 OR NOT refused MATCHES "local_planner\\.pure_pursuit\\.lookahed: unknown key; did you mean 'lookahead'")
+  message(FATAL_ERROR "a mistyped parameter of the planner is not refused:\n${refused}")
+endif()
+
+# README.md shows these, and nothing that was not built here.
 if(EXISTS ${README})
   file(READ ${README} readme)
-  file(READ ${PROJECT}/wanderer.cpp source)
-  string(FIND "${readme}" "${source}" at)
-  if(at EQUAL -1)
-    message(FATAL_ERROR "README.md must show ${PROJECT}/wanderer.cpp letter by letter")
-  endif()
+  foreach(shown wanderer.cpp pure_pursuit.cpp)
+    file(READ ${PROJECT}/${shown} source)
+    string(FIND "${readme}" "${source}" at)
+    if(at EQUAL -1)
+      message(FATAL_ERROR "README.md must show ${PROJECT}/${shown} letter by letter")
+    endif()
+  endforeach()
 endif()

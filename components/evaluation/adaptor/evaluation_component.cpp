@@ -1,6 +1,5 @@
 // Adaptor of evaluation: keeps score of the drive that the navigator reports, from the world's truth, and
 // draws it when it is over.
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <optional>
@@ -8,15 +7,17 @@
 
 #include <bandwagon_msgs/msg/ground_truth.hpp>
 #include <bandwagon_msgs/msg/navigation_status.hpp>
+#include <bandwagon_msgs/msg/obstacles.hpp>
 #include <bandwagon_msgs/msg/score_card.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 
 #include "components/evaluation/adaptor/truth_messages.hpp"
+#include "components/evaluation/evaluation_parameters.hpp"
 #include "components/evaluation/run_recorder.hpp"
-#include "components/evaluation/score_keeper.hpp"
 #include "components/evaluation/svg_picture.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/messages/obstacles.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/atomic_file.hpp"
 #include "runtime/component.hpp"
@@ -27,19 +28,7 @@ namespace {
 using bandwagon_msgs::msg::NavigationStatus;
 namespace status_value = bandwagon_msgs::msg::NavigationStatus_Constants;
 
-struct EvaluationParameters : EvaluationOptions {
-  double rate = 2.0;
-  std::string svg;
-  std::string title = "Bandwagon";
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    EvaluationOptions::fields(v);
-    v("rate", rate, {.unit = "Hz", .min = 0.1, .max = 50, .doc = "score cards per second while driving"});
-    v("svg", svg, {.doc = "file for the picture of the run; empty: none"});
-    v("title", title, {.doc = "heading of the picture"});
-  }
-};
+constexpr double kClockStep = 0.1;  // [s] by which a run may end before its limit
 
 class EvaluationComponent final : public Component {
  public:
@@ -61,16 +50,34 @@ class EvaluationComponent final : public Component {
         "navigation_status", Qos::standard(),
         [this](const auto& message, const Tick& tick) { on_status(message, tick); });
     setup.input<nav_msgs::msg::OccupancyGrid>(
-        "map", Qos::latched(), [this](const auto& message, const Tick&) { on_map(message); }, Need::optional);
+        "map", Qos::latched(),
+        [this](const auto& message, const Tick&) {
+          if (const auto map = grid_of(message)) recorder_->set_map(*map);
+        },
+        Need::optional);
+    setup.input<nav_msgs::msg::OccupancyGrid>(
+        "sim/map", Qos::latched(),
+        [this](const auto& message, const Tick&) {
+          if (const auto map = grid_of(message)) recorder_->set_true_map(*map);
+        },
+        Need::optional);
+    setup.input<bandwagon_msgs::msg::Obstacles>(
+        "sim/obstacles", Qos::latched(),
+        [this](const auto& message, const Tick&) { recorder_->set_shapes(to_obstacles(message, Pose2{})); },
+        Need::optional);
     setup.every(Duration::seconds(1.0 / parameters_.rate), "score_card", [this](const Tick& tick) {
       if (keeper_->running()) publish(tick);
     });
   }
 
+  void activate(const Tick& tick) override { activated_ = tick.now; }
+
   void deactivate(const Tick& tick) override {
     if (!keeper_->running()) return;
     publish(tick);
-    draw();
+    const bool is_late = parameters_.time_limit > 0.0 &&
+                         (tick.now - activated_).to_seconds() >= parameters_.time_limit - kClockStep;
+    draw(is_late ? "timeout" : "ended early");
   }
 
  private:
@@ -93,7 +100,7 @@ class EvaluationComponent final : public Component {
     if (is_new) {
       goal_id_ = message.goal_id();
       const Vector2 goal = from_pose(message.goal().pose()).position();
-      keeper_->start(tick.now, goal);
+      keeper_->start(tick.now, goal, tolerance_of(message));
       errors_ = {};
       recorder_->start(tick.now, goal);
     }
@@ -103,23 +110,21 @@ class EvaluationComponent final : public Component {
     draw();
   }
 
-  void on_map(const nav_msgs::msg::OccupancyGrid& message) {
-    if (const std::optional<OccupancyGrid> map = to_grid(message)) {
-      recorder_->set_map(*map);
-    } else {
-      log_.warn("the map's sizes disagree: the picture goes without");
-    }
+  std::optional<OccupancyGrid> grid_of(const nav_msgs::msg::OccupancyGrid& message) const {
+    std::optional<OccupancyGrid> map = to_grid(message);
+    if (!map) log_.warn("the map's sizes disagree: the picture goes without");
+    return map;
   }
 
   void publish(const Tick& tick) {
     card_.publish(to_message(keeper_->card(), errors_, make_header(map_frame_, tick.now)));
   }
 
-  void draw() {
+  void draw(const std::string& unfinished = "") {
     if (svg_path_.empty()) return;
     try {
-      write_file_atomically(
-          svg_path_, svg_picture(recorder_->recording(), keeper_->card(), {.title = parameters_.title}));
+      write_file_atomically(svg_path_, svg_picture(recorder_->recording(), keeper_->card(),
+                                                   {.title = parameters_.title, .unfinished = unfinished}));
     } catch (const std::exception& error) {
       log_.error("no picture of the run: {}", error.what());
     }
@@ -131,6 +136,7 @@ class EvaluationComponent final : public Component {
   PoseErrors errors_;
   std::optional<RunRecorder> recorder_;
   std::uint64_t goal_id_ = 0;
+  Time activated_;
   Logger log_;
   std::string map_frame_;
   Output<bandwagon_msgs::msg::ScoreCard> card_;

@@ -24,6 +24,13 @@ TruthSample to_truth(const bandwagon_msgs::msg::GroundTruth& message) {
   return sample;
 }
 
+GoalTolerance tolerance_of(const bandwagon_msgs::msg::NavigationStatus& message) {
+  GoalTolerance tolerance;
+  if (message.xy_tolerance() > 0.0) tolerance.xy = message.xy_tolerance();
+  if (message.yaw_tolerance() > 0.0) tolerance.yaw = message.yaw_tolerance();
+  return tolerance;
+}
+
 std::optional<OccupancyGrid> to_grid(const nav_msgs::msg::OccupancyGrid& message) {
   constexpr std::uint32_t kWidest = 100'000;
   const auto& info = message.info();

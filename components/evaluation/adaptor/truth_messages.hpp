@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <bandwagon_msgs/msg/ground_truth.hpp>
+#include <bandwagon_msgs/msg/navigation_status.hpp>
 #include <bandwagon_msgs/msg/score_card.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 
@@ -15,6 +16,8 @@
 namespace bw {
 
 TruthSample to_truth(const bandwagon_msgs::msg::GroundTruth& message);
+/// Within which the navigator calls its goal reached; the usual figures where it does not say.
+GoalTolerance tolerance_of(const bandwagon_msgs::msg::NavigationStatus& message);
 /// Nothing when sizes and cells disagree or the resolution is no length.
 std::optional<OccupancyGrid> to_grid(const nav_msgs::msg::OccupancyGrid& message);
 bandwagon_msgs::msg::ScoreCard to_message(const ScoreCard& card, const PoseErrors& errors,

@@ -2,7 +2,6 @@
 // one takes its place.
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <bandwagon_msgs/msg/ground_truth.hpp>
@@ -47,16 +46,12 @@ class IdealPeopleComponent final : public Component {
     if (last_ && stamp >= *last_ && stamp - *last_ < period_) return;
     last_ = stamp;
     const Vector2 robot(truth.pose().position().x(), truth.pose().position().y());
-    const double p2 = options_.position_noise * options_.position_noise;
-    const double v2 = options_.velocity_noise * options_.velocity_noise;
-    std::vector<people::ReportedPerson> reported;
-    for (Mover& track : ideal_tracks(people_of(truth), robot, options_, *random_))
-      reported.push_back({std::move(track), Eigen::Vector4d(p2, p2, v2, v2).asDiagonal(), 1.0});
+    const std::vector<TrackedPerson> tracks = ideal_tracks(people_of(truth), robot, options_, *random_);
     const std_msgs::msg::Header header = make_header(map_frame_, stamp);
-    tracks_.publish(people::to_tracks(reported, header));
-    people_.publish(people::to_people(reported, header));
+    tracks_.publish(people::to_tracks(tracks, header));
+    people_.publish(people::to_people(tracks, header));
     const Duration lifetime = Duration::seconds(2.5 / options_.rate);  // till shortly after the next is due
-    if (markers_.has_readers()) markers_.publish(people::to_markers(reported, lifetime, header));
+    if (markers_.has_readers()) markers_.publish(people::to_markers(tracks, lifetime, header));
   }
 
   IdealPeopleOptions options_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 #include "components/local_planner/adaptor/planner_markers.hpp"
 #include "components/local_planner/adaptor/problem_messages.hpp"
@@ -14,12 +15,6 @@ namespace bw {
 namespace {
 
 namespace mode = bandwagon_msgs::msg::FollowRequest_Constants;
-namespace follow = bandwagon_msgs::msg::FollowStatus_Constants;
-
-std::uint8_t status_code(PlanningStatus status) {
-  if (status == PlanningStatus::ok) return follow::FOLLOWING;
-  return status == PlanningStatus::infeasible ? follow::BLOCKED : follow::FAILED;
-}
 
 /// The parameter `threads`, for this machine and clock.
 std::size_t thread_count(std::int64_t wanted, bool lockstep) {
@@ -62,8 +57,9 @@ void LocalPlannerComponent::activate(const Tick&) {
 void LocalPlannerComponent::on_request(const bandwagon_msgs::msg::FollowRequest& request) {
   if (request.mode() != request_.mode()) planner_->reset();
   request_ = request;
-  plan_in_map_ = from_path(request.path());
-  plan_index_ = 0;
+  plan_.start(from_path(request.path()));
+  const std::string complaint = tolerance_complaint(goal_tolerance_of(request), parameters_.planners.driving);
+  if (complaint != std::exchange(told_, complaint) && !complaint.empty()) log_.warn("{}", complaint);
   if (request.mode() != mode::STOP) at_rest_ = false;
 }
 
@@ -71,6 +67,7 @@ PlanningProblem LocalPlannerComponent::make_problem(const Tick& tick, std::strin
   PlanningProblem problem{.now = tick.now, .footprint = {.radius = robot_.radius}, .limits = robot_.limits};
   problem.control_period = period_;
   problem.command_lead = parameters_.command_lead;
+  problem.goal_tolerance = goal_tolerance_of(request_);
   problem.budget = watch_->budget();
   if (pool_) {
     problem.parallel_for = [this](std::size_t count, const auto& body) { pool_->run(count, body); };
@@ -98,10 +95,10 @@ PlanningProblem LocalPlannerComponent::make_problem(const Tick& tick, std::strin
   if (request_.mode() != mode::FOLLOW) return problem;
   const auto X_OM = pose_of(request_.path().header().frame_id());
   if (!X_OM) return problem;
-  const Pose2 robot_in_map = inverse(*X_OM) * problem.pose;
-  window_ = plan_window(plan_in_map_, robot_in_map, parameters_.max_global_plan_lookahead_dist, plan_index_);
-  for (const Pose2& X_MP : window_.poses) problem.plan.push_back(*X_OM * X_MP);
-  problem.goal_is_final = window_.goal_is_final;
+  const PlanWindow& window =
+      plan_.window(inverse(*X_OM) * problem.pose, parameters_.max_global_plan_lookahead_dist);
+  for (const Pose2& X_MP : window.poses) problem.plan.push_back(*X_OM * X_MP);
+  problem.goal_is_final = window.goal_is_final;
   return problem;
 }
 
@@ -129,13 +126,10 @@ void LocalPlannerComponent::publish(const Tick& tick, const PlanningProblem& pro
   if (!(idle && at_rest_)) command_.publish(to_twist_message(result.command));
   at_rest_ = idle && result.command == Twist2{};
 
-  bandwagon_msgs::msg::FollowStatus status;
+  bandwagon_msgs::msg::FollowStatus status = to_follow_status(result, idle);
   status.header(make_header(odom_frame_, tick.now));
   status.id(request_.id());
-  status.status(idle ? follow::IDLE : status_code(result.status));
-  status.reason(idle ? "" : result.reason);
-  status.distance_to_goal(window_.distance_to_goal);
-  status.command(to_twist_message(result.command));
+  status.distance_to_goal(plan_.distance_to_goal());
   status_.publish(status);
   watch_->report(result, idle, *diagnostics_);
   if (idle) return;

@@ -47,9 +47,8 @@ class LocalPlannerComponent final : public Component {
   std::string odom_frame_;
   std::unique_ptr<LocalPlanner> planner_;
   bandwagon_msgs::msg::FollowRequest request_;
-  std::vector<Pose2> plan_in_map_;
-  std::size_t plan_index_ = 0;
-  PlanWindow window_;
+  FollowedPlan plan_;    ///< in map
+  std::string told_;     ///< about tolerances that are not used
   bool at_rest_ = true;  ///< STOP was obeyed: nothing more to say
 
   Latest<nav_msgs::msg::Odometry> odometry_;

@@ -6,8 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
+#include "components/local_planner/adaptor/marker_drawing.hpp"
 #include "components/messages/geometry.hpp"
-#include "components/messages/markers.hpp"
 
 namespace bw {
 namespace {
@@ -30,44 +30,7 @@ constexpr double kPredictionStep = 0.5;     // [s]
 constexpr double kPredictionHorizon = 3.0;  // [s]
 constexpr double kSpreadDeviations = 2.0;
 
-bool is_finite(const geometry_msgs::msg::Point& p) {
-  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-}
-
-/// The markers of one message, numbered in the order they come.
-class Drawing {
- public:
-  explicit Drawing(std_msgs::msg::Header header) : header_(std::move(header)) {
-    Marker clear;
-    clear.header(header_);
-    clear.action(constants::DELETEALL);
-    array_.markers().push_back(std::move(clear));
-  }
-  /// `size` [m]: width of lines, diameter of dots, height of text.
-  Marker make(const std::string& ns, std::int32_t type, double size, const Color& color) {
-    Marker marker = make_marker(ns, id_++, type, {}, header_);
-    marker.scale().x(size);
-    marker.scale().y(size);
-    marker.scale().z(size);
-    paint(marker, color);
-    return marker;
-  }
-  void add(Marker marker) {
-    const bool drawable = is_finite(marker.pose().position()) &&
-                          std::isfinite(marker.pose().orientation().z()) &&
-                          std::isfinite(marker.scale().x()) && std::isfinite(marker.scale().y()) &&
-                          std::all_of(marker.points().begin(), marker.points().end(), is_finite);
-    if (drawable) array_.markers().push_back(std::move(marker));
-  }
-  MarkerArray take() { return std::move(array_); }
-
- private:
-  std_msgs::msg::Header header_;
-  MarkerArray array_;
-  int id_ = 0;
-};
-
-void draw_candidates(const std::vector<Candidate>& candidates, Drawing& drawing) {
+void draw_candidates(const std::vector<Candidate>& candidates, MarkerDrawing& drawing) {
   for (const Candidate& candidate : candidates) {
     if (candidate.trajectory.size() < 2) continue;
     const Color& color = candidate.chosen ? kChosen : kOther;
@@ -86,7 +49,7 @@ void draw_candidates(const std::vector<Candidate>& candidates, Drawing& drawing)
 }
 
 /// The ellipse around a predicted position that it is in with 86 % certainty.
-void draw_spread(const PredictedPosition& prediction, Drawing& drawing) {
+void draw_spread(const PredictedPosition& prediction, MarkerDrawing& drawing) {
   if (!prediction.covariance.allFinite() || prediction.covariance.trace() <= 0.0) return;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(prediction.covariance);
   const auto diameter = [&](int axis) {
@@ -118,7 +81,7 @@ std::vector<PredictedPosition> shown_predictions(const Mover& mover) {
   return shown;
 }
 
-void draw_predictions(const Mover& mover, Drawing& drawing) {
+void draw_predictions(const Mover& mover, MarkerDrawing& drawing) {
   Marker dots = drawing.make("predictions", constants::SPHERE_LIST, 0.1, kDot);
   for (const PredictedPosition& prediction : shown_predictions(mover)) {
     dots.points().push_back(to_point(prediction.position));
@@ -127,7 +90,7 @@ void draw_predictions(const Mover& mover, Drawing& drawing) {
   if (!dots.points().empty()) drawing.add(std::move(dots));
 }
 
-void draw_velocities(const PlanningProblem& problem, const PlanningResult& result, Drawing& drawing) {
+void draw_velocities(const PlanningProblem& problem, const PlanningResult& result, MarkerDrawing& drawing) {
   const Vector2 robot = problem.pose.position();
   for (const VelocityCone& cone : result.velocity_cones) {
     // Long enough to leave the disc of the robot's velocities, wherever the apex is.
@@ -154,7 +117,7 @@ void draw_velocities(const PlanningProblem& problem, const PlanningResult& resul
 
 MarkerArray to_markers(const PlanningProblem& problem, const PlanningResult& result,
                        const std::string& frame) {
-  Drawing drawing(make_header(frame, problem.now));
+  MarkerDrawing drawing(make_header(frame, problem.now));
   draw_candidates(result.candidates, drawing);
   for (const Mover& mover : problem.movers) draw_predictions(mover, drawing);
   draw_velocities(problem, result, drawing);

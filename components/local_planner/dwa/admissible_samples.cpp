@@ -13,7 +13,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kTeachingSampleCap = 2.0;  // [m] in common copies of the MATLAB sample
 constexpr double kNoCloser = 0.001;         // [m] by which an arc inside the margin may come closer
 
-bool is_teaching_sample(const DwaOptions& options) { return options.profile == "sample"; }
+bool is_teaching_sample(const DwaOptions& options) { return options.profile == Profile::teaching_sample; }
 
 // Travel until rest.
 double stopping_distance(double v, const PlanningProblem& problem, const DwaOptions& options) {

@@ -1,4 +1,4 @@
-// How far a robot disc at some place is from everything around it, all of it frozen (spec 5.2: DWA sees
+// How far a robot disc at some place is from everything around it, all of it frozen (book 5.2: DWA sees
 // moving obstacles as standing). Flat arrays: the distance is asked for thousands of times per cycle.
 #pragma once
 

@@ -1,16 +1,42 @@
 // Parameters of DWA and of what EDWA changes in it. Motion limits are the robot's (PlanningProblem::limits);
-// Table 3.1 has 1 m/s, 0.35 rad/s and, by spec 2.3, 1 m/s^2 and 1 rad/s^2.
+// Table 3.1 has 1 m/s, 0.35 rad/s and, by book 2.3, 1 m/s^2 and 1 rad/s^2.
 #pragma once
 
 #include <cstdint>
-#include <string>
 
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::dwa {
 
+/// How the columns of scores are made comparable (D8).
+enum class Profile {
+  fixed_scales,
+  sum,              ///< each by its sum
+  minmax,           ///< each by its range (Fox, Burgard, Thrun 1997)
+  teaching_sample,  ///< the MATLAB sample that Table 3.1's constants come from: by sums, gap of the end pose
+};
+constexpr auto choice_table(Profile) {
+  return choices<Profile>({{Profile::fixed_scales, "default"},
+                           {Profile::sum, "sum"},
+                           {Profile::minmax, "minmax"},
+                           {Profile::teaching_sample, "sample"}});
+}
+
+/// Where EDWA's heading term comes from.
+enum class EdwaHeading {
+  hrvo,          ///< towards the direction that HRVO advises (D5)
+  hrvo_printed,  ///< (3.4) as printed, which turns away from it
+  goal,          ///< as DWA
+};
+constexpr auto choice_table(EdwaHeading) {
+  return choices<EdwaHeading>({{EdwaHeading::hrvo, "hrvo"},
+                               {EdwaHeading::hrvo_printed, "hrvo_printed"},
+                               {EdwaHeading::goal, "goal"}});
+}
+
 struct DwaOptions {
-  std::string profile = "default";
+  Profile profile = Profile::fixed_scales;
   double heading_weight = 3.0;
   double clearance_weight = 0.1;
   double velocity_weight = 0.1;
@@ -32,27 +58,49 @@ struct DwaOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("profile", profile,
-      {.choices = {"default", "sum", "minmax", "sample"},
-       .doc =
-           "scores by fixed scales, by the column's sum, by its range; sample: the MATLAB teaching sample"});
-    v("heading_weight", heading_weight, {.min = 0, .max = 1000, .doc = "alpha of (3.1)"});
-    v("clearance_weight", clearance_weight, {.min = 0, .max = 1000, .doc = "beta of (3.1)"});
-    v("velocity_weight", velocity_weight, {.min = 0, .max = 1000, .doc = "gamma of (3.1)"});
+      {.doc = "how the terms of the score are made comparable: by fixed scales (default), by each "
+              "column's sum, by its range (minmax); sample: the MATLAB teaching sample"});
+    v("heading_weight", heading_weight,
+      {.min = 0,
+       .max = 1000,
+       .doc = "alpha of (3.1): turning towards the aim; raise it to keep to the plan"});
+    v("clearance_weight", clearance_weight,
+      {.min = 0,
+       .max = 1000,
+       .doc = "beta of (3.1): the smallest gap of the roll-out; raise it to pass obstacles more widely"});
+    v("velocity_weight", velocity_weight,
+      {.min = 0, .max = 1000, .doc = "gamma of (3.1): speed; raise it for a robot that dawdles"});
     v("sim_time", sim_time,
       {.unit = "s", .min = 0.1, .max = 20, .doc = "length of a roll-out, cut where the goal is reached"});
-    v("sim_granularity", sim_granularity, {.unit = "s", .min = 0.01, .max = 1, .doc = "step of a roll-out"});
-    v("v_samples", v_samples, {.min = 2, .max = 201, .doc = "speeds tried in the dynamic window"});
+    v("sim_granularity", sim_granularity,
+      {.unit = "s",
+       .min = 0.01,
+       .max = 1,
+       .doc = "time between two looks at the gap along a roll-out; coarser is faster"});
+    v("v_samples", v_samples,
+      {.min = 2,
+       .max = 201,
+       .doc = "how many speeds are tried in the dynamic window; the time of a cycle grows with it"});
     v("omega_samples", omega_samples,
-      {.min = 2, .max = 201, .doc = "turn rates tried in the dynamic window"});
+      {.min = 2,
+       .max = 201,
+       .doc = "how many turn rates are tried for each speed; the time of a cycle grows with it"});
     v("contact_margin", contact_margin,
-      {.unit = "m", .min = 0, .max = 5, .doc = "a gap this small counts as contact when braking is judged"});
+      {.unit = "m",
+       .min = 0,
+       .max = 5,
+       .doc = "a gap this small counts as contact when braking is judged; raise it to keep further away"});
     v("clearance_cap", clearance_cap,
-      {.unit = "m", .min = 0.01, .max = 100, .doc = "gaps beyond it count as equal (profile sample: 2 m)"});
+      {.unit = "m",
+       .min = 0.01,
+       .max = 100,
+       .doc = "gaps larger than this count as equal (profile sample: 2 m)"});
     v("carrot_distance", carrot_distance,
       {.unit = "m",
        .min = 0,
        .max = 100,
-       .doc = "aims at the plan this far ahead; 0: at its end; shorter cuts corners less"});
+       .doc = "the robot aims at the plan this far ahead; shorter cuts corners less; 0: at its end, as "
+              "published"});
     v("arc_to_goal", arc_to_goal,
       {.doc = "slow enough to reach a final goal on one arc; false: as published, may circle it"});
     v("check_movers", check_movers,
@@ -69,26 +117,25 @@ struct DwaOptions {
     v("leave_margin", leave_margin,
       {.doc = "inside the contact margin, arcs that come no closer are admissible; false: none is"});
     v("shown_candidates", shown_candidates,
-      {.min = 1, .max = 1000, .doc = "arcs handed out for display, the best first"});
+      {.min = 1, .max = 1000, .doc = "how many arcs are handed out for display, the best first"});
   }
 };
 
 struct EdwaOptions {
-  std::string heading = "hrvo";
+  EdwaHeading heading = EdwaHeading::hrvo;
   double heading_time = 1.0;
   bool hrvo_speed = true;
-  double min_hrvo_speed = 0.02;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("heading", heading,
-      {.choices = {"hrvo", "hrvo_printed", "goal"},
-       .doc = "turn towards the HRVO direction; hrvo_printed: (3.4) as printed, turns away; goal: as DWA"});
+      {.doc = "turn towards the HRVO direction; hrvo_printed: (3.4) as printed, turns away; goal: as DWA"});
     v("heading_time", heading_time,
-      {.unit = "s", .min = 0.05, .max = 10, .doc = "the heading after this time is compared"});
+      {.unit = "s",
+       .min = 0.05,
+       .max = 10,
+       .doc = "the heading that a sample has after this time is compared with the HRVO direction"});
     v("hrvo_speed", hrvo_speed, {.doc = "the best speed is that of HRVO; false: the highest"});
-    v("min_hrvo_speed", min_hrvo_speed,
-      {.unit = "m/s", .min = 0, .max = 1, .doc = "below it HRVO has no direction: heading as DWA"});
   }
 };
 

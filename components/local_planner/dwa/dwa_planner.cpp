@@ -7,15 +7,13 @@
 #include <numeric>
 
 #include "components/local_planner/carrot.hpp"
+#include "components/local_planner/dwa/sample_score.hpp"
 #include "components/local_planner/dwa/stopping_motion.hpp"
-#include "components/local_planner/problem_check.hpp"
 
 namespace bw::dwa {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-double bearing(const Vector2& way) { return std::atan2(way.y(), way.x()); }
 
 std::string label_of(const Twist2& twist) {
   char text[48];
@@ -33,67 +31,35 @@ std::vector<TrajectoryPoint> rolled_out(const Sample& sample, double step) {
   return trajectory;
 }
 
+ScoreColumns columns_of(const std::vector<Sample>& samples, const Guidance& guidance) {
+  ScoreColumns columns;
+  for (const Sample& sample : samples) {
+    columns.heading.push_back(kPi - std::abs(guidance.heading_error(sample)));
+    columns.clearance.push_back(sample.gap);
+    columns.velocity.push_back(guidance.velocity_score(sample));
+  }
+  return columns;
+}
+
 }  // namespace
 
-PlanningResult DwaPlanner::plan(const PlanningProblem& problem) {
-  if (std::string fault = fault_of(problem); !fault.empty()) {
-    reset();
-    return stopped(problem, PlanningStatus::bad_input, std::move(fault));
-  }
-  if (problem.plan.empty()) {
-    reset();
-    return stopped(problem, PlanningStatus::no_plan, "the plan is empty");
-  }
-  arrived_ = has_arrived(problem, driving_, arrived_);
-  if (arrived_) return arrive(problem, driving_);
-
+PlanningResult DwaPlanner::drive(const PlanningProblem& problem) {
   const Vector2 aim = carrot(problem.plan, problem.pose.position(), options_.carrot_distance);
-  std::optional<hrvo::Advice> advice;
-  if (edwa_) advice = hrvo::advise(problem, aim, edwa_->hrvo);
+  const Guidance guidance = guide_(problem, aim);
   const std::vector<Sample> samples = admissible_samples(problem, aim, options_);
   PlanningResult result;
   result.iterations = 1;
   const std::vector<double> scores =
-      objective(columns_of(samples, problem, aim, advice),
+      objective(columns_of(samples, guidance),
                 {options_.heading_weight, options_.clearance_weight, options_.velocity_weight},
                 normalisation_of(options_.profile), {gap_cap(options_), problem.limits.v_max});
   choose(samples, scores, problem, result);
-  if (result.trajectory.empty()) evade(problem, driving_, result);
-  if (advice) {
-    result.velocity_cones = std::move(advice->cones);
-    result.velocity_wanted = advice->velocity;
+  if (result.trajectory.empty()) evade(problem, driving(), result);
+  if (guidance.advice) {
+    result.velocity_cones = guidance.advice->cones;
+    result.velocity_wanted = guidance.advice->velocity;
   }
   return result;
-}
-
-ScoreColumns DwaPlanner::columns_of(const std::vector<Sample>& samples, const PlanningProblem& problem,
-                                    const Vector2& aim, const std::optional<hrvo::Advice>& advice) const {
-  const double hrvo_speed = advice ? advice->velocity.norm() : 0.0;
-  const bool has_direction = advice && hrvo_speed >= edwa_->options.min_hrvo_speed;
-  const std::string heading = has_direction ? edwa_->options.heading : "goal";
-  const double theta_hrvo = has_direction ? bearing(advice->velocity) : 0.0;
-
-  ScoreColumns columns;
-  for (const Sample& sample : samples) {
-    const Twist2& twist = sample.arc.twist;
-    const Pose2 end = sample.arc.at(sample.horizon);
-    const Vector2 left_to_go = aim - end.position();
-    double error = 0.0;
-    if (heading == "hrvo") {
-      const double time = std::min(edwa_->options.heading_time, sample.horizon);
-      error = wrap_angle(theta_hrvo - (problem.pose.theta + twist.omega * time));
-    } else {
-      // The nearer to the goal an arc ends, the less its bearing from there says: it fades out.
-      const double says = std::min(1.0, left_to_go.norm() / driving_.xy_goal_tolerance);
-      error = says * wrap_angle(bearing(left_to_go) - (heading == "goal" ? end.theta : theta_hrvo));
-    }
-    columns.heading.push_back(kPi - std::abs(error));
-    columns.clearance.push_back(sample.gap);
-    columns.velocity.push_back(advice && edwa_->options.hrvo_speed
-                                   ? problem.limits.v_max - std::abs(twist.v - hrvo_speed)
-                                   : std::abs(twist.v));
-  }
-  return columns;
 }
 
 void DwaPlanner::choose(const std::vector<Sample>& samples, const std::vector<double>& scores,
@@ -127,7 +93,7 @@ void DwaPlanner::choose(const std::vector<Sample>& samples, const std::vector<do
 bool DwaPlanner::can_stop_among_movers(const Sample& sample, const PlanningProblem& problem) const {
   if (!options_.check_movers) return true;
   return is_free(stopping_motion(sample.arc, problem.control_period, problem.limits.acc_max), problem,
-                 driving_);
+                 driving());
 }
 
 }  // namespace bw::dwa

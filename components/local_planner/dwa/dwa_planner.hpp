@@ -1,14 +1,14 @@
-// Local planners `dwa` (Fox, Burgard, Thrun 1997; spec 5.2) and `edwa`, the same with the heading and speed
-// that HRVO advises (spec 5.4).
+// The dynamic window approach (Fox, Burgard, Thrun 1997; book 5.2). Local planners `dwa` and `edwa` differ in where
+// heading and speed of the objective come from (heading_source.hpp).
 #pragma once
 
-#include <optional>
+#include <utility>
+#include <vector>
 
-#include "components/local_planner/driving.hpp"
+#include "components/local_planner/checked_planner.hpp"
 #include "components/local_planner/dwa/admissible_samples.hpp"
 #include "components/local_planner/dwa/dwa_options.hpp"
-#include "components/local_planner/dwa/sample_score.hpp"
-#include "components/local_planner/hrvo/hrvo.hpp"
+#include "components/local_planner/dwa/heading_source.hpp"
 #include "components/model/planning.hpp"
 
 namespace bw::dwa {
@@ -17,34 +17,24 @@ namespace bw::dwa {
 /// arc, of those the one with the largest G = alpha head + beta dist + gamma vel (3.1), and, by
 /// option, from which it can brake clear of where people will be. The footprint counts as a disc. If none is
 /// admissible: an evasive move, if one is asked for and clear; else braking with no turn, status infeasible.
-/// Keeps from call to call only that it has arrived.
-class DwaPlanner final : public LocalPlanner {
+/// Keeps nothing from call to call.
+class DwaPlanner final : public CheckedPlanner {
  public:
+  /// DWA itself, or with another source of its heading and velocity terms.
   DwaPlanner(const DwaOptions& options, const DrivingOptions& driving)
-      : options_(options), driving_(driving) {}
-  DwaPlanner(const DwaOptions& options, const DrivingOptions& driving, const EdwaOptions& edwa,
-             const hrvo::HrvoOptions& hrvo)
-      : options_(options), driving_(driving), edwa_({edwa, hrvo}) {}
-
-  PlanningResult plan(const PlanningProblem& problem) override;
-  void reset() override { arrived_ = false; }
+      : DwaPlanner(options, driving, towards_aim(driving)) {}
+  DwaPlanner(const DwaOptions& options, const DrivingOptions& driving, HeadingSource guide)
+      : CheckedPlanner(driving), options_(options), guide_(std::move(guide)) {}
 
  private:
-  struct Edwa {
-    EdwaOptions options;
-    hrvo::HrvoOptions hrvo;
-  };
-
-  ScoreColumns columns_of(const std::vector<Sample>& samples, const PlanningProblem& problem,
-                          const Vector2& aim, const std::optional<hrvo::Advice>& advice) const;
+  PlanningResult drive(const PlanningProblem& problem) override;
+  void forget() override {}
   void choose(const std::vector<Sample>& samples, const std::vector<double>& scores,
               const PlanningProblem& problem, PlanningResult& result) const;
   bool can_stop_among_movers(const Sample& sample, const PlanningProblem& problem) const;
 
   DwaOptions options_;
-  DrivingOptions driving_;
-  std::optional<Edwa> edwa_;
-  bool arrived_ = false;
+  HeadingSource guide_;
 };
 
 }  // namespace bw::dwa

@@ -6,9 +6,17 @@
 
 namespace bw::dwa {
 
-Normalisation normalisation_of(const std::string& profile) {
-  if (profile == "sum" || profile == "sample") return Normalisation::sum;
-  return profile == "minmax" ? Normalisation::minmax : Normalisation::scale;
+Normalisation normalisation_of(Profile profile) {
+  switch (profile) {
+    case Profile::fixed_scales:
+      return Normalisation::scale;
+    case Profile::sum:
+    case Profile::teaching_sample:
+      return Normalisation::sum;
+    case Profile::minmax:
+      break;
+  }
+  return Normalisation::minmax;
 }
 
 std::vector<double> normalised(std::vector<double> column, Normalisation how, double scale) {

@@ -1,8 +1,9 @@
 // The objective (3.1), G = alpha head + beta dist + gamma vel, over the admissible samples.
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "components/local_planner/dwa/dwa_options.hpp"
 
 namespace bw::dwa {
 
@@ -13,7 +14,7 @@ enum class Normalisation {
   minmax,  ///< its range mapped to [0, 1] (Fox, Burgard, Thrun 1997)
 };
 
-Normalisation normalisation_of(const std::string& profile);
+Normalisation normalisation_of(Profile profile);
 
 /// A column without sum or range becomes zeros: it tells the samples nothing.
 std::vector<double> normalised(std::vector<double> column, Normalisation how, double scale);

@@ -30,7 +30,7 @@ struct Course {
   /// Gap [m] that edges of the graph keep: half of the wanted one beside keypoints, all of it in the random
   /// roadmap.
   double edge_clearance(const HomotopyOptions& options) const {
-    return options.method == "roadmap" ? clearance : 0.5 * clearance;
+    return options.method == Vertices::roadmap ? clearance : 0.5 * clearance;
   }
 };
 

@@ -65,11 +65,13 @@ void search(Exploration& so_far, std::size_t room, const HomotopyOptions& option
     add(path_of(points, so_far, options), so_far, options);
     return so_far.paths.size() < room;
   };
-  const Roadmap map = options.method == "roadmap" ? random_roadmap(so_far.course, so_far.bodies, options)
-                                                  : keypoint_roadmap(so_far.course, so_far.bodies, options);
-  so_far.expansions = options.search == "depth_first" ? search_depth_first(map, options.max_expansions, visit)
-                                                      : search_best_first(map, so_far.bodies, so_far.course,
-                                                                          options.max_expansions, visit);
+  const Roadmap map = options.method == Vertices::roadmap
+                          ? random_roadmap(so_far.course, so_far.bodies, options)
+                          : keypoint_roadmap(so_far.course, so_far.bodies, options);
+  so_far.expansions =
+      options.search == SearchOrder::depth_first
+          ? search_depth_first(map, options.max_expansions, visit)
+          : search_best_first(map, so_far.bodies, so_far.course, options.max_expansions, visit);
 }
 
 void name_classes(Exploration& so_far) {
@@ -89,12 +91,13 @@ void name_classes(Exploration& so_far) {
 Signature signature_of(const Route& route, const std::vector<Body>& bodies, const Course& course,
                        const HomotopyOptions& options) {
   Signature signature{winding(route, bodies, course), {0.0, 0.0}};
-  if (options.signature == "h_signature") signature.h_signature = h_signature(route, bodies, course);
+  if (options.signature == ClassMeasure::h_signature)
+    signature.h_signature = h_signature(route, bodies, course);
   return signature;
 }
 
 bool same_class(const Signature& l, const Signature& r, const HomotopyOptions& options) {
-  if (options.signature == "h_signature") {
+  if (options.signature == ClassMeasure::h_signature) {
     return same_h_signature(l.h_signature, r.h_signature, options.h_signature_threshold);
   }
   return same_winding(l.winding, r.winding);

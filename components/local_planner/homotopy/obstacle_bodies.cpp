@@ -91,12 +91,12 @@ std::optional<Body> body_of(const Mover& mover, const Course& course, const Homo
   Body body;
   body.mover_id = mover.id;
   const auto disc_at = [&](const Vector2& p) { return Part{{p, p}, mover.radius}; };
-  if (options.mover_topology == "time_indexed") {
+  if (options.mover_topology == MoverTopology::time_indexed) {
     const std::optional<double> time = meeting_time(mover, course);
     if (!time) return std::nullopt;
     body.parts = {disc_at(mover.position_at(*time))};
     body.motion = mover;
-  } else if (options.mover_topology == "capsule" && options.prediction_horizon > 0.0) {
+  } else if (options.mover_topology == MoverTopology::capsule && options.prediction_horizon > 0.0) {
     const int steps = mover.predictions.empty()
                           ? 1
                           : static_cast<int>(std::ceil(options.prediction_horizon / kPredictionStep));

@@ -1,4 +1,4 @@
-// Graphs whose paths from start to goal pass bodies on either side (spec 6.2, createGraph).
+// Graphs whose paths from start to goal pass bodies on either side (book 6.2, createGraph).
 #pragma once
 
 #include <vector>
@@ -20,12 +20,15 @@ struct Roadmap {
   std::size_t goal() const { return vertices.size() - 1; }
 };
 
-/// Vertices beside each body, left and right of the course: for a disc at centre +- n (r_o + r_r + d +
-/// offset) with n normal to the course; for other bodies beside the part that reaches out furthest, and
-/// beside both ends of it where it is long. In a gap too narrow for that, nearer; beside movers that cross,
-/// further out, since they go on while the robot passes. Edges go forward (edge_heading_threshold) and keep
-/// the edge clearance from every body, from movers with `motion` where they are when a robot at v_max passes;
-/// from a body that start or goal is already closer to, see EdgeCheck.
+/// Vertices beside each body, left and right of the course:
+///
+///   centre +- n (r_o + r_r + d + offset)   with n normal to the course
+///
+/// for a disc; for other bodies beside the part that reaches out furthest, and beside both ends of it where
+/// it is long. In a gap too narrow for that, nearer; beside movers that cross, further out, since they go on
+/// while the robot passes. Edges go forward (edge_heading_threshold) and keep the edge clearance from every
+/// body, from movers with `motion` where they are when a robot at v_max passes; from a body that start or
+/// goal is already closer to, see EdgeCheck.
 Roadmap keypoint_roadmap(const Course& course, const std::vector<Body>& bodies,
                          const HomotopyOptions& options);
 

@@ -48,7 +48,7 @@ class Search {
     std::stable_sort(choices_.begin(), choices_.end(),
                      [](const Choice& a, const Choice& b) { return a.distance < b.distance; });
     const Choice* best = nearest_free();
-    return best ? BestVelocity{best->velocity, true} : BestVelocity{latest_trouble().velocity, false};
+    return best ? BestVelocity{best->velocity, true} : BestVelocity{last_violated().velocity, false};
   }
 
  private:
@@ -113,7 +113,7 @@ class Search {
     return best;
   }
 
-  const Choice& latest_trouble() const {
+  const Choice& last_violated() const {
     const auto sooner = [&](const Choice& a, const Choice& b) {
       return first_violated(a) < first_violated(b);
     };

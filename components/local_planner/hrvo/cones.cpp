@@ -45,7 +45,8 @@ Vector2 hybrid_apex(const Neighbour& n, const Vector2& p, const Legs& legs, cons
                     const HrvoOptions& options) {
   const Vector2 v = robot.velocity - n.velocity;
   const double sine = cross(legs.right, legs.left);
-  const Vector2 deciding = options.passing_side == "preferred" ? Vector2(robot.preferred - n.velocity) : v;
+  const Vector2 deciding =
+      options.passing_side == PassingSide::preferred ? Vector2(robot.preferred - n.velocity) : v;
   const double side = cross(p, deciding);
   const bool pass_left = side > kStraightTie;
   return pass_left ? n.velocity + legs.right * (0.5 * cross(v, legs.left) / sine)

@@ -1,4 +1,4 @@
-// Hybrid reciprocal velocity obstacles (spec 5.3; Snape, van den Berg, Guy, Manocha 2011): which velocities
+// Hybrid reciprocal velocity obstacles (book 5.3; Snape, van den Berg, Guy, Manocha 2011): which velocities
 // of the robot's disc lead to a contact, and the best of the others.
 #pragma once
 
@@ -9,6 +9,9 @@
 #include "components/model/planning.hpp"
 
 namespace bw::hrvo {
+
+/// A velocity below this [m/s] has no direction: the robot is blocked (book 5.3).
+inline constexpr double kNoDirection = 0.02;
 
 /// What the rule says at one moment. Velocities in the planning frame [m/s].
 struct Advice {

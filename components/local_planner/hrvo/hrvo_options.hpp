@@ -1,12 +1,27 @@
-// Parameters of the velocity obstacles (spec 5.3) and of the planner that drives by them alone.
+// Parameters of the velocity obstacles (book 5.3) and of the planner that drives by them alone.
 #pragma once
 
 #include <cstdint>
-#include <string>
 
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::hrvo {
+
+/// Which movers are trusted to do half of the avoiding.
+enum class Reciprocity { known, all };
+constexpr auto choice_table(Reciprocity) {
+  return choices<Reciprocity>({{Reciprocity::known, "known"}, {Reciprocity::all, "all"}});
+}
+
+/// Velocity of the robot that decides on which side a reciprocal mover is passed.
+enum class PassingSide {
+  actual,     ///< as the paper has it
+  preferred,  ///< as the paper's library has it
+};
+constexpr auto choice_table(PassingSide) {
+  return choices<PassingSide>({{PassingSide::actual, "actual"}, {PassingSide::preferred, "preferred"}});
+}
 
 struct HrvoOptions {
   double margin = 0.2;
@@ -14,8 +29,8 @@ struct HrvoOptions {
   double view_angle = 4.71238898038469;
   std::int64_t max_neighbours = 10;
   double point_spacing = 0.3;
-  std::string reciprocity = "known";
-  std::string passing_side = "actual";
+  Reciprocity reciprocity = Reciprocity::known;
+  PassingSide passing_side = PassingSide::actual;
   double time_step = 0.25;
   double sensing_margin = 0.0;
   double hysteresis = 0.1;
@@ -24,13 +39,25 @@ struct HrvoOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
+    neighbour_fields(v);
+    rule_fields(v);
+    planner_fields(v);
+  }
+
+ private:
+  // Whom the rule looks at.
+  template <class Visitor>
+  void neighbour_fields(Visitor& v) {
     v("margin", margin,
       {.unit = "m",
        .min = 0,
        .max = 5,
        .doc = "added to the sum of the radii; raise it when the base follows velocities slowly"});
     v("neighbour_range", neighbour_range,
-      {.unit = "m", .min = 0.1, .max = 100, .doc = "neighbours further away are not looked at"});
+      {.unit = "m",
+       .min = 0.1,
+       .max = 100,
+       .doc = "neighbours further away are not looked at; lower it when the robot yields too early"});
     v("view_angle", view_angle,
       {.unit = "rad",
        .min = 0.1,
@@ -45,27 +72,33 @@ struct HrvoOptions {
        .min = 0,
        .max = 5,
        .doc = "obstacle points closer than this to a nearer one are left out; at most the radius they get"});
+  }
+  // What it makes of them.
+  template <class Visitor>
+  void rule_fields(Visitor& v) {
     v("reciprocity", reciprocity,
-      {.choices = {"known", "all"},
-       .doc = "who is trusted to do half of the avoiding: movers known to run HRVO, or all movers"});
+      {.doc = "who is trusted to do half of the avoiding: movers known to run HRVO, or all movers"});
     v("passing_side", passing_side,
-      {.choices = {"actual", "preferred"},
-       .doc =
-           "velocity that decides on which side a reciprocal mover is passed: the paper's or the library's"});
+      {.doc = "velocity that decides on which side a reciprocal mover is passed: the actual one (the "
+              "paper) or the preferred one (the public library)"});
     v("time_step", time_step,
       {.unit = "s",
        .min = 0.01,
        .max = 5,
-       .doc =
-           "time in which an overlap is left; nearer to the goal than this at v_max the robot slows down"});
+       .doc = "time in which an overlap with a neighbour is left; within this time of the goal at v_max "
+              "the robot slows down"});
     v("sensing_margin", sensing_margin,
-      {.unit = "m/s", .min = 0, .max = 2, .doc = "error of the velocities that the cones allow for"});
+      {.unit = "m/s", .min = 0, .max = 2, .doc = "error of measured velocities that the cones allow for"});
     v("hysteresis", hysteresis,
       {.unit = "m/s",
        .min = 0,
        .max = 2,
        .doc =
            "a way round replaces the last one when its velocity is this much nearer to the preferred one"});
+  }
+  // What the planner that drives by it alone needs besides.
+  template <class Visitor>
+  void planner_fields(Visitor& v) {
     v("lookahead", lookahead,
       {.unit = "m",
        .min = 0.2,

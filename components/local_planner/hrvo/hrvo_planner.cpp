@@ -4,20 +4,21 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "components/local_planner/carrot.hpp"
 #include "components/local_planner/command_limits.hpp"
 #include "components/local_planner/hrvo/hrvo.hpp"
-#include "components/local_planner/problem_check.hpp"
+#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "components/model/differential_drive.hpp"
 
 namespace bw::hrvo {
 namespace {
 
-constexpr double kNoDirection = 0.02;  // [m/s] below which a velocity has none (spec 5.3): blocked
-constexpr double kStep = 0.1;          // [s] of the prediction
+constexpr double kStep = 0.1;  // [s] of the prediction
 constexpr std::array kMarginShares{1.0, 0.5, 0.25};
 constexpr std::array kSpeedShares{1.0, 0.75, 0.5, 0.25, 0.0};
 
@@ -76,26 +77,7 @@ std::vector<TrajectoryPoint> followed(const Vector2& velocity, double share, dou
 
 }  // namespace
 
-void HrvoPlanner::reset() {
-  arrived_ = false;
-  last_.reset();
-}
-
-PlanningResult HrvoPlanner::plan(const PlanningProblem& problem) {
-  if (std::string fault = fault_of(problem); !fault.empty()) {
-    reset();
-    return stopped(problem, PlanningStatus::bad_input, std::move(fault));
-  }
-  if (problem.plan.empty()) {
-    reset();
-    return stopped(problem, PlanningStatus::no_plan, "the plan is empty");
-  }
-  arrived_ = has_arrived(problem, driving_, arrived_);
-  if (arrived_) {
-    last_.reset();
-    return arrive(problem, driving_);
-  }
-
+PlanningResult HrvoPlanner::drive(const PlanningProblem& problem) {
   // The point aimed at is no goal to brake for unless it is the last one.
   const double braking = problem.limits.v_max * problem.limits.v_max / (2.0 * problem.limits.acc_max);
   const Vector2 aim = carrot(problem.plan, problem.pose.position(), std::max(options_.lookahead, braking));
@@ -106,15 +88,15 @@ PlanningResult HrvoPlanner::plan(const PlanningProblem& problem) {
   result.velocity_cones = advice.cones;
   result.velocity_wanted = advice.velocity;
   if (advice.velocity.norm() < kNoDirection) {
-    evade(problem, driving_, result);
+    evade(problem, driving(), result);
     return result;
   }
-  const double horizon = driving_.feasibility_check_time;
+  const double horizon = driving().feasibility_check_time;
   const double way = (aim - problem.pose.position()).norm();
   const double duration = std::min(horizon, way / advice.velocity.norm());
   for (const double share : kSpeedShares) {
     std::vector<TrajectoryPoint> trajectory = followed(advice.velocity, share, duration, horizon, problem);
-    const bool free = is_free(trajectory, problem, driving_);
+    const bool free = is_free(trajectory, problem, driving());
     result.candidates.push_back({label_of(share), 1.0 - share, free, trajectory});
     if (!free) continue;
     result.status = PlanningStatus::ok;
@@ -122,8 +104,14 @@ PlanningResult HrvoPlanner::plan(const PlanningProblem& problem) {
     result.trajectory = std::move(trajectory);
     return result;
   }
-  evade(problem, driving_, result);
+  evade(problem, driving(), result);
   return result;
 }
 
+namespace {
+
+const bool kHrvo = register_planner(
+    "hrvo", [](const LocalPlannerOptions& o) { return std::make_unique<HrvoPlanner>(o.hrvo, o.driving); });
+
+}  // namespace
 }  // namespace bw::hrvo

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "components/local_planner/driving.hpp"
+#include "components/local_planner/checked_planner.hpp"
 #include "components/local_planner/hrvo/hrvo_options.hpp"
 #include "components/model/planning.hpp"
 
@@ -15,18 +15,16 @@ namespace bw::hrvo {
 /// the further it points away from the heading, never backward. Of several speeds, down to turning on the
 /// spot, the highest whose motion over feasibility_check_time is free; if none is: an evasive move, then a
 /// stop (status infeasible).
-class HrvoPlanner final : public LocalPlanner {
+class HrvoPlanner final : public CheckedPlanner {
  public:
   HrvoPlanner(const HrvoOptions& options, const DrivingOptions& driving)
-      : options_(options), driving_(driving) {}
-
-  PlanningResult plan(const PlanningProblem& problem) override;
-  void reset() override;
+      : CheckedPlanner(driving), options_(options) {}
 
  private:
+  PlanningResult drive(const PlanningProblem& problem) override;
+  void forget() override { last_.reset(); }
+
   HrvoOptions options_;
-  DrivingOptions driving_;
-  bool arrived_ = false;
   std::optional<Vector2> last_;  ///< velocity advised
 };
 

@@ -58,7 +58,7 @@ std::vector<Neighbour> movers(const PlanningProblem& problem, const HrvoOptions&
     const double radius = problem.footprint.radius + m.radius + options.margin;
     if (distance > options.neighbour_range || !in_view(problem, m.position, options.view_angle)) continue;
     if (radius < kSmallestRadius) continue;
-    const bool shares = m.reciprocal || options.reciprocity == "all";
+    const bool shares = m.reciprocal || options.reciprocity == Reciprocity::all;
     list.push_back({{m.position, m.position}, radius, m.velocity, shares, distance});
   }
   keep_nearest(list, options.max_neighbours);

@@ -21,10 +21,10 @@ struct Neighbour {
 /// The nearest max_neighbours movers and as many static obstacles within range and view, nearest first (by
 /// gap).
 ///
-/// Static obstacles, beyond the spec: what the robot cannot meet on a way as long as the one to `goal` does
-/// not count, neither whole obstacles nor the far parts of a wall (else no velocity towards a wall is ever
-/// free); the margin is at most the room there is for the robot now and at the end of a final plan, so that a
-/// goal near a wall can be reached and left.
+/// Static obstacles, beyond what was published (book 5.3): what the robot cannot meet on a way as long as
+/// the one to `goal` does not count, neither whole obstacles nor the far parts of a wall (else no velocity
+/// towards a wall is ever free); the margin is at most the room there is for the robot now and at the end of
+/// a final plan, so that a goal near a wall can be reached and left.
 std::vector<Neighbour> neighbours(const PlanningProblem& problem, const Vector2& goal,
                                   const HrvoOptions& options);
 

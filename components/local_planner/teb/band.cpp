@@ -18,7 +18,7 @@ BandPose make(const Pose2& pose, double dt) { return {pose.x, pose.y, pose.theta
 
 std::size_t wanted_count(double duration, const BandOptions& options) {
   const double intervals = std::clamp(std::round(duration / (kMeanInterval * options.dt_ref)),
-                                      options.min_samples - 1.0, options.max_samples - 1.0);
+                                      kFewestPoses - 1.0, options.max_samples - 1.0);
   return static_cast<std::size_t>(intervals) + 1;
 }
 
@@ -176,15 +176,14 @@ void resample(Band& band, std::size_t count) {
 void resize(Band& band, const BandOptions& options) {
   const double duration = band.duration();
   const std::size_t wanted = wanted_count(duration, options);
-  bool drifted = band.size() < static_cast<std::size_t>(options.min_samples) ||
+  bool drifted = band.size() < static_cast<std::size_t>(kFewestPoses) ||
                  band.size() > static_cast<std::size_t>(options.max_samples);
   if (wanted != band.size()) {
     const double mean = duration / static_cast<double>(band.size() - 1);
     drifted =
         drifted || std::abs(mean - kMeanInterval * options.dt_ref) > kMeanIntervalDrift * options.dt_ref;
   }
-  for (std::size_t i = 1; i + 1 < band.size() && wanted > static_cast<std::size_t>(options.min_samples);
-       ++i) {
+  for (std::size_t i = 1; i + 1 < band.size() && wanted > static_cast<std::size_t>(kFewestPoses); ++i) {
     drifted = drifted || std::abs(band.poses[i].dt - options.dt_ref) > options.dt_hysteresis;
   }
   if (drifted) resample(band, wanted);

@@ -22,7 +22,7 @@ struct BandCandidate {
   BandReport report;
   std::vector<TrajectoryPoint> trajectory;
   Safety safety;
-  double cost = 0.0;  ///< what selection compares (spec 3.10): report.cost and what a planner adds
+  double cost = 0.0;  ///< what selection compares (3.10): report.cost and what a planner adds
 };
 
 /// Makes its trajectory and checks that; `report` is left alone.

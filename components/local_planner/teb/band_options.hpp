@@ -10,7 +10,7 @@
 
 namespace bw::teb {
 
-/// Weights of the squared residuals (spec 6.1). Limits are stiffer than the package's 2/1/1/1, so that plans
+/// Weights of the squared residuals (book 6.1). Limits are stiffer than the package's 2/1/1/1, so that plans
 /// keep them.
 struct BandWeights {
   double time = 1.0;
@@ -28,31 +28,55 @@ struct BandWeights {
   template <class Visitor>
   void fields(Visitor& v) {
     v("time", time,
-      {.min = 1e-6, .max = 1e4, .doc = "sum of squared time intervals; higher is faster and bolder"});
+      {.min = 1e-6,
+       .max = 1e4,
+       .doc = "weight of the squared time intervals; raise it to drive faster and bolder"});
     v("kinematics_nh", kinematics_nh,
-      {.min = 0, .max = 1e6, .doc = "both poses of a segment lie on one arc"});
-    v("forward_drive", forward_drive, {.min = 0, .max = 1e6, .doc = "dislike of driving backward"});
-    v("max_vel_x", max_vel_x, {.min = 0, .max = 1e6, .doc = "speed outside its limits"});
-    v("max_vel_theta", max_vel_theta, {.min = 0, .max = 1e6, .doc = "turn rate outside its limits"});
-    v("acc_lim_x", acc_lim_x, {.min = 0, .max = 1e6, .doc = "linear acceleration outside its limits"});
+      {.min = 0,
+       .max = 1e6,
+       .doc = "weight of what keeps both poses of a segment on one arc; lower lets the band slide "
+              "sideways"});
+    v("forward_drive", forward_drive,
+      {.min = 0, .max = 1e6, .doc = "weight of driving backward; raise it to forbid reversing"});
+    v("max_vel_x", max_vel_x,
+      {.min = 0,
+       .max = 1e6,
+       .doc = "weight of speed outside its limits; raise it when plans are faster than the robot"});
+    v("max_vel_theta", max_vel_theta,
+      {.min = 0, .max = 1e6, .doc = "weight of a turn rate outside its limits"});
+    v("acc_lim_x", acc_lim_x,
+      {.min = 0,
+       .max = 1e6,
+       .doc = "weight of a linear acceleration outside its limits; raise it when the robot cannot follow "
+              "its plan"});
     v("acc_lim_theta", acc_lim_theta,
-      {.min = 0, .max = 1e6, .doc = "angular acceleration outside its limits"});
+      {.min = 0, .max = 1e6, .doc = "weight of an angular acceleration outside its limits"});
     v("obstacle", obstacle,
-      {.min = 0, .max = 1e6, .doc = "closer than min_obstacle_dist to a static obstacle"});
+      {.min = 0,
+       .max = 1e6,
+       .doc = "weight of being closer than min_obstacle_dist to a static obstacle; raise it when bands "
+              "cut corners"});
     v("inflation", inflation,
-      {.min = 0, .max = 1e6, .doc = "closer than inflation_dist to a static obstacle"});
-    v("dynamic_obstacle", dynamic_obstacle, {.min = 0, .max = 1e6, .doc = "as obstacle, for movers"});
+      {.min = 0,
+       .max = 1e6,
+       .doc = "weight of being closer than inflation_dist to a static obstacle; raise it to keep to the "
+              "middle"});
+    v("dynamic_obstacle", dynamic_obstacle,
+      {.min = 0, .max = 1e6, .doc = "the weight `obstacle`, for movers"});
     v("dynamic_inflation", dynamic_inflation,
       {.min = 0,
        .max = 1e6,
-       .doc = "as inflation, for movers; higher passes people with a wider berth and takes longer"});
+       .doc = "the weight `inflation`, for movers; raise it to pass people with a wider berth, which "
+              "takes longer"});
   }
 };
+
+/// Fewer poses have none that could move: start and goal stay.
+inline constexpr int kFewestPoses = 3;
 
 struct BandOptions {
   double dt_ref = 0.3;
   double dt_hysteresis = 0.1;
-  int min_samples = 3;
   int max_samples = 150;
 
   double min_obstacle_dist = 0.2;
@@ -78,46 +102,60 @@ struct BandOptions {
     v("dt_ref", dt_ref,
       {.unit = "s", .min = 0.02, .max = 2, .doc = "wanted time between poses; lower is finer and slower"});
     v("dt_hysteresis", dt_hysteresis,
-      {.unit = "s", .min = 0, .max = 2, .doc = "an interval further from dt_ref resamples"});
-    v("min_samples", min_samples, {.min = 3, .max = 500, .doc = "fewest poses of a band"});
+      {.unit = "s",
+       .min = 0,
+       .max = 2,
+       .doc = "the band is resampled when an interval is further than this from dt_ref"});
     v("max_samples", max_samples,
-      {.min = 3, .max = 500, .doc = "most poses of a band; bounds the time of a cycle"});
+      {.min = kFewestPoses, .max = 500, .doc = "most poses of a band; bounds the time of a cycle"});
     v("min_obstacle_dist", min_obstacle_dist,
-      {.unit = "m", .min = 0, .max = 10, .doc = "wanted gap between footprint and obstacle"});
+      {.unit = "m",
+       .min = 0,
+       .max = 10,
+       .doc = "wanted gap between footprint and obstacle; lower it for narrow doors"});
     v("inflation_dist", inflation_dist,
       {.unit = "m", .min = 0, .max = 10, .doc = "gap below which a static obstacle begins to cost a little"});
     v("dynamic_obstacle_inflation_dist", dynamic_obstacle_inflation_dist,
-      {.unit = "m", .min = 0, .max = 10, .doc = "as inflation_dist, for movers"});
+      {.unit = "m", .min = 0, .max = 10, .doc = "gap below which a mover begins to cost a little"});
     v("clearance_step", clearance_step,
       {.unit = "m",
        .min = 0.02,
        .max = 10,
        .doc = "motion relative to an obstacle between two clearance tests"});
     v("max_obstacles", max_obstacles,
-      {.min = 1, .max = 1000, .doc = "nearest obstacles that a cycle looks at"});
+      {.min = 1,
+       .max = 1000,
+       .doc = "how many obstacles, the nearest ones, a cycle looks at; the time of a cycle grows with it"});
     v("max_obstacles_per_pose", max_obstacles_per_pose,
-      {.min = 1, .max = 100, .doc = "nearest obstacles in one pose's cost"});
+      {.min = 1, .max = 100, .doc = "how many obstacles, the nearest ones, count in the cost of one pose"});
     v("penalty_epsilon", penalty_epsilon,
-      {.min = 0, .max = 1, .doc = "margin inside every limit at which its cost begins"});
+      {.min = 0,
+       .max = 1,
+       .doc = "margin inside of every limit and distance at which its cost begins; raise it when plans "
+              "touch their limits"});
     v("consistent_motion", consistent_motion,
-      {.doc = "speed along the mean heading, linear between segment middles; false: the package's formulas"});
+      {.doc = "speed is taken along the mean heading and linear between the middles of segments; false: "
+              "the formulas of teb_local_planner"});
     v("no_outer_iterations", no_outer_iterations,
-      {.min = 1, .max = 20, .doc = "solves of a first plan, resampled between"});
+      {.min = 1, .max = 20, .doc = "how many times a first plan is solved, resampled in between"});
     v("no_inner_iterations", no_inner_iterations,
-      {.min = 1, .max = 100, .doc = "solver iterations in each of them"});
+      {.min = 1, .max = 100, .doc = "solver iterations in each solve of a first plan"});
     v("warm_outer_iterations", warm_outer_iterations,
-      {.min = 1, .max = 20, .doc = "solves of a band that is kept"});
+      {.min = 1, .max = 20, .doc = "how many times a band kept from the last cycle is solved"});
     v("warm_inner_iterations", warm_inner_iterations,
-      {.min = 1, .max = 100, .doc = "solver iterations in each of them"});
+      {.min = 1,
+       .max = 100,
+       .doc = "solver iterations in each solve of a kept band; raise it when bands lag behind movers"});
     v("function_tolerance", function_tolerance,
       {.min = 0, .max = 0.1, .doc = "relative gain of an iteration below which a solve ends"});
     v("weight_adapt_factor", weight_adapt_factor,
-      {.min = 1, .max = 10, .doc = "growth of obstacle weights per outer iteration"});
+      {.min = 1,
+       .max = 10,
+       .doc = "factor by which obstacle weights grow from one solve of a first plan to the next"});
     v("weights", weights, {.doc = "weights of the cost"});
   }
 
   std::optional<std::string> violated_rule() const {
-    if (max_samples < min_samples) return "max_samples must be at least min_samples";
     if (dt_hysteresis >= dt_ref) return "dt_hysteresis must be below dt_ref";
     return std::nullopt;
   }

@@ -1,27 +1,28 @@
-// Local planners on timed elastic bands, kept from cycle to cycle (spec 6.1 to 6.7): `teb` on one band,
-// `teb_homotopy`, `pteb` and `eteb` on one band in each of the best topologies.
+// Local planners on timed elastic bands, kept from cycle to cycle (book 6.1 to 6.7). What tells `teb`,
+// `teb_homotopy`, `pteb` and `eteb` apart is composed in band_planners.cpp.
 #pragma once
 
-#include <optional>
+#include <utility>
 #include <vector>
 
-#include "components/local_planner/driving.hpp"
-#include "components/local_planner/homotopy/explore.hpp"
+#include "components/local_planner/checked_planner.hpp"
 #include "components/local_planner/teb/band_candidate.hpp"
-#include "components/local_planner/teb/hrvo_preference.hpp"
+#include "components/local_planner/teb/band_selection.hpp"
+#include "components/local_planner/teb/band_source.hpp"
+#include "components/local_planner/teb/choice_term.hpp"
 #include "components/local_planner/teb/prediction_options.hpp"
 #include "components/local_planner/teb/teb_options.hpp"
-#include "components/model/planning.hpp"
 
 namespace bw::teb {
 
-/// What makes one of these planners of the band.
+/// What makes one of these planners; the defaults are those of `teb`.
 struct BandPlannerOptions {
   DrivingOptions driving;
   TebOptions teb;
-  PredictionOptions prediction;
-  std::optional<homotopy::HomotopyOptions> homotopy;  ///< without: one band
-  std::optional<HrvoPreferenceOptions> hrvo;          ///< with: selection by (3.12)
+  PredictionOptions field;         ///< how movers enter the field of obstacles
+  BandSource source = one_band();  ///< where new bands come from
+  SelectionOptions selection;      ///< which of them is driven
+  ChoiceTermSource term;           ///< what the choice costs besides; empty: nothing
 };
 
 /// Each call: cut the bands of the last cycle to where the robot is, add new ones along the plan and in
@@ -29,23 +30,35 @@ struct BandPlannerOptions {
 /// for the next feasibility_check_time; the command is the velocity its start asks for after command_lead. If
 /// that is an old band and not free, or a long detour, a new band along the plan competes. If none is free:
 /// an evasive move, then a stop (status infeasible).
-class BandPlanner final : public LocalPlanner {
+class BandPlanner final : public CheckedPlanner {
  public:
-  explicit BandPlanner(BandPlannerOptions options) : options_(std::move(options)) {}
-
-  PlanningResult plan(const PlanningProblem& problem) override;
-  void reset() override;
+  explicit BandPlanner(BandPlannerOptions options)
+      : CheckedPlanner(options.driving), options_(std::move(options)) {}
 
  private:
+  /// What one call of drive() has found out so far.
+  struct Cycle;
+
+  PlanningResult drive(const PlanningProblem& problem) override;
+  void forget() override;
+
+  /// The bands of the last cycle from where the robot is now.
   std::vector<BandCandidate> kept_candidates(const PlanningProblem& problem);
   /// For a first plan: turning on the spot before driving, driving backward where that is allowed.
-  void add_other_starts(const PlanningProblem& problem, std::vector<BandCandidate>& candidates) const;
-  /// Adds bands in topologies that no candidate has; says how topologies are told apart in this cycle.
-  std::optional<homotopy::Exploration> add_new(const PlanningProblem& problem, const Band& along_plan,
-                                               std::vector<BandCandidate>& candidates) const;
-  /// Index of the candidate to drive: free ones first, then the cheapest. At least one candidate.
-  std::size_t select(const std::vector<BandCandidate>& candidates) const;
-  void keep(std::vector<BandCandidate> candidates, std::size_t chosen);
+  std::vector<BandCandidate> other_starts(const PlanningProblem& problem) const;
+  void add_new_bands(Cycle& cycle) const;
+  void improve_bands(Cycle& cycle) const;
+  /// What the candidate counts with in the choice (3.10).
+  double choice_cost(const BandCandidate& candidate, const Cycle& cycle) const;
+  void choose(Cycle& cycle) const;
+  /// The chosen band may be caught between obstacles that have moved on: what a first call would do competes.
+  void try_along_plan(Cycle& cycle) const;
+  /// Nothing new is comfortable: what was planned before may still be.
+  void try_as_driven(Cycle& cycle) const;
+  bool is_comfortable(const BandCandidate& candidate) const;
+  /// Drives the chosen band, or evades. The next cycle goes on from an evasive move.
+  void command(Cycle& cycle, PlanningResult& result);
+  void keep(Cycle& cycle);
 
   BandPlannerOptions options_;
   std::vector<BandCandidate> bands_;  ///< of the last cycle; the driven one first
@@ -53,7 +66,6 @@ class BandPlanner final : public LocalPlanner {
   Time switched_at_;
   Pose2 goal_;
   double acceleration_ = 0.0;  ///< of the last command [m/s^2]
-  bool arrived_ = false;
 };
 
 }  // namespace bw::teb

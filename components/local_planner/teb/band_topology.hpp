@@ -1,4 +1,4 @@
-// Between bands and the exploration of topologies (spec 6.2).
+// Between bands and the exploration of topologies (book 6.2).
 #pragma once
 
 #include <vector>

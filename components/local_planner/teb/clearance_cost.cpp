@@ -116,13 +116,13 @@ ObstacleField nearby_obstacles(const StaticObstacles& statics, const std::vector
                                const PredictionOptions& prediction) {
   const Uncertainty uncertainty{prediction.uncertainty_factor, prediction.uncertainty_growth,
                                 prediction.max_uncertainty};
-  const bool time_indexed = prediction.prediction == "time_indexed";
+  const bool time_indexed = prediction.prediction == Prediction::time_indexed;
   std::vector<Capsule> capsules;
   capsules.reserve(statics.size() + (time_indexed ? 0 : 2 * movers.size()));
   if (!time_indexed) {
     for (const Mover& m : movers) {
       capsules.push_back({m.position, m.position, m.radius + robot_radius});
-      if (prediction.prediction != "doubled") continue;
+      if (prediction.prediction != Prediction::doubled) continue;
       capsules.push_back(mover_at(m, prediction.prediction_time));
       capsules.back().radius += robot_radius + uncertainty.at(m, prediction.prediction_time);
     }

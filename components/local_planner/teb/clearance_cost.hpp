@@ -1,4 +1,4 @@
-// Obstacles as the band sees them, and the residual of one obstacle near one point of the band (spec 6.1,
+// Obstacles as the band sees them, and the residual of one obstacle near one point of the band (book 6.1,
 // o_k), with its gradient.
 #pragma once
 

@@ -9,7 +9,6 @@ namespace {
 constexpr double kLookAhead = 4.0;        // [m] in which the first obstacle is looked for
 constexpr double kNear = 1.0;             // [m] clearance below which it counts as passed
 constexpr double kWithoutObstacle = 2.0;  // [m] ahead, when none is
-constexpr double kNoDirection = 0.02;     // [m/s] below which a velocity has none
 
 double clearance_at(const ObstacleField& field, const TrajectoryPoint& point) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -47,10 +46,21 @@ Vector2 first_passing_point(const std::vector<TrajectoryPoint>& trajectory, cons
 
 double hrvo_cost(const hrvo::Advice& advice, const std::vector<TrajectoryPoint>& trajectory,
                  const ObstacleField& field, double weight) {
-  if (advice.velocity.norm() < kNoDirection || trajectory.size() < 2) return 0.0;
+  if (advice.velocity.norm() < hrvo::kNoDirection || trajectory.size() < 2) return 0.0;
   const Vector2 way = first_passing_point(trajectory, field) - trajectory.front().pose.position();
   if (way.norm() < 1e-6) return 0.0;
   return weight * std::abs(std::atan2(cross(advice.velocity, way), advice.velocity.dot(way)));
+}
+
+ChoiceTermSource hrvo_preference(const hrvo::HrvoOptions& hrvo, double weight) {
+  return [=](const PlanningProblem& problem, const ObstacleField& field) {
+    const hrvo::Advice advice = hrvo::advise(problem, problem.plan.back().position(), hrvo);
+    return ChoiceTerm{.cost =
+                          [=, &field](const BandCandidate& candidate) {
+                            return hrvo_cost(advice, candidate.trajectory, field, weight);
+                          },
+                      .advice = advice};
+  };
 }
 
 }  // namespace bw::teb

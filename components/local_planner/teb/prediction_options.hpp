@@ -1,14 +1,25 @@
-// How the band sees movers: where they are expected, and how sure that is (spec 6.5, D10).
+// How the band sees movers: where they are expected, and how sure that is (book 6.5, D10).
 #pragma once
 
-#include <string>
-
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::teb {
 
+/// Where a mover is when a pose of the band meets it.
+enum class Prediction {
+  time_indexed,  ///< where it will be at the pose's time
+  doubled,       ///< at its present and at one future place, standing (6.5 as published)
+  present,       ///< at its present place, standing
+};
+constexpr auto choice_table(Prediction) {
+  return choices<Prediction>({{Prediction::time_indexed, "time_indexed"},
+                              {Prediction::doubled, "doubled"},
+                              {Prediction::present, "present"}});
+}
+
 struct PredictionOptions {
-  std::string prediction = "time_indexed";
+  Prediction prediction = Prediction::time_indexed;
   double prediction_time = 1.6;
   double uncertainty_factor = 0.0;
   double uncertainty_growth = 0.0;
@@ -17,23 +28,26 @@ struct PredictionOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("prediction", prediction,
-      {.choices = {"time_indexed", "doubled", "present"},
-       .doc =
+      {.doc =
            "time_indexed: every pose meets a mover where it is at the pose's time; doubled: movers are discs "
            "that stand at their present and at their future place; present: at their present place only"});
     v("prediction_time", prediction_time,
-      {.unit = "s", .min = 0, .max = 10, .doc = "how far ahead that future place is (doubled)"});
+      {.unit = "s",
+       .min = 0,
+       .max = 10,
+       .doc = "how far ahead the second place of a mover lies (prediction: doubled)"});
     v("uncertainty_factor", uncertainty_factor,
       {.min = 0,
        .max = 5,
-       .doc = "standard deviations of a prediction by which the inflation of a mover grows"});
+       .doc = "how many standard deviations of its prediction the inflation of a mover grows by; raise it "
+              "among people who turn"});
     v("uncertainty_growth", uncertainty_growth,
       {.unit = "m/s",
        .min = 0,
        .max = 2,
-       .doc = "growth of that standard deviation for movers whose predictions have none"});
+       .doc = "growth per second of the standard deviation of movers whose predictions have none"});
     v("max_uncertainty", max_uncertainty,
-      {.unit = "m", .min = 0, .max = 2, .doc = "its inflation grows at most by this"});
+      {.unit = "m", .min = 0, .max = 2, .doc = "the inflation of a mover grows at most by this"});
   }
 };
 

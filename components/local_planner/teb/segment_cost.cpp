@@ -10,6 +10,17 @@ namespace {
 constexpr double kShortestInterval = 1e-3;  // [s] guard of the divisions by dt
 constexpr double kSignSharpness = 100.0;  // [1/m] of the smoothed sign of the speed, as in the public package
 
+enum Residual : std::size_t {
+  kTime,
+  kKinematics,
+  kForward,
+  kSpeed,
+  kTurnRate,
+  kAcceleration,
+  kTurnAcceleration,
+  kFirstAcceleration,
+  kFirstTurnAcceleration,
+};
 enum Column { kX, kY, kTheta, kDt, kNextX, kNextY, kNextTheta, kSegmentInputs };
 
 // A quantity of one segment with its derivatives.
@@ -91,29 +102,114 @@ void add_row(double* row, double scale, const Quantity& q, int offset) {
   for (int i = 0; i < kSegmentInputs; ++i) row[offset + i] += scale * q.gradient[static_cast<std::size_t>(i)];
 }
 
+// Where an evaluation goes: residuals, and their derivatives if they are asked for.
+struct Output {
+  double* residuals;
+  double* jacobian;
+
+  double* row(Residual r) const { return jacobian == nullptr ? nullptr : jacobian + r * kSegmentColumns; }
+};
+
+// What accelerations are held to.
+struct AccelerationLimit {
+  double limit;
+  double weight;
+  double epsilon;
+};
+
 // a = 2 (v_next - v) / (dt + dt_next)
-void evaluate_change(const Quantity& q, const Quantity& next, double dt_sum, double limit, double weight,
-                     double epsilon, double& residual, double* row) {
+void evaluate_change(const Quantity& q, const Quantity& next, double dt_sum, const AccelerationLimit& allowed,
+                     Residual r, const Output& out) {
   const double acceleration = 2.0 * (next.value - q.value) / dt_sum;
-  const Hinge hinge = outside(acceleration, -limit, limit, epsilon);
-  residual = weight * hinge.value;
+  const Hinge hinge = outside(acceleration, -allowed.limit, allowed.limit, allowed.epsilon);
+  out.residuals[r] = allowed.weight * hinge.value;
+  double* row = out.row(r);
   if (row == nullptr || hinge.slope == 0.0) return;
-  const double scale = weight * hinge.slope * 2.0 / dt_sum;
+  const double scale = allowed.weight * hinge.slope * 2.0 / dt_sum;
   add_row(row, -scale, q, 0);
   add_row(row, scale, next, 4);
-  row[3] -= weight * hinge.slope * acceleration / dt_sum;
-  row[7] -= weight * hinge.slope * acceleration / dt_sum;
+  row[3] -= allowed.weight * hinge.slope * acceleration / dt_sum;
+  row[7] -= allowed.weight * hinge.slope * acceleration / dt_sum;
 }
 
-// a = sign (q - reference) / span: from the start velocity (sign 1), or to rest (sign -1, reference 0)
-void evaluate_end(const Quantity& q, double reference, double sign, double span, double limit, double weight,
-                  double epsilon, double dt, double& residual, double* row) {
-  const double acceleration = sign * (q.value - reference) / span;
-  const Hinge hinge = outside(acceleration, -limit, limit, epsilon);
-  residual = weight * hinge.value;
+// What one end of the band asks of the velocity next to it: a = sign (q - reference) / span, from the start
+// velocity (sign 1), or to rest (sign -1, reference 0).
+struct BandEnd {
+  double sign;
+  double span;  // [s]
+  double dt;    // [s] of the segment
+};
+
+void evaluate_end(const Quantity& q, double reference, const BandEnd& end, const AccelerationLimit& allowed,
+                  Residual r, const Output& out) {
+  const double acceleration = end.sign * (q.value - reference) / end.span;
+  const Hinge hinge = outside(acceleration, -allowed.limit, allowed.limit, allowed.epsilon);
+  out.residuals[r] = allowed.weight * hinge.value;
+  double* row = out.row(r);
   if (row == nullptr || hinge.slope == 0.0) return;
-  add_row(row, weight * hinge.slope * sign / span, q, 0);
-  row[kDt] -= weight * hinge.slope * acceleration / dt;
+  add_row(row, allowed.weight * hinge.slope * end.sign / end.span, q, 0);
+  row[kDt] -= allowed.weight * hinge.slope * acceleration / end.dt;
+}
+
+// Time, and the shape of the segment: both poses on one arc, driven forward.
+void evaluate_shape(const SegmentModel& model, const Heading& a, const Heading& b, const Output& out) {
+  const Vector2 d(b.pose[0] - a.pose[0], b.pose[1] - a.pose[1]);
+  const Vector2 u_sum = a.u + b.u;
+  const double forward = d.dot(a.u);
+  out.residuals[kTime] = model.time * a.pose[3];
+  out.residuals[kKinematics] = model.kinematics_nh * cross(u_sum, d);
+  out.residuals[kForward] = model.forward_drive * std::max(0.0, -forward);
+  if (out.jacobian == nullptr) return;
+  out.row(kTime)[kDt] = model.time;
+  const double w = model.kinematics_nh;
+  double* h = out.row(kKinematics);
+  h[0] = w * u_sum.y();
+  h[1] = -w * u_sum.x();
+  h[2] = -w * a.u.dot(d);
+  h[4] = -h[0];
+  h[5] = -h[1];
+  h[6] = -w * b.u.dot(d);
+  if (!(forward < 0.0)) return;
+  const double f = model.forward_drive;
+  double* backward = out.row(kForward);
+  backward[0] = f * a.u.x();
+  backward[1] = f * a.u.y();
+  backward[2] = -f * cross(a.u, d);
+  backward[4] = -backward[0];
+  backward[5] = -backward[1];
+}
+
+void evaluate_speeds(const SegmentModel& model, const Motion& motion, const Output& out) {
+  const Limits& limits = model.limits;
+  const Hinge v = outside(motion.v.value, -limits.v_back_max, limits.v_max, model.epsilon);
+  const Hinge omega = outside(motion.omega.value, -limits.omega_max, limits.omega_max, model.epsilon);
+  out.residuals[kSpeed] = model.max_vel_x * v.value;
+  out.residuals[kTurnRate] = model.max_vel_theta * omega.value;
+  if (out.jacobian == nullptr) return;
+  if (v.slope != 0.0) add_row(out.row(kSpeed), model.max_vel_x * v.slope, motion.v, 0);
+  if (omega.slope != 0.0) add_row(out.row(kTurnRate), model.max_vel_theta * omega.slope, motion.omega, 0);
+}
+
+// To the next segment or to rest, and from the start velocity.
+void evaluate_accelerations(const SegmentModel& model, const SegmentStates& states, const Motion& motion,
+                            const Heading& at_b, const Output& out) {
+  const AccelerationLimit linear{model.limits.acc_max, model.acc_lim_x, model.epsilon};
+  const AccelerationLimit angular{model.limits.alpha_max, model.acc_lim_theta, model.epsilon};
+  const double dt = states.a[3];
+  const double span = model.consistent_motion ? dt / 2.0 : dt;
+  if (states.end == SegmentEnd::next_segment) {
+    const Motion next = motion_of(at_b, heading_of(states.c), model.consistent_motion);
+    const double dt_sum = dt + states.b[3];
+    evaluate_change(motion.v, next.v, dt_sum, linear, kAcceleration, out);
+    evaluate_change(motion.omega, next.omega, dt_sum, angular, kTurnAcceleration, out);
+  } else if (states.end == SegmentEnd::rest) {
+    evaluate_end(motion.v, 0.0, {-1.0, span, dt}, linear, kAcceleration, out);
+    evaluate_end(motion.omega, 0.0, {-1.0, span, dt}, angular, kTurnAcceleration, out);
+  }
+  if (states.start_twist == nullptr) return;
+  evaluate_end(motion.v, states.start_twist->v, {1.0, span, dt}, linear, kFirstAcceleration, out);
+  evaluate_end(motion.omega, states.start_twist->omega, {1.0, span, dt}, angular, kFirstTurnAcceleration,
+               out);
 }
 
 }  // namespace
@@ -132,79 +228,17 @@ SegmentModel::SegmentModel(const BandOptions& options, const Limits& motion_limi
 
 bool evaluate_segment(const SegmentModel& model, const SegmentStates& states, double* residuals,
                       double* jacobian) {
-  const double* a = states.a;
-  const double* b = states.b;
-  const double dt = a[3];
   const bool has_next = states.end == SegmentEnd::next_segment;
-  if (!(dt > kShortestInterval) || (has_next && !(b[3] > kShortestInterval))) return false;
+  if (!(states.a[3] > kShortestInterval) || (has_next && !(states.b[3] > kShortestInterval))) return false;
   std::fill(residuals, residuals + kSegmentResiduals, 0.0);
   if (jacobian != nullptr) std::fill(jacobian, jacobian + kSegmentResiduals * kSegmentColumns, 0.0);
-  const auto row = [&](std::size_t r) {
-    return jacobian == nullptr ? nullptr : jacobian + r * kSegmentColumns;
-  };
-
-  const Vector2 d(b[0] - a[0], b[1] - a[1]);
-  const Heading at_a = heading_of(a);
-  const Heading at_b = heading_of(b);
-  const Vector2& u_a = at_a.u;
-  const Vector2& u_b = at_b.u;
-  const Vector2 u_sum = u_a + u_b;
-  residuals[0] = model.time * dt;
-  residuals[1] = model.kinematics_nh * cross(u_sum, d);
-  const double forward = d.dot(u_a);
-  residuals[2] = model.forward_drive * std::max(0.0, -forward);
-  if (jacobian != nullptr) {
-    row(0)[kDt] = model.time;
-    const double w = model.kinematics_nh;
-    double* h = row(1);
-    h[0] = w * u_sum.y();
-    h[1] = -w * u_sum.x();
-    h[2] = -w * u_a.dot(d);
-    h[4] = -h[0];
-    h[5] = -h[1];
-    h[6] = -w * u_b.dot(d);
-    if (forward < 0.0) {
-      const double f = model.forward_drive;
-      double* backward = row(2);
-      backward[0] = f * u_a.x();
-      backward[1] = f * u_a.y();
-      backward[2] = -f * cross(u_a, d);
-      backward[4] = -backward[0];
-      backward[5] = -backward[1];
-    }
-  }
-
+  const Output out{residuals, jacobian};
+  const Heading at_a = heading_of(states.a);
+  const Heading at_b = heading_of(states.b);
+  evaluate_shape(model, at_a, at_b, out);
   const Motion motion = motion_of(at_a, at_b, model.consistent_motion);
-  const Limits& limits = model.limits;
-  const Hinge v = outside(motion.v.value, -limits.v_back_max, limits.v_max, model.epsilon);
-  const Hinge omega = outside(motion.omega.value, -limits.omega_max, limits.omega_max, model.epsilon);
-  residuals[3] = model.max_vel_x * v.value;
-  residuals[4] = model.max_vel_theta * omega.value;
-  if (jacobian != nullptr) {
-    if (v.slope != 0.0) add_row(row(3), model.max_vel_x * v.slope, motion.v, 0);
-    if (omega.slope != 0.0) add_row(row(4), model.max_vel_theta * omega.slope, motion.omega, 0);
-  }
-
-  const double span = model.consistent_motion ? dt / 2.0 : dt;
-  if (has_next) {
-    const Motion next = motion_of(at_b, heading_of(states.c), model.consistent_motion);
-    const double dt_sum = dt + b[3];
-    evaluate_change(motion.v, next.v, dt_sum, limits.acc_max, model.acc_lim_x, model.epsilon, residuals[5],
-                    row(5));
-    evaluate_change(motion.omega, next.omega, dt_sum, limits.alpha_max, model.acc_lim_theta, model.epsilon,
-                    residuals[6], row(6));
-  } else if (states.end == SegmentEnd::rest) {
-    evaluate_end(motion.v, 0.0, -1.0, span, limits.acc_max, model.acc_lim_x, model.epsilon, dt, residuals[5],
-                 row(5));
-    evaluate_end(motion.omega, 0.0, -1.0, span, limits.alpha_max, model.acc_lim_theta, model.epsilon, dt,
-                 residuals[6], row(6));
-  }
-  if (states.start_twist != nullptr) {
-    evaluate_end(motion.v, states.start_twist->v, 1.0, span, limits.acc_max, model.acc_lim_x, model.epsilon,
-                 dt, residuals[7], row(7));
-    evaluate_end(motion.omega, states.start_twist->omega, 1.0, span, limits.alpha_max, model.acc_lim_theta,
-                 model.epsilon, dt, residuals[8], row(8));
-  }
+  evaluate_speeds(model, motion, out);
+  evaluate_accelerations(model, states, motion, at_b, out);
   return true;
 }
 

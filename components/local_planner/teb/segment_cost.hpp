@@ -1,4 +1,4 @@
-// Residuals of one segment of the band: time, kinematics, speed and acceleration (spec 6.1), with analytic
+// Residuals of one segment of the band: time, kinematics, speed and acceleration (book 6.1), with analytic
 // Jacobians. Plain C++ shared by the solver, the tests and the oracle.
 #pragma once
 
@@ -12,10 +12,9 @@ namespace bw::teb {
 
 /// Square roots of weights and the limits, fixed during one solve. Two readings of motion:
 /// - consistent_motion: v = d . dir(mean heading) / dt, held at the middle of its segment, so that the first
-/// and last accelerations act over
-///   half an interval. A command read from this profile keeps the limits.
-/// - else the public package's: v = |d| / dt with a smoothed sign, first and last accelerations over a whole
-/// interval.
+///   and last accelerations act over half an interval. A command read from this profile keeps the limits.
+/// - otherwise the public package's: v = |d| / dt with a smoothed sign, and the first and last accelerations
+///   act over a whole interval.
 struct SegmentModel {
   SegmentModel(const BandOptions& options, const Limits& limits);
 

@@ -6,17 +6,14 @@
 #include <string>
 
 #include <nav_msgs/msg/occupancy_grid.hpp>
-#include <sensor_msgs/msg/laser_scan.hpp>
 #include <std_msgs/msg/empty.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/localization/adaptor/localization_messages.hpp"
-#include "components/localization/adaptor/sensor_messages.hpp"
-#include "components/localization/course_from_fixes.hpp"
+#include "components/localization/adaptor/sensor_inputs.hpp"
 #include "components/localization/localization_parameters.hpp"
-#include "components/model/robot.hpp"
+#include "components/localization/odometry_steps.hpp"
 #include "runtime/component.hpp"
-#include "runtime/transforms/sensor_mounts.hpp"
 
 namespace bw::localization {
 
@@ -28,30 +25,22 @@ class LocalizationComponent final : public Component {
  private:
   void listen(Setup& setup);
   void on_odometry(const nav_msgs::msg::Odometry& message, const Tick& tick);
-  void on_imu(const sensor_msgs::msg::Imu& message, const Tick& tick);
-  void on_fix(const sensor_msgs::msg::NavSatFix& message, const Tick& tick);
-  void on_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message, const Tick& tick);
   void on_initial_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message, const Tick& tick);
   void on_map(const nav_msgs::msg::OccupancyGrid& message, const Tick& tick);
-  void on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick);
   void start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time);
   void search(Time time);
   void publish_pose(const Pose2& X_OB, Time time);
   void report_health(const Tick& tick);
 
   LocalizationParameters parameters_;
-  Robot robot_;
+  SensorInputs inputs_;
+  OdometrySteps wheels_;
   std::unique_ptr<Localizer> filter_;
-  std::optional<LocalPlane> plane_;
-  CourseFromFixes course_{kCourse, {}};
-  std::optional<Pose2> X_OB_;  ///< of the newest odometry
-  Time odometry_time_;
   HealthState state_ = HealthState::init;
 
   std::string map_frame_;
   std::string odom_frame_;
   std::string base_frame_;
-  SensorMounts mounts_;
   Output<nav_msgs::msg::Odometry> filtered_;
   Output<tf2_msgs::msg::TFMessage> tf_;
   Output<geometry_msgs::msg::PoseWithCovarianceStamped> pose_;

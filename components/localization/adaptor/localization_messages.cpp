@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "components/localization/adaptor/sensor_messages.hpp"
 #include "components/messages/geometry.hpp"
 
 namespace bw::localization {
@@ -61,12 +60,12 @@ geometry_msgs::msg::PoseArray to_poses(const ParticleSet& particles, const std_m
   return message;
 }
 
-std::string to_text(const Health& health) {
+std::string to_text(const Health& health, const SourceNames& names) {
   std::string text(to_string(health.state));
   for (const HealthReason& reason : health.reasons) {
     text += fmt::format("{} {}", &reason == &health.reasons.front() ? ":" : ";", to_string(reason.cause));
     if (reason.source >= 0) {
-      text += fmt::format(" ({}, {:.2f})", source_name(reason.source), reason.value);
+      text += fmt::format(" ({}, {:.2f})", names.of(reason.source), reason.value);
     } else if (reason.value != 0.0) {
       text += fmt::format(" ({:.2f})", reason.value);
     }
@@ -74,15 +73,16 @@ std::string to_text(const Health& health) {
   return text;
 }
 
-void report(const Health& health, const Estimate& estimate, DiagnosticReporter& diagnostics) {
+void report(const Health& health, const Estimate& estimate, const SourceNames& names,
+            DiagnosticReporter& diagnostics) {
   using Level = DiagnosticReporter::Level;
   const Level level = health.state == HealthState::ok     ? Level::ok
                       : health.state == HealthState::lost ? Level::error
                                                           : Level::warn;
-  diagnostics.report(level, to_text(health));
+  diagnostics.report(level, to_text(health, names));
   diagnostics.set_value("state", std::string(to_string(health.state)));
   for (const SourceHealth& source : health.sources) {
-    const std::string name = source_name(source.source);
+    const std::string name = names.of(source.source);
     diagnostics.set_value(
         name, fmt::format("age {:.2f} s, period {:.3f} s, used {}, rejected {}, acceptance {:.2f}",
                           source.age, source.period, source.used, source.rejected, source.acceptance));

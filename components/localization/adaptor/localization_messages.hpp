@@ -11,6 +11,7 @@
 #include "components/localization/estimate.hpp"
 #include "components/localization/health.hpp"
 #include "components/localization/particle_filter/particle_set.hpp"
+#include "components/localization/source_names.hpp"
 #include "runtime/component.hpp"
 
 namespace bw::localization {
@@ -27,8 +28,9 @@ geometry_msgs::msg::PoseArray to_poses(const ParticleSet& particles, const std_m
                                        std::size_t most);
 
 /// One line: "DEGRADED: source silent (gps, 3.2)".
-std::string to_text(const Health& health);
+std::string to_text(const Health& health, const SourceNames& names);
 /// The state as level and text, each source's figures as values.
-void report(const Health& health, const Estimate& estimate, DiagnosticReporter& diagnostics);
+void report(const Health& health, const Estimate& estimate, const SourceNames& names,
+            DiagnosticReporter& diagnostics);
 
 }  // namespace bw::localization

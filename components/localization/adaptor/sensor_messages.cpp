@@ -14,21 +14,16 @@ double variance_or(double given, double sigma) { return given != 0.0 ? given : s
 
 }  // namespace
 
-const char* source_name(int source) {
-  constexpr const char* kNames[] = {"wheels", "gyro", "compass", "gps", "course", "laser", "ranges", "pose"};
-  return source >= 0 && source < kMaxSources ? kNames[source] : "unknown";
-}
-
-std::optional<GyroReading> to_gyro(const sensor_msgs::msg::Imu& message, double sigma) {
+std::optional<GyroReading> to_gyro(const sensor_msgs::msg::Imu& message, int source, double sigma) {
   if (message.angular_velocity_covariance()[0] == kNotMeasured) return std::nullopt;
-  return GyroReading{from_stamp(message.header().stamp()), kGyro, message.angular_velocity().z(),
+  return GyroReading{from_stamp(message.header().stamp()), source, message.angular_velocity().z(),
                      variance_or(message.angular_velocity_covariance()[8], sigma)};
 }
 
-std::optional<HeadingReading> to_heading(const sensor_msgs::msg::Imu& message, const Pose2& X_BS,
+std::optional<HeadingReading> to_heading(const sensor_msgs::msg::Imu& message, int source, const Pose2& X_BS,
                                          double sigma) {
   if (message.orientation_covariance()[0] == kNotMeasured) return std::nullopt;
-  return HeadingReading{from_stamp(message.header().stamp()), kCompass,
+  return HeadingReading{from_stamp(message.header().stamp()), source,
                         wrap_angle(yaw_of(message.orientation()) - X_BS.theta),
                         variance_or(message.orientation_covariance()[8], sigma)};
 }
@@ -40,11 +35,11 @@ std::optional<Geodetic> to_geodetic(const sensor_msgs::msg::NavSatFix& message, 
   return is_plausible(place) ? std::optional(place) : std::nullopt;
 }
 
-PositionFix to_fix(const sensor_msgs::msg::NavSatFix& message, const Geodetic& place, const LocalPlane& plane,
-                   const Pose2& X_BS, double sigma) {
+PositionFix to_fix(const sensor_msgs::msg::NavSatFix& message, int source, const Geodetic& place,
+                   const LocalPlane& plane, const Pose2& X_BS, double sigma) {
   PositionFix fix;
   fix.time = from_stamp(message.header().stamp());
-  fix.source = kGps;
+  fix.source = source;
   fix.position = plane.to_plane(place).head<2>();
   fix.antenna = X_BS.position();
   const auto& C = message.position_covariance();
@@ -58,19 +53,19 @@ PositionFix to_fix(const sensor_msgs::msg::NavSatFix& message, const Geodetic& p
   return fix;
 }
 
-Measurement to_measurement(const geometry_msgs::msg::PoseWithCovarianceStamped& message) {
+Measurement to_measurement(const geometry_msgs::msg::PoseWithCovarianceStamped& message, int source) {
   const Time time = from_stamp(message.header().stamp());
   const Eigen::Matrix3d C = planar_covariance(message.pose().covariance());
   const Pose2 X_MB = from_pose(message.pose().pose());
   if (C(2, 2) > kYawUnknown)
-    return PositionFix{time, kPose, X_MB.position(), C.topLeftCorner<2, 2>(), {0.0, 0.0}};
-  return PoseReading{time, kPose, X_MB, C};
+    return PositionFix{time, source, X_MB.position(), C.topLeftCorner<2, 2>(), {0.0, 0.0}};
+  return PoseReading{time, source, X_MB, C};
 }
 
-RangeReading to_range(const bandwagon_msgs::msg::AnchorRange& message) {
+RangeReading to_range(const bandwagon_msgs::msg::AnchorRange& message, int source) {
   RangeReading reading;
   reading.time = from_stamp(message.header().stamp());
-  reading.source = kRanges;
+  reading.source = source;
   reading.range = message.range();
   reading.variance = message.variance();
   reading.anchor = {message.anchor().x(), message.anchor().y()};

@@ -1,9 +1,11 @@
 // How noisy a source really is, from its innovations: the factor on its declared covariance.
 //
-// Of two innovations in a row, whitened by the declared covariance, the difference d has E|d|^2 / 2 = factor
-// N
-// + trace(R^-1 H P H^T). What persists, an error of the estimate or of the source, cancels: that is for the
-// gate and re-acquisition, not for a factor on the noise.
+// Two innovations in a row, whitened by the declared covariance, of dimension N each, differ by a d with
+//
+//   E|d|^2 / 2 = factor N + trace(R^-1 H P H^T)
+//
+// What persists, an error of the estimate or of the source, cancels: that is for the gate and re-acquisition,
+// not for a factor on the noise.
 #pragma once
 
 #include <algorithm>

@@ -23,7 +23,7 @@ struct Innovation {
 };
 
 template <int N, int M>
-void correct(Eigen::Matrix<double, N, 1>& x, Eigen::Matrix<double, N, N>& P, const Innovation<N, M>& z) {
+void update(Eigen::Matrix<double, N, 1>& x, Eigen::Matrix<double, N, N>& P, const Innovation<N, M>& z) {
   const Eigen::Matrix<double, M, M> S = z.covariance(P);
   const Eigen::Matrix<double, N, M> K = S.llt().solve(z.H * P).transpose();
   x += K * z.residual;

@@ -14,9 +14,9 @@ void limit_variances(StateMatrix& P);
 /// such a way that the least eigenvalue of its correlations C is at least 1e-9.
 ///  1. Cholesky P = L D L^T; a pivot D_j below its floor (1e-9 of P_jj, and 1e-13 of the variance before the
 ///     operation whose rounding is repaired) is raised to it, and P_jj by as much.
-///  2. det C = product of D_j / P_jj; least eigenvalue >= det C / (n / (n - 1))^(n - 1) since the n sum up to
-///     n. Where det C < 1e-8 does not promise enough, variances grow by 1e-9, which moves every eigenvalue by
-///     that.
+///  2. det C = product of D_j / P_jj; least eigenvalue >= det C / (n / (n - 1))^(n - 1), since the n
+///     eigenvalues sum up to n. Where det C < 1e-8 does not promise enough, variances grow by 1e-9, which
+///     moves every eigenvalue by that.
 /// Variances never shrink.
 void hold_definite(StateMatrix& P, const StateVector& variances_before);
 

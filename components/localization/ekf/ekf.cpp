@@ -8,11 +8,12 @@
 
 namespace bw::localization {
 
-Ekf::Ekf(const EkfOptions& options)
+Ekf::Ekf(const EkfOptions& options, int sources)
     : fusion_(options),
-      ring_(fusion_, Duration::seconds(options.window), options.capacity),
+      ring_(fusion_, Duration::seconds(options.window), options.capacity, sources),
       initial_(options.initial, options.gate.probability),
-      stamps_(Duration::seconds(options.future_tolerance)) {}
+      stamps_(Duration::seconds(options.future_tolerance)),
+      kinds_(static_cast<std::size_t>(sources)) {}
 
 bool Ekf::start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time) {
   PoseReading pose;
@@ -26,6 +27,7 @@ bool Ekf::start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time ti
 void Ekf::begin(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time, bool by_compass) {
   const BiasOptions& bias = fusion_.options().bias;
   EkfState state;
+  state.sources.resize(kinds_.size());
   if (initialised_) {
     state = ring_.newest();
     const Eigen::Matrix2d biases = state.P.bottomRightCorner<2, 2>();
@@ -73,7 +75,7 @@ Outcome Ekf::add(const Measurement& measurement, Time now) {
 }
 
 Outcome Ekf::sort_in(const Measurement& measurement, Time now) {
-  const Verdict sound = check(measurement, fusion_.options().limits);
+  const Verdict sound = check(measurement, fusion_.options().limits, static_cast<int>(kinds_.size()));
   if (sound != Verdict::accepted) return {sound};
   if (kind_changed(measurement)) return {Verdict::bad_source};
   if (stamps_.in_future(stamp(measurement), now)) return {Verdict::future};
@@ -96,13 +98,13 @@ void Ekf::jump_to(Time time, Duration lost) {
   last_clock_jump_ = time;
   ++clock_jumps_;
   if (!initialised_) return;
-  if (fusion_.options().on_clock_jump == "reset") {
+  if (fusion_.options().on_clock_jump == OnClockJump::reset) {
     initialised_ = false;
     initial_.restart();
     return;
   }
   EkfState state = ring_.newest();
-  advance_unknown(state, state.time + lost, fusion_.options());
+  predict_without_wheels(state, state.time + lost, fusion_.options());
   state.time = time;
   state.last_wheel = time;
   state.gyro = {};

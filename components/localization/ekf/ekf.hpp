@@ -1,4 +1,4 @@
-// EKF localization (spec 3): wheels predict; positions, headings, courses and poses correct, each at its own
+// EKF localization (book 3): wheels predict; positions, headings, courses and poses correct, each at its own
 // stamp. Late measurements are put where they belong and what followed is computed again.
 //
 //   Ekf ekf(options);
@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "components/localization/ekf/ekf_options.hpp"
 #include "components/localization/ekf/ekf_state.hpp"
@@ -26,7 +27,8 @@ namespace bw::localization {
 
 class Ekf final : public Localizer {
  public:
-  explicit Ekf(const EkfOptions& options);
+  /// With room for so many sources.
+  explicit Ekf(const EkfOptions& options, int sources = kUsualSources);
   Ekf(const Ekf&) = delete;
   Ekf& operator=(const Ekf&) = delete;
 
@@ -58,7 +60,7 @@ class Ekf final : public Localizer {
   EventRing ring_;
   InitialPose initial_;
   StampWatch stamps_;
-  std::array<std::optional<std::size_t>, kMaxSources> kinds_;
+  std::vector<std::optional<std::size_t>> kinds_;  ///< by source
   std::array<std::uint64_t, 16> counts_{};
   bool initialised_ = false;
   Time last_clock_jump_ = kNever;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "components/localization/measurement_check.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::localization {
@@ -19,17 +20,27 @@ struct BiasOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("gyro_bias", gyro_bias, {.doc = "estimate the gyro's bias"});
+    v("gyro_bias", gyro_bias, {.doc = "estimate the gyro's bias; off for a gyro that is calibrated"});
     v("gyro_bias_sigma", gyro_bias_sigma,
-      {.unit = "rad/s", .min = 0, .max = 1, .doc = "of the bias at the start"});
+      {.unit = "rad/s", .min = 0, .max = 1, .doc = "standard deviation of the bias at the start"});
     v("gyro_bias_walk", gyro_bias_walk,
-      {.unit = "rad/s/sqrt(s)", .min = 0, .max = 1, .doc = "how fast the bias wanders"});
+      {.unit = "rad/s/sqrt(s)",
+       .min = 0,
+       .max = 1,
+       .doc = "how fast the bias wanders; raise it for a gyro that warms up"});
     v("heading_offset", heading_offset,
       {.doc = "estimate a constant error of the compass; needs positions, and a robot that drives"});
     v("heading_offset_sigma", heading_offset_sigma,
-      {.unit = "rad", .min = 0, .max = 3.15, .doc = "of the offset at the start"});
+      {.unit = "rad",
+       .min = 0,
+       .max = 3.15,
+       .doc = "standard deviation of the offset at the start; 3.15 for a compass whose zero points "
+              "anywhere"});
     v("heading_offset_walk", heading_offset_walk,
-      {.unit = "rad/sqrt(s)", .min = 0, .max = 1, .doc = "how fast the offset wanders"});
+      {.unit = "rad/sqrt(s)",
+       .min = 0,
+       .max = 1,
+       .doc = "how fast the offset wanders; raise it where iron disturbs the compass"});
   }
 };
 
@@ -50,16 +61,26 @@ struct MotionOptions {
        .max = 2,
        .doc = "after the last wheel step the velocity holds this long; then the motion is unknown"});
     v("acceleration", acceleration,
-      {.unit = "m/s^2", .min = 0, .max = 100, .doc = "standard deviation while extrapolating"});
+      {.unit = "m/s^2",
+       .min = 0,
+       .max = 100,
+       .doc = "standard deviation of the acceleration while the pose is extrapolated; raise it for a base "
+              "that jerks"});
     v("turn_acceleration", turn_acceleration,
-      {.unit = "rad/s^2", .min = 0, .max = 100, .doc = "standard deviation while extrapolating"});
+      {.unit = "rad/s^2",
+       .min = 0,
+       .max = 100,
+       .doc = "standard deviation of the angular acceleration while the pose is extrapolated"});
     v("silent_speed", silent_speed,
       {.unit = "m/s",
        .min = 0,
        .max = 100,
        .doc = "standard deviation of the speed while wheels are silent"});
     v("silent_turn_rate", silent_turn_rate,
-      {.unit = "rad/s", .min = 0, .max = 100, .doc = "the same of the turn rate, without a gyro"});
+      {.unit = "rad/s",
+       .min = 0,
+       .max = 100,
+       .doc = "standard deviation of the turn rate while wheels are silent and no gyro is heard"});
     v("gyro_gap", gyro_gap,
       {.unit = "s", .min = 0.001, .max = 1, .doc = "gyro readings further apart are not integrated"});
     v("position_walk", position_walk,
@@ -81,16 +102,21 @@ struct GateOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("enabled", enabled, {.doc = "reject what is too far from the estimate for chance"});
+    v("enabled", enabled, {.doc = "reject measurements that are too far from the estimate for chance"});
     v("probability", probability,
-      {.min = 0.5, .max = 0.999999, .doc = "share of sound measurements that pass (chi-square)"});
+      {.min = 0.5,
+       .max = 0.999999,
+       .doc = "share of sound measurements that pass the gate (chi-square); raise it when good fixes are "
+              "rejected"});
     v("reacquire_after", reacquire_after,
       {.unit = "s",
        .min = 0,
        .max = 1000,
        .doc = "a source rejected for so long, in agreement with itself, takes the estimate over"});
     v("reacquire_count", reacquire_count,
-      {.min = 2, .max = 1000, .doc = "rejections that this takes at least"});
+      {.min = 2,
+       .max = 1000,
+       .doc = "how many rejections in a row it takes at least until a source takes the estimate over"});
     v("heading_support", heading_support,
       {.unit = "m",
        .min = 0,
@@ -108,9 +134,13 @@ struct AdaptiveOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("enabled", enabled, {.doc = "learn from innovations how much noisier a source is than it declares"});
-    v("floor", floor, {.min = 0.01, .max = 1, .doc = "least factor on a declared variance"});
-    v("ceiling", ceiling, {.min = 1, .max = 1e4, .doc = "largest factor on a declared variance"});
-    v("memory", memory, {.min = 10, .max = 1e4, .doc = "measurements that the factor looks back on"});
+    v("floor", floor, {.min = 0.01, .max = 1, .doc = "least factor on a variance that a source declares"});
+    v("ceiling", ceiling,
+      {.min = 1, .max = 1e4, .doc = "largest factor on a variance that a source declares"});
+    v("memory", memory,
+      {.min = 10,
+       .max = 1e4,
+       .doc = "over how many measurements the factor is learnt; fewer follow faster and are less sure"});
   }
 };
 
@@ -118,19 +148,28 @@ struct SlipOptions {
   bool enabled = true;
   double window = 0.25;
   double gate = 25.0;
-  double least_rate = 0.1;
+  /// [rad/s] smaller disagreements are never slip
+  static constexpr double kLeastRate = 0.1;
   double hold = 0.3;
   double longest = 5.0;
-  double distance_share = 0.05;
-  double turn_share = 0.2;
+  /// standard deviation of what is left of the way during slip, as a share of it
+  static constexpr double kDistanceShare = 0.05;
+  /// the same of the turn, as a share of what wheels and gyro disagree about: the gyro may be wrong
+  static constexpr double kTurnShare = 0.2;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("enabled", enabled, {.doc = "compare the turn of the wheels with the gyro"});
-    v("window", window, {.unit = "s", .min = 0.01, .max = 10, .doc = "memory of the comparison"});
-    v("gate", gate, {.min = 1, .max = 1000, .doc = "squared standard deviations of disagreement for slip"});
-    v("least_rate", least_rate,
-      {.unit = "rad/s", .min = 0, .max = 10, .doc = "smaller disagreements are never slip"});
+    v("enabled", enabled, {.doc = "find slipping wheels by comparing their turn with the gyro"});
+    v("window", window,
+      {.unit = "s",
+       .min = 0.01,
+       .max = 10,
+       .doc = "how long the comparison of wheels and gyro looks back; longer finds weaker slip, later"});
+    v("gate", gate,
+      {.min = 1,
+       .max = 1000,
+       .doc = "disagreement of wheels and gyro, in squared standard deviations, that is slip; lower finds "
+              "weaker slip and false ones"});
     v("hold", hold,
       {.unit = "s", .min = 0, .max = 10, .doc = "slip lasts so long after the last sign of it"});
     v("longest", longest,
@@ -138,15 +177,6 @@ struct SlipOptions {
        .min = 0.1,
        .max = 1000,
        .doc = "more slip within half a minute is a fault: then the gyro is not used either"});
-    v("distance_share", distance_share,
-      {.min = 0,
-       .max = 10,
-       .doc = "standard deviation of what is left of the way during slip, as a share of it"});
-    v("turn_share", turn_share,
-      {.min = 0,
-       .max = 10,
-       .doc =
-           "the same of the turn, as a share of what wheels and gyro disagree about: the gyro may be wrong"});
   }
 };
 
@@ -158,10 +188,14 @@ struct InitialOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("headings", headings, {.min = 1, .max = 32, .doc = "compass readings that agree, for a first heading"});
-    v("fixes", fixes, {.min = 1, .max = 32, .doc = "positions that agree, for a first position"});
+    v("headings", headings,
+      {.min = 1, .max = 32, .doc = "how many compass readings must agree for a first heading"});
+    v("fixes", fixes, {.min = 1, .max = 32, .doc = "how many positions must agree for a first position"});
     v("distance", distance,
-      {.unit = "m", .min = 0.1, .max = 100, .doc = "way between fixes for a heading without compass"});
+      {.unit = "m",
+       .min = 0.1,
+       .max = 100,
+       .doc = "length of the way between fixes that gives a first heading without a compass"});
     v("heading_sigma", heading_sigma,
       {.unit = "rad", .min = 0.01, .max = 1, .doc = "a heading from fixes must be known this well"});
   }
@@ -178,13 +212,25 @@ struct HealthOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("source_timeout", source_timeout,
-      {.unit = "s", .min = 0.05, .max = 100, .doc = "silence of a source, at least 2.5 of its own periods"});
+      {.unit = "s",
+       .min = 0.05,
+       .max = 100,
+       .doc = "a source that is silent for longer (and 2.5 of its own periods) makes the state DEGRADED"});
     v("lost_two_sigma", lost_two_sigma,
-      {.unit = "m", .min = 0.01, .max = 1000, .doc = "LOST when two standard deviations exceed it"});
+      {.unit = "m",
+       .min = 0.01,
+       .max = 1000,
+       .doc = "LOST when two standard deviations of the position exceed this; with it the robot stops"});
     v("degraded_two_sigma", degraded_two_sigma,
-      {.unit = "m", .min = 0.01, .max = 1000, .doc = "DEGRADED when two standard deviations exceed it"});
+      {.unit = "m",
+       .min = 0.01,
+       .max = 1000,
+       .doc = "DEGRADED when two standard deviations of the position exceed this"});
     v("lost_heading_sigma", lost_heading_sigma,
-      {.unit = "rad", .min = 0.01, .max = 3.15, .doc = "LOST when the heading is known worse"});
+      {.unit = "rad",
+       .min = 0.01,
+       .max = 3.15,
+       .doc = "LOST when the standard deviation of the heading exceeds this"});
     v("lost_rejection", lost_rejection,
       {.unit = "s",
        .min = 0.1,
@@ -194,6 +240,11 @@ struct HealthOptions {
       {.unit = "s", .min = 0, .max = 100, .doc = "DEGRADED so long after a jump of clock or estimate"});
   }
 };
+
+enum class OnClockJump { hold, reset };
+constexpr auto choice_table(OnClockJump) {
+  return choices<OnClockJump>({{OnClockJump::hold, "hold"}, {OnClockJump::reset, "reset"}});
+}
 
 struct EkfOptions {
   MeasurementLimits limits;
@@ -208,31 +259,37 @@ struct EkfOptions {
   int capacity = 2048;
   double course_speed = 0.3;
   double future_tolerance = 0.1;
-  std::string on_clock_jump = "hold";
+  OnClockJump on_clock_jump = OnClockJump::hold;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("limits", limits, {.doc = "what no sensor can mean"});
-    v("bias", bias, {.doc = "errors of sensors that are estimated"});
-    v("motion", motion, {.doc = "between and without wheel steps"});
-    v("gate", gate, {.doc = "outliers, and when they are none"});
-    v("adaptive", adaptive, {.doc = "noise of sources that declare too little"});
-    v("slip", slip, {.doc = "wheels that slip"});
-    v("initial", initial, {.doc = "the first pose"});
-    v("health", health, {.doc = "OK, DEGRADED, LOST"});
+    v("bias", bias, {.doc = "errors of sensors that the filter estimates"});
+    v("motion", motion, {.doc = "how the pose moves between and without wheel steps"});
+    v("gate", gate,
+      {.doc = "which measurements are outliers, and when a rejected source is believed after all"});
+    v("adaptive", adaptive, {.doc = "learning how noisy sources are that declare too little"});
+    v("slip", slip, {.doc = "finding wheels that slip"});
+    v("initial", initial, {.doc = "how the first pose is found"});
+    v("health", health, {.doc = "when the state is OK, DEGRADED, LOST"});
     v("window", window,
       {.unit = "s", .min = 0, .max = 10, .doc = "late measurements are used if not older than this"});
-    v("capacity", capacity, {.min = 16, .max = 65536, .doc = "measurements kept for that at most"});
+    v("capacity", capacity,
+      {.min = 16,
+       .max = 65536,
+       .doc = "how many measurements are kept for late ones; fewer shorten the window"});
     v("course_speed", course_speed,
       {.unit = "m/s",
        .min = 0,
        .max = 10,
-       .doc = "slower, the course over ground says nothing of the heading"});
+       .doc = "below this speed the course over ground says nothing of the heading"});
     v("future_tolerance", future_tolerance,
-      {.unit = "s", .min = 0, .max = 10, .doc = "stamps may be so far ahead of now"});
+      {.unit = "s",
+       .min = 0,
+       .max = 10,
+       .doc = "how far ahead of now a stamp may be; raise it for sensors whose clock runs ahead"});
     v("on_clock_jump", on_clock_jump,
-      {.choices = {"hold", "reset"},
-       .doc = "hold: keep the pose, less sure, and go on from the new time; reset: find a new first pose"});
+      {.doc = "hold: keep the pose, less sure, and go on from the new time; reset: find a new first pose"});
   }
 
   std::optional<std::string> violated_rule() const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -108,7 +109,7 @@ struct EkfState {
   SlipWatch slip;
   Time last_reset = kNever;  ///< last time a source took the estimate over
   int reset_source = -1;
-  std::array<SourceState, kMaxSources> sources;
+  std::vector<SourceState> sources{kUsualSources};  ///< by number
 
   Pose2 pose() const { return {x(0), x(1), x(2)}; }
 };

@@ -10,12 +10,14 @@ auto rank(const Measurement& m) { return std::tuple(stamp(m), m.index(), source(
 
 }  // namespace
 
-EventRing::EventRing(const Fusion& fusion, Duration window, int capacity)
+EventRing::EventRing(const Fusion& fusion, Duration window, int capacity, int sources)
     : fusion_(fusion),
       window_(window),
       events_(static_cast<std::size_t>(capacity)),
       order_(static_cast<std::size_t>(capacity)) {
   std::iota(order_.begin(), order_.end(), std::size_t{0});
+  base_.sources.resize(static_cast<std::size_t>(sources));
+  for (Event& event : events_) event.after = base_;
 }
 
 void EventRing::restart(const EkfState& state) {

@@ -11,7 +11,7 @@ namespace bw::localization {
 class EventRing {
  public:
   /// Fusion must outlive the ring.
-  EventRing(const Fusion& fusion, Duration window, int capacity);
+  EventRing(const Fusion& fusion, Duration window, int capacity, int sources);
 
   /// Forgets all measurements and goes on from `state`.
   void restart(const EkfState& state);

@@ -80,7 +80,7 @@ struct Applier {
 
   FusionResult operator()(const WheelStep& m) const {
     note_seen(source(m.source), m.time);
-    if (!advance(state, m, options)) return {Verdict::unusable};
+    if (!predict(state, m, options)) return {Verdict::unusable};
     note_used(source(m.source), m.time, true, 0.0, 0);
     return {};
   }
@@ -113,14 +113,14 @@ struct Applier {
   // The pose at the stamp; without wheels for long the state itself goes there.
   Extrapolated reach(Time time) const {
     if (time - state.last_wheel > Duration::seconds(options.motion.extrapolation))
-      advance_unknown(state, time, options);
+      predict_without_wheels(state, time, options);
     return extrapolate(state, time, options.motion);
   }
 
   template <int N>
   void correct_state(const Innovation<kStates, N>& z) const {
     const StateVector before = state.P.diagonal();
-    correct(state.x, state.P, z);
+    update(state.x, state.P, z);
     hold_definite(state.P, before);
     state.x(2) = wrap_angle(state.x(2));
     state.x(4) = wrap_angle(state.x(4));

@@ -46,7 +46,8 @@ class Assessment {
   void sources() {
     bool positions_come = false;
     Time position_used = kNever;
-    for (int i = 0; i < kMaxSources; ++i) {
+    const int count = static_cast<int>(state_.sources.size());
+    for (int i = 0; i < count; ++i) {
       const SourceState& s = state_.sources[static_cast<std::size_t>(i)];
       if (s.last_seen == kNever) continue;
       const double unseen = age(s.last_seen);

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "components/localization/chi_square.hpp"
-#include "components/localization/ekf/arc.hpp"
+#include "components/model/arc.hpp"
 
 namespace bw::localization {
 namespace {
@@ -74,7 +74,7 @@ std::optional<StartPose> InitialPose::add(const Measurement& measurement) {
     const Place& last = way_.back();
     if (step->time <= last.time) return std::nullopt;
     push(way_,
-         {step->time, advance_arc(last.X_OB, step->distance, step->turn).pose,
+         {step->time, advance_arc(last.X_OB, step->distance, step->turn),
           last.turn_variance + step->covariance(1, 1)},
          kMostPlaces);
   } else if (const auto* heading = std::get_if<HeadingReading>(&measurement)) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "components/localization/ekf/arc.hpp"
 #include "components/localization/ekf/correction.hpp"
 #include "components/localization/ekf/covariance_bounds.hpp"
 #include "components/localization/ekf/slip.hpp"
+#include "components/model/arc.hpp"
 
 namespace bw::localization {
 namespace {
@@ -45,9 +45,89 @@ void bound(StateMatrix& P) {
   hold_definite(P, P.diagonal());
 }
 
-void wander(StateMatrix& P, double dt, const BiasOptions& bias) {
+void add_process_noise(StateMatrix& P, double dt, const BiasOptions& bias) {
   if (bias.gyro_bias) P(3, 3) += bias.gyro_bias_walk * bias.gyro_bias_walk * dt;
   if (bias.heading_offset) P(4, 4) += bias.heading_offset_walk * bias.heading_offset_walk * dt;
+}
+
+// The state and the step (distance, turn), estimated together.
+struct Joint {
+  JointVector mean;
+  JointMatrix covariance = JointMatrix::Zero();
+
+  double& distance() { return mean(5); }
+  double& turn() { return mean(6); }
+  double gyro_bias() const { return mean(3); }
+  double& distance_variance() { return covariance(5, 5); }
+  double& turn_variance() { return covariance(6, 6); }
+};
+
+// `part` of the step belongs to the span of `dt` that the state is advanced by.
+Joint joined(const EkfState& state, const WheelStep& step, double part, double dt) {
+  Joint joint;
+  joint.mean << state.x, step.distance * part, step.turn * part;
+  joint.covariance.topLeftCorner<kStates, kStates>() = state.P;
+  const double stretch = std::max(part, part * part);  // what is extended is guessed
+  joint.covariance.bottomRightCorner<2, 2>() = stretch * sound_covariance(step);
+  joint.distance_variance() += kDistanceFloor * dt;
+  joint.turn_variance() += kTurnFloor * dt;
+  return joint;
+}
+
+// The gyro measures turn + bias dt.
+Innovation<kJoint, 1> gyro_innovation(const GyroSum& gyro, Joint& joint, double dt) {
+  const double scale = dt / gyro.covered;
+  Innovation<kJoint, 1> z;
+  z.H.setZero();
+  z.H(0, 3) = dt;
+  z.H(0, 6) = 1.0;
+  z.residual(0) = gyro.angle * scale - joint.turn() - joint.gyro_bias() * dt;
+  z.R(0, 0) = gyro.angle_variance * scale * scale;
+  return z;
+}
+
+// Corrects the step by the gyro; while wheels slip, what is to be taken off its distance.
+SlipCorrection update_by_gyro(EkfState& state, Joint& joint, const WheelStep& step, double dt,
+                              const EkfOptions& options) {
+  SlipCorrection correction;
+  const Innovation<kJoint, 1> z = gyro_innovation(state.gyro, joint, dt);
+  if (options.slip.enabled) {
+    const ComparedStep compared{
+        -z.residual(0), joint.turn_variance() + z.R(0, 0), dt, joint.distance(), joint.turn(),
+        step.separation};
+    watch_slip(state.slip, compared, state.P(3, 3), step.time, options.motion.acceleration, options.slip);
+    if (slipping(state.slip) && !gyro_in_doubt(state.slip, options.slip)) {
+      correction = take_back(state.slip, compared, step.time, options.slip);
+      joint.distance_variance() += correction.variance;
+      joint.turn_variance() += z.residual(0) * z.residual(0);
+    }
+  }
+  if (!gyro_in_doubt(state.slip, options.slip)) update(joint.mean, joint.covariance, z);
+  if (slipping(state.slip)) {
+    joint.turn_variance() += common_error(state.slip.excess.turned, z.residual(0), options.slip.kTurnShare);
+  }
+  return correction;
+}
+
+// x+ = f(x, distance, turn), P+ = J C J^T, J the derivatives of the arc.
+void move(EkfState& state, Joint& joint, double distance, double dt, const EkfOptions& options) {
+  const double turn = joint.turn();
+  const ArcStep arc = arc_step({joint.mean(0), joint.mean(1), joint.mean(2)}, distance, turn);
+  Eigen::Matrix<double, kStates, kJoint> J = Eigen::Matrix<double, kStates, kJoint>::Zero();
+  J.topLeftCorner<3, 3>() = arc.by_pose;
+  J(3, 3) = J(4, 4) = 1.0;
+  J.topRightCorner<3, 2>() = arc.by_step;
+  state.P = J * joint.covariance * J.transpose();
+  state.x << arc.pose.x, arc.pose.y, arc.pose.theta, joint.mean(3), joint.mean(4);
+  const double walked = options.motion.position_walk * options.motion.position_walk * std::abs(distance);
+  state.P(0, 0) += walked;
+  state.P(1, 1) += walked;
+  add_process_noise(state.P, dt, options.bias);
+  bound(state.P);
+
+  state.X_OB = advance_arc(state.X_OB, distance, turn);
+  state.odometer += std::abs(distance);
+  state.turned += turn;
 }
 
 }  // namespace
@@ -66,78 +146,30 @@ void add_gyro(EkfState& state, const GyroReading& reading, const EkfOptions& opt
   gyro.variance = reading.variance;
 }
 
-bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options) {
+bool predict(EkfState& state, const WheelStep& step, const EkfOptions& options) {
   const Duration ahead = step.time - state.time;
   if (ahead.nanoseconds <= 0) return false;
   if (seconds(ahead - step.over) > options.motion.extrapolation)
-    advance_unknown(state, step.time - step.over, options);
+    predict_without_wheels(state, step.time - step.over, options);
   const Duration span = step.time - state.time;
   const double dt = seconds(span);
   const double part = span == step.over ? 1.0 : dt / seconds(step.over);
 
-  JointVector joint;
-  joint << state.x, step.distance * part, step.turn * part;
-  JointMatrix covariance = JointMatrix::Zero();
-  covariance.topLeftCorner<kStates, kStates>() = state.P;
-  const double stretch = std::max(part, part * part);  // what is extended is guessed
-  covariance.bottomRightCorner<2, 2>() = stretch * sound_covariance(step);
-  covariance(5, 5) += kDistanceFloor * dt;
-  covariance(6, 6) += kTurnFloor * dt;
-
-  GyroSum& gyro = state.gyro;
+  Joint joint = joined(state, step, part, dt);
+  hold_gyro(state.gyro, state.time, step.time, options.motion.gyro_gap);
   SlipCorrection slip;
-  hold_gyro(gyro, state.time, step.time, options.motion.gyro_gap);
-  if (gyro.covered >= kCoverage * dt) {
-    const double scale = dt / gyro.covered;
-    Innovation<kJoint, 1> z;
-    z.H.setZero();
-    z.H(0, 3) = dt;
-    z.H(0, 6) = 1.0;
-    z.residual(0) = gyro.angle * scale - joint(6) - joint(3) * dt;
-    z.R(0, 0) = gyro.angle_variance * scale * scale;
-    if (options.slip.enabled) {
-      const ComparedStep compared{-z.residual(0), covariance(6, 6) + z.R(0, 0), dt, joint(5), joint(6),
-                                  step.separation};
-      watch_slip(state.slip, compared, state.P(3, 3), step.time, options.motion.acceleration, options.slip);
-      if (slipping(state.slip) && !gyro_in_doubt(state.slip, options.slip)) {
-        slip = take_back(state.slip, compared, step.time, options.slip);
-        covariance(5, 5) += slip.variance;
-        covariance(6, 6) += z.residual(0) * z.residual(0);
-      }
-    }
-    if (!gyro_in_doubt(state.slip, options.slip)) correct(joint, covariance, z);
-    if (slipping(state.slip)) {
-      covariance(6, 6) += common_error(state.slip.excess.turned, z.residual(0), options.slip.turn_share);
-    }
-  }
-  restart(gyro);
+  if (state.gyro.covered >= kCoverage * dt) slip = update_by_gyro(state, joint, step, dt, options);
+  restart(state.gyro);
 
-  const double travelled = joint(5) - slip.of_step;  // during this step
-  const double distance = travelled - slip.catch_up;
-  const double turn = joint(6);
-  const ArcStep arc = advance_arc({joint(0), joint(1), joint(2)}, distance, turn);
-  Eigen::Matrix<double, kStates, kJoint> J = Eigen::Matrix<double, kStates, kJoint>::Zero();
-  J.topLeftCorner<3, 3>() = arc.by_pose;
-  J(3, 3) = J(4, 4) = 1.0;
-  J.topRightCorner<3, 2>() = arc.by_step;
-  state.P = J * covariance * J.transpose();
-  state.x << arc.pose.x, arc.pose.y, arc.pose.theta, joint(3), joint(4);
-  const double walked = options.motion.position_walk * options.motion.position_walk * std::abs(distance);
-  state.P(0, 0) += walked;
-  state.P(1, 1) += walked;
-  wander(state.P, dt, options.bias);
-  bound(state.P);
-
-  state.X_OB = advance_arc(state.X_OB, distance, turn).pose;
-  state.odometer += std::abs(distance);
-  state.turned += turn;
-  state.twist = {travelled / dt, turn / dt};
+  const double travelled = joint.distance() - slip.of_step;  // during this step
+  move(state, joint, travelled - slip.catch_up, dt, options);
+  state.twist = {travelled / dt, joint.turn() / dt};
   state.time = step.time;
   state.last_wheel = step.time;
   return true;
 }
 
-void advance_unknown(EkfState& state, Time time, const EkfOptions& options) {
+void predict_without_wheels(EkfState& state, Time time, const EkfOptions& options) {
   const Duration span = time - state.time;
   if (span.nanoseconds <= 0) return;
   const double dt = seconds(span);
@@ -162,7 +194,7 @@ void advance_unknown(EkfState& state, Time time, const EkfOptions& options) {
     state.P(2, 2) += turned * turned * squares;
   }
   restart(gyro);
-  wander(state.P, dt, options.bias);
+  add_process_noise(state.P, dt, options.bias);
   bound(state.P);
 
   state.x(2) = wrap_angle(state.x(2) + turn);
@@ -175,7 +207,7 @@ void advance_unknown(EkfState& state, Time time, const EkfOptions& options) {
 
 Extrapolated extrapolate(const EkfState& state, Time time, const MotionOptions& options) {
   const double tau = std::max(0.0, seconds(time - state.time));
-  const ArcStep arc = advance_arc(state.pose(), state.twist.v * tau, state.twist.omega * tau);
+  const ArcStep arc = arc_step(state.pose(), state.twist.v * tau, state.twist.omega * tau);
   const double moved = options.acceleration * tau * tau / 2.0;
   const double turned = options.turn_acceleration * tau * tau / 2.0;
   return {arc.pose, arc.by_pose, moved * moved, turned * turned};

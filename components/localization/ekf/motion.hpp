@@ -13,14 +13,14 @@ namespace bw::localization {
 /// Adds a reading to the integral since the last wheel step (trapezoids; gaps stay uncovered).
 void add_gyro(EkfState& state, const GyroReading& reading, const EkfOptions& options);
 
-/// Advances to step.time. A step that began before state.time (the filter went on without it) or after it
+/// Predicts to step.time. A step that began before state.time (the filter went on without it) or after it
 /// (one was lost) is taken as the part or multiple that fits, if within motion.extrapolation; a longer gap
 /// is unknown motion. False when the step ends before state.time: nothing is done.
-bool advance(EkfState& state, const WheelStep& step, const EkfOptions& options);
+bool predict(EkfState& state, const WheelStep& step, const EkfOptions& options);
 
-/// Advances to `time` without wheels: the pose stays, its variance grows as (sigma_v tau)^2 with the time tau
+/// Predicts to `time` without wheels: the pose stays, its variance grows as (sigma_v tau)^2 with the time tau
 /// since the last wheel step; a gyro still turns the heading.
-void advance_unknown(EkfState& state, Time time, const EkfOptions& options);
+void predict_without_wheels(EkfState& state, Time time, const EkfOptions& options);
 
 /// The pose at `time` >= state.time by the last twist, its derivative by the state's pose, and the variance
 /// that acceleration adds to (position per axis, heading).

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "components/localization/chi_square.hpp"
-#include "components/localization/ekf/arc.hpp"
+#include "components/model/arc.hpp"
 
 namespace bw::localization {
 namespace {
@@ -24,8 +24,7 @@ Odometry odometry_at(const EkfState& state, Time time) {
   const double tau = std::max(0.0, (time - state.time).to_seconds());
   const double distance = state.twist.v * tau;
   const double turn = state.twist.omega * tau;
-  return {advance_arc(state.X_OB, distance, turn).pose, state.odometer + std::abs(distance),
-          state.turned + turn};
+  return {advance_arc(state.X_OB, distance, turn), state.odometer + std::abs(distance), state.turned + turn};
 }
 
 bool agrees(const RejectedRun& run, const Rejection& r, const Odometry& now, double probability) {
@@ -57,9 +56,9 @@ void append(RejectedRun& run, const Rejection& r, const Odometry& now) {
 
 bool supported_by_others(const EkfState& state, const Rejection& r, const RejectedRun& run,
                          const GateOptions& options) {
-  for (int i = 0; i < kMaxSources; ++i) {
-    const SourceState& other = state.sources[static_cast<std::size_t>(i)];
-    if (i == r.source || other.last_trusted < run.since) continue;
+  for (std::size_t i = 0; i < state.sources.size(); ++i) {
+    const SourceState& other = state.sources[i];
+    if (static_cast<int>(i) == r.source || other.last_trusted < run.since) continue;
     if (r.position && other.gives_position) return true;
     if (!r.position && r.heading && other.gives_heading) return true;
     const double driven = state.odometer - run.start_odometer;
@@ -69,9 +68,9 @@ bool supported_by_others(const EkfState& state, const Rejection& r, const Reject
 }
 
 bool heading_supported(const EkfState& state, int source, Time since) {
-  for (int i = 0; i < kMaxSources; ++i) {
-    const SourceState& other = state.sources[static_cast<std::size_t>(i)];
-    if (i != source && other.gives_heading && other.last_used >= since) return true;
+  for (std::size_t i = 0; i < state.sources.size(); ++i) {
+    const SourceState& other = state.sources[i];
+    if (static_cast<int>(i) != source && other.gives_heading && other.last_used >= since) return true;
   }
   return false;
 }

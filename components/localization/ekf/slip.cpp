@@ -75,7 +75,7 @@ void watch_slip(SlipWatch& watch, const ComparedStep& step, double bias_variance
   watch.turn = lambda * watch.turn + step.turn;
   const double e = watch.disagreement;
   const double variance = watch.variance + watch.time * watch.time * bias_variance;
-  const bool sign = e * e > options.gate * variance && std::abs(e) > options.least_rate * watch.time;
+  const bool sign = e * e > options.gate * variance && std::abs(e) > options.kLeastRate * watch.time;
   // Weak slip hides now and then; while it goes on, half of its largest disagreement is a sign too.
   if (sign || (slipping(watch) && std::abs(e) > 0.5 * watch.excess.peak)) {
     watch.seen = time;
@@ -112,7 +112,7 @@ SlipCorrection take_back(SlipWatch& watch, const ComparedStep& step, Time time, 
   }
   const double scatter =
       std::max(0.0, square - mean * mean) + std::max(0.0, 1.0 - fitting) * sum.travel * sum.travel;
-  const double rest = options.distance_share * sum.travel;
+  const double rest = options.kDistanceShare * sum.travel;
   const double variance = scatter + rest * rest;
 
   SlipCorrection correction;

@@ -10,9 +10,11 @@
 
 namespace bw::localization {
 
-/// log_weight[i] += share * sum over beams of log p(end | particle i), share = min(1, effective_beams /
-/// beams): beams of one sweep err together, and their plain product would be far too sure. `log_weight` is as
-/// long as the set. A particle that is not finite gets what the corner of the map gives.
+/// log_weight[i] += share * sum over beams of log p(end | particle i)
+/// share = min(1, effective_beams / beams)
+///
+/// Beams of one sweep err together, and their plain product would be far too sure. `log_weight` is as long as
+/// the set. A particle that is not finite gets what the corner of the map gives.
 void add_log_weights(const LikelihoodField& field, const BeamEnds& ends, const ParticleSet& particles,
                      std::span<double> log_weight);
 

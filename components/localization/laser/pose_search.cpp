@@ -55,7 +55,7 @@ void PoseSearch::begin(const BeamEnds& ends) {
   visited_ = 0;
   next_heading_ = 0;
   phase_ = ends_.size() == 0 ? Phase::finished : Phase::bounding;
-  least_score_ = static_cast<std::int32_t>(options_.least_fit * 255.0 * static_cast<double>(ends_.size()));
+  least_score_ = static_cast<std::int32_t>(options_.kLeastFit * 255.0 * static_cast<double>(ends_.size()));
   least_candidate_ = least_score_;
   candidates_ = 0;
   by_bound_.assign(kMostEnds * 255 / kBoundClass + 2, 0);
@@ -119,7 +119,7 @@ void PoseSearch::split_best() {
   if (node.level == tables_.finest()) {
     const Scored best = refined({X_MB, score(X_MB)});
     results_.push_back({best.X_MB, fit_of(best.score)});
-    const double least_fit = std::max(options_.least_fit, results_.front().fit - options_.margin);
+    const double least_fit = std::max(options_.kLeastFit, results_.front().fit - options_.margin);
     least_score_ = static_cast<std::int32_t>(least_fit * 255.0 * static_cast<double>(ends_.size()));
     return;
   }
@@ -172,7 +172,7 @@ void PoseSearch::finish() {
 bool PoseSearch::near_result(const Pose2& X_MB, double margin) const {
   return std::any_of(results_.begin(), results_.end(), [&](const PoseHypothesis& result) {
     return (result.X_MB.position() - X_MB.position()).norm() + margin < options_.apart &&
-           std::abs(wrap_angle(result.X_MB.theta - X_MB.theta)) < options_.apart_angle;
+           std::abs(wrap_angle(result.X_MB.theta - X_MB.theta)) < options_.kApartAngle;
   });
 }
 

@@ -54,8 +54,8 @@ class PoseSearchTables {
                        static_cast<std::size_t>(i)] != 0;
   }
 
-  /// Coarsest squares side by side, columns and rows of them; square (i, j) starts at cell (i, j) *
-  /// 2^coarsest.
+  /// Coarsest squares side by side, columns and rows of them. Square (i, j) starts at the cell
+  /// (i, j) * 2^coarsest.
   int blocks_x() const { return blocks_x_; }
   int blocks_y() const { return blocks_y_; }
   /// Those with free cells, as j * blocks_x + i.

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "components/localization/measurements.hpp"
+#include "components/localization/particle_filter/particle_filter_options.hpp"
 #include "components/localization/particle_filter/particle_set.hpp"
 
 namespace bw::localization {
@@ -46,7 +47,6 @@ double normalised_innovation(const Comparison& comparison, const ParticleSet& pa
                              const Differences& d);
 
 /// Adds to log_weight[i] what the law makes of the differences (particle_filter_options.hpp).
-enum class WeightLaw { gaussian, printed, printed_unscaled };
 void add_log_weights(const Comparison& comparison, const Differences& d, WeightLaw law,
                      std::vector<double>& log_weight);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "components/localization/ekf/arc.hpp"
+#include "components/model/arc.hpp"
 
 namespace bw::localization {
 namespace {
@@ -78,7 +78,7 @@ Time OdometryTrack::oldest() const { return std::max(place(0).time, newest_.time
 Pose2 OdometryTrack::at(Time time) const {
   if (time >= newest_.time) {
     const double tau = std::min(seconds(time - newest_.time), options_.extrapolation);
-    return advance_arc(newest_.X_OB, twist_.v * tau, twist_.omega * tau).pose;
+    return advance_arc(newest_.X_OB, twist_.v * tau, twist_.omega * tau);
   }
   std::size_t low = 0;  // place(low).time <= time < place(high).time
   std::size_t high = size_ - 1;
@@ -146,11 +146,11 @@ bool OdometryTrack::add(const WheelStep& step) {
   if (gyro_.covered >= kCoverage * dt) use_gyro(dt, turn, covariance, distance == 0.0 && turn == 0.0);
   gyro_.angle = gyro_.angle_variance = gyro_.covered = 0.0;
 
-  const ArcStep arc = advance_arc(behind_.X_BB, distance, turn);
+  const ArcStep arc = arc_step(behind_.X_BB, distance, turn);
   Eigen::Matrix3d C = arc.by_pose * behind_.covariance * arc.by_pose.transpose();
-  if (options_.noise == "declared" || options_.noise == "both")
+  if (options_.noise == MotionNoise::declared || options_.noise == MotionNoise::both)
     C += arc.by_step * covariance * arc.by_step.transpose();
-  if (options_.noise == "per_step") {
+  if (options_.noise == MotionNoise::per_step) {
     const Eigen::Vector3d sigma(options_.step_along, options_.step_across, options_.step_heading);
     const Eigen::Matrix3d R = turned_by(arc.pose.theta);
     C += R * sigma.cwiseAbs2().asDiagonal() * R.transpose();
@@ -163,7 +163,7 @@ bool OdometryTrack::add(const WheelStep& step) {
 
   odometer_ += std::abs(distance);
   twist_ = {distance / dt, turn / dt};
-  push(step.time, advance_arc(newest_.X_OB, distance, turn).pose);
+  push(step.time, advance_arc(newest_.X_OB, distance, turn));
   last_wheel_ = step.time;
   return true;
 }
@@ -190,7 +190,7 @@ void OdometryTrack::advance_unknown(Time time) {
 
 UncertainMotion OdometryTrack::behind() const {
   UncertainMotion motion = behind_;
-  if (options_.noise == "amcl" || options_.noise == "both")
+  if (options_.noise == MotionNoise::amcl || options_.noise == MotionNoise::both)
     motion.covariance += amcl_covariance(behind_.X_BB, options_);
   return motion;
 }

@@ -14,21 +14,16 @@ constexpr double kKnownHeading = 0.0625;  // (0.25 rad)^2: a heading from a way 
 constexpr double kLeastVariance = 1e-9;   // that an answer claims: a set may be one particle many times
 constexpr double kAnyHeading = 0.1;       // share of injected particles that look anywhere, without one
 
-WeightLaw law_named(const std::string& name) {
-  if (name == "printed") return WeightLaw::printed;
-  return name == "printed_unscaled" ? WeightLaw::printed_unscaled : WeightLaw::gaussian;
-}
-
 }  // namespace
 
-ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, std::uint64_t seed)
+ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, std::uint64_t seed, int sources)
     : options_(options),
-      law_(law_named(options.weight_law)),
       random_(seed),
       motion_(random_.bits()),
       track_(options.motion, Duration::seconds(options.window)),
       initial_(options.initial, options.gate.probability),
       stamps_(Duration::seconds(options.future_tolerance)),
+      sources_(static_cast<std::size_t>(sources)),
       recovery_(options.recovery, options.search) {
   for (int dof = 1; dof <= 3; ++dof) {
     gates_[static_cast<std::size_t>(dof)] = options.gate.enabled
@@ -102,7 +97,7 @@ Outcome ParticleFilter::add(const Measurement& measurement, Time now) {
 }
 
 Outcome ParticleFilter::sort_in(const Measurement& measurement, Time now) {
-  const Verdict sound = check(measurement, options_.limits);
+  const Verdict sound = check(measurement, options_.limits, static_cast<int>(sources_.size()));
   if (sound != Verdict::accepted) return {sound};
   SourceWatch& watch = source_watch(source(measurement));
   const Time time = stamp(measurement);
@@ -157,15 +152,15 @@ Outcome ParticleFilter::use(const M& reading) {
     differences(c, particles_, differences_);
   }
   log_weight_.assign(particles_.size(), 0.0);
-  add_log_weights(c, differences_, law_, log_weight_);
-  weigh();
+  add_log_weights(c, differences_, options_.weight_law, log_weight_);
+  update_weights();
   return outcome;
 }
 
 bool ParticleFilter::supported_by_others(const Comparison& c, int source, const RejectionRun& run) const {
-  for (int i = 0; i < kMaxSources; ++i) {
-    const SourceWatch& other = sources_[static_cast<std::size_t>(i)];
-    if (i == source || !other.ever_used() || other.last_used() < run.since) continue;
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const SourceWatch& other = sources_[i];
+    if (static_cast<int>(i) == source || !other.ever_used() || other.last_used() < run.since) continue;
     if (c.position ? other.gives_position() : other.gives_heading()) return true;
     const double driven = track_.odometer() - run.odometer;
     if (!c.position && other.gives_position() && driven >= options_.gate.heading_support) return true;
@@ -229,7 +224,7 @@ void ParticleFilter::refresh_estimate() {
 }
 
 // The set takes log_weight_ in, answers, and is drawn anew if few particles count.
-void ParticleFilter::weigh() {
+void ParticleFilter::update_weights() {
   if (!reweigh(particles_.weight, log_weight_)) {
     ++weightless_;
     return;
@@ -240,10 +235,10 @@ void ParticleFilter::weigh() {
   const ResamplingOptions& resampling = options_.resampling;
   if (since_resampling_ < resampling.resample_interval) return;
   if (effective_size_ > resampling.n_eff_share * static_cast<double>(particles_.size())) return;
-  draw_anew();
+  resample();
 }
 
-void ParticleFilter::draw_anew() {
+void ParticleFilter::resample() {
   const ParticleCountOptions& count = options_.count;
   std::size_t wanted = static_cast<std::size_t>(count.max_particles);
   if (count.min_particles < count.max_particles) {

@@ -1,4 +1,4 @@
-// Monte Carlo localization (spec 4, Algorithm 1; names and defaults of AMCL where it has them): particles
+// Monte Carlo localization (book 4, Algorithm 1; names and defaults of AMCL where it has them): particles
 // move with the wheels, each with its own noise, and are weighed by whatever a measurement tells.
 //
 //   ParticleFilter filter(options, seed);
@@ -37,7 +37,9 @@ namespace bw::localization {
 
 class ParticleFilter final : public Localizer {
  public:
-  explicit ParticleFilter(const ParticleFilterOptions& options, std::uint64_t seed = 1);
+  /// With room for so many sources.
+  explicit ParticleFilter(const ParticleFilterOptions& options, std::uint64_t seed = 1,
+                          int sources = kUsualSources);
   ParticleFilter(const ParticleFilter&) = delete;
   ParticleFilter& operator=(const ParticleFilter&) = delete;
 
@@ -79,23 +81,22 @@ class ParticleFilter final : public Localizer {
 
   void begin(Time time, bool anywhere);
   void follow();
-  void weigh();
+  void update_weights();
   void refresh_estimate();
-  void draw_anew();
+  void resample();
   Outcome use(const LaserReading& reading);
   /// `poses` at the sweep's stamp, X_SB from there to now; `ends` as seen from now.
   bool inject(const std::vector<PoseHypothesis>& poses, const Pose2& X_SB, const BeamEnds& ends);
   SourceWatch& source_watch(int source) { return sources_[static_cast<std::size_t>(source)]; }
 
   ParticleFilterOptions options_;
-  WeightLaw law_;
   std::array<double, 4> gates_{};  ///< by degrees of freedom
   Random random_;
   ParticleMotion motion_;
   OdometryTrack track_;
   InitialPose initial_;
   StampWatch stamps_;
-  std::array<SourceWatch, kMaxSources> sources_;
+  std::vector<SourceWatch> sources_;  ///< by number
   std::array<std::uint64_t, 16> counts_{};
 
   bool initialised_ = false;

@@ -34,11 +34,10 @@ void judge_spread(Report& report, const Eigen::Matrix3d& C, const HealthOptions&
     report.worsen(HealthState::lost, {HealthCause::uncertain_heading, -1, health.heading_sigma});
 }
 
-void judge_sources(Report& report, const std::array<SourceWatch, kMaxSources>& sources,
-                   const HealthOptions& limits) {
+void judge_sources(Report& report, const std::vector<SourceWatch>& sources, const HealthOptions& limits) {
   bool positions_come = false;
   double since_position = 1e9;
-  for (int i = 0; i < kMaxSources; ++i) {
+  for (int i = 0; i < static_cast<int>(sources.size()); ++i) {
     const SourceWatch& s = sources[static_cast<std::size_t>(i)];
     if (!s.heard()) continue;
     SourceHealth figures = s.health();

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kLaserKind = 100;  // no Measurement has this index
 
-Verdict check(const LaserReading& r) {
-  if (r.source < 0 || r.source >= kMaxSources) return Verdict::bad_source;
+Verdict check(const LaserReading& r, std::size_t sources) {
+  if (r.source < 0 || static_cast<std::size_t>(r.source) >= sources) return Verdict::bad_source;
   const bool on_robot = r.X_FL.position().norm() <= 100.0;
   return fault_of(r) == SweepFault::none && on_robot ? Verdict::accepted : Verdict::implausible;
 }
@@ -62,7 +62,7 @@ bool ParticleFilter::start_anywhere(Time time) {
 
 Outcome ParticleFilter::add(const LaserReading& reading, Time now) {
   const bool jumped = look_at_clock(now);
-  Outcome outcome{check(reading)};
+  Outcome outcome{check(reading, sources_.size())};
   if (outcome.verdict == Verdict::accepted) {
     SourceWatch& watch = source_watch(reading.source);
     if (!watch.is_kind(kLaserKind)) {
@@ -108,8 +108,8 @@ Outcome ParticleFilter::use(const LaserReading& reading) {
   if (!injected && !far && !use_next_sweep_) return {Verdict::unusable};
   log_weight_.assign(particles_.size(), 0.0);
   add_log_weights(*field_, ends_, particles_, log_weight_);
-  weigh();
-  if (injected && particles_.size() > static_cast<std::size_t>(options_.count.max_particles)) draw_anew();
+  update_weights();
+  if (injected && particles_.size() > static_cast<std::size_t>(options_.count.max_particles)) resample();
   X_OB_last_sweep_ = X_OS;
   use_next_sweep_ = false;
   source_watch(reading.source).note_compared(reading.time, true, 0.0, 0);
@@ -131,13 +131,13 @@ bool ParticleFilter::inject(const std::vector<PoseHypothesis>& poses, const Pose
   for (const PoseHypothesis& pose : poses) {
     all.push_back(pose.X_MB * X_SB);
     const ScanFit there = scan_fit(*field_, ends, all.back());
-    const bool clearly = there.agreement() > here.agreement() + o.better_by && there.hit > here.hit;
+    const bool clearly = there.agreement() > here.agreement() + o.kBetterBy && there.hit > here.hit;
     if (known ? clearly : there.agreement() >= o.scan_ok) better.push_back(all.back());
   }
   if (!known && better.empty()) better.swap(all);
   if (better.empty()) return false;
   const std::size_t before = particles_.size();
-  const double share = known ? o.rival_share : o.share;
+  const double share = known ? o.kRivalShare : o.share;
   const std::size_t each =
       std::max<std::size_t>(20, static_cast<std::size_t>(options_.count.max_particles) / better.size());
   particles_.resize(before + each * better.size());

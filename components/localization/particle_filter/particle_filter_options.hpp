@@ -9,6 +9,7 @@
 #include "components/localization/laser/pose_search_options.hpp"
 #include "components/localization/measurement_check.hpp"
 #include "components/localization/particle_filter/recovery_options.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::localization {
@@ -21,13 +22,15 @@ struct ParticleCountOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("min_particles", min_particles, {.min = 10, .max = 50000, .doc = "never fewer"});
+    v("min_particles", min_particles,
+      {.min = 10, .max = 50000, .doc = "fewest particles; raise it when the pose wavers"});
     v("max_particles", max_particles,
-      {.min = 10, .max = 50000, .doc = "never more; raise it for large maps without a known start"});
+      {.min = 10, .max = 50000, .doc = "most particles; raise it for large maps without a known start"});
     v("pf_err", pf_err,
       {.min = 0.001,
        .max = 1,
-       .doc = "error of the set as a distribution (Kullback-Leibler) that is allowed"});
+       .doc = "how far the set may be from the true distribution (Kullback-Leibler); lower takes more "
+              "particles"});
     v("pf_z", pf_z,
       {.min = 0, .max = 10, .doc = "normal quantile of keeping to pf_err: 0.99 means in 84 % of all cases"});
   }
@@ -37,8 +40,16 @@ struct ParticleCountOptions {
   }
 };
 
+/// Where the noise of the motion comes from (noise below).
+enum class MotionNoise { declared, amcl, both, per_step };
+constexpr auto choice_table(MotionNoise) {
+  using enum MotionNoise;
+  return choices<MotionNoise>(
+      {{declared, "declared"}, {amcl, "amcl"}, {both, "both"}, {per_step, "per_step"}});
+}
+
 struct ParticleMotionOptions {
-  std::string noise = "declared";
+  MotionNoise noise = MotionNoise::declared;
   double alpha1 = 0.2;
   double alpha2 = 0.2;
   double alpha3 = 0.2;
@@ -59,21 +70,33 @@ struct ParticleMotionOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("noise", noise,
-      {.choices = {"declared", "amcl", "both", "per_step"},
-       .doc = "declared: the covariance of each wheel step; amcl: alpha1 to alpha4 on the way between two "
+      {.doc = "declared: the covariance of each wheel step; amcl: alpha1 to alpha4 on the way between two "
               "updates; both: their sum; per_step: step_along, step_across, step_heading for every step"});
     v("alpha1", alpha1, {.min = 0, .max = 10, .doc = "noise of the turn by the turn, rad^2/rad^2"});
     v("alpha2", alpha2, {.min = 0, .max = 10, .doc = "noise of the turn by the way, rad^2/m^2"});
     v("alpha3", alpha3, {.min = 0, .max = 10, .doc = "noise of the way by the way, m^2/m^2"});
     v("alpha4", alpha4, {.min = 0, .max = 10, .doc = "noise of the way by the turn, m^2/rad^2"});
-    v("step_along", step_along, {.unit = "m", .min = 0, .max = 10, .doc = "standard deviation of per_step"});
-    v("step_across", step_across, {.unit = "m", .min = 0, .max = 10, .doc = "the same, sideways"});
-    v("step_heading", step_heading, {.unit = "rad", .min = 0, .max = 3, .doc = "the same of the heading"});
+    v("step_along", step_along,
+      {.unit = "m", .min = 0, .max = 10, .doc = "noise per_step: standard deviation along the way"});
+    v("step_across", step_across,
+      {.unit = "m", .min = 0, .max = 10, .doc = "noise per_step: standard deviation across the way"});
+    v("step_heading", step_heading,
+      {.unit = "rad", .min = 0, .max = 3, .doc = "noise per_step: standard deviation of the heading"});
     v("walk", walk,
-      {.unit = "m/sqrt(s)", .min = 0, .max = 1, .doc = "added to any motion: a set that rests dies out"});
-    v("heading_walk", heading_walk, {.unit = "rad/sqrt(s)", .min = 0, .max = 1, .doc = "the same, heading"});
+      {.unit = "m/sqrt(s)",
+       .min = 0,
+       .max = 1,
+       .doc = "spread of the position that is added to any motion, since a set that rests dies out"});
+    v("heading_walk", heading_walk,
+      {.unit = "rad/sqrt(s)",
+       .min = 0,
+       .max = 1,
+       .doc = "spread of the heading that is added to any motion"});
     v("gyro_bias_sigma", gyro_bias_sigma,
-      {.unit = "rad/s", .min = 0, .max = 1, .doc = "what is left of the bias after standing still"});
+      {.unit = "rad/s",
+       .min = 0,
+       .max = 1,
+       .doc = "standard deviation of what is left of the gyro bias after standing still"});
     v("gyro_gap", gyro_gap,
       {.unit = "s", .min = 0.001, .max = 1, .doc = "gyro readings further apart are not integrated"});
     v("longest_way", longest_way,
@@ -82,7 +105,10 @@ struct ParticleMotionOptions {
        .max = 2,
        .doc = "particles move at the latest after so long a way; 0: every step"});
     v("longest_turn", longest_turn,
-      {.unit = "rad", .min = 0, .max = 1, .doc = "the same of the turn; 0: every step"});
+      {.unit = "rad",
+       .min = 0,
+       .max = 1,
+       .doc = "particles move at the latest after so large a turn; 0: every step"});
     v("extrapolation", extrapolation,
       {.unit = "s",
        .min = 0,
@@ -94,7 +120,10 @@ struct ParticleMotionOptions {
        .max = 100,
        .doc = "standard deviation of the speed while wheels are silent"});
     v("silent_turn_rate", silent_turn_rate,
-      {.unit = "rad/s", .min = 0, .max = 100, .doc = "the same of the turn rate"});
+      {.unit = "rad/s",
+       .min = 0,
+       .max = 100,
+       .doc = "standard deviation of the turn rate while wheels are silent"});
   }
 };
 
@@ -105,9 +134,11 @@ struct ResamplingOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("n_eff_share", n_eff_share,
-      {.min = 0, .max = 1, .doc = "when fewer particles than this share count; 1: after every measurement"});
+      {.min = 0,
+       .max = 1,
+       .doc = "particles are drawn anew when fewer than this share count; 1: after every measurement"});
     v("resample_interval", resample_interval,
-      {.min = 1, .max = 100, .doc = "measurements between two resamplings at least"});
+      {.min = 1, .max = 100, .doc = "fewest measurements between two drawings"});
   }
 };
 
@@ -119,10 +150,13 @@ struct LaserUseOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("update_min_d", update_min_d,
-      {.unit = "m", .min = 0, .max = 10, .doc = "a sweep counts after so long a way; 0: every sweep"});
+      {.unit = "m", .min = 0, .max = 10, .doc = "a sweep is used after so long a way; 0: every sweep"});
     v("update_min_a", update_min_a,
-      {.unit = "rad", .min = 0, .max = 3, .doc = "or so large a turn; 0: every sweep"});
-    v("max_beams", max_beams, {.min = 3, .max = 10000, .doc = "beams of a sweep that are compared"});
+      {.unit = "rad", .min = 0, .max = 3, .doc = "a sweep is used after so large a turn; 0: every sweep"});
+    v("max_beams", max_beams,
+      {.min = 3,
+       .max = 10000,
+       .doc = "how many beams of a sweep are compared with the map; the time of an update grows with it"});
   }
 };
 
@@ -139,11 +173,19 @@ struct ParticleHealthOptions {
   }
 };
 
+/// What the errors of a particle make of its weight (weight_law below).
+enum class WeightLaw { gaussian, printed, printed_unscaled };
+constexpr auto choice_table(WeightLaw) {
+  using enum WeightLaw;
+  return choices<WeightLaw>(
+      {{gaussian, "gaussian"}, {printed, "printed"}, {printed_unscaled, "printed_unscaled"}});
+}
+
 struct ParticleFilterOptions {
   MeasurementLimits limits;
   ParticleCountOptions count;
   ParticleMotionOptions motion;
-  std::string weight_law = "gaussian";
+  WeightLaw weight_law = WeightLaw::gaussian;
   ResamplingOptions resampling;
   LaserUseOptions laser;
   LikelihoodFieldOptions field;
@@ -163,27 +205,31 @@ struct ParticleFilterOptions {
     v("count", count, {.doc = "how many particles"});
     v("motion", motion, {.doc = "how particles move"});
     v("weight_law", weight_law,
-      {.choices = {"gaussian", "printed", "printed_unscaled"},
-       .doc = "gaussian: exp(-d^2/2) of the errors in standard deviations; printed: exp(-d^0.4/2), as in the "
+      {.doc = "gaussian: exp(-d^2/2) of the errors in standard deviations; printed: exp(-d^0.4/2), as in the "
               "dissertation; printed_unscaled: the same of metres and radians as they are"});
     v("resampling", resampling, {.doc = "when particles are drawn anew"});
     v("laser", laser, {.doc = "which sweeps and beams count"});
-    v("field", field, {.doc = "what a beam says"});
+    v("field", field, {.doc = "what a beam says of a place"});
     v("search", search, {.doc = "the search over the whole map"});
     v("recovery", recovery, {.doc = "when to search, and what to do with what was found"});
-    v("gate", gate, {.doc = "outliers, and when they are none"});
-    v("initial", initial, {.doc = "the first pose from measurements"});
-    v("health", health, {.doc = "OK, DEGRADED, LOST"});
-    v("particle_health", particle_health, {.doc = "the same, for groups of particles"});
+    v("gate", gate,
+      {.doc = "which measurements are outliers, and when a rejected source is believed after all"});
+    v("initial", initial, {.doc = "how the first pose is found from measurements"});
+    v("health", health, {.doc = "when the state is OK, DEGRADED, LOST"});
+    v("particle_health", particle_health,
+      {.doc = "when groups of particles make the state DEGRADED or LOST"});
     v("window", window,
       {.unit = "s", .min = 0, .max = 10, .doc = "late measurements are used if not older than this"});
     v("course_speed", course_speed,
       {.unit = "m/s",
        .min = 0,
        .max = 10,
-       .doc = "slower, the course over ground says nothing of the heading"});
+       .doc = "below this speed the course over ground says nothing of the heading"});
     v("future_tolerance", future_tolerance,
-      {.unit = "s", .min = 0, .max = 10, .doc = "stamps may be so far ahead of now"});
+      {.unit = "s",
+       .min = 0,
+       .max = 10,
+       .doc = "how far ahead of now a stamp may be; raise it for sensors whose clock runs ahead"});
   }
 };
 

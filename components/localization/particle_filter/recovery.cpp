@@ -33,7 +33,7 @@ void Recovery::move_stamps(Time time) {
 }
 
 void Recovery::watch(const ScanFit& fit, Time time) {
-  if (fit.known < options_.least_known) return;
+  if (fit.known < options_.kLeastKnown) return;
   fit_ = fit.agreement();
   if (!searching_since_) {  // before, there is no place that a scan could fit from
     if (w_slow_ == 0.0) w_slow_ = w_fast_ = fit_;
@@ -55,10 +55,10 @@ bool Recovery::needed(Time time) const {
   const Time last = last_end_.value_or(settled_since_);
   const Duration settled = last - settled_since_;
   const Duration pause =
-      std::clamp(settled, Duration::seconds(options_.search_again), Duration::seconds(options_.verify_every));
+      std::clamp(settled, Duration::seconds(options_.search_again), Duration::seconds(options_.kVerifyEvery));
   if (time - last >= pause) return true;
   const double low =
-      options_.fallen_to * w_slow_;  // and still there: the short average takes its time to rise
+      options_.kFallenTo * w_slow_;  // and still there: the short average takes its time to rise
   return options_.recovery_alpha_slow > 0.0 && w_fast_ < low && fit_ < low;
 }
 

@@ -1,5 +1,4 @@
 // Adaptor of the local costmap: sweeps of the laser in; costs, and obstacles for the local planner out.
-#include <deque>
 #include <optional>
 #include <string>
 
@@ -14,7 +13,10 @@
 #include "components/messages/grid.hpp"
 #include "components/messages/laser.hpp"
 #include "components/messages/obstacles.hpp"
+#include "components/messages/placed.hpp"
+#include "components/messages/waiting_scans.hpp"
 #include "components/model/robot.hpp"
+#include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/transform_tree.hpp"
 
@@ -36,8 +38,7 @@ class LocalCostmapComponent final : public Component {
     obstacles_ = setup.output<bandwagon_msgs::msg::Obstacles>("obstacles");
     setup.input<sensor_msgs::msg::LaserScan>("scan", Qos::sensor(),
                                              [this](const auto& message, const Tick& tick) {
-                                               if (waiting_.size() >= kMostWaiting) waiting_.pop_front();
-                                               waiting_.push_back({message, tick.now});
+                                               waiting_.add(message, tick.now);
                                                take_in(tick.now);
                                              });
     tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::standard(), Need::optional);
@@ -49,13 +50,6 @@ class LocalCostmapComponent final : public Component {
   }
 
  private:
-  static constexpr std::size_t kMostWaiting = 4;
-
-  struct Waiting {
-    sensor_msgs::msg::LaserScan message;
-    Time received;
-  };
-
   void keep_map(const nav_msgs::msg::OccupancyGrid& message) {
     const std::string fault = read_grid(message, map_);
     if (fault.empty()) {
@@ -65,10 +59,8 @@ class LocalCostmapComponent final : public Component {
     }
   }
 
-  /// A sweep is usually here before the odometry of its time.
   void take_in(Time now) {
-    while (!waiting_.empty()) {
-      const sensor_msgs::msg::LaserScan& scan = waiting_.front().message;
+    waiting_.hand_over([&](const sensor_msgs::msg::LaserScan& scan, Time received) {
       const Time stamp = from_stamp(scan.header().stamp());
       const auto X_OL = transforms_->lookup_planar(odom_frame_, scan.header().frame_id(), stamp);
       const auto X_OB = transforms_->lookup_planar(odom_frame_, base_frame_, stamp);
@@ -76,13 +68,13 @@ class LocalCostmapComponent final : public Component {
         note("it has no stamp");
       } else if (X_OL && X_OB) {
         add(scan, stamp, *X_OL, *X_OB);
-      } else if (now - waiting_.front().received <= Duration::seconds(parameters_.transform_timeout)) {
-        return;
+      } else if (now - received <= Duration::seconds(parameters_.transform_timeout)) {
+        return false;
       } else {
         note("no transform to odom at the time of the sweep");
       }
-      waiting_.pop_front();
-    }
+      return true;
+    });
   }
 
   void add(const sensor_msgs::msg::LaserScan& message, Time stamp, const Pose2& X_OL, const Pose2& X_OB) {
@@ -114,25 +106,13 @@ class LocalCostmapComponent final : public Component {
   }
 
   std::vector<Disc> people_at(Time time) const {
-    std::vector<Disc> people;
-    if (!tracks_) return people;
-    const double age = (time - from_stamp(tracks_->header().stamp())).to_seconds();
-    const auto X_OF = transforms_->lookup_planar(odom_frame_, tracks_->header().frame_id());
-    if (!X_OF || std::abs(age) > parameters_.tracks_timeout) return people;
-    constexpr double kMostRadius = 1.0;  // [m]; more is no person
-    for (const auto& track : tracks_->tracks()) {
-      const Vector2 position(track.position().x() + age * track.velocity().x(),
-                             track.position().y() + age * track.velocity().y());
-      if (position.allFinite() && track.radius() >= 0.0 && track.radius() <= kMostRadius)
-        people.push_back({*X_OF * position, track.radius()});
-    }
-    return people;
+    const auto from = placed(tracks_, *transforms_, odom_frame_, time, parameters_.tracks_timeout);
+    return from ? to_discs(*tracks_, from->age, from->X_TF) : std::vector<Disc>{};
   }
 
   /// Says once why sweeps are not used, and once that they are again.
   void note(const std::string& fault) {
-    if (fault == fault_) return;
-    fault_ = fault;
+    if (!fault_.is_news(fault)) return;
     using Level = DiagnosticReporter::Level;
     if (fault.empty()) {
       diagnostics_->report(Level::ok, "sweeps are used");
@@ -148,9 +128,9 @@ class LocalCostmapComponent final : public Component {
   std::optional<Inflation> inflation_;
   OccupancyGrid cells_;
   OccupancyGrid map_;
-  std::deque<Waiting> waiting_;
+  WaitingScans waiting_;
   std::optional<Time> published_;
-  std::string fault_ = "none came yet";
+  Complaint fault_{"none came yet"};
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
   std::string odom_frame_;

@@ -24,20 +24,23 @@ struct GridOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("width", width, {.unit = "m", .min = 1, .max = 100, .doc = "of the window around the robot, along x"});
-    v("height", height, {.unit = "m", .min = 1, .max = 100, .doc = "of the window, along y"});
+    v("width", width,
+      {.unit = "m", .min = 1, .max = 100, .doc = "width of the window around the robot, along x"});
+    v("height", height,
+      {.unit = "m", .min = 1, .max = 100, .doc = "height of the window around the robot, along y"});
     v("resolution", resolution, {.unit = "m", .min = 0.01, .max = 1, .doc = "edge of a cell"});
     v("obstacle_min_range", obstacle_min_range,
       {.unit = "m", .min = 0, .max = 100, .doc = "nearer returns are not marked (the robot's own parts)"});
     v("obstacle_max_range", obstacle_max_range,
       {.unit = "m", .min = 0.1, .max = 100, .doc = "farther returns are not marked"});
     v("raytrace_max_range", raytrace_max_range,
-      {.unit = "m", .min = 0.1, .max = 100, .doc = "beams clear up to here"});
+      {.unit = "m", .min = 0.1, .max = 100, .doc = "beams clear cells up to this range"});
     v("hit_margin", hit_margin,
       {.unit = "m",
        .min = 0,
        .max = 1,
-       .doc = "beams clear nothing so close to their hit: three standard deviations of a range"});
+       .doc = "beams clear nothing this close to their hit: three standard deviations of a range; raise "
+              "it when walls wear away"});
     v("link_gap", link_gap,
       {.unit = "m",
        .min = 0,
@@ -72,7 +75,7 @@ struct InflationOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("inflation_radius", inflation_radius,
-      {.unit = "m", .min = 0, .max = 20, .doc = "farther from obstacles there is no cost"});
+      {.unit = "m", .min = 0, .max = 20, .doc = "cells farther than this from obstacles cost nothing"});
     v("cost_scaling_factor", cost_scaling_factor,
       {.unit = "1/m", .min = 0, .max = 1000, .doc = "how fast the cost falls; raise it to pass closer"});
     v("inflate_unknown", inflate_unknown, {.doc = "unknown cells near obstacles take costs too"});

@@ -1,8 +1,13 @@
 // Costs around obstacles by Nav2's formula, from exact distances, and how a costmap looks as an
 // OccupancyGrid.
 //
-//   254 in an obstacle cell, 253 for d <= inscribed, else trunc(252 exp(-cost_scaling_factor (d -
-//   inscribed))) up to inflation_radius, 0 beyond; 255 unknown.  d: distance between cell centres [m].
+//   254                                                       in an obstacle cell
+//   253                                                       for d <= inscribed
+//   trunc(252 exp(-cost_scaling_factor (d - inscribed)))      up to inflation_radius
+//   0                                                         beyond
+//   255                                                       unknown
+//
+// with d the distance between cell centres [m].
 #pragma once
 
 #include <cstdint>

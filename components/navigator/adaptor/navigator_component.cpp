@@ -109,24 +109,12 @@ class NavigatorComponent final : public Component {
   void send(const Tick& tick) {
     const NavigatorActions actions = navigator_->step(situation(tick));
     for (const GoalReport& report : actions.reports) {
-      log(report);
+      log(report, log_);
       publish(report, tick);
     }
     if (actions.follow)
       follow_request_.publish(to_message(*actions.follow, make_header(map_frame_, tick.now)));
     if (actions.plan) plan_request_.publish(to_message(*actions.plan, make_header(map_frame_, tick.now)));
-  }
-
-  void log(const GoalReport& report) const {
-    if (report.status == GoalStatus::succeeded) {
-      log_.info("goal {}: {} in {:.1f} s", report.goal_id, report.reason,
-                report.navigation_time.to_seconds());
-    } else if (report.status == GoalStatus::accepted) {
-      log_.info("goal {}: to ({:.2f}, {:.2f}, {:.2f})", report.goal_id, report.X_MG.x, report.X_MG.y,
-                report.X_MG.theta);
-    } else if (!report.reason.empty()) {
-      log_.warn("goal {}: {}", report.goal_id, report.reason);
-    }
   }
 
   void publish(const GoalReport& report, const Tick& tick) {

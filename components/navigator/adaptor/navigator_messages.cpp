@@ -21,6 +21,8 @@ bandwagon_msgs::msg::FollowRequest to_message(const FollowOrder& order, const st
   message.id(order.id);
   message.mode(static_cast<std::uint8_t>(order.mode));
   message.path(to_path(header.frame_id(), from_stamp(header.stamp()), order.path));
+  message.xy_tolerance(order.tolerance.xy);
+  message.yaw_tolerance(order.tolerance.yaw);
   return message;
 }
 
@@ -33,6 +35,8 @@ bandwagon_msgs::msg::NavigationStatus to_message(const GoalReport& report,
   message.reason(report.reason);
   message.goal().header(header);
   message.goal().pose(to_pose(report.X_MG));
+  message.xy_tolerance(report.tolerance.xy);
+  message.yaw_tolerance(report.tolerance.yaw);
   message.distance_remaining(report.distance_remaining);
   message.number_of_recoveries(report.recoveries);
   message.navigation_time(to_message(report.navigation_time));
@@ -48,6 +52,17 @@ PlanAnswer from_message(const bandwagon_msgs::msg::PlanResult& message) {
 FollowReport from_message(const bandwagon_msgs::msg::FollowStatus& message) {
   constexpr auto kLast = static_cast<std::uint8_t>(FollowState::failed);
   return {message.id(), static_cast<FollowState>(std::min(message.status(), kLast)), message.reason()};
+}
+
+void log(const GoalReport& report, const Logger& log) {
+  if (report.status == GoalStatus::succeeded) {
+    log.info("goal {}: {} in {:.1f} s", report.goal_id, report.reason, report.navigation_time.to_seconds());
+  } else if (report.status == GoalStatus::accepted) {
+    log.info("goal {}: to ({:.2f}, {:.2f}, {:.2f})", report.goal_id, report.X_MG.x, report.X_MG.y,
+             report.X_MG.theta);
+  } else if (!report.reason.empty()) {
+    log.warn("goal {}: {}", report.goal_id, report.reason);
+  }
 }
 
 }  // namespace bw

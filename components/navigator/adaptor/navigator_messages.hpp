@@ -1,4 +1,4 @@
-// The navigator's words as messages. Pure conversions.
+// The navigator's words as messages, and for people. Pure conversions.
 #pragma once
 
 #include <bandwagon_msgs/msg/follow_request.hpp>
@@ -8,6 +8,7 @@
 #include <bandwagon_msgs/msg/plan_result.hpp>
 
 #include "components/navigator/goal_messages.hpp"
+#include "runtime/logger.hpp"
 
 namespace bw {
 
@@ -20,5 +21,8 @@ bandwagon_msgs::msg::NavigationStatus to_message(const GoalReport& report,
 /// A status from outside the known ones reads as the last, a failure.
 PlanAnswer from_message(const bandwagon_msgs::msg::PlanResult& message);
 FollowReport from_message(const bandwagon_msgs::msg::FollowStatus& message);
+
+/// One line for people; nothing for what is only told on the way.
+void log(const GoalReport& report, const Logger& log);
 
 }  // namespace bw

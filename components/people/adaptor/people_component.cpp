@@ -1,22 +1,16 @@
 #include "components/people/adaptor/people_component.hpp"
 
-#include <cmath>
-
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
 #include "components/messages/laser.hpp"
 #include "components/messages/obstacles.hpp"
+#include "components/messages/placed.hpp"
 
 namespace bw::people {
 namespace {
 
-constexpr std::size_t kMostWaiting = 4;  // scans whose odometry has not come
 constexpr Duration kSilence = Duration::milliseconds(500);
 const Duration kMarkerLifetime = Duration::milliseconds(250);
-
-PersonState state_of(const TrackedPerson& person) {
-  return {person.id, person.position, person.velocity, person.covariance, person.radius};
-}
 
 }  // namespace
 
@@ -50,7 +44,7 @@ void PeopleComponent::configure(Setup& setup) {
     setup.input<nav_msgs::msg::OccupancyGrid>(
         "map", Qos::latched(), [this](const auto& message, const Tick&) { on_map(message); }, Need::optional);
   }
-  if (parameters.prediction.model == "social_force") {
+  if (parameters.prediction.model == PredictionModel::social_force) {
     obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::standard(), Need::optional);
   }
   setup.every(Duration::milliseconds(500), "health", [this](const Tick& tick) { report_health(tick); });
@@ -75,31 +69,23 @@ void PeopleComponent::on_map(const nav_msgs::msg::OccupancyGrid& message) {
 
 void PeopleComponent::on_scan(const sensor_msgs::msg::LaserScan& message) {
   if (from_stamp(message.header().stamp()) == Time{}) return refuse("it has no stamp");
-  if (waiting_.size() >= kMostWaiting) {
-    waiting_.pop_front();
-    refuse("no odometry at its stamp");
-  }
-  waiting_.push_back(message);
+  if (!waiting_.add(message, now_)) refuse("no odometry at its stamp");
   look();
 }
 
 void PeopleComponent::look() {
-  while (!waiting_.empty()) {
-    const Time stamp = from_stamp(waiting_.front().header().stamp());
-    const auto X_OB = odometry_.lookup_planar(odom_frame_, base_frame_, stamp);
-    if (!X_OB) return;  // odometry of that moment may still come
-    const sensor_msgs::msg::LaserScan scan = std::move(waiting_.front());
-    waiting_.pop_front();
-    look_at(scan, *X_OB);
-  }
+  waiting_.hand_over([this](const sensor_msgs::msg::LaserScan& scan, Time) {
+    const auto X_OB = odometry_.lookup_planar(odom_frame_, base_frame_, from_stamp(scan.header().stamp()));
+    if (X_OB) look_at(scan, *X_OB);
+    return X_OB.has_value();
+  });
 }
 
 void PeopleComponent::look_at(const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB) {
   const LaserSweep sweep = to_sweep(scan, X_OB * mounts_.of(scan.header().frame_id()));
   if (const SweepFault fault = fault_for_people(sweep); fault != SweepFault::none)
     return refuse(to_text(fault));
-  if (!refused_.empty()) log_.info("scans are sound again");
-  refused_.clear();
+  if (refused_.is_news("")) log_.info("scans are sound again");
   last_look_ = now_;
   Surroundings surroundings;
   if (!map_of_detector_.empty())
@@ -110,46 +96,23 @@ void PeopleComponent::look_at(const sensor_msgs::msg::LaserScan& scan, const Pos
   publish(detections, tracker_->update(detections));
 }
 
-void PeopleComponent::publish(const DetectionSet& detections, const std::vector<TrackedPerson>& tracked) {
+void PeopleComponent::publish(const DetectionSet& detections, std::vector<TrackedPerson> people) {
   const std_msgs::msg::Header header = make_header(odom_frame_, detections.time);
-  const std::vector<ReportedPerson> reported = report_of(tracked, detections.time);
-  tracks_.publish(to_tracks(reported, header));
-  people_.publish(to_people(reported, header));
-  if (people_markers_.has_readers()) people_markers_.publish(to_markers(reported, kMarkerLifetime, header));
+  predictor_->predict(people, walls_at(detections.time), detections.time);
+  tracks_.publish(to_tracks(people, header));
+  people_.publish(to_people(people, header));
+  if (people_markers_.has_readers()) people_markers_.publish(to_markers(people, kMarkerLifetime, header));
   if (leg_markers_.has_readers()) leg_markers_.publish(to_markers(detections, kMarkerLifetime, header));
 }
 
-std::vector<ReportedPerson> PeopleComponent::report_of(const std::vector<TrackedPerson>& tracked, Time time) {
-  std::vector<PersonState> states;
-  states.reserve(tracked.size());
-  for (const TrackedPerson& person : tracked) states.push_back(state_of(person));
-  const auto predictions = predictor_->predict(states, walls_at(time), time);
-  std::vector<ReportedPerson> reported;
-  for (std::size_t i = 0; i < tracked.size(); ++i) {
-    const TrackedPerson& person = tracked[i];
-    reported.push_back({{.id = person.id,
-                         .position = person.position,
-                         .velocity = person.velocity,
-                         .radius = person.radius,
-                         .predictions = predictions[i]},
-                        person.covariance,
-                        person.confidence});
-  }
-  return reported;
-}
-
 StaticObstacles PeopleComponent::walls_at(Time time) const {
-  if (!obstacles_) return {};
-  const double age = (time - from_stamp(obstacles_->header().stamp())).to_seconds();
-  const auto X_OF = transforms_->lookup_planar(odom_frame_, obstacles_->header().frame_id());
-  if (!X_OF || std::abs(age) > obstacles_timeout_) return {};
-  return to_obstacles(*obstacles_, *X_OF);
+  const auto from = placed(obstacles_, *transforms_, odom_frame_, time, obstacles_timeout_);
+  return from ? to_obstacles(*obstacles_, from->X_TF) : StaticObstacles{};
 }
 
 void PeopleComponent::refuse(const std::string& why) {
   ++refusals_;
-  if (refused_ != why) log_.warn("a scan is not looked at: {}", why);
-  refused_ = why;
+  if (refused_.is_news(why)) log_.warn("a scan is not looked at: {}", why);
 }
 
 void PeopleComponent::report_health(const Tick& tick) {
@@ -158,8 +121,8 @@ void PeopleComponent::report_health(const Tick& tick) {
   diagnostics_->set_value("people", std::to_string(tracker_->people().size()));
   diagnostics_->set_value("other_clusters", std::to_string(tracker_->cluster_count()));
   const bool blind = !last_look_ || tick.now - *last_look_ > kSilence;
-  if (!refused_.empty()) {
-    diagnostics_->report(Level::error, "scans are refused: " + refused_);
+  if (refused_) {
+    diagnostics_->report(Level::error, "scans are refused: " + refused_.what());
   } else if (blind) {
     diagnostics_->report(Level::error, "no scan to look at");
   } else {

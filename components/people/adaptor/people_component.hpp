@@ -1,7 +1,6 @@
 // Adaptor: scans and odometry in; tracked people with predictions out. Topics: README.md.
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,11 +14,13 @@
 #include <visualization_msgs/msg/marker_array.hpp>
 
 #include "components/messages/people.hpp"
+#include "components/messages/waiting_scans.hpp"
 #include "components/people/adaptor/detection_markers.hpp"
 #include "components/people/detector/detector.hpp"
 #include "components/people/people_parameters.hpp"
 #include "components/people/prediction/predictor.hpp"
 #include "components/people/tracker/tracker.hpp"
+#include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/sensor_mounts.hpp"
 
@@ -36,8 +37,7 @@ class PeopleComponent final : public Component {
   /// Looks at the scans whose odometry has come, in order.
   void look();
   void look_at(const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB);
-  void publish(const DetectionSet& detections, const std::vector<TrackedPerson>& tracked);
-  std::vector<ReportedPerson> report_of(const std::vector<TrackedPerson>& tracked, Time time);
+  void publish(const DetectionSet& detections, std::vector<TrackedPerson> people);
   /// What people walk round, in odom; nothing when the obstacles are too old or their place is unknown.
   StaticObstacles walls_at(Time time) const;
   void refuse(const std::string& why);  ///< counts a scan that is not looked at, and says so once
@@ -47,11 +47,11 @@ class PeopleComponent final : public Component {
   std::unique_ptr<Tracker> tracker_;
   std::unique_ptr<Predictor> predictor_;
   TransformTree odometry_;  ///< of the last seconds
-  std::deque<sensor_msgs::msg::LaserScan> waiting_;
+  WaitingScans waiting_;
   Latest<bandwagon_msgs::msg::Obstacles> obstacles_;  ///< only for social_force
   double obstacles_timeout_ = 0.0;                    ///< [s]
   std::string map_of_detector_;                       ///< frame of the map; empty without one
-  std::string refused_;                               ///< why the last scan was; empty when it was not
+  Complaint refused_;                                 ///< why the last scan was not looked at
   std::uint64_t refusals_ = 0;
   std::optional<Time> last_look_;  ///< on the component clock
   Time now_;

@@ -18,14 +18,21 @@ struct ClusterOptions {
     v("jump", jump,
       {.unit = "m", .min = 0.01, .max = 1, .doc = "neighbouring points farther apart part two clusters"});
     v("growth", growth,
-      {.min = 0, .max = 5, .doc = "added to it: this share of the distance between beams there"});
+      {.min = 0,
+       .max = 5,
+       .doc = "this share of the distance between beams at that range is added to jump; raise it for "
+              "coarse scanners"});
     v("edge_jump", edge_jump,
       {.unit = "m",
        .min = 0.005,
        .max = 1,
-       .doc = "in place of jump where background meets what is none, so that a leg leaves its wall"});
-    v("bridge", bridge, {.min = 0, .max = 20, .doc = "so many unusable beams do not part a cluster"});
-    v("min_points", min_points, {.min = 1, .max = 100, .doc = "smaller clusters are noise"});
+       .doc = "used in place of jump where background meets foreground, so that a leg leaves its wall"});
+    v("bridge", bridge,
+      {.min = 0, .max = 20, .doc = "this many unusable beams in a row do not part a cluster"});
+    v("min_points", min_points,
+      {.min = 1,
+       .max = 100,
+       .doc = "clusters of fewer points are noise; raise it for fine or noisy scanners"});
     v("max_range", max_range,
       {.unit = "m", .min = 0.5, .max = 100, .doc = "points farther away are not looked at"});
   }
@@ -47,15 +54,23 @@ struct BackgroundOptions {
       {.unit = "m",
        .min = 0,
        .max = 1,
-       .doc = "to an occupied cell; raise it when the pose in the map errs more than 0.1 m and 1 degree"});
+       .doc = "how near to an occupied cell of the map a point is background; raise it when the pose in "
+              "the map errs more than 0.1 m and 1 degree"});
     v("cell", cell, {.unit = "m", .min = 0.02, .max = 0.5, .doc = "edge of a cell of the local background"});
     v("stood", stood,
-      {.unit = "s", .min = 0.2, .max = 60, .doc = "what was there for so long is background"});
+      {.unit = "s",
+       .min = 0.2,
+       .max = 60,
+       .doc = "what stood for this long is background; raise it where people stand about"});
     v("forget", forget,
       {.min = 0.1, .max = 100, .doc = "a cell seen through loses its time so many times faster"});
     v("keep_out", keep_out,
-      {.unit = "m", .min = 0, .max = 2, .doc = "round a tracked person nothing becomes background"});
-    v("share", share, {.min = 0.1, .max = 1, .doc = "of a cluster's points on background: then all of it"});
+      {.unit = "m",
+       .min = 0,
+       .max = 2,
+       .doc = "nothing becomes background within this distance of a tracked person"});
+    v("share", share,
+      {.min = 0.1, .max = 1, .doc = "a cluster is background when this share of its points is"});
   }
 };
 
@@ -66,9 +81,10 @@ struct LegFitOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("radius", radius, {.unit = "m", .min = 0.02, .max = 0.2, .doc = "of a leg at the laser's height"});
+    v("radius", radius,
+      {.unit = "m", .min = 0.02, .max = 0.2, .doc = "radius of a leg at the laser's height"});
     v("radius_sigma", radius_sigma,
-      {.unit = "m", .min = 0.001, .max = 0.1, .doc = "standard deviation among people"});
+      {.unit = "m", .min = 0.001, .max = 0.1, .doc = "standard deviation of that radius among people"});
     v("range_noise", range_noise,
       {.unit = "m", .min = 0.001, .max = 0.2, .doc = "standard deviation of a range"});
   }

@@ -5,12 +5,21 @@
 #include <string>
 
 #include "components/model/social_force.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::people {
 
+enum class PredictionModel { constant_velocity, constant_turn_rate, social_force };
+constexpr auto choice_table(PredictionModel) {
+  using enum PredictionModel;
+  return choices<PredictionModel>({{constant_velocity, "constant_velocity"},
+                                   {constant_turn_rate, "constant_turn_rate"},
+                                   {social_force, "social_force"}});
+}
+
 struct PredictionOptions {
-  std::string model = "constant_velocity";
+  PredictionModel model = PredictionModel::constant_velocity;
   double horizon = 4.0;
   double step = 0.5;
   double spread_along = 0.0;
@@ -24,8 +33,7 @@ struct PredictionOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("model", model,
-      {.choices = {"constant_velocity", "constant_turn_rate", "social_force"},
-       .doc = "constant_velocity: straight on; constant_turn_rate: the turn goes on and dies out; "
+      {.doc = "constant_velocity: straight on; constant_turn_rate: the turn goes on and dies out; "
               "social_force: straight "
               "on, but round one another and along walls"});
     v("horizon", horizon, {.unit = "s", .min = 0, .max = 20, .doc = "how far ahead positions are predicted"});
@@ -35,9 +43,13 @@ struct PredictionOptions {
        .min = 0,
        .max = 10,
        .doc = "white acceleration along the way that people may show against the prediction"});
-    v("spread_across", spread_across, {.unit = "m^2/s^3", .min = 0, .max = 10, .doc = "the same across it"});
+    v("spread_across", spread_across,
+      {.unit = "m^2/s^3",
+       .min = 0,
+       .max = 10,
+       .doc = "white acceleration across the way that people may show against the prediction"});
     v("walking_speed", walking_speed,
-      {.unit = "m/s", .min = 0, .max = 2, .doc = "slower, a velocity shows no heading and no turn"});
+      {.unit = "m/s", .min = 0, .max = 2, .doc = "below this speed a velocity shows no heading and no turn"});
     v("turn_window", turn_window,
       {.unit = "s", .min = 0.1, .max = 10, .doc = "time over which the turn rate is averaged"});
     v("turn_memory", turn_memory,
@@ -46,7 +58,7 @@ struct PredictionOptions {
       {.min = 0,
        .max = 1,
        .doc = "how fast the size of predicted ellipses follows what people do; 0: fixed"});
-    v("forces", forces, {.doc = "social_force"});
+    v("forces", forces, {.doc = "the forces of model: social_force"});
   }
 
   std::optional<std::string> violated_rule() const {

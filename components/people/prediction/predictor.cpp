@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "components/people/prediction/social_prediction.hpp"
 
@@ -10,12 +11,12 @@ namespace {
 
 constexpr Duration kForget = Duration::milliseconds(5000);
 
-bool is_finite_person(const PersonState& p) {
+bool is_finite_person(const TrackedPerson& p) {
   return p.position.allFinite() && p.velocity.allFinite() && p.covariance.allFinite();
 }
 
-/// Displacement after t [s] with a turn rate that dies out: the heading turns by omega tau (1 - exp(-t /
-/// tau)); the way is summed up in small chords.
+/// Displacement after t [s] with a turn rate that dies out. The heading turns by
+/// omega tau (1 - exp(-t / tau)); the way is summed up in small chords.
 Vector2 arc(const Vector2& velocity, double omega, double tau, double t) {
   constexpr double kChord = 0.05;  // [s]
   const double speed = velocity.norm();
@@ -33,7 +34,8 @@ Vector2 arc(const Vector2& velocity, double omega, double tau, double t) {
 
 }  // namespace
 
-Eigen::Matrix2d predicted_covariance(const PersonState& person, double t, const PredictionOptions& options) {
+Eigen::Matrix2d predicted_covariance(const TrackedPerson& person, double t,
+                                     const PredictionOptions& options) {
   const Eigen::Matrix4d& P = person.covariance;
   const Eigen::Matrix2d cross = P.topRightCorner<2, 2>();
   Eigen::Matrix2d C =
@@ -50,7 +52,7 @@ Eigen::Matrix2d predicted_covariance(const PersonState& person, double t, const 
   return 0.5 * (C + C.transpose());
 }
 
-double Predictor::turn_rate(const PersonState& person, Time now) {
+double Predictor::turn_rate(const TrackedPerson& person, Time now) {
   if (person.velocity.norm() < options_.walking_speed) {
     turns_.erase(person.id);
     return 0.0;
@@ -67,24 +69,23 @@ double Predictor::turn_rate(const PersonState& person, Time now) {
   return turn.rate;
 }
 
-std::vector<std::vector<PredictedPosition>> Predictor::predict(const std::vector<PersonState>& people,
-                                                               const StaticObstacles& walls, Time now) {
+void Predictor::predict(std::vector<TrackedPerson>& people, const StaticObstacles& walls, Time now) {
   calibration_.forget(now - kForget);
   std::erase_if(turns_, [&](const auto& turn) { return now - turn.second.time > kForget; });
-  std::vector<PersonState> sound;
-  for (const PersonState& person : people) {
-    if (is_finite_person(person)) sound.push_back(person);
-  }
   std::vector<std::vector<Vector2>> walked;
-  if (options_.model == "social_force") walked = walk_on(sound, walls, options_);
+  if (options_.model == PredictionModel::social_force) {
+    std::vector<TrackedPerson> sound;
+    std::copy_if(people.begin(), people.end(), std::back_inserter(sound), is_finite_person);
+    walked = walk_on(sound, walls, options_);
+  }
 
   const int steps = static_cast<int>(std::floor(options_.horizon / options_.step + 1e-9));
-  std::vector<std::vector<PredictedPosition>> result;
   std::size_t index = 0;
-  for (const PersonState& person : people) {
-    std::vector<PredictedPosition>& predictions = result.emplace_back();
+  for (TrackedPerson& person : people) {
+    std::vector<PredictedPosition>& predictions = person.predictions;
+    predictions.clear();
     if (!is_finite_person(person)) continue;
-    const double omega = options_.model == "constant_turn_rate" ? turn_rate(person, now) : 0.0;
+    const double omega = options_.model == PredictionModel::constant_turn_rate ? turn_rate(person, now) : 0.0;
     for (int k = 1; k <= steps; ++k) {
       const double t = k * options_.step;
       Vector2 place = person.position + t * person.velocity;
@@ -97,7 +98,6 @@ std::vector<std::vector<PredictedPosition>> Predictor::predict(const std::vector
     calibration_.expect(person.id, now, predictions);
     for (std::size_t k = 0; k < predictions.size(); ++k) predictions[k].covariance *= calibration_.size(k);
   }
-  return result;
 }
 
 }  // namespace bw::people

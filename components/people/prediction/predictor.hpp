@@ -1,9 +1,9 @@
-// Where people will be: positions with covariance over the planner's horizon (spec 7.3, 7.6).
+// Where people will be: positions with covariance over the planner's horizon (book 7.8).
 //
 //   mean        constant velocity:   p + v t
 //               constant turn rate:  an arc whose turn rate dies out, omega(t) = omega exp(-t / turn_memory)
-//               social force:        everybody wants to keep their velocity and is pushed by the others and
-//               by walls
+//               social force:        everybody wants to keep their velocity, and is pushed by the others
+//                                    and by walls
 //   covariance  J P J^T + R(heading) diag(spread_along, spread_across) R^T t^3 / 3,   J = [I  t I]
 //               P of (position, velocity) as tracked; the second term is what white acceleration adds; all of
 //               it scaled so that 95 % of the ellipses hold the truth (calibration.hpp)
@@ -13,21 +13,12 @@
 #include <map>
 #include <vector>
 
-#include "components/model/obstacles.hpp"
+#include "components/model/tracked_person.hpp"
 #include "components/people/prediction/calibration.hpp"
 #include "components/people/prediction/prediction_options.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw::people {
-
-/// Somebody as tracked. All in one frame that does not turn (odom); SI units.
-struct PersonState {
-  std::uint32_t id = 0;
-  Vector2 position{0.0, 0.0};
-  Vector2 velocity{0.0, 0.0};
-  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< of (x, y, vx, vy)
-  double radius = 0.3;                                   ///< [m]
-};
 
 /// Remembers headings, for turn rates, and how good its predictions were, for the size of their ellipses.
 class Predictor {
@@ -35,10 +26,9 @@ class Predictor {
   explicit Predictor(const PredictionOptions& options)
       : options_(options), calibration_(options.calibration_rate) {}
 
-  /// Predictions of each of `people` at `now`, at step, 2 step, ... up to the horizon; none for a person who
-  /// is not finite. `walls` only matter to social_force.
-  std::vector<std::vector<PredictedPosition>> predict(const std::vector<PersonState>& people,
-                                                      const StaticObstacles& walls, Time now);
+  /// Sets the predictions of each of `people` at `now`, at step, 2 step, ... up to the horizon; none of a
+  /// person who is not finite. `walls`, in the frame of the people, only matter to social_force.
+  void predict(std::vector<TrackedPerson>& people, const StaticObstacles& walls, Time now);
 
  private:
   struct Turn {
@@ -47,7 +37,7 @@ class Predictor {
     double rate = 0.0;     ///< [rad/s], averaged
   };
 
-  double turn_rate(const PersonState& person, Time now);
+  double turn_rate(const TrackedPerson& person, Time now);
 
   PredictionOptions options_;
   Calibration calibration_;
@@ -55,6 +45,6 @@ class Predictor {
 };
 
 /// Covariance of the position `t` [s] ahead.
-Eigen::Matrix2d predicted_covariance(const PersonState& person, double t, const PredictionOptions& options);
+Eigen::Matrix2d predicted_covariance(const TrackedPerson& person, double t, const PredictionOptions& options);
 
 }  // namespace bw::people

@@ -63,11 +63,11 @@ void advance(std::vector<Walker>& walkers, const StaticObstacles& walls, const P
 
 }  // namespace
 
-std::vector<std::vector<Vector2>> walk_on(const std::vector<PersonState>& people,
+std::vector<std::vector<Vector2>> walk_on(const std::vector<TrackedPerson>& people,
                                           const StaticObstacles& walls, const PredictionOptions& options) {
   std::vector<Walker> walkers;
   walkers.reserve(people.size());
-  for (const PersonState& p : people) walkers.push_back({p.position, p.velocity, p.velocity, p.radius});
+  for (const TrackedPerson& p : people) walkers.push_back({p.position, p.velocity, p.velocity, p.radius});
   const int steps = static_cast<int>(std::floor(options.horizon / options.step + 1e-9));
   const int substeps = static_cast<int>(std::ceil(options.step / kSubstep - 1e-9));
   std::vector<std::vector<Vector2>> positions;

@@ -50,10 +50,10 @@ std::optional<double> doubt_of_pair(const ClusterTrack& a, const ClusterTrack& b
     return doubt;
 
   const bool stands = common.count >= options.standing_sightings && score >= options.standing_score &&
-                      gait.widest <= options.standing_separation;
+                      gait.widest <= options.kStandingSeparation;
   const bool on_background = std::max(static_share(a), static_share(b)) >= 0.5;
   if (stands && on_background &&
-      (score < options.background_score || common.count < options.background_sightings))
+      (score < options.kBackgroundScore || common.count < options.kBackgroundSightings))
     return std::nullopt;
   if (stands) return doubt + 0.2;
   return std::nullopt;
@@ -61,16 +61,16 @@ std::optional<double> doubt_of_pair(const ClusterTrack& a, const ClusterTrack& b
 
 std::optional<double> doubt_of_single(const ClusterTrack& cluster, const BirthOptions& options) {
   const int n = cluster.remembered();
-  if (n < options.single_sightings) return std::nullopt;
+  if (n < options.kSingleSightings) return std::nullopt;
   const Sighting& oldest = cluster.sighting(n - 1);
   const double travel = (cluster.last().position - oldest.position).norm();
-  if (travel < options.single_travel || static_share(cluster) > 0.3) return std::nullopt;
+  if (travel < options.kSingleTravel || static_share(cluster) > 0.3) return std::nullopt;
   const double score = mean_score(cluster, n, [](const Sighting& s) { return s.human_score(); });
-  if (score < options.single_score) return std::nullopt;
+  if (score < options.kSingleScore) return std::nullopt;
   // What slides along a wall behind somebody's shadow is cut off on a side; a leg alone stands free.
   const double cut = mean_score(cluster, n, [](const Sighting& seen) { return seen.occluded ? 1.0 : 0.0; });
-  if (cut > options.single_cut) return std::nullopt;
-  if (cluster.last().sweep - cluster.sighting(options.single_sightings - 1).sweep >= options.single_of_sweeps)
+  if (cut > options.kSingleCut) return std::nullopt;
+  if (cluster.last().sweep - cluster.sighting(options.kSingleSightings - 1).sweep >= options.kSingleOfSweeps)
     return std::nullopt;
   double path = 0.0;
   for (int k = 1; k < n; ++k) {
@@ -78,7 +78,7 @@ std::optional<double> doubt_of_single(const ClusterTrack& cluster, const BirthOp
     if (step > options.single_step) return std::nullopt;
     path += step;
   }
-  if (travel < options.single_straight * path) return std::nullopt;
+  if (travel < options.kSingleStraight * path) return std::nullopt;
   return 1.0 - score;
 }
 

@@ -1,4 +1,4 @@
-// The extended Kalman filter of spec 7.3: position, heading and speed of somebody, from places where they
+// The extended Kalman filter of book 7.3: position, heading and speed of somebody, from places where they
 // were seen. While they stand, or nearly, a velocity shows no heading: then the state is (x, y, vx, vy).
 //
 // The covariance goes from velocities to a heading by the derivative, and back by the exact moments, as the
@@ -13,7 +13,7 @@
 
 namespace bw::people {
 
-/// Spec 7.3 has heading_noise 0.5, acceleration 0.8 for both, position_noise 0.05; README.md compares.
+/// Book 7.3 compares the defaults with heading_noise 0.5, acceleration 0.8 for both, position_noise 0.05.
 struct HeadingOptions {
   double heading_noise = 0.7;
   double acceleration = 0.8;
@@ -27,21 +27,35 @@ struct HeadingOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("heading_noise", heading_noise,
-      {.unit = "rad/s/sqrt(Hz)", .min = 0.01, .max = 10, .doc = "how fast who walks changes direction"});
+      {.unit = "rad/s/sqrt(Hz)",
+       .min = 0.01,
+       .max = 10,
+       .doc = "how fast people who walk change direction; raise it to follow turns, lower it for calmer "
+              "headings"});
     v("acceleration", acceleration,
-      {.unit = "m/s^2/sqrt(Hz)", .min = 0.01, .max = 10, .doc = "how fast who walks changes speed"});
+      {.unit = "m/s^2/sqrt(Hz)",
+       .min = 0.01,
+       .max = 10,
+       .doc = "how fast people who walk change their speed"});
     v("acceleration_standing", acceleration_standing,
-      {.unit = "m/s^2/sqrt(Hz)", .min = 0.01, .max = 10, .doc = "spread of the velocity of who stands"});
+      {.unit = "m/s^2/sqrt(Hz)",
+       .min = 0.01,
+       .max = 10,
+       .doc = "how fast people who stand begin to move; raise it to notice them earlier"});
     v("walking_speed", walking_speed,
       {.unit = "m/s",
        .min = 0.02,
        .max = 100,
-       .doc = "slower, a velocity has no heading; at the maximum this is a constant-velocity filter"});
+       .doc = "below this speed a velocity has no heading; at its maximum this is a constant-velocity "
+              "filter"});
     v("position_noise", position_noise,
-      {.unit = "m", .min = 0, .max = 1, .doc = "of the middle between legs, beyond that of the legs"});
-    v("turn_rate", turn_rate, {.doc = "whether it is a fifth state"});
+      {.unit = "m",
+       .min = 0,
+       .max = 1,
+       .doc = "standard deviation of the middle between the legs, beyond that of the legs"});
+    v("turn_rate", turn_rate, {.doc = "estimate the turn rate as a fifth state"});
     v("turn_noise", turn_noise,
-      {.unit = "rad/s^2/sqrt(Hz)", .min = 0.001, .max = 20, .doc = "how fast it changes"});
+      {.unit = "rad/s^2/sqrt(Hz)", .min = 0.001, .max = 20, .doc = "how fast the turn rate changes"});
     v("turn_memory", turn_memory,
       {.unit = "s", .min = 0.05, .max = 1000, .doc = "a turn dies out within this time (time constant)"});
   }

@@ -1,11 +1,11 @@
-// The equations of spec 7.3: somebody who walks where they face, as state (x, y, theta, v, omega), and the
+// The equations of book 7.3: somebody who walks where they face, as state (x, y, theta, v, omega), and the
 // same motion without a heading, as (x, y, vx, vy). Lengths [m], angles [rad], in a frame that does not turn.
 //
 //   over dt:  turn = omega k,  k = T (1 - exp(-dt / T))      a turn dies out with the memory T
 //             (x, y) += v dt sinc(turn / 2) (cos, sin)(theta + turn / 2)      the chord of the arc
 //             theta += turn,  omega *= exp(-dt / T)
 //
-// With omega = 0, known for sure, these are the four states of the spec.
+// With omega = 0, known for sure, these are the four states of the dissertation.
 #pragma once
 
 #include <Eigen/Core>

@@ -44,7 +44,7 @@ void Matching::match(const std::vector<Detection>& detections, const std::vector
       assignment_.allow(j,
                         distance + vague +
                             (person ? options.unlike * likeness_[j] + (d.on_static ? options.on_static : 0.0)
-                                    : options.people_first));
+                                    : options.kPeopleFirst));
     }
   };
   const auto reach_after = [&](int missed) {

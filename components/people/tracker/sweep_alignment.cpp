@@ -54,59 +54,65 @@ bool SweepAlignment::surface_towards(const Vector2& p_O, Surface& surface) const
   return true;
 }
 
-Pose2 SweepAlignment::align(const DetectionSet& sweep) {
-  const bool usable = options_.enabled && sweep.angle_increment > 0.0 && !sweep.free_ranges.empty();
-  const bool moved = (sweep.sensor - sensor_).norm() > kAtRest ||
-                     std::abs(wrap_angle(sweep.angle_min - angle_min_)) > kAtRest;
-  if (!usable || ranges_.empty() || !moved) {
-    remember(sweep);
-    return {};
-  }
-  const float no_return = longest(sweep.free_ranges);
-  // Correction: turn about the sensor, then shift.
-  Eigen::Vector3d correction = Eigen::Vector3d::Zero();
+// Normal equations of the points' distances from the surfaces they look at, at `correction` (x, y, turn about
+// the sensor); what is farther than `reach` has no weight (Tukey).
+SweepAlignment::Equations SweepAlignment::compare(const DetectionSet& sweep,
+                                                  const Eigen::Vector3d& correction, double reach) const {
   const Eigen::Vector3d prior(1.0 / (options_.way_sigma * options_.way_sigma),
                               1.0 / (options_.way_sigma * options_.way_sigma),
                               1.0 / (options_.turn_sigma * options_.turn_sigma));
   const double weight = 1.0 / (1.2 * options_.range_noise * options_.range_noise);  // the line errs as well
-  bool good = false;
+  const float no_return = longest(sweep.free_ranges);
+  const Vector2 turn = direction(correction(2));
+  Equations sum;
+  sum.information = prior.asDiagonal();
+  sum.pull = -(prior.array() * correction.array()).matrix();
+  for (std::size_t i = 0; i < sweep.free_ranges.size(); ++i) {
+    const float range = sweep.free_ranges[i];
+    if (!(range > 0.0F && range < no_return)) continue;
+    const double angle = sweep.angle_min + static_cast<double>(i) * sweep.angle_increment;
+    const Vector2 beam = static_cast<double>(range) * direction(angle);
+    const Vector2 arm(turn.x() * beam.x() - turn.y() * beam.y(), turn.y() * beam.x() + turn.x() * beam.y());
+    const Vector2 point = sweep.sensor + arm + correction.head<2>();
+    Surface surface;
+    if (!surface_towards(point, surface)) continue;
+    ++sum.compared;
+    const double miss = surface.normal.dot(surface.point - point);
+    const double share = miss / reach;
+    if (std::abs(share) >= 1.0) continue;
+    ++sum.fitting;
+    const double trust = (1.0 - share * share) * (1.0 - share * share) * weight;
+    const Eigen::Vector3d J(surface.normal.x(), surface.normal.y(), surface.normal.dot(turned_left(arm)));
+    sum.information += trust * J * J.transpose();
+    sum.pull += trust * miss * J;
+  }
+  return sum;
+}
+
+std::optional<Eigen::Vector3d> SweepAlignment::correction_of(const DetectionSet& sweep) const {
+  Eigen::Vector3d correction = Eigen::Vector3d::Zero();
   for (int round = 0; round < kRounds; ++round) {
     const double reach = round == 0 ? options_.reach : std::min(options_.reach, 5.0 * options_.range_noise);
-    const Vector2 turn = direction(correction(2));
-    Eigen::Matrix3d information = prior.asDiagonal();
-    Eigen::Vector3d pull = -(prior.array() * correction.array()).matrix();
-    int compared = 0;
-    int fitting = 0;
-    for (std::size_t i = 0; i < sweep.free_ranges.size(); ++i) {
-      const float range = sweep.free_ranges[i];
-      if (!(range > 0.0F && range < no_return)) continue;
-      const double angle = sweep.angle_min + static_cast<double>(i) * sweep.angle_increment;
-      const Vector2 beam = static_cast<double>(range) * direction(angle);
-      const Vector2 arm(turn.x() * beam.x() - turn.y() * beam.y(), turn.y() * beam.x() + turn.x() * beam.y());
-      const Vector2 point = sweep.sensor + arm + correction.head<2>();
-      Surface surface;
-      if (!surface_towards(point, surface)) continue;
-      ++compared;
-      const double miss = surface.normal.dot(surface.point - point);
-      const double share = miss / reach;
-      if (std::abs(share) >= 1.0) continue;
-      ++fitting;
-      const double trust = (1.0 - share * share) * (1.0 - share * share) * weight;
-      const Eigen::Vector3d J(surface.normal.x(), surface.normal.y(), surface.normal.dot(turned_left(arm)));
-      information += trust * J * J.transpose();
-      pull += trust * miss * J;
-    }
-    good = fitting >= kFewest && fitting >= options_.least_share * compared;
-    if (!good) break;
-    correction += information.ldlt().solve(pull);
+    const Equations sum = compare(sweep, correction, reach);
+    if (sum.fitting < kFewest || sum.fitting < options_.kLeastShare * sum.compared) return std::nullopt;
+    correction += sum.information.ldlt().solve(sum.pull);
   }
+  return correction.allFinite() ? std::optional(correction) : std::nullopt;
+}
+
+Pose2 SweepAlignment::align(const DetectionSet& sweep) {
+  const bool usable = options_.enabled && sweep.angle_increment > 0.0 && !sweep.free_ranges.empty();
+  const bool moved = (sweep.sensor - sensor_).norm() > kAtRest ||
+                     std::abs(wrap_angle(sweep.angle_min - angle_min_)) > kAtRest;
+  std::optional<Eigen::Vector3d> correction;
+  if (usable && !ranges_.empty() && moved) correction = correction_of(sweep);
   remember(sweep);
-  if (!good || !correction.allFinite()) return {};
+  if (!correction) return {};
   // p -> s + t + R (p - s)
   const Vector2 s = sweep.sensor;
-  const Pose2 R{0.0, 0.0, correction(2)};
-  const Vector2 shift = s + correction.head<2>() - R * s;
-  return {shift.x(), shift.y(), correction(2)};
+  const Pose2 R{0.0, 0.0, (*correction)(2)};
+  const Vector2 shift = s + correction->head<2>() - R * s;
+  return {shift.x(), shift.y(), (*correction)(2)};
 }
 
 void SweepAlignment::remember(const DetectionSet& sweep) {

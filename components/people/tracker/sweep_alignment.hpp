@@ -5,6 +5,7 @@
 // ICRA 2008), weighted so that people, who move, hardly count (Tukey), with the odometry as prior.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "components/people/detection.hpp"
@@ -19,7 +20,8 @@ struct AlignmentOptions {
   double reach = 0.15;
   double way_sigma = 0.004;
   double turn_sigma = 0.015;
-  double least_share = 0.4;
+  /// of points that must fit, or odometry is believed
+  static constexpr double kLeastShare = 0.4;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -27,13 +29,20 @@ struct AlignmentOptions {
     v("range_noise", range_noise,
       {.unit = "m", .min = 0.001, .max = 0.2, .doc = "standard deviation of a range"});
     v("reach", reach,
-      {.unit = "m", .min = 0.02, .max = 1, .doc = "points farther from the surface say nothing"});
+      {.unit = "m",
+       .min = 0.02,
+       .max = 1,
+       .doc = "points farther than this from what the sweep before saw say nothing"});
     v("way_sigma", way_sigma,
-      {.unit = "m", .min = 1e-5, .max = 1, .doc = "error of the way between two sweeps, by odometry"});
+      {.unit = "m",
+       .min = 1e-5,
+       .max = 1,
+       .doc = "error of the way between two sweeps by odometry; raise it where wheels slip"});
     v("turn_sigma", turn_sigma,
-      {.unit = "rad", .min = 1e-5, .max = 1, .doc = "the same of the turn; raise it where wheels slip"});
-    v("least_share", least_share,
-      {.min = 0.05, .max = 1, .doc = "of points that must fit, or odometry is believed"});
+      {.unit = "rad",
+       .min = 1e-5,
+       .max = 1,
+       .doc = "error of the turn between two sweeps by odometry; raise it where wheels slip"});
   }
 };
 
@@ -52,6 +61,15 @@ class SweepAlignment {
     Vector2 point;
     Vector2 normal;
   };
+  struct Equations {
+    Eigen::Matrix3d information;
+    Eigen::Vector3d pull;
+    int compared = 0;  ///< points with a surface
+    int fitting = 0;   ///< those near it
+  };
+  /// (x, y, turn about the sensor) by which the sweep fits; nothing when too little does.
+  std::optional<Eigen::Vector3d> correction_of(const DetectionSet& sweep) const;
+  Equations compare(const DetectionSet& sweep, const Eigen::Vector3d& correction, double reach) const;
   bool surface_towards(const Vector2& p_O, Surface& surface) const;
   Vector2 remembered_point(std::size_t beam) const;
   void remember(const DetectionSet& sweep);

@@ -59,8 +59,8 @@ class Tracker::Impl {
   void reset();
 
  private:
-  void to_S(const DetectionSet& sweep);
-  void take_in(const DetectionSet& sweep);
+  void transform_to_S(const DetectionSet& sweep);
+  void select_detections(const DetectionSet& sweep);
   void correct_people();
   void correct_heading(PersonTrack& person, const LegMatch& match);
   void correct_person(PersonTrack& person, const LegMatch& match);
@@ -75,8 +75,8 @@ class Tracker::Impl {
   }
   void follow_legs(PersonTrack& person, const ClusterTrack& first, const ClusterTrack* second) const;
   void watch_for_absence(const DetectionSet& sweep, double dt);
-  void lose_people();
-  void find_new_people();
+  void delete_tracks();
+  void initiate_tracks();
   void report();
 
   TrackerOptions options_;
@@ -115,8 +115,8 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   now_ = sweep.time;
   ++sweep_;
 
-  to_S(sweep);
-  take_in(sweep_in_S_);
+  transform_to_S(sweep);
+  select_detections(sweep_in_S_);
   for (PersonTrack& person : people_) {
     person.walker.predict(dt, options_.walker);
     if (person.heading) person.heading->predict(dt, options_.heading);
@@ -127,13 +127,13 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   correct_people();
   untangle();
   watch_for_absence(sweep_in_S_, dt);
-  find_new_people();
-  lose_people();
+  initiate_tracks();
+  delete_tracks();
   report();
   return reported_;
 }
 
-void Tracker::Impl::to_S(const DetectionSet& sweep) {
+void Tracker::Impl::transform_to_S(const DetectionSet& sweep) {
   X_SO_ = X_SO_ * alignment_.align(sweep);
   sweep_in_S_ = sweep;
   sweep_in_S_.sensor = X_SO_ * sweep.sensor;
@@ -145,7 +145,7 @@ void Tracker::Impl::to_S(const DetectionSet& sweep) {
   }
 }
 
-void Tracker::Impl::take_in(const DetectionSet& sweep) {
+void Tracker::Impl::select_detections(const DetectionSet& sweep) {
   detections_.clear();
   for (const Detection& d : sweep.detections) {
     if (!usable(d, options_.association)) continue;
@@ -170,10 +170,10 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     const bool whole = one && d.body_score > d.leg_score;
     person.walker.correct(whole ? BodyPart::middle : part, d.position, d.covariance, options_.walker);
     person.score =
-        options_.death.score_memory * person.score + (1.0 - options_.death.score_memory) * d.human_score();
+        options_.death.kScoreMemory * person.score + (1.0 - options_.death.kScoreMemory) * d.human_score();
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
-    if (d.human_score() >= options_.back.likeness) person.sure = state_of(person);
+    if (d.human_score() >= options_.back.kLikeness) person.sure = state_of(person);
     const std::size_t leg = part == BodyPart::first_leg ? 0 : 1;
     if (whole) {
       person.unseen = {0, 0};
@@ -230,7 +230,7 @@ void Tracker::Impl::correct_clusters() {
 void Tracker::Impl::follow_legs(PersonTrack& person, const ClusterTrack& first,
                                 const ClusterTrack* second) const {
   person.walker = walker_of(first, second, options_.walker);
-  if (options_.motion == "heading")
+  if (options_.motion == MotionFilter::heading)
     person.heading = heading_of(first, second, person.walker, options_.heading);
   person.last_seen = *now_;
   person.empty_seconds = 0.0;
@@ -287,11 +287,11 @@ void Tracker::Impl::watch_for_absence(const DetectionSet& sweep, double dt) {
   }
 }
 
-void Tracker::Impl::lose_people() {
+void Tracker::Impl::delete_tracks() {
   const DeathOptions& death = options_.death;
   const auto gone = [&](const PersonTrack& person) {
     return person.empty_seconds >= death.unseen - 1e-9 || person.walker.position_sigma() > death.sigma ||
-           (person.score < death.unlike_score && person.walker.velocity().norm() < death.unlike_speed);
+           (person.score < death.unlike_score && person.walker.velocity().norm() < death.kUnlikeSpeed);
   };
   std::ranges::copy_if(people_, std::back_inserter(lost_), gone);
   std::erase_if(people_, gone);
@@ -299,7 +299,7 @@ void Tracker::Impl::lose_people() {
   std::erase_if(lost_, [&](const PersonTrack& person) { return *now_ > person.last_seen + remembered; });
 }
 
-void Tracker::Impl::find_new_people() {
+void Tracker::Impl::initiate_tracks() {
   find_people(clusters_, sweep_, options_.birth, candidates_);
   std::vector<int> used;
   for (const Candidate& candidate : candidates_) {
@@ -330,15 +330,15 @@ void Tracker::Impl::report() {
   for (const PersonTrack& person : people_) {
     const double unseen = (*now_ - person.last_seen).to_seconds();
     const auto [position, velocity, covariance] = motion_of(person);
-    reported_.push_back({.id = person.id,
-                         .position = X_OS * position,
-                         .velocity = rotate(X_OS, velocity),
-                         .covariance = R * covariance * R.transpose(),
-                         .radius = options_.person_radius,
-                         .confidence = person.score * std::exp(-unseen / options_.death.unseen),
-                         .born = person.born,
-                         .confirmed = person.confirmed,
-                         .last_seen = person.last_seen});
+    reported_.push_back({{.id = person.id,
+                          .position = X_OS * position,
+                          .velocity = rotate(X_OS, velocity),
+                          .radius = options_.person_radius},
+                         R * covariance * R.transpose(),
+                         person.score * std::exp(-unseen / options_.death.unseen),
+                         person.born,
+                         person.confirmed,
+                         person.last_seen});
   }
 }
 

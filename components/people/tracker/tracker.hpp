@@ -1,6 +1,6 @@
 // Who walks where, from one sweep to the next: people as pairs of legs that swing against each other, among
 // everything else that stands in the room, which is tracked as well so that furniture does not become people.
-// All in the frame O of the detections (odom). Spec 7.2, 7.3; joint legs after Leigh et al., ICRA 2015.
+// All in the frame O of the detections (odom). Book 7.2, 7.3, with joint legs after Leigh et al., ICRA 2015.
 //
 // One sweep: predict everything; assign detections to legs of people and to other clusters at once (global
 // nearest neighbour); correct; pair legs anew that went to the wrong person; make people of clusters that
@@ -8,31 +8,16 @@
 // have been seen.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
-#include <Eigen/Core>
-
+#include "components/model/tracked_person.hpp"
 #include "components/people/detection.hpp"
 #include "components/people/tracker/tracker_options.hpp"
 #include "runtime/base/pose2.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw::people {
-
-/// A person who is believed to be there, at the stamp of the last sweep.
-struct TrackedPerson {
-  std::uint32_t id = 0;                                      ///< from 1; for one only, also lost and back
-  Vector2 position{0.0, 0.0};                                ///< between the legs, in O [m]
-  Vector2 velocity{0.0, 0.0};                                ///< in O [m/s]
-  Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();  ///< of (x, y, vx, vy) [m, m/s]
-  double radius = 0.3;                                       ///< of the body, from options [m]
-  double confidence = 0.0;  ///< 0 to 1: how much it looks like a person, less while unseen
-  Time born;                ///< first sweep that showed a part of them
-  Time confirmed;           ///< first sweep after which they were reported
-  Time last_seen;           ///< last sweep that showed a part of them
-};
 
 class Tracker {
  public:

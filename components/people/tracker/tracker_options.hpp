@@ -7,6 +7,7 @@
 #include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/walker.hpp"
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::people {
@@ -18,7 +19,8 @@ struct AssociationOptions {
   double pace = 0.2;
   double slack = 0.12;
   double unlike = 2.0;
-  double people_first = 2.0;
+  /// what it adds to give a detection to something that is not a person
+  static constexpr double kPeopleFirst = 2.0;
   double on_static = 2.0;
   double largest = 0.8;
   double vague = 0.1;
@@ -26,30 +28,40 @@ struct AssociationOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("gate", gate,
-      {.min = 1, .max = 100, .doc = "squared standard deviations (2 dof) that may lie between"});
+      {.min = 1,
+       .max = 100,
+       .doc = "a detection further than this from a track, in squared standard deviations (2 values), is "
+              "not its own"});
     v("reach", reach,
-      {.unit = "m", .min = 0.1, .max = 5, .doc = "and metres: the human-oriented gate of spec 7.2"});
-    v("step", step, {.unit = "m", .min = 0.05, .max = 5, .doc = "of a leg that was just seen, at most"});
+      {.unit = "m",
+       .min = 0.1,
+       .max = 5,
+       .doc = "nor is one further than this in metres: the radius of book 7.2"});
+    v("step", step,
+      {.unit = "m", .min = 0.05, .max = 5, .doc = "longest step of a leg that was seen in the last sweep"});
     v("pace", pace,
-      {.unit = "m", .min = 0, .max = 5, .doc = "and so much more for each sweep that missed it"});
+      {.unit = "m", .min = 0, .max = 5, .doc = "by this much longer for each sweep that missed the leg"});
     v("slack", slack,
       {.unit = "m",
        .min = 0,
        .max = 1,
-       .doc = "added to the spread of every prediction while choosing: people turn and stop"});
+       .doc = "added to the spread of every prediction while detections are assigned, for people turn and "
+              "stop"});
     v("unlike", unlike,
-      {.min = 0, .max = 20, .doc = "what -ln(score) of a detection adds for legs of people"});
+      {.min = 0,
+       .max = 20,
+       .doc = "weight of -ln(score) in the cost of giving a detection to a leg; raise it to trust scores "
+              "more"});
     v("on_static", on_static,
-      {.min = 0, .max = 20, .doc = "what it adds that a detection lies on background, for legs of people"});
-    v("people_first", people_first,
-      {.min = 0, .max = 20, .doc = "what it adds to give a detection to something that is not a person"});
+      {.min = 0, .max = 20, .doc = "cost of giving a detection that lies on background to a leg"});
     v("vague", vague,
       {.unit = "m",
        .min = 0,
        .max = 2,
-       .doc = "error added to a detection that does not look human: two legs of two people, half a leg"});
+       .doc = "standard deviation added to a detection that does not look human, such as legs of two "
+              "people in one"});
     v("largest", largest,
-      {.unit = "m", .min = 0.2, .max = 10, .doc = "wider detections are no part of a person"});
+      {.unit = "m", .min = 0.2, .max = 10, .doc = "detections wider than this are no part of a person"});
   }
 };
 
@@ -61,75 +73,95 @@ struct BirthOptions {
   double misfit = 0.05;
   double walking_score = 0.4;
   int standing_sightings = 4;
-  double standing_separation = 0.42;
+  /// [m] from leg to leg, at most, while standing
+  static constexpr double kStandingSeparation = 0.42;
   double standing_score = 0.7;
-  double background_score = 0.8;
-  int background_sightings = 8;
-  double single_travel = 0.5;
-  int single_sightings = 6;
-  int single_of_sweeps = 8;
+  /// score of each leg of a pair that stands where something has long stood
+  static constexpr double kBackgroundScore = 0.8;
+  /// sightings of each leg of such a pair
+  static constexpr int kBackgroundSightings = 8;
+  /// [m] way walked by a leg, or two legs in one, alone
+  static constexpr double kSingleTravel = 0.5;
+  /// sightings of such a leg
+  static constexpr int kSingleSightings = 6;
+  /// sweeps within which they come
+  static constexpr int kSingleOfSweeps = 8;
   double single_step = 0.35;
-  double single_score = 0.6;
-  double single_straight = 0.8;
-  double single_cut = 0.5;
+  /// mean human score of such a leg
+  static constexpr double kSingleScore = 0.6;
+  /// share of its path that brought it forward
+  static constexpr double kSingleStraight = 0.8;
+  /// share of sightings in which something may hide an edge of it
+  static constexpr double kSingleCut = 0.5;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("sightings", sightings, {.min = 2, .max = 12, .doc = "of both legs"});
-    v("of_sweeps", of_sweeps, {.min = 2, .max = 12, .doc = "within so many sweeps"});
-    v("travel", travel, {.unit = "m", .min = 0.05, .max = 3, .doc = "way walked by the middle of two legs"});
+    v("sightings", sightings,
+      {.min = 2, .max = 12, .doc = "a pair that walks is a person after this many sightings of both legs"});
+    v("of_sweeps", of_sweeps, {.min = 2, .max = 12, .doc = "within this many sweeps"});
+    v("travel", travel,
+      {.unit = "m",
+       .min = 0.05,
+       .max = 3,
+       .doc = "way that the middle of the pair must have walked; raise it against false people"});
     v("separation", separation,
-      {.unit = "m", .min = 0.2, .max = 1, .doc = "from leg to leg, at most, while walking"});
+      {.unit = "m", .min = 0.2, .max = 1, .doc = "widest distance from leg to leg while walking"});
     v("misfit", misfit,
-      {.unit = "m", .min = 0.01, .max = 1, .doc = "of the middle to a straight way, root mean square"});
-    v("walking_score", walking_score, {.min = 0, .max = 1, .doc = "of each leg of a pair that walks"});
-    v("standing_sightings", standing_sightings, {.min = 2, .max = 12, .doc = "of a pair that stands"});
-    v("standing_separation", standing_separation,
-      {.unit = "m", .min = 0.1, .max = 1, .doc = "from leg to leg, at most, while standing"});
-    v("standing_score", standing_score, {.min = 0, .max = 1, .doc = "of each leg of a pair that stands"});
-    v("background_score", background_score,
-      {.min = 0, .max = 1, .doc = "of each leg of a pair that stands where something has long stood"});
-    v("background_sightings", background_sightings, {.min = 2, .max = 12, .doc = "of such a pair"});
-    v("single_travel", single_travel,
-      {.unit = "m", .min = 0.05, .max = 3, .doc = "way walked by a leg, or two legs in one, alone"});
-    v("single_sightings", single_sightings, {.min = 2, .max = 12, .doc = "of it"});
-    v("single_of_sweeps", single_of_sweeps, {.min = 2, .max = 40, .doc = "within so many sweeps"});
+      {.unit = "m",
+       .min = 0.01,
+       .max = 1,
+       .doc = "how far the middle of the pair may be from a straight way (root mean square)"});
+    v("walking_score", walking_score,
+      {.min = 0, .max = 1, .doc = "least leg score of each leg of a pair that walks"});
+    v("standing_sightings", standing_sightings,
+      {.min = 2, .max = 12, .doc = "a pair that stands is a person after this many sightings"});
+    v("standing_score", standing_score,
+      {.min = 0,
+       .max = 1,
+       .doc = "least leg score of each leg of a pair that stands; raise it against chairs"});
     v("single_step", single_step,
       {.unit = "m",
        .min = 0.05,
        .max = 2,
-       .doc = "from sighting to sighting, at most: else it is something else"});
-    v("single_score", single_score, {.min = 0, .max = 1, .doc = "of it"});
-    v("single_cut", single_cut,
-      {.min = 0, .max = 1, .doc = "share of sightings in which something may hide an edge of it"});
-    v("single_straight", single_straight,
-      {.min = 0, .max = 1, .doc = "share of its path that brought it forward"});
+       .doc = "longest step of a leg alone from sighting to sighting; what leaps is something else"});
   }
 };
 
 struct DeathOptions {
   double unseen = 1.0;
   double sigma = 0.9;
-  double score_memory = 0.9;
+  /// share of a person's mean score that one sighting leaves as it was
+  static constexpr double kScoreMemory = 0.9;
   double unlike_score = 0.35;
-  double unlike_speed = 0.2;
+  /// [m/s] slower counts as standing
+  static constexpr double kUnlikeSpeed = 0.2;
   double cluster_unseen = 0.5;
   double margin = 0.15;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("unseen", unseen,
-      {.unit = "s", .min = 0.1, .max = 10, .doc = "not seen so long where they could have been"});
-    v("sigma", sigma, {.unit = "m", .min = 0.1, .max = 5, .doc = "position not known better, hidden or not"});
-    v("score_memory", score_memory,
-      {.min = 0, .max = 0.999, .doc = "share of a person's mean score that one sighting leaves as it was"});
+      {.unit = "s",
+       .min = 0.1,
+       .max = 10,
+       .doc = "a person not seen for this long where beams pass is gone"});
+    v("sigma", sigma,
+      {.unit = "m",
+       .min = 0.1,
+       .max = 5,
+       .doc = "a person whose position is less sure than this is gone, hidden or not"});
     v("unlike_score", unlike_score,
-      {.min = 0, .max = 1, .doc = "mean score of somebody who stands, below which it was furniture"});
-    v("unlike_speed", unlike_speed, {.unit = "m/s", .min = 0, .max = 5, .doc = "slower counts as standing"});
+      {.min = 0, .max = 1, .doc = "somebody who stands with a lower mean score was furniture"});
     v("cluster_unseen", cluster_unseen,
-      {.unit = "s", .min = 0.1, .max = 10, .doc = "other clusters are forgotten then"});
+      {.unit = "s",
+       .min = 0.1,
+       .max = 10,
+       .doc = "clusters that are no person are forgotten when unseen for this long"});
     v("margin", margin,
-      {.unit = "m", .min = 0, .max = 1, .doc = "a beam that passes by so much beyond shows an empty place"});
+      {.unit = "m",
+       .min = 0,
+       .max = 1,
+       .doc = "a beam that ends by this much beyond a place shows that it is empty"});
   }
 };
 
@@ -137,7 +169,8 @@ struct UntangleOptions {
   double near = 1.2;
   double separation = 0.7;
   double score = 0.4;
-  int strangers = 4;
+  /// how many of them are tried
+  static constexpr int kStrangers = 4;
   int sightings = 5;
   int least = 3;
   double alone = 0.8;
@@ -148,20 +181,28 @@ struct UntangleOptions {
   void fields(Visitor& v) {
     v("near", near, {.unit = "m", .min = 0, .max = 5, .doc = "people so close may have each other's legs"});
     v("separation", separation,
-      {.unit = "m", .min = 0, .max = 2, .doc = "from somebody to what may be a leg of theirs, at most"});
-    v("score", score, {.min = 0, .max = 1, .doc = "leg score of it, at least"});
-    v("strangers", strangers, {.min = 0, .max = 20, .doc = "how many of them are tried"});
-    v("sightings", sightings, {.min = 2, .max = 12, .doc = "how far back legs are compared"});
-    v("least", least, {.min = 2, .max = 12, .doc = "sweeps that must show both legs"});
+      {.unit = "m",
+       .min = 0,
+       .max = 2,
+       .doc = "widest distance from somebody to what may be a leg of theirs"});
+    v("score", score, {.min = 0, .max = 1, .doc = "least leg score of what may be a leg of theirs"});
+    v("sightings", sightings,
+      {.min = 2, .max = 12, .doc = "over how many of the last sightings legs are compared"});
+    v("least", least, {.min = 2, .max = 12, .doc = "fewest of these sweeps that must show both legs"});
     v("alone", alone, {.unit = "m", .min = 0, .max = 5, .doc = "doubt of somebody of whom one leg is known"});
     v("margin", margin,
-      {.unit = "m", .min = 0, .max = 5, .doc = "pairs must be so much less doubtful to be changed"});
-    v("settled", settled, {.unit = "m", .min = 0, .max = 5, .doc = "legs less doubtful are one person's"});
+      {.unit = "m",
+       .min = 0,
+       .max = 5,
+       .doc = "legs are paired anew when the new pairs are by this much less doubtful"});
+    v("settled", settled,
+      {.unit = "m", .min = 0, .max = 5, .doc = "legs less doubtful than this are one person's, and stay"});
   }
 };
 
 struct ReturnOptions {
-  double likeness = 0.5;
+  /// score of a detection that shows somebody for sure
+  static constexpr double kLikeness = 0.5;
   double absent = 0.25;
   double remembered = 6.0;
   double slack = 0.5;
@@ -170,16 +211,29 @@ struct ReturnOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("likeness", likeness, {.min = 0, .max = 1, .doc = "score of a detection that shows somebody for sure"});
-    v("absent", absent, {.unit = "s", .min = 0, .max = 60, .doc = "not seen for sure so long is lost"});
+    v("absent", absent,
+      {.unit = "s",
+       .min = 0,
+       .max = 60,
+       .doc = "somebody not seen for sure for this long may come back as somebody who appears"});
     v("remembered", remembered,
       {.unit = "s", .min = 0, .max = 60, .doc = "who appears so long after somebody was lost may be them"});
-    v("slack", slack, {.unit = "m", .min = 0, .max = 2, .doc = "from where they could be, at once"});
+    v("slack", slack,
+      {.unit = "m",
+       .min = 0,
+       .max = 2,
+       .doc = "how far from where somebody could be they may appear, however short they were away"});
     v("speed", speed, {.unit = "m/s", .min = 0, .max = 5, .doc = "nobody goes faster out of sight"});
     v("deviation", deviation,
       {.unit = "m/s", .min = 0, .max = 5, .doc = "how fast people leave their straight way out of sight"});
   }
 };
+
+/// Which filter of a person's motion is reported.
+enum class MotionFilter { gait, heading };
+constexpr auto choice_table(MotionFilter) {
+  return choices<MotionFilter>({{MotionFilter::gait, "gait"}, {MotionFilter::heading, "heading"}});
+}
 
 struct TrackerOptions {
   double person_radius = 0.3;
@@ -187,7 +241,7 @@ struct TrackerOptions {
   int most_detections = 1000;
   AlignmentOptions alignment;
   AssociationOptions association;
-  std::string motion = "heading";
+  MotionFilter motion = MotionFilter::heading;
   WalkerOptions walker;
   HeadingOptions heading;
   BirthOptions birth;
@@ -197,21 +251,24 @@ struct TrackerOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("person_radius", person_radius, {.unit = "m", .min = 0.05, .max = 1, .doc = "reported of everybody"});
+    v("person_radius", person_radius,
+      {.unit = "m", .min = 0.05, .max = 1, .doc = "radius that is reported of everybody"});
     v("longest_gap", longest_gap,
-      {.unit = "s", .min = 0.1, .max = 60, .doc = "silence or jump back in time that forgets everybody"});
+      {.unit = "s",
+       .min = 0.1,
+       .max = 60,
+       .doc = "a longer silence of the laser, or jump back in time, forgets everybody"});
     v("most_detections", most_detections,
-      {.min = 1, .max = 20000, .doc = "of a sweep; the rest is ignored, the least human first"});
-    v("alignment", alignment, {.doc = "errors of odometry from sweep to sweep"});
+      {.min = 1, .max = 20000, .doc = "most detections of a sweep; of more the least human are ignored"});
+    v("alignment", alignment, {.doc = "taking out errors of odometry from sweep to sweep"});
     v("association", association, {.doc = "which detection belongs to whom"});
     v("motion", motion,
-      {.choices = {"gait", "heading"},
-       .doc =
+      {.doc =
            "which filter's position, velocity and covariance are reported; legs are always assigned by the "
            "gait. gait: both legs swing (walker); heading: position, heading and speed of the point between "
            "the legs (heading)"});
     v("walker", walker, {.doc = "how people and their legs move"});
-    v("heading", heading, {.doc = "the filter of motion: heading"});
+    v("heading", heading, {.doc = "the filter that motion: heading reports"});
     v("birth", birth, {.doc = "when clusters become a person"});
     v("death", death, {.doc = "when a person is no longer believed to be there"});
     v("untangle", untangle, {.doc = "whose leg is whose where people pass close to each other"});

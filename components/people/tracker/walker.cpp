@@ -11,7 +11,7 @@
 namespace bw::people {
 namespace {
 
-constexpr double kWalking = 0.2;  // [m/s] the direction of a slower velocity says nothing (spec 7.3)
+constexpr double kWalking = 0.2;  // [m/s] the direction of a slower velocity says nothing (book 7.3)
 
 using Block2 = Eigen::Matrix2d;
 
@@ -49,7 +49,7 @@ void Walker::predict(double dt, const WalkerOptions& options) {
 
   // The swing: exact over dt with the beat of the present speed, fading by its memory.
   const double w = std::max(2.0 * std::numbers::pi * speed / options.stride, 1e-3);
-  const double fade = std::exp(-dt / options.beat_memory);
+  const double fade = std::exp(-dt / options.kBeatMemory);
   const double c = std::cos(w * dt);
   const double s = std::sin(w * dt);
 
@@ -63,7 +63,7 @@ void Walker::predict(double dt, const WalkerOptions& options) {
   const double spread = std::lerp(options.acceleration_standing, options.acceleration_walking, walking);
   const double reach = options.swing * std::min(1.0, speed / options.full_swing_speed);
   const double swing = (1.0 - fade * fade) * reach * reach / 2.0;  // keeps the variance of a sine
-  const double drift = options.drift_across * options.drift_across * dt;
+  const double drift = options.kDriftAcross * options.kDriftAcross * dt;
 
   Covariance Q = Covariance::Zero();
   Q.topLeftCorner<4, 4>() = glide_noise(dt, spread);
@@ -86,9 +86,9 @@ double Walker::correct(BodyPart part, const Vector2& place, const Eigen::Matrix2
                        const WalkerOptions& options) {
   const Vector2 innovation = place - expected(part);
   double distance = innovation.dot((spread(part) + R).ldlt().solve(innovation));
-  if (distance > options.jump_gate) {  // a turn or a start: let the velocity and the legs follow
-    const double speed = options.jump_speed * options.jump_speed;
-    const double leg = options.jump_leg * options.jump_leg;
+  if (distance > options.kJumpGate) {  // a turn or a start: let the velocity and the legs follow
+    const double speed = options.kJumpSpeed * options.kJumpSpeed;
+    const double leg = options.kJumpLeg * options.kJumpLeg;
     P_.diagonal() += (State() << 0.1 * leg, 0.1 * leg, speed, speed, leg, leg, speed, speed).finished();
   }
   const double s = sign(part);

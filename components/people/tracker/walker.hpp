@@ -26,37 +26,40 @@ struct WalkerOptions {
   double stride = 1.4;
   double swing = 0.18;
   double full_swing_speed = 1.3;
-  double beat_memory = 1.0;
-  double drift_across = 0.08;
+  /// [s] how long a swing keeps its beat
+  static constexpr double kBeatMemory = 1.0;
+  /// [m/sqrt(s)] how fast the distance between the legs changes
+  static constexpr double kDriftAcross = 0.08;
   double half_width = 0.13;
-  double jump_gate = 25.0;
-  double jump_speed = 0.7;
-  double jump_leg = 0.08;
+  /// squared standard deviations (2 dof) beyond which a step was not foreseen: filter widens
+  static constexpr double kJumpGate = 25.0;
+  /// [m/s] added then to the spread of the velocity
+  static constexpr double kJumpSpeed = 0.7;
+  /// [m] added then to the spread of the legs
+  static constexpr double kJumpLeg = 0.08;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("acceleration_standing", acceleration_standing,
-      {.unit = "m/s^2/sqrt(Hz)", .min = 0.01, .max = 10, .doc = "spread of the velocity of who stands"});
+      {.unit = "m/s^2/sqrt(Hz)",
+       .min = 0.01,
+       .max = 10,
+       .doc = "how fast people who stand begin to move, as legs are assigned"});
     v("acceleration_walking", acceleration_walking,
-      {.unit = "m/s^2/sqrt(Hz)", .min = 0.01, .max = 10, .doc = "the same of who walks"});
+      {.unit = "m/s^2/sqrt(Hz)",
+       .min = 0.01,
+       .max = 10,
+       .doc = "how fast people who walk change their velocity, as legs are assigned"});
     v("stride", stride, {.unit = "m", .min = 0.5, .max = 3, .doc = "way of two steps: one swing"});
     v("swing", swing,
       {.unit = "m", .min = 0.01, .max = 0.6, .doc = "reach of a leg, forward or back, at full swing"});
     v("full_swing_speed", full_swing_speed,
-      {.unit = "m/s", .min = 0.1, .max = 5, .doc = "slower, legs swing less in proportion"});
-    v("beat_memory", beat_memory,
-      {.unit = "s", .min = 0.05, .max = 20, .doc = "how long a swing keeps its beat"});
-    v("drift_across", drift_across,
-      {.unit = "m/sqrt(s)", .min = 0.001, .max = 1, .doc = "how fast the distance between the legs changes"});
+      {.unit = "m/s", .min = 0.1, .max = 5, .doc = "below this speed legs swing less, in proportion"});
     v("half_width", half_width,
-      {.unit = "m", .min = 0.02, .max = 0.4, .doc = "from the middle to a leg nobody has seen, each axis"});
-    v("jump_gate", jump_gate,
-      {.min = 1,
-       .max = 100,
-       .doc = "squared standard deviations (2 dof) beyond which a step was not foreseen: filter widens"});
-    v("jump_speed", jump_speed,
-      {.unit = "m/s", .min = 0, .max = 5, .doc = "added then to the spread of the velocity"});
-    v("jump_leg", jump_leg, {.unit = "m", .min = 0, .max = 1, .doc = "added then to the spread of the legs"});
+      {.unit = "m",
+       .min = 0.02,
+       .max = 0.4,
+       .doc = "standard deviation of the place of a leg that nobody has seen, from the middle, per axis"});
   }
 };
 

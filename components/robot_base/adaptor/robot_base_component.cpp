@@ -2,27 +2,22 @@
 // states and tf.
 #include <memory>
 #include <optional>
-#include <string>
 
-#include <tf2_msgs/msg/tf_message.hpp>
-
-#include "components/messages/geometry.hpp"
-#include "components/messages/odometry.hpp"
+#include "components/messages/odometry_outputs.hpp"
 #include "components/robot_base/adaptor/simulated_driver.hpp"
 #include "components/robot_base/wheel_watchdog.hpp"
+#include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
 
 namespace bw {
 namespace {
 
 struct RobotBaseOptions {
-  std::string driver = "simulated";
   OdometryOptions odometry;
   WatchdogOptions watchdog;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("driver", driver, {.choices = {"simulated"}, .doc = "the base behind the wheel commands"});
     v("odometry", odometry, {.doc = "from encoder counts to pose and twist"});
     v("watchdog", watchdog, {.doc = "the stop when wheel commands stop"});
   }
@@ -37,15 +32,8 @@ class RobotBaseComponent final : public Component {
     watchdog_.emplace(options.watchdog, robot_.limits.stop_deceleration);
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
-    odom_frame_ = setup.frame("odom");
-    base_frame_ = setup.frame("base_link");
-    odom_ = setup.output<nav_msgs::msg::Odometry>("odom");
+    outputs_ = {setup, robot_};
     joints_ = setup.output<sensor_msgs::msg::JointState>("joint_states");
-    tf_ = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf());
-    tf_static_ = setup.output<tf2_msgs::msg::TFMessage>("/tf_static", Qos::latched());
-    for (const SensorMount& mount : robot_.sensors) {
-      mounts_.emplace_back(setup.frame(mount.frame), robot_.mount_of(mount.frame));
-    }
     driver_ = std::make_unique<SimulatedDriver>(setup, robot_.wheel_radius);
     driver_->deliver_counts_to([this](const EncoderCounts& counts) { on_counts(counts); });
     setup.input<sensor_msgs::msg::JointState>(
@@ -54,13 +42,7 @@ class RobotBaseComponent final : public Component {
     setup.every(Duration::milliseconds(10), "watchdog", [this](const Tick& tick) { check(tick); });
   }
 
-  void activate(const Tick& tick) override {
-    tf2_msgs::msg::TFMessage mounts;
-    for (const auto& [frame, X_BS] : mounts_) {
-      mounts.transforms().push_back(to_transform(base_frame_, frame, tick.now, X_BS));
-    }
-    tf_static_.publish(mounts);
-  }
+  void activate(const Tick& tick) override { outputs_.publish_mounts(tick.now); }
 
   void deactivate(const Tick& tick) override { driver_->command(tick.now, {}); }
 
@@ -68,13 +50,11 @@ class RobotBaseComponent final : public Component {
   void on_command(const sensor_msgs::msg::JointState& message, const Tick& tick) {
     const std::optional<WheelSpeeds> wheels = wheel_speeds_of(message, robot_.wheel_radius);
     const bool is_sound = wheels && watchdog_->command(tick.now, *wheels);
-    if (!is_sound && was_sound_) {
+    if (refused_.is_news(is_sound ? "" : "unsound") && !is_sound) {
       log_.warn("refused a wheel command that is not two finite rates of {} and {}", wheel_joint_names()[0],
                 wheel_joint_names()[1]);
     }
-    was_sound_ = is_sound;
-    if (!is_sound) return;
-    check(tick);
+    if (is_sound) check(tick);
   }
 
   void check(const Tick& tick) {
@@ -106,16 +86,12 @@ class RobotBaseComponent final : public Component {
   }
 
   void publish(const OdometryState& state) {
-    odom_.publish(to_odometry(state, odom_frame_, base_frame_));
-
+    outputs_.publish_odometry(state);
     const WheelSpeeds wheels = to_wheel_speeds(state.twist, robot_.wheel_separation);
     sensor_msgs::msg::JointState joints = to_joint_state(wheels, robot_.wheel_radius, state.time);
     joints.position({state.left_angle, state.right_angle});
     joints_.publish(joints);
-
-    tf2_msgs::msg::TFMessage tf;
-    tf.transforms().push_back(to_transform(odom_frame_, base_frame_, state.time, state.X_OB));
-    tf_.publish(tf);
+    outputs_.publish_transform(state);
   }
 
   Robot robot_;
@@ -123,16 +99,11 @@ class RobotBaseComponent final : public Component {
   std::optional<WheelWatchdog> watchdog_;
   std::optional<WatchdogOutput> sent_;
   std::unique_ptr<Driver> driver_;
-  bool was_sound_ = true;
+  Complaint refused_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
-  std::string odom_frame_;
-  std::string base_frame_;
-  Output<nav_msgs::msg::Odometry> odom_;
+  OdometryOutputs outputs_;
   Output<sensor_msgs::msg::JointState> joints_;
-  Output<tf2_msgs::msg::TFMessage> tf_;
-  std::vector<std::pair<std::string, Pose2>> mounts_;  ///< frame and pose in base_link of every sensor
-  Output<tf2_msgs::msg::TFMessage> tf_static_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <geometry_msgs/msg/twist.hpp>
@@ -12,6 +13,7 @@
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/laser.hpp"
+#include "components/safety/adaptor/limited_share.hpp"
 #include "components/safety/adaptor/zone_markers.hpp"
 #include "components/safety/collision_monitor.hpp"
 #include "runtime/component.hpp"
@@ -36,7 +38,6 @@ class CollisionMonitorComponent final : public Component {
     options_ = setup.parameters<safety::CollisionMonitorOptions>();
     robot_ = setup.shared<Robot>("robot");
     monitor_.emplace(robot_, options_);
-    command_timeout_ = Duration::seconds(options_.command_timeout);
     for (SensorMount& mount : robot_.sensors) mount.frame = setup.frame(mount.frame);
     base_frame_ = setup.frame("base_link");
     log_ = setup.log();
@@ -56,15 +57,14 @@ class CollisionMonitorComponent final : public Component {
                                              wanted_at_ = tick.now;
                                              pass_on(tick);
                                            });
-    setup.input<std_msgs::msg::Empty>(
-        "collision_monitor/reset", Qos::standard(), [this](const auto&, const Tick&) { monitor_->reset(); },
-        Need::optional);
+    const auto reset = [this](const auto&, const Tick&) { monitor_->reset(); };
+    setup.input<std_msgs::msg::Empty>("collision_monitor/reset", Qos::standard(), reset, Need::optional);
     setup.every(kCycle, "limit", [this](const Tick& tick) { pass_on(tick); });
   }
 
   void deactivate(const Tick&) override {
     command_.publish({});
-    if (driving_cycles_ > 0) log_.info("limited in {}", share_limited());
+    if (limited_.cycles() > 0) log_.info("limited in {}", limited_.text());
   }
 
  private:
@@ -75,7 +75,8 @@ class CollisionMonitorComponent final : public Component {
 
   Verdict judge(const Tick& tick) {
     if (tick.health == Health::stop) return {{}, Action::stop, kInputStale};
-    if (tick.now - *wanted_at_ > command_timeout_) return {{}, Action::stop, kCommandSilent};
+    if (tick.now - *wanted_at_ > Duration::seconds(options_.command_timeout))
+      return {{}, Action::stop, kCommandSilent};
     return monitor_->judge(tick.now, wanted_);
   }
 
@@ -85,9 +86,10 @@ class CollisionMonitorComponent final : public Component {
     const Verdict verdict = judge(tick);
     const bool silent = verdict.cause == kCommandSilent && !moves(monitor_->actual());
     if (!silent || moves(last_.allowed)) publish(verdict);
+    if (moves(verdict.allowed) && !std::exchange(has_driven_, true) && !monitor_->has_seen())
+      log_.warn("the laser has hit nothing since the start: an open place, or it does not work");
     const bool counts = moves(wanted_) && verdict.cause != kCommandSilent;
-    driving_cycles_ += counts ? 1U : 0U;
-    limited_cycles_ += counts && verdict.action != Action::do_nothing ? 1U : 0U;
+    if (counts) limited_.count(verdict.action != Action::do_nothing);
     if (silent != idle_ || verdict.action != last_.action || verdict.cause != last_.cause)
       report(verdict, silent);
     idle_ = silent;
@@ -110,39 +112,30 @@ class CollisionMonitorComponent final : public Component {
 
   void report(const Verdict& verdict, bool silent) {
     using Level = DiagnosticReporter::Level;
-    diagnostics_->set_value("limited", share_limited());
+    diagnostics_->set_value("limited", limited_.text());
     if (silent) return diagnostics_->report(Level::ok, "nobody drives");
     if (verdict.action == Action::do_nothing) return diagnostics_->report(Level::ok, "the way is free");
-    const bool is_laser = verdict.cause == safety::kLaserSilent || verdict.cause == safety::kLaserFrozen ||
-                          verdict.cause == safety::kLaserInvalid;
+    const bool is_laser = safety::is_laser_fault(verdict.cause);
     if (is_laser && last_.cause != verdict.cause) {
       const bool unsound = verdict.cause == safety::kLaserInvalid;
-      log_.error("{}: stopping{}{}", verdict.cause, unsound ? ": " : "",
-                 unsound ? to_text(monitor_->sweep_fault()) : "");
+      log_.error("{}: stopping{}", verdict.cause,
+                 unsound ? std::string(": ") + to_text(monitor_->sweep_fault()) : "");
     }
     diagnostics_->report(
         is_laser ? Level::error : Level::warn,
         fmt::format("{}: {}", verdict.action == Action::stop ? "stop" : "limited", verdict.cause));
   }
 
-  std::string share_limited() const {
-    const double share = driving_cycles_ > 0
-                             ? static_cast<double>(limited_cycles_) / static_cast<double>(driving_cycles_)
-                             : 0.0;
-    return fmt::format("{:.2f} % of {} driving cycles", 100.0 * share, driving_cycles_);
-  }
-
   safety::CollisionMonitorOptions options_;
   Robot robot_;  ///< its sensors by the frames their messages name
   std::optional<safety::CollisionMonitor> monitor_;
-  Duration command_timeout_;
   std::string base_frame_;
   Twist2 wanted_;
   std::optional<Time> wanted_at_;
   Verdict last_;
   bool idle_ = true;
-  std::uint64_t driving_cycles_ = 0;
-  std::uint64_t limited_cycles_ = 0;
+  LimitedShare limited_;
+  bool has_driven_ = false;
   std::optional<Time> drawn_at_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;

@@ -42,7 +42,7 @@ std::vector<geometry_msgs::msg::Point> circle(double radius) {
 }
 
 std::vector<geometry_msgs::msg::Point> outline(const ZoneOptions& zone) {
-  if (zone.type == "circle") return circle(zone.radius);
+  if (zone.type == ZoneShape::circle) return circle(zone.radius);
   std::vector<geometry_msgs::msg::Point> points;
   for (const CornerOptions& corner : zone.points) points.push_back(to_point(Vector2(corner.x, corner.y)));
   points.push_back(points.front());

@@ -40,6 +40,50 @@ Changes evaluate_changes(const std::vector<double>& speed, const std::vector<Eva
   return changes;
 }
 
+// Time, shape and speed of one segment.
+void evaluate_segment(const EvaluatedPose& from, const Pose2& b, const Twist2& twist, const SceneFile& rules,
+                      BandQuality& q) {
+  const Limits& limits = rules.limits;
+  const SceneWeights& w = rules.weights;
+  const double epsilon = w.penalty_epsilon;
+  const Pose2& a = from.pose;
+  const Vector2 d = b.position() - a.position();
+  const double h =
+      (std::cos(a.theta) + std::cos(b.theta)) * d.y() - (std::sin(a.theta) + std::sin(b.theta)) * d.x();
+  q.max_nonholonomic = std::max(q.max_nonholonomic, std::abs(h));
+  q.excess_v = std::max({q.excess_v, twist.v - limits.v_max, -limits.v_back_max - twist.v});
+  q.excess_omega = std::max(q.excess_omega, std::abs(twist.omega) - limits.omega_max);
+  q.cost.time += w.time * square(from.dt);
+  q.cost.nonholonomic +=
+      w.kinematics_nh * square(h) + w.forward_drive * square(under(d.dot(direction(a.theta)), 0.0, 0.0));
+  q.cost.velocity += w.max_vel_x * square(out(twist.v, -limits.v_back_max, limits.v_max, epsilon)) +
+                     w.max_vel_theta * square(out(twist.omega, -limits.omega_max, limits.omega_max, epsilon));
+}
+
+// Distances from the obstacles along the segment that begins at q.time; costs at its first pose, unless that is the
+// start of the band, which nothing can move.
+void evaluate_clearance(const EvaluatedPose& from, const Pose2& b, bool is_start, const SceneFile& rules,
+                        const std::vector<SceneObstacle>& obstacles, BandQuality& q) {
+  const SceneWeights& w = rules.weights;
+  const Vector2 a = from.pose.position();
+  const Vector2 d = b.position() - a;
+  for (const SceneObstacle& o : obstacles) {
+    const double at_pose = distance(a, o, q.time);
+    q.clearance_poses = std::min(q.clearance_poses, at_pose);
+    for (int k = 0; k < kPointsPerSegment; ++k) {
+      const double s = static_cast<double>(k) / kPointsPerSegment;
+      q.clearance_segments = std::min(q.clearance_segments, distance(a + s * d, o, q.time + s * from.dt));
+    }
+    if (is_start) continue;
+    const bool moves = o.moves();
+    q.cost.obstacle +=
+        (moves ? w.dynamic_obstacle : w.obstacle) *
+            square(under(at_pose, rules.min_dist, w.penalty_epsilon)) +
+        (moves ? w.dynamic_inflation : w.inflation) *
+            square(under(at_pose, moves ? rules.dynamic_inflation_dist : rules.inflation_dist, 0.0));
+  }
+}
+
 }  // namespace
 
 Twist2 segment_twist(const EvaluatedPose& a, const EvaluatedPose& b) {
@@ -53,55 +97,23 @@ BandQuality evaluate_band(const std::vector<EvaluatedPose>& band, const Twist2& 
   BandQuality q;
   q.clearance_poses = q.clearance_segments = std::numeric_limits<double>::infinity();
   if (band.size() < 2) return q;
-  const Limits& limits = rules.limits;
-  const SceneWeights& w = rules.weights;
-  const double epsilon = w.penalty_epsilon;
   std::vector<double> v, omega;
-  double begin = 0.0;
   for (std::size_t i = 0; i + 1 < band.size(); ++i) {
-    const Pose2& a = band[i].pose;
-    const Pose2& b = band[i + 1].pose;
-    const Vector2 d = b.position() - a.position();
-    const double h =
-        (std::cos(a.theta) + std::cos(b.theta)) * d.y() - (std::sin(a.theta) + std::sin(b.theta)) * d.x();
     const Twist2 twist = segment_twist(band[i], band[i + 1]);
     v.push_back(twist.v);
     omega.push_back(twist.omega);
-    q.max_nonholonomic = std::max(q.max_nonholonomic, std::abs(h));
-    q.excess_v = std::max({q.excess_v, twist.v - limits.v_max, -limits.v_back_max - twist.v});
-    q.excess_omega = std::max(q.excess_omega, std::abs(twist.omega) - limits.omega_max);
-    q.cost.time += w.time * square(band[i].dt);
-    q.cost.nonholonomic +=
-        w.kinematics_nh * square(h) + w.forward_drive * square(under(d.dot(direction(a.theta)), 0.0, 0.0));
-    q.cost.velocity +=
-        w.max_vel_x * square(out(twist.v, -limits.v_back_max, limits.v_max, epsilon)) +
-        w.max_vel_theta * square(out(twist.omega, -limits.omega_max, limits.omega_max, epsilon));
-    for (const SceneObstacle& o : obstacles) {
-      const double at_pose = distance(a.position(), o, begin);
-      q.clearance_poses = std::min(q.clearance_poses, at_pose);
-      for (int k = 0; k < kPointsPerSegment; ++k) {
-        const double s = static_cast<double>(k) / kPointsPerSegment;
-        q.clearance_segments =
-            std::min(q.clearance_segments, distance(a.position() + s * d, o, begin + s * band[i].dt));
-      }
-      if (i == 0) continue;
-      const bool moves = o.moves();
-      q.cost.obstacle +=
-          (moves ? w.dynamic_obstacle : w.obstacle) * square(under(at_pose, rules.min_dist, epsilon)) +
-          (moves ? w.dynamic_inflation : w.inflation) *
-              square(under(at_pose, moves ? rules.dynamic_inflation_dist : rules.inflation_dist, 0.0));
-    }
-    begin += band[i].dt;
+    evaluate_segment(band[i], band[i + 1].pose, twist, rules, q);
+    evaluate_clearance(band[i], band[i + 1].pose, i == 0, rules, obstacles, q);
+    q.time += band[i].dt;
   }
-  q.time = begin;
-  for (const SceneObstacle& o : obstacles) {
-    q.clearance_poses = std::min(q.clearance_poses, distance(band.back().pose.position(), o, begin));
-  }
-  const Changes a = evaluate_changes(v, band, start.v, limits.acc_max, epsilon);
-  const Changes alpha = evaluate_changes(omega, band, start.omega, limits.alpha_max, epsilon);
+  for (const SceneObstacle& o : obstacles)
+    q.clearance_poses = std::min(q.clearance_poses, distance(band.back().pose.position(), o, q.time));
+  const double epsilon = rules.weights.penalty_epsilon;
+  const Changes a = evaluate_changes(v, band, start.v, rules.limits.acc_max, epsilon);
+  const Changes alpha = evaluate_changes(omega, band, start.omega, rules.limits.alpha_max, epsilon);
   q.excess_a = a.excess;
   q.excess_alpha = alpha.excess;
-  q.cost.acceleration = w.acc_lim_x * a.cost + w.acc_lim_theta * alpha.cost;
+  q.cost.acceleration = rules.weights.acc_lim_x * a.cost + rules.weights.acc_lim_theta * alpha.cost;
   return q;
 }
 

@@ -26,14 +26,6 @@ double cpu_ms(clockid_t clock) {
 double process_cpu_ms() { return cpu_ms(CLOCK_PROCESS_CPUTIME_ID); }
 double thread_cpu_ms() { return cpu_ms(CLOCK_THREAD_CPUTIME_ID); }
 
-double quantile(std::vector<double> samples, double share) {
-  if (samples.empty()) return 0.0;
-  const double rank = std::ceil(share * static_cast<double>(samples.size())) - 1.0;
-  const auto nth = samples.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 0.0));
-  std::nth_element(samples.begin(), nth, samples.end());
-  return *nth;
-}
-
 double mean(const std::vector<double>& samples) {
   if (samples.empty()) return 0.0;
   return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());

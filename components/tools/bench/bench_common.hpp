@@ -14,9 +14,6 @@ double process_cpu_ms();
 /// CPU time of the calling thread [ms].
 double thread_cpu_ms();
 
-/// Value below which `share` in [0, 1] of the samples lie (nearest rank); 0 without samples.
-double quantile(std::vector<double> samples, double share);
-
 /// 0 without samples.
 double mean(const std::vector<double>& samples);
 

@@ -8,6 +8,7 @@
 #include "components/tools/bench/banded_solver.hpp"
 #include "components/tools/bench/bench.hpp"
 #include "components/tools/bench/bench_common.hpp"
+#include "runtime/base/quantile.hpp"
 
 namespace bw {
 namespace {
@@ -165,9 +166,7 @@ void print(const char* which, const Plan& plan, const std::vector<double>& ms) {
   const BandQuality& q = plan.quality;
   std::printf(
       "  %-4s %zu bands %3zu poses %3d it  %6.2f ms (p99 %6.2f)  T %6.2f dt %.3f  h %.4f  excess v %.3f w "
-      "%.3f a %.3f "
-      "al %.3f"
-      "  clear %.3f/%.3f  cost %.2f+%.2f+%.2f+%.2f+%.2f = %.3f\n",
+      "%.3f a %.3f al %.3f  clear %.3f/%.3f  cost %.2f+%.2f+%.2f+%.2f+%.2f = %.3f\n",
       which, plan.candidates, plan.band.size(), plan.iterations, quantile(ms, 0.5), quantile(ms, 0.99),
       q.time, q.time / static_cast<double>(plan.band.size() - 1), q.max_nonholonomic, q.excess_v,
       q.excess_omega, q.excess_a, q.excess_alpha, q.clearance_poses, q.clearance_segments, q.cost.time,

@@ -9,7 +9,7 @@ namespace bw {
 namespace {
 
 constexpr int kStepsPerPeriod = 5;
-constexpr double kCollisionIndexSigma = 0.6;  // [m] spec 7.7
+constexpr double kCollisionIndexSigma = 0.6;  // [m] book 7.7
 constexpr double kStandingSpeed = 0.1;        // [m/s]
 
 PlanningProblem problem_at(const Scene& scene, const SceneFile& file, double time, const Pose2& pose,

@@ -19,7 +19,7 @@ struct CrowdEpisode {
   bool collision_at_speed = false;  ///< and the robot was faster than 0.1 m/s then
   double time = 0.0;                ///< [s] to the goal, or the timeout
   double min_clearance = std::numeric_limits<double>::infinity();  ///< [m] centre of the robot to an edge
-  double max_collision_index = 0.0;                                ///< over walkers, spec 7.7
+  double max_collision_index = 0.0;                                ///< over walkers, book 7.7
   double rms_jerk = 0.0;                                           ///< [m/s^3] of the applied commands
   int not_ok = 0;                                                  ///< cycles without a feasible trajectory
   std::vector<double> ms;                                          ///< CPU time of every planner call

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "runtime/base/quantile.hpp"
+
 namespace bw {
 namespace {
 

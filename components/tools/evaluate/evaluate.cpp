@@ -128,12 +128,18 @@ EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, cons
   return {name, job.seed, planner_of(card, job), card};
 }
 
-/// One suite as an object, several as {suites: [...]}.
-void write_json(const std::string& file, const std::vector<SuiteResult>& results) {
+/// One suite as an object, several as {suites: [...]}; how many drives were planned and done stands in either.
+/// Written after every drive, so that of an evaluation that is killed there is a file that says so.
+void write_json(const std::string& file, const std::vector<SuiteResult>& results, std::size_t planned) {
+  if (file.empty()) return;
   nlohmann::json reports = nlohmann::json::array();
   for (const SuiteResult& result : results) reports.push_back(to_json(result));
-  const nlohmann::json all =
-      reports.size() == 1 ? reports.front() : nlohmann::json{{"suites", std::move(reports)}};
+  nlohmann::json all = reports.size() == 1 ? reports.front() : nlohmann::json{{"suites", std::move(reports)}};
+  std::size_t driven = 0;
+  for (const SuiteResult& result : results) driven += result.episodes.size();
+  all["planned"] = planned;
+  all["driven"] = driven;
+  all["complete"] = driven == planned;
   write_file_atomically(file, all.dump(2) + "\n");
 }
 
@@ -156,17 +162,19 @@ int evaluate(const EvaluateOptions& options) {
   for (const Job& job : jobs) graph_of(suites[job.suite], job, options.set);
 
   std::size_t driven = 0;
+  write_json(options.json, results, jobs.size());
   cli::catch_interrupts();
   for (const Job& job : jobs) {
     const EpisodeResult result = drive_job(options, suites[job.suite], job);
     if (cli::interrupted()) break;
+    results[job.suite].episodes.push_back(result);
+    write_json(options.json, results, jobs.size());
     std::cerr << fmt::format("[{}/{}] {}{}\n", ++driven, jobs.size(), result.succeeded() ? "" : "FAILED ",
                              in_a_line(result));
-    results[job.suite].episodes.push_back(result);
   }
 
-  if (!options.json.empty()) write_json(options.json, results);
   std::cout << in_words(results);
+  if (driven < jobs.size()) std::cout << fmt::format("interrupted: {} of {} drives\n", driven, jobs.size());
   const bool enough = std::all_of(results.begin(), results.end(), [&](const SuiteResult& result) {
     return enough_succeeded(result, options.at_least);
   });
@@ -185,7 +193,9 @@ CLI::App* add_evaluate(CLI::App& app, int& status) {
   verb->add_option("--set", options->set, "component.param=value for all episodes, as often as needed")
       ->allow_extra_args(false);
   verb->add_option("--shard", options->shard, "I/N: only every N-th drive, beginning with the I-th");
-  verb->add_option("--json", options->json, "Writes summary and score cards here");
+  verb->add_option(
+      "--json", options->json,
+      "Writes summary and score cards here, after every drive; `complete` tells whether all are in it");
   verb->add_option("--svg-dir", options->svg_dir, "Writes a picture of every drive into this folder");
   verb->add_option("--at-least", options->at_least,
                    "Exit status 1 when a planner's share of successes is lower")

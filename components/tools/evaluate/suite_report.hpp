@@ -26,11 +26,12 @@ struct SuiteResult {
   std::vector<EpisodeResult> episodes;
 };
 
+/// Of one suite; the verb adds {planned, driven, complete}, which count drives:
 /// {suite, summary: {planner: {episodes, reached, successes, wilson95, contacts, contacts_at_speed,
 /// min_distance_m, closest_person_m, max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3,
 /// localization: {mean_rms_m, max_m}, planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner,
 /// success, ... score card}]}. Times and jerk are means over reached goals and over all drives; p95 of the
-/// planner's time is that of the worst drive.
+/// planner's time is that of the worst drive. The robot's way is told of drives that failed.
 nlohmann::json to_json(const SuiteResult& result);
 
 /// The drives that failed, and one table: a row for each suite and planner, planners in the order they were

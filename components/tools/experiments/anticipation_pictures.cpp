@@ -91,7 +91,8 @@ std::string index_picture(const std::vector<HallwayDrive>& drives, const std::st
     const double left = kMargin + kColumn * static_cast<double>(i);
     double x = left + 15.0;
     for (const HallwayDrive& drive : drives) {
-      if (drive.planner != planners[i] || drive.episode != episode || drive.people_react != people_react)
+      if (drive.planner != planners[i] || drive.episode != episode || drive.people_react != people_react ||
+          drive.own_senses)
         continue;
       svg.circle({x, height_of(drive.max_collision_index)}, 3.0,
                  "fill=\"" + color(i) + "\" fill-opacity=\"0.6\"");

@@ -16,13 +16,6 @@ std::vector<Criterion> criteria(const AnticipationResults& results, const std::s
   return all;
 }
 
-Json criteria_json(const std::vector<Criterion>& criteria) {
-  Json list = Json::array();
-  for (const Criterion& c : criteria)
-    list.push_back({{"name", c.name}, {"asked", c.asked}, {"measured", c.measured}, {"met", c.met}});
-  return list;
-}
-
 }  // namespace
 
 std::vector<Criterion> anticipation_criteria(const AnticipationResults& results) {

@@ -16,7 +16,7 @@ struct AnticipationResults {
   std::string subject;                   ///< pteb or eteb
   CrossingGeometry geometry;             ///< of `crossing`
   std::vector<CrossingResult> crossing;  ///< default and published entries
-  std::vector<CrossingResult> proposed;  ///< default entries at the spec's own places
+  std::vector<CrossingResult> proposed;  ///< default entries at the places first proposed
   std::vector<HallwayDrive> hallway;
 };
 

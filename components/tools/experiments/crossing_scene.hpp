@@ -1,13 +1,13 @@
-// Experiment E5 (spec 8.5): a robot drives from left to right, two people cross its way and do not react.
+// Experiment E5 (book 8.5): a robot drives from left to right, two people cross its way and do not react.
 // Metres, seconds, radians.
 //
 //   robot (0, 0) -> (10, 0), v_max 1, acc_max 0.5, radius 0.3
 //   A from (4.0, -4.2 + J) upwards with 1 m/s, the left one in the picture, who is met first
 //   B from (6.5, 6.6 + J) downwards with 1 m/s          J uniform in [-0.5, 0.5], one draw each per seed
 //
-// That is the proposal. There the robot comes too late to pass in front of anybody: TEB passes behind A and B
-// in 40 of 40 runs. The spec allows one shift: both start 1 m farther away. TEB (people known to move) then
-// passes in front of A in 35 of 40 runs, against exactly half of them with 0.8 m.
+// That was proposed. There the robot comes too late to pass in front of anybody: TEB passes behind A and B in
+// 40 of 40 runs. One shift is allowed: both start 1 m farther away. TEB (people known to move) then passes in
+// front of A in 35 of 40 runs, against exactly half of them with 0.8 m.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct CrossingGeometry {
   Vector2 b{6.5, 7.6};
 };
 
-/// As the spec has it.
+/// As proposed.
 inline CrossingGeometry proposed_crossing() { return {{4.0, -4.2}, {6.5, 6.6}}; }
 
 /// Limits and the rule of the drive: the closed loop of the crowd scenes with acc_max 0.5 m/s^2, without

@@ -14,14 +14,11 @@ using page::verdict;
 constexpr std::string_view kAbout =
     "<h1>EDWA: Table 3.2</h1>\n"
     "<p>Average passing velocity [m/s] over 16 m from rest, of a robot among robots that plan for "
-    "themselves; "
-    "radius 0.3 m, 1 m/s, 0.35 rad/s, 1 m/s<sup>2</sup>, one command every 0.25 s. Means are over the runs "
-    "that "
-    "reached the goal: where most DWA runs end in contact, the mean is that of the easy ones. The published "
-    "scenes are a picture only; places, margins and options were chosen with the published figures in view, "
-    "so "
-    "agreement shows that the figures are attainable, not that the inputs were these. Gain: over DWA-DWA, on "
-    "the seeds that both reached.</p>\n";
+    "themselves; radius 0.3 m, 1 m/s, 0.35 rad/s, 1 m/s<sup>2</sup>, one command every 0.25 s. Means are "
+    "over the runs that reached the goal: where most DWA runs end in contact, the mean is that of the easy "
+    "ones. The published scenes are a picture only; places, margins and options were chosen with the "
+    "published figures in view, so agreement shows that the figures are attainable, not that the inputs were "
+    "these. Gain: over DWA-DWA, on the seeds that both reached.</p>\n";
 
 std::string rows_table(const EdwaTable& table) {
   std::string html =
@@ -83,9 +80,9 @@ std::string edwa_page(const std::vector<EdwaResult>& results) {
   std::string html = page::opening("EDWA: Table 3.2", 60) + std::string(kAbout) +
                      criteria_table(table.criteria) + rows_table(table);
   html +=
-      "<h2>Figure 3.4</h2>\n<p>delta_min(t) = exp(-(d/3)<sup>2</sup>) of the gap d [m] to the nearest robot, "
-      "and "
-      "speed; first seed.</p>\n";
+      "<h2>Figure 3.4</h2>\n"
+      "<p>delta_min(t) = exp(-(d/3)<sup>2</sup>) of the gap d [m] to the nearest robot, and speed; first "
+      "seed.</p>\n";
   for (int scene = 0; scene < kEdwaScenes; ++scene) html += course(table, scene);
   if (results.size() > 1) {
     html += "<h2>Other readings</h2>\n<p>Mean [m/s] (runs that reached the goal, contacts).</p>\n<ul>\n";

@@ -50,20 +50,12 @@ Json rows_json(const EdwaTable& table) {
   return list;
 }
 
-Json criteria_json(const EdwaTable& table) {
-  Json list = Json::array();
-  for (const Criterion& c : table.criteria) {
-    list.push_back({{"name", c.name}, {"asked", c.asked}, {"measured", number(c.measured)}, {"met", c.met}});
-  }
-  return list;
-}
-
 }  // namespace
 
 std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t last_seed) {
   const EdwaExperimentOptions base{.first_seed = first_seed, .last_seed = last_seed};
   std::vector<EdwaVariant> variants(
-      7, EdwaVariant{"default", "The default reading of the specification, Table 3.1.", base});
+      7, EdwaVariant{"default", "The reading of every decision that is the default here, Table 3.1.", base});
   variants[1].name = "held braking";
   variants[1].meaning =
       "Braking is judged with the command held for one more period; arcs that lead out of the contact margin "
@@ -79,18 +71,18 @@ std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t l
   variants[2].options.planners.driving.evasion_horizon = DrivingOptions{}.evasion_horizon;
   variants[3].name = "sum";
   variants[3].meaning = "Each column of scores divided by its sum.";
-  variants[3].options.planners.dwa.profile = "sum";
+  variants[3].options.planners.dwa.profile = dwa::Profile::sum;
   variants[4].name = "sample";
   variants[4].meaning =
       "As the MATLAB teaching sample: distance from the end pose only, capped at 2 m, column sums.";
-  variants[4].options.planners.dwa.profile = "sample";
+  variants[4].options.planners.dwa.profile = dwa::Profile::teaching_sample;
   variants[5].name = "direction only";
   variants[5].meaning = "EDWA without HRVO's speed, and everybody is taken to share the avoiding.";
   variants[5].options.planners.edwa.hrvo_speed = false;
-  variants[5].options.planners.hrvo.reciprocity = "all";
+  variants[5].options.planners.hrvo.reciprocity = hrvo::Reciprocity::all;
   variants[6].name = "as printed";
   variants[6].meaning = "The heading term (3.4) as printed.";
-  variants[6].options.planners.edwa.heading = "hrvo_printed";
+  variants[6].options.planners.edwa.heading = dwa::EdwaHeading::hrvo_printed;
   return variants;
 }
 
@@ -99,13 +91,13 @@ nlohmann::ordered_json edwa_json(const std::vector<EdwaResult>& results) {
   Json json = {{"experiment", "edwa"},
                {"seeds", {first.variant.options.first_seed, first.variant.options.last_seed}},
                {"rows", rows_json(first.table)},
-               {"criteria", criteria_json(first.table)},
+               {"criteria", criteria_json(first.table.criteria)},
                {"variants", Json::array()}};
   for (std::size_t i = 1; i < results.size(); ++i) {
     json["variants"].push_back({{"name", results[i].variant.name},
                                 {"meaning", results[i].variant.meaning},
                                 {"rows", rows_json(results[i].table)},
-                                {"criteria", criteria_json(results[i].table)}});
+                                {"criteria", criteria_json(results[i].table.criteria)}});
   }
   return json;
 }

@@ -18,7 +18,7 @@ struct EdwaVariant {
   EdwaExperimentOptions options;
 };
 
-/// The spec's default reading first; then what drives a robot here, and the literal readings.
+/// The default reading (book 8.3) first; then what drives a robot here, and the literal readings.
 std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t last_seed);
 
 struct EdwaResult {

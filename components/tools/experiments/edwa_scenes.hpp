@@ -1,5 +1,5 @@
-// The scenes of experiment E3 (Table 3.2; spec 8.3). The source shows them as a picture only: start and goal
-// places are proposals of the spec.
+// The scenes of experiment E3 (Table 3.2; book 8.3). The dissertation shows them as a picture only:
+// start and goal places are proposals.
 #pragma once
 
 #include <cstdint>

@@ -4,16 +4,16 @@
 #include <numbers>
 
 #include "components/localization/ekf/ekf.hpp"
-#include "components/localization/wheel_step.hpp"
 #include "components/model/differential_drive.hpp"
 #include "components/model/random.hpp"
+#include "components/model/wheel_step.hpp"
 
 namespace bw {
 namespace {
 
 using namespace localization;
 
-// Spec 3.3.
+// Book 3.3.
 constexpr double kSpeed = 1.0;       // [m/s]
 constexpr double kPeriod = 0.1;      // [s]
 constexpr double kSeparation = 0.4;  // [m]

@@ -14,38 +14,25 @@ using page::head;
 constexpr std::string_view kFigure =
     "<h2>E1: Figure 2.3</h2>\n"
     "<p>Mean position error ME [m] and its variance about ME [m<sup>2</sup>], published as \"MSE\", of a "
-    "simulated "
-    "robot: "
-    "1 m/s, wheels of unequal size (0.85 %), receiver 1 Hz 0.18 m, compass 1 Hz 1 deg; a sine-like way of "
-    "120 s "
-    "and one lap of a circle of 33 m. The published values are one run, or an unknown number, on ways, rates "
-    "and "
-    "noises that are not given; those here were chosen with the published values in view. Agreement shows "
-    "that "
-    "the values are attainable with sensible inputs, not that the inputs were these. What carries evidence "
-    "is "
-    "the ordering.</p>\n"
+    "simulated robot: 1 m/s, wheels of unequal size (0.85 %), receiver 1 Hz 0.18 m, compass 1 Hz 1 deg; a "
+    "sine-like way of 120 s and one lap of a circle of 33 m. The published values are one run, or an unknown "
+    "number, on ways, rates and noises that are not given; those here were chosen with the published values "
+    "in view. Agreement shows that the values are attainable with sensible inputs, not that the inputs were "
+    "these. What carries evidence is the ordering.</p>\n"
     "<p><b>placed</b>: the filter takes its wheels for far worse than they are (k = 0.03 m), which is what "
-    "puts "
-    "the fused errors where they were published; no evidence of its quality. <b>matched</b>: the filter "
-    "knows its "
-    "wheels. The published variance of the encoders alone fits no drift that starts at zero and is not "
-    "judged. "
-    "With a compass and no receiver the error has no bound: its value depends on the length of the "
-    "way.</p>\n";
+    "puts the fused errors where they were published; no evidence of its quality. <b>matched</b>: the filter "
+    "knows its wheels. The published variance of the encoders alone fits no drift that starts at zero and is "
+    "not judged. With a compass and no receiver the error has no bound: its value depends on the length of "
+    "the way.</p>\n";
 
 constexpr std::string_view kRealData =
     "<h2>E7: real robots</h2>\n"
     "<p>Error of the position [m] at places that the filter did not know. Husky: outdoors, skid-steered, "
-    "against "
-    "the fixes held out, which err by metres themselves and wander together with those given. MRCLAM: an "
-    "iRobot "
-    "Create, its velocity commands as odometry, against motion capture, from the pose known at the start. "
-    "Labyrinth: radio ranges, long by 0.1 m at the median, against its reference. Reference: an earlier "
-    "study "
-    "of the specification on the same data, with its own filter and parameters; where none was made the cell "
-    "is "
-    "empty.</p>\n";
+    "against the fixes held out, which err by metres themselves and wander together with those given. "
+    "MRCLAM: an iRobot Create, its velocity commands as odometry, against motion capture, from the pose "
+    "known at the start. Labyrinth: radio ranges, long by 0.1 m at the median, against its reference. "
+    "Reference: an earlier study on the same data, with its own filter and parameters; where none was made "
+    "the cell is empty.</p>\n";
 
 std::string figure_table(const EkfReport& report) {
   std::string html = head({"sensors", "way", "filter", "published ME", "ME", "1 %", "99 %",
@@ -72,8 +59,7 @@ std::string parameters(const RealDataResults& results) {
          "ranges as the logs declare them. One figure is declared by nobody: position_walk = " +
          fixed(p.position_walk, 2) +
          " m per root metre, how far positions and wheels drift apart by what neither declares. It was "
-         "chosen with "
-         "the Husky's outage in view; the second table shows what it does.</p>\n";
+         "chosen with the Husky's outage in view; the second table shows what it does.</p>\n";
 }
 
 std::string real_data_table(const RealDataResults& results) {

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/base/quantile.hpp"
+
 namespace bw {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kRatio = 100.0;         // encoders / all sensors, spec 8.1 (a)
+constexpr double kRatio = 100.0;         // encoders / all sensors, book 8.1 (a)
 constexpr double kMeanShare = 0.25;      // (b)
 constexpr double kVarianceFactor = 3.0;  // (c)
 
@@ -21,16 +23,6 @@ const EkfRow& row_of(const std::vector<EkfRow>& rows, EkfWay way, EkfWheelNoise 
 
 Json errors_json(const EkfErrors& errors) {
   return {{"mean_m", errors.mean}, {"variance_m2", errors.variance}, {"rms_m", errors.rms}};
-}
-
-Json criteria_json(const std::vector<Criterion>& criteria) {
-  Json list = Json::array();
-  for (const Criterion& c : criteria)
-    list.push_back({{"name", c.name},
-                    {"asked", c.asked},
-                    {"measured", std::isfinite(c.measured) ? Json(c.measured) : Json(nullptr)},
-                    {"met", c.met}});
-  return list;
 }
 
 Json real_data_json(const RealDataResults& results) {
@@ -95,9 +87,7 @@ double quantile_of_means(const EkfRow& row, double share) {
   std::vector<double> means;
   for (const EkfErrors& errors : row.runs) means.push_back(errors.mean);
   if (means.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::sort(means.begin(), means.end());
-  const double rank = std::ceil(share * static_cast<double>(means.size()));
-  return means[static_cast<std::size_t>(std::clamp(rank - 1.0, 0.0, static_cast<double>(means.size() - 1)))];
+  return quantile(std::move(means), share);
 }
 
 std::vector<Criterion> ekf_criteria(const std::vector<EkfRow>& rows) {

@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 
 #include "components/tools/bench/bench_common.hpp"
+#include "runtime/base/quantile.hpp"
 
 namespace bw {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kPhysicalLimit = 0.54;  // of the collision index, spec 7.7
+constexpr double kPhysicalLimit = 0.54;  // of the collision index, book 7.7
 constexpr double kShareBelow = 0.8;
 
 double figure(const nlohmann::json& card, const char* key) {
@@ -21,12 +22,15 @@ double figure(const nlohmann::json& card, const char* key) {
 
 bool is_of(const HallwayRow& row, const HallwayDrive& drive) {
   return row.planner == drive.planner && row.episode == drive.episode &&
-         row.people_react == drive.people_react;
+         row.people_react == drive.people_react && row.own_senses == drive.own_senses;
 }
 
 HallwayRow row_of(const std::vector<const HallwayDrive*>& drives) {
   const HallwayDrive& first = *drives.front();
-  HallwayRow row{.planner = first.planner, .episode = first.episode, .people_react = first.people_react};
+  HallwayRow row{.planner = first.planner,
+                 .episode = first.episode,
+                 .people_react = first.people_react,
+                 .own_senses = first.own_senses};
   row.drives = static_cast<int>(drives.size());
   std::vector<double> index, below, above_0_54, above_0_14, times, lengths;
   for (const HallwayDrive* drive : drives) {
@@ -57,7 +61,7 @@ Json number(const std::optional<double>& value) { return value ? Json(*value) : 
 const HallwayRow* find(const std::vector<HallwayRow>& rows, const std::string& planner,
                        const std::string& episode) {
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const HallwayRow& row) {
-    return row.people_react && row.planner == planner && row.episode == episode;
+    return row.people_react && !row.own_senses && row.planner == planner && row.episode == episode;
   });
   return found == rows.end() ? nullptr : &*found;
 }
@@ -83,8 +87,10 @@ std::vector<HallwayRow> hallway_rows(const std::vector<HallwayDrive>& drives) {
   for (const HallwayDrive& first : drives) {
     if (std::any_of(rows.begin(), rows.end(), [&](const HallwayRow& row) { return is_of(row, first); }))
       continue;
-    const HallwayRow setting{
-        .planner = first.planner, .episode = first.episode, .people_react = first.people_react};
+    const HallwayRow setting{.planner = first.planner,
+                             .episode = first.episode,
+                             .people_react = first.people_react,
+                             .own_senses = first.own_senses};
     std::vector<const HallwayDrive*> same;
     for (const HallwayDrive& drive : drives) {
       if (is_of(setting, drive)) same.push_back(&drive);
@@ -123,6 +129,7 @@ nlohmann::ordered_json hallway_json(const std::vector<HallwayDrive>& drives) {
     rows.push_back({{"planner", row.planner},
                     {"episode", row.episode},
                     {"people_react", row.people_react},
+                    {"senses", row.own_senses ? "own" : "ideal"},
                     {"drives", row.drives},
                     {"successes", row.successes},
                     {"reached", row.reached},
@@ -140,6 +147,7 @@ nlohmann::ordered_json hallway_json(const std::vector<HallwayDrive>& drives) {
     list.push_back({{"planner", drive.planner},
                     {"episode", drive.episode},
                     {"people_react", drive.people_react},
+                    {"senses", drive.senses()},
                     {"seed", drive.seed},
                     {"success", drive.succeeded()},
                     {"reached", drive.reached},
@@ -155,16 +163,18 @@ nlohmann::ordered_json hallway_json(const std::vector<HallwayDrive>& drives) {
 }
 
 std::string hallway_table(const std::vector<HallwayRow>& rows) {
-  std::string out = fmt::format("{:<8} {:<10} {:<24} {:>9} {:>9} {:>9} {:>10} {:>9} {:>13} {:>7} {:>7}\n",
-                                "hallway", "people", "planner", "success", "contacts", "at speed",
-                                "CI median", "seeds<.54", "time >.54 .14", "time s", "path m");
+  std::string out =
+      fmt::format("{:<8} {:<6} {:<10} {:<24} {:>9} {:>9} {:>9} {:>10} {:>9} {:>13} {:>7} {:>7}\n", "hallway",
+                  "senses", "people", "planner", "success", "contacts", "at speed", "CI median", "seeds<.54",
+                  "time >.54 .14", "time s", "path m");
   for (const HallwayRow& row : rows) {
-    out += fmt::format("{:<8} {:<10} {:<24} {:>9} {:>9} {:>9} {:>10.3f} {:>9.2f} {:>13} {:>7.2f} {:>7.2f}\n",
-                       row.episode, row.people_react ? "react" : "do not", row.planner,
-                       fmt::format("{} of {}", row.successes, row.drives), row.contacts,
-                       row.contacts_at_speed, row.median_max_collision_index, row.share_of_seeds_below_0_54,
-                       fmt::format("{:.3f} {:.3f}", row.mean_share_above_0_54, row.mean_share_above_0_14),
-                       row.mean_time.value_or(0.0), row.mean_path_length.value_or(0.0));
+    out += fmt::format(
+        "{:<8} {:<6} {:<10} {:<24} {:>9} {:>9} {:>9} {:>10.3f} {:>9.2f} {:>13} {:>7.2f} {:>7.2f}\n",
+        row.episode, row.own_senses ? "own" : "ideal", row.people_react ? "react" : "do not", row.planner,
+        fmt::format("{} of {}", row.successes, row.drives), row.contacts, row.contacts_at_speed,
+        row.median_max_collision_index, row.share_of_seeds_below_0_54,
+        fmt::format("{:.3f} {:.3f}", row.mean_share_above_0_54, row.mean_share_above_0_14),
+        row.mean_time.value_or(0.0), row.mean_path_length.value_or(0.0));
   }
   return out;
 }

@@ -1,5 +1,6 @@
-// Experiment E6 (spec 8.6, Figures 3.8b, 3.9, 3.12): the whole robot in a hallway among walkers. The drives
-// are those of a suite in lock-step; here is what is made of their score cards.
+// Experiment E6 (book 8.6, Figures 3.8b, 3.9, 3.12): a robot in a hallway among walkers, once by ideal senses
+// (planners are compared, not what they are told), once by its own: localization, people and obstacles from
+// sensors. The drives are those of a suite in lock-step; here is what is made of their score cards.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,7 @@ struct HallwayDrive {
   std::string planner;  ///< label of the row
   std::string episode;  ///< light or full
   bool people_react = true;
+  bool own_senses = false;  ///< otherwise pose, people and walls are told without error
   std::int64_t seed = 0;
   bool reached = false;
   int contacts = 0;
@@ -28,6 +30,7 @@ struct HallwayDrive {
   double time = 0.0;         ///< [s] of the drive
   double path_length = 0.0;  ///< [m]
 
+  const char* senses() const { return own_senses ? "own" : "ideal"; }
   /// As a suite counts it: reached, and nobody was touched while the robot moved.
   bool succeeded() const { return reached && contacts_at_speed == 0; }
 };
@@ -41,6 +44,7 @@ struct HallwayRow {
   std::string planner;
   std::string episode;
   bool people_react = true;
+  bool own_senses = false;
   int drives = 0, successes = 0, reached = 0, contacts = 0, contacts_at_speed = 0;
   double median_max_collision_index = 0.0;
   double share_of_seeds_below_0_54 = 0.0;
@@ -51,9 +55,9 @@ struct HallwayRow {
 /// In the order in which planner and setting first appear.
 std::vector<HallwayRow> hallway_rows(const std::vector<HallwayDrive>& drives);
 
-/// Where people react, for every episode: the median max CI of the planners in `order` does not rise from one
+/// By ideal senses, where people react, for every episode: the median max CI of the planners in `order` does not rise from one
 /// to the next, and those after the first stay below 0.54 in at least 80 % of the seeds. Of people who do not
-/// react the rows are only reported.
+/// react, and of drives by own senses, the rows are only reported.
 std::vector<Criterion> hallway_criteria(const std::vector<HallwayRow>& rows,
                                         const std::vector<std::string>& order);
 

@@ -117,15 +117,16 @@ std::vector<Vector2> places(const std::vector<Checkpoint>& checkpoints) {
 
 /// Fixes until shortly after the first pose, then none.
 std::vector<Vector2> husky_without_receiver(const RecordedDrive& log, const RealDataParameters& parameters) {
-  return husky_row(log, parameters, Heading::gyro, {.rule = "outage", .from = 10.0, .to = 1e6}).way;
+  return husky_row(log, parameters, Heading::gyro, {.rule = HoldOutRule::outage, .from = 10.0, .to = 1e6})
+      .way;
 }
 
 WalkRow walk_row(const RecordedDrive& husky, const RecordedDrive& mrclam, const RecordedDrive& labyrinth,
                  RealDataParameters parameters, double walk) {
   parameters.position_walk = walk;
   return {walk,
-          husky_row(husky, parameters, Heading::gyro, {.rule = "every_second"}).mean,
-          husky_row(husky, parameters, Heading::gyro, {.rule = "outage"}).mean,
+          husky_row(husky, parameters, Heading::gyro, {.rule = HoldOutRule::every_second}).mean,
+          husky_row(husky, parameters, Heading::gyro, {.rule = HoldOutRule::outage}).mean,
           mean_row(mrclam, parameters, true, false, 1).mean,
           mean_row(mrclam, parameters, true, true, 1).mean,
           labyrinth_row(labyrinth, parameters, true, true).mean};
@@ -139,9 +140,10 @@ std::vector<RealDataRow> run_husky(const RecordedDrive& log, const RealDataParam
     HoldOutOptions rule;
     const char* reference[3];  ///< of each heading
   };
-  const Task tasks[] = {{"every second fix held out", {.rule = "every_second"}, {"0.85 to 1.2", "", ""}},
-                        {"a fix only every 10 s", {.rule = "sparse"}, {"1.8", "", ""}},
-                        {"no fix from 150 s to 250 s", {.rule = "outage"}, {"2.4", "6.5", "9.4"}}};
+  const Task tasks[] = {
+      {"every second fix held out", {.rule = HoldOutRule::every_second}, {"0.85 to 1.2", "", ""}},
+      {"a fix only every 10 s", {.rule = HoldOutRule::sparse}, {"1.8", "", ""}},
+      {"no fix from 150 s to 250 s", {.rule = HoldOutRule::outage}, {"2.4", "6.5", "9.4"}}};
   std::vector<RealDataRow> rows;
   for (const Task& task : tasks) {
     for (const Heading heading : {Heading::gyro, Heading::compass, Heading::wheels}) {

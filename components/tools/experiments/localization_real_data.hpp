@@ -1,4 +1,4 @@
-// Experiment E7 (spec 8.7): the EKF on logs of real robots. Every log is run with the same parameters.
+// Experiment E7 (book 8.7): the EKF on logs of real robots. Every log is run with the same parameters.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct RealDataRow {
   std::string log;
   std::string task;
   std::string sensors;
-  std::string reference;     ///< mean error of the specification's own study [m]; empty: none
+  std::string reference;     ///< mean error [m] of an earlier study on the same data; empty: none
   double mean = 0.0;         ///< of the position [m], over the seeds
   double rms = 0.0;          ///< the same
   double largest = 0.0;      ///< of all seeds

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "components/localization/wheel_step.hpp"
-
 namespace bw {
 namespace {
 
@@ -24,7 +22,11 @@ class Feed {
   }
 
   void operator()(const OdometrySample* sample) {
-    if (before_ != nullptr) add(wheel_step(*before_, *sample));
+    if (before_ != nullptr) {
+      WheelStep step = step_between(drive_, *before_, *sample, sensors_.wheel_noise);
+      step.source = kWheels;
+      add(step);
+    }
     before_ = sample;
   }
 
@@ -66,18 +68,6 @@ class Feed {
 
  private:
   void add(const Measurement& measurement) { filter_.add(measurement, stamp(measurement)); }
-
-  WheelStep wheel_step(const OdometrySample& from, const OdometrySample& to) const {
-    const Duration over = to.time - from.time;
-    const double b = drive_.wheel_separation;
-    WheelStep step = step_from_poses(to.time, over, from.X_OB, to.X_OB, b, sensors_.wheel_noise);
-    if (drive_.wheel_variance > 0.0) {  // of both speeds, held for the step
-      const double variance = drive_.wheel_variance * std::pow(over.to_seconds(), 2);
-      step.covariance << variance / 2.0, 0.0, 0.0, 2.0 * variance / (b * b);
-    }
-    step.source = kWheels;
-    return step;
-  }
 
   const RecordedDrive& drive_;
   const ReplaySensors& sensors_;

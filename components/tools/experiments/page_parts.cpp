@@ -8,10 +8,10 @@ std::string opening(const std::string& title, int width) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
          "</title><style>\nbody{font-family:sans-serif;max-width:" + std::to_string(width) +
          "em;margin:2em auto;padding:0 1em;color:#222}\n"
-         "table{border-collapse:collapse;margin:1em 0}td,th{padding:.25em .7em;border-bottom:1px solid #ddd;"
-         "text-align:right}td:first-child,th:first-child{text-align:left}.met{color:#187a2f}.not{color:#"
-         "b3261e;"
-         "font-weight:bold}</style></head><body>\n";
+         "table{border-collapse:collapse;margin:1em 0}"
+         "td,th{padding:.25em .7em;border-bottom:1px solid #ddd;text-align:right}"
+         "td:first-child,th:first-child{text-align:left}"
+         ".met{color:#187a2f}.not{color:#b3261e;font-weight:bold}</style></head><body>\n";
 }
 
 std::string cell(const std::string& html, std::string_view attributes) {

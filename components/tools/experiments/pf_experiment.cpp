@@ -7,13 +7,14 @@
 #include "components/localization/particle_filter/particle_filter.hpp"
 #include "components/model/differential_drive.hpp"
 #include "components/model/random.hpp"
+#include "runtime/base/quantile.hpp"
 
 namespace bw {
 namespace {
 
 using namespace localization;
 
-// Spec 4.3.
+// Book 4.3.
 constexpr double kSpeed = 1.0;    // [m/s]
 constexpr double kPeriod = 0.1;   // [s]
 constexpr double kRadius = 15.0;  // [m]
@@ -71,12 +72,12 @@ std::vector<Vector2> by_wheels(const std::vector<Step>& steps, bool with_fixes) 
 ParticleFilterOptions filter_options(PfMethod method, int particles) {
   ParticleFilterOptions options;
   options.count.min_particles = options.count.max_particles = particles;
-  options.motion.noise = "per_step";
+  options.motion.noise = MotionNoise::per_step;
   options.motion.longest_way = 0.0;  // Algorithm 1 moves them every step
   options.motion.walk = options.motion.heading_walk = 0.0;
   options.gate.enabled = false;  // Algorithm 1 has none
-  if (method == PfMethod::printed) options.weight_law = "printed";
-  if (method == PfMethod::printed_unscaled) options.weight_law = "printed_unscaled";
+  if (method == PfMethod::printed) options.weight_law = WeightLaw::printed;
+  if (method == PfMethod::printed_unscaled) options.weight_law = WeightLaw::printed_unscaled;
   return options;
 }
 
@@ -111,14 +112,6 @@ std::vector<Vector2> by_filter(const std::vector<Step>& steps, PfMethod method, 
     estimates.push_back(filter.estimate_at(now).X_MB.position());
   }
   return estimates;
-}
-
-double quantile(std::vector<double> values, double q) {
-  std::sort(values.begin(), values.end());
-  const double place = q * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
 const PfCell& cell_of(const PfTable& table, std::size_t row, PfMethod method) {

@@ -1,22 +1,8 @@
 #include "components/tools/experiments/pf_report.hpp"
 
-#include <cmath>
-
 namespace bw {
-namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json criteria_json(const std::vector<Criterion>& criteria) {
-  Json list = Json::array();
-  for (const Criterion& c : criteria)
-    list.push_back({{"name", c.name}, {"asked", c.asked}, {"measured", number(c.measured)}, {"met", c.met}});
-  return list;
-}
-
-}  // namespace
 
 nlohmann::ordered_json pf_json(const PfTable& table) {
   Json rows = Json::array();

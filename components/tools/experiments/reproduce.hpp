@@ -10,8 +10,8 @@ struct ReproduceArguments {
   bool quick = false;         ///< few seeds, only the main rows
 };
 
-// Each subject writes its files, prints a summary to stdout, progress to stderr, and returns whether all its
-// criteria are met.
+// Each subject writes its files, prints a summary to stdout, progress to stderr, and returns whether all criteria
+// of what it judges are met; the last lines of the summary say what that is, and what was tuned.
 
 /// E1 (Figure 2.3) and, where BANDWAGON_SHARED names recorded data, E7: results.json and index.html.
 bool reproduce_ekf(const ReproduceArguments& arguments);

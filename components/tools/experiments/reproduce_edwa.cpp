@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <iostream>
 
 #include <fmt/format.h>
 
 #include "components/tools/experiments/edwa_report.hpp"
+#include "components/tools/experiments/honesty.hpp"
 #include "components/tools/experiments/reproduce.hpp"
 #include "runtime/atomic_file.hpp"
 
@@ -21,9 +21,7 @@ void print(const EdwaTable& table) {
                to_string(row.pairing), row.published, row.mean, row.sd, row.success, row.runs.size(),
                row.contacts, row.timeouts);
   }
-  for (const Criterion& c : table.criteria) {
-    fmt::print("{:7} {}: {:.4f}, asked {}\n", c.met ? "met" : "NOT MET", c.name, c.measured, c.asked);
-  }
+  fmt::print("{}", criteria_text(table.criteria));
 }
 
 }  // namespace
@@ -42,12 +40,15 @@ bool reproduce_edwa(const ReproduceArguments& arguments) {
     };
     results.push_back({variant, run_edwa_experiment(variant.options, progress)});
   }
-  write_file_atomically(arguments.out / "results.json", edwa_json(results).dump(2) + "\n");
+  nlohmann::ordered_json json = edwa_json(results);
+  json["tuned_to_published"] = tuned_to_published("edwa");
+  write_file_atomically(arguments.out / "results.json", json.dump(2) + "\n");
   write_file_atomically(arguments.out / "index.html", edwa_page(results));
   const EdwaTable& table = results.front().table;
   print(table);
-  fmt::print("written: {}\n", (arguments.out / "index.html").string());
-  return std::all_of(table.criteria.begin(), table.criteria.end(), [](const Criterion& c) { return c.met; });
+  fmt::print("{}written: {}\n", closing_lines("edwa", "EDWA by the published setting", table.criteria),
+             (arguments.out / "index.html").string());
+  return all_met(table.criteria);
 }
 
 }  // namespace bw

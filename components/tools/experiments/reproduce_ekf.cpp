@@ -1,10 +1,10 @@
-#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 
 #include <fmt/format.h>
 
 #include "components/tools/experiments/ekf_report.hpp"
+#include "components/tools/experiments/honesty.hpp"
 #include "components/tools/experiments/reproduce.hpp"
 #include "runtime/atomic_file.hpp"
 
@@ -32,8 +32,7 @@ void print(const EkfReport& report) {
   } else {
     fmt::print("real data: not run: {}\n", report.real_data_missing);
   }
-  for (const Criterion& c : all_criteria(report))
-    fmt::print("{:7} {}: {:.4f}, asked {}\n", c.met ? "met" : "NOT MET", c.name, c.measured, c.asked);
+  fmt::print("{}", criteria_text(all_criteria(report)));
 }
 
 }  // namespace
@@ -49,12 +48,16 @@ bool reproduce_ekf(const ReproduceArguments& arguments) {
   } else {
     report.real_data_missing = "BANDWAGON_SHARED names no folder of recorded data";
   }
-  write_file_atomically(arguments.out / "results.json", ekf_json(report).dump(2) + "\n");
+  nlohmann::ordered_json json = ekf_json(report);
+  json["tuned_to_published"] = tuned_to_published("ekf");
+  write_file_atomically(arguments.out / "results.json", json.dump(2) + "\n");
   write_file_atomically(arguments.out / "index.html", ekf_page(report));
   print(report);
-  fmt::print("written: {}\n", (arguments.out / "index.html").string());
   const std::vector<Criterion> criteria = all_criteria(report);
-  return std::all_of(criteria.begin(), criteria.end(), [](const Criterion& c) { return c.met; });
+  fmt::print("{}written: {}\n",
+             closing_lines("ekf", "the EKF, simulated and on logs where they are at hand", criteria),
+             (arguments.out / "index.html").string());
+  return all_met(criteria);
 }
 
 }  // namespace bw

@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <iostream>
 
 #include <fmt/format.h>
 
+#include "components/tools/experiments/honesty.hpp"
 #include "components/tools/experiments/pf_report.hpp"
 #include "components/tools/experiments/reproduce.hpp"
 #include "runtime/atomic_file.hpp"
@@ -23,8 +23,7 @@ void print(const PfTable& table) {
     for (const PfCell& cell : table.cells[row]) fmt::print(" {:22.4f}", cell.mean);
     fmt::print("\n");
   }
-  for (const Criterion& c : table.criteria)
-    fmt::print("{:7} {}: {:.4f}, asked {}\n", c.met ? "met" : "NOT MET", c.name, c.measured, c.asked);
+  fmt::print("{}", criteria_text(table.criteria));
 }
 
 }  // namespace
@@ -36,11 +35,15 @@ bool reproduce_pf(const ReproduceArguments& arguments) {
   };
   const PfExperimentOptions options{.last_seed = arguments.quick ? kQuickSeeds : kSeeds};
   const PfTable table = run_pf_experiments(options, progress);
-  write_file_atomically(arguments.out / "results.json", pf_json(table).dump(2) + "\n");
+  nlohmann::ordered_json json = pf_json(table);
+  json["tuned_to_published"] = tuned_to_published("pf");
+  write_file_atomically(arguments.out / "results.json", json.dump(2) + "\n");
   write_file_atomically(arguments.out / "index.html", pf_page(table));
   print(table);
-  fmt::print("written: {}\n", (arguments.out / "index.html").string());
-  return std::all_of(table.criteria.begin(), table.criteria.end(), [](const Criterion& c) { return c.met; });
+  fmt::print("{}written: {}\n",
+             closing_lines("pf", "the particle filter with Gaussian weights", table.criteria),
+             (arguments.out / "index.html").string());
+  return all_met(table.criteria);
 }
 
 }  // namespace bw

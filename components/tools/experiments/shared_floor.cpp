@@ -23,6 +23,7 @@ PlanningProblem problem_of(std::size_t index, const std::vector<FloorRobot>& rob
   problem.pose = robot.pose;
   problem.twist = robot.twist;
   problem.plan = {robot.pose, robot.goal};
+  problem.goal_tolerance.xy = rules.goal_radius;
   problem.footprint.radius = rules.radius;
   problem.limits = rules.limits;
   problem.control_period = rules.control_period;

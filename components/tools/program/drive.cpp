@@ -28,13 +28,6 @@ std::string algorithm_of(const Host& host, const std::string& component) {
   return component;
 }
 
-double planner_median_ms(const Host& host, const std::string& component) {
-  for (const CallbackStatistics& s : host.statistics()) {
-    if (s.component == component && s.callback == "control_cycle") return s.run.quantile_ms(0.5);
-  }
-  return 0.0;
-}
-
 /// Asks the host to end when a person does.
 class InterruptWatch {
  public:
@@ -81,6 +74,13 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
     apply_override(graph, Override{.path = {evaluation->name, "svg"}, .value = std::move(file)});
   }
 
+  if (evaluation != nullptr && options.longest) {
+    ConfigNode limit;
+    limit.kind = ConfigNode::Kind::kScalar;
+    limit.scalar = std::to_string(options.longest->to_seconds());
+    apply_override(graph, Override{.path = {evaluation->name, "time_limit"}, .value = std::move(limit)});
+  }
+
   DriveResult result{.judged = evaluation != nullptr};
   auto seen = std::make_shared<Observation>();
   Host* running = nullptr;
@@ -88,7 +88,8 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   if (result.judged) {
     extra.push_back(
         {"run_observer", std::make_unique<RunObserver>(seen, options.show_progress, [&running, planner_name] {
-           return running == nullptr ? 0.0 : planner_median_ms(*running, planner_name);
+           if (running == nullptr || planner_name.empty()) return 0.0;
+           return planner_cycle(running->statistics(), planner_name).run.quantile_ms(0.5);
          })});
   }
   HostOptions host_options = options.host;
@@ -102,6 +103,8 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   Host host(std::move(graph), host_options, std::move(extra));
   if (recording) recording->describe(host, host_options);
   running = &host;
+  if (!planner_name.empty())
+    planner_cycle(host.statistics(), planner_name);  // else: an error before the drive
   cli::catch_interrupts();
   const InterruptWatch watch(host);
   const Duration started = steady_time();
@@ -120,6 +123,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
                        .end_reason = result.end.reason};
   result.card = seen->card;
   result.json = to_json(seen->card, facts, host.statistics());
+  if (seen->card) result.json["robot_path"] = path_json(seen->path, *seen->card);
   return result;
 }
 

@@ -2,9 +2,17 @@
 
 #include <iostream>
 
+#include <bandwagon_msgs/msg/ground_truth.hpp>
 #include <fmt/format.h>
 
+#include "components/messages/geometry.hpp"
+
 namespace bw {
+namespace {
+
+constexpr std::size_t kBeforeDrive = 10;  // looks at the truth: the first score card comes half a second late
+
+}  // namespace
 
 void RunObserver::configure(Setup& setup) {
   finish_run_ = setup.finish_run();
@@ -15,6 +23,15 @@ void RunObserver::configure(Setup& setup) {
         if (show_progress_) show(card, tick.now);
         if (card.finished()) finish_run_(card.reached(), card.reason());
       });
+  setup.input<bandwagon_msgs::msg::GroundTruth>(
+      "sim/ground_truth", Qos::standard(),
+      [this](const auto& truth, const Tick&) {
+        const Time time = from_stamp(truth.header().stamp());
+        if (!seen_->path.empty() && time - seen_->path.back().time < kPathPeriod) return;
+        seen_->path.push_back({time, from_pose(truth.pose())});
+        if (!seen_->card && seen_->path.size() > kBeforeDrive) seen_->path.erase(seen_->path.begin());
+      },
+      Need::optional);
 }
 
 void RunObserver::show(const bandwagon_msgs::msg::ScoreCard& card, Time now) {

@@ -1,4 +1,4 @@
-// The run verb's own component: follows the score card, shows progress on one line, ends the run when the
+// The run verb's own component: follows the score card and the robot's true way, shows progress on one line, ends the run when the
 // goal is decided.
 #pragma once
 
@@ -6,17 +6,29 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <bandwagon_msgs/msg/score_card.hpp>
 
+#include "runtime/base/pose2.hpp"
 #include "runtime/component.hpp"
 
 namespace bw {
 
+/// Where the robot truly was, in map.
+struct PathPoint {
+  Time time;
+  Pose2 X_MB;
+};
+
 /// What the observer has seen; shared with the verb, read after the run.
 struct Observation {
   std::optional<bandwagon_msgs::msg::ScoreCard> card;
+  std::vector<PathPoint>
+      path;  ///< by rising time, at least kPathPeriod apart; before a drive the last second
 };
+
+constexpr Duration kPathPeriod = Duration::milliseconds(100);
 
 class RunObserver final : public Component {
  public:

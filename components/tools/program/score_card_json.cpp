@@ -1,9 +1,12 @@
 #include "components/tools/program/score_card_json.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "runtime/stamps.hpp"
 
 namespace bw {
 namespace {
@@ -14,17 +17,15 @@ nlohmann::json number(double value) {
 }
 
 nlohmann::json planner_json(const RunFacts& facts, const std::vector<CallbackStatistics>& statistics) {
-  for (const CallbackStatistics& s : statistics) {
-    if (s.component != facts.planner_component || s.callback != "control_cycle") continue;
-    return {{"name", facts.planner_name},
-            {"cycles", s.run.count()},
-            {"mean_ms", s.run.mean_ms()},
-            {"median_ms", s.run.quantile_ms(0.5)},
-            {"p95_ms", s.run.quantile_ms(0.95)},
-            {"p99_ms", s.run.quantile_ms(0.99)},
-            {"max_ms", s.run.max().to_seconds() * 1e3}};
-  }
-  return nullptr;
+  if (facts.planner_component.empty()) return nullptr;
+  const DurationHistogram& run = planner_cycle(statistics, facts.planner_component).run;
+  return {{"name", facts.planner_name},
+          {"cycles", run.count()},
+          {"mean_ms", run.mean_ms()},
+          {"median_ms", run.quantile_ms(0.5)},
+          {"p95_ms", run.quantile_ms(0.95)},
+          {"p99_ms", run.quantile_ms(0.99)},
+          {"max_ms", run.max().to_seconds() * 1e3}};
 }
 
 nlohmann::json callbacks_json(const std::vector<CallbackStatistics>& statistics) {
@@ -50,6 +51,33 @@ std::string meters(const nlohmann::json& value) {
 }
 
 }  // namespace
+
+const CallbackStatistics& planner_cycle(const std::vector<CallbackStatistics>& statistics,
+                                        const std::string& component) {
+  std::string others;
+  for (const CallbackStatistics& s : statistics) {
+    if (s.component != component) continue;
+    if (s.callback == "control_cycle") return s;
+    others.append(others.empty() ? "" : ", ").append(s.callback);
+  }
+  throw std::runtime_error("the planner's time is that of the callback control_cycle, which " + component +
+                           " does not have; it has: " + (others.empty() ? "none" : others));
+}
+
+nlohmann::json path_json(const std::vector<PathPoint>& path, const bandwagon_msgs::msg::ScoreCard& card) {
+  const auto rounded = [](double value) { return std::round(value * 1e3) / 1e3; };
+  const Time began = from_stamp(card.header().stamp()) - Duration::seconds(card.time_to_goal_s());
+  constexpr double kPeriod = 0.5;  // [s]: at 1 m/s every half metre
+  double next = 0.0;
+  nlohmann::json points = nlohmann::json::array();
+  for (const auto& [time, X_MB] : path) {
+    const double t = rounded((time - began).to_seconds());
+    if (t < next) continue;
+    next = kPeriod * (std::floor(t / kPeriod) + 1.0);
+    points.push_back({t, rounded(X_MB.x), rounded(X_MB.y), rounded(X_MB.theta)});
+  }
+  return points;
+}
 
 nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card, const RunFacts& facts,
                        const std::vector<CallbackStatistics>& statistics) {

@@ -8,6 +8,7 @@
 #include <bandwagon_msgs/msg/score_card.hpp>
 #include <nlohmann/json_fwd.hpp>
 
+#include "components/tools/program/run_observer.hpp"
 #include "runtime/host/statistics.hpp"
 
 namespace bw {
@@ -15,13 +16,23 @@ namespace bw {
 struct RunFacts {
   std::string graph;
   std::uint64_t seed = 0;
-  std::string planner_component;  ///< instance whose timer callback is the planner's cycle
+  std::string planner_component;  ///< instance whose control_cycle is the planner's; empty: there is none
   std::string planner_name;
   double realtime_factor = 0.0;
   std::string samples_sha256;
   std::string end_reason;
 };
 
+/// The statistics of the planner's cycle, the callback `control_cycle`. Throws std::runtime_error when `component` has
+/// none of that name: a time of 0 would pass for a fast planner.
+const CallbackStatistics& planner_cycle(const std::vector<CallbackStatistics>& statistics,
+                                        const std::string& component);
+
+/// The robot's true way in map as [[t, x, y, theta], ...]: t [s] since the drive began, places [m], heading [rad].
+/// One point every 0.5 s, rounded to 1 ms, 1 mm and 1 mrad; what was before the drive is left out.
+nlohmann::json path_json(const std::vector<PathPoint>& path, const bandwagon_msgs::msg::ScoreCard& card);
+
+/// Throws std::runtime_error like planner_cycle() unless planner_component is empty.
 nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card, const RunFacts& facts,
                        const std::vector<CallbackStatistics>& statistics);
 

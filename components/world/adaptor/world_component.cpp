@@ -2,11 +2,14 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <sensor_msgs/msg/joint_state.hpp>
 
 #include "components/files/map_file.hpp"
 #include "components/files/shape_file.hpp"
+#include "components/messages/grid.hpp"
+#include "components/messages/obstacles.hpp"
 #include "components/world/adaptor/world_messages.hpp"
 #include "components/world/files/track_file.hpp"
 #include "components/world/world.hpp"
@@ -34,13 +37,17 @@ class WorldComponent final : public Component {
   void configure(Setup& setup) override {
     options_ = setup.parameters<WorldOptions>();
     const std::uint64_t seed = setup.seed() + static_cast<std::uint64_t>(options_.seed_offset);
-    world_ = std::make_unique<World>(options_, setup.shared<Robot>("robot"), read_files(setup), seed);
+    WorldFiles files = read_files(setup);
+    world_ = std::make_unique<World>(options_, setup.shared<Robot>("robot"), files, seed);
+    map_ = std::move(files.map);
     log_ = setup.log();
 
     setup.input<sensor_msgs::msg::JointState>("sim/wheel_commands", Qos::command(),
                                               [this](const auto& message, const Tick&) { command(message); });
     ticks_ = setup.output<bandwagon_msgs::msg::WheelTicks>("sim/wheel_ticks");
     truth_ = setup.output<bandwagon_msgs::msg::GroundTruth>("sim/ground_truth");
+    obstacles_ = setup.output<bandwagon_msgs::msg::Obstacles>("sim/obstacles", Qos::latched());
+    if (map_) true_map_ = setup.output<nav_msgs::msg::OccupancyGrid>("sim/map", Qos::latched());
     scan_ = setup.output<sensor_msgs::msg::LaserScan>("scan");
     imu_ = setup.output<sensor_msgs::msg::Imu>("imu");
     fix_ = setup.output<sensor_msgs::msg::NavSatFix>("gps/fix");
@@ -52,7 +59,13 @@ class WorldComponent final : public Component {
     setup.every(world_->physics_step(), "physics", [this](const Tick& tick) { catch_up(tick.now); });
   }
 
-  void activate(const Tick& tick) override { start_ = tick.now - world_->time(); }
+  void activate(const Tick& tick) override {
+    start_ = tick.now - world_->time();
+    const StaticScene& scene = world_->scene();
+    const StaticObstacles shapes{.discs = scene.discs(), .segments = scene.segments()};
+    obstacles_.publish(to_message(shapes, Pose2{}, map_frame_, tick.now));
+    if (map_) true_map_.publish(to_message(*map_, map_frame_, tick.now));
+  }
   void deactivate(const Tick&) override { world_->command({}); }
 
  private:
@@ -94,6 +107,7 @@ class WorldComponent final : public Component {
 
   WorldOptions options_;
   std::unique_ptr<World> world_;
+  std::optional<OccupancyGrid> map_;  ///< of the world, where it has one
   Logger log_;
   Time start_;  ///< component time of world time zero
   bool was_usable_ = true;
@@ -104,6 +118,8 @@ class WorldComponent final : public Component {
   sensor_msgs::msg::LaserScan scan_message_;
   Output<bandwagon_msgs::msg::WheelTicks> ticks_;
   Output<bandwagon_msgs::msg::GroundTruth> truth_;
+  Output<bandwagon_msgs::msg::Obstacles> obstacles_;
+  Output<nav_msgs::msg::OccupancyGrid> true_map_;
   Output<sensor_msgs::msg::LaserScan> scan_;
   Output<sensor_msgs::msg::Imu> imu_;
   Output<sensor_msgs::msg::NavSatFix> fix_;

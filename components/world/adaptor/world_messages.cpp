@@ -1,23 +1,15 @@
 #include "components/world/adaptor/world_messages.hpp"
 
-#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
-#include "runtime/stamps.hpp"
+#include "components/messages/geometry.hpp"
 
 namespace bw {
 namespace {
 
 constexpr double kWallReach = 5.0;  // [m]
-
-geometry_msgs::msg::Quaternion to_quaternion(double heading) {
-  geometry_msgs::msg::Quaternion q;
-  q.z(std::sin(heading / 2.0));
-  q.w(std::cos(heading / 2.0));
-  return q;
-}
 
 }  // namespace
 

@@ -6,12 +6,14 @@
 
 #include <bandwagon_msgs/msg/ground_truth.hpp>
 #include <bandwagon_msgs/msg/navigation_status.hpp>
+#include <bandwagon_msgs/msg/obstacles.hpp>
 #include <bandwagon_msgs/msg/score_card.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 
 #include "components/messages/geometry.hpp"
+#include "components/messages/obstacles.hpp"
 #include "tests/components/component_rig.hpp"
 
 namespace bw {
@@ -21,7 +23,8 @@ using namespace bandwagon_msgs::msg;
 using ::testing::HasSubstr;
 
 /// A drive of 4 m at 1 m/s from 1 s to 5 s past a person 1.0 m aside; the goal ends with `status`.
-std::vector<ScoreCard> cards(const std::string& parameters, std::uint8_t end_status, double seconds = 6.0) {
+std::vector<ScoreCard> cards(const std::string& parameters, std::uint8_t end_status, double seconds = 6.0,
+                             double xy_tolerance = 0.0, double goal_x = 4.0) {
   std::vector<ScoreCard> list;
   run_with_script("components: {evaluation: {parameters: " + parameters + "}}", seconds,
                   [&](bw::Setup& setup) {
@@ -30,6 +33,7 @@ std::vector<ScoreCard> cards(const std::string& parameters, std::uint8_t end_sta
                     setup.every(Duration::milliseconds(20), "world",
                                 [=, truth = setup.output<GroundTruth>("sim/ground_truth"),
                                  navigation = setup.output<NavigationStatus>("navigation_status"),
+                                 walls = setup.output<Obstacles>("sim/obstacles", Qos::latched()),
                                  map = setup.output<nav_msgs::msg::OccupancyGrid>("map", Qos::latched())](
                                     const Tick& tick) mutable {
                                   const double t = seconds_since_start(tick.now);
@@ -42,10 +46,13 @@ std::vector<ScoreCard> cards(const std::string& parameters, std::uint8_t end_sta
                                     grid.info().origin().position().y(-2.5);
                                     grid.data().assign(200, 0);
                                     map.publish(grid);
+                                    const StaticObstacles wall{.segments = {{{1.0, 2.0}, {3.0, 2.0}}}};
+                                    walls.publish(to_message(wall, Pose2{}, "map", tick.now));
                                   }
                                   NavigationStatus status;
                                   status.goal_id(1);
-                                  status.goal().pose(to_pose({4.0, 0, 0}));
+                                  status.goal().pose(to_pose({goal_x, 0, 0}));
+                                  status.xy_tolerance(xy_tolerance);
                                   status.status(NavigationStatus_Constants::EXECUTING);
                                   if (std::abs(t - 1.0) < 1e-6) navigation.publish(status);
                                   status.status(end_status);
@@ -67,6 +74,11 @@ std::vector<ScoreCard> cards(const std::string& parameters, std::uint8_t end_sta
   return list;
 }
 
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return (std::stringstream() << in.rdbuf()).str();
+}
+
 TEST(EvaluationComponent, ScoresTheDriveAndDrawsIt) {
   const auto svg = std::filesystem::path(::testing::TempDir()) / "evaluation" / "run.svg";
   std::filesystem::remove(svg);
@@ -84,12 +96,9 @@ TEST(EvaluationComponent, ScoresTheDriveAndDrawsIt) {
   EXPECT_NEAR(card.max_collision_index(), std::exp(-1.0 / 0.72), 1e-6);
   EXPECT_EQ(card.collisions(), 0U);
 
-  std::ifstream file(svg);
-  std::stringstream text;
-  text << file.rdbuf();
-  EXPECT_THAT(text.str(), HasSubstr("goal reached"));
-  EXPECT_THAT(text.str(), HasSubstr("A test"));
-  EXPECT_THAT(text.str(), HasSubstr("0.40 m at"));
+  EXPECT_THAT(text_of(svg), HasSubstr("goal reached"));
+  EXPECT_THAT(text_of(svg), HasSubstr("A test"));
+  EXPECT_THAT(text_of(svg), HasSubstr("0.40 m at"));
 }
 
 TEST(EvaluationComponent, AnAbortedGoalKeepsItsReason) {
@@ -105,7 +114,31 @@ TEST(EvaluationComponent, ARunThatEndsEarlyStillHasItsPicture) {
   std::filesystem::remove(svg);
   const auto list = cards("{svg: '" + svg.string() + "'}", NavigationStatus_Constants::SUCCEEDED, 3.0);
   EXPECT_FALSE(list.back().finished());
-  EXPECT_TRUE(std::filesystem::exists(svg));
+  EXPECT_THAT(text_of(svg), HasSubstr(">ended early<"));
+}
+
+// The run is over after 3 s, and the graph knows it: the picture says so, and shows the wall the world told of, which
+// is in no map.
+TEST(EvaluationComponent, ADriveThatTheLimitEndsIsATimeoutAmongTheWorldsWalls) {
+  const auto svg = std::filesystem::path(::testing::TempDir()) / "late.svg";
+  std::filesystem::remove(svg);
+  cards("{svg: '" + svg.string() + "', time_limit: 3.0}", NavigationStatus_Constants::SUCCEEDED, 3.0);
+  EXPECT_THAT(text_of(svg), HasSubstr(">timeout<"));
+  EXPECT_THAT(text_of(svg), HasSubstr("stroke-width=\"4\" stroke-linecap=\"round\""));
+}
+
+// 0.25 m from the goal: by the usual tolerance of 0.2 m within 0.1 m of it; by one of 0.1 m not, unless the judge has
+// a figure of its own.
+TEST(EvaluationComponent, JudgesByTheNavigatorsTolerance) {
+  const auto reached = [](const std::string& parameters, double xy_tolerance) {
+    return cards(parameters, NavigationStatus_Constants::SUCCEEDED, 6.0, xy_tolerance, 4.25).back().reached();
+  };
+  EXPECT_TRUE(reached("{}", 0.0));  // says nothing: the usual
+  EXPECT_TRUE(reached("{}", 0.2));
+  EXPECT_TRUE(reached("{}", 1.0));
+  EXPECT_FALSE(reached("{}", 0.1));
+  EXPECT_TRUE(reached("{goal_tolerance: 0.3}", 0.1));
+  EXPECT_FALSE(reached("{goal_tolerance: 0.2}", 1.0));
 }
 
 }  // namespace

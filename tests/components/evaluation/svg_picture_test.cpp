@@ -95,6 +95,44 @@ TEST(PictureView, MapsMetresToPixelsWithYUp) {
   EXPECT_NEAR(view(view.window_in_map.max()).y(), 20.0, 1e-9);
 }
 
+// The window is 1/3 as high as wide, 6.67 m of 20 m and more: the walls at y = -3 and y = 3 fit, wherever between
+// them the drive was.
+TEST(PictureView, BothWallsOfTheHallwayAreShown) {
+  for (const double aside : {-1.5, 0.0, 1.5}) {
+    RunRecording recording = drive();
+    for (RecordedMoment& moment : recording.moments) moment.X_MB.y += aside;
+    for (const bool has_map : {true, false}) {
+      if (!has_map) {
+        recording.map.reset();
+        recording.shapes.segments = {{{0.0, 3.0}, {20.0, 3.0}}, {{0.0, -3.0}, {20.0, -3.0}}};
+      }
+      const Eigen::AlignedBox2d window = view_of(recording, 1000.0, {0.0, 0.0}).window_in_map;
+      EXPECT_LT(window.min().y(), -3.0) << aside;
+      EXPECT_GT(window.max().y(), 3.0) << aside;
+    }
+  }
+}
+
+// A single pillar is no place with a border: the drive past it is shown whole.
+TEST(PictureView, WhatLiesBesideTheDriveCutsNothingOffIt) {
+  RunRecording recording = drive();
+  recording.map.reset();
+  recording.shapes.discs = {{{5.0, 1.0}, 0.2}};
+  const Eigen::AlignedBox2d window = view_of(recording, 1000.0, {0.0, 0.0}).window_in_map;
+  EXPECT_LT(window.min().x(), 1.0);
+  EXPECT_GT(window.max().x(), 19.0);
+}
+
+TEST(RunRecorder, TheWorldsMapComesBeforeTheRobots) {
+  for (const bool truth_first : {true, false}) {
+    RunRecorder recorder(0.3, 1.0);
+    if (truth_first) recorder.set_true_map(hallway(20.0, 6.0));
+    recorder.set_map(hallway(10.0, 6.0));
+    if (!truth_first) recorder.set_true_map(hallway(20.0, 6.0));
+    EXPECT_EQ(recorder.recording().map->width, 200);
+  }
+}
+
 TEST(PictureView, CellsBecomeMergedRectanglesOfTheSameArea) {
   // A wall of 200 x 1 cells is one rectangle; the free room of 200 x 58 cells too.
   const RunRecording recording = drive();
@@ -155,12 +193,24 @@ TEST(SvgPicture, AnEmptyRecordingIsStillAPicture) {
   EXPECT_THAT(svg, HasSubstr("still driving"));
 }
 
+TEST(SvgPicture, ADriveThatWasNotDecidedIsTitledAsAsked) {
+  ScoreCard late = card();
+  late.finished = false;
+  EXPECT_THAT(svg_picture(drive(), late, {.unfinished = "timeout"}), HasSubstr(">timeout<"));
+}
+
 TEST(SvgPicture, WallsAndPillarsWithoutAMapAreDrawn) {
   RunRecording recording = drive();
   recording.map.reset();
   recording.shapes.segments = {{{0.0, 3.0}, {20.0, 3.0}}};
   recording.shapes.discs = {{{5.0, 1.0}, 0.2}};
-  EXPECT_TRUE(is_well_formed(svg_picture(recording, card())));
+  const std::string svg = svg_picture(recording, card());
+  EXPECT_TRUE(is_well_formed(svg));
+  // The wall is 20 m long, the pillar 0.2 m in radius.
+  const PictureView view = view_of(recording, 1280.0 - 2.0 * 28.0, {28.0, 92.0});
+  EXPECT_THAT(svg, HasSubstr("r=\"" + fixed(0.2 * view.scale, 1) + "\" fill=\"#34414f\""));
+  EXPECT_THAT(svg, HasSubstr("x1=\"" + fixed(view({0.0, 3.0}).x(), 1) + "\" y1=\"" +
+                             fixed(view({0.0, 3.0}).y(), 1) + "\" x2=\"" + fixed(view({20.0, 3.0}).x(), 1)));
 }
 
 }  // namespace

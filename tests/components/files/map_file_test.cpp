@@ -82,8 +82,8 @@ TEST_F(MapFile, NegatesShades) {
   EXPECT_THAT(load(yaml).cells, ElementsAre(0, kU, 100));
 }
 
-// Scale: 1 + 98 (p - free) / (occupied - free): v = 205 gives 1 + 98 * 0.0000784 / 0.454 = 1; v = 148 gives p
-// = 0.4196 and 1 + 98 * 0.4925 = 49.
+// The scale is 1 + 98 (p - free) / (occupied - free): v = 205 gives 1 + 98 * 0.0000784 / 0.454 = 1;
+// v = 148 gives p = 0.4196 and 1 + 98 * 0.4925 = 49.
 TEST_F(MapFile, ScalesBetweenTheThresholds) {
   EXPECT_THAT(load_pgm("P5 4 1 255\n\x00\xcd\x94\xff"s, "mode: scale\n").cells, ElementsAre(100, 1, 49, 0));
 }

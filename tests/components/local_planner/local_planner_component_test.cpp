@@ -38,6 +38,7 @@ struct Neighbours {
   Obstacles obstacles;
   Tracks tracks;
   double tracks_age = 0.0;  ///< [s] of their stamp
+  double xy_tolerance = 0.0;
   int odometry_ends = 1'000'000;
   int odometry_begins = 0;
   bool transforms = true;
@@ -92,6 +93,7 @@ struct Neighbours {
           message.id(kRequestId);
           message.mode(requests[step]);
           message.path(to_path("map", tick.now, path));
+          message.xy_tolerance(xy_tolerance);
           request.publish(message);
         });
   }
@@ -155,6 +157,27 @@ TEST_P(EveryPlanner, FollowsThePathOfTheMapToItsEnd) {
     ASSERT_LE(std::abs(now.v - before.v), limits.stop_deceleration * 0.1 + 1e-9) << i;
   }
   EXPECT_EQ(n.diagnostics["planner"], GetParam());
+}
+
+// The drive ends within half of what counts as reached, unless the planner has a figure of its own, which counts as long
+// as it lies inside.
+TEST(LocalPlannerComponent, EndsTheDriveWellWithinWhatCountsAsReached) {
+  const auto left_to_go = [](double xy_tolerance, const std::string& parameters) {
+    Neighbours n;
+    n.requests = {{5, FollowRequest_Constants::FOLLOW}};
+    n.xy_tolerance = xy_tolerance;
+    n.run(12.0, "parameters: {algorithm: teb, command_lead: 0.1" + parameters + "}");
+    EXPECT_NEAR(n.twist.v, 0.0, 0.02);
+    return (n.X_MB.position() - Vector2(3.0, 0.0)).norm();
+  };
+  EXPECT_LT(left_to_go(0.0, ""), 0.1);  // says nothing: the usual 0.2 m
+  const double wide = left_to_go(2.4, "");
+  EXPECT_LT(wide, 1.2);
+  EXPECT_GT(wide, 0.4);  // from 1 m/s it comes to rest within 0.5 m, and a cycle and the lead more
+  EXPECT_LT(left_to_go(2.4, ", xy_goal_tolerance: 0.1"), 0.1);
+  const double explicitly = left_to_go(2.4, ", xy_goal_tolerance: 1.2");
+  EXPECT_EQ(explicitly, wide);
+  EXPECT_LT(left_to_go(0.2, ", xy_goal_tolerance: 1.2"), 0.1);  // would stop short of the goal: not used
 }
 
 TEST(LocalPlannerComponent, IsSilentUntilToldAndAfterItStopped) {

@@ -1,4 +1,4 @@
-// How the band sees movers: where and how large (spec 6.5, D10). Expected numbers are closed forms.
+// How the band sees movers: where and how large (book 6.5, D10). Expected numbers are closed forms.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -30,7 +30,8 @@ TEST(Prediction, TimeIndexedKeepsMovers) {
 }
 
 TEST(Prediction, PresentIsADiscWhereTheMoverStands) {
-  const ObstacleField field = nearby_obstacles({}, {walker()}, {0, 0}, 0.2, 10, {.prediction = "present"});
+  const ObstacleField field =
+      nearby_obstacles({}, {walker()}, {0, 0}, 0.2, 10, {.prediction = Prediction::present});
   EXPECT_TRUE(field.movers.empty());
   ASSERT_EQ(field.statics.size(), 1U);
   EXPECT_EQ(field.statics[0].a, Vector2(2.0, 0.0));
@@ -40,7 +41,7 @@ TEST(Prediction, PresentIsADiscWhereTheMoverStands) {
 TEST(Prediction, DoubledAddsTheFuturePlaceGrownByItsUncertainty) {
   // 1.6 s at 1 m/s is 1.6 m away; 1 sigma at 0.1 m/s is 0.16 m.
   const ObstacleField field = nearby_obstacles({}, {walker()}, {0, 0}, 0.2, 10,
-                                               {.prediction = "doubled",
+                                               {.prediction = Prediction::doubled,
                                                 .prediction_time = 1.6,
                                                 .uncertainty_factor = 1.0,
                                                 .uncertainty_growth = 0.1});

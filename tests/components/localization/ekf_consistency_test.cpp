@@ -82,7 +82,7 @@ Summary summarise(DriveOptions drive, const EkfOptions& options, int runs) {
   return s;
 }
 
-// Bands of anchors 1.6: chi-square of 3 x 50 degrees of freedom at 95 %, over 50: [2.36, 3.72]. NIS over
+// Bands of book 9.3: chi-square of 3 x 50 degrees of freedom at 95 %, over 50: [2.36, 3.72]. NIS over
 // 50 x 300 fixes, 2 degrees: 2 +- 1.96 sqrt(4 / 15000) = [1.968, 2.032]; +-3 standard deviations here, since
 // the seeds are fixed and five cases are looked at: [1.95, 2.05].
 void expect_consistent(const Summary& s) {
@@ -182,7 +182,7 @@ TEST(EkfAdaptive, RightNoiseStaysConsistent) {
   EXPECT_LT(s.nis, 2.05);
 }
 
-// 60 s of wheels and gyro alone: the 95 % ellipse holds the truth in >= 93 % of the runs (anchors 1.6), and
+// 60 s of wheels and gyro alone: the 95 % ellipse holds the truth in >= 93 % of the runs (book 9.3), and
 // is not too large either: 95 % +- 3 standard deviations of 500 draws. Sensors that keep the heading within
 // 0.05 rad: beyond, where the robot may be is a crescent 22 m from the start, which no ellipse fits.
 TEST(EkfConsistency, DeadReckoningEllipseHoldsTheTruth) {
@@ -225,7 +225,7 @@ TEST(EkfConsistency, DeadReckoningNeverGainsKnowledge) {
   }
 }
 
-// 2 % of the fixes 42 m off: gated, the error stays within 1.1 times the clean one (anchors 1.6); without the
+// 2 % of the fixes 42 m off: gated, the error stays within 1.1 times the clean one (book 9.3); without the
 // gate it is many times that.
 TEST(EkfGate, OutliersOf42mLeaveTheErrorWithinATenth) {
   double clean = 0.0, gated = 0.0, open = 0.0;

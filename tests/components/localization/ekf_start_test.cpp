@@ -281,7 +281,7 @@ TEST_F(EkfClock, BothClocksBackHoldThePose) {
 
 TEST_F(EkfClock, ResetFindsANewFirstPose) {
   EkfOptions options;
-  options.on_clock_jump = "reset";
+  options.on_clock_jump = OnClockJump::reset;
   Ekf ekf(options);
   run(ekf, 0.0, 20.0, kHour, kHour);
   run(ekf, 20.0, 20.05, {}, {});

@@ -217,9 +217,17 @@ TEST(LocalizationComponent, StopsThePoseWhenLostAndReturnsAfterReacquisition) {
   EXPECT_NEAR(gap_ends, 15.0, 0.7);
   EXPECT_NEAR(seen.filtered.back().pose().pose().position().x() - truth(stamps.back()).x, 5.0, 0.1);
 
+  // Nor on amcl_pose, which comes ten times a second from 0.5 s on. 50 ms: the state is looked at between two poses.
+  for (const auto& m : seen.poses) {
+    const double stamp = seconds_since_start(from_stamp(m.header().stamp()));
+    EXPECT_TRUE(stamp < gap_begins + 0.05 || stamp > gap_ends - 0.05) << stamp;
+  }
+  EXPECT_NEAR(static_cast<double>(seen.poses.size()), 10.0 * (23.5 - (gap_ends - gap_begins)), 3.0);
+
   const Seen stubborn =
       run({.seconds = 12.0, .fix_error = 5.0, .spoilt_from = 5.0}, ", publish_when_lost: true");
   EXPECT_NEAR(static_cast<double>(stubborn.filtered.size()), 50.0 * 12.0, 50.0);
+  EXPECT_NEAR(static_cast<double>(stubborn.poses.size()), 10.0 * 12.0, 10.0);
 }
 
 TEST(LocalizationComponent, TakesTheCourseBetweenFixesWhenAsked) {

@@ -8,6 +8,7 @@
 
 #include "tests/components/localization/laser_scene.hpp"
 #include "tests/components/localization/map_localization_trial.hpp"
+#include "tests/shortfall.hpp"
 
 namespace bw::localization {
 namespace {
@@ -134,8 +135,13 @@ TEST_P(Rooms, CarriedAway) {
   }
   found.print(named("carried away"));
   EXPECT_GE(found.found, enough(trials()));
-  // Asked: all. In a crowd a look-alike room agrees for a while: 17 of 20 measured.
-  EXPECT_GE(found.reported, GetParam() ? trials() * 4 / 5 : enough(trials()));
+  // In a crowd a look-alike room agrees for a while.
+  if (GetParam()) {
+    bw::test::expect_at_least("share of drives in which LOST is said within 3 s", 1.0,
+                              trials() * 4 / 5 / double(trials()), found.reported / double(trials()));
+  } else {
+    EXPECT_GE(found.reported, enough(trials()));
+  }
 }
 
 struct Recorded {

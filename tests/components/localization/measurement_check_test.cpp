@@ -6,8 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-#include "components/localization/wheel_step.hpp"
 #include "components/model/random.hpp"
+#include "components/model/wheel_step.hpp"
 
 namespace bw::localization {
 namespace {
@@ -50,8 +50,9 @@ TEST(MeasurementCheck, NamesTheFault) {
   fix.covariance = 1.1e6 * Eigen::Matrix2d::Identity();
   EXPECT_EQ(check(fix, kLimits), Verdict::bad_covariance);
   fix = {};
-  fix.source = kMaxSources;
-  EXPECT_EQ(check(fix, kLimits), Verdict::bad_source);
+  fix.source = 8;
+  EXPECT_EQ(check(fix, kLimits, 8), Verdict::bad_source);
+  EXPECT_EQ(check(fix, kLimits, 9), Verdict::accepted);
   fix.source = -1;
   EXPECT_EQ(check(fix, kLimits), Verdict::bad_source);
 
@@ -90,7 +91,7 @@ TEST(MeasurementCheck, NamesTheFault) {
   step = wheels(0.1, 0.0);
   step.covariance(0, 0) = -1e-9;
   EXPECT_EQ(check(step, kLimits), Verdict::bad_covariance);
-  // Small beside the distance's variance, and yet no covariance: its symmetric part has the eigenvalue
+  // Small beside the distance's variance, and yet no covariance: an eigenvalue of its symmetric part is
   // -0.027.
   step.covariance << 1e6, 0.0, 0.33, 1e-10;
   EXPECT_EQ(check(step, kLimits), Verdict::bad_covariance);

@@ -31,7 +31,7 @@ double drive_rmse(ParticleFilter& filter, const Drive& drive, double outlier_sha
   return std::sqrt(squares / samples);
 }
 
-// Anchors 1.3, 1.6: 2 % fixes off by 42 m cost at most a tenth. Ten drives, since the filter's own draws
+// Book 9.1, 9.3: 2 % fixes off by 42 m cost at most a tenth. Ten drives, since the filter's own draws
 // differ.
 TEST(ParticleFilterGate, OutliersCostLittle) {
   double clean = 0.0, spoilt = 0.0;
@@ -238,7 +238,7 @@ TEST(ParticleFilterFaults, GarbageLeavesItFinite) {
   ParticleFilterOptions options;
   options.count.min_particles = 50;
   options.count.max_particles = 200;
-  for (const char* law : {"gaussian", "printed", "printed_unscaled"}) {
+  for (const WeightLaw law : {WeightLaw::gaussian, WeightLaw::printed, WeightLaw::printed_unscaled}) {
     options.weight_law = law;
     ParticleFilter filter(options, 11);
     filter.start_at({}, Eigen::Matrix3d::Identity(), kStart);
@@ -263,7 +263,7 @@ TEST(ParticleFilterFaults, GarbageLeavesItFinite) {
       filter.health(now);
     }
     const std::uint64_t used = filter.count(Verdict::accepted) + filter.count(Verdict::reacquired);
-    EXPECT_GT(used, static_cast<std::uint64_t>(steps / 40)) << law;  // not all is refused
+    EXPECT_GT(used, static_cast<std::uint64_t>(steps / 40)) << text_of(law);  // not all is refused
   }
 }
 

@@ -1,4 +1,4 @@
-// The filter with a laser in a floor of several rooms. Scenarios on the conditions of the anchors are in
+// The filter with a laser in a floor of several rooms. Scenarios on the conditions of book 9.2 are in
 // map_localization_test.cpp.
 #include <cmath>
 #include <limits>
@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "components/localization/particle_filter/particle_filter.hpp"
-#include "components/localization/wheel_step.hpp"
 #include "components/model/differential_drive.hpp"
+#include "components/model/wheel_step.hpp"
 #include "tests/components/localization/particle_filter_rooms.hpp"
 
 namespace bw::localization {
@@ -70,9 +70,9 @@ Eigen::Matrix3d start_covariance() {
       .asDiagonal();
 }
 
-// Anchors 1.6: RMSE <= 0.08 m, largest error <= 0.21 m, at most 850 particles on average.
+// Book 9.3: RMSE <= 0.08 m, largest error <= 0.21 m, at most 850 particles on average.
 TEST(ParticleFilterLaser, Tracks) {
-  for (const char* noise : {"declared", "amcl"}) {
+  for (const MotionNoise noise : {MotionNoise::declared, MotionNoise::amcl}) {
     ParticleFilterOptions options;
     options.motion.noise = noise;
     Rover rover(1);
@@ -94,14 +94,14 @@ TEST(ParticleFilterLaser, Tracks) {
       ASSERT_NE(state, HealthState::lost) << i;
       if (state != HealthState::ok) ++not_ok;
     }
-    RecordProperty(std::string("rmse_") + noise, std::to_string(std::sqrt(squares)));
-    RecordProperty(std::string("largest_") + noise, std::to_string(largest));
-    EXPECT_LE(std::sqrt(squares), 0.08) << noise;
-    EXPECT_LE(largest, 0.21) << noise;
-    EXPECT_LE(particles, 850.0) << noise;
+    RecordProperty("rmse_" + std::string(text_of(noise)), std::to_string(std::sqrt(squares)));
+    RecordProperty("largest_" + std::string(text_of(noise)), std::to_string(largest));
+    EXPECT_LE(std::sqrt(squares), 0.08) << text_of(noise);
+    EXPECT_LE(largest, 0.21) << text_of(noise);
+    EXPECT_LE(particles, 850.0) << text_of(noise);
     // These wheels leave the heading 2 degrees off after a quick turn: far walls miss until the next sweep
     // counts.
-    EXPECT_LE(not_ok, kSweeps / 100) << noise;
+    EXPECT_LE(not_ok, kSweeps / 100) << text_of(noise);
   }
 }
 
@@ -122,7 +122,7 @@ TEST(ParticleFilterLaser, ASweepCountsAfterWayOrTurn) {
   EXPECT_EQ(rover.drive_on(filter).verdict, Verdict::accepted);
 }
 
-// Started anywhere: LOST until one place is left, then OK; within 25 used sweeps (anchors 1.6), all of 10.
+// Started anywhere: LOST until one place is left, then OK; within 25 used sweeps (book 9.3), all of 10.
 TEST(ParticleFilterLaser, FindsItselfOnTheWholeMap) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     ParticleFilter filter(kDefaults, seed);

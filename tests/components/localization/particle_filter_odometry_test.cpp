@@ -86,7 +86,7 @@ TEST(OdometryTrack, StepsOutOfOrderAndGaps) {
 // Straight 0.5 m: way alpha3 d^2, both turns alpha2 d^2, the first of them moves the end sideways by d.
 TEST(OdometryTrack, AlphasAreAmcls) {
   ParticleMotionOptions options = plain();
-  options.noise = "amcl";
+  options.noise = MotionNoise::amcl;
   options.alpha1 = 0.1;
   options.alpha2 = 0.2;
   options.alpha3 = 0.3;

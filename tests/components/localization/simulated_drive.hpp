@@ -1,5 +1,5 @@
 // A drive with known truth and the measurements of it, for the tests of filters. 0.8 m/s, sinusoidal turn
-// rate (anchors 1.3): encoders and gyro 100 Hz, compass 10 Hz, receiver 5 Hz unless said otherwise.
+// rate (book 9.1): encoders and gyro 100 Hz, compass 10 Hz, receiver 5 Hz unless said otherwise.
 #pragma once
 
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "components/localization/measurements.hpp"
-#include "components/localization/wheel_step.hpp"
 #include "components/model/differential_drive.hpp"
 #include "components/model/random.hpp"
+#include "components/model/wheel_step.hpp"
 
 namespace bw::localization {
 

@@ -133,8 +133,8 @@ TEST(LocalCostmapComponent, GivesCostsAndShapesTenTimesASecond) {
   EXPECT_EQ(costs.info().height(), 200u);
   EXPECT_EQ(value_at(costs, {1.5, 1.43}), 100);  // lethal
   EXPECT_EQ(value_at(costs, {1.5, 1.18}), 99);   // 0.25 m before it: inscribed radius 0.3
-  // 0.5 m before it, cell centres 10 cells apart: 252 exp(-3 * 0.2) = 138, published as 1 + 97 * 137 / 251
-  // = 53.
+  // 0.5 m before it, cell centres 10 cells apart: 252 exp(-3 * 0.2) = 138, published as
+  // 1 + 97 * 137 / 251 = 53.
   EXPECT_EQ(value_at(costs, {1.5, 0.93}), 53);
   EXPECT_EQ(value_at(costs, {3.0, -0.7}), 0);
   EXPECT_EQ(value_at(costs, {1.5, 1.75}), -1);

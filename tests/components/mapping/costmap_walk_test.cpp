@@ -53,7 +53,7 @@ TEST(CellWalk, VisitsTheCellsOfAFineSampling) {
   }
 }
 
-// From (0.5, 0.5) to (3.5, 0.5): cells 0 to 3 of row 0, left at (1, 2, 3 - 0.5) / 3 and at the end.
+// From (0.5, 0.5) to (3.5, 0.5): cells 0 to 3 of the first row, left at (1, 2, 3 - 0.5) / 3 and at the end.
 TEST(CellWalk, TellsWhereCellsAreLeft) {
   for (const bool back : {false, true}) {
     const Vector2 a{back ? 3.5 : 0.5, 0.5};

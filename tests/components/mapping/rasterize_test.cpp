@@ -1,5 +1,6 @@
 #include "components/mapping/rasterize.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>

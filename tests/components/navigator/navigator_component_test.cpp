@@ -26,6 +26,7 @@ struct World {
   std::uint8_t mode = FollowRequest_Constants::STOP;
   std::uint64_t follow_id = 0;
   int plans = 0;
+  FollowRequest last_follow;  ///< the last request
   std::vector<NavigationStatus> statuses;
 
   void configure(bw::Setup& setup) {
@@ -41,9 +42,10 @@ struct World {
                                out.publish(result);
                              });
     setup.input<FollowRequest>("follow_request", Qos::standard(),
-                               [this](const FollowRequest& request, const Tick&) {
-                                 mode = request.mode();
-                                 follow_id = request.id();
+                               [this](const FollowRequest& message, const Tick&) {
+                                 last_follow = message;
+                                 mode = message.mode();
+                                 follow_id = message.id();
                                });
     setup.input<NavigationStatus>("navigation_status", Qos::standard(50),
                                   [this](const auto& status, const Tick&) { statuses.push_back(status); });
@@ -89,6 +91,22 @@ TEST(NavigatorComponent, DrivesToTheGoalOfTheGraph) {
   // Accepted, executing, feedback each 0.2 s, succeeded.
   EXPECT_EQ(world.statuses.front().status(), NavigationStatus_Constants::ACCEPTED);
   EXPECT_NEAR(static_cast<double>(world.statuses.size()), 2 + 15 + 1, 2);
+}
+
+TEST(NavigatorComponent, TellsPlannerAndJudgeWithinWhatTheGoalIsReached) {
+  for (const bool is_set : {false, true}) {
+    World world;
+    const std::string set = is_set ? ", xy_tolerance: 0.7, yaw_tolerance: 0.9" : "";
+    run_with_script("components: {navigator: {parameters: {goal: {enabled: true, x: 3.0}" + set + "}}}", 3.0,
+                    [&](bw::Setup& setup) { world.configure(setup); });
+    ASSERT_FALSE(world.statuses.empty());
+    for (const NavigationStatus& status : world.statuses) {
+      EXPECT_EQ(status.xy_tolerance(), is_set ? 0.7 : 0.2);
+      EXPECT_EQ(status.yaw_tolerance(), is_set ? 0.9 : 0.3);
+    }
+    EXPECT_EQ(world.last_follow.xy_tolerance(), is_set ? 0.7 : 0.2);
+    EXPECT_EQ(world.last_follow.yaw_tolerance(), is_set ? 0.9 : 0.3);
+  }
 }
 
 TEST(NavigatorComponent, TakesGoalsFromTheTopicAndRefusesUnknownFrames) {

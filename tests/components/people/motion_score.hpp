@@ -55,7 +55,9 @@ struct MotionScore {
 class MotionJudge {
  public:
   explicit MotionJudge(Trial& trial)
-      : trial_(&trial), straight_(with("constant_velocity")), turning_(with("constant_turn_rate")) {
+      : trial_(&trial),
+        straight_(with(PredictionModel::constant_velocity)),
+        turning_(with(PredictionModel::constant_turn_rate)) {
     trial.keeper().on_followed = [this](const TruePerson& person, const TrackedPerson& track, bool steady) {
       judge(person, track, steady);
       followed_.push_back({person.id, track.id});
@@ -81,7 +83,7 @@ class MotionJudge {
     Vector2 straight, turning;  ///< in M
   };
 
-  static PredictionOptions with(const char* model) {
+  static PredictionOptions with(PredictionModel model) {
     PredictionOptions options;
     options.model = model;
     options.step = kAhead[0];
@@ -111,17 +113,16 @@ class MotionJudge {
       }
       return true;
     });
-    std::vector<PersonState> states;
-    for (const TrackedPerson& t : tracks)
-      states.push_back({t.id, t.position, t.velocity, t.covariance, t.radius});
-    const auto straight = straight_.predict(states, {}, stamp);
-    const auto turning = turning_.predict(states, {}, stamp);
+    std::vector<TrackedPerson> straight = tracks;
+    std::vector<TrackedPerson> turning = tracks;
+    straight_.predict(straight, {}, stamp);
+    turning_.predict(turning, {}, stamp);
     for (const Followed& f : followed_) {
-      for (std::size_t i = 0; i < states.size(); ++i) {
-        if (states[i].id != f.track) continue;
+      for (std::size_t i = 0; i < tracks.size(); ++i) {
+        if (tracks[i].id != f.track) continue;
         for (std::size_t k = 0; k < kAhead.size(); ++k)
-          foreseen_.push_back(
-              {f.person, now + kAhead[k], k, X_MO * straight[i][k].position, X_MO * turning[i][k].position});
+          foreseen_.push_back({f.person, now + kAhead[k], k, X_MO * straight[i].predictions[k].position,
+                               X_MO * turning[i].predictions[k].position});
       }
     }
     followed_.clear();

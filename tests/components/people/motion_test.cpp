@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/components/people/motion_score.hpp"
+#include "tests/shortfall.hpp"
 
 namespace bw::people::test {
 namespace {
@@ -20,23 +21,23 @@ struct Candidate {
 
 std::vector<Candidate> candidates() {
   TrackerOptions gait;
-  gait.motion = "gait";
+  gait.motion = MotionFilter::gait;
   TrackerOptions heading;
-  heading.motion = "heading";
+  heading.motion = MotionFilter::heading;
   TrackerOptions turning = heading;
   turning.heading.turn_rate = true;
   TrackerOptions gliding = heading;  // never has a heading
   gliding.heading.walking_speed = 100.0;
   gliding.heading.acceleration_standing = 0.5;
-  TrackerOptions as_in_spec = heading;
-  as_in_spec.heading.heading_noise = 0.5;
-  as_in_spec.heading.acceleration = as_in_spec.heading.acceleration_standing = 0.8;
-  as_in_spec.heading.position_noise = 0.05;
+  TrackerOptions as_planned = heading;
+  as_planned.heading.heading_noise = 0.5;
+  as_planned.heading.acceleration = as_planned.heading.acceleration_standing = 0.8;
+  as_planned.heading.position_noise = 0.05;
   return {{"gait", gait},
           {"heading", heading},
           {"heading, turn rate", turning},
           {"constant velocity", gliding},
-          {"heading, noise of 7.3", as_in_spec}};
+          {"heading, noise first planned", as_planned}};
 }
 
 /// Twelve rooms: 3, 8, 20 people; bare and furnished; robot standing and driving.
@@ -93,7 +94,8 @@ TEST(Motion, ReportsTheBetterFilter) {
     EXPECT_LE(chosen.straight[1].value(), 1.02 * all.straight[1].value()) << candidate.name;
     EXPECT_LE(all.nees.value(), 2.0) << candidate.name;
   }
-  EXPECT_LE(chosen.score.velocity_rmse(), 0.18);  // asked: 0.15, as in perception_test
+  // As in perception_test; the rooms here are other ones, and in the short run few.
+  bw::test::expect_at_most("velocity error [m/s]", 0.15, 0.18, chosen.score.velocity_rmse());
   EXPECT_LE(chosen.score.motp(), 0.10);
 }
 

@@ -29,6 +29,7 @@
 
 #include "components/files/csv_file.hpp"
 #include "components/recordings/files/log_files.hpp"
+#include "runtime/base/quantile.hpp"
 #include "tests/components/people/perception_trial.hpp"
 #include "tests/components/people/recorded_picture.hpp"
 
@@ -155,7 +156,6 @@ TEST(RecordedPeople, AreFollowed) {
     for (Stretch* stretch : stretches) stretch->add(time, people);
   }
 
-  std::sort(milliseconds.begin(), milliseconds.end());
   std::size_t sightings = 0;
   std::size_t brief = 0;
   for (const auto& [id, track] : tracks) {
@@ -167,7 +167,7 @@ TEST(RecordedPeople, AreFollowed) {
       "%zu sweeps, %zu tracks, mean length %.1f s, %zu shorter than 2 s; CPU median %.2f ms, worst %.2f ms\n",
       drive.scans.size(), tracks.size(),
       0.1 * static_cast<double>(sightings) / static_cast<double>(tracks.size()), brief,
-      milliseconds[milliseconds.size() / 2], milliseconds.back());
+      quantile(milliseconds, 0.5), quantile(milliseconds, 1.0));
   for (const Stretch* stretch : stretches) stretch->print();
 
   Score unseen = sparse.score();
@@ -184,7 +184,7 @@ TEST(RecordedPeople, AreFollowed) {
     EXPECT_GT(stretch->score().mota(), 0.332) << stretch->name();
     EXPECT_LE(stretch->score().motp(), 0.10) << stretch->name();  // asked for in simulation
   }
-  // A little below what was reached, so that a loss shows: 0.722, 1.000 and 1.000.
+  // A little below what was reached, so that a loss shows: 0.731, 0.984 and 1.000.
   EXPECT_GT(sparse.score().mota(), 0.70);
   EXPECT_GT(dense.score().mota(), 0.95);
   EXPECT_GT(seen.score().mota(), 0.95);

@@ -15,6 +15,7 @@
 
 #include "components/people/tracker/assignment.hpp"
 #include "components/people/tracker/tracker.hpp"
+#include "runtime/base/quantile.hpp"
 
 namespace bw::people::test {
 
@@ -60,12 +61,7 @@ struct Score {
   double person_minutes() const { return static_cast<double>(people) * 0.1 / 60.0; }
   double switches_per_ten_minutes() const { return 10.0 * static_cast<double>(switches) / person_minutes(); }
   /// Share `q` of people were confirmed within so many seconds.
-  double confirmation_quantile(double q) const {
-    if (confirmation.empty()) return 0.0;
-    std::vector<double> sorted = confirmation;
-    std::sort(sorted.begin(), sorted.end());
-    return sorted[static_cast<std::size_t>(std::lround(q * static_cast<double>(sorted.size() - 1)))];
-  }
+  double confirmation_quantile(double q) const { return quantile(confirmation, q); }
   void add(const Score& other) {
     people += other.people;
     matched += other.matched;

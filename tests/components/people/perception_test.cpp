@@ -1,4 +1,4 @@
-// Detector and tracker together against the truth of simulated rooms (issue 5.1). The short version guards
+// Detector and tracker together against the truth of simulated rooms. The short version guards
 // what was reached; the long one (BANDWAGON_PEOPLE_MINUTES: minutes of each scene) prints the figures.
 // Parameters were chosen on other seeds (README of the tracker); change the ones here when choosing anew.
 #include <cstdio>
@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/components/people/perception_trial.hpp"
+#include "tests/shortfall.hpp"
 
 namespace bw::people::test {
 namespace {
@@ -21,8 +22,7 @@ bool is_long() { return std::getenv("BANDWAGON_PEOPLE_MINUTES") != nullptr; }
 void print(const char* name, const Score& score) {
   std::printf(
       "%-28s %5.1f person-min  MOTA %.3f  MOTP %.3f m  recall %.3f  precision %.3f  switches %ld (%ld in "
-      "view)  "
-      "velocity %.3f (steady %.3f) m/s  confirmed %.1f s (95 %%: %.1f)\n",
+      "view)  velocity %.3f (steady %.3f) m/s  confirmed %.1f s (95 %%: %.1f)\n",
       name, score.person_minutes(), score.mota(), score.motp(), score.recall(), score.precision(),
       score.switches, score.switches_seen, score.velocity_rmse(), score.steady_rmse(),
       score.confirmation_quantile(0.5), score.confirmation_quantile(0.95));
@@ -45,15 +45,17 @@ TEST(Perception, FollowsPeopleAroundAStandingAndADrivingRobot) {
     }
   }
   print("all", all);
-  // Asked by issue 5.1.
+  // What is asked, and held.
   EXPECT_GE(all.mota(), 0.80);
   EXPECT_LE(all.motp(), 0.10);
   EXPECT_GE(all.precision(), 0.95);
   EXPECT_LE(all.velocity_rmse(), 0.15);
   EXPECT_LE(all.confirmation_quantile(0.5), 0.5);
-  // Asked: recall 0.95 and 0.1 switches per person-minute; what is reached: README of the tracker.
-  EXPECT_GE(all.recall(), 0.92);
-  EXPECT_LE(static_cast<double>(all.switches_seen), 0.4 * all.person_minutes());
+  // What is asked, and not held; over more minutes: README of the tracker.
+  bw::test::expect_at_least("recall, unoccluded, within 6 m", 0.95, 0.92, all.recall());
+  bw::test::expect_at_most("confirmed, 95 % [s]", 0.5, 1.5, all.confirmation_quantile(0.95));
+  bw::test::expect_at_most("identity switches in view per 10 person-minutes", 1.0, 4.0,
+                           10.0 * static_cast<double>(all.switches_seen) / all.person_minutes());
 }
 
 // Nobody is there: whatever is tracked is false. Asked: one in ten minutes.
@@ -67,7 +69,9 @@ TEST(Perception, TakesFurnitureForNobody) {
     minutes += seconds / 60.0;
   }
   std::printf("empty furnished rooms, driving: %d false tracks in %.0f minutes\n", false_tracks, minutes);
-  EXPECT_LE(false_tracks, static_cast<int>(std::ceil(minutes / 10.0 * 3.0)));  // Poisson of 1 in 10 min
+  // So few minutes hold two or three of them where one in ten minutes is the rule.
+  bw::test::expect_at_most("false tracks per 10 minutes", 1.0,
+                           10.0 / minutes * std::ceil(minutes / 10.0 * 3.0), 10.0 / minutes * false_tracks);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Scores predictions on recorded people (spec 8.7): each track is followed by a constant-velocity Kalman
+// Scores predictions on recorded people (book 8.7): each track is followed by a constant-velocity Kalman
 // filter (measurement noise 0.05 m, white acceleration 0.3 m^2/s^3: the filter of the reference figures);
 // after 3.2 s of it every annotation is predicted from.
 #pragma once
@@ -50,7 +50,9 @@ class WalkerFilter {
     P_ = 0.5 * (P_ + P_.transpose()).eval();
   }
 
-  PersonState state(std::uint32_t id) const { return {id, x_.head<2>(), x_.tail<2>(), P_, 0.3}; }
+  TrackedPerson state(std::uint32_t id) const {
+    return {{.id = id, .position = x_.head<2>(), .velocity = x_.tail<2>()}, P_};
+  }
 
  private:
   static constexpr double kNoise = 0.05;        // [m]
@@ -75,14 +77,14 @@ inline PredictionScore score_prediction(const std::vector<Track>& tracks, const 
   Predictor predictor(options);
   PredictionScore score;
   for (const auto& [time, seen] : moments) {
-    std::vector<PersonState> people;
+    std::vector<TrackedPerson> people;
     for (const auto& [i, k] : seen) {
       const auto& samples = tracks[i].samples;
       const auto [filter, is_new] = filters.try_emplace(i, samples[k].position);
       if (!is_new) filter->second.update(samples[k].position, time - samples[k - 1].time);
       people.push_back(filter->second.state(tracks[i].id));
     }
-    const auto predictions = predictor.predict(people, walls, Time{} + Duration::seconds(time));
+    predictor.predict(people, walls, Time{} + Duration::seconds(time));
     for (std::size_t n = 0; n < seen.size(); ++n) {
       const auto& samples = tracks[seen[n].first].samples;
       if (time - samples.front().time < kFollowed - 1e-6) continue;
@@ -92,7 +94,7 @@ inline PredictionScore score_prediction(const std::vector<Track>& tracks, const 
                                         [&](const auto& s) { return std::abs(s.time - then) < kSameMoment; });
         if (truth == samples.end()) continue;
         const auto& predicted =
-            predictions[n][static_cast<std::size_t>(std::lround(kScoredHorizons[h] / 0.8)) - 1];
+            people[n].predictions[static_cast<std::size_t>(std::lround(kScoredHorizons[h] / 0.8)) - 1];
         const Vector2 error = truth->position - predicted.position;
         score.mean_error[h] += error.norm();
         score.inside_95[h] += error.dot(predicted.covariance.inverse() * error) < kInside ? 1.0 : 0.0;

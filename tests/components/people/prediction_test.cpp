@@ -17,10 +17,19 @@ namespace {
 
 const Time kNow = Time::seconds(10.0);
 
-PersonState walker(std::uint32_t id, const Vector2& position, const Vector2& velocity) {
-  PersonState person{id, position, velocity};
+TrackedPerson walker(std::uint32_t id, const Vector2& position, const Vector2& velocity) {
+  TrackedPerson person{{.id = id, .position = position, .velocity = velocity}};
   person.covariance.diagonal() << 0.01, 0.01, 0.04, 0.04;
   return person;
+}
+
+std::vector<std::vector<PredictedPosition>> predictions_of(Predictor& predictor,
+                                                           std::vector<TrackedPerson> people,
+                                                           const StaticObstacles& walls, Time now) {
+  predictor.predict(people, walls, now);
+  std::vector<std::vector<PredictedPosition>> predictions;
+  for (TrackedPerson& person : people) predictions.push_back(std::move(person.predictions));
+  return predictions;
 }
 
 // p + v t; (0.01 + 0.04 t^2) I, and q t^3 / 3 more along and across the way, by hand at t = 2 s.
@@ -30,7 +39,7 @@ TEST(Prediction, KeepsTheVelocity) {
   options.spread_along = 0.3;
   options.spread_across = 0.15;
   Predictor predictor(options);
-  const auto predictions = predictor.predict({walker(1, {1.0, 2.0}, {0.0, 1.0})}, {}, kNow);
+  const auto predictions = predictions_of(predictor, {walker(1, {1.0, 2.0}, {0.0, 1.0})}, {}, kNow);
   ASSERT_EQ(predictions.size(), 1U);
   ASSERT_EQ(predictions[0].size(), 4U);
   const PredictedPosition& last = predictions[0].back();
@@ -45,7 +54,7 @@ TEST(Prediction, KeepsTheVelocity) {
 // turned by omega tau = 0.6 rad, and the last chord points there.
 TEST(Prediction, LetsATurnGoOnAndDieOut) {
   PredictionOptions options;
-  options.model = "constant_turn_rate";
+  options.model = PredictionModel::constant_turn_rate;
   options.horizon = 10.0;
   options.step = 0.1;
   options.calibration_rate = 0.0;
@@ -55,7 +64,8 @@ TEST(Prediction, LetsATurnGoOnAndDieOut) {
   for (int i = 0; i < 80; ++i) {
     heading = wrap_angle(0.1 * i);
     const Vector2 velocity(std::cos(heading), std::sin(heading));
-    predictions = predictor.predict({walker(1, {0.0, 0.0}, velocity)}, {}, kNow + Duration::seconds(0.1 * i));
+    predictions =
+        predictions_of(predictor, {walker(1, {0.0, 0.0}, velocity)}, {}, kNow + Duration::seconds(0.1 * i));
   }
   const auto& path = predictions[0];
   const auto direction = [&](std::size_t k) {
@@ -73,10 +83,10 @@ TEST(Prediction, LetsATurnGoOnAndDieOut) {
 // off it; who stands stays.
 TEST(Prediction, SocialForcesLeadPeopleRoundOneAnotherAndAlongWalls) {
   PredictionOptions options;
-  options.model = "social_force";
+  options.model = PredictionModel::social_force;
   Predictor predictor(options);
-  const auto apart =
-      predictor.predict({walker(1, {0.0, 0.0}, {1.0, 0.0}), walker(2, {6.0, 0.0}, {-1.0, 0.0})}, {}, kNow);
+  const auto apart = predictions_of(
+      predictor, {walker(1, {0.0, 0.0}, {1.0, 0.0}), walker(2, {6.0, 0.0}, {-1.0, 0.0})}, {}, kNow);
   double closest = 1e9;
   for (std::size_t k = 0; k < apart[0].size(); ++k) {
     closest = std::min(closest, (apart[0][k].position - apart[1][k].position).norm());
@@ -86,26 +96,26 @@ TEST(Prediction, SocialForcesLeadPeopleRoundOneAnotherAndAlongWalls) {
 
   StaticObstacles wall;
   wall.segments = {{{-5.0, 0.0}, {20.0, 0.0}}};
-  const auto along = predictor.predict({walker(1, {0.0, 1.5}, {1.0, -0.3})}, wall, kNow);
+  const auto along = predictions_of(predictor, {walker(1, {0.0, 1.5}, {1.0, -0.3})}, wall, kNow);
   for (const PredictedPosition& p : along[0])
     EXPECT_GT(p.position.y(), 0.3);  // straight on ends at 0.3 below: at 4 s
 
-  const auto standing = predictor.predict({walker(1, {0.0, 0.4}, {0.0, 0.0})}, wall, kNow);
+  const auto standing = predictions_of(predictor, {walker(1, {0.0, 0.4}, {0.0, 0.0})}, wall, kNow);
   EXPECT_EQ(standing[0].back().position, Vector2(0.0, 0.4));
 }
 
 TEST(Prediction, LeavesOutWhoIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const char* model : {"constant_velocity", "constant_turn_rate", "social_force"}) {
+  for (const auto& [model, name] : choice_table(PredictionModel{})) {
     PredictionOptions options;
     options.model = model;
     Predictor predictor(options);
-    const auto predictions =
-        predictor.predict({walker(1, {nan, 0.0}, {1.0, 0.0}), walker(2, {0.0, 0.0}, {1.0, 0.0})}, {}, kNow);
+    const auto predictions = predictions_of(
+        predictor, {walker(1, {nan, 0.0}, {1.0, 0.0}), walker(2, {0.0, 0.0}, {1.0, 0.0})}, {}, kNow);
     ASSERT_EQ(predictions.size(), 2U);
     EXPECT_TRUE(predictions[0].empty());
     EXPECT_EQ(predictions[1].size(), 8U);
-    EXPECT_NEAR((predictions[1].back().position - Vector2(4.0, 0.0)).norm(), 0.0, 1e-9) << model;
+    EXPECT_NEAR((predictions[1].back().position - Vector2(4.0, 0.0)).norm(), 0.0, 1e-9) << name;
   }
 }
 
@@ -136,7 +146,7 @@ TEST(Prediction, EllipsesGrowAndShrinkToHoldTheirShare) {
   }
 }
 
-// Reference: the constant-velocity Kalman figures of spec 8.7, printed with two digits.
+// Reference: the constant-velocity Kalman figures of book 8.7, printed with two digits.
 TEST(Prediction, IsAsGoodAsTheReferenceOnRecordedPeopleAndCalibrated) {
   const char* shared = std::getenv("BANDWAGON_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED is not set: no recorded people";

@@ -84,9 +84,9 @@ DetectionSet sweep_of(double t, double speed, Random& random) {
 // does. Asked of the velocity: 0.15 m/s after 1 s.
 TEST(TrackerWithHeading, FollowsTheSamePeople) {
   TrackerOptions options;
-  options.motion = "gait";
+  options.motion = MotionFilter::gait;
   Tracker gait(options);
-  options.motion = "heading";
+  options.motion = MotionFilter::heading;
   Tracker heading(options);
   Random random(3);
   double square = 0.0;
@@ -115,7 +115,7 @@ TEST(TrackerWithHeading, FollowsTheSamePeople) {
 TEST(TrackerWithHeading, SurvivesNonsense) {
   for (const bool turn_rate : {false, true}) {
     TrackerOptions options;
-    options.motion = "heading";
+    options.motion = MotionFilter::heading;
     options.heading.turn_rate = turn_rate;
     Tracker tracker(options);
     Random random(11);

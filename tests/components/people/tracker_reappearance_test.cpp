@@ -85,8 +85,8 @@ TEST(Reappearance, WhoIsSeenForSureIsNotTaken) {
   EXPECT_EQ(ids(lost), std::vector<std::uint32_t>{3});
 }
 
-// 1 m/s along y until 1.4 s at y = -0.6 m, then 1.5 s behind a pillar: turns half way and comes out at y =
-// -0.6 m, away from where the filter expects them (y = 0.9 m).
+// 1 m/s along y until 1.4 s at y = -0.6 m, then 1.5 s behind a pillar: turns half way and comes out at
+// y = -0.6 m, away from where the filter expects them (y = 0.9 m).
 TEST(Tracker, WhoTurnsRoundBehindAPillarKeepsTheirId) {
   Stage stage;
   Tracker tracker({});

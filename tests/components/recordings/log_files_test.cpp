@@ -67,7 +67,7 @@ TEST_F(LogFiles, HuskyFaultsAreRefusedWithFileAndLine) {
   write("imu.csv", kHuskyImu);
   EXPECT_THAT(complaint(read_husky_log), HasSubstr("gps.csv: cannot be opened"));
   write("gps.csv", "t_s,lat_deg,lon_deg,alt_m,var_e_m2,var_n_m2,var_u_m2\n");
-  EXPECT_THAT(complaint(read_husky_log), HasSubstr("gps.csv:1: the first line must be"));
+  EXPECT_THAT(complaint(read_husky_log), HasSubstr("gps.csv:1: column 2 of the header must be 'status'"));
   write("gps.csv", std::string(kHuskyFixes) + "1,1,42,-71,0,1,1,1\n2,1,92,-71,0,1,1,1\n");
   EXPECT_THAT(complaint(read_husky_log), HasSubstr("gps.csv:3: this is no place on earth"));
   write("gps.csv", std::string(kHuskyFixes) + "1,1,42,-71,0,0,1,1\n");

@@ -82,13 +82,13 @@ TEST(HoldOut, FollowsItsRule) {
   EXPECT_TRUE(hold_out(drive, {}).empty());
   EXPECT_EQ(drive.fixes.size(), 6U);
   drive = all;
-  EXPECT_EQ(seconds_of(hold_out(drive, {.rule = "every_second"})), (Seconds{1, 3, 5}));
+  EXPECT_EQ(seconds_of(hold_out(drive, {.rule = HoldOutRule::every_second})), (Seconds{1, 3, 5}));
   EXPECT_EQ(seconds_of(drive.fixes), (Seconds{0, 2, 4}));
   drive = all;
-  hold_out(drive, {.rule = "sparse", .period = 2.5});
+  hold_out(drive, {.rule = HoldOutRule::sparse, .period = 2.5});
   EXPECT_EQ(seconds_of(drive.fixes), (Seconds{0, 3}));
   drive = all;
-  EXPECT_EQ(seconds_of(hold_out(drive, {.rule = "outage", .from = 2, .to = 3})), (Seconds{2, 3}));
+  EXPECT_EQ(seconds_of(hold_out(drive, {.rule = HoldOutRule::outage, .from = 2, .to = 3})), (Seconds{2, 3}));
 }
 
 TEST(InTimeOrder, SortsByStampThenByKind) {

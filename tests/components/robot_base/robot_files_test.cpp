@@ -1,4 +1,4 @@
-// The robots of config/robots/ against the figures of spec 2.3.
+// The robots of config/robots/ against the figures of book 2.3.
 #include <numbers>
 #include <string>
 
@@ -38,7 +38,7 @@ TEST(RobotFiles, GenericIsTheDefault) {
   EXPECT_EQ(file.limits.stop_deceleration, defaults.limits.stop_deceleration);
 }
 
-TEST(RobotFiles, EncodersHaveTheResolutionOfTheSpec) {
+TEST(RobotFiles, EncodersHaveTheResolutionOfTheBook) {
   EXPECT_NEAR(millimetres_per_tick(robot("qbot2e")), 0.0853, 0.0001);
   EXPECT_NEAR(millimetres_per_tick(robot("eddie")), 3.32, 0.01);
 }

@@ -158,7 +158,7 @@ TEST(CollisionMonitor, StopsWhenTheLaserIsSilentAndResumesAfterAWhile) {
 
 TEST(CollisionMonitor, WithManualResumeOnlyAResetEndsAStop) {
   CollisionMonitorOptions options;
-  options.resume = "manual";
+  options.resume = Resume::manual;
   Bench bench(options);
   EXPECT_EQ(bench.run(0.6, sweep_of({}), {1.0, 0.0}).action, Action::do_nothing);  // the start needs none
   bench.laser_on = false;
@@ -207,7 +207,8 @@ TEST(CollisionMonitor, CreepsWhereSomebodyCouldHideAndStopsWhereNothingIsSeen) {
 
 TEST(CollisionMonitor, ZonesLimitByName) {
   CollisionMonitorOptions options;
-  options.polygons = {{.name = "slow", .radius = 2.0, .action_type = "slowdown", .slowdown_ratio = 0.3}};
+  options.polygons = {
+      {.name = "slow", .radius = 2.0, .action_type = Action::slowdown, .slowdown_ratio = 0.3}};
   const Verdict verdict = Bench(options).run(0.1, sweep_of({pillar(1.8)}), {1.0, 0.5});
   EXPECT_NEAR(verdict.allowed.v, 0.3, 1e-9);
   EXPECT_NEAR(verdict.allowed.omega, 0.15, 1e-9);

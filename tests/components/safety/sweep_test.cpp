@@ -60,11 +60,13 @@ TEST(Sweep, ALostSweepIsNotAFreeOne) {
               SweepFault::mostly_unknown)
         << value;
   }
-  EXPECT_EQ(fault([](Sweep& s) { std::fill(s.ranges.begin(), s.ranges.end(), kInfinity); }),
-            SweepFault::no_returns);
-  SweepOptions open_floor;
-  open_floor.min_returns = 0;
-  EXPECT_EQ(check(sweep_of({}, kInfinity), open_floor).fault, SweepFault::none);
+}
+
+TEST(Sweep, OneThatHitsNothingIsSoundAndFree) {
+  const CheckedSweep out = check(sweep_of({}, kInfinity));
+  EXPECT_EQ(out.fault, SweepFault::none);
+  EXPECT_EQ(std::count(out.beams.begin(), out.beams.end(), BeamKind::free), 720);
+  EXPECT_TRUE(out.points.empty());
 }
 
 TEST(Sweep, TenPercentOfUnusableBeamsHideNothing) {

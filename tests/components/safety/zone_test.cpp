@@ -12,12 +12,12 @@ std::vector<SeenPoint> returns(const Vector2& center, int count = 6) {
   return points;
 }
 
-ZoneOptions circle(const std::string& action, double radius) {
-  return {.type = "circle", .radius = radius, .action_type = action};
+ZoneOptions circle(Action action, double radius) {
+  return {.type = ZoneShape::circle, .radius = radius, .action_type = action};
 }
 
 TEST(Zone, AStopZoneAllowsOnlyWhatLeadsAway) {
-  const Zone zone(circle("stop", 0.5));
+  const Zone zone(circle(Action::stop, 0.5));
   const auto ahead = returns({0.4, 0.1});
   EXPECT_EQ(zone.share_left({0.3, 0.1}, ahead), 0.0);
   EXPECT_EQ(zone.share_left({-0.1, 0.0}, ahead), 1.0);
@@ -30,21 +30,21 @@ TEST(Zone, AStopZoneAllowsOnlyWhatLeadsAway) {
 }
 
 TEST(Zone, FewerThanMinPointsDoNotCount) {
-  const Zone zone(circle("stop", 0.5));
+  const Zone zone(circle(Action::stop, 0.5));
   EXPECT_EQ(zone.share_left({0.3, 0.0}, returns({0.4, 0.0}, 3)), 1.0);
   EXPECT_EQ(zone.share_left({0.3, 0.0}, returns({0.4, 0.0}, 4)), 0.0);
 }
 
 TEST(Zone, ASlowdownPolygonScalesAndALimitPolygonCaps) {
-  ZoneOptions options{.type = "polygon",
+  ZoneOptions options{.type = ZoneShape::polygon,
                       .points = {{0.0, -0.4}, {1.0, -0.4}, {1.0, 0.4}, {0.0, 0.4}},
-                      .action_type = "slowdown",
+                      .action_type = Action::slowdown,
                       .slowdown_ratio = 0.3};
   EXPECT_EQ(Zone(options).share_left({1.0, 0.5}, returns({0.9, 0.3})), 0.3);
   EXPECT_EQ(Zone(options).share_left({1.0, 0.5}, returns({1.1, 0.0})), 1.0);
   EXPECT_EQ(Zone(options).share_left({1.0, 0.5}, returns({0.5, 0.5})), 1.0);
   EXPECT_EQ(Zone(options).share_left({1.0, 0.5}, returns({-0.1, 0.0})), 1.0);
-  options.action_type = "limit";
+  options.action_type = Action::limit;
   options.linear_limit = 0.4;
   options.angular_limit = 0.1;
   EXPECT_DOUBLE_EQ(Zone(options).share_left({1.0, 0.0}, returns({0.5, 0.0})), 0.4);
@@ -54,7 +54,7 @@ TEST(Zone, ASlowdownPolygonScalesAndALimitPolygonCaps) {
 
 TEST(Zone, AnApproachZoneKeepsTheTimeBeforeCollision) {
   // 0.3 m circle at 1 m/s, something 1.35 m ahead: touched between 1.0 and 1.1 s; half of 2 s is left
-  const Zone zone(circle("approach", 0.3));
+  const Zone zone(circle(Action::approach, 0.3));
   EXPECT_DOUBLE_EQ(zone.share_left({1.0, 0.0}, returns({1.35, 0.0})), 0.5);
   EXPECT_EQ(zone.share_left({1.0, 0.0}, returns({2.4, 0.0})), 1.0);
   EXPECT_EQ(zone.share_left({1.0, 0.0}, returns({1.35, 0.4})), 1.0);

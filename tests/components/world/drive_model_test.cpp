@@ -76,7 +76,7 @@ TEST(DriveModel, CountersWrapAt32Bits) {
 }
 
 TEST(DriveModel, EncodersErrByScaleAndMismatch) {
-  // Spec 2.2: the right wheel counts 1 + scale + e / 2, the left 1 + scale - e / 2 of its way.
+  // Book 2.2: the right wheel counts 1 + scale + e / 2, the left 1 + scale - e / 2 of its way.
   const Robot robot;
   DriveOptions options;
   options.scale = 0.01;
@@ -93,7 +93,7 @@ TEST(DriveModel, EncodersErrByScaleAndMismatch) {
 }
 
 TEST(DriveModel, EncoderNoiseGrowsWithTheWay) {
-  // Spec 2.2: variance k |s|. 400 seeds over 1 m with k = 2.5e-4: sample variance within five of its standard
+  // Book 2.2: variance k |s|. 400 seeds over 1 m with k = 2.5e-4: sample variance within five of its standard
   // errors.
   const Robot robot;
   DriveOptions options;

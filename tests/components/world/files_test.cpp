@@ -45,7 +45,7 @@ TEST(TrackFile, ReadsTracksByRisingId) {
 }
 
 TEST(TrackFile, NamesFileAndLineOfWhatIsWrong) {
-  EXPECT_THAT(track_complaint(""), StartsWith("t.csv:1: the first line must be 't_s,frame"));
+  EXPECT_THAT(track_complaint(""), StartsWith("t.csv:1: the header is missing"));
   EXPECT_THAT(track_complaint("t_s,x\n"), StartsWith("t.csv:1: "));
   EXPECT_THAT(track_complaint(kTrackHeader + "0,1,5,1,2,0,0\n0.4,2,5,nan,2,0,0\n"),
               StartsWith("t.csv:3: 'nan' is not a finite number"));

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <bandwagon_msgs/msg/ground_truth.hpp>
+#include <bandwagon_msgs/msg/obstacles.hpp>
 #include <bandwagon_msgs/msg/wheel_ticks.hpp>
 #include <gtest/gtest.h>
 #include <sensor_msgs/msg/imu.hpp>
@@ -26,6 +27,7 @@ struct Seen {
   std::vector<sensor_msgs::msg::LaserScan> scans;
   std::vector<sensor_msgs::msg::Imu> readings;
   std::vector<sensor_msgs::msg::NavSatFix> fixes;
+  std::vector<bandwagon_msgs::msg::Obstacles> obstacles;
 };
 
 /// Turns both wheels at `rate` [rad/s] and keeps everything the world says.
@@ -40,6 +42,7 @@ class Observer final : public Component {
     keep(setup, "scan", seen_.scans);
     keep(setup, "imu", seen_.readings);
     keep(setup, "gps/fix", seen_.fixes);
+    keep(setup, "sim/obstacles", seen_.obstacles, Qos::latched());
     setup.every(Duration::milliseconds(100), "drive", [this](const Tick&) {
       sensor_msgs::msg::JointState message;
       message.velocity({rate_, rate_});
@@ -49,9 +52,9 @@ class Observer final : public Component {
 
  private:
   template <class M>
-  static void keep(Setup& setup, const std::string& topic, std::vector<M>& list) {
-    setup.input<M>(topic, Qos::standard(50),
-                   [&list](const M& message, const Tick&) { list.push_back(message); });
+  static void keep(Setup& setup, const std::string& topic, std::vector<M>& list,
+                   const Qos& qos = Qos::standard(50)) {
+    setup.input<M>(topic, qos, [&list](const M& message, const Tick&) { list.push_back(message); });
   }
 
   double rate_;
@@ -96,8 +99,8 @@ TEST(WorldComponent, SaysWhereTheRobotIsAndWhatItSees) {
   EXPECT_EQ(scan.ranges()[0], std::numeric_limits<float>::infinity());
   EXPECT_NEAR(scan.angle_max(), 0.75 * std::numbers::pi, 1e-6);
   // The standing person, 3 m to the left (90 deg): beam (90 + 135) / 270 * 720 = 600 passes between the legs,
-  // and the legs, facing +x, stand 0.12 m before and behind: in line with the beam, the near one 3 - 0.12 -
-  // 0.07 away.
+  // and the legs, facing +x, stand 0.12 m before and behind: in line with the beam, the near one
+  // 3 - 0.12 - 0.07 away.
   EXPECT_NEAR(scan.ranges()[600], 2.81, 1e-4);
 
   ASSERT_EQ(seen.readings.back().linear_acceleration_covariance()[0], -1.0);
@@ -180,6 +183,19 @@ TEST(WorldComponent, RefusesAWorldThatCannotBe) {
   EXPECT_THROW(run("{people: {scripted: [{speed: 1}]}}", 0.0, 1), std::runtime_error);
   EXPECT_THROW(run("{tracks: no_such_file.csv}", 0.0, 1), std::runtime_error);
   EXPECT_THROW(run("{laser: {rate: 200}}", 0.0, 1), std::runtime_error);
+}
+
+// A wall and a box of four sides, told once.
+TEST(WorldComponent, TellsWhatStandsInIt) {
+  const Seen seen =
+      run("{walls: [{x1: 5, y1: -9, x2: 5, y2: 9}], boxes: [{x: 3, y: 3, length: 1, width: 1}]}", 0.0, 1);
+  ASSERT_EQ(seen.obstacles.size(), 1U);
+  const bandwagon_msgs::msg::Obstacles& obstacles = seen.obstacles.front();
+  EXPECT_EQ(obstacles.header().frame_id(), "map");
+  ASSERT_EQ(obstacles.segments().size(), 5U);
+  EXPECT_EQ(obstacles.segments()[0].x1(), 5.0F);
+  EXPECT_EQ(obstacles.segments()[0].y2(), 9.0F);
+  EXPECT_TRUE(obstacles.discs().empty());
 }
 
 }  // namespace

@@ -11,9 +11,10 @@
 namespace bw::dwa {
 namespace {
 
-const std::vector<std::string> kProfiles = {"default", "sum", "minmax", "sample"};
+const std::vector<Profile> kProfiles = {Profile::fixed_scales, Profile::sum, Profile::minmax,
+                                        Profile::teaching_sample};
 
-DwaOptions published(const std::string& profile = "default") {
+DwaOptions published(Profile profile = Profile::fixed_scales) {
   DwaOptions options;
   options.profile = profile;
   options.carrot_distance = 0.0;
@@ -48,14 +49,14 @@ PlanningProblem random_problem(Random& random) {
 }
 
 TEST(DwaPlanner, ArrivesAtRestAtTheGoalHeading) {
-  for (const std::string& profile : kProfiles) {
+  for (const Profile profile : kProfiles) {
     DwaOptions options;
     options.profile = profile;
     for (const Pose2& goal :
          {Pose2{4, 0, 0}, Pose2{3, 2, 1.5}, Pose2{2, -1, -2.0}, Pose2{-2, 0.5, 3.0}, Pose2{0.3, 0, 0}}) {
       DwaPlanner planner(options, {});
       const Drive result = drive(planner, problem_to(goal), 400);
-      EXPECT_TRUE(is_at_rest_at(goal, result)) << profile << " " << goal.x << " " << goal.y;
+      EXPECT_TRUE(is_at_rest_at(goal, result)) << text_of(profile) << " " << goal.x << " " << goal.y;
     }
   }
 }
@@ -211,15 +212,15 @@ TEST(DwaPlanner, StandsWhenAMoverWouldMeetItBeforeItCouldStop) {
 
 TEST(DwaPlanner, MirroredSceneGivesMirroredCommands) {
   Random random(11);
-  for (const std::string& profile : kProfiles) {
+  for (const Profile profile : kProfiles) {
     for (int i = 0; i < 40; ++i) {
       const PlanningProblem problem = random_problem(random);
       DwaPlanner planner(published(profile), no_evasion());
       const PlanningResult a = planner.plan(problem);
       const PlanningResult b = planner.plan(mirrored(problem));
       EXPECT_EQ(a.status, b.status);
-      EXPECT_NEAR(a.command.v, b.command.v, 1e-9) << profile << " " << i;
-      EXPECT_NEAR(a.command.omega, -b.command.omega, 1e-9) << profile << " " << i;
+      EXPECT_NEAR(a.command.v, b.command.v, 1e-9) << text_of(profile) << " " << i;
+      EXPECT_NEAR(a.command.omega, -b.command.omega, 1e-9) << text_of(profile) << " " << i;
     }
   }
 }
@@ -259,7 +260,7 @@ TEST(DwaPlanner, DegenerateInputGivesFiniteCommands) {
   problem.obstacles.segments = {{{1, 1}, {1, 1}}};
   problem.movers.resize(2);
   DwaPlanner planner({}, {});
-  DwaPlanner edwa({}, {}, {}, {});
+  DwaPlanner edwa({}, {}, towards_hrvo({}, {}, DrivingOptions{}));
   EXPECT_TRUE(is_finite(planner.plan(problem).command));
   EXPECT_TRUE(is_finite(edwa.plan(problem).command));
 }

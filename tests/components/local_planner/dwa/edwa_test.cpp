@@ -18,13 +18,13 @@ DrivingOptions no_evasion() {
   return options;
 }
 
-DwaPlanner edwa_with(const std::string& heading, bool hrvo_speed = true) {
+DwaPlanner edwa_with(EdwaHeading heading, bool hrvo_speed = true) {
   DwaOptions options;
   options.carrot_distance = 0.0;
   EdwaOptions edwa;
   edwa.heading = heading;
   edwa.hrvo_speed = hrvo_speed;
-  return DwaPlanner(options, no_evasion(), edwa, {});
+  return DwaPlanner(options, no_evasion(), towards_hrvo(edwa, {}, no_evasion()));
 }
 
 // Somebody comes towards the robot, a little to its right: HRVO points to the left.
@@ -39,7 +39,7 @@ PlanningProblem head_on(double y) {
 }
 
 TEST(Edwa, TurnsToTheSideOfHrvo) {
-  DwaPlanner planner = edwa_with("hrvo");
+  DwaPlanner planner = edwa_with(EdwaHeading::hrvo);
   const PlanningResult result = planner.plan(head_on(-0.2));
   ASSERT_TRUE(result.velocity_wanted.has_value());
   EXPECT_GT(result.velocity_wanted->y(), 0.02) << "HRVO passes on the left";
@@ -49,7 +49,7 @@ TEST(Edwa, TurnsToTheSideOfHrvo) {
 
 TEST(Edwa, PrintedFormTurnsToTheOtherSide) {
   // (3.4) compares HRVO's direction with the bearing of the goal, which moves left when the robot goes right.
-  DwaPlanner planner = edwa_with("hrvo_printed");
+  DwaPlanner planner = edwa_with(EdwaHeading::hrvo_printed);
   EXPECT_LT(planner.plan(head_on(-0.2)).command.omega, -0.01);
 }
 
@@ -61,7 +61,7 @@ TEST(Edwa, WithTheGoalAsHeadingAndTheHighestSpeedIsDwa) {
     PlanningProblem problem = head_on(random.uniform(-1, 1));
     problem.pose.theta = random.uniform(-1, 1);
     DwaPlanner dwa(options, no_evasion());
-    DwaPlanner edwa = edwa_with("goal", false);
+    DwaPlanner edwa = edwa_with(EdwaHeading::goal, false);
     EXPECT_EQ(dwa.plan(problem).command, edwa.plan(problem).command);
   }
 }
@@ -70,7 +70,7 @@ TEST(Edwa, WithoutNeighboursHeadsForTheGoal) {
   // HRVO is then the straight way: a goal at 0.2 rad asks for w = 0.2 after 1 s; 0.15 is what is reached.
   PlanningProblem problem = problem_to({10.0 * std::cos(0.2), 10.0 * std::sin(0.2), 0});
   problem.twist = {0.8, 0.0};
-  DwaPlanner planner = edwa_with("hrvo");
+  DwaPlanner planner = edwa_with(EdwaHeading::hrvo);
   EXPECT_NEAR(planner.plan(problem).command.omega, 0.15, 1e-9);
   problem.twist.omega = 0.1;
   EXPECT_NEAR(planner.plan(problem).command.omega, 0.2, 0.0075) << "half a sample's spacing";
@@ -85,8 +85,8 @@ TEST(Edwa, DrivesAtTheSpeedOfHrvo) {
   m.position = {2.5, 0.0};
   m.velocity = {0.4, 0.0};
   problem.movers = {m};
-  DwaPlanner by_speed = edwa_with("hrvo", true);
-  DwaPlanner fast = edwa_with("hrvo", false);
+  DwaPlanner by_speed = edwa_with(EdwaHeading::hrvo, true);
+  DwaPlanner fast = edwa_with(EdwaHeading::hrvo, false);
   const PlanningResult result = by_speed.plan(problem);
   ASSERT_LT(result.velocity_wanted->norm(), 0.6);
   EXPECT_NEAR(result.command.v, 0.6, 1e-9) << "0.1 m/s slower is all that 0.1 s allows";
@@ -95,7 +95,7 @@ TEST(Edwa, DrivesAtTheSpeedOfHrvo) {
 
 TEST(Edwa, ArrivesAtRest) {
   for (const Pose2& goal : {Pose2{4, 0, 0}, Pose2{3, 2, 1.5}, Pose2{-2, 0.5, 3.0}, Pose2{0, 0.5, 0}}) {
-    DwaPlanner planner = edwa_with("hrvo");
+    DwaPlanner planner = edwa_with(EdwaHeading::hrvo);
     EXPECT_TRUE(is_at_rest_at(goal, drive(planner, problem_to(goal), 300))) << goal.x << " " << goal.y;
   }
 }
@@ -108,7 +108,7 @@ TEST(Edwa, MirroredSceneGivesMirroredCommands) {
     problem.movers.push_back(problem.movers[0]);
     problem.movers[1].position = {random.uniform(2, 6), random.uniform(-5, -2)};
     problem.movers[1].velocity = {0.0, random.uniform(0.3, 1.0)};
-    DwaPlanner planner = edwa_with("hrvo");
+    DwaPlanner planner = edwa_with(EdwaHeading::hrvo);
     const PlanningResult a = planner.plan(problem);
     const PlanningResult b = planner.plan(mirrored(problem));
     EXPECT_NEAR(a.command.v, b.command.v, 1e-6) << i;
@@ -120,14 +120,14 @@ TEST(Edwa, GoesAroundAStaticObstacle) {
   // HRVO has a cone for what stands, too.
   PlanningProblem problem = problem_to({8, 0, 0});
   problem.obstacles.discs = {{{3.0, 0.15}, 0.3}};
-  DwaPlanner planner = edwa_with("hrvo");
+  DwaPlanner planner = edwa_with(EdwaHeading::hrvo);
   const Drive result = drive(planner, problem, 250);
   EXPECT_GT(result.smallest_gap, 0.05);
   EXPECT_LE((result.poses.back().position() - Vector2(8, 0)).norm(), 0.2);
 }
 
 TEST(Edwa, PassesSomebodyWhoDoesNotGiveWay) {
-  DwaPlanner planner = edwa_with("hrvo");
+  DwaPlanner planner = edwa_with(EdwaHeading::hrvo);
   for (const double y : {-0.4, 0.1, 0.6}) {
     const Drive result = drive(planner, head_on(y), 250);
     EXPECT_GT(result.smallest_gap, 0.0) << y;

@@ -49,10 +49,10 @@ TEST(Objective, IsTheWeightedSumOfTheColumns) {
 }
 
 TEST(Profiles, NameTheirNormalisation) {
-  EXPECT_EQ(normalisation_of("default"), Normalisation::scale);
-  EXPECT_EQ(normalisation_of("sum"), Normalisation::sum);
-  EXPECT_EQ(normalisation_of("sample"), Normalisation::sum);
-  EXPECT_EQ(normalisation_of("minmax"), Normalisation::minmax);
+  EXPECT_EQ(normalisation_of(Profile::fixed_scales), Normalisation::scale);
+  EXPECT_EQ(normalisation_of(Profile::sum), Normalisation::sum);
+  EXPECT_EQ(normalisation_of(Profile::teaching_sample), Normalisation::sum);
+  EXPECT_EQ(normalisation_of(Profile::minmax), Normalisation::minmax);
 }
 
 }  // namespace

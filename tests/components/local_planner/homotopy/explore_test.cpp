@@ -114,11 +114,11 @@ TEST(Explore, BothSearchesAndSignaturesFindTheSameClassesWithoutACap) {
     HomotopyOptions options = with_classes(20);
     options.max_expansions = 1000000;
     const auto expected = labels(explore(problem, kClearance, {}, options));
-    options.search = "depth_first";
+    options.search = SearchOrder::depth_first;
     EXPECT_EQ(labels(explore(problem, kClearance, {}, options)), expected);
-    options.signature = "h_signature";
+    options.signature = ClassMeasure::h_signature;
     EXPECT_EQ(labels(explore(problem, kClearance, {}, options)), expected);
-    options.search = "best_first";
+    options.search = SearchOrder::best_first;
     EXPECT_EQ(labels(explore(problem, kClearance, {}, options)), expected);
   }
 }
@@ -247,7 +247,7 @@ TEST(Explore, IsBoundedAmongAThousandPoints) {
   Random random(10);
   for (const double spread : {3.0, 0.3}) {
     for (const double radius : {0.0, 0.3}) {
-      for (const char* search : {"best_first", "depth_first"}) {
+      for (const SearchOrder search : {SearchOrder::best_first, SearchOrder::depth_first}) {
         PlanningProblem problem = among({});
         problem.footprint.radius = radius;
         for (int k = 0; k < 1000; ++k) {

@@ -55,7 +55,7 @@ TEST(ObstacleBodies, TheRandomRoadmapClosesWiderGaps) {
   pair.points = {{5.0, -0.45}, {5.0, 0.45}};
   EXPECT_EQ(bodies_among(pair).size(), 2u);
   HomotopyOptions options;
-  options.method = "roadmap";
+  options.method = Vertices::roadmap;
   EXPECT_EQ(bodies_among(pair, options).size(), 1u);
 }
 
@@ -155,7 +155,7 @@ TEST(ObstacleBodies, AMoverIsWhereARobotThatHeadsForItMeetsIt) {
 
 TEST(ObstacleBodies, ACapsuleHoldsAMoverAndItsFuture) {
   HomotopyOptions options;
-  options.mover_topology = "capsule";
+  options.mover_topology = MoverTopology::capsule;
   Mover mover = mover_at({4.0, -2.0}, {0.0, 1.0});
   std::vector<Body> bodies = bodies_among(std::vector{mover}, options);
   ASSERT_EQ(bodies.size(), 1u);
@@ -170,7 +170,7 @@ TEST(ObstacleBodies, ACapsuleHoldsAMoverAndItsFuture) {
   ASSERT_EQ(bodies[0].parts.size(), 4u);
   EXPECT_NEAR(bodies[0].parts[2].axis.a.y(), -1.2, 1e-12);
   EXPECT_NEAR(bodies[0].parts[3].axis.b.x(), 4.8, 1e-12);
-  options.mover_topology = "present";
+  options.mover_topology = MoverTopology::present;
   bodies = bodies_among(std::vector{mover}, options);
   EXPECT_EQ(bodies[0].representative, Vector2(4.0, -2.0));
 }
@@ -180,7 +180,7 @@ TEST(ObstacleBodies, TheCapKeepsMoversAndTheNearest) {
   for (int k = 0; k < 9; ++k) obstacles.points.push_back({1.0 + k, 0.3 * k});
   HomotopyOptions options;
   options.max_bodies = 4;
-  options.mover_topology = "present";
+  options.mover_topology = MoverTopology::present;
   const std::vector<Body> bodies =
       bodies_of(obstacles, {mover_at({5.0, 2.9}, {0.0, 0.0})}, ten_metres(), options);
   ASSERT_EQ(bodies.size(), 4u);

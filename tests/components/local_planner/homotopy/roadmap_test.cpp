@@ -18,7 +18,7 @@ bool has_vertex(const Roadmap& map, const Vector2& p) {
 }
 
 TEST(Roadmap, KeypointsLieBesideADisc) {
-  // Centre +- n (r_o + r_r + d + offset) = 0.4 + 0.3 + 0.2 + 0.1 = 1 m (spec 6.2).
+  // Centre +- n (r_o + r_r + d + offset) = 0.4 + 0.3 + 0.2 + 0.1 = 1 m (book 6.2).
   const Roadmap map = keypoint_roadmap(ten_metres(), {standing({5.0, 0.5}, 0.4)}, {});
   ASSERT_EQ(map.vertices.size(), 4u);
   EXPECT_EQ(map.vertices.front(), Vector2(0.0, 0.0));
@@ -67,7 +67,7 @@ TEST(Roadmap, EdgesGoForwardAndKeepClear) {
     std::vector<Body> bodies;
     for (const Vector2& p : separated(random, 6, 1.2)) bodies.push_back(standing(p, 0.2));
     HomotopyOptions options;
-    if (trial % 2 == 0) options.method = "roadmap";
+    if (trial % 2 == 0) options.method = Vertices::roadmap;
     const Course course = ten_metres();
     const Roadmap map =
         trial % 2 == 0 ? random_roadmap(course, bodies, options) : keypoint_roadmap(course, bodies, options);
@@ -94,7 +94,7 @@ TEST(Roadmap, EdgesGoForwardAndKeepClear) {
 
 TEST(Roadmap, RandomVerticesFollowTheSeedAndTheCourse) {
   HomotopyOptions options;
-  options.method = "roadmap";
+  options.method = Vertices::roadmap;
   const Roadmap map = random_roadmap(ten_metres(), {}, options);
   ASSERT_EQ(map.vertices.size(), 17u);  // 15, start and goal
   for (const Vector2& v : map.vertices) {

@@ -126,7 +126,7 @@ TEST(Hrvo, FiniteAndWithinVmaxWhateverTheScene) {
     if (i % 2 == 0) problem.footprint.radius = 0.0;
     HrvoOptions options;
     options.margin = i % 4 < 2 ? 0.0 : 0.2;
-    options.reciprocity = i % 5 == 0 ? "all" : "known";
+    options.reciprocity = i % 5 == 0 ? Reciprocity::all : Reciprocity::known;
     const Advice advice = advise(problem, {scale, 0.0}, options);
     ASSERT_TRUE(advice.velocity.allFinite()) << i;
     ASSERT_LE(advice.velocity.norm(), problem.limits.v_max) << i;

@@ -109,7 +109,7 @@ TEST(Neighbours, OnlyKnownOnesShareUnlessAllAreTrusted) {
   EXPECT_FALSE(seen[0].shares);
   EXPECT_TRUE(seen[1].shares);
   HrvoOptions trusting;
-  trusting.reciprocity = "all";
+  trusting.reciprocity = Reciprocity::all;
   seen = neighbours(problem, kGoal, trusting);
   EXPECT_TRUE(seen[0].shares && seen[1].shares);
 }

@@ -39,8 +39,8 @@ TEST(BandEvaluator, StartAccelerationByHand) {
 }
 
 TEST(BandEvaluator, ObstaclesCountAtInnerPosesAndTheirOwnTime) {
-  // The mover is at (0.2, 0.4) when the robot is at the inner pose (t = 1): cost 50 (0.55 - 0.4)^2 + 0.1 (0.6
-  // - 0.4)^2.
+  // The mover is at (0.2, 0.4) when the robot is at the inner pose (t = 1). The cost is
+  // 50 (0.55 - 0.4)^2 + 0.1 (0.6 - 0.4)^2.
   const std::vector<SceneObstacle> mover{{{0.2, 1.4}, 0.0, {0.0, -1.0}}};
   const BandQuality q = evaluate_band(kLine, {}, rules(), mover);
   EXPECT_NEAR(q.cost.obstacle, 50 * 0.15 * 0.15 + 0.1 * 0.2 * 0.2, 1e-12);

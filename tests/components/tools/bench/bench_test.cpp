@@ -8,16 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "components/tools/bench/bench_common.hpp"
+#include "tests/shortfall.hpp"
 
 namespace bw {
 namespace {
-
-TEST(BenchCommon, QuantileIsTheNearestRank) {
-  EXPECT_EQ(quantile({5, 1, 4, 2, 3}, 0.5), 3.0);
-  EXPECT_EQ(quantile({5, 1, 4, 2, 3}, 0.99), 5.0);
-  EXPECT_EQ(quantile({5, 1, 4, 2, 3}, 0.0), 1.0);
-  EXPECT_EQ(quantile({}, 0.5), 0.0);
-}
 
 TEST(BenchCommon, WilsonIntervalOf27In30) {
   // Closed form with z = 1.96: centre 0.8546, half width 0.1109.
@@ -40,8 +34,8 @@ class SharedScenes : public ::testing::Test {
 };
 
 TEST_F(SharedScenes, TebKeepsTheCostOfTheReleasedPlanner) {
-  // Cost of warm cycle 20 measured with the released planner: 3.98, 6.86, 7.75, 6.96; it may be exceeded by a
-  // few percent (8 % here: the bench reports the exact figures).
+  // Cost of warm cycle 20 measured with the released planner: 3.98, 6.86, 7.75, 6.96. Two scenes miss it by the mean
+  // dt, which may differ by 5 %, one by a local minimum.
   BenchTebArguments arguments;
   arguments.scenes = folder_ + "teb_scenes.yaml";
   arguments.repetitions = 1;
@@ -53,7 +47,9 @@ TEST_F(SharedScenes, TebKeepsTheCostOfTheReleasedPlanner) {
   ASSERT_EQ(scenes.size(), released.size());
   for (std::size_t i = 0; i < released.size(); ++i) {
     const nlohmann::json& warm = scenes[i]["warm"];
-    EXPECT_LE(warm["cost"]["total"].get<double>(), 1.08 * released[i]) << scenes[i]["name"];
+    const std::string what =
+        "cost of " + scenes[i]["name"].get<std::string>() + " over that of the released planner";
+    bw::test::expect_at_most(what.c_str(), 1.0, 1.08, warm["cost"]["total"].get<double>() / released[i]);
     EXPECT_NEAR(warm["mean_dt_s"].get<double>(), 0.3, 0.015) << scenes[i]["name"];
   }
 }
@@ -65,6 +61,20 @@ TEST_F(SharedScenes, CrowdReachesMostGoalsAmongWalkersThatDoNotReact) {
   arguments.json = json_;
   ASSERT_EQ(bench_crowd(arguments), 0);
   EXPECT_GE(result()["summary"]["successes"].get<int>(), 27);
+}
+
+// Asked of the anticipating planners: 99 % of 300 generated crowds; 296 and 295 are reached. Here the first 30 of the
+// seeds that no parameter was chosen on.
+TEST(CrowdSuccess, OfTheDefaultPlannerIsBelow99Percent) {
+  BenchCrowdArguments arguments;
+  arguments.generate = 30;
+  arguments.first_seed = 2001;
+  arguments.planners = {"eteb"};
+  arguments.json = ::testing::TempDir() + "bench_crowd_success.json";
+  ASSERT_EQ(bench_crowd(arguments), 0);
+  const nlohmann::json result = nlohmann::json::parse(std::ifstream(arguments.json));
+  bw::test::expect_at_least("share of crowds crossed", 0.99, 0.9,
+                            result["summary"]["successes"].get<double>() / 30.0);
 }
 
 nlohmann::json crowd_result(BenchCrowdArguments arguments) {

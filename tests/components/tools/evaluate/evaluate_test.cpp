@@ -1,4 +1,5 @@
 // `bandwagon evaluate` as a person runs it: whole graphs in lock-step.
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -7,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
+
+#include "tests/interop/process.hpp"
 
 namespace {
 
@@ -73,15 +76,42 @@ TEST(Evaluate, SameSeedSameBytesAnotherSeedOthers) {
   EXPECT_EQ(hash(both, 1), hash(second, 0));
 }
 
-// A limit of 3 s is too short for 18 m at 1 m/s: the drive fails, and --at-least says so.
+// One figure, the navigator's, moves planner and judge with it; a planner that is told to end its drive outside of it
+// does not. Before, all but the first of these ended without a goal reached.
+TEST(Evaluate, TheGoalToleranceOfTheNavigatorIsThatOfAll) {
+  const auto distance = [](const std::string& set) {
+    const Outcome run = evaluate(kSuites + "hallway.yaml --planners teb --episode light --seeds 3..3 " + set);
+    EXPECT_TRUE(run.json["episodes"][0]["reached"].get<bool>()) << set << run.json["episodes"][0]["reason"];
+    return run.json["episodes"][0]["distance_to_goal_m"].get<double>();
+  };
+  EXPECT_LT(distance(""), 0.3);
+  const double wide = distance("--set navigator.xy_tolerance=3.0");
+  EXPECT_GT(wide, 0.3);  // the planner ends its drive at 1.5 m, and from 1 m/s needs 0.5 m and a little more
+  EXPECT_LT(wide, 1.5);
+  EXPECT_LT(distance("--set local_planner.xy_goal_tolerance=1.5"), 0.3);
+}
+
+// A limit of 5 s is too short for 18 m at 1 m/s: the drive fails, and --at-least says so.
 TEST(Evaluate, FailsBelowTheShareAskedFor) {
   std::ofstream(folder() / "short.yaml") << "graph: " << BANDWAGON_SOURCE_DIR
                                          << "/config/graphs/hallway.yaml\n"
-                                            "time_limit: 3.0\nepisodes: [{name: short}]\n";
+                                            "time_limit: 5.0\nepisodes: [{name: short}]\n";
   const std::string suite = (folder() / "short.yaml").string();
   const Outcome run = evaluate(suite + " --at-least 0.5");
   EXPECT_EQ(run.status, 1);
   EXPECT_FALSE(run.json["episodes"][0]["reached"].get<bool>());
+  // The goal of the graph is set once the pose is known, 3 s after the start: 2 s of driving from (1, 0) towards +x, a
+  // point every 0.5 s.
+  const nlohmann::json& path = run.json["episodes"][0]["robot_path"];
+  ASSERT_GE(path.size(), 3U);
+  ASSERT_LE(path.size(), 5U);
+  EXPECT_LE(path[0][0].get<double>(), 0.1);
+  EXPECT_NEAR(path[0][1].get<double>(), 1.0, 0.02);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    ASSERT_EQ(path[i].size(), 4U);
+    EXPECT_NEAR(path[i][0].get<double>() - path[i - 1][0].get<double>(), 0.5, 0.101);
+    EXPECT_GE(path[i][1].get<double>(), path[i - 1][1].get<double>());
+  }
   EXPECT_EQ(evaluate(suite).status, 0);
 }
 
@@ -97,6 +127,9 @@ TEST(Evaluate, ComparesPlannersOverSeveralSuites) {
   const Outcome run = evaluate(suites + "--planners teb,dwa --svg-dir " + (folder() / "svg").string());
   ASSERT_EQ(run.status, 0);
   ASSERT_EQ(run.json["suites"].size(), 2U);
+  EXPECT_EQ(run.json["planned"], 4);
+  EXPECT_EQ(run.json["driven"], 4);
+  EXPECT_EQ(run.json["complete"], true);
   for (const nlohmann::json& suite : run.json["suites"]) {
     for (const char* planner : {"teb", "dwa"}) {
       EXPECT_EQ(suite["summary"][planner]["episodes"], 1);
@@ -106,6 +139,38 @@ TEST(Evaluate, ComparesPlannersOverSeveralSuites) {
   for (const char* picture : {"one_short_teb_seed1.svg", "two_short_dwa_seed1.svg"})
     EXPECT_TRUE(std::filesystem::exists(folder() / "svg" / picture)) << picture;
 }
+
+// However an evaluation ends before its time, its file says how far it came. Twenty drives of 5 s are planned; the
+// signal comes after the first is reported, many drives before the end.
+class EndedEvaluation : public ::testing::TestWithParam<int> {};
+
+TEST_P(EndedEvaluation, LeavesAFileThatSaysItIsIncomplete) {
+  auto place = std::filesystem::path(testing::TempDir()) / ("bandwagon_ended_" + std::to_string(GetParam()));
+  std::filesystem::create_directories(place);
+  const std::string suite = (place / "short.yaml").string();
+  const std::string file = (place / "out.json").string();
+  std::ofstream(suite) << "graph: " << BANDWAGON_SOURCE_DIR
+                       << "/config/graphs/hallway.yaml\n"
+                          "time_limit: 5.0\nseeds: {first: 1, last: 20}\nepisodes: [{name: short}]\n";
+  std::ofstream(file) << "{\"complete\": true}";  // of an earlier evaluation
+  bw::test::Process run({BANDWAGON_PROGRAM, "evaluate", suite, "--planners", "dwa", "--json", file});
+  for (int looks = 0; looks < 1200 && run.err().find("[1/20]") == std::string::npos; ++looks)
+    ASSERT_FALSE(run.wait(std::chrono::milliseconds(100))) << run.err();
+  run.signal(GetParam());
+  const std::optional<int> status = run.wait(std::chrono::seconds(60));
+  EXPECT_EQ(status, GetParam() == SIGKILL ? 128 + SIGKILL : 1) << run.err();
+
+  std::ifstream in(file);
+  const nlohmann::json json = nlohmann::json::parse(in);
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_EQ(json["planned"], 20);
+  EXPECT_GE(json["driven"].get<int>(), 1);
+  EXPECT_LT(json["driven"].get<int>(), 20);
+  EXPECT_EQ(json["driven"].get<std::size_t>(), json["episodes"].size());
+  EXPECT_EQ(json["summary"]["dwa"]["episodes"], json["driven"]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, EndedEvaluation, ::testing::Values(SIGKILL, SIGINT, SIGTERM));
 
 TEST(Evaluate, RefusesWhatItCannotRun) {
   EXPECT_EQ(evaluate(kSuites + "no_such.yaml").status, 2);

@@ -1,5 +1,6 @@
 #include "components/tools/experiments/edwa_experiment.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,11 +9,12 @@
 
 #include "components/tools/experiments/edwa_criteria.hpp"
 #include "components/tools/experiments/edwa_report.hpp"
+#include "tests/shortfall.hpp"
 
 namespace bw {
 namespace {
 
-TEST(EdwaScenes, JitterWithinTheRangesOfTheSpecification) {
+TEST(EdwaScenes, JitterWithinTheRangesOfTheBook) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     for (int i = 0; i < kEdwaScenes; ++i) {
       const std::vector<Errand> errands = edwa_scene(i, seed).errands;
@@ -113,9 +115,20 @@ TEST(EdwaExperiment, EdwaReachesTheGoalWithoutContactAndDwaDoesNotAlways) {
   EXPECT_GT(dwa_contacts, 0) << "plain DWA takes crossing robots for standing ones";
 }
 
+// Table 3.2 has gains of 0.01 m/s and more in every scene. DWA robots that reach the goal at all are as fast here.
+TEST(EdwaExperiment, TheGainOverDwaFallsShort) {
+  EdwaExperimentOptions options;
+  options.last_seed = 3;
+  const std::vector<Criterion> criteria = run_edwa_experiment(options).criteria;
+  const auto gain = std::find_if(criteria.begin(), criteria.end(),
+                                 [](const Criterion& c) { return c.name.starts_with("smallest gain"); });
+  ASSERT_NE(gain, criteria.end());
+  bw::test::expect_at_least("smallest gain of EDWA over DWA in a scene [m/s]", 0.01, -0.02, gain->measured);
+}
+
 TEST(EdwaExperiment, PrintedHeadingDoesNotReachTheGoal) {
   EdwaExperimentOptions options;
-  options.planners.edwa.heading = "hrvo_printed";
+  options.planners.edwa.heading = dwa::EdwaHeading::hrvo_printed;
   options.rules.timeout = 30.0;
   EXPECT_NE(run_edwa_scene(1, kEdwaPairings[1], 1, options).outcome, FloorOutcome::reached);
 }

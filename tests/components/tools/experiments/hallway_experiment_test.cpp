@@ -67,6 +67,20 @@ TEST(HallwayExperiment, ARowWithoutAReachedGoalHasNoTime) {
   EXPECT_TRUE(hallway_json({})["rows"].empty());
 }
 
+// Half of the drives by own senses: rows of their own, and no criterion asks for them.
+TEST(HallwayExperiment, OwnSensesAreRowsOfTheirOwnAndNotJudged) {
+  std::vector<HallwayDrive> own = drives("pteb", {0.9, 0.9});
+  for (HallwayDrive& drive : own) drive.own_senses = true;
+  const std::vector<HallwayDrive> ideal = drives("teb", {0.6, 0.6}) + drives("pteb", {0.5, 0.5});
+  const std::vector<HallwayRow> rows = hallway_rows(own + ideal);
+  ASSERT_EQ(rows.size(), 6u);  // own: pteb; ideal: teb and pteb; each light and full
+  EXPECT_TRUE(rows[0].own_senses);
+  EXPECT_EQ(rows[0].median_max_collision_index, 0.9);
+  for (const Criterion& c : hallway_criteria(rows, {"teb", "pteb"})) EXPECT_TRUE(c.met) << c.name;
+  EXPECT_EQ(hallway_json(own)["rows"][0]["senses"], "own");
+  EXPECT_EQ(hallway_json(ideal)["drives"][0]["senses"], "ideal");
+}
+
 TEST(HallwayCriteria, AskForFallingMediansAndForSpaceInFourOfFiveSeeds) {
   const std::vector<HallwayDrive> good = drives("teb", {0.6, 0.6, 0.6, 0.6, 0.6}) +
                                          drives("pteb", {0.5, 0.5, 0.5, 0.5, 0.6}) +

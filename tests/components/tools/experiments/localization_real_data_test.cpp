@@ -21,7 +21,7 @@ class RealData : public ::testing::Test {
   std::filesystem::path data_;
 };
 
-// Spec 8.7: every second fix held out: mean < 1.3 m; an outage of 100 s: < 4 m.
+// Book 8.7: every second fix held out: mean < 1.3 m; an outage of 100 s: < 4 m.
 TEST_F(RealData, HuskyMeetsTheCriteria) {
   const std::vector<RealDataRow> rows = run_husky(read_husky_log(data_ / "husky_odom_imu_gps"), {});
   ASSERT_EQ(rows.size(), 9U);

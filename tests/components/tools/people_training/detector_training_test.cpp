@@ -108,8 +108,8 @@ void expect_figures(const Trial& trial, double recall, double precision) {
 }
 
 // Single sweeps, without a tracker's memory; people within 6 m at least half in view, up to 20 of them among
-// furniture. 20 rooms measured recall 0.986 and precision 0.911 driving
-// (furniture that has not stood in view for 2.5 s), 0.972 and 0.976 standing.
+// furniture. 20 rooms measured recall 0.986 and precision 0.911 driving (furniture that has not stood in view
+// for 2.5 s), 0.972 and 0.976 standing.
 TEST(DetectorInRooms, FindsPeopleFromAMovingRobot) {
   expect_figures({.first_seed = 600'000, .rooms = rooms_or(10), .varied_scanner = false}, 0.96, 0.85);
 }

@@ -1,4 +1,4 @@
-#include "components/localization/wheel_step.hpp"
+#include "components/model/wheel_step.hpp"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include "components/model/differential_drive.hpp"
 #include "components/model/random.hpp"
 
-namespace bw::localization {
+namespace bw {
 namespace {
 
 // var(distance) = (0.3 + 0.1) k / 4, var(turn) = (0.3 + 0.1) k / b^2, cov = (0.3 - 0.1) k / (2 b).
@@ -41,5 +41,26 @@ TEST(WheelStep, PosesOfAnArcGiveTheArcBack) {
   }
 }
 
+// What an odometry declares is read back exactly, whatever the way; one that declares nothing is told.
+TEST(WheelStep, TheNoiseOfTheWheelsIsReadBackFromTheCovarianceOfTheOdometry) {
+  Random random(4);
+  Pose2 X_OB;
+  Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 1000; ++i) {
+    const WheelStep step = step_from_wheels(Time{0}, Duration{1}, random.uniform(-0.01, 0.02),
+                                            random.uniform(-0.01, 0.02), 0.4, 1e-4);
+    const Eigen::Matrix3d before = C;
+    C = covariance_after(X_OB, C, step);
+    const Pose2 from = X_OB;
+    X_OB = advance_arc(X_OB, step.distance, step.turn);
+    const auto k = declared_variance_per_metre(before(2, 2), C(2, 2), arc_between(from, X_OB), 0.4);
+    ASSERT_TRUE(k);
+    ASSERT_NEAR(*k, 1e-4, 1e-11);
+  }
+  EXPECT_FALSE(declared_variance_per_metre(0.1, 0.1, {0.02, 0.0}, 0.4));  // a covariance that stays
+  EXPECT_FALSE(declared_variance_per_metre(0.1, 0.0, {0.02, 0.0}, 0.4));  // a base that began anew
+  EXPECT_FALSE(declared_variance_per_metre(0.0, 0.1, {0.0, 0.0}, 0.4));   // a base that stands
+}
+
 }  // namespace
-}  // namespace bw::localization
+}  // namespace bw

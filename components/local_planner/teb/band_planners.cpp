@@ -1,0 +1,52 @@
+// The planners of the elastic band, each by what it adds to another.
+#include <memory>
+
+#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
+#include "components/local_planner/teb/band_planner.hpp"
+#include "components/local_planner/teb/hrvo_preference.hpp"
+
+namespace bw::teb {
+namespace {
+
+// One band, among movers where they will be or, if asked, as if they stood.
+BandPlannerOptions teb(const LocalPlannerOptions& o) {
+  BandPlannerOptions planner{.driving = o.driving, .teb = o.teb};
+  if (!o.teb.include_dynamic_obstacles) planner.field.prediction = Prediction::present;
+  return planner;
+}
+
+// A band in each of the best topologies (6.2), and a choice between them (3.10).
+BandPlannerOptions teb_homotopy(const LocalPlannerOptions& o) {
+  BandPlannerOptions planner = teb(o);
+  planner.source = band_per_topology(o.homotopy, o.teb.band);
+  planner.selection = selection_of(o.homotopy);
+  return planner;
+}
+
+// A term of that choice: the direction that HRVO advises (6.4, 3.12).
+BandPlannerOptions pteb(const LocalPlannerOptions& o) {
+  BandPlannerOptions planner = teb_homotopy(o);
+  planner.term = hrvo_preference(o.hrvo, o.pteb.hrvo_angle_weight);
+  return planner;
+}
+
+// Another field of obstacles: predictions, and how sure they are (6.5).
+BandPlannerOptions eteb(const LocalPlannerOptions& o) {
+  BandPlannerOptions planner = teb_homotopy(o);
+  planner.field = o.eteb;
+  return planner;
+}
+
+template <BandPlannerOptions (*kOptions)(const LocalPlannerOptions&)>
+std::unique_ptr<LocalPlanner> make(const LocalPlannerOptions& o) {
+  return std::make_unique<BandPlanner>(kOptions(o));
+}
+
+const bool kTeb = register_planner("teb", make<teb>);
+const bool kTebHomotopy = register_planner("teb_homotopy", make<teb_homotopy>);
+const bool kPteb = register_planner("pteb", make<pteb>);
+const bool kEteb = register_planner("eteb", make<eteb>);
+
+}  // namespace
+}  // namespace bw::teb

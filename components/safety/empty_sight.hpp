@@ -1,0 +1,36 @@
+// Whether a laser that sees nothing can be believed. By REP 117 a beam of +inf says that nothing is in reach: in an
+// open place whole sweeps do. A laser whose light fails says the same.
+//
+// What was seen tells them apart. Things leave a laser's sight by the end of its range, or by the edges of its
+// field, a few at a time; they do not vanish from its middle between two sweeps. After a sweep with many returns
+// there, one that hits nothing is a fault, and stays one until something is hit again or somebody says that the
+// place is open. A laser that has seen nothing yet is believed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "components/safety/sweep.hpp"
+#include "components/safety/sweep_options.hpp"
+
+namespace bw::safety {
+
+class EmptySight {
+ public:
+  explicit EmptySight(const SweepOptions& options) : min_returns_(options.min_returns) {}
+
+  /// `checked` is what check_sweep made of `sweep`, without fault. False: it hits less than min_returns although
+  /// something that the last believed sweep saw must still be there.
+  bool believes(const LaserSweep& sweep, const CheckedSweep& checked);
+  /// What was seen counts no more: the next empty sweep is believed.
+  void forget() { lasting_ = 0; }
+  /// Whether any sweep had returns.
+  bool has_seen() const { return has_seen_; }
+
+ private:
+  std::int64_t min_returns_;
+  std::size_t lasting_ = 0;  ///< points of the last believed sweep that the next must still show
+  bool has_seen_ = false;
+};
+
+}  // namespace bw::safety

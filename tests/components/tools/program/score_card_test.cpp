@@ -1,0 +1,63 @@
+// The planner's time on a score card is that of its control cycle, or there is none; the robot's path is thinned.
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "components/tools/program/score_card_json.hpp"
+#include "runtime/stamps.hpp"
+
+namespace bw {
+namespace {
+
+CallbackStatistics called(const std::string& component, const std::string& callback, int milliseconds) {
+  CallbackStatistics s{.component = component, .callback = callback};
+  s.run.add(Duration::milliseconds(milliseconds));
+  return s;
+}
+
+TEST(ScoreCard, TheTimeOfThePlannerIsThatOfItsControlCycle) {
+  const std::vector<CallbackStatistics> all = {called("navigator", "control_cycle", 50),
+                                               called("local_planner", "follow_request", 1),
+                                               called("local_planner", "control_cycle", 4)};
+  // One sample: every quantile is it, within the 2 % of a bucket.
+  EXPECT_NEAR(planner_cycle(all, "local_planner").run.quantile_ms(0.5), 4.0, 0.08);
+  const auto json = to_json({}, {.planner_component = "local_planner", .planner_name = "teb"}, all);
+  EXPECT_NEAR(json["planner"]["median_ms"].get<double>(), 4.0, 0.08);
+  EXPECT_EQ(json["planner"]["name"], "teb");
+}
+
+TEST(ScoreCard, ARenamedControlCycleIsAnErrorAndNoFastPlanner) {
+  const std::vector<CallbackStatistics> all = {called("local_planner", "follow_request", 1),
+                                               called("local_planner", "cycle", 4)};
+  EXPECT_THAT([&] { planner_cycle(all, "local_planner"); },
+              testing::ThrowsMessage<std::runtime_error>(
+                  "the planner's time is that of the callback control_cycle, which local_planner does not "
+                  "have; it has: follow_request, cycle"));
+  EXPECT_THROW(to_json({}, {.planner_component = "local_planner"}, all), std::runtime_error);
+}
+
+TEST(ScoreCard, WithoutAPlannerThereIsNoTime) {
+  EXPECT_TRUE(to_json({}, {}, {called("world", "step", 1)})["planner"].is_null());
+}
+
+// The drive began at 10 s and the card is of 12 s: looks at 9.8 and 9.9 s were before it.
+TEST(ScoreCard, ThePathIsThinnedAndBeginsWithTheDrive) {
+  std::vector<PathPoint> path;
+  for (int i = 98; i <= 120; ++i) path.push_back({Time::seconds(0.1 * i), {0.1 * i - 10.0, 0.12345, -3.0}});
+  bandwagon_msgs::msg::ScoreCard card;
+  card.header().stamp(to_stamp(Time::seconds(12.0)));
+  card.time_to_goal_s(2.0);
+  const nlohmann::json points = path_json(path, card);
+  ASSERT_EQ(points.size(), 5U);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(points[i][0].get<double>(), 0.5 * static_cast<double>(i), 1e-9);
+    EXPECT_NEAR(points[i][1].get<double>(), 0.5 * static_cast<double>(i), 1e-9);
+  }
+  EXPECT_EQ(points[0][2], 0.123);
+  EXPECT_EQ(points[0][3], -3.0);
+}
+
+}  // namespace
+}  // namespace bw
