@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -81,20 +82,21 @@ void OutputComparison::compare(const std::string& topic, const Waiting& recorded
   const auto new_leaves = type == nullptr ? std::vector<Leaf>() : leaves_of(*type, replayed.cdr);
   const auto& left_out = tolerances_.left_out[topic];
   const auto& absolute = tolerances_.absolute[topic];
-  bool is_explained = !old_leaves.empty();
+  const bool is_explained = !old_leaves.empty();
   for (std::size_t i = 0; i < std::min(old_leaves.size(), new_leaves.size()); ++i) {
     const Leaf& a = old_leaves[i];
     const Leaf& b = new_leaves[i];
     if (a.path == b.path && a.value == b.value) continue;
     const std::string field = without_indexes(a.path);
     if (std::ranges::find(left_out, field) != left_out.end()) continue;
-    const std::optional<double> apart = a.path == b.path ? distance(a.value, b.value) : std::nullopt;
-    if (apart && *apart > verdict.largest) {
-      verdict.largest = *apart;
+    // Negative: not two numbers of one field.
+    const double apart = a.path == b.path ? distance(a.value, b.value).value_or(-1.0) : -1.0;
+    if (apart > verdict.largest) {
+      verdict.largest = apart;
       verdict.largest_field = a.path;
     }
     const auto tolerance = absolute.find(field);
-    if (apart && (*apart == 0.0 || (tolerance != absolute.end() && *apart <= tolerance->second))) continue;
+    if (apart == 0.0 || (apart > 0.0 && tolerance != absolute.end() && apart <= tolerance->second)) continue;
     if (!first) first = {recorded.time, a.path, to_text(a.value), to_text(b.value)};
     if (a.path != b.path) break;  // sequences of other lengths: what follows is not the same field
   }

@@ -15,14 +15,11 @@ void apply_overrides(LocalPlannerOptions& options, const std::vector<std::string
   read_into(options, root, "");
 }
 
-CLI::App* add_bench(CLI::App& app, int& status) {
+void add_teb(CLI::App* bench, int& status) {
   static const std::map<std::string, std::vector<BenchWeights>> kWeights = {
       {"file", {BenchWeights::file}},
       {"defaults", {BenchWeights::defaults}},
       {"both", {BenchWeights::file, BenchWeights::defaults}}};
-  CLI::App* bench =
-      app.add_subcommand("bench", "A local planner on benchmark scenes, without DDS")->require_subcommand(1);
-
   auto teb = std::make_shared<BenchTebArguments>();
   CLI::App* teb_verb =
       bench->add_subcommand("teb", "Open loop: a cold plan and warm cycles; times in process CPU ms");
@@ -44,7 +41,9 @@ CLI::App* add_bench(CLI::App& app, int& status) {
     teb->adjust = [teb_set](LocalPlannerOptions& options) { apply_overrides(options, *teb_set); };
     status = bench_teb(*teb);
   });
+}
 
+void add_crowd(CLI::App* bench, int& status) {
   auto crowd = std::make_shared<BenchCrowdArguments>();
   CLI::App* crowd_verb = bench->add_subcommand("crowd", "Closed loop among walkers that do not react");
   crowd_verb->add_option("--scenes", crowd->scenes, "Scene file; may be left out with --generate");
@@ -73,6 +72,13 @@ CLI::App* add_bench(CLI::App& app, int& status) {
     crowd->adjust = [set](LocalPlannerOptions& options) { apply_overrides(options, *set); };
     status = bench_crowd(*crowd);
   });
+}
+
+CLI::App* add_bench(CLI::App& app, int& status) {
+  CLI::App* bench =
+      app.add_subcommand("bench", "A local planner on benchmark scenes, without DDS")->require_subcommand(1);
+  add_teb(bench, status);
+  add_crowd(bench, status);
   return bench;
 }
 

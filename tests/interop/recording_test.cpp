@@ -1,0 +1,113 @@
+// A drive is recorded, and components run again on the recording: what they write is what they wrote, byte by byte.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/interop/process.hpp"
+
+namespace bw::test {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kGraph = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml";
+
+Outcome bandwagon(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), BANDWAGON_PROGRAM);
+  return run_to_end(arguments, std::chrono::seconds(300));
+}
+
+nlohmann::json read_json(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return nlohmann::json::parse(in);
+}
+
+/// The first 8 s of the hallway, recorded once for all tests.
+class Recording : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::filesystem::path(BANDWAGON_BINARY_DIR) / "recording";
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    for (const bool records : {true, false}) {
+      std::vector<std::string> command = {
+          "run", kGraph,  "--clock", "lockstep", "--seed",
+          "7",   "--for", "8",       "--json",   folder_ / (records ? "with.json" : "without.json")};
+      if (records) command.insert(command.end(), {"--record", folder_ / "drive"});
+      const Outcome run = bandwagon(command);
+      ASSERT_EQ(run.status, 1) << run.err;  // 8 s are too few for the goal
+    }
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
+  static Outcome replay(std::vector<std::string> run, std::vector<std::string> more = {}) {
+    std::vector<std::string> command = {"replay",  folder_ / "drive", "--graph", kGraph,
+                                        "--clock", "lockstep",        "--json",  folder_ / "verdict.json"};
+    for (std::string& option : more) command.push_back(std::move(option));
+    command.emplace_back("--run");
+    for (std::string& name : run) command.push_back(std::move(name));
+    return bandwagon(command);
+  }
+  static std::filesystem::path folder_;
+};
+
+std::filesystem::path Recording::folder_;
+
+TEST_F(Recording, ChangesNoSample) {
+  EXPECT_EQ(read_json(folder_ / "with.json")["samples_sha256"],
+            read_json(folder_ / "without.json")["samples_sha256"]);
+}
+
+TEST_F(Recording, IsSoundAndSaysWhatItIs) {
+  const Outcome check = bandwagon({"bag", "check", folder_ / "drive"});
+  EXPECT_EQ(check.status, 0) << check.out << check.err;
+  const Outcome info = bandwagon({"bag", "info", folder_ / "drive", "--json"});
+  ASSERT_EQ(info.status, 0) << info.err;
+  const nlohmann::json json = nlohmann::json::parse(info.out);
+  EXPECT_EQ(json["attachments"][0]["name"], "graph.yaml");
+  for (const auto& topic : json["topics"]) {
+    // 10 sweeps a second from 0.1 s on; 8 s end with the run.
+    if (topic["name"] == "/scan") EXPECT_EQ(topic["count"], 80);
+    EXPECT_EQ(topic["malformed"], 0) << topic;
+  }
+}
+
+TEST_F(Recording, EachComponentAloneWritesWhatItWrote) {
+  for (const char* name :
+       {"localization", "people", "local_costmap", "local_planner", "collision_monitor", "navigator"}) {
+    const Outcome outcome = replay({name});
+    EXPECT_EQ(outcome.status, 0) << name << ": " << outcome.out << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("equal: ")) << name;
+  }
+}
+
+TEST_F(Recording, AllOfThemTogetherWriteWhatTheyWrote) {
+  const Outcome outcome =
+      replay({"localization", "people", "local_costmap", "local_planner", "collision_monitor", "navigator"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_GT(read_json(folder_ / "verdict.json")["compared"], 1000);
+}
+
+TEST_F(Recording, AChangedWeightIsNamedByItsFirstDifference) {
+  const Outcome outcome = replay({"local_planner"}, {"--set", "local_planner.teb.band.weights.time=2"});
+  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("first difference: "));
+  const nlohmann::json first = read_json(folder_ / "verdict.json")["first_difference"];
+  EXPECT_FALSE(first["field"].get<std::string>().empty());
+  EXPECT_NE(first["recorded"], first["replayed"]);
+}
+
+TEST_F(Recording, WhatIsNotThereIsRefusedInWords) {
+  const Outcome unknown = replay({"local_plannr"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("did you mean 'local_planner'"));
+  const Outcome again =
+      bandwagon({"run", kGraph, "--clock", "lockstep", "--for", "1", "--record", folder_ / "drive"});
+  EXPECT_EQ(again.status, 2);
+  EXPECT_THAT(again.err, HasSubstr("is not empty"));
+}
+
+}  // namespace
+}  // namespace bw::test
