@@ -23,6 +23,8 @@ namespace bw::bag {
 struct BagTopic {
   std::string name;  ///< /odom
   std::string type;  ///< nav_msgs/msg/Odometry
+  std::string
+      writer;  ///< node that wrote it, where the bag tells: a topic of several writers stands there once for each
   std::string serialization_format = "cdr";
   std::string offered_qos_profiles;  ///< YAML text (qos_text.hpp)
   std::string type_hash;             ///< RIHS01_..., empty when the bag does not know it
@@ -30,6 +32,11 @@ struct BagTopic {
   std::string schema_text;
   std::uint64_t message_count = 0;
 };
+
+/// Of one name, type and writer.
+[[nodiscard]] inline bool is_same_topic(const BagTopic& a, const BagTopic& b) {
+  return a.name == b.name && a.type == b.type && a.writer == b.writer;
+}
 
 /// `data` is valid until the next message is read.
 struct BagMessage {

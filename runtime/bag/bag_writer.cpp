@@ -84,8 +84,16 @@ std::size_t BagWriter::add_topic(const BagTopic& topic) {
                        .message_encoding = topic.serialization_format,
                        .metadata = {{"offered_qos_profiles", topic.offered_qos_profiles},
                                     {"topic_type_hash", topic.type_hash}}});
+  if (!topic.writer.empty()) channels_.back().metadata["node"] = topic.writer;
   file_->add_channel(channels_.back());
   topics_.push_back(topic);
+  const auto listed = std::ranges::find_if(
+      metadata_.topics, [&](const TopicMetadata& t) { return t.name == topic.name && t.type == topic.type; });
+  listed_as_.push_back(static_cast<std::size_t>(listed - metadata_.topics.begin()));
+  if (listed != metadata_.topics.end()) {
+    listed->offered_qos_profiles += topic.offered_qos_profiles;
+    return topics_.size() - 1;
+  }
   metadata_.topics.push_back({.name = topic.name,
                               .type = topic.type,
                               .serialization_format = topic.serialization_format,
@@ -108,7 +116,7 @@ void BagWriter::write(std::size_t topic, Time log_time, Time publish_time, Bytes
                 .publish_time = to_mcap_time(publish_time),
                 .data = data});
   if (!std::exchange(file_has_messages_, true)) file_start_ = log_time;
-  ++metadata_.topics[topic].message_count;
+  ++metadata_.topics[listed_as_[topic]].message_count;
   ++metadata_.message_count;
 }
 
@@ -157,7 +165,7 @@ void BagWriter::delete_oldest() {
     std::filesystem::remove(path_ / metadata_.files.front().path);
     metadata_.message_count -= metadata_.files.front().message_count;
     for (const auto& [channel, count] : closed_.front().counts)
-      metadata_.topics[channel - 1U].message_count -= count;
+      metadata_.topics[listed_as_[channel - 1U]].message_count -= count;
     metadata_.files.erase(metadata_.files.begin());
     closed_.erase(closed_.begin());
   }

@@ -58,8 +58,9 @@ class McapBag final : public Bag {
       };
       topic.offered_qos_profiles = text("offered_qos_profiles");
       topic.type_hash = text("topic_type_hash");
-      const auto same = std::ranges::find_if(
-          topics_, [&](const BagTopic& t) { return t.name == topic.name && t.type == topic.type; });
+      topic.writer = text("node");
+      const auto same =
+          std::ranges::find_if(topics_, [&](const BagTopic& t) { return is_same_topic(t, topic); });
       topic_of_[id] = static_cast<std::size_t>(same - topics_.begin());
       if (same == topics_.end()) topics_.push_back(std::move(topic));
       const auto& counts = contents_.statistics.channel_message_counts;

@@ -60,8 +60,8 @@ class JoinedBag final : public Bag {
     for (const auto& file : files_) {
       std::vector<std::size_t>& topic_of = topic_of_.emplace_back();
       for (const BagTopic& topic : file->topics()) {
-        const auto same = std::ranges::find_if(
-            topics_, [&](const BagTopic& t) { return t.name == topic.name && t.type == topic.type; });
+        const auto same =
+            std::ranges::find_if(topics_, [&](const BagTopic& t) { return is_same_topic(t, topic); });
         topic_of.push_back(static_cast<std::size_t>(same - topics_.begin()));
         if (same == topics_.end()) {
           topics_.push_back(topic);

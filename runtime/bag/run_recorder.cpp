@@ -13,6 +13,7 @@ void RunRecorder::connect(const std::vector<const OutputEnd*>& outputs) {
     const TypeDescription* type = find_type(output->type.ros_name);
     BagTopic topic{.name = output->topic,
                    .type = std::string(output->type.ros_name),
+                   .writer = output->owner.name,
                    .offered_qos_profiles = to_qos_text({output->qos}),
                    .type_hash = std::string(output->type.type_hash),
                    .schema_encoding = type == nullptr ? "unknown" : "ros2msg"};

@@ -123,7 +123,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
   for (const auto& actor : actors_) {
     if (actor->rank > 0) declarations_.push_back(declaration_of(*actor));
   }
-  throw_if_any(check_graph(declarations_, graph_));
+  if (!options_.is_partial) throw_if_any(check_graph(declarations_, graph_));
 }
 
 Host::~Host() {

@@ -33,6 +33,8 @@ struct HostOptions {
   double pace = 0.0;         ///< lock-step: virtual seconds per real second; 0 as fast as possible
   std::optional<Time> start = std::nullopt;  ///< lock-step: where virtual time begins
   EventSource* source = nullptr;             ///< lock-step: what happens besides the components
+  bool is_partial =
+      false;  ///< a part of a graph, looked at and not run: inputs that nobody feeds are no mistake
   std::shared_ptr<SampleTap> tap = nullptr;  ///< sees every sample of this process
 };
 

@@ -1,5 +1,6 @@
 #include "runtime/replay/bag_feed.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "runtime/bag/qos_text.hpp"
@@ -50,17 +51,26 @@ BagFeed::BagFeed(const bag::Bag& recording, FeedOptions options, OutputCompariso
       options_(std::move(options)),
       comparison_(comparison),
       messages_(recording.messages({})) {
+  for (const bag::BagTopic& topic : recording.topics()) ++writers_[topic.name];
   for (const bag::BagTopic& topic : recording.topics()) {
-    const bool is_live = options_.live.contains(topic.name);
+    const bool is_live = std::ranges::any_of(options_.live, [&](const auto& live) {
+      return live.first == topic.name && (topic.writer.empty() || live.second == topic.writer);
+    });
     roles_.push_back(is_live                                 ? Role::live
                      : options_.ignored.contains(topic.name) ? Role::ignored
                                                              : Role::played);
-    if (is_live) comparison_.add_topic(topic.name, topic.type);
+    if (is_live) comparison_.add_topic(name_of(topic.name, topic.writer), topic.type);
     types_.push_back(find_type(topic.type));
     dds_names_.push_back(dds_name(topic.type));
   }
   ports_.resize(roles_.size(), nullptr);
   read();
+}
+
+/// As the verdict names it: the topic, and the node where a topic has several.
+std::string BagFeed::name_of(const std::string& topic, const std::string& node) const {
+  const auto writers = writers_.find(topic);
+  return writers != writers_.end() && writers->second > 1 ? topic + " (" + node + ")" : topic;
 }
 
 std::unique_ptr<Component> BagFeed::make_component() { return std::make_unique<Player>(*this); }
@@ -97,12 +107,13 @@ void BagFeed::run(Time now) {
 
 void BagFeed::advance(Time now) {
   while (pending_ && pending_->log_time <= now) {
-    const std::string& topic = recording_.topics()[pending_->topic].name;
+    const bag::BagTopic& recorded = recording_.topics()[pending_->topic];
     if (roles_[pending_->topic] == Role::played) {
       publish();
       read();
       continue;
     }
+    const std::string topic = name_of(recorded.name, recorded.writer);
     if (!std::exchange(pending_is_told_, true)) comparison_.expect(topic, pending_->log_time, pending_->data);
     std::int64_t& ahead = ahead_[topic];
     if (ahead <= 0 && pending_->log_time == now) return;  // it will come within this instant
@@ -122,16 +133,18 @@ void BagFeed::publish() {
   ++published_;
 }
 
-void BagFeed::on_live(const std::string& topic, Time now, bag::BytesView cdr) {
-  comparison_.got(topic, now, cdr);
-  ++ahead_[topic];
+void BagFeed::on_live(const std::string& topic, const std::string& node, Time now, bag::BytesView cdr) {
+  const std::string name = name_of(topic, node);
+  comparison_.got(name, now, cdr);
+  ++ahead_[name];
   advance(now);
 }
 
 void BagFeed::finish() {
   for (; pending_; read()) {
     if (roles_[pending_->topic] != Role::live || std::exchange(pending_is_told_, true)) continue;
-    comparison_.expect(recording_.topics()[pending_->topic].name, pending_->log_time, pending_->data);
+    const bag::BagTopic& topic = recording_.topics()[pending_->topic];
+    comparison_.expect(name_of(topic.name, topic.writer), pending_->log_time, pending_->data);
   }
 }
 

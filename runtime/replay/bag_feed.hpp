@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "runtime/bag/bag.hpp"
 #include "runtime/component.hpp"
@@ -20,8 +21,9 @@
 namespace bw::replay {
 
 struct FeedOptions {
-  std::set<std::string> live;     ///< topics that running components write: compared, not published
-  std::set<std::string> ignored;  ///< neither
+  std::set<std::pair<std::string, std::string>>
+      live;  ///< topic and node of what running components write: compared, not published
+  std::set<std::string> ignored;               ///< neither
   std::uint64_t messages = ~std::uint64_t{0};  ///< only so many of the bag, from its beginning
 };
 
@@ -35,8 +37,8 @@ class BagFeed final : public EventSource {
 
   std::optional<Time> next() const override;
   void run(Time now) override;
-  /// A running component wrote a message.
-  void on_live(const std::string& topic, Time now, bag::BytesView cdr);
+  /// The running component `node` wrote a message.
+  void on_live(const std::string& topic, const std::string& node, Time now, bag::BytesView cdr);
   /// The rest of the bag, when the run is over.
   void finish();
 
@@ -52,13 +54,15 @@ class BagFeed final : public EventSource {
   void read();
   void advance(Time now);
   void publish();
+  std::string name_of(const std::string& topic, const std::string& node) const;
 
   const bag::Bag& recording_;
   FeedOptions options_;
   OutputComparison& comparison_;
   std::unique_ptr<bag::BagMessages> messages_;
-  std::vector<Role> roles_;         ///< by topic of the bag
-  std::vector<OutputPort*> ports_;  ///< by topic of the bag; null: not played
+  std::map<std::string, int> writers_;  ///< by topic: how many the bag knows
+  std::vector<Role> roles_;             ///< by topic of the bag
+  std::vector<OutputPort*> ports_;      ///< by topic of the bag; null: not played
   std::vector<const TypeDescription*> types_;
   std::vector<std::string> dds_names_;  ///< of the types, by topic
 

@@ -19,18 +19,22 @@ namespace {
 /// Every process says these for itself.
 const std::set<std::string> kOfTheProcess = {"/rosout", "/diagnostics", "/clock"};
 
+/// Topics with the nodes that write them.
+using Outputs = std::set<std::pair<std::string, std::string>>;
+
 /// Gives the feed what the running components write.
 class LiveTap final : public SampleTap {
  public:
-  LiveTap(BagFeed& feed, std::set<std::string> live) : feed_(feed), live_(std::move(live)) {}
+  LiveTap(BagFeed& feed, Outputs live) : feed_(feed), live_(std::move(live)) {}
   void connect(const std::vector<const OutputEnd*>&) override {}
   void on_sample(const OutputEnd& output, Time now, std::span<const std::uint8_t> cdr) override {
-    if (live_.contains(output.topic)) feed_.on_live(output.topic, now, cdr);
+    const std::string& node = output.owner.name;
+    if (live_.contains({output.topic, node})) feed_.on_live(output.topic, node, now, cdr);
   }
 
  private:
   BagFeed& feed_;
-  std::set<std::string> live_;
+  Outputs live_;
 };
 
 void keep_only(Graph& graph, const std::vector<std::string>& names) {
@@ -45,12 +49,12 @@ void keep_only(Graph& graph, const std::vector<std::string>& names) {
 }
 
 /// What the components of the graph write, by their declarations.
-std::set<std::string> outputs_of(const Graph& graph) {
-  const Host host(graph, {.clock = ClockMode::lockstep});
-  std::set<std::string> topics;
+Outputs outputs_of(const Graph& graph) {
+  const Host host(graph, {.clock = ClockMode::lockstep, .is_partial = true});
+  Outputs topics;
   for (const ComponentDeclaration& declaration : host.declarations()) {
     for (const auto& output : declaration.outputs)
-      topics.insert(host.graph().find(declaration.name)->topic_of(output.name));
+      topics.insert({host.graph().find(declaration.name)->topic_of(output.name), declaration.name});
   }
   return topics;
 }
@@ -63,6 +67,11 @@ std::string entry(const std::map<std::string, std::map<std::string, std::string>
   return value == found->second.end() ? std::string() : value->second;
 }
 
+/// Build ids are long, and their beginning tells them apart.
+std::string shortened(const std::string& text) {
+  return text.size() <= 48 ? text : text.substr(0, 12) + "...";
+}
+
 std::vector<std::string> notes_on(const bag::Bag& recording) {
   std::vector<std::string> notes;
   const auto metadata = recording.metadata();
@@ -72,7 +81,7 @@ std::vector<std::string> notes_on(const bag::Bag& recording) {
       notes.push_back(fmt::format("the bag does not say which {} made it", what));
     } else if (there != here) {
       notes.push_back(fmt::format("another {} made the bag ({}, this is {}): bytes may differ for that alone",
-                                  what, there, here));
+                                  what, shortened(there), shortened(here)));
     }
   };
   compare("build_id", build_id(), "build");
@@ -90,12 +99,12 @@ ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions&
   std::set<std::string> recorded;
   for (const bag::BagTopic& topic : recording.topics()) recorded.insert(topic.name);
   FeedOptions feed_options{.ignored = kOfTheProcess};
-  for (const std::string& topic : outputs_of(graph)) {
-    if (recorded.contains(topic) && !kOfTheProcess.contains(topic)) feed_options.live.insert(topic);
+  for (const auto& [topic, node] : outputs_of(graph)) {
+    if (recorded.contains(topic) && !kOfTheProcess.contains(topic)) feed_options.live.insert({topic, node});
   }
   if (feed_options.live.empty())
     throw std::runtime_error("nothing that these components write is in the bag");
-  const std::set<std::string> live = feed_options.live;
+  const Outputs live = feed_options.live;
   const auto metadata = recording.metadata();
   if (const std::string count = entry(metadata, "result", "messages_of_run"); !count.empty()) {
     feed_options.messages = std::stoull(count);
