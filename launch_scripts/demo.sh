@@ -8,13 +8,16 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 out=$root/run/demo
 mkdir -p "$out"
+rm -f "$out/drive.mcap"
 echo
 echo "A robot crosses a hallway with six walkers and two people who stand (4 times real time):"
 status=0
 "$root/build/release/bin/bandwagon" run "$root/config/graphs/hallway.yaml" \
   --clock lockstep --pace "${BANDWAGON_PACE:-4}" --seed 7 --progress --fail-on-contact \
-  --json "$out/score_card.json" --svg "$out/drive.svg" "$@" || status=$?
+  --json "$out/score_card.json" --svg "$out/drive.svg" --record "$out/drive.mcap" "$@" || status=$?
 echo
 echo "Score card: $out/score_card.json"
 echo "Picture:    $out/drive.svg"
+echo "Recording:  $out/drive.mcap, to be driven again by any of its components:"
+echo "  $root/build/release/bin/bandwagon replay $out/drive.mcap --graph $root/config/graphs/hallway.yaml --run local_planner"
 exit "$status"
