@@ -87,9 +87,12 @@ void print_topics(const bag::BagReport& report, Time start) {
                            "longest gap");
   for (const auto& topic : report.topics) {
     const std::string rate = topic.rate() > 0.0 ? fmt::format("{:.2f} Hz", topic.rate()) : "-";
-    const std::string gap = topic.count > 1 ? fmt::format("{:.3f} s", topic.longest_gap.to_seconds()) : "-";
+    const std::string gap =
+        topic.longest_gap > Duration{} ? fmt::format("{:.3f} s", topic.longest_gap.to_seconds()) : "-";
     const std::string at =
-        topic.count > 1 ? fmt::format(" (gap at {:.2f} s)", (topic.longest_gap_at - start).to_seconds()) : "";
+        topic.longest_gap > Duration{}
+            ? fmt::format(" (gap at {:.2f} s)", (topic.longest_gap_at - start).to_seconds())
+            : "";
     std::cout << fmt::format("{:{}}  {:>8} {:>9} {:>11}  {}{}\n", topic.name, width, topic.count, rate, gap,
                              topic.type, at);
   }
