@@ -69,7 +69,9 @@ TEST_F(Recording, IsSoundAndSaysWhatItIs) {
   EXPECT_EQ(json["attachments"][0]["name"], "graph.yaml");
   for (const auto& topic : json["topics"]) {
     // 10 sweeps a second from 0.1 s on; 8 s end with the run.
-    if (topic["name"] == "/scan") EXPECT_EQ(topic["count"], 80);
+    if (topic["name"] == "/scan") {
+      EXPECT_EQ(topic["count"], 80);
+    }
     EXPECT_EQ(topic["malformed"], 0) << topic;
   }
 }
