@@ -16,9 +16,9 @@ constexpr std::array<std::string_view, 8> kRooms = {"components/",     "config/"
                                                     "launch_scripts/", "idl/",    "cmake/",   ".ci/"};
 
 // Texts outside of the tree, by words that name them.
-constexpr std::array<std::string_view, 10> kOutside = {
-    "/work/",      "../shared",    "DESIGN.md",         "_anchors.md",   "planning_anchors",
-    "battery row", "battery, row", "dissertation_spec", "scenes/README", "ros2_interop"};
+constexpr std::array<std::string_view, 8> kOutside = {"DESIGN.md",     "_anchors.md",  "planning_anchors",
+                                                      "battery row",   "battery, row", "dissertation_spec",
+                                                      "scenes/README", "ros2_interop"};
 
 constexpr std::array<std::string_view, 6> kSeparators = {", and ", ", ", " and ", " to ", " or ", "–"};
 
