@@ -11,6 +11,7 @@
 #include "runtime/atomic_file.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/replay/replay_run.hpp"
+#include "runtime/replay/updated_bag.hpp"
 
 namespace bw::cli {
 namespace {
@@ -22,21 +23,25 @@ struct ReplayArguments {
   std::vector<std::string> set;
   std::vector<std::string> run;
   std::string json;
+  std::string text;
+  bool update = false;
 };
 
 nlohmann::json to_json(const replay::ReplayResult& result) {
-  nlohmann::json json = {{"equal", result.is_equal()},    {"compared", result.compared},
-                         {"published", result.published}, {"malformed", result.malformed},
-                         {"notes", result.notes},         {"topics", nlohmann::json::object()},
+  nlohmann::json json = {{"equal", result.is_equal()},
+                         {"compared", result.compared},
+                         {"published", result.published},
+                         {"malformed", result.malformed},
+                         {"sha256", result.sha256},
+                         {"pairing", result.pairing == replay::Pairing::in_order ? "in_order" : "by_stamp"},
+                         {"notes", result.notes},
+                         {"topics", nlohmann::json::object()},
                          {"first_difference", nullptr}};
   for (const auto& [topic, verdict] : result.topics) {
-    json["topics"][topic] = {{"type", verdict.type},
-                             {"equal", verdict.equal},
-                             {"differing", verdict.differing},
-                             {"missing", verdict.missing},
-                             {"extra", verdict.extra},
-                             {"largest", verdict.largest},
-                             {"largest_field", verdict.largest_field}};
+    json["topics"][topic] = {{"type", verdict.type},           {"equal", verdict.equal},
+                             {"differing", verdict.differing}, {"missing", verdict.missing},
+                             {"extra", verdict.extra},         {"apart_s", verdict.apart},
+                             {"largest", verdict.largest},     {"largest_field", verdict.largest_field}};
   }
   if (!result.first_topic.empty()) {
     const replay::Difference& d = *result.topics.at(result.first_topic).first;
@@ -54,8 +59,8 @@ void print(const replay::ReplayResult& result, Time start) {
   if (result.malformed > 0)
     std::cout << fmt::format("note: {} messages of the bag do not fit their type\n", result.malformed);
   if (result.is_equal()) {
-    std::cout << fmt::format("equal: {} messages on {} topics, by {} recorded ones\n", result.compared,
-                             result.topics.size(), result.published);
+    std::cout << fmt::format("equal: {} messages on {} topics, by {} recorded ones; sha256 {}\n",
+                             result.compared, result.topics.size(), result.published, result.sha256);
     return;
   }
   if (!result.first_topic.empty()) {
@@ -78,9 +83,13 @@ void print(const replay::ReplayResult& result, Time start) {
 
 int run_replay(const ReplayArguments& arguments) {
   const auto recording = bag::open_bag(arguments.path);
-  const replay::ReplayResult result = replay::replay(*recording, load_graph(arguments.graph, arguments.set),
-                                                     {.run = arguments.run, .tolerances = {}});
+  const std::filesystem::path update = arguments.update ? replay::beside(arguments.path) : "";
+  const replay::ReplayResult result =
+      replay::replay(*recording, load_graph(arguments.graph, arguments.set),
+                     {.run = arguments.run, .update = update, .with_text = !arguments.text.empty()});
   print(result, recording->start());
+  if (arguments.update) std::cout << "new outputs: " << update.string() << "\n";
+  if (!arguments.text.empty()) write_file_atomically(arguments.text, result.text);
   if (!arguments.json.empty()) write_file_atomically(arguments.json, to_json(result).dump(2) + "\n");
   return result.is_equal() ? 0 : 1;
 }
@@ -97,6 +106,9 @@ CLI::App* add_replay(CLI::App& app, int& status) {
   verb->add_option("--set", arguments->set, "component.param=value, as often as needed")
       ->allow_extra_args(false);
   verb->add_option("--json", arguments->json, "Writes the verdict here");
+  verb->add_option("--text", arguments->text, "Writes the outputs here as text to review, rounded");
+  verb->add_flag("--update", arguments->update,
+                 "Writes a new bag beside the old one, with the new outputs: drive.replayed.mcap");
   verb->callback([arguments, &status] { status = run_replay(*arguments); });
   return verb;
 }
