@@ -17,7 +17,7 @@ RunRecorder::RunRecorder(double robot_radius, double top_speed) : period_(kPerio
 
 void RunRecorder::start(Time now, const Vector2& goal) {
   recording_.moments.clear();
-  recording_.goal = goal;
+  recording_.goals = {goal};
   started_ = now;
   period_ = kPeriod;
   last_.reset();

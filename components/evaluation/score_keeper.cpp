@@ -110,16 +110,21 @@ void ScoreKeeper::touch(std::int64_t key, double gap, bool fast) {
   }
 }
 
+bool ScoreKeeper::is_there(bool claimed) const {
+  const double allowed = options_.goal_tolerance > 0.0 ? options_.goal_tolerance : judged_xy(tolerance_);
+  return claimed && last_ && card_.distance_to_goal <= allowed;
+}
+
 void ScoreKeeper::finish(Time now, bool claimed, const std::string& reason) {
   if (!running_) return;
   running_ = false;
   card_.finished = true;
   card_.time_to_goal = (now - started_).to_seconds();
   card_.mean_speed = card_.time_to_goal > 0.0 ? card_.path_length / card_.time_to_goal : 0.0;
-  const double allowed = options_.goal_tolerance > 0.0 ? options_.goal_tolerance : judged_xy(tolerance_);
-  card_.reached = claimed && last_ && card_.distance_to_goal <= allowed;
+  card_.reached = is_there(claimed) && !missed_a_leg_;
   card_.reason = reason;
-  if (claimed && !card_.reached) card_.reason = "the robot claims the goal but is not there";
+  if (claimed && !is_there(claimed)) card_.reason = "the robot claims the goal but is not there";
+  if (claimed && is_there(claimed) && missed_a_leg_) card_.reason = "an earlier goal was not reached";
 }
 
 }  // namespace bw
