@@ -22,6 +22,7 @@ struct RecordedRobotOptions {
   double datum_latitude = 21.0;
   double datum_longitude = 105.8;
   double variance_per_metre = 5e-4;
+  bool end_run = true;
   HoldOutOptions hold_out;  // last: GCC 12 warns otherwise of a string that is not initialised
 
   template <class Visitor>
@@ -34,6 +35,7 @@ struct RecordedRobotOptions {
        .doc = "how many times as fast as it was the bag is played; speeds are scaled alike"});
     v("start", start, {.unit = "s", .min = 0, .max = 1e6, .doc = "first second of the bag that is played"});
     v("end", end, {.unit = "s", .min = 0, .max = 1e6, .doc = "last second of the bag; 0: to its end"});
+    v("end_run", end_run, {.doc = "the run is over a second after the last that is played"});
     v("hold_out", hold_out, {.doc = "fixes that go to gps/fix_held_out instead"});
     v("make_sensors", make_sensors,
       {.doc = "for a bag with a reference and without them: a receiver and a compass are made from it"});

@@ -2,6 +2,7 @@
 // unit, fixes, ranges, scans and reference as the robot and the simulated world publish them.
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +19,7 @@ namespace bw {
 namespace {
 
 constexpr Duration kStep = Duration::milliseconds(5);
+constexpr Duration kAfterTheEnd = Duration::milliseconds(1000);
 
 class RecordedRobotComponent final : public Component {
  public:
@@ -34,6 +36,7 @@ class RecordedRobotComponent final : public Component {
     held_out_events_ = events_between(held_out_, options_.start, options_.end);
     odometry_.emplace(drive_, options_.variance_per_metre, options_.rate);
     declare_outputs(setup, robot);
+    if (options_.end_run) finish_run_ = setup.finish_run();
     setup.every(kStep, "play", [this](const Tick& tick) { play(tick.now); });
   }
 
@@ -110,6 +113,14 @@ class RecordedRobotComponent final : public Component {
       if (when(fix.time) > now) return;
       held_out_fix_.publish(to_message(fix, gps_frame_, when(fix.time)));
     }
+    if (next_ == events_.size()) end_run(now);
+  }
+
+  /// When the others have had time for the last entry.
+  void end_run(Time now) {
+    if (!last_played_) last_played_ = now;
+    if (finish_run_ && now - *last_played_ >= kAfterTheEnd)
+      std::exchange(finish_run_, nullptr)(true, "the bag is over");
   }
 
   RecordedRobotOptions options_;
@@ -120,6 +131,8 @@ class RecordedRobotComponent final : public Component {
   std::vector<RecordedEvent> held_out_events_;
   std::size_t next_ = 0;
   std::size_t next_held_out_ = 0;
+  std::optional<Time> last_played_;
+  std::function<void(bool, const std::string&)> finish_run_;
   Time start_;  ///< component time at which the bag's start second is played
   const ReferencePose* reference_before_ = nullptr;
   std::string map_frame_, imu_frame_, gps_frame_;
