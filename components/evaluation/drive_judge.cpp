@@ -1,8 +1,19 @@
 #include "components/evaluation/drive_judge.hpp"
 
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace bw {
+
+void DriveJudge::begin_run(Time now) {
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  keeper_.start(now, {kNowhere, kNowhere});
+  errors_ = {};
+  recorder_.start(now, std::nullopt);
+}
+
+void DriveJudge::end_run(Time now) { keeper_.finish(now, false, "the run is over"); }
 
 bool DriveJudge::on_goal(const GoalNews& news, Time now) {
   if (news.goal_id > goal_id_ && (!news.is_over || !running())) begin(news, now);

@@ -28,6 +28,9 @@ class DriveJudge {
   DriveJudge(const EvaluationOptions& options, double robot_radius, double top_speed)
       : keeper_(options, robot_radius), recorder_(robot_radius, top_speed) {}
 
+  /// A drive without a goal, such as that of a recording, lasts until end_run().
+  void begin_run(Time now);
+  void end_run(Time now);
   /// True when it ends the drive.
   bool on_goal(const GoalNews& news, Time now);
   void on_truth(const TruthSample& sample);

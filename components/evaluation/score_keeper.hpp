@@ -73,7 +73,8 @@ class ScoreKeeper {
     goal_ = goal;
     tolerance_ = tolerance;
   }
-  /// Counts while a drive lasts. Samples that are not newer or not finite are ignored.
+  /// Counts while a drive lasts. Samples that are not newer, or whose places are not finite, are ignored; without a
+  /// speed (NaN) there is no jerk.
   void add(const TruthSample& sample);
   /// `claimed`: the robot says that it stands at the goal.
   void finish(Time now, bool claimed, const std::string& reason);

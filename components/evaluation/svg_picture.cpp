@@ -139,7 +139,8 @@ void draw_robot(SvgWriter& svg, const PictureView& view, const RunRecording& rec
   const std::string color = speed_color(moment.speed / recording.top_speed);
   svg.circle(at, recording.robot_radius * view.scale,
              style({{"fill", "#ffffff"}, {"fill-opacity", "0.6"}, {"stroke", color}, {"stroke-width", "2"}}));
-  svg.line(at + (front - at) * 0.55, front, style({{"stroke", color}, {"stroke-width", "3"}}));
+  if (front.allFinite())  // else the truth has no heading
+    svg.line(at + (front - at) * 0.55, front, style({{"stroke", color}, {"stroke-width", "3"}}));
   svg.text(at + Vector2(0, 4), label, label_style(kInk, 11, "middle", 600));
 }
 

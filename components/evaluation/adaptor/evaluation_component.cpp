@@ -31,6 +31,7 @@ class EvaluationComponent final : public Component {
  public:
   void configure(Setup& setup) override {
     parameters_ = setup.parameters<EvaluationParameters>();
+    is_run_ = parameters_.scored == Scored::run;
     svg_path_ = setup.file_parameter("svg");
     const auto robot = setup.shared<Robot>("robot");
     judge_.emplace(parameters_, robot.radius, robot.limits.v_max);
@@ -39,16 +40,22 @@ class EvaluationComponent final : public Component {
     card_ = setup.output<bandwagon_msgs::msg::ScoreCard>("score_card");
     setup.input<bandwagon_msgs::msg::GroundTruth>(
         "sim/ground_truth", Qos::standard(),
-        [this](const auto& message, const Tick&) { judge_->on_truth(to_truth(message)); });
+        [this](const auto& message, const Tick& tick) {
+          if (is_run_ && !judge_->running()) judge_->begin_run(tick.now);
+          judge_->on_truth(to_truth(message));
+        },
+        is_run_ ? Need::optional : Need::required);  // a recording may have none
     setup.input<nav_msgs::msg::Odometry>(
         "odometry/filtered", Qos::standard(50),
         [this](const auto& message, const Tick&) {
           judge_->on_pose(from_stamp(message.header().stamp()), from_pose(message.pose().pose()));
         },
         Need::optional);
-    setup.input<bandwagon_msgs::msg::NavigationStatus>(
-        "navigation_status", Qos::standard(),
-        [this](const auto& message, const Tick& tick) { on_status(message, tick); });
+    if (!is_run_) {
+      setup.input<bandwagon_msgs::msg::NavigationStatus>(
+          "navigation_status", Qos::standard(),
+          [this](const auto& message, const Tick& tick) { on_status(message, tick); });
+    }
     setup.input<nav_msgs::msg::OccupancyGrid>(
         "map", Qos::latched(),
         [this](const auto& message, const Tick&) {
@@ -76,7 +83,9 @@ class EvaluationComponent final : public Component {
 
   void deactivate(const Tick& tick) override {
     if (!judge_->running()) return;
+    if (is_run_) judge_->end_run(tick.now);
     publish(tick);
+    if (is_run_) return draw();
     const bool is_late = parameters_.time_limit > 0.0 &&
                          (tick.now - activated_).to_seconds() >= parameters_.time_limit - kClockStep;
     draw(is_late ? "timeout" : "ended early");
@@ -112,6 +121,7 @@ class EvaluationComponent final : public Component {
   EvaluationParameters parameters_;
   std::filesystem::path svg_path_;
   std::optional<DriveJudge> judge_;
+  bool is_run_ = false;
   Time activated_;
   Logger log_;
   std::string map_frame_;
