@@ -37,7 +37,8 @@ void FieldWriter::refuse(const std::string& value, const std::string& why) const
   throw ConfigError(Violation{rule_.where, rule_.key, value, why});
 }
 
-FieldWriter::FieldWriter(const ValueRule& rule, MessageDraft& draft, const ColumnLayout& layout)
+FieldWriter::FieldWriter(const ValueRule& rule, MessageDraft& draft, const ColumnLayout& layout,
+                         const std::string& table)
     : rule_(rule) {
   try {
     place_ = draft.find(rule.field);
@@ -48,7 +49,7 @@ FieldWriter::FieldWriter(const ValueRule& rule, MessageDraft& draft, const Colum
   if (rule.value) {
     write_constant(draft);
   } else {
-    bind_columns(layout);
+    bind_columns(layout, table);
   }
 }
 
@@ -61,7 +62,7 @@ void FieldWriter::check_unit() const {
     refuse(rule_.unit_text, "must be a unit of time: s, ms, us, ns, min, h");
 }
 
-void FieldWriter::bind_columns(const ColumnLayout& layout) {
+void FieldWriter::bind_columns(const ColumnLayout& layout, const std::string& table) {
   const std::string text = rule_.column ? *rule_.column : rule_.columns ? *rule_.columns : rule_.of;
   try {
     if (rule_.column) {
@@ -70,7 +71,7 @@ void FieldWriter::bind_columns(const ColumnLayout& layout) {
       std::tie(first_, last_) = layout.columns(text);
     }
   } catch (const std::invalid_argument& error) {
-    refuse(text, error.what());
+    refuse(text, std::string(error.what()) + ", in " + table);
   }
   if (!rule_.by_count.empty()) {
     if (place_.kind != Kind::number && place_.kind != Kind::angle)

@@ -14,7 +14,8 @@ class FieldWriter {
  public:
   /// A constant is written at once. Throws ConfigError naming file, line and key of the rule for a field that the type
   /// does not have, a column that the table does not have, and a unit that is none of the field's.
-  FieldWriter(const ValueRule& rule, MessageDraft& draft, const ColumnLayout& layout);
+  FieldWriter(const ValueRule& rule, MessageDraft& draft, const ColumnLayout& layout,
+              const std::string& table);
 
   /// From a row that `layout` was laid over. False: a gap says that the row gives no such message. Throws TableError.
   bool write(const Row& row, const ColumnLayout& layout, const std::string& table, MessageDraft& draft);
@@ -27,7 +28,7 @@ class FieldWriter {
     double value = 0.0;
   };
 
-  void bind_columns(const ColumnLayout& layout);
+  void bind_columns(const ColumnLayout& layout, const std::string& table);
   void check_unit() const;
   void write_constant(MessageDraft& draft) const;
   [[nodiscard]] Number number_of(const std::string& cell) const;

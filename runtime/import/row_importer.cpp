@@ -21,7 +21,7 @@ RowImporter::RowImporter(const MessageRule& rule, const TypeDescription& type, C
   if (!rule.stamp.nanoseconds.empty())
     nanoseconds_column_ = stamp_column(rule.stamp.nanoseconds, "nanoseconds");
   offset_ = stamp_of_text(rule.stamp.offset, "s").value();
-  for (const ValueRule& value : rule.values) writers_.emplace_back(value, draft_, columns_);
+  for (const ValueRule& value : rule.values) writers_.emplace_back(value, draft_, columns_, table_);
   completes_scans_ = type.ros_name == "sensor_msgs/msg/LaserScan";
 }
 

@@ -75,6 +75,7 @@ bandwagon_msgs::msg::ScoreCard to_message(const ScoreCard& card, const PoseError
   message.share_ci_above_0_14(card.share_ci_above_0_14);
   message.mean_speed_mps(card.mean_speed);
   message.rms_jerk_mps3(card.rms_jerk);
+  message.localization_poses(static_cast<std::uint32_t>(errors.count()));
   message.localization_mean_m(errors.mean_position());
   message.localization_rms_m(errors.rms_position());
   message.localization_max_m(errors.max_position());

@@ -56,9 +56,10 @@ std::string pose_error_in_words(const nlohmann::json& card) {
   if (!pose.is_object() || !pose["rms_m"].is_number()) return "";
   const std::string heading =
       pose["rms_rad"].is_number() ? fmt::format(" and {:.4f} rad", pose["rms_rad"].get<double>()) : "";
-  return fmt::format("Localization off by {:.3f} m on average, {:.3f} m{} rms, {:.3f} m at most.\n",
-                     pose["mean_m"].get<double>(), pose["rms_m"].get<double>(), heading,
-                     pose["max_m"].get<double>());
+  return fmt::format(
+      "Localization off by {:.3f} m on average, {:.3f} m{} rms, {:.3f} m at most ({} poses).\n",
+      pose["mean_m"].get<double>(), pose["rms_m"].get<double>(), heading, pose["max_m"].get<double>(),
+      pose["poses"].get<std::uint32_t>());
 }
 
 /// How close the robot came to people, and how it moved.
@@ -131,7 +132,8 @@ nlohmann::json card_json(const bandwagon_msgs::msg::ScoreCard& card) {
           {"mean_speed_mps", number(card.mean_speed_mps())},
           {"rms_jerk_mps3", number(card.rms_jerk_mps3())},
           {"localization",
-           {{"mean_m", number(card.localization_mean_m())},
+           {{"poses", card.localization_poses()},
+            {"mean_m", number(card.localization_mean_m())},
             {"rms_m", number(card.localization_rms_m())},
             {"max_m", number(card.localization_max_m())},
             {"rms_rad", number(card.localization_rms_rad())}}}};
