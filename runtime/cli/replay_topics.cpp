@@ -50,6 +50,10 @@ class TerminalControl final : public replay::PlayerControl {
     const Duration now = steady_time();
     if (now - shown_ < Duration::milliseconds(100)) return;
     shown_ = now;
+    if (status.is_waiting) {
+      line_.show("looking for readers");
+      return;
+    }
     const std::string rate =
         status.rate == 0.0 ? "as fast as possible" : fmt::format("rate {:.1f}", status.rate);
     line_.show(fmt::format("{:.1f} / {:.1f} s | {} | {} messages{}", status.position.to_seconds(),

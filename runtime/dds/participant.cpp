@@ -359,6 +359,7 @@ std::unique_ptr<Writer> Participant::create_writer(const EndpointOptions& option
   efd::DataWriterQos qos = efd::DATAWRITER_QOS_DEFAULT;
   apply(options, qos);
   qos.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
+  if (options.heartbeat) qos.reliable_writer_qos().times.heartbeatPeriod = to_duration(*options.heartbeat);
   set_user_data(qos.user_data(), options.user_data);
   efd::DataWriter* writer = impl_->publisher->create_datawriter(impl_->topic(options), qos);
   if (writer == nullptr) throw std::runtime_error("DDS refuses a writer on " + options.topic);

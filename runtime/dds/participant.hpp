@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -61,6 +62,8 @@ struct EndpointOptions {
   std::string type;   ///< DDS name
   Qos qos;
   std::string user_data;
+  /// Of a reliable writer: so often readers that lack something are told; nothing: every 3 s.
+  std::optional<Duration> heartbeat = std::nullopt;
 };
 
 /// One received sample: CDR with its 4-byte encapsulation header.

@@ -25,6 +25,8 @@ constexpr Duration kLongestWait = Duration::milliseconds(100);  // between looks
 constexpr Duration kQuiet = Duration::milliseconds(500);        // discovery that tells nothing new is done
 constexpr Duration kLongestDiscovery = Duration::milliseconds(3000);
 constexpr Duration kLongestDelivery = Duration::milliseconds(2000);
+constexpr Duration kHeartbeat =
+    Duration::milliseconds(100);       // what was lost is sent again soon, and the end is known
 constexpr std::uint64_t kLooks = 256;  // at rate 0: messages between looks at the control
 constexpr double kRateStep = 0.1;
 
@@ -75,7 +77,8 @@ void TopicPlayer::open_writers() {
     voice.writer = participant_.create_writer({.topic = dds_topic(topic->name),
                                                .type = dds_type(topic->type),
                                                .qos = topic->qos,
-                                               .user_data = user_data_of(topic->type_hash)});
+                                               .user_data = user_data_of(topic->type_hash),
+                                               .heartbeat = kHeartbeat});
     announcement_.add(*voice.writer);
   }
   if (options_.clock_hz) {
@@ -198,6 +201,7 @@ void TopicPlayer::publish_clock(Time position) {
 const PlayerStatus& TopicPlayer::status() {
   const Time position = schedule_ ? schedule_->position(steady_time()) : start_;
   status_.position = std::min(position, recording_.end()) - recording_.start();
+  status_.is_waiting = !schedule_;
   status_.is_paused = schedule_ ? schedule_->is_paused() : options_.is_paused;
   status_.rate = schedule_ ? schedule_->rate() : options_.rate;
   return status_;

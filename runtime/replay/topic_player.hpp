@@ -34,6 +34,7 @@ struct PlayerStatus {
   std::uint64_t malformed = 0;  ///< messages that do not fit their type, left out
   std::uint64_t refused = 0;    ///< by DDS
   Duration latest{};            ///< the longest that a message was late
+  bool is_waiting = true;  ///< for readers, before the beginning
   bool is_paused = false;
   double rate = 1.0;
 };
