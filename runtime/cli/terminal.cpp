@@ -38,21 +38,37 @@ Keyboard::~Keyboard() {
 
 std::optional<Key> Keyboard::wait(Duration limit) {
   constexpr std::int64_t kSecond = 1'000'000'000;
+  if (!pressed_.empty()) return next_key();
   const std::int64_t ns = std::max<std::int64_t>(limit.nanoseconds, 0);
   const timespec timeout{.tv_sec = ns / kSecond, .tv_nsec = ns % kSecond};
   pollfd input{.fd = is_there() ? STDIN_FILENO : -1, .events = POLLIN, .revents = 0};
   if (ppoll(&input, 1, &timeout, nullptr) <= 0) return std::nullopt;
-  std::array<char, 8> bytes{};
+  std::array<char, 64> bytes{};
   const ssize_t size = read(STDIN_FILENO, bytes.data(), bytes.size());
   if (size <= 0) {
     before_.reset();  // the terminal is gone
     return std::nullopt;
   }
-  const std::string_view text(bytes.data(), static_cast<std::size_t>(size));
-  if (text == " ") return Key::space;
-  if (text == "n" || text == "\x1b[C" || text == "\x1bOC") return Key::right;
-  if (text == "\x1b[A" || text == "\x1bOA") return Key::up;
-  if (text == "\x1b[B" || text == "\x1bOB") return Key::down;
+  pressed_.assign(bytes.data(), static_cast<std::size_t>(size));
+  return next_key();
+}
+
+/// Keys that were pressed quickly come together; an arrow is three bytes.
+Key Keyboard::next_key() {
+  struct Name {
+    std::string_view bytes;
+    Key key;
+  };
+  constexpr std::array kNames = {Name{" ", Key::space},      Name{"n", Key::right},
+                                 Name{"\x1b[C", Key::right}, Name{"\x1bOC", Key::right},
+                                 Name{"\x1b[A", Key::up},    Name{"\x1bOA", Key::up},
+                                 Name{"\x1b[B", Key::down},  Name{"\x1bOB", Key::down}};
+  for (const Name& name : kNames) {
+    if (!pressed_.starts_with(name.bytes)) continue;
+    pressed_.erase(0, name.bytes.size());
+    return name.key;
+  }
+  pressed_.erase(0, 1);
   return Key::other;
 }
 

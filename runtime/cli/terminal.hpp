@@ -40,7 +40,10 @@ class Keyboard {
   std::optional<Key> wait(Duration limit);
 
  private:
+  Key next_key();
+
   std::optional<termios> before_;
+  std::string pressed_;  ///< and not yet returned
 };
 
 }  // namespace bw::cli
