@@ -1,4 +1,4 @@
-// bandwagon bag info|check|recover|convert: recorded bags, looked at and mended.
+// bandwagon bag info|check|recover|convert|import: recorded bags, looked at, mended, and made of tables.
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -10,6 +10,7 @@
 #include "runtime/bag/bag_report.hpp"
 #include "runtime/bag/bag_writer.hpp"
 #include "runtime/bag/mcap_recover.hpp"
+#include "runtime/cli/bag_import.hpp"
 #include "runtime/cli/verb.hpp"
 
 namespace bw::cli {
@@ -225,6 +226,7 @@ CLI::App* add_bag(CLI::App& app, int& status) {
   convert_verb->add_option("OUT", options->out, "New .mcap file, or a folder")->required();
   convert_verb->add_option("--compression", options->compression, "zstd, lz4 or none")
       ->check(CLI::IsMember({"zstd", "lz4", "none"}));
+  add_bag_import(*bag);
   return bag;
 }
 

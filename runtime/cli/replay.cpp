@@ -14,6 +14,7 @@
 #include "runtime/cli/replay_topics.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/replay/replay_run.hpp"
+#include "runtime/replay/updated_bag.hpp"
 
 namespace bw::cli {
 namespace {
@@ -25,24 +26,28 @@ struct ReplayArguments {
   std::vector<std::string> set;
   std::vector<std::string> run;
   std::string json;
+  std::string text;
+  bool update = false;
   ReplayTopicsOptions as_topics;
 };
 
 constexpr double kUsualClockHz = 40.0;  // as `ros2 bag play`
 
 nlohmann::json to_json(const replay::ReplayResult& result) {
-  nlohmann::json json = {{"equal", result.is_equal()},    {"compared", result.compared},
-                         {"published", result.published}, {"malformed", result.malformed},
-                         {"notes", result.notes},         {"topics", nlohmann::json::object()},
+  nlohmann::json json = {{"equal", result.is_equal()},
+                         {"compared", result.compared},
+                         {"published", result.published},
+                         {"malformed", result.malformed},
+                         {"sha256", result.sha256},
+                         {"pairing", result.pairing == replay::Pairing::in_order ? "in_order" : "by_stamp"},
+                         {"notes", result.notes},
+                         {"topics", nlohmann::json::object()},
                          {"first_difference", nullptr}};
   for (const auto& [topic, verdict] : result.topics) {
-    json["topics"][topic] = {{"type", verdict.type},
-                             {"equal", verdict.equal},
-                             {"differing", verdict.differing},
-                             {"missing", verdict.missing},
-                             {"extra", verdict.extra},
-                             {"largest", verdict.largest},
-                             {"largest_field", verdict.largest_field}};
+    json["topics"][topic] = {{"type", verdict.type},           {"equal", verdict.equal},
+                             {"differing", verdict.differing}, {"missing", verdict.missing},
+                             {"extra", verdict.extra},         {"apart_s", verdict.apart},
+                             {"largest", verdict.largest},     {"largest_field", verdict.largest_field}};
   }
   if (!result.first_topic.empty()) {
     const replay::Difference& d = *result.topics.at(result.first_topic).first;
@@ -60,8 +65,8 @@ void print(const replay::ReplayResult& result, Time start) {
   if (result.malformed > 0)
     std::cout << fmt::format("note: {} messages of the bag do not fit their type\n", result.malformed);
   if (result.is_equal()) {
-    std::cout << fmt::format("equal: {} messages on {} topics, by {} recorded ones\n", result.compared,
-                             result.topics.size(), result.published);
+    std::cout << fmt::format("equal: {} messages on {} topics, by {} recorded ones; sha256 {}\n",
+                             result.compared, result.topics.size(), result.published, result.sha256);
     return;
   }
   if (!result.first_topic.empty()) {
@@ -84,9 +89,13 @@ void print(const replay::ReplayResult& result, Time start) {
 
 int run_replay(const ReplayArguments& arguments) {
   const auto recording = bag::open_bag(arguments.paths.front());
-  const replay::ReplayResult result = replay::replay(*recording, load_graph(arguments.graph, arguments.set),
-                                                     {.run = arguments.run, .tolerances = {}});
+  const std::filesystem::path update = arguments.update ? replay::beside(arguments.paths.front()) : "";
+  const replay::ReplayResult result =
+      replay::replay(*recording, load_graph(arguments.graph, arguments.set),
+                     {.run = arguments.run, .update = update, .with_text = !arguments.text.empty()});
   print(result, recording->start());
+  if (arguments.update) std::cout << "new outputs: " << update.string() << "\n";
+  if (!arguments.text.empty()) write_file_atomically(arguments.text, result.text);
   if (!arguments.json.empty()) write_file_atomically(arguments.json, to_json(result).dump(2) + "\n");
   return result.is_equal() ? 0 : 1;
 }
@@ -100,7 +109,7 @@ void refuse_mixture(const CLI::App& verb, const ReplayArguments& arguments, bool
     throw std::runtime_error("--graph and --run go together; without both the bag is played as topics");
   if (as_truth && arguments.paths.size() != 1)
     throw std::runtime_error("with --graph the bag is one: " + arguments.paths.at(1) + " is too many");
-  for (const char* name : {"--set", "--json"}) {
+  for (const char* name : {"--set", "--json", "--text", "--update"}) {
     if (!as_truth && verb.count(name) > 0)
       throw std::runtime_error(std::string(name) + " is for a replay as the truth, with --graph and --run");
   }
@@ -140,6 +149,11 @@ CLI::App* add_replay(CLI::App& app, int& status) {
       ->allow_extra_args(false)
       ->group(kTruth);
   verb->add_option("--json", arguments->json, "Writes the verdict here")->group(kTruth);
+  verb->add_option("--text", arguments->text, "Writes the outputs here as text to review, rounded")
+      ->group(kTruth);
+  verb->add_flag("--update", arguments->update,
+                 "Writes a new bag beside the old one, with the new outputs: drive.replayed.mcap")
+      ->group(kTruth);
   verb->add_option(
           "--clock", arguments->clock,
           "As topics: publishes /clock, so many times a second (40); as the truth: lockstep, virtual time")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/bag/message_stamp.hpp"
 #include "runtime/bag/qos_text.hpp"
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/wire/type_registry.hpp"
@@ -120,9 +121,23 @@ void BagFeed::publish() {
   if (ports_[topic] == nullptr || !is_active_) return;
   ports_[topic]->publish(pending_->data);
   ++published_;
+  if (options_.on_message)
+    options_.on_message(topic, pending_->log_time, pending_->publish_time, pending_->data);
+}
+
+void BagFeed::tell_live(const std::string& topic, const std::string& node, Time now,
+                        bag::BytesView cdr) const {
+  const std::vector<bag::BagTopic>& topics = recording_.topics();
+  for (std::size_t i = 0; i < topics.size(); ++i) {
+    if (topics[i].name != topic || (!topics[i].writer.empty() && topics[i].writer != node)) continue;
+    const bool has_stamp = types_[i] != nullptr && bag::begins_with_stamp(*types_[i]);
+    options_.on_message(i, now, has_stamp ? bag::stamp_of(cdr).value_or(now) : now, cdr);
+    return;
+  }
 }
 
 void BagFeed::on_live(const std::string& topic, const std::string& node, Time now, bag::BytesView cdr) {
+  if (options_.on_message) tell_live(topic, node, now, cdr);
   const std::string name = name_of(topic, node);
   comparison_.got(name, now, cdr);
   ++ahead_[name];

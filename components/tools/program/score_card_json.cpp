@@ -50,6 +50,27 @@ std::string meters(const nlohmann::json& value) {
   return value.is_number() ? fmt::format("{:.2f} m", value.get<double>()) : "-";
 }
 
+/// Empty where nothing was measured.
+std::string pose_error_in_words(const nlohmann::json& card) {
+  const nlohmann::json pose = card.value("localization", nlohmann::json());
+  if (!pose.is_object() || !pose["rms_m"].is_number()) return "";
+  const std::string heading =
+      pose["rms_rad"].is_number() ? fmt::format(" and {:.4f} rad", pose["rms_rad"].get<double>()) : "";
+  return fmt::format("Localization off by {:.3f} m on average, {:.3f} m{} rms, {:.3f} m at most.\n",
+                     pose["mean_m"].get<double>(), pose["rms_m"].get<double>(), heading,
+                     pose["max_m"].get<double>());
+}
+
+/// Of a run that nobody drove.
+std::string run_in_words(const nlohmann::json& card) {
+  std::string text = fmt::format("Run over: {}", card.value("reason", ""));
+  if (!card.contains("path_length_m")) return text + "; nobody told the truth, and nothing is scored.\n";
+  text += fmt::format("; {} in {:.1f} s by the truth.\n", meters(card["path_length_m"]),
+                      card["time_to_goal_s"].is_number() ? card["time_to_goal_s"].get<double>() : 0.0);
+  const std::string error = pose_error_in_words(card);
+  return text + (error.empty() ? "The localization gave no pose that could be compared.\n" : error);
+}
+
 }  // namespace
 
 const CallbackStatistics& planner_cycle(const std::vector<CallbackStatistics>& statistics,
@@ -84,6 +105,7 @@ nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card
   nlohmann::json json;
   json["graph"] = facts.graph;
   json["seed"] = facts.seed;
+  if (!facts.has_goal) json["has_goal"] = false;
   json["reached"] = card && card->reached();
   json["reason"] = card && card->finished() ? card->reason() : facts.end_reason;
   if (card) {
@@ -100,7 +122,8 @@ nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card
     json["share_ci_above_0_14"] = number(card->share_ci_above_0_14());
     json["mean_speed_mps"] = number(card->mean_speed_mps());
     json["rms_jerk_mps3"] = number(card->rms_jerk_mps3());
-    json["localization"] = {{"rms_m", number(card->localization_rms_m())},
+    json["localization"] = {{"mean_m", number(card->localization_mean_m())},
+                            {"rms_m", number(card->localization_rms_m())},
                             {"max_m", number(card->localization_max_m())},
                             {"rms_rad", number(card->localization_rms_rad())}};
   }
@@ -112,6 +135,7 @@ nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card
 }
 
 std::string in_words(const nlohmann::json& card) {
+  if (!card.value("has_goal", true)) return run_in_words(card);
   std::string text = card.value("reached", false)
                          ? fmt::format("Goal reached in {:.1f} s", card.value("time_to_goal_s", 0.0))
                          : fmt::format("Goal not reached: {}", card.value("reason", "no score card"));
@@ -127,11 +151,7 @@ std::string in_words(const nlohmann::json& card) {
   text += fmt::format("Mean speed {:.2f} m/s, RMS jerk {:.2f} m/s^3.\n",
                       card["mean_speed_mps"].is_number() ? card["mean_speed_mps"].get<double>() : 0.0,
                       card["rms_jerk_mps3"].is_number() ? card["rms_jerk_mps3"].get<double>() : 0.0);
-  if (const auto& pose = card["localization"]; pose.is_object() && pose["rms_m"].is_number()) {
-    text +=
-        fmt::format("Localization off by {:.3f} m and {:.4f} rad rms, {:.3f} m at most.\n",
-                    pose["rms_m"].get<double>(), pose["rms_rad"].get<double>(), pose["max_m"].get<double>());
-  }
+  text += pose_error_in_words(card);
   if (const auto& planner = card["planner"]; planner.is_object()) {
     text +=
         fmt::format("Planner {}: {} cycles, CPU median {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms.\n",

@@ -21,6 +21,7 @@ struct RunFacts {
   double realtime_factor = 0.0;
   std::string samples_sha256;
   std::string end_reason;
+  bool has_goal = true;  ///< false: the whole run is scored, and nobody drives
 };
 
 /// The statistics of the planner's cycle, the callback `control_cycle`. Throws std::runtime_error when `component` has
