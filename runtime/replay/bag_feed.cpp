@@ -5,22 +5,11 @@
 
 #include "runtime/bag/message_stamp.hpp"
 #include "runtime/bag/qos_text.hpp"
+#include "runtime/ros/dds_names.hpp"
 #include "runtime/wire/type_registry.hpp"
 #include "runtime/wire/validate.hpp"
 
 namespace bw::replay {
-namespace {
-
-/// nav_msgs/msg/Odometry -> nav_msgs::msg::dds_::Odometry_
-std::string dds_name(const std::string& ros_name) {
-  const std::size_t first = ros_name.find('/');
-  const std::size_t last = ros_name.rfind('/');
-  if (first == std::string::npos || first == last) return ros_name;
-  return ros_name.substr(0, first) + "::" + ros_name.substr(first + 1, last - first - 1) +
-         "::dds_::" + ros_name.substr(last + 1) + "_";
-}
-
-}  // namespace
 
 /// Owns the outputs; everything else is the feed's.
 class BagFeed::Player final : public Component {
@@ -62,7 +51,7 @@ BagFeed::BagFeed(const bag::Bag& recording, FeedOptions options, OutputCompariso
                                                              : Role::played);
     if (is_live) comparison_.add_topic(name_of(topic.name, topic.writer), topic.type);
     types_.push_back(find_type(topic.type));
-    dds_names_.push_back(dds_name(topic.type));
+    dds_names_.push_back(dds_type(topic.type));
   }
   ports_.resize(roles_.size(), nullptr);
   read();
