@@ -215,7 +215,7 @@ TEST(Record, ATypeOfAnotherDdsIsRecordedAndPlayedByItsBytes) {
 
   Running recorder({"record", "/readings", "--out", folder / "second"});
   ASSERT_TRUE(recorder.is_there()) << recorder.process().err();
-  const Outcome player = bandwagon({"replay", folder / "first"});
+  const Outcome player = bandwagon({"replay", folder / "first", "--wait-for", "/readings"});
   EXPECT_EQ(player.status, 0) << player.err;
   EXPECT_EQ(recorder.stop().status, 0);
   EXPECT_EQ(messages_of(folder / "second"), first);
