@@ -63,6 +63,7 @@ nlohmann::json to_json(const bag::Bag& recording, const bag::BagReport& report, 
                          {"topics", nlohmann::json::array()},
                          {"attachments", nlohmann::json::array()},
                          {"dropped", nlohmann::json::object()},
+                         {"lost", nlohmann::json::object()},
                          {"faults", nlohmann::json::array()},
                          {"clock_jumps", nlohmann::json::array()},
                          {"sound", report.is_sound()}};
@@ -75,8 +76,10 @@ nlohmann::json to_json(const bag::Bag& recording, const bag::BagReport& report, 
         {{"at_s", (jump.at - recording.start()).to_seconds()}, {"by_s", jump.by.to_seconds()}});
   }
   const auto metadata = recording.metadata();
-  if (const auto dropped = metadata.find("dropped"); dropped != metadata.end()) {
-    for (const auto& [topic, count] : dropped->second) json["dropped"][topic] = count;
+  for (const char* record : {"dropped", "lost"}) {
+    if (const auto counts = metadata.find(record); counts != metadata.end()) {
+      for (const auto& [topic, count] : counts->second) json[record][topic] = count;
+    }
   }
   return json;
 }
@@ -116,6 +119,9 @@ int info(const BagOptions& options) {
     std::cout << fmt::format("attachment {} ({} bytes)\n", a.name, a.size);
   for (const auto& [topic, count] : json["dropped"].items()) {
     std::cout << fmt::format("dropped while recording: {} of {}\n", count.get<std::string>(), topic);
+  }
+  for (const auto& [topic, count] : json["lost"].items()) {
+    std::cout << fmt::format("lost on the wire while recording: {} of {}\n", count.get<std::string>(), topic);
   }
   for (const auto& fault : report.faults) std::cout << in_words(fault) << "\n";
   return 0;
