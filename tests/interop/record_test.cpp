@@ -1,7 +1,9 @@
 // `bandwagon record` beside writers of others: what they sent is what the bag holds, byte by byte, whatever they offer and
 // whether the type is known or not.
 #include <algorithm>
+#include <fstream>
 #include <map>
+#include <string>
 
 #include <diagnostic_msgs/msg/diagnostic_array.hpp>
 #include <gmock/gmock.h>
@@ -187,6 +189,38 @@ TEST(Record, ReadersFitEachWritersOffer) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("lost 0"));
   EXPECT_THAT(messages_of(folder / "offers"), testing::UnorderedElementsAreArray(sent)) << "each once";
+}
+
+/// T is stopped.
+char state_of(const Process& process) {
+  std::ifstream file("/proc/" + std::to_string(process.id()) + "/stat");
+  std::string id, name, state;
+  file >> id >> name >> state;
+  return state.empty() ? '?' : state.front();
+}
+
+TEST(Record, WhatIsLostOnTheWireIsCounted) {
+  const Folder folder;
+  dds::Participant participant(local());
+  const auto writer = participant.create_writer(endpoint("/load", "odd_msgs/msg/Thing", Qos::standard(1)));
+  Running recorder({"record", "/load", "--out", folder / "load.mcap"});
+  ASSERT_TRUE(recorder.is_there()) << recorder.process().err();
+  ASSERT_TRUE(is_matched(*writer));
+  writer->write(unknown(100'000, 0));
+  ASSERT_TRUE(writer->wait_until_received(Duration::milliseconds(10'000)));
+  // The recorder stands still while 20 MB are written, five times of what its sockets hold; the writer keeps the last one only.
+  recorder.process().signal(SIGSTOP);
+  ASSERT_TRUE(eventually([&] { return state_of(recorder.process()) == 'T'; }));
+  for (std::uint8_t i = 1; i <= 200; ++i) writer->write(unknown(100'000, i));
+  recorder.process().signal(SIGCONT);
+  ASSERT_TRUE(writer->wait_until_received(Duration::milliseconds(10'000)));
+  const Outcome outcome = recorder.stop();
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::uint64_t recorded = messages_of(folder / "load.mcap").size();
+  const auto metadata = bag::open_bag(folder / "load.mcap")->metadata();
+  ASSERT_TRUE(metadata.contains("lost")) << recorded << " of 201 messages are there: " << outcome.out;
+  EXPECT_EQ(recorded + std::stoull(metadata.at("lost").at("/load")), 201U);
+  EXPECT_THAT(outcome.out, HasSubstr("messages of /load were sent and did not arrive"));
 }
 
 TEST(Record, ATypeOfAnotherDdsIsRecordedAndPlayedByItsBytes) {
