@@ -1,5 +1,6 @@
 // The planner's time on a score card is that of its control cycle, or there is none; the robot's path is thinned.
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -70,6 +71,7 @@ TEST(ScoreCard, ARunThatNobodyDroveTellsTheErrorOfThePose) {
   card.localization_max_m(0.26);
   card.localization_rms_rad(0.0196);
   card.distance_to_goal_m(std::nan(""));
+  card.closest_person_m(std::numeric_limits<double>::infinity());
   const RunFacts facts{.end_reason = "the bag is over", .has_goal = false};
   nlohmann::json json = to_json(card, facts, {});
   EXPECT_EQ(json["has_goal"], false);
@@ -77,7 +79,7 @@ TEST(ScoreCard, ARunThatNobodyDroveTellsTheErrorOfThePose) {
   EXPECT_TRUE(json["distance_to_goal_m"].is_null());
   EXPECT_EQ(
       in_words(json),
-      "Run over: the bag is over; 47.00 m in 770.0 s by the truth.\n"
+      "Run over: the bag is over; 47.00 m in 770.0 s.\n"
       "Localization off by 0.104 m on average, 0.117 m and 0.0196 rad rms, 0.260 m at most (6000 poses).\n");
   card.localization_rms_rad(std::nan(""));
   EXPECT_THAT(in_words(to_json(card, facts, {})), testing::HasSubstr("0.117 m rms, 0.260 m at most"));
