@@ -1,6 +1,8 @@
 // Every mistake in a columns file or a table is refused, and its file, line and column are named.
+#include <algorithm>
 #include <filesystem>
 #include <random>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -293,6 +295,20 @@ TEST_F(Refusals, NoHalfBagIsLeft) {
   EXPECT_EQ(bag->metadata().at("log").at("name"), "l");
   EXPECT_TRUE(std::filesystem::exists(tables_ / "folder/folder_0.mcap"));
   EXPECT_EQ(files(), before + 2);
+  // In memory it is the same bag.
+  const auto in_memory = as_bag(log);
+  EXPECT_EQ(in_memory->start(), bag->start());
+  EXPECT_EQ(in_memory->end(), bag->end());
+  EXPECT_EQ(in_memory->metadata().at("log"), bag->metadata().at("log"));
+  const bag::BagSelection second{.start = Time::seconds(2), .topics = std::set<std::string>{"/odom"}};
+  for (const bag::Bag* one : {in_memory.get(), bag.get()}) {
+    const auto messages = one->messages(second);
+    bag::BagMessage message;
+    ASSERT_EQ(messages->next(message), bag::Step::message);
+    EXPECT_EQ(message.log_time, Time::seconds(2));
+    EXPECT_TRUE(std::ranges::equal(message.data, log.messages.at(1).data));
+    EXPECT_EQ(messages->next(message), bag::Step::end);
+  }
   // A message that cannot be written ends it: the disk, here a file where the folder should be.
   const auto blocked = tables_.write("blocked", "");
   EXPECT_ANY_THROW(write_bag(log, blocked / "out.mcap"));

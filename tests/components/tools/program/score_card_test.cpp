@@ -71,7 +71,7 @@ TEST(ScoreCard, ARunThatNobodyDroveTellsTheErrorOfThePose) {
   card.localization_max_m(0.26);
   card.localization_rms_rad(0.0196);
   card.distance_to_goal_m(std::nan(""));
-  card.closest_person_m(std::numeric_limits<double>::infinity());
+  card.closest_person_m(std::numeric_limits<double>::infinity());  // nobody was there
   const RunFacts facts{.end_reason = "the bag is over", .has_goal = false};
   nlohmann::json json = to_json(card, facts, {});
   EXPECT_EQ(json["has_goal"], false);
