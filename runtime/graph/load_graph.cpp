@@ -117,6 +117,8 @@ class GraphReader {
         graph_.shared[std::string(section)] = read_section(reader, *node, section);
       }
     }
+    if (const ConfigNode* snapshot = reader.find("snapshot"))
+      graph_.snapshot = read_snapshot(*snapshot, violations_);
     if (const ConfigNode* components = reader.find("components")) {
       if (components->is_map()) {
         for (const ConfigEntry& entry : components->map) read_component(entry);

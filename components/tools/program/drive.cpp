@@ -8,9 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "components/tools/program/bag_description.hpp"
 #include "components/tools/program/recording.hpp"
 #include "components/tools/program/run_observer.hpp"
 #include "components/tools/program/score_card_json.hpp"
+#include "components/tools/program/snapshots.hpp"
+#include "components/tools/program/taps.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/parameters/overrides.hpp"
 
@@ -50,6 +53,52 @@ class InterruptWatch {
  private:
   std::atomic<bool> done_ = false;
   std::thread thread_;
+};
+
+/// The recording and the snapshots of one drive, whichever of them are asked for.
+class Bags {
+ public:
+  Bags(const Graph& graph, const DriveOptions& options)
+      : graph_(graph), options_(options), lockstep_(options.host.clock == ClockMode::lockstep) {
+    if (!options.record.empty()) recording_.emplace();
+    if (graph.snapshot && options.snapshots) snapshots_.emplace();
+  }
+
+  /// Before the host.
+  void join(HostOptions& host_options, std::vector<ExtraComponent>& extra) {
+    if (!recording_ && !snapshots_) return;
+    host_options.tap = taps_;
+    if (lockstep_) return;
+    if (recording_) extra.push_back({"recorder", recording_->make_reporter()});
+    const std::string& process = options_.host.only_process;
+    if (snapshots_) extra.push_back({"flight_recorder", snapshots_->make_reporter(process)});
+  }
+  void open(const Host& host) {
+    if (snapshots_)
+      taps_->add(snapshots_->open(graph_, host, options_.host.clock, describe(host, options_.host)));
+    if (recording_)
+      taps_->add(recording_->open(options_.record, {.writer = options_.record_options, .waits = lockstep_},
+                                  describe(host, options_.host)));
+  }
+  /// Says what was lost, and where snapshots are.
+  void finish(const Host& host) {
+    if (snapshots_) snapshots_->finish();
+    if (snapshots_) std::cerr << snapshots_->untold();
+    if (!recording_) return;
+    if (const std::string lost = recording_->finish(host); !lost.empty()) std::cerr << lost << "\n";
+  }
+  void add_to(nlohmann::json& json) const {
+    if (recording_) json["recording"] = recording_->json();
+    if (snapshots_) json["snapshots"] = snapshots_->json();
+  }
+
+ private:
+  const Graph graph_;  ///< with the components that are left out
+  const DriveOptions& options_;
+  bool lockstep_;
+  std::shared_ptr<Taps> taps_ = std::make_shared<Taps>();
+  std::optional<Recording> recording_;
+  std::optional<Snapshots> snapshots_;
 };
 
 }  // namespace
@@ -93,15 +142,10 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
          })});
   }
   HostOptions host_options = options.host;
-  const bool lockstep = host_options.clock == ClockMode::lockstep;
-  std::optional<Recording> recording;
-  if (!options.record.empty()) {
-    recording.emplace(options.record, lockstep);
-    host_options.tap = recording->tap();
-    if (!lockstep) extra.push_back({"recorder", recording->make_reporter()});
-  }
+  Bags bags(graph, options);
+  bags.join(host_options, extra);
   Host host(std::move(graph), host_options, std::move(extra));
-  if (recording) recording->describe(host, host_options);
+  bags.open(host);
   running = &host;
   if (!planner_name.empty())
     planner_cycle(host.statistics(), planner_name);  // else: an error before the drive
@@ -110,9 +154,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   const Duration started = steady_time();
   result.end = host.run(options.longest);
   const double real_s = (steady_time() - started).to_seconds();
-  if (recording) {
-    if (const std::string lost = recording->finish(host); !lost.empty()) std::cerr << lost << "\n";
-  }
+  bags.finish(host);
 
   const RunFacts facts{.graph = graph_file,
                        .seed = options.host.seed,
@@ -123,6 +165,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
                        .end_reason = result.end.reason};
   result.card = seen->card;
   result.json = to_json(seen->card, facts, host.statistics());
+  bags.add_to(result.json);
   if (seen->card) result.json["robot_path"] = path_json(seen->path, *seen->card);
   return result;
 }
