@@ -75,7 +75,7 @@ class Bags {
   }
   void open(const Host& host) {
     if (snapshots_)
-      taps_->add(snapshots_->open(graph_, host, options_.host.clock, describe(host, options_.host)));
+      taps_->add(snapshots_->open(graph_, host, options_.host, describe(host, options_.host)));
     if (recording_)
       taps_->add(recording_->open(options_.record, {.writer = options_.record_options, .waits = lockstep_},
                                   describe(host, options_.host)));

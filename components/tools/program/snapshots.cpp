@@ -17,11 +17,12 @@ namespace {
 
 constexpr const char* kTopic = "/snapshot";
 
-/// By the calendar where the clock has one: 2026-11-22T06-20-59Z.
-std::string name_of(Time time, ClockMode clock) {
-  if (clock != ClockMode::wall) return fmt::format("{:010.3f}", time.to_seconds());
-  return fmt::format("{:%Y-%m-%dT%H-%M-%S}Z",
-                     fmt::gmtime(static_cast<std::time_t>(time.nanoseconds / 1'000'000'000)));
+/// By the calendar where the clock has one: 2026-11-22T06-20-59Z. A process of several adds its name.
+std::string name_of(Time time, ClockMode clock, const std::string& process) {
+  const std::string suffix = process.empty() ? "" : "_" + process;
+  if (clock != ClockMode::wall) return fmt::format("{:010.3f}{}", time.to_seconds(), suffix);
+  const auto seconds = static_cast<std::time_t>(time.nanoseconds / 1'000'000'000);
+  return fmt::format("{:%Y-%m-%dT%H-%M-%S}Z{}", fmt::gmtime(seconds), suffix);
 }
 
 /// Without making anything: nothing is left behind by a drive in which nothing happens.
@@ -93,18 +94,21 @@ std::unique_ptr<Component> Snapshots::make_reporter(const std::string& process) 
   return std::make_unique<SnapshotReporter>(recorder_, told_, process);
 }
 
-std::shared_ptr<SampleTap> Snapshots::open(const Graph& graph, const Host& host, ClockMode clock,
+std::shared_ptr<SampleTap> Snapshots::open(const Graph& graph, const Host& host, const HostOptions& options,
                                            bag::BagDescription description) {
   const SnapshotSettings& settings = *graph.snapshot;
   check_writable(settings);
-  *recorder_ = std::make_shared<bag::FlightRecorder>(bag::FlightRecorderOptions{
-      .ring = {.keep = settings.keep, .memory = settings.memory},
-      .after = settings.after.value_or(settings.keep),
-      .most = settings.most,
-      .folder = settings.to,
-      .events = bag::resolve_events(settings, graph, host.declarations()),
-      .waits = clock == ClockMode::lockstep,
-      .name_of = [clock](Time time) { return name_of(time, clock); }});
+  bag::FlightRecorderOptions recorder;
+  recorder.ring = {.keep = settings.keep, .memory = settings.memory};
+  recorder.after = settings.after.value_or(settings.keep);
+  recorder.most = settings.most;
+  recorder.folder = settings.to;
+  recorder.events = bag::resolve_events(settings, graph, host.declarations());
+  recorder.waits = options.clock == ClockMode::lockstep;
+  recorder.name_of = [clock = options.clock, process = options.only_process](Time time) {
+    return name_of(time, clock, process);
+  };
+  *recorder_ = std::make_shared<bag::FlightRecorder>(std::move(recorder));
   (*recorder_)->describe(std::move(description));
   return *recorder_;
 }

@@ -21,7 +21,7 @@ class Snapshots {
   [[nodiscard]] std::unique_ptr<Component> make_reporter(const std::string& process) const;
   /// When the host has checked `graph`. Throws ConfigError for events that cannot be, std::runtime_error for a folder that
   /// cannot be written; makes no folder yet.
-  [[nodiscard]] std::shared_ptr<SampleTap> open(const Graph& graph, const Host& host, ClockMode clock,
+  [[nodiscard]] std::shared_ptr<SampleTap> open(const Graph& graph, const Host& host, const HostOptions& options,
                                                 bag::BagDescription description);
   /// Ends a snapshot that is being written.
   void finish() { (*recorder_)->close(); }
