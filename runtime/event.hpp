@@ -31,8 +31,8 @@ bool register_event(DeclaredEvent event);
 }  // namespace bw
 
 /// Once per event, in a source file of its component.
-#define BW_EVENT(name, component, topic, doc, ...)                      \
-  namespace {                                                           \
-  [[maybe_unused]] const bool event_##name =                            \
+#define BW_EVENT(name, component, topic, doc, ...)                       \
+  namespace {                                                            \
+  [[maybe_unused]] const bool event_##name =                             \
       ::bw::register_event({#name, component, topic, doc, __VA_ARGS__}); \
   }

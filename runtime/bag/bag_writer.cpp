@@ -129,8 +129,7 @@ void BagWriter::write_message(std::size_t topic, Time log_time, Time publish_tim
   ++metadata_.topics[listed_as_[topic]].message_count;
   ++metadata_.message_count;
   if (options_.max_size == 0 || latched_depths_[topic] == 0) return;
-  carried_.add(next_number_ - 1,
-               Carried::Message{topic, log_time, publish_time, {data.begin(), data.end()}},
+  carried_.add(next_number_ - 1, Carried::Message{topic, log_time, publish_time, {data.begin(), data.end()}},
                latched_depths_[topic]);
 }
 

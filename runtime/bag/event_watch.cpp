@@ -71,7 +71,8 @@ bool all_hold(const std::vector<EventCondition>& conditions, const TypeDescripti
       const auto element = element_of(conditions[i].field, leaf.path);
       if (!element) continue;
       const auto before = last.find(i);
-      if (holds(leaf.value, conditions[i], before == last.end() ? std::nullopt : std::optional(before->second)))
+      if (holds(leaf.value, conditions[i],
+                before == last.end() ? std::nullopt : std::optional(before->second)))
         where[i].insert(*element);
       if (conditions[i].rule == EventRule::rises) last[i] = number_of(leaf.value).value_or(0.0);
     }
@@ -103,7 +104,8 @@ std::optional<std::string> condition_rule(const TypeDescription& type, const Eve
     }
     const bool is_single = field->shape == Shape::kSingle;
     if (is_single != (name.size() == part.size()) || (!is_single && !part.ends_with(']')))
-      return std::string(name) + (is_single ? " is one value, no sequence" : " is a sequence: write [] or [3] behind it");
+      return std::string(name) +
+             (is_single ? " is one value, no sequence" : " is a sequence: write [] or [3] behind it");
     sequences += part.ends_with("[]") ? 1 : 0;
     const bool is_last = end == rest.size();
     if (is_last != (field->kind != Kind::kMessage))
@@ -114,7 +116,8 @@ std::optional<std::string> condition_rule(const TypeDescription& type, const Eve
       const bool wants_number = condition.rule == EventRule::above || condition.rule == EventRule::below ||
                                 condition.rule == EventRule::rises;
       if (wants_text && !is_text) return std::string(name) + " is no text: it begins with nothing";
-      if (wants_number && (is_text || field->kind == Kind::kBoolean)) return std::string(name) + " is no number";
+      if (wants_number && (is_text || field->kind == Kind::kBoolean))
+        return std::string(name) + " is no number";
       const bool is_compared = condition.rule == EventRule::is || condition.rule == EventRule::is_not;
       if (is_compared && !is_text && field->kind != Kind::kBoolean && !condition.number)
         return std::string(name) + " is a number, and is compared with one";
@@ -132,7 +135,8 @@ std::size_t EventWatch::add_topic(const std::string& name, const TypeDescription
   Topic& topic = topics_.emplace_back();
   topic.type = type;
   for (const Event& event : events_) {
-    if (event.topic == name && (event.when.empty() || type != nullptr)) topic.watches.push_back({.event = &event});
+    if (event.topic == name && (event.when.empty() || type != nullptr))
+      topic.watches.push_back({.event = &event});
   }
   return topics_.size() - 1;
 }

@@ -178,12 +178,11 @@ void FlightRecorder::begin(const std::string& name, const std::string& topic, Ti
       snapshot_->writer->attach(a.name, a.media_type, a.content, time);
     for (const auto& [record, entries] : description_.metadata)
       snapshot_->writer->add_metadata(record, entries);
-    snapshot_->writer->add_metadata(
-        "snapshot", {{"event", name},
-                     {"topic", topic},
-                     {"time", time_text(time)},
-                     {"keep", fmt::format("{}", options_.ring.keep.to_seconds())},
-                     {"after", fmt::format("{}", options_.after.to_seconds())}});
+    snapshot_->writer->add_metadata("snapshot", {{"event", name},
+                                                 {"topic", topic},
+                                                 {"time", time_text(time)},
+                                                 {"keep", fmt::format("{}", options_.ring.keep.to_seconds())},
+                                                 {"after", fmt::format("{}", options_.after.to_seconds())}});
   });
   if (!snapshot_) return;
   say(fmt::format("{} at {} s: snapshot {}", name, time_text(time), path.string()));
@@ -252,13 +251,13 @@ void FlightRecorder::end() {
   }
   on_disk([&] {
     BagWriter& writer = *snapshot_->writer;
-    writer.add_metadata("snapshot_result",
-                        {{"events", snapshot_->events},
-                         {"event_count", std::to_string(snapshot_->event_count)},
-                         {"lost", std::to_string(lost)}});
+    writer.add_metadata("snapshot_result", {{"events", snapshot_->events},
+                                            {"event_count", std::to_string(snapshot_->event_count)},
+                                            {"lost", std::to_string(lost)}});
     writer.close();
     say(fmt::format("snapshot {} has {} messages, {:.1f} MB, {} events", writer.path().string(),
-                    writer.message_count(), static_cast<double>(writer.size()) * 1e-6, snapshot_->event_count));
+                    writer.message_count(), static_cast<double>(writer.size()) * 1e-6,
+                    snapshot_->event_count));
   });
   snapshot_.reset();
 }

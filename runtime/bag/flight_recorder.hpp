@@ -34,10 +34,10 @@ struct BagDescription {
 };
 
 struct FlightRecorderOptions {
-  SnapshotRingOptions ring;                          ///< what is kept
+  SnapshotRingOptions ring;                         ///< what is kept
   Duration after = Duration::milliseconds(30'000);  ///< written behind the last event
-  std::int64_t most = 20;                            ///< snapshots; later events are counted only
-  std::filesystem::path folder;                      ///< of the snapshots, made with the first one
+  std::int64_t most = 20;                           ///< snapshots; later events are counted only
+  std::filesystem::path folder;                     ///< of the snapshots, made with the first one
   std::vector<Event> events;
   bool waits = false;  ///< lock-step: no thread of its own
   BagWriterOptions writer;
@@ -50,10 +50,10 @@ struct FlightRecorderStatus {
   std::size_t memory = 0;        ///< [bytes]
   std::vector<std::string> log;  ///< what happened so far, in sentences
   std::size_t snapshots = 0;
-  std::uint64_t lost = 0;        ///< messages that were to be written, and had to make room first
-  std::uint64_t oversized = 0;   ///< messages larger than the memory
-  std::uint64_t unwritten = 0;   ///< events behind the last snapshot allowed
-  std::string error;             ///< of the last snapshot; empty: none
+  std::uint64_t lost = 0;       ///< messages that were to be written, and had to make room first
+  std::uint64_t oversized = 0;  ///< messages larger than the memory
+  std::uint64_t unwritten = 0;  ///< events behind the last snapshot allowed
+  std::string error;            ///< of the last snapshot; empty: none
 };
 
 class FlightRecorder final : public SampleTap {
@@ -69,6 +69,8 @@ class FlightRecorder final : public SampleTap {
 
   void connect(const std::vector<const OutputEnd*>& outputs) override;
   void on_sample(const OutputEnd& output, Time now, std::span<const std::uint8_t> cdr) override;
+  /// It is there in every drive, so it costs no drawings.
+  [[nodiscard]] bool wants_everything() const override { return false; }
 
   /// Ends the snapshot that is being written.
   void close();

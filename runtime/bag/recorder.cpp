@@ -109,8 +109,9 @@ void Recorder::write(const Queue& queue) {
 
 void Recorder::run() {
   Queue taken;
-  auto flushed = std::chrono::steady_clock::now();
-  auto synced = flushed;
+  auto flushed_at = std::chrono::steady_clock::now();
+  auto synced_at = flushed_at;
+  std::uint64_t flushed = 0;
   bool is_last = false;
   while (!is_last) {
     {
@@ -123,17 +124,19 @@ void Recorder::run() {
     taken.entries.clear();
     taken.bytes.clear();
     const auto now = std::chrono::steady_clock::now();
-    if (now - flushed >= kFlushPeriod) {
-      flushed = now;
-      const bool is_due = now - synced >= kSyncPeriod;
-      if (is_due) synced = now;
+    if (now - flushed_at >= kFlushPeriod) {
+      flushed_at = now;
+      const bool is_due = now - synced_at >= kSyncPeriod;
+      if (is_due) synced_at = now;
       const std::lock_guard writer_lock(writer_mutex_);
       on_disk([&] {
         writer_.flush();
+        flushed = writer_.message_count();
         if (is_due) writer_.sync();
       });
     }
     const std::lock_guard lock(mutex_);
+    flushed_ = flushed;
     cpu_time_ = cpu_time();
   }
 }
@@ -156,7 +159,12 @@ void Recorder::close() {
 
 RecorderStatus Recorder::status() const {
   const std::lock_guard lock(mutex_);
-  RecorderStatus status{.recorded = recorded_, .dropped = {}, .size = size_, .error = error_, .cpu_time = cpu_time_};
+  RecorderStatus status{.recorded = recorded_,
+                        .flushed = flushed_,
+                        .dropped = {},
+                        .size = size_,
+                        .error = error_,
+                        .cpu_time = cpu_time_};
   for (std::size_t i = 0; i < dropped_.size(); ++i) {
     if (dropped_[i] > 0) status.dropped[topic_names_[i]] += dropped_[i];
   }

@@ -25,6 +25,7 @@ struct RecorderOptions {
 
 struct RecorderStatus {
   std::uint64_t recorded = 0;                    ///< messages written, or waiting to be
+  std::uint64_t flushed = 0;                     ///< of them, those that survive a kill
   std::map<std::string, std::uint64_t> dropped;  ///< messages by topic
   std::uint64_t size = 0;                        ///< of the recording [bytes]
   std::string error;                             ///< not empty: nothing is written any more
@@ -79,6 +80,7 @@ class Recorder {
   std::vector<std::string> topic_names_;
   std::vector<std::uint64_t> dropped_;  ///< by topic
   std::uint64_t recorded_ = 0;
+  std::uint64_t flushed_ = 0;
   std::uint64_t size_ = 0;
   std::string error_;
   Duration cpu_time_;

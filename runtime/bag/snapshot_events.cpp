@@ -26,7 +26,8 @@ class Resolver {
     for (const ComponentDeclaration& declaration : declarations) {
       const ComponentNode* node = graph.find(declaration.name);
       if (node == nullptr) continue;
-      for (const OutputDeclaration& output : declaration.outputs) types_[node->topic_of(output.name)] = output.type;
+      for (const OutputDeclaration& output : declaration.outputs)
+        types_[node->topic_of(output.name)] = output.type;
     }
   }
 
@@ -59,8 +60,8 @@ class Resolver {
     }
     std::vector<std::string_view> names;
     for (const DeclaredEvent& e : known) names.push_back(e.name);
-    violations_.push_back(
-        {named.where, kKey, named.name, unknown_rule("event", named.name, names) + "; a topic begins with /"});
+    violations_.push_back({named.where, kKey, named.name,
+                           unknown_rule("event", named.name, names) + "; a topic begins with /"});
   }
 
   /// Once for every component of its type.
@@ -88,8 +89,9 @@ class Resolver {
     }
     const TypeDescription* description = find_type(type->second);
     for (const EventCondition& condition : event.when) {
-      const auto rule = description == nullptr ? std::optional<std::string>("nobody knows the fields of its type")
-                                               : condition_rule(*description, condition);
+      const auto rule = description == nullptr
+                            ? std::optional<std::string>("nobody knows the fields of its type")
+                            : condition_rule(*description, condition);
       if (rule) violations_.push_back({where, kKey, event.topic + " " + condition.field, *rule});
     }
     events_.push_back(event);

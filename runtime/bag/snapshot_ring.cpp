@@ -118,8 +118,8 @@ void SnapshotRing::drop_oldest() {
 SnapshotRing::Stretch SnapshotRing::read(Cursor& cursor, std::uint64_t& lost) {
   Stretch stretch;
   // The block of the cursor, or the first one that is left behind it.
-  auto block = std::ranges::find_if(
-      blocks_, [&](const auto& b) { return b->first + b->count > cursor.message; });
+  auto block =
+      std::ranges::find_if(blocks_, [&](const auto& b) { return b->first + b->count > cursor.message; });
   if (block == blocks_.end()) {
     cursor = end();
   } else {

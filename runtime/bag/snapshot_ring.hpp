@@ -16,8 +16,9 @@ namespace bw::bag {
 
 struct SnapshotRingOptions {
   Duration keep = Duration::milliseconds(30'000);
-  std::size_t memory = 256'000'000;               ///< of messages, all together [bytes]
-  std::size_t block_size = std::size_t{1} << 20;  ///< taken and let go at once, if memory is that large [bytes]
+  std::size_t memory = 256'000'000;  ///< of messages, all together [bytes]
+  std::size_t block_size = std::size_t{1}
+                           << 20;  ///< taken and let go at once, if memory is that large [bytes]
 };
 
 /// `data` lives as long as the Block it is in.

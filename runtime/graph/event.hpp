@@ -12,7 +12,8 @@ enum class EventRule { is, is_not, above, below, begins_with, rises };
 
 /// One field of a message.
 struct EventCondition {
-  std::string field;  ///< header.frame_id, ranges[3]; with status[].name any element, the same one in all conditions
+  std::string
+      field;  ///< header.frame_id, ranges[3]; with status[].name any element, the same one in all conditions
   EventRule rule = EventRule::is;
   std::string text{};                           ///< what it is compared with; nothing for `rises`
   std::optional<double> number = std::nullopt;  ///< the same as a number, where it is one

@@ -55,8 +55,7 @@ std::optional<EventCondition> read_condition(ParameterReader& reader, const Conf
     }
   }
   if (rules == 1 && !field.empty()) return condition;
-  reader.refuse(map, "field",
-                "and one of is, is_not, above, below, begins_with, rises come together");
+  reader.refuse(map, "field", "and one of is, is_not, above, below, begins_with, rises come together");
   return std::nullopt;
 }
 
@@ -92,7 +91,8 @@ void read_events(ParameterReader& reader, SnapshotSettings& settings, std::vecto
   if (list == nullptr) return;
   const std::string key = joined(kSection, "on");
   if (!detail::is_list(*list, key, violations)) return;
-  if (list->sequence.empty()) reader.refuse(*list, "on", "must name an event; without `on` every declared one counts");
+  if (list->sequence.empty())
+    reader.refuse(*list, "on", "must name an event; without `on` every declared one counts");
   for (const ConfigNode& node : list->sequence) {
     std::optional<SnapshotEvent> event;
     if (node.is_map()) {
@@ -100,7 +100,8 @@ void read_events(ParameterReader& reader, SnapshotSettings& settings, std::vecto
     } else if (node.is_scalar()) {
       event = snapshot_event(node.scalar, node.where, key, violations);
     } else {
-      violations.push_back({node.where, key, node.text(), "must be an event, a topic, or a map with a topic"});
+      violations.push_back(
+          {node.where, key, node.text(), "must be an event, a topic, or a map with a topic"});
     }
     if (event) settings.on.push_back(std::move(*event));
   }

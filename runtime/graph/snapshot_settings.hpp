@@ -27,7 +27,7 @@
 namespace bw {
 
 struct SnapshotEvent {
-  std::string name;                        ///< of a declared event, unless it says itself what it is
+  std::string name;                         ///< of a declared event, unless it says itself what it is
   std::optional<Event> own = std::nullopt;  ///< of a topic
   Location where;
 };
@@ -38,10 +38,10 @@ struct SnapshotSettings {
   static constexpr Duration kShortest = Duration::milliseconds(1000);
 
   Duration keep = Duration::milliseconds(30'000);
-  std::optional<Duration> after;             ///< as keep, unless given
-  std::uint64_t memory = 256'000'000;        ///< [bytes]
-  std::int64_t most = 20;                    ///< snapshots of one run
-  std::vector<SnapshotEvent> on;             ///< empty: every event that components of the graph declare
+  std::optional<Duration> after;       ///< as keep, unless given
+  std::uint64_t memory = 256'000'000;  ///< [bytes]
+  std::int64_t most = 20;              ///< snapshots of one run
+  std::vector<SnapshotEvent> on;       ///< empty: every event that components of the graph declare
   std::filesystem::path to = "snapshots";
   Location where;
 };

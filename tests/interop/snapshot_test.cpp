@@ -59,8 +59,8 @@ class Snapshot : public testing::Test {
 
   /// The hallway for `seconds` in lock-step; the score card.
   nlohmann::json drive(const std::string& seconds, std::vector<std::string> more) {
-    std::vector<std::string> command = {"run", kGraph, "--clock", "lockstep", "--seed",  "1",
-                                        "--for", seconds, "--json", folder_ / "card.json"};
+    std::vector<std::string> command = {"run", kGraph,  "--clock", "lockstep", "--seed",
+                                        "1",   "--for", seconds,   "--json",   folder_ / "card.json"};
     for (std::string& option : more) command.push_back(std::move(option));
     const Outcome run = bandwagon(command);
     EXPECT_EQ(run.status, 1) << run.err;  // too short for the goal
@@ -97,8 +97,9 @@ TEST_F(Snapshot, ChangesNoSampleAndEqualRunsGiveEqualBags) {
   }
   EXPECT_FALSE(bags[0].empty());
   EXPECT_TRUE(bags[0] == bags[1]);
-  const auto both = drive("6", kBlind + std::vector<std::string>{"--snapshot", "1s", "--snapshot-to", folder_ / "c",
-                                                                 "--record", folder_ / "drive"});
+  const auto both =
+      drive("6", kBlind + std::vector<std::string>{"--snapshot", "1s", "--snapshot-to", folder_ / "c",
+                                                   "--record", folder_ / "drive"});
   EXPECT_EQ(both["samples_sha256"], plain);
 }
 
@@ -139,8 +140,8 @@ TEST_F(Snapshot, ALostRobotAndAContactAreEventsAndADriveWithoutThemLeavesNothing
   ASSERT_EQ(folders_in(to).size(), 1U);
   EXPECT_THAT(folders_in(to)[0].string(), EndsWith("_lost"));
   // The dynamic window among people who do not make way.
-  const auto card = drive("16", snapshot + std::vector<std::string>{"--set", "world.people_react=false", "--set",
-                                                                    "local_planner.algorithm=dwa"});
+  const auto card = drive("16", snapshot + std::vector<std::string>{"--set", "world.people_react=false",
+                                                                    "--set", "local_planner.algorithm=dwa"});
   ASSERT_GT(card["collisions"], 0);
   EXPECT_THAT(folders_in(to), Contains(testing::ResultOf([](const auto& path) { return path.string(); },
                                                          EndsWith("_contact"))));
@@ -164,8 +165,9 @@ TEST_F(Snapshot, WhatCannotBeIsRefusedBeforeAnythingMoves) {
   EXPECT_THAT(said("{to: x, on: [{topic: /scan, field: range_mx, above: 1}]}"),
               HasSubstr(where + "/scan range_mx: sensor_msgs/msg/LaserScan: unknown field"));
   EXPECT_THAT(said("{to: g.yaml}"), HasSubstr("is no folder that can be written"));
-  const Outcome none = bandwagon({"run", kSource + "/tests/interop/drive.yaml", "--clock", "lockstep", "--for", "1",
-                                  "--snapshot", "5s", "--snapshot-on", "lost", "--record", folder_ / "drive"});
+  const Outcome none =
+      bandwagon({"run", kSource + "/tests/interop/drive.yaml", "--clock", "lockstep", "--for", "1",
+                 "--snapshot", "5s", "--snapshot-on", "lost", "--record", folder_ / "drive"});
   EXPECT_EQ(none.status, 2);
   EXPECT_THAT(none.err, HasSubstr("tells of a component that this graph does not have: localization"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "drive"));
@@ -178,12 +180,14 @@ TEST_F(Snapshot, OptionsThatSayNothingAreRefused) {
       {{"--split-size", "5MB"}, "need --record"},
       {{"--record", record + ".mcap", "--max-size", "50MB"}, "one file is not split"},
       {{"--record", record, "--split-size", "5MX"}, "--split-size 5MX: must be a size of at least 1MB"},
-      {{"--record", record, "--split-duration", "0s"}, "--split-duration 0s: must be a duration of at least 1 s"},
+      {{"--record", record, "--split-duration", "0s"},
+       "--split-duration 0s: must be a duration of at least 1 s"},
       {{"--record", record, "--max-size", "20MB", "--split-size", "15MB"}, "at most half of --max-size"},
       {{"--record", record, "--compression", "zip"}, "zip"},
       {{"--snapshot", "soon"}, "--snapshot soon: must be a duration"},
       {{"--snapshot-to", "x"}, "need --snapshot"},
-      {{"--snapshot", "5s", "--snapshot-memory", "5"}, "--snapshot-memory 5: must be a size of at least 1MB"}};
+      {{"--snapshot", "5s", "--snapshot-memory", "5"},
+       "--snapshot-memory 5: must be a size of at least 1MB"}};
   for (const auto& [options, words] : refused) {
     const Outcome outcome = bandwagon(run + options);
     EXPECT_EQ(outcome.status, 2) << words;
@@ -194,8 +198,8 @@ TEST_F(Snapshot, OptionsThatSayNothingAreRefused) {
 
 TEST_F(Snapshot, ALimitedRecordingHasTheNewestAndItsMap) {
   const std::filesystem::path bag = folder_ / "drive";
-  const Outcome run = bandwagon({"run", kGraph, "--clock", "lockstep", "--seed", "1", "--for", "12", "--record", bag,
-                                 "--compression", "none", "--max-size", "10MB"});
+  const Outcome run = bandwagon({"run", kGraph, "--clock", "lockstep", "--seed", "1", "--for", "12",
+                                 "--record", bag, "--compression", "none", "--max-size", "10MB"});
   EXPECT_EQ(run.status, 1) << run.err;
   std::uintmax_t size = 0;
   for (const auto& entry : std::filesystem::directory_iterator(bag)) size += entry.file_size();

@@ -290,9 +290,10 @@ TEST(LoadGraph, RefusesASnapshotSectionInWords) {
   EXPECT_EQ(said("{to: x, on: contact}"), "g.yaml:1: snapshot.on = contact: must be a list");
   EXPECT_EQ(said("{to: x, on: []}"),
             "g.yaml:1: snapshot.on = a list: must name an event; without `on` every declared one counts");
-  EXPECT_EQ(said("{to: x, on: [/a//b]}"),
-            "g.yaml:1: snapshot.on = /a//b: must be a topic name: letters, digits and _ between single /, no digit "
-            "after a /");
+  EXPECT_EQ(
+      said("{to: x, on: [/a//b]}"),
+      "g.yaml:1: snapshot.on = /a//b: must be a topic name: letters, digits and _ between single /, no digit "
+      "after a /");
   EXPECT_EQ(said("{to: x, on: [{topic: a}]}"), "g.yaml:1: snapshot.on.topic = a: must begin with /");
   const std::string together =
       "g.yaml:1: snapshot.on.field = a map: and one of is, is_not, above, below, begins_with, rises come together";

@@ -31,19 +31,18 @@ std::string parameters_of(const Host& host) {
 bag::BagDescription describe(const Host& host, const HostOptions& options) {
   const std::filesystem::path& graph = host.graph().path;
   constexpr const char* kClocks[] = {"wall", "lockstep", "topic"};
-  bag::BagDescription description{
-      .attachments = {{"graph.yaml", kYaml, content_of(graph)},
-                      {"parameters.yaml", kYaml, parameters_of(host)}},
-      .metadata = {{"bandwagon",
-                    {{"version", BANDWAGON_VERSION},
-                     {"revision", BANDWAGON_REVISION},
-                     {"build_id", build_id()},
-                     {"cpu", cpu_type()},
-                     {"host", host_name()},
-                     {"clock", kClocks[static_cast<int>(options.clock)]},
-                     {"seed", std::to_string(options.seed)},
-                     {"process", options.only_process},
-                     {"graph", graph.string()}}}}};
+  bag::BagDescription description{.attachments = {{"graph.yaml", kYaml, content_of(graph)},
+                                                  {"parameters.yaml", kYaml, parameters_of(host)}},
+                                  .metadata = {{"bandwagon",
+                                                {{"version", BANDWAGON_VERSION},
+                                                 {"revision", BANDWAGON_REVISION},
+                                                 {"build_id", build_id()},
+                                                 {"cpu", cpu_type()},
+                                                 {"host", host_name()},
+                                                 {"clock", kClocks[static_cast<int>(options.clock)]},
+                                                 {"seed", std::to_string(options.seed)},
+                                                 {"process", options.only_process},
+                                                 {"graph", graph.string()}}}}};
   for (const auto& [name, section] : host.graph().shared) {
     const std::filesystem::path file = section.where.file;
     std::error_code none;

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <sys/resource.h>
+
 #include "components/tools/program/bag_description.hpp"
 #include "components/tools/program/recording.hpp"
 #include "components/tools/program/run_observer.hpp"
@@ -29,6 +31,17 @@ std::string algorithm_of(const Host& host, const std::string& component) {
     }
   }
   return component;
+}
+
+/// What this process took so far.
+nlohmann::json process_json() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return {{"cpu_s", seconds(usage.ru_utime) + seconds(usage.ru_stime)},
+          {"max_rss_mb", static_cast<double>(usage.ru_maxrss) * 1024e-6}};  // it comes in KiB
 }
 
 /// Asks the host to end when a person does.
@@ -74,8 +87,7 @@ class Bags {
     if (snapshots_) extra.push_back({"flight_recorder", snapshots_->make_reporter(process)});
   }
   void open(const Host& host) {
-    if (snapshots_)
-      taps_->add(snapshots_->open(graph_, host, options_.host, describe(host, options_.host)));
+    if (snapshots_) taps_->add(snapshots_->open(graph_, host, options_.host, describe(host, options_.host)));
     if (recording_)
       taps_->add(recording_->open(options_.record, {.writer = options_.record_options, .waits = lockstep_},
                                   describe(host, options_.host)));
@@ -166,6 +178,8 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   result.card = seen->card;
   result.json = to_json(seen->card, facts, host.statistics());
   bags.add_to(result.json);
+  result.json["real_time_s"] = real_s;
+  result.json["process"] = process_json();
   if (seen->card) result.json["robot_path"] = path_json(seen->path, *seen->card);
   return result;
 }

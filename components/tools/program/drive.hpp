@@ -21,8 +21,8 @@ struct DriveOptions {
   std::filesystem::path svg;        ///< picture of the drive; empty: none
   std::filesystem::path record;     ///< bag of the drive: a folder, or a file.mcap; empty: none
   bag::BagWriterOptions record_options;
-  bool snapshots = false;           ///< as the graph says; else its section `snapshot` is not looked at
-  bool show_progress = false;       ///< one refreshing line on stderr
+  bool snapshots = false;      ///< as the graph says; else its section `snapshot` is not looked at
+  bool show_progress = false;  ///< one refreshing line on stderr
 };
 
 struct DriveResult {

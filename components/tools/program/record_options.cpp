@@ -17,7 +17,8 @@ std::uint64_t size_of(const std::string& option, const std::string& text, std::u
   if (text.empty()) return 0;
   const std::optional<std::uint64_t> size = parse_size(text);
   if (!size || *size < least)
-    refuse(option, text, "must be a size of at least " + std::to_string(least / 1'000'000) + "MB, such as 100MB or 2GiB");
+    refuse(option, text,
+           "must be a size of at least " + std::to_string(least / 1'000'000) + "MB, such as 100MB or 2GiB");
   return *size;
 }
 
@@ -38,17 +39,20 @@ void RecordOptions::add_to(CLI::App& verb) {
   verb.add_option("--max-size", max_size, "Recording: the oldest files go, so that all stay below this");
   verb.add_option("--compression", compression, "Of the recording: zstd, lz4 or none")
       ->check(CLI::IsMember({"zstd", "lz4", "none"}));
-  verb.add_option("--snapshot", snapshot,
-                  "Keeps so much of the last time in memory, such as 30s, and writes it when something happens; off: does not");
+  verb.add_option(
+      "--snapshot", snapshot,
+      "Keeps so much of the last time in memory, such as 30s, and writes it when something happens; off: does not");
   verb.add_option("--snapshot-memory", snapshot_memory, "At most so much of it (256MB)");
-  verb.add_option("--snapshot-on", snapshot_on, "Events and topics to wait for, as often as needed (every known event)")
+  verb.add_option("--snapshot-on", snapshot_on,
+                  "Events and topics to wait for, as often as needed (every known event)")
       ->allow_extra_args(false);
   verb.add_option("--snapshot-to", snapshot_to, "Folder for snapshots (snapshots)");
 }
 
 bag::BagWriterOptions RecordOptions::writer_options() const {
   const bool splits = !split_size.empty() || !split_duration.empty() || !max_size.empty();
-  if (splits && record.empty()) throw std::runtime_error("--split-size, --split-duration and --max-size need --record");
+  if (splits && record.empty())
+    throw std::runtime_error("--split-size, --split-duration and --max-size need --record");
   if (splits && std::filesystem::path(record).extension() == ".mcap")
     refuse("--record", record, "one file is not split: name a folder");
   bag::BagWriterOptions options{.split_size = size_of("--split-size", split_size, 1'000'000),
@@ -69,12 +73,14 @@ void RecordOptions::apply_to(std::optional<SnapshotSettings>& settings) const {
   }
   if (!settings && snapshot.empty()) {
     if (snapshot_memory.empty() && snapshot_on.empty() && snapshot_to.empty()) return;
-    throw std::runtime_error("--snapshot-memory, --snapshot-on and --snapshot-to need --snapshot, or a section snapshot in the graph");
+    throw std::runtime_error(
+        "--snapshot-memory, --snapshot-on and --snapshot-to need --snapshot, or a section snapshot in the graph");
   }
   if (!settings) settings.emplace(SnapshotSettings{.where = {"--snapshot", 0}});
   if (!snapshot.empty()) {
     settings->keep = duration_of("--snapshot", snapshot);
-    if (settings->keep > SnapshotSettings::kLongest) refuse("--snapshot", snapshot, "must be at most an hour");
+    if (settings->keep > SnapshotSettings::kLongest)
+      refuse("--snapshot", snapshot, "must be at most an hour");
     settings->after.reset();
   }
   if (!snapshot_memory.empty())

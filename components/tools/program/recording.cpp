@@ -7,13 +7,16 @@
 namespace bw {
 namespace {
 
+/// Counts by topic are values on the diagnostics, and in the bag.
 std::string in_words(const bag::RecorderStatus& status) {
   std::string words = status.error.empty() ? "" : "the recording ended early: " + status.error;
-  for (const auto& [topic, count] : status.dropped) {
-    words +=
-        fmt::format("{}{} messages of {} are not in the recording", words.empty() ? "" : "; ", count, topic);
-  }
-  return words;
+  if (status.dropped.empty()) return words;
+  std::uint64_t sum = 0;
+  for (const auto& [topic, count] : status.dropped) sum += count;
+  const std::string topics = status.dropped.size() == 1 ? status.dropped.begin()->first
+                                                        : fmt::format("{} topics", status.dropped.size());
+  return words +
+         fmt::format("{}{} messages of {} are not in the recording", words.empty() ? "" : "; ", sum, topics);
 }
 
 class RecordingReporter final : public Component {

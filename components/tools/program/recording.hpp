@@ -20,7 +20,8 @@ class Recording {
   /// sample. To be made before the host, which takes it.
   [[nodiscard]] std::unique_ptr<Component> make_reporter() const;
   /// When the graph is known to be sound. Throws std::runtime_error or std::system_error naming `path`.
-  [[nodiscard]] std::shared_ptr<SampleTap> open(const std::filesystem::path& path, bag::RecorderOptions options,
+  [[nodiscard]] std::shared_ptr<SampleTap> open(const std::filesystem::path& path,
+                                                bag::RecorderOptions options,
                                                 const bag::BagDescription& description);
   /// Ends it. A sentence about what was lost, empty if nothing was.
   [[nodiscard]] std::string finish(const Host& host);

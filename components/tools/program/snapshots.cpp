@@ -73,7 +73,8 @@ class SnapshotReporter final : public Component {
     diagnostics_->set_value("snapshots", std::to_string(status.snapshots));
     diagnostics_->set_value("lost", std::to_string(status.lost));
     using Level = DiagnosticReporter::Level;
-    if (!status.error.empty()) return diagnostics_->report(Level::error, "the snapshot ended early: " + status.error);
+    if (!status.error.empty())
+      return diagnostics_->report(Level::error, "the snapshot ended early: " + status.error);
     if (status.lost + status.oversized + status.unwritten == 0)
       return diagnostics_->report(Level::ok, "keeps the last seconds");
     diagnostics_->report(Level::warn, fmt::format("{} messages lost, {} too large, {} events not written",
@@ -118,14 +119,18 @@ std::string Snapshots::untold() const {
   std::string text;
   for (; *told_ < status.log.size(); ++*told_) text += status.log[*told_] + "\n";
   if (status.unwritten > 0)
-    text += fmt::format("{} more events got no snapshot: there are {} of them\n", status.unwritten, status.snapshots);
+    text += fmt::format("{} more events got no snapshot: there are {} of them\n", status.unwritten,
+                        status.snapshots);
   return text;
 }
 
 nlohmann::json Snapshots::json() const {
   const bag::FlightRecorderStatus status = (*recorder_)->status();
-  return {{"written", status.snapshots}, {"log", status.log},          {"lost", status.lost},
-          {"error", status.error},       {"unwritten", status.unwritten}};
+  return {{"written", status.snapshots},
+          {"log", status.log},
+          {"lost", status.lost},
+          {"error", status.error},
+          {"unwritten", status.unwritten}};
 }
 
 }  // namespace bw

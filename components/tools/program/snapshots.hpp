@@ -21,8 +21,8 @@ class Snapshots {
   [[nodiscard]] std::unique_ptr<Component> make_reporter(const std::string& process) const;
   /// When the host has checked `graph`. Throws ConfigError for events that cannot be, std::runtime_error for a folder that
   /// cannot be written; makes no folder yet.
-  [[nodiscard]] std::shared_ptr<SampleTap> open(const Graph& graph, const Host& host, const HostOptions& options,
-                                                bag::BagDescription description);
+  [[nodiscard]] std::shared_ptr<SampleTap> open(const Graph& graph, const Host& host,
+                                                const HostOptions& options, bag::BagDescription description);
   /// Ends a snapshot that is being written.
   void finish() { (*recorder_)->close(); }
   /// What the reporter has not told yet, which in lock-step is everything: one line each.

@@ -1,6 +1,7 @@
 // Several that look at the samples of one run.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -19,6 +20,9 @@ class Taps final : public SampleTap {
   }
   void on_sample(const OutputEnd& output, Time now, std::span<const std::uint8_t> cdr) override {
     for (const auto& tap : taps_) tap->on_sample(output, now, cdr);
+  }
+  [[nodiscard]] bool wants_everything() const override {
+    return std::ranges::any_of(taps_, [](const auto& tap) { return tap->wants_everything(); });
   }
   void run_is_over() override {
     for (const auto& tap : taps_) tap->run_is_over();

@@ -13,8 +13,8 @@
 namespace bw::bag {
 namespace {
 
-using ::testing::HasSubstr;
 using diagnostic_msgs::msg::DiagnosticArray;
+using ::testing::HasSubstr;
 
 template <class M>
 std::vector<std::uint8_t> bytes_of(const M& message) {
@@ -70,30 +70,34 @@ TEST(EventWatch, AllConditionsMustBeginToHold) {
   const std::vector<EventCondition> stop = {
       {.field = "action_type", .rule = EventRule::is, .number = 1.0},
       {.field = "polygon_name", .rule = EventRule::is_not, .text = "command_silent"}};
-  EXPECT_EQ(events(stop, std::vector{state(0, ""), state(1, "command_silent"), state(1, "laser"), state(1, "laser"),
-                                     state(2, "laser"), state(1, "laser")}),
+  EXPECT_EQ(events(stop, std::vector{state(0, ""), state(1, "command_silent"), state(1, "laser"),
+                                     state(1, "laser"), state(2, "laser"), state(1, "laser")}),
             (std::vector{false, false, true, false, false, true}));
 }
 
 TEST(EventWatch, ACounterRises) {
   const std::vector<EventCondition> contact = {{.field = "contacts", .rule = EventRule::rises}};
   // What was there before the first message is nobody's event; each rise is one, a counter that begins again is none.
-  EXPECT_EQ(events(contact, std::vector{truth(2), truth(2), truth(3), truth(5), truth(5), truth(0), truth(1)}),
-            (std::vector{false, false, true, true, false, false, true}));
+  EXPECT_EQ(
+      events(contact, std::vector{truth(2), truth(2), truth(3), truth(5), truth(5), truth(0), truth(1)}),
+      (std::vector{false, false, true, true, false, false, true}));
 }
 
 TEST(EventWatch, ConditionsOnAListMeetInOneElement) {
   const std::vector<EventCondition> lost = {
       {.field = "status[].name", .rule = EventRule::is, .text = "localization"},
       {.field = "status[].message", .rule = EventRule::begins_with, .text = "LOST"}};
-  EXPECT_EQ(events(lost, std::vector{diagnostics({{"localization", "OK"}, {"other", "LOST"}}), diagnostics({}),
-                                     diagnostics({{"other", "OK"}, {"localization", "LOST: wheels"}})}),
-            (std::vector{false, false, true}));
+  EXPECT_EQ(
+      events(lost, std::vector{diagnostics({{"localization", "OK"}, {"other", "LOST"}}), diagnostics({}),
+                               diagnostics({{"other", "OK"}, {"localization", "LOST: wheels"}})}),
+      (std::vector{false, false, true}));
 }
 
 TEST(EventWatch, NumbersAreComparedAsNumbers) {
-  const std::vector<EventCondition> above = {{.field = "wall_clearance", .rule = EventRule::above, .number = 0.5}};
-  const std::vector<EventCondition> below = {{.field = "wall_clearance", .rule = EventRule::below, .number = 0.5}};
+  const std::vector<EventCondition> above = {
+      {.field = "wall_clearance", .rule = EventRule::above, .number = 0.5}};
+  const std::vector<EventCondition> below = {
+      {.field = "wall_clearance", .rule = EventRule::below, .number = 0.5}};
   std::vector<bandwagon_msgs::msg::GroundTruth> drive(3);
   drive[0].wall_clearance(0.5);
   drive[1].wall_clearance(0.7);
@@ -103,7 +107,8 @@ TEST(EventWatch, NumbersAreComparedAsNumbers) {
 }
 
 TEST(EventWatch, BytesThatAreNoMessageAreNoEvent) {
-  EventWatch watch({Event{"contact", "/topic", {{.field = "contacts", .rule = EventRule::is, .number = 0.0}}}});
+  EventWatch watch(
+      {Event{"contact", "/topic", {{.field = "contacts", .rule = EventRule::is, .number = 0.0}}}});
   const std::size_t topic = watch.add_topic("/topic", &type("bandwagon_msgs/msg/GroundTruth"));
   std::vector<std::uint8_t> cdr = bytes_of(truth(0));
   cdr.resize(cdr.size() / 2);
@@ -117,8 +122,10 @@ TEST(ConditionRule, RefusesInWordsWhatCannotBeLookedAt) {
   const char* array = "diagnostic_msgs/msg/DiagnosticArray";
   const char* ground_truth = "bandwagon_msgs/msg/GroundTruth";
   EXPECT_EQ(rule(array, {.field = "status[].values[3].key", .text = "x"}), "fine");
-  EXPECT_EQ(rule(ground_truth, {.field = "pose.position.x", .rule = EventRule::above, .number = 1.0}), "fine");
-  EXPECT_THAT(rule(ground_truth, {.field = "contact", .rule = EventRule::rises}), HasSubstr("did you mean 'contacts'"));
+  EXPECT_EQ(rule(ground_truth, {.field = "pose.position.x", .rule = EventRule::above, .number = 1.0}),
+            "fine");
+  EXPECT_THAT(rule(ground_truth, {.field = "contact", .rule = EventRule::rises}),
+              HasSubstr("did you mean 'contacts'"));
   EXPECT_THAT(rule(ground_truth, {.field = "pose.positon.x"}), HasSubstr("did you mean 'position'"));
   EXPECT_THAT(rule(ground_truth, {.field = "pose"}), HasSubstr("is a message: name a field of it"));
   EXPECT_THAT(rule(ground_truth, {.field = "contacts.x"}), HasSubstr("has no fields"));

@@ -15,10 +15,10 @@
 namespace bw::bag {
 namespace {
 
+using std_msgs::msg::Float64;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
-using std_msgs::msg::Float64;
 
 constexpr Time kStart{1'000'000'000'000};
 
@@ -63,7 +63,8 @@ FlightRecorderOptions options(const mcap::Folder& folder) {
 std::vector<std::string> names_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   if (!std::filesystem::exists(folder)) return names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename());
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.push_back(entry.path().filename());
   std::ranges::sort(names);
   return names;
 }
@@ -80,7 +81,8 @@ std::vector<std::string> messages(const Bag& bag) {
 }
 
 /// `count` values from tenth `first` on, in between an alarm at the tenths named.
-void drive(FlightRecorder& recorder, const Talker& run, int first, int count, const std::vector<int>& alarms) {
+void drive(FlightRecorder& recorder, const Talker& run, int first, int count,
+           const std::vector<int>& alarms) {
   for (int tenth = first; tenth < first + count; ++tenth) {
     recorder.on_sample(run.value, Talker::at(0.1 * tenth), Talker::bytes(tenth));
     if (std::ranges::find(alarms, tenth) != alarms.end())
@@ -147,7 +149,8 @@ TEST(FlightRecorder, AConditionTriggersOnceAndANameThatIsTakenGetsANumber) {
   const Talker run;
   FlightRecorder recorder(options(folder));
   recorder.connect(run.outputs());
-  for (const double number : {1.0, 1500.0, 1600.0}) recorder.on_sample(run.value, Talker::at(200.0), Talker::bytes(number));
+  for (const double number : {1.0, 1500.0, 1600.0})
+    recorder.on_sample(run.value, Talker::at(200.0), Talker::bytes(number));
   recorder.close();
   EXPECT_THAT(names_in(folder / "misses"), ElementsAre("200000_high", "200000_high_2"));
   EXPECT_EQ(recorder.take_events(), std::vector<std::string>{"high"});
