@@ -1,4 +1,4 @@
-// bandwagon bag info|check|recover|convert: recorded bags, looked at and mended.
+// bandwagon bag info|check|recover|convert|import: recorded bags, looked at, mended, and made of tables.
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -10,6 +10,7 @@
 #include "runtime/bag/bag_report.hpp"
 #include "runtime/bag/bag_writer.hpp"
 #include "runtime/bag/mcap_recover.hpp"
+#include "runtime/cli/bag_import.hpp"
 #include "runtime/cli/verb.hpp"
 
 namespace bw::cli {
@@ -62,6 +63,7 @@ nlohmann::json to_json(const bag::Bag& recording, const bag::BagReport& report, 
                          {"topics", nlohmann::json::array()},
                          {"attachments", nlohmann::json::array()},
                          {"dropped", nlohmann::json::object()},
+                         {"lost", nlohmann::json::object()},
                          {"faults", nlohmann::json::array()},
                          {"clock_jumps", nlohmann::json::array()},
                          {"sound", report.is_sound()}};
@@ -74,8 +76,10 @@ nlohmann::json to_json(const bag::Bag& recording, const bag::BagReport& report, 
         {{"at_s", (jump.at - recording.start()).to_seconds()}, {"by_s", jump.by.to_seconds()}});
   }
   const auto metadata = recording.metadata();
-  if (const auto dropped = metadata.find("dropped"); dropped != metadata.end()) {
-    for (const auto& [topic, count] : dropped->second) json["dropped"][topic] = count;
+  for (const char* record : {"dropped", "lost"}) {
+    if (const auto counts = metadata.find(record); counts != metadata.end()) {
+      for (const auto& [topic, count] : counts->second) json[record][topic] = count;
+    }
   }
   return json;
 }
@@ -115,6 +119,9 @@ int info(const BagOptions& options) {
     std::cout << fmt::format("attachment {} ({} bytes)\n", a.name, a.size);
   for (const auto& [topic, count] : json["dropped"].items()) {
     std::cout << fmt::format("dropped while recording: {} of {}\n", count.get<std::string>(), topic);
+  }
+  for (const auto& [topic, count] : json["lost"].items()) {
+    std::cout << fmt::format("lost on the wire while recording: {} of {}\n", count.get<std::string>(), topic);
   }
   for (const auto& fault : report.faults) std::cout << in_words(fault) << "\n";
   return 0;
@@ -219,6 +226,7 @@ CLI::App* add_bag(CLI::App& app, int& status) {
   convert_verb->add_option("OUT", options->out, "New .mcap file, or a folder")->required();
   convert_verb->add_option("--compression", options->compression, "zstd, lz4 or none")
       ->check(CLI::IsMember({"zstd", "lz4", "none"}));
+  add_bag_import(*bag);
   return bag;
 }
 

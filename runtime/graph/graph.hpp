@@ -8,6 +8,7 @@
 //   plugins: [path.so]              # paths are relative to the file they stand in
 //   robot: ../robots/generic.yaml   # a shared section: a file or a map
 //   snapshot: {keep: 30s, on: [contact], to: near_misses}    # snapshot_settings.hpp
+//   tolerances: {...}               # of replays (runtime/replay/tolerances.hpp): a file or a map
 //   components:
 //     local_planner:                # the node's name; the order is the rank
 //       type: local_planner         # default: the name
@@ -78,9 +79,10 @@ struct Graph {
   std::filesystem::path path;
   GraphSettings settings;
   std::map<std::string, ConfigNode>
-      shared;  ///< sections such as `robot`, overrides applied; absent if not given
-  std::vector<ComponentNode> components;     ///< in rank order
+      shared;             ///< sections such as `robot`, overrides applied; absent if not given
+  ConfigNode tolerances;  ///< by how much a replay may differ; a map or nothing
   std::optional<SnapshotSettings> snapshot;  ///< absent if not given
+  std::vector<ComponentNode> components;     ///< in rank order
 
   const ComponentNode* find(std::string_view component) const;
   /// Names of the processes, in the order of their first components.

@@ -119,6 +119,8 @@ class GraphReader {
     }
     if (const ConfigNode* snapshot = reader.find("snapshot"))
       graph_.snapshot = read_snapshot(*snapshot, violations_);
+    if (const ConfigNode* node = reader.find("tolerances"))
+      graph_.tolerances = read_section(reader, *node, "tolerances");
     if (const ConfigNode* components = reader.find("components")) {
       if (components->is_map()) {
         for (const ConfigEntry& entry : components->map) read_component(entry);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -22,15 +23,16 @@
 namespace bw {
 namespace {
 
-/// The planner's own name, from the parameter that selects it.
-std::string algorithm_of(const Host& host, const std::string& component) {
+/// Value of a parameter as text; `otherwise` where there is none.
+std::string parameter_of(const Host& host, const std::string& component, std::string_view parameter,
+                         const std::string& otherwise) {
   for (const auto& [name, report] : host.parameters()) {
     if (name != component) continue;
     for (const ParameterRow& row : report.rows) {
-      if (row.name == "algorithm") return row.value;
+      if (row.name == parameter) return row.value;
     }
   }
-  return component;
+  return otherwise;
 }
 
 /// What this process took so far.
@@ -126,6 +128,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   const ComponentNode* evaluation = find_type(graph, "evaluation", options.host.only_process);
   const ComponentNode* planner = find_type(graph, "local_planner", options.host.only_process);
   const std::string planner_name = planner == nullptr ? "" : planner->name;
+  const std::string evaluation_name = evaluation == nullptr ? "" : evaluation->name;
   const std::string graph_file = graph.path.string();
   if (evaluation != nullptr && !options.svg.empty()) {
     ConfigNode file;
@@ -158,6 +161,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   bags.join(host_options, extra);
   Host host(std::move(graph), host_options, std::move(extra));
   bags.open(host);
+  result.has_goal = !result.judged || parameter_of(host, evaluation_name, "scored", "drive") != "run";
   running = &host;
   if (!planner_name.empty())
     planner_cycle(host.statistics(), planner_name);  // else: an error before the drive
@@ -168,13 +172,15 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   const double real_s = (steady_time() - started).to_seconds();
   bags.finish(host);
 
-  const RunFacts facts{.graph = graph_file,
-                       .seed = options.host.seed,
-                       .planner_component = planner_name,
-                       .planner_name = planner_name.empty() ? "" : algorithm_of(host, planner_name),
-                       .realtime_factor = host.elapsed_seconds() / real_s,
-                       .samples_sha256 = host.samples_sha256(),
-                       .end_reason = result.end.reason};
+  const RunFacts facts{
+      .graph = graph_file,
+      .seed = options.host.seed,
+      .planner_component = planner_name,
+      .planner_name = planner_name.empty() ? "" : parameter_of(host, planner_name, "algorithm", planner_name),
+      .realtime_factor = host.elapsed_seconds() / real_s,
+      .samples_sha256 = host.samples_sha256(),
+      .end_reason = result.end.reason,
+      .has_goal = result.has_goal};
   result.card = seen->card;
   result.json = to_json(seen->card, facts, host.statistics());
   bags.add_to(result.json);
