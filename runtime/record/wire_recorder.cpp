@@ -13,6 +13,7 @@
 #include "runtime/bag/qos_text.hpp"
 #include "runtime/bag/schema.hpp"
 #include "runtime/build_identity.hpp"
+#include "runtime/graph/names.hpp"
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/stamps.hpp"
 #include "runtime/wire/serialization.hpp"
@@ -129,7 +130,8 @@ void WireRecorder::look_around() {
   for (const dds::Endpoint& e : endpoints) {
     if (!e.is_writer || is_own(e.guid, participant_.guid()) || !e.topic.starts_with("rt/")) continue;
     const std::string topic = ros_topic(e.topic);
-    if (!choice_.wants(topic, nodes[e.topic])) continue;
+    if (topic_name_rule(topic) || !choice_.wants(topic, nodes[e.topic]))
+      continue;  // any DDS program may be there
     auto known = sources_.find(e.guid);
     if (known == sources_.end()) {
       known = sources_.emplace(e.guid, make_source(topic, ros_type(e.type), type_hash_in(e.user_data), e.qos))
@@ -225,6 +227,7 @@ void WireRecorder::take(const Ear& ear, const dds::Sample& sample) {
     lost_[source.topic] += source.intake.lost() - lost;
   }
   if (!is_new) return;
+  if (options_.use_sim_time) hear_clock();  // what came before this sample is there by now
   bag::BytesView cdr = sample.cdr;
   if (source.description != nullptr) {
     // DDS pads; a message of a type that is known ends where it ends.
@@ -273,8 +276,9 @@ void WireRecorder::record(const Source& source, Time received, Time sent, bag::B
 
 void WireRecorder::hear_clock() {
   rosgraph_msgs::msg::Clock message;
-  while (clock_reader_->take(sample_)) {
-    if (deserialize(sample_.cdr, message)) clock_[sample_.received] = from_stamp(message.clock());
+  while (clock_reader_->take(clock_sample_)) {
+    if (deserialize(clock_sample_.cdr, message))
+      clock_[clock_sample_.received] = from_stamp(message.clock());
   }
   while (clock_.size() > kMostClockSteps) clock_.erase(clock_.begin());
 }

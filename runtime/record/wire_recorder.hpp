@@ -120,6 +120,7 @@ class WireRecorder {
   std::size_t held_bytes_ = 0;
   std::map<Time, Time> clock_;  ///< when /clock said what
   dds::Sample sample_;
+  dds::Sample clock_sample_;
   std::chrono::steady_clock::time_point reported_;
 
   mutable std::mutex status_mutex_;

@@ -63,9 +63,9 @@ class RecordedRobotComponent final : public Component {
     scan_.publish(to_message(*sample, frame_(sample->frame), when(sample->time)));
   }
   void operator()(const ReferencePose* sample) {
-    Twist2 twist = reference_before_ != nullptr ? twist_between(*reference_before_, *sample) : Twist2{};
-    reference_before_ = sample;
-    twist = {twist.v * options_.rate, twist.omega * options_.rate};
+    // On the way to the next one, so that who carries the truth forward meets it; the last keeps that before.
+    if (sample != &drive_.truth.back()) to_next_reference_ = twist_between(*sample, *(sample + 1));
+    const Twist2 twist{to_next_reference_.v * options_.rate, to_next_reference_.omega * options_.rate};
     truth_.publish(to_message(*sample, twist, map_frame_, when(sample->time)));
   }
 
@@ -134,7 +134,7 @@ class RecordedRobotComponent final : public Component {
   std::optional<Time> last_played_;
   std::function<void(bool, const std::string&)> finish_run_;
   Time start_;  ///< component time at which the bag's start second is played
-  const ReferencePose* reference_before_ = nullptr;
+  Twist2 to_next_reference_;
   std::string map_frame_, imu_frame_, gps_frame_;
   Renamed frame_;
   OdometryOutputs outputs_;
