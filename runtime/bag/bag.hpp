@@ -80,6 +80,8 @@ class Bag {
  public:
   virtual ~Bag() = default;
   [[nodiscard]] virtual std::string storage() const = 0;  ///< mcap or sqlite3
+  /// How messages are to be understood: `ros2`, or what another recorder wrote, which may be nothing.
+  [[nodiscard]] virtual std::string profile() const = 0;
   [[nodiscard]] virtual const std::vector<BagTopic>& topics() const = 0;
   [[nodiscard]] virtual Time start() const = 0;  ///< log time of the first message
   [[nodiscard]] virtual Time end() const = 0;    ///< of the last one

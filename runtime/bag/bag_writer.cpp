@@ -11,13 +11,10 @@
 #include <unistd.h>
 
 #include "runtime/atomic_file.hpp"
+#include "runtime/bag/mcap_time.hpp"
 
 namespace bw::bag {
 namespace {
-
-std::uint64_t to_mcap_time(Time time) {
-  return static_cast<std::uint64_t>(std::max<std::int64_t>(time.nanoseconds, 0));
-}
 
 /// Held as long as the folder is written; a kill lets go of it.
 int lock_folder(const std::filesystem::path& folder) {
@@ -61,7 +58,7 @@ std::filesystem::path BagWriter::file_path(std::size_t number) const {
 void BagWriter::open_file() {
   const std::filesystem::path file = file_path(next_number_++);
   file_ = std::make_unique<mcap::Writer>(options_.create(file),
-                                         mcap::WriterOptions{.compression = options_.compression});
+                                         mcap::WriterOptions{.compression = options_.compression, .profile = options_.profile});
   for (const mcap::Schema& schema : schemas_) file_->add_schema(schema);
   for (const mcap::Channel& channel : channels_) file_->add_channel(channel);
   metadata_.files.push_back({.path = file.filename().string()});

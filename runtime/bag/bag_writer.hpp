@@ -20,6 +20,7 @@ namespace bw::bag {
 
 struct BagWriterOptions {
   Compression compression = Compression::zstd;
+  std::string profile = "ros2";  ///< of MCAP: what messages and schemas are to be understood as
   std::uint64_t split_size = 0;  ///< a new file begins beyond this [bytes]; 0: never. Folders only
   Duration split_duration{};     ///< or after this time; 0: never. Folders only
   std::uint64_t max_size =

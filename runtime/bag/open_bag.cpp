@@ -78,6 +78,7 @@ class JoinedBag final : public Bag {
   }
 
   std::string storage() const override { return files_.front()->storage(); }
+  std::string profile() const override { return files_.front()->profile(); }
   const std::vector<BagTopic>& topics() const override { return topics_; }
   Time start() const override { return start_; }
   Time end() const override { return end_; }

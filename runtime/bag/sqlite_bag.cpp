@@ -111,6 +111,7 @@ class SqliteBag final : public Bag {
   }
 
   std::string storage() const override { return "sqlite3"; }
+  std::string profile() const override { return "ros2"; }
   const std::vector<BagTopic>& topics() const override { return topics_; }
   Time start() const override { return start_; }
   Time end() const override { return end_; }

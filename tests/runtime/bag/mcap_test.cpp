@@ -176,7 +176,7 @@ TEST(Mcap, ADamagedChunkIsNamedAndTheRestIsRead) {
   std::uint64_t last_lost = 0;
   {
     const ByteSource file(folder / "a.mcap");
-    const ChunkIndex& chunk = read_contents(file).chunks.at(1);
+    const ChunkIndex chunk = read_contents(file).chunks.at(1);
     damaged_at = chunk.chunk_start;
     first_lost = chunk.start_time;
     last_lost = chunk.end_time;
