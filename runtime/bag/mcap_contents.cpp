@@ -70,6 +70,16 @@ bool is_within(const Contents& contents, std::uint64_t summary_start) {
          std::ranges::all_of(contents.metadata, [&](const auto& m) { return inside(m.offset, m.length); });
 }
 
+/// One chunk named a thousand times would be read a thousand times.
+bool is_apart(const std::vector<ChunkIndex>& chunks) {
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> places;
+  for (const ChunkIndex& c : chunks) places.emplace_back(c.chunk_start, c.chunk_length);
+  std::ranges::sort(places);
+  return std::ranges::adjacent_find(places, [](const auto& a, const auto& b) {
+           return b.first - a.first < a.second;
+         }) == places.end();
+}
+
 /// Nothing, with a fault, when the file has no summary that can be trusted.
 std::optional<Contents> from_summary(const ByteSource& file, Fault& fault) {
   Bytes end;
@@ -88,6 +98,9 @@ std::optional<Contents> from_summary(const ByteSource& file, Fault& fault) {
   fault = {footer_at, "the footer names a summary that does not lie before it"};
   const std::uint64_t offsets = footer.summary_offset_start == 0 ? footer_at : footer.summary_offset_start;
   if (footer.summary_start > offsets || offsets > footer_at) return std::nullopt;
+  fault = {footer_at,
+           "the footer names a summary of " + std::to_string(footer_at - footer.summary_start) + " bytes"};
+  if (footer_at - footer.summary_start > kLargestRecord) return std::nullopt;
   if (!file.read(footer.summary_start, footer_at - footer.summary_start, summary)) return std::nullopt;
   fault = {footer.summary_start, "the checksum of the summary does not fit"};
   const std::uint32_t crc = crc32(BytesView(end).first(kRecordPrefix + kFooterLength - 4), crc32(summary));
@@ -98,6 +111,8 @@ std::optional<Contents> from_summary(const ByteSource& file, Fault& fault) {
   if (!read_group(BytesView(summary).first(size), contents)) return std::nullopt;
   fault = {footer.summary_start, "the summary names places that are not in the file"};
   if (!is_within(contents, footer.summary_start)) return std::nullopt;
+  fault = {footer.summary_start, "the summary names chunks that lie in each other"};
+  if (!is_apart(contents.chunks)) return std::nullopt;
   fault = {footer.summary_start, "messages outside of chunks are in no summary"};
   if (contents.chunks.empty() && contents.statistics.message_count > 0) return std::nullopt;
   contents.from_summary = true;
@@ -236,11 +251,13 @@ bool read_record(const ByteSource& file, std::uint64_t offset, Opcode& opcode, B
     fault.what = "no record begins here";
     return false;
   }
-  if (!file.read(offset + kRecordPrefix, length, content)) {
-    fault.what = "a record claims " + std::to_string(length) + " bytes, more than the file holds";
+  const std::uint64_t held = file.size() - offset - kRecordPrefix;
+  if (length > std::min(held, kLargestRecord)) {
+    fault.what = "a record claims " + std::to_string(length) + " bytes, more than " +
+                 (length > held ? "the file holds" : "any record may have");
     return false;
   }
-  return true;
+  return file.read(offset + kRecordPrefix, length, content);
 }
 
 bool open_chunk(BytesView content, std::uint64_t offset, Chunk& chunk, Bytes& records, Fault& fault) {
@@ -259,7 +276,8 @@ bool open_chunk(BytesView content, std::uint64_t offset, Chunk& chunk, Bytes& re
 Contents read_contents(const ByteSource& file) {
   Bytes start;
   if (!file.read(0, kMagic.size(), start) || !is_magic(start)) {
-    throw std::runtime_error(file.path().string() + " is no MCAP file: it does not begin as one");
+    throw std::runtime_error(file.path().string() + " is no MCAP file: " +
+                             (file.size() == 0 ? "it is empty" : "it does not begin as one (byte 0)"));
   }
   Fault fault;
   std::optional<Contents> summarised = from_summary(file, fault);

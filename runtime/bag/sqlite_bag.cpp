@@ -1,5 +1,6 @@
 #include "runtime/bag/sqlite_bag.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -7,6 +8,9 @@
 
 namespace bw::bag {
 namespace {
+
+constexpr std::uintmax_t kLeastLimit = 1'000'000;
+constexpr std::uintmax_t kLargestValue = 1'000'000'000;  // SQLite's own limit [bytes]
 
 struct CloseDatabase {
   void operator()(sqlite3* database) const { sqlite3_close(database); }
@@ -101,6 +105,9 @@ class SqliteBag final : public Bag {
     const int result = sqlite3_open_v2(file.c_str(), &raw, SQLITE_OPEN_READONLY, nullptr);
     database_.reset(raw);
     if (result != SQLITE_OK) fail(raw == nullptr ? "it cannot be opened" : sqlite3_errmsg(raw));
+    // Nothing in the file can be longer than the file; SQLite needs some for itself.
+    const std::uintmax_t most = std::clamp(std::filesystem::file_size(file), kLeastLimit, kLargestValue);
+    sqlite3_limit(raw, SQLITE_LIMIT_LENGTH, static_cast<int>(most));
     read_topics();
     read_definitions();
     Query range(raw, "SELECT MIN(timestamp), MAX(timestamp), COUNT(*) FROM messages");
