@@ -1,6 +1,7 @@
 #include "runtime/bag/bag_report.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -50,7 +51,19 @@ class Examination {
     }
   }
   void take(const BagFault& fault) { report_.faults.push_back(fault); }
-  BagReport finish() { return std::move(report_); }
+  /// With what the bag promised: a message that is in its counts and not in its chunks is lost.
+  BagReport finish(const Bag& bag) {
+    std::uint64_t read = 0;
+    for (const TopicReport& topic : report_.topics) read += topic.count;
+    if (report_.faults.empty() && read != bag.message_count()) {
+      report_.faults.push_back({{},
+                                0,
+                                std::to_string(bag.message_count()) + " messages are promised and " +
+                                    std::to_string(read) + " are there"});
+    }
+    std::ranges::copy(bag.verify(), std::back_inserter(report_.faults));
+    return std::move(report_);
+  }
 
  private:
   void compare_clocks(const BagMessage& m, TopicReport& topic) {
@@ -95,7 +108,7 @@ BagReport examine(const Bag& bag, Duration jump) {
       examination.take(message);
     }
   }
-  return examination.finish();
+  return examination.finish(bag);
 }
 
 }  // namespace bw::bag

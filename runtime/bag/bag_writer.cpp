@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -57,8 +58,9 @@ std::filesystem::path BagWriter::file_path(std::size_t number) const {
 
 void BagWriter::open_file() {
   const std::filesystem::path file = file_path(next_number_++);
-  file_ = std::make_unique<mcap::Writer>(options_.create(file),
-                                         mcap::WriterOptions{.compression = options_.compression, .profile = options_.profile});
+  file_ = std::make_unique<mcap::Writer>(
+      options_.create(file),
+      mcap::WriterOptions{.compression = options_.compression, .profile = options_.profile});
   for (const mcap::Schema& schema : schemas_) file_->add_schema(schema);
   for (const mcap::Channel& channel : channels_) file_->add_channel(channel);
   metadata_.files.push_back({.path = file.filename().string()});
@@ -66,8 +68,12 @@ void BagWriter::open_file() {
 }
 
 std::size_t BagWriter::add_topic(const BagTopic& topic) {
-  std::uint16_t& schema_id = schema_ids_[{topic.type, topic.schema_text}];
-  if (schema_id == 0) {
+  constexpr std::size_t kMost = std::numeric_limits<std::uint16_t>::max();
+  if (channels_.size() == kMost)
+    throw std::runtime_error(path_.string() + ": MCAP has no room for more than 65535 topics");
+  std::uint16_t& schema_id = schema_ids_[{topic.type, topic.schema_encoding + "\n" + topic.schema_text}];
+  const bool has_schema = !topic.type.empty() || !topic.schema_text.empty();
+  if (schema_id == 0 && has_schema) {
     schema_id = static_cast<std::uint16_t>(schemas_.size() + 1);
     schemas_.push_back({.id = schema_id,
                         .name = topic.type,

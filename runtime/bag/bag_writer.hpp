@@ -67,7 +67,8 @@ class BagWriter {
   int lock_ = -1;
   std::vector<BagTopic> topics_;
   std::vector<std::size_t> listed_as_;  ///< by topic: its place in metadata_.topics, which knows no writers
-  std::map<std::pair<std::string, std::string>, std::uint16_t> schema_ids_;  ///< by type and text
+  std::map<std::pair<std::string, std::string>, std::uint16_t>
+      schema_ids_;  ///< by type, and encoding with text
   std::vector<mcap::Schema> schemas_;
   std::vector<mcap::Channel> channels_;
   std::unique_ptr<mcap::Writer> file_;

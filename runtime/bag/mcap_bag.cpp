@@ -6,6 +6,7 @@
 #include "runtime/bag/byte_source.hpp"
 #include "runtime/bag/mcap_messages.hpp"
 #include "runtime/bag/mcap_time.hpp"
+#include "runtime/bag/mcap_verify.hpp"
 
 namespace bw::bag {
 namespace {
@@ -76,7 +77,7 @@ class McapBag final : public Bag {
   std::vector<BagAttachment> attachments() const override {
     std::vector<BagAttachment> all;
     for (const mcap::AttachmentIndex& a : contents_.attachments)
-      all.push_back({a.name, a.media_type, a.data_size});
+      all.push_back({a.name, a.media_type, a.data_size, file_.path(), a.offset});
     return all;
   }
   std::optional<Bytes> attachment(const std::string& name) const override {
@@ -107,8 +108,15 @@ class McapBag final : public Bag {
     }
     return all;
   }
+  std::vector<BagFault> verify() const override {
+    std::vector<BagFault> faults;
+    for (const mcap::Fault& fault : mcap::verify(file_, contents_))
+      faults.push_back({file_.path(), fault.offset, fault.what});
+    return faults;
+  }
   std::unique_ptr<BagMessages> messages(const BagSelection& selection) const override {
-    mcap::Selection wanted{.start = to_mcap_time(selection.start), .end = to_mcap_time(selection.end)};
+    mcap::Selection wanted{.start = to_mcap_time(selection.start)};
+    if (selection.end != BagSelection{}.end) wanted.end = to_mcap_time(selection.end);
     if (selection.topics) {
       wanted.channels.emplace();
       for (const auto& [id, topic] : topic_of_) {

@@ -115,6 +115,7 @@ std::optional<Contents> from_summary(const ByteSource& file, Fault& fault) {
   if (!is_apart(contents.chunks)) return std::nullopt;
   fault = {footer.summary_start, "messages outside of chunks are in no summary"};
   if (contents.chunks.empty() && contents.statistics.message_count > 0) return std::nullopt;
+  contents.summary_start = footer.summary_start;
   contents.from_summary = true;
   return contents;
 }

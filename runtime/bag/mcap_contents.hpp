@@ -37,7 +37,8 @@ struct Contents {
   std::vector<AttachmentIndex> attachments;
   std::vector<MetadataIndex> metadata;
   Statistics statistics;
-  bool from_summary = false;  ///< false: the file was not closed, or its summary is broken
+  std::uint64_t summary_start = 0;  ///< in the file [bytes]
+  bool from_summary = false;        ///< false: the file was not closed, or its summary is broken
   std::vector<Fault> faults;
 };
 

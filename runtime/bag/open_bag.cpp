@@ -102,6 +102,11 @@ class JoinedBag final : public Bag {
     }
     return all;
   }
+  std::vector<BagFault> verify() const override {
+    std::vector<BagFault> all;
+    for (const auto& file : files_) std::ranges::copy(file->verify(), std::back_inserter(all));
+    return all;
+  }
   std::unique_ptr<BagMessages> messages(const BagSelection& selection) const override {
     std::vector<JoinedMessages::Source> sources;
     for (std::size_t i = 0; i < files_.size(); ++i) {

@@ -133,6 +133,7 @@ ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions&
                       .published = feed.published(),
                       .malformed = feed.malformed(),
                       .notes = notes_on(recording)};
+  result.notes.insert(result.notes.end(), feed.refused().begin(), feed.refused().end());
   if (const auto damage = feed.damage()) {
     result.notes.push_back(
         fmt::format("{}: byte {}: {}", damage->file.string(), damage->offset, damage->what));

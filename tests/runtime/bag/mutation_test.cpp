@@ -1,7 +1,7 @@
 // Bags that were cut and mutated: whatever they hold, they are read as far as they can be, or refused in words. Nothing
 // crashes, nothing is allocated from a length that nobody checked, and no message is given out that was not written.
 //
-//   BANDWAGON_BAG_MUTATIONS=20000 build/asan/bin/test_bag_mutation       the full count
+//   BANDWAGON_BAG_MUTATIONS=20000 build/asan/bin/test_bag_bad_input       the full count
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
