@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -210,6 +211,7 @@ class Walk {
     std::size_t inside = 0;
     RecordView record;
     bool has_messages = false;
+    std::set<std::uint16_t> channels;
     while (inside < records_.size()) {
       fault = {offset, "a record in the chunk does not hold what it should"};
       if (!next_record(records_, inside, record)) return false;
@@ -219,13 +221,14 @@ class Walk {
         Message message;
         if (!parse(record.content, message)) return false;
         count(message, contents_.statistics);
-        index.message_index_offsets[message.channel_id] = 0;
+        channels.insert(message.channel_id);
         // From the messages, not from the chunk's own word.
         index.start_time = has_messages ? std::min(index.start_time, message.log_time) : message.log_time;
         index.end_time = std::max(index.end_time, message.log_time);
         has_messages = true;
       }
     }
+    for (const std::uint16_t channel : channels) index.message_index_offsets.emplace_back(channel, 0);
     contents_.chunks.push_back(std::move(index));
     ++contents_.statistics.chunk_count;
     return true;
