@@ -15,9 +15,11 @@ Messages::Messages(const ByteSource& file, const Contents& contents, Selection s
   for (std::size_t i = 0; i < contents_.chunks.size(); ++i) {
     if (is_wanted(contents_.chunks[i])) order_.push_back(i);
   }
-  std::ranges::sort(order_, {}, [&](std::size_t i) {
+  const auto place = [&](std::size_t i) {
     return std::pair(contents_.chunks[i].start_time, contents_.chunks[i].chunk_start);
-  });
+  };
+  // As recorders write them they are in order, and a long bag has very many.
+  if (!std::ranges::is_sorted(order_, {}, place)) std::ranges::sort(order_, {}, place);
   std::ranges::sort(loose_, {}, [](const LooseMessage& m) { return std::pair(m.log_time, m.offset); });
 }
 

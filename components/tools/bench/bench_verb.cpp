@@ -81,12 +81,12 @@ void add_bag(CLI::App* bench, int& status) {
   verb->add_option("--folder", bag->folder, "Where bags are made, and deleted")
       ->check(CLI::ExistingDirectory);
   verb->add_option("--size", bag->size_gb, "Messages in the bag that is opened and searched [GB] (1)")
-      ->check(CLI::Range(0.001, 1000.0));
+      ->check(CLI::Range(0.001, 1e9));
   verb->add_option("--compression", bag->compression,
                    "Of that bag: none (so large is the file then), lz4 or zstd")
       ->check(CLI::IsMember({"none", "lz4", "zstd"}));
   verb->add_option("--write", bag->write_gb, "Messages written in each compression [GB] (1)")
-      ->check(CLI::Range(0.001, 1000.0));
+      ->check(CLI::Range(0.001, 1e9));
   verb->add_option("--read", bag->read, "Measures reading of this bag, and writes none");
   verb->add_option("--seeks", bag->seeks, "Random times to go to (100)")->check(CLI::Range(0, 100000));
   verb->add_option("--seed", bag->seed, "Of contents and times");
