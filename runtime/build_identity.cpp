@@ -79,4 +79,8 @@ std::string host_name() {
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
 }
 
+std::string program_version() { return BANDWAGON_VERSION; }
+
+std::string source_revision() { return BANDWAGON_REVISION; }
+
 }  // namespace bw

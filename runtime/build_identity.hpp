@@ -14,4 +14,8 @@ namespace bw {
 
 [[nodiscard]] std::string host_name();
 
+[[nodiscard]] std::string program_version();
+/// The git revision of the sources when the build was configured; empty where there was none.
+[[nodiscard]] std::string source_revision();
+
 }  // namespace bw

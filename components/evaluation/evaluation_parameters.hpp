@@ -4,10 +4,22 @@
 #include <string>
 
 #include "components/evaluation/score_keeper.hpp"
+#include "runtime/base/choice.hpp"
 
 namespace bw {
 
+/// What a score card is of.
+enum class Scored {
+  drive,  ///< to the goals that the navigator reports
+  run     ///< everything from the first truth on: nobody drives, as on a recording
+};
+constexpr auto choice_table(Scored) {
+  using enum Scored;
+  return choices<Scored>({{drive, "drive"}, {run, "run"}});
+}
+
 struct EvaluationParameters : EvaluationOptions {
+  Scored scored = Scored::drive;
   double rate = 2.0;
   std::string svg;
   std::string title = "Bandwagon";
@@ -16,6 +28,10 @@ struct EvaluationParameters : EvaluationOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     EvaluationOptions::fields(v);
+    v("scored", scored,
+      {.doc =
+           "drive: to the goals that the navigator reports; run: the whole run, as beside a recording, where "
+           "only the error of the pose is of interest"});
     v("rate", rate, {.unit = "Hz", .min = 0.1, .max = 50, .doc = "score cards per second while driving"});
     v("svg", svg, {.doc = "file for the picture of the run; empty: none"});
     v("title", title, {.doc = "heading of the picture"});

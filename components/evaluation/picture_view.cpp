@@ -53,7 +53,8 @@ Eigen::AlignedBox2d border_of(const RunRecording& recording) {
 }  // namespace
 
 PictureView view_of(const RunRecording& recording, double width, const Vector2& corner) {
-  Eigen::AlignedBox2d drive(recording.goal);
+  Eigen::AlignedBox2d drive;
+  for (const Vector2& goal : recording.goals) drive.extend(goal);
   for (const RecordedMoment& moment : recording.moments) drive.extend(moment.X_MB.position());
   Eigen::AlignedBox2d box = drive;
   box.min().array() -= kRoom;

@@ -1,5 +1,6 @@
 #include "components/evaluation/run_recorder.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace bw {
@@ -15,19 +16,28 @@ RunRecorder::RunRecorder(double robot_radius, double top_speed) : period_(kPerio
   recording_.top_speed = top_speed;
 }
 
-void RunRecorder::start(Time now, const Vector2& goal) {
+void RunRecorder::start(Time now, const std::optional<Vector2>& goal) {
   recording_.moments.clear();
-  recording_.goal = goal;
+  recording_.goals.clear();
+  if (goal) recording_.goals.push_back(*goal);
   started_ = now;
   period_ = kPeriod;
   last_.reset();
 }
 
+double RunRecorder::speed_to(const RecordedMoment& moment) const {
+  if (recording_.moments.empty()) return 0.0;
+  const RecordedMoment& before = recording_.moments.back();
+  return (moment.X_MB.position() - before.X_MB.position()).norm() / (moment.time - before.time);
+}
+
 void RunRecorder::add(const TruthSample& sample) {
-  if (last_ && sample.time - *last_ < period_) return;
+  if (!sample.X_MB.position().allFinite() || (last_ && sample.time - *last_ < period_)) return;
   last_ = sample.time;
-  recording_.moments.push_back(
-      {(sample.time - started_).to_seconds(), sample.X_MB, std::abs(sample.twist.v), sample.people});
+  RecordedMoment moment{(sample.time - started_).to_seconds(), sample.X_MB, std::abs(sample.twist.v),
+                        sample.people};
+  if (!std::isfinite(moment.speed)) moment.speed = speed_to(moment);
+  recording_.moments.push_back(std::move(moment));
   if (recording_.moments.size() < kMostMoments) return;
   std::vector<RecordedMoment> kept;
   for (std::size_t i = 0; i < recording_.moments.size(); i += 2)

@@ -26,7 +26,7 @@ struct RunRecording {
   double top_speed = 1.0;  ///< of the robot, end of the colour scale [m/s]
   std::optional<OccupancyGrid> map;
   StaticObstacles shapes;  ///< the world's walls and pillars
-  Vector2 goal{0.0, 0.0};
+  std::vector<Vector2> goals;
   std::vector<RecordedMoment> moments;
 };
 
@@ -34,8 +34,10 @@ class RunRecorder {
  public:
   RunRecorder(double robot_radius, double top_speed);
 
-  /// Forgets the moments, keeps map and shapes.
-  void start(Time now, const Vector2& goal);
+  /// Forgets the moments, keeps map and shapes. Nothing: nobody said where the robot goes.
+  void start(Time now, const std::optional<Vector2>& goal);
+  /// One more goal of the same drive.
+  void add_goal(const Vector2& goal) { recording_.goals.push_back(goal); }
   void add(const TruthSample& sample);
   /// The robot's map; drawn where the world has none of its own.
   void set_map(const OccupancyGrid& map) {
@@ -49,6 +51,9 @@ class RunRecorder {
   const RunRecording& recording() const { return recording_; }
 
  private:
+  /// From the last moment, for a truth without speed.
+  [[nodiscard]] double speed_to(const RecordedMoment& moment) const;
+
   RunRecording recording_;
   bool has_true_map_ = false;
   Time started_;

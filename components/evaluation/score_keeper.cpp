@@ -17,7 +17,7 @@ constexpr double kPhysicalLimit = 0.54;
 constexpr double kComfortLimit = 0.14;
 
 bool is_sound(const TruthSample& sample) {
-  return is_finite(sample.X_MB) && is_finite(sample.twist) && !std::isnan(sample.wall_gap) &&
+  return sample.X_MB.position().allFinite() && !std::isnan(sample.wall_gap) &&
          std::all_of(sample.people.begin(), sample.people.end(), [](const TruePerson& person) {
            return person.position.allFinite() && std::isfinite(person.radius);
          });
@@ -61,7 +61,7 @@ void ScoreKeeper::add(const TruthSample& sample) {
     card_.share_ci_above_0_14 = time_above_0_14_ / time_measured_;
   }
   count_contacts(sample);
-  jerk_.add(sample.time, sample.twist.v);
+  if (std::isfinite(sample.twist.v)) jerk_.add(sample.time, sample.twist.v);
   card_.rms_jerk = jerk_.value();
   card_.time_to_goal = elapsed;
   card_.mean_speed = elapsed > 0.0 ? card_.path_length / elapsed : 0.0;
@@ -72,7 +72,7 @@ void ScoreKeeper::add(const TruthSample& sample) {
 void ScoreKeeper::count_contacts(const TruthSample& sample) {
   // A wall takes the speed in the moment of contact, so the sample before it counts too.
   const double before = last_ ? std::abs(last_->twist.v) : 0.0;
-  const bool fast = std::max(before, std::abs(sample.twist.v)) > kMovingSpeed;
+  const bool fast = before > kMovingSpeed || std::abs(sample.twist.v) > kMovingSpeed;
   touch(kWall, sample.wall_gap, fast);
   for (const TruePerson& person : sample.people) {
     touch(person.id, (person.position - sample.X_MB.position()).norm() - person.radius - radius_, fast);
@@ -110,16 +110,21 @@ void ScoreKeeper::touch(std::int64_t key, double gap, bool fast) {
   }
 }
 
+bool ScoreKeeper::is_there(bool claimed) const {
+  const double allowed = options_.goal_tolerance > 0.0 ? options_.goal_tolerance : judged_xy(tolerance_);
+  return claimed && last_ && card_.distance_to_goal <= allowed;
+}
+
 void ScoreKeeper::finish(Time now, bool claimed, const std::string& reason) {
   if (!running_) return;
   running_ = false;
   card_.finished = true;
   card_.time_to_goal = (now - started_).to_seconds();
   card_.mean_speed = card_.time_to_goal > 0.0 ? card_.path_length / card_.time_to_goal : 0.0;
-  const double allowed = options_.goal_tolerance > 0.0 ? options_.goal_tolerance : judged_xy(tolerance_);
-  card_.reached = claimed && last_ && card_.distance_to_goal <= allowed;
+  card_.reached = is_there(claimed) && !missed_a_leg_;
   card_.reason = reason;
-  if (claimed && !card_.reached) card_.reason = "the robot claims the goal but is not there";
+  if (claimed && !is_there(claimed)) card_.reason = "the robot claims the goal but is not there";
+  if (claimed && is_there(claimed) && missed_a_leg_) card_.reason = "an earlier goal was not reached";
 }
 
 }  // namespace bw

@@ -26,7 +26,7 @@ struct Encounter {
 
 struct ScoreCard {
   bool finished = false;
-  bool reached = false;  ///< claimed, and truly within the judge's tolerance
+  bool reached = false;  ///< claimed, and truly within the judge's tolerance; of several goals, each
   std::string reason;
   double time_to_goal = 0.0;      ///< since the start of the drive; of a goal not reached, the time spent [s]
   double path_length = 0.0;       ///< truly driven [m]
@@ -66,7 +66,15 @@ class ScoreKeeper {
 
   /// Opens a fresh card; the drive lasts until finish(). `tolerance`: the navigator's.
   void start(Time now, const Vector2& goal, const GoalTolerance& tolerance = {});
-  /// Counts while a drive lasts. Samples that are not newer or not finite are ignored.
+  /// A goal of the drive that others follow is over.
+  void end_leg(bool claimed) { missed_a_leg_ |= !is_there(claimed); }
+  /// The goal after it.
+  void next_leg(const Vector2& goal, const GoalTolerance& tolerance) {
+    goal_ = goal;
+    tolerance_ = tolerance;
+  }
+  /// Counts while a drive lasts. Samples that are not newer, or whose places are not finite, are ignored; without a
+  /// speed (NaN) there is no jerk.
   void add(const TruthSample& sample);
   /// `claimed`: the robot says that it stands at the goal.
   void finish(Time now, bool claimed, const std::string& reason);
@@ -81,12 +89,14 @@ class ScoreKeeper {
     bool at_speed = false;
   };
 
+  bool is_there(bool claimed) const;
   void count_contacts(const TruthSample& sample);
   void touch(std::int64_t key, double gap, bool fast);
 
   EvaluationOptions options_;
   double radius_;
   bool running_ = false;
+  bool missed_a_leg_ = false;
   ScoreCard card_;
   Vector2 goal_{0.0, 0.0};
   GoalTolerance tolerance_;

@@ -139,7 +139,8 @@ void draw_robot(SvgWriter& svg, const PictureView& view, const RunRecording& rec
   const std::string color = speed_color(moment.speed / recording.top_speed);
   svg.circle(at, recording.robot_radius * view.scale,
              style({{"fill", "#ffffff"}, {"fill-opacity", "0.6"}, {"stroke", color}, {"stroke-width", "2"}}));
-  svg.line(at + (front - at) * 0.55, front, style({{"stroke", color}, {"stroke-width", "3"}}));
+  if (front.allFinite())  // else the truth has no heading
+    svg.line(at + (front - at) * 0.55, front, style({{"stroke", color}, {"stroke-width", "3"}}));
   svg.text(at + Vector2(0, 4), label, label_style(kInk, 11, "middle", 600));
 }
 
@@ -172,10 +173,13 @@ void draw_bodies(SvgWriter& svg, const RunRecording& recording, const PictureVie
 }
 
 void draw_ends(SvgWriter& svg, const RunRecording& recording, const PictureView& view) {
-  const Vector2 goal = view(recording.goal);
-  svg.circle(goal, 9, style({{"fill", "none"}, {"stroke", std::string(kInk)}, {"stroke-width", "2"}}));
-  svg.circle(goal, 4, fill(kInk));
-  svg.text(goal + Vector2(0, -15), "goal", label_style(kInk, 13, "middle", 600));
+  for (std::size_t i = 0; i < recording.goals.size(); ++i) {
+    const Vector2 goal = view(recording.goals[i]);
+    svg.circle(goal, 9, style({{"fill", "none"}, {"stroke", std::string(kInk)}, {"stroke-width", "2"}}));
+    svg.circle(goal, 4, fill(kInk));
+    const std::string label = recording.goals.size() > 1 ? "goal " + std::to_string(i + 1) : "goal";
+    svg.text(goal + Vector2(0, -15), label, label_style(kInk, 13, "middle", 600));
+  }
   if (recording.moments.empty()) return;
   const Vector2 start = view(recording.moments.front().X_MB.position());
   svg.text(start + Vector2(0, -recording.robot_radius * view.scale - 7), "start",

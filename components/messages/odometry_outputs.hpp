@@ -27,8 +27,8 @@ class OdometryOutputs {
       mounts_.emplace_back(setup.frame(mount.frame), robot.mount_of(mount.frame));
   }
 
-  void publish_mounts(Time now) {
-    tf2_msgs::msg::TFMessage mounts;
+  /// `mounts`: what sits elsewhere than the robot's sensors, told with them.
+  void publish_mounts(Time now, tf2_msgs::msg::TFMessage mounts = {}) {
     for (const auto& [frame, X_BS] : mounts_)
       mounts.transforms().push_back(to_transform(base_frame_, frame, now, X_BS));
     tf_static_.publish(mounts);

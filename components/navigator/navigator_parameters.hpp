@@ -1,6 +1,11 @@
-// What the graph says of the navigator beyond its judgements: where to go first, how often to look.
+// What the graph says of the navigator beyond its judgements: where to go, how often to look.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "components/navigator/goal_list.hpp"
 #include "components/navigator/navigator_options.hpp"
 
 namespace bw {
@@ -15,7 +20,7 @@ struct GoalParameters {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("enabled", enabled, {.doc = "drive to this goal after the start; otherwise wait for /goal_pose"});
+    v("enabled", enabled, {.doc = "drive to this goal after the start; otherwise wait for goal_pose"});
     v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
     v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
     v("theta", theta, {.unit = "rad", .min = -3.1416, .max = 3.1416, .doc = "heading in map"});
@@ -27,11 +32,29 @@ struct GoalParameters {
   }
 };
 
+/// One of several goals of the graph, in map.
+struct ListedGoal {
+  double x = 0.0;
+  double y = 0.0;
+  double theta = 0.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
+    v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
+    v("theta", theta, {.unit = "rad", .min = -3.1416, .max = 3.1416, .doc = "heading in map"});
+  }
+};
+
 struct NavigatorParameters : NavigatorOptions {
   double rate = 20.0;
   double pose_timeout = 0.5;
   double feedback_period = 0.2;
   GoalParameters goal;
+  std::vector<ListedGoal> goals;
+  double waypoint_pause = 1.0;
+  int number_of_loops = 0;
+  bool stop_on_failure = true;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -45,6 +68,28 @@ struct NavigatorParameters : NavigatorOptions {
     v("feedback_period", feedback_period,
       {.unit = "s", .min = 0.02, .max = 60, .doc = "time between two status messages while driving"});
     v("goal", goal, {.doc = "a goal of the graph itself"});
+    v("goals", goals, {.doc = "several, driven one after the other, the first after goal.delay"});
+    v("waypoint_pause", waypoint_pause,
+      {.unit = "s", .min = 0, .max = 3600, .doc = "from the end of one of the goals to the next"});
+    v("number_of_loops", number_of_loops,
+      {.min = 0, .max = 1'000'000, .doc = "how often all the goals are driven again"});
+    v("stop_on_failure", stop_on_failure,
+      {.doc = "a goal that is not reached is the last; otherwise the next one is tried"});
+  }
+
+  std::optional<std::string> violated_rule() const {
+    if (goal.enabled && !goals.empty()) return "goal.enabled must be false where there are goals";
+    return NavigatorOptions::violated_rule();
+  }
+
+  GoalListOptions goal_list() const {
+    GoalListOptions list{.delay = goal.delay,
+                         .pause = waypoint_pause,
+                         .loops = number_of_loops,
+                         .stop_on_failure = stop_on_failure};
+    if (goal.enabled) list.goals.push_back({goal.x, goal.y, goal.theta});
+    for (const ListedGoal& g : goals) list.goals.push_back({g.x, g.y, g.theta});
+    return list;
   }
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -30,7 +31,7 @@ struct ImuSample {
 struct FixSample {
   Time time;
   localization::Geodetic place;
-  Eigen::Vector3d variance{1.0, 1.0, 1.0};  ///< east, north, up [m^2]
+  Eigen::Vector3d variance{0.0, 0.0, 0.0};  ///< east, north, up [m^2]; 0: not declared
 };
 
 /// Distance to a radio anchor.
@@ -41,17 +42,31 @@ struct RangeSample {
   double variance = 1.0;     ///< [m^2]
 };
 
-struct ScanSample {
-  Time time;
-  std::vector<float> ranges;  ///< [m]; +inf: no return
+/// What the header of a scan says, in the width of its message.
+struct ScanGeometry {
+  float angle_min = 0.0F;        ///< of the first beam, in the scanner's frame [rad]
+  float angle_max = 0.0F;        ///< of the last beam [rad]
+  float angle_increment = 0.0F;  ///< [rad]
+  float time_increment = 0.0F;   ///< from beam to beam [s]
+  float period = 0.0F;           ///< from sweep to sweep [s]
+  float range_min = 0.0F;        ///< [m]
+  float range_max = 0.0F;        ///< [m]
 };
 
-struct ScanGeometry {
-  double angle_min = 0.0;        ///< of the first beam, in the scanner's frame [rad]
-  double angle_increment = 0.0;  ///< [rad]
-  double range_min = 0.0;        ///< [m]
-  double range_max = 0.0;        ///< [m]
-  double period = 0.1;           ///< from sweep to sweep [s]
+struct ScanSample {
+  Time time;
+  std::string frame;  ///< of the scanner; a drive may have several
+  ScanGeometry geometry;
+  std::vector<float> ranges;  ///< [m]; +inf: no return, NaN: not measured
+  std::vector<float> intensities;
+};
+
+/// Where one frame sits on another, for good.
+struct FrameMount {
+  std::string parent;
+  std::string child;
+  Eigen::Vector3d translation{0.0, 0.0, 0.0};    ///< [m]
+  Eigen::Vector4d rotation{0.0, 0.0, 0.0, 1.0};  ///< quaternion x, y, z, w
 };
 
 /// Where the robot was by an independent measurement.
@@ -67,8 +82,10 @@ struct RecordedDrive {
   std::vector<FixSample> fixes;
   std::vector<RangeSample> ranges;
   std::vector<ScanSample> scans;
-  ScanGeometry scan_geometry;
   std::vector<ReferencePose> truth;
+  std::vector<FrameMount> mounts;
+  std::string imu_frame = "imu";
+  std::string gps_frame = "gps";
   localization::Geodetic datum;   ///< origin of M; without meaning where there are no fixes
   double wheel_separation = 0.0;  ///< [m]
   double wheel_variance = 0.0;    ///< declared for the speed of a wheel [m^2/s^2]; 0: not declared

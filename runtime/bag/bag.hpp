@@ -103,4 +103,7 @@ class Bag {
 /// A file, or a folder with or without metadata.yaml. Throws std::runtime_error naming the path for what is no bag.
 [[nodiscard]] std::unique_ptr<Bag> open_bag(const std::filesystem::path& path);
 
+/// Several as one, by log time; of one time those of the earlier bag first. At least one.
+[[nodiscard]] std::unique_ptr<Bag> join_bags(std::vector<std::unique_ptr<Bag>> bags);
+
 }  // namespace bw::bag

@@ -164,8 +164,12 @@ std::unique_ptr<Bag> open_bag(const std::filesystem::path& path) {
   if (!std::filesystem::is_directory(path)) return open_file(path);
   std::vector<std::unique_ptr<Bag>> files;
   for (const std::filesystem::path& file : files_of(path)) files.push_back(open_file(file));
-  if (files.size() == 1) return std::move(files.front());
-  return std::make_unique<JoinedBag>(std::move(files));
+  return join_bags(std::move(files));
+}
+
+std::unique_ptr<Bag> join_bags(std::vector<std::unique_ptr<Bag>> bags) {
+  if (bags.size() == 1) return std::move(bags.front());
+  return std::make_unique<JoinedBag>(std::move(bags));
 }
 
 }  // namespace bw::bag

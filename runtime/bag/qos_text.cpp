@@ -12,6 +12,7 @@ namespace {
 
 // The numbers of rmw (rmw/types.h).
 constexpr int kKeepLast = 1;
+constexpr int kUnknownHistory = 3;
 constexpr int kReliable = 1;
 constexpr int kBestEffort = 2;
 constexpr int kTransientLocal = 1;
@@ -52,8 +53,8 @@ Qos profile_of(const YAML::Node& node) {
 std::string to_qos_text(const std::vector<Qos>& offered) {
   std::string text;
   for (const Qos& qos : offered) {
-    text += fmt::format("- history: {}\n  depth: {}\n  reliability: {}\n  durability: {}\n", kKeepLast,
-                        qos.depth, qos.reliability == Reliability::reliable ? kReliable : kBestEffort,
+    text += fmt::format("- history: {}\n  depth: {}\n  reliability: {}\n  durability: {}\n",
+                        qos.depth > 0 ? kKeepLast : kUnknownHistory, qos.depth, qos.reliability == Reliability::reliable ? kReliable : kBestEffort,
                         qos.durability == Durability::transient_local ? kTransientLocal : kVolatile);
     text += duration_text("deadline", std::nullopt) + duration_text("lifespan", qos.lifespan);
     text += fmt::format("  liveliness: {}\n", kAutomatic);

@@ -10,6 +10,7 @@
 
 namespace bw::bag {
 
+/// A depth of 0 is one that nobody told, as of writers that only discovery knows.
 [[nodiscard]] std::string to_qos_text(const std::vector<Qos>& offered);
 
 /// Empty for text that is none: a bag is played with the default profile then. Only what Qos holds is read.

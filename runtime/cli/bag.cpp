@@ -1,10 +1,11 @@
-// bandwagon bag info|check|recover|convert: recorded bags, looked at and mended.
+// bandwagon bag info|check|recover|convert|import: recorded bags, looked at, mended, and made of tables.
 #include <functional>
 #include <memory>
 #include <string>
 
 #include <CLI/App.hpp>
 
+#include "runtime/cli/bag_import.hpp"
 #include "runtime/cli/bag_verbs.hpp"
 #include "runtime/cli/verb.hpp"
 
@@ -45,6 +46,7 @@ CLI::App* add_bag(CLI::App& app, int& status) {
   convert->add_option("OUT", arguments->out, "New .mcap file, or a folder")->required();
   convert->add_option("--compression", arguments->compression, "zstd, lz4 or none")
       ->check(CLI::IsMember({"zstd", "lz4", "none"}));
+  add_bag_import(*bag);
   return bag;
 }
 

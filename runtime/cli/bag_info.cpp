@@ -59,6 +59,8 @@ void print_tail(const json& head) {
                              a["bytes"].get<std::uint64_t>());
   for (const auto& [topic, count] : head["dropped"].items())
     std::cout << fmt::format("dropped while recording: {} of {}\n", count.get<std::string>(), topic);
+  for (const auto& [topic, count] : head["lost"].items())
+    std::cout << fmt::format("lost on the wire while recording: {} of {}\n", count.get<std::string>(), topic);
 }
 
 }  // namespace

@@ -50,12 +50,15 @@ json describe(const bag::Bag& recording, const std::filesystem::path& path) {
                {"topics", json::array()},
                {"attachments", json::array()},
                {"dropped", json::object()},
+               {"lost", json::object()},
                {"faults", json::array()}};
   for (const auto& a : recording.attachments())
     head["attachments"].push_back({{"name", a.name}, {"bytes", a.size}});
   const auto metadata = recording.metadata();
-  if (const auto dropped = metadata.find("dropped"); dropped != metadata.end()) {
-    for (const auto& [topic, count] : dropped->second) head["dropped"][topic] = count;
+  for (const char* record : {"dropped", "lost"}) {
+    if (const auto counts = metadata.find(record); counts != metadata.end()) {
+      for (const auto& [topic, count] : counts->second) head[record][topic] = count;
+    }
   }
   return head;
 }

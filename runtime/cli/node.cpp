@@ -17,7 +17,7 @@ CLI::App* add_node(CLI::App& app, int&) {
     std::multiset<std::string> names;
     for (const ParticipantEntities& participant : outside.nodes()) {
       for (const NodeEntities& entities : participant.nodes) {
-        names.insert((entities.node_namespace == "/" ? "" : entities.node_namespace) + "/" + entities.name);
+        names.insert(full_name(entities));
       }
     }
     for (const std::string& name : names) std::cout << name << "\n";

@@ -1,27 +1,12 @@
 #include "runtime/cli/outside.hpp"
 
-#include <algorithm>
 #include <thread>
 
 namespace bw::cli {
-namespace {
 
-bool owns(const std::vector<dds::Guid>& guids, const dds::Guid& guid) {
-  return std::ranges::find(guids, guid) != guids.end();
-}
-
-std::string full_name(const NodeEntities& node) {
-  return (node.node_namespace == "/" ? "" : node.node_namespace) + "/" + node.name;
-}
-
-}  // namespace
-
-Outside::Outside() : participant_({.network = dds::Network::from_environment(dds::Transport::localhost)}) {
-  Qos qos = Qos::latched();
-  qos.depth = 1000;  // one sample of every participant
-  node_reader_ = participant_.create_reader(
-      {.topic = kDiscoveryTopic, .type = kDiscoveryType, .qos = qos, .user_data = {}}, [] {});
-}
+Outside::Outside()
+    : participant_({.network = dds::Network::from_environment(dds::Transport::localhost)}),
+      directory_(participant_) {}
 
 void Outside::settle(std::chrono::milliseconds limit) {
   using namespace std::chrono_literals;
@@ -50,38 +35,15 @@ std::vector<dds::Endpoint> Outside::endpoints(bool all) const {
   return result;
 }
 
-std::vector<ParticipantEntities> Outside::nodes() {
-  dds::Sample sample;
-  while (node_reader_->take(sample)) {
-    auto entities = decode_participant_entities(sample.cdr);
-    if (!entities) continue;
-    std::erase_if(nodes_, [&](const auto& known) { return known.participant == entities->participant; });
-    nodes_.push_back(std::move(*entities));
-  }
-  return nodes_;
+const std::vector<ParticipantEntities>& Outside::nodes() {
+  directory_.update();
+  return directory_.participants();
 }
 
 std::string Outside::node_of(const dds::Guid& endpoint) {
-  for (const ParticipantEntities& participant : nodes()) {
-    for (const NodeEntities& node : participant.nodes) {
-      if (owns(node.readers, endpoint) || owns(node.writers, endpoint)) return full_name(node);
-    }
-  }
-  return "_NODE_NAME_UNKNOWN_";
-}
-
-std::string ros_type(const std::string& dds_type) {
-  const std::size_t marker = dds_type.find("::dds_::");
-  if (marker == std::string::npos || !dds_type.ends_with('_')) return dds_type;
-  std::string name =
-      dds_type.substr(0, marker) + "/" + dds_type.substr(marker + 8, dds_type.size() - marker - 9);
-  for (std::size_t at = name.find("::"); at != std::string::npos; at = name.find("::"))
-    name.replace(at, 2, "/");
-  return name;
-}
-
-std::string ros_topic(const std::string& dds_topic) {
-  return dds_topic.starts_with("rt/") ? dds_topic.substr(2) : dds_topic;
+  directory_.update();
+  std::string name = directory_.node_of(endpoint);
+  return name.empty() ? "_NODE_NAME_UNKNOWN_" : name;
 }
 
 }  // namespace bw::cli

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "runtime/dds/participant.hpp"
-#include "runtime/ros/discovery_info.hpp"
+#include "runtime/ros/dds_names.hpp"
+#include "runtime/ros/node_directory.hpp"
 
 namespace bw::cli {
 
@@ -21,20 +20,14 @@ class Outside {
   void settle(std::chrono::milliseconds limit = std::chrono::milliseconds(3000));
   /// Remote endpoints of ROS topics; with `all` also services and the graph topic.
   std::vector<dds::Endpoint> endpoints(bool all = false) const;
-  std::vector<ParticipantEntities> nodes();
+  const std::vector<ParticipantEntities>& nodes();
   /// Full name of the node that owns an endpoint, or "_NODE_NAME_UNKNOWN_".
   std::string node_of(const dds::Guid& endpoint);
   dds::Participant& participant() { return participant_; }
 
  private:
   dds::Participant participant_;
-  std::unique_ptr<dds::Reader> node_reader_;
-  std::vector<ParticipantEntities> nodes_;
+  NodeDirectory directory_;
 };
-
-/// nav_msgs::msg::dds_::Odometry_ -> nav_msgs/msg/Odometry; other names unchanged.
-std::string ros_type(const std::string& dds_type);
-/// rt/odom -> /odom.
-std::string ros_topic(const std::string& dds_topic);
 
 }  // namespace bw::cli

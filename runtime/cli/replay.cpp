@@ -1,7 +1,9 @@
 // bandwagon replay BAG --graph G --run COMPONENT...: the bag as the truth. Exit status 0 when every output of the named
-// components equals the bag's, 1 when not, 2 on a wrong configuration.
+// components equals the bag's, 1 when not, 2 on a wrong configuration. bandwagon replay BAG...: the bag as topics
+// (replay_topics.hpp).
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include <CLI/App.hpp>
@@ -9,34 +11,43 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/atomic_file.hpp"
+#include "runtime/cli/replay_topics.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/replay/replay_run.hpp"
+#include "runtime/replay/updated_bag.hpp"
 
 namespace bw::cli {
 namespace {
 
 struct ReplayArguments {
-  std::string path;
+  std::vector<std::string> paths;
   std::string graph;
-  std::string clock = "lockstep";
+  std::string clock;
   std::vector<std::string> set;
   std::vector<std::string> run;
   std::string json;
+  std::string text;
+  bool update = false;
+  ReplayTopicsOptions as_topics;
 };
 
+constexpr double kUsualClockHz = 40.0;  // as `ros2 bag play`
+
 nlohmann::json to_json(const replay::ReplayResult& result) {
-  nlohmann::json json = {{"equal", result.is_equal()},    {"compared", result.compared},
-                         {"published", result.published}, {"malformed", result.malformed},
-                         {"notes", result.notes},         {"topics", nlohmann::json::object()},
+  nlohmann::json json = {{"equal", result.is_equal()},
+                         {"compared", result.compared},
+                         {"published", result.published},
+                         {"malformed", result.malformed},
+                         {"sha256", result.sha256},
+                         {"pairing", result.pairing == replay::Pairing::in_order ? "in_order" : "by_stamp"},
+                         {"notes", result.notes},
+                         {"topics", nlohmann::json::object()},
                          {"first_difference", nullptr}};
   for (const auto& [topic, verdict] : result.topics) {
-    json["topics"][topic] = {{"type", verdict.type},
-                             {"equal", verdict.equal},
-                             {"differing", verdict.differing},
-                             {"missing", verdict.missing},
-                             {"extra", verdict.extra},
-                             {"largest", verdict.largest},
-                             {"largest_field", verdict.largest_field}};
+    json["topics"][topic] = {{"type", verdict.type},           {"equal", verdict.equal},
+                             {"differing", verdict.differing}, {"missing", verdict.missing},
+                             {"extra", verdict.extra},         {"apart_s", verdict.apart},
+                             {"largest", verdict.largest},     {"largest_field", verdict.largest_field}};
   }
   if (!result.first_topic.empty()) {
     const replay::Difference& d = *result.topics.at(result.first_topic).first;
@@ -54,8 +65,8 @@ void print(const replay::ReplayResult& result, Time start) {
   if (result.malformed > 0)
     std::cout << fmt::format("note: {} messages of the bag do not fit their type\n", result.malformed);
   if (result.is_equal()) {
-    std::cout << fmt::format("equal: {} messages on {} topics, by {} recorded ones\n", result.compared,
-                             result.topics.size(), result.published);
+    std::cout << fmt::format("equal: {} messages on {} topics, by {} recorded ones; sha256 {}\n",
+                             result.compared, result.topics.size(), result.published, result.sha256);
     return;
   }
   if (!result.first_topic.empty()) {
@@ -77,27 +88,78 @@ void print(const replay::ReplayResult& result, Time start) {
 }
 
 int run_replay(const ReplayArguments& arguments) {
-  const auto recording = bag::open_bag(arguments.path);
-  const replay::ReplayResult result = replay::replay(*recording, load_graph(arguments.graph, arguments.set),
-                                                     {.run = arguments.run, .tolerances = {}});
+  const auto recording = bag::open_bag(arguments.paths.front());
+  const std::filesystem::path update = arguments.update ? replay::beside(arguments.paths.front()) : "";
+  const replay::ReplayResult result =
+      replay::replay(*recording, load_graph(arguments.graph, arguments.set),
+                     {.run = arguments.run, .update = update, .with_text = !arguments.text.empty()});
   print(result, recording->start());
+  if (arguments.update) std::cout << "new outputs: " << update.string() << "\n";
+  if (!arguments.text.empty()) write_file_atomically(arguments.text, result.text);
   if (!arguments.json.empty()) write_file_atomically(arguments.json, to_json(result).dump(2) + "\n");
   return result.is_equal() ? 0 : 1;
 }
 
+/// What belongs to one way of replaying is refused beside the other.
+void refuse_mixture(const CLI::App& verb, const ReplayArguments& arguments, bool as_truth) {
+  const std::string alien = given_replay_topics_option(verb);
+  if (as_truth && !alien.empty())
+    throw std::runtime_error(alien + " is for a replay as topics, without --graph and --run");
+  if (as_truth && (arguments.graph.empty() || arguments.run.empty()))
+    throw std::runtime_error("--graph and --run go together; without both the bag is played as topics");
+  if (as_truth && arguments.paths.size() != 1)
+    throw std::runtime_error("with --graph the bag is one: " + arguments.paths.at(1) + " is too many");
+  for (const char* name : {"--set", "--json", "--text", "--update"}) {
+    if (!as_truth && verb.count(name) > 0)
+      throw std::runtime_error(std::string(name) + " is for a replay as the truth, with --graph and --run");
+  }
+}
+
+/// `--clock`, `--clock 100`; nothing without it.
+std::optional<double> clock_hz(const CLI::App& verb, const std::string& text) {
+  if (verb.count("--clock") == 0) return std::nullopt;
+  if (text.empty()) return kUsualClockHz;
+  double hz = 0.0;
+  if (text == "lockstep" || !CLI::detail::lexical_cast(text, hz) || !(hz > 0.0 && hz <= 10'000.0))
+    throw std::runtime_error(
+        "--clock " + text +
+        ": without --graph it is how often /clock is published, 40 Hz if no number follows");
+  return hz;
+}
+
+int run(const CLI::App& verb, const ReplayArguments& arguments) {
+  const bool as_truth = !arguments.graph.empty() || !arguments.run.empty();
+  refuse_mixture(verb, arguments, as_truth);
+  if (!as_truth) return replay_topics(arguments.paths, arguments.as_topics, clock_hz(verb, arguments.clock));
+  if (verb.count("--clock") > 0 && arguments.clock != "lockstep")
+    throw std::runtime_error("--clock " + arguments.clock + ": with --graph the clock is lockstep");
+  return run_replay(arguments);
+}
+
 CLI::App* add_replay(CLI::App& app, int& status) {
   auto arguments = std::make_shared<ReplayArguments>();
-  CLI::App* verb =
-      app.add_subcommand("replay", "Runs components again on a recording and compares what they write");
-  verb->add_option("BAG", arguments->path, "File or folder")->required();
-  verb->add_option("--graph", arguments->graph, "Graph file")->required();
-  verb->add_option("--run", arguments->run, "Components to run; everything else is the bag")->required();
-  verb->add_option("--clock", arguments->clock, "lockstep (virtual time, repeatable)")
-      ->check(CLI::IsMember({"lockstep"}));
+  CLI::App* verb = app.add_subcommand(
+      "replay", "Plays recordings as topics; with --graph runs components again on one and compares");
+  constexpr const char* kTruth = "As the truth (with --graph)";
+  verb->add_option("BAG", arguments->paths, "Files or folders; several are played together, by their times")
+      ->required();
+  verb->add_option("--graph", arguments->graph, "Graph file")->group(kTruth);
+  verb->add_option("--run", arguments->run, "Components to run; everything else is the bag")->group(kTruth);
   verb->add_option("--set", arguments->set, "component.param=value, as often as needed")
-      ->allow_extra_args(false);
-  verb->add_option("--json", arguments->json, "Writes the verdict here");
-  verb->callback([arguments, &status] { status = run_replay(*arguments); });
+      ->allow_extra_args(false)
+      ->group(kTruth);
+  verb->add_option("--json", arguments->json, "Writes the verdict here")->group(kTruth);
+  verb->add_option("--text", arguments->text, "Writes the outputs here as text to review, rounded")
+      ->group(kTruth);
+  verb->add_flag("--update", arguments->update,
+                 "Writes a new bag beside the old one, with the new outputs: drive.replayed.mcap")
+      ->group(kTruth);
+  verb->add_option(
+          "--clock", arguments->clock,
+          "As topics: publishes /clock, so many times a second (40); as the truth: lockstep, virtual time")
+      ->expected(0, 1);
+  add_replay_topics_options(*verb, arguments->as_topics);
+  verb->callback([arguments, verb, &status] { status = run(*verb, *arguments); });
   return verb;
 }
 

@@ -4,15 +4,21 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "runtime/bag/bag.hpp"
+#include "runtime/bag/known_type.hpp"
 #include "runtime/cli/outside.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/graph/names.hpp"
+#include "runtime/parameters/nearest.hpp"
 #include "runtime/wire/type_registry.hpp"
 #include "runtime/wire/validate.hpp"
 #include "runtime/wire/yaml.hpp"
@@ -22,6 +28,7 @@ namespace {
 
 struct TopicOptions {
   std::string topic;
+  std::string bag;
   bool types = false;
   bool verbose = false;
   bool json = false;
@@ -147,6 +154,40 @@ int echo(const TopicOptions& options) {
   return any ? 0 : 1;
 }
 
+/// The same of a recording.
+int echo_bag(const TopicOptions& options) {
+  const auto recording = bag::open_bag(options.bag);
+  const std::string name = join_namespaces("/", options.topic);
+  std::vector<std::string_view> known;
+  const bag::BagTopic* recorded = nullptr;
+  for (const bag::BagTopic& topic : recording->topics()) {
+    known.push_back(topic.name);
+    if (topic.name == name) recorded = &topic;
+  }
+  if (recorded == nullptr)
+    throw std::runtime_error(options.bag + ": " + name + ": " + unknown_rule("topic", name, known));
+  const auto [type, why] = bag::known_type(*recorded);
+  if (type == nullptr)
+    throw std::runtime_error(why.empty() ? "no description of " + recorded->type + " is built in"
+                                         : options.bag + ": " + name + " is not decoded: " + why);
+  const auto messages = recording->messages({.topics = std::set<std::string>{name}});
+  bool is_sound = true;
+  bag::BagMessage message;
+  for (bag::Step step = messages->next(message); step != bag::Step::end; step = messages->next(message)) {
+    std::string error;
+    if (step == bag::Step::damaged)
+      error = fmt::format("byte {}: {}", messages->fault().offset, messages->fault().what);
+    if (step == bag::Step::message && validate(*type, message.data, &error)) {
+      std::cout << to_yaml(*type, message.data) << "---\n";
+      if (options.once) return 0;
+      continue;
+    }
+    std::cerr << options.bag << ": " << error << "\n";
+    is_sound = false;
+  }
+  return is_sound ? 0 : 1;
+}
+
 int hz(const TopicOptions& options) {
   catch_interrupts();
   Subscription subscription(options.topic);
@@ -186,7 +227,9 @@ CLI::App* add_topic(CLI::App& app, int& status) {
   echo_verb->add_option("TOPIC", options->topic)->required();
   echo_verb->add_flag("--once", options->once, "Only the first message");
   echo_verb->add_option("--for", options->window_s, "Ends after so many seconds");
-  echo_verb->callback([options, &status] { status = echo(*options); });
+  echo_verb->add_option("--bag", options->bag, "Of this recording, instead of the wire");
+  echo_verb->callback(
+      [options, &status] { status = options->bag.empty() ? echo(*options) : echo_bag(*options); });
   CLI::App* hz_verb = topic->add_subcommand("hz", "Measures the rate of a topic");
   hz_verb->add_option("TOPIC", options->topic)->required();
   hz_verb->add_option("--for", options->window_s, "Ends after so many seconds");

@@ -1,6 +1,7 @@
 #include "runtime/dds/participant.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -39,6 +40,12 @@ Guid to_guid(const rtps::GUID_t& guid) {
 eprosima::fastrtps::Duration_t to_duration(Duration d) {
   return {static_cast<std::int32_t>(d.nanoseconds / 1'000'000'000),
           static_cast<std::uint32_t>(d.nanoseconds % 1'000'000'000)};
+}
+
+/// What is no time (a writer need not tell any) becomes 0.
+Time to_time(const rtps::Time_t& time) {
+  if (time.seconds() <= 0 || time == rtps::c_RTPSTimeInfinite) return {};
+  return {std::int64_t{time.seconds()} * 1'000'000'000 + time.nanosec()};
 }
 
 void set_user_data(efd::UserDataQosPolicy& policy, const std::string& text) {
@@ -97,6 +104,7 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   set_user_data(qos.user_data(), "enclave=" + options.name + ";");
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->maxInitialPeersRange = kPeerPorts;
+  udp->receiveBufferSize = options.receive_buffer;
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.push_back(udp);
 
@@ -135,6 +143,7 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
       std::erase_if(endpoints_, [&](const auto& item) {
         return std::equal(guid.begin(), guid.begin() + 12, item.first.begin());
       });
+      ++changes_;
     } else {
       participants_[guid] = true;
     }
@@ -153,7 +162,9 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
   void remove_local(const Guid& guid) {
     const std::lock_guard lock(mutex_);
     endpoints_.erase(guid);
+    ++changes_;
   }
+  std::uint64_t changes() const { return changes_; }
   std::vector<Endpoint> endpoints() const {
     std::vector<Endpoint> all;
     {
@@ -180,8 +191,10 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
     } else {
       endpoints_[endpoint.guid] = endpoint;
     }
+    ++changes_;
   }
 
+  std::atomic<std::uint64_t> changes_ = 0;
   mutable std::mutex mutex_;
   std::map<Guid, bool> participants_;
   std::map<Guid, Endpoint> endpoints_;
@@ -253,6 +266,9 @@ class FastWriter final : public Writer {
     writer_->get_publication_matched_status(status);
     return status.current_count;
   }
+  bool wait_until_received(Duration limit) override {
+    return writer_->wait_for_acknowledgments(to_duration(limit)) == ReturnCode_t::RETCODE_OK;
+  }
 
  private:
   efd::Publisher* publisher_;
@@ -285,6 +301,9 @@ class FastReader final : public Reader {
       if (!info.valid_data) continue;
       sample.cdr.swap(raw.incoming);
       sample.writer = to_guid(info.sample_identity.writer_guid());
+      sample.sequence = info.sample_identity.sequence_number().to64long();
+      sample.received = to_time(info.reception_timestamp);
+      sample.sent = to_time(info.source_timestamp);
       return true;
     }
     return false;
@@ -340,6 +359,7 @@ std::unique_ptr<Writer> Participant::create_writer(const EndpointOptions& option
   efd::DataWriterQos qos = efd::DATAWRITER_QOS_DEFAULT;
   apply(options, qos);
   qos.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
+  if (options.heartbeat) qos.reliable_writer_qos().times.heartbeatPeriod = to_duration(*options.heartbeat);
   set_user_data(qos.user_data(), options.user_data);
   efd::DataWriter* writer = impl_->publisher->create_datawriter(impl_->topic(options), qos);
   if (writer == nullptr) throw std::runtime_error("DDS refuses a writer on " + options.topic);
@@ -372,6 +392,8 @@ std::unique_ptr<Reader> Participant::create_reader(const EndpointOptions& option
 Guid Participant::guid() const { return to_guid(impl_->participant->guid()); }
 
 std::vector<Endpoint> Participant::endpoints() const { return impl_->discovery.endpoints(); }
+
+std::uint64_t Participant::endpoint_changes() const { return impl_->discovery.changes(); }
 
 std::vector<Guid> Participant::remote_participants() const { return impl_->discovery.participants(); }
 

@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "runtime/base/time.hpp"
 #include "runtime/graph/qos.hpp"
 
 namespace bw::dds {
@@ -40,6 +42,8 @@ struct ParticipantOptions {
   /// Non-empty: readers of this participant match only its own writers (lock-step), while outside readers
   /// still see the writers.
   std::string private_partition;
+  /// Of each socket; the kernel gives at most net.core.rmem_max. 0: its default [bytes].
+  std::uint32_t receive_buffer = 0;
 };
 
 /// One endpoint as discovery shows it.
@@ -58,12 +62,17 @@ struct EndpointOptions {
   std::string type;   ///< DDS name
   Qos qos;
   std::string user_data;
+  /// Of a reliable writer: so often readers that lack something are told; nothing: every 3 s.
+  std::optional<Duration> heartbeat = std::nullopt;
 };
 
 /// One received sample: CDR with its 4-byte encapsulation header.
 struct Sample {
   std::vector<std::uint8_t> cdr;
   Guid writer{};
+  std::uint64_t sequence = 0;  ///< the writer's count of its samples: a gap is a loss
+  Time received;               ///< system clock
+  Time sent;                   ///< the writer's system clock; 0 when it does not tell
 };
 
 class Writer {
@@ -73,6 +82,8 @@ class Writer {
   virtual bool write(std::span<const std::uint8_t> cdr) = 0;
   virtual Guid guid() const = 0;
   virtual int matched_readers() const = 0;
+  /// Waits until all reliable readers have everything; false when they have not after `limit`.
+  virtual bool wait_until_received(Duration limit) = 0;
 };
 
 class Reader {
@@ -99,6 +110,8 @@ class Participant {
   Guid guid() const;
   /// Every endpoint known now, own and remote, sorted by topic, kind and guid.
   std::vector<Endpoint> endpoints() const;
+  /// Counts the changes of endpoints(): cheap to look at often.
+  std::uint64_t endpoint_changes() const;
   /// Remote participants alive now.
   std::vector<Guid> remote_participants() const;
 

@@ -7,6 +7,7 @@
 //   transport: localhost            # localhost | lan
 //   plugins: [path.so]              # paths are relative to the file they stand in
 //   robot: ../robots/generic.yaml   # a shared section: a file or a map
+//   tolerances: {...}               # of replays (runtime/replay/tolerances.hpp): a file or a map
 //   components:
 //     local_planner:                # the node's name; the order is the rank
 //       type: local_planner         # default: the name
@@ -76,7 +77,8 @@ struct Graph {
   std::filesystem::path path;
   GraphSettings settings;
   std::map<std::string, ConfigNode>
-      shared;  ///< sections such as `robot`, overrides applied; absent if not given
+      shared;             ///< sections such as `robot`, overrides applied; absent if not given
+  ConfigNode tolerances;  ///< by how much a replay may differ; a map or nothing
   std::vector<ComponentNode> components;  ///< in rank order
 
   const ComponentNode* find(std::string_view component) const;

@@ -117,6 +117,8 @@ class GraphReader {
         graph_.shared[std::string(section)] = read_section(reader, *node, section);
       }
     }
+    if (const ConfigNode* node = reader.find("tolerances"))
+      graph_.tolerances = read_section(reader, *node, "tolerances");
     if (const ConfigNode* components = reader.find("components")) {
       if (components->is_map()) {
         for (const ConfigEntry& entry : components->map) read_component(entry);

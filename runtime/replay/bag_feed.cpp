@@ -4,22 +4,12 @@
 #include <utility>
 
 #include "runtime/bag/known_type.hpp"
+#include "runtime/bag/message_stamp.hpp"
 #include "runtime/bag/qos_text.hpp"
+#include "runtime/ros/dds_names.hpp"
 #include "runtime/wire/validate.hpp"
 
 namespace bw::replay {
-namespace {
-
-/// nav_msgs/msg/Odometry -> nav_msgs::msg::dds_::Odometry_
-std::string dds_name(const std::string& ros_name) {
-  const std::size_t first = ros_name.find('/');
-  const std::size_t last = ros_name.rfind('/');
-  if (first == std::string::npos || first == last) return ros_name;
-  return ros_name.substr(0, first) + "::" + ros_name.substr(first + 1, last - first - 1) +
-         "::dds_::" + ros_name.substr(last + 1) + "_";
-}
-
-}  // namespace
 
 /// Owns the outputs; everything else is the feed's.
 class BagFeed::Player final : public Component {
@@ -66,7 +56,7 @@ BagFeed::BagFeed(const bag::Bag& recording, FeedOptions options, OutputCompariso
       roles_.back() = Role::refused;
       refused_.push_back(topic.name + " is not played: " + known.why);
     }
-    dds_names_.push_back(dds_name(topic.type));
+    dds_names_.push_back(dds_type(topic.type));
   }
   ports_.resize(roles_.size(), nullptr);
   read();
@@ -136,9 +126,23 @@ void BagFeed::publish() {
   if (ports_[topic] == nullptr || !is_active_) return;
   ports_[topic]->publish(pending_->data);
   ++published_;
+  if (options_.on_message)
+    options_.on_message(topic, pending_->log_time, pending_->publish_time, pending_->data);
+}
+
+void BagFeed::tell_live(const std::string& topic, const std::string& node, Time now,
+                        bag::BytesView cdr) const {
+  const std::vector<bag::BagTopic>& topics = recording_.topics();
+  for (std::size_t i = 0; i < topics.size(); ++i) {
+    if (topics[i].name != topic || (!topics[i].writer.empty() && topics[i].writer != node)) continue;
+    const bool has_stamp = types_[i] != nullptr && bag::begins_with_stamp(*types_[i]);
+    options_.on_message(i, now, has_stamp ? bag::stamp_of(cdr).value_or(now) : now, cdr);
+    return;
+  }
 }
 
 void BagFeed::on_live(const std::string& topic, const std::string& node, Time now, bag::BytesView cdr) {
+  if (options_.on_message) tell_live(topic, node, now, cdr);
   const std::string name = name_of(topic, node);
   comparison_.got(name, now, cdr);
   ++ahead_[name];

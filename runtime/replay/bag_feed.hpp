@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -26,6 +27,9 @@ struct FeedOptions {
       live;  ///< topic and node of what running components write: compared, not published
   std::set<std::string> ignored;               ///< neither
   std::uint64_t messages = ~std::uint64_t{0};  ///< only so many of the bag, from its beginning
+  /// Sees every message of the run in its order, recorded ones and new ones, by the topic of the bag.
+  std::function<void(std::size_t topic, Time log_time, Time publish_time, bag::BytesView cdr)> on_message =
+      nullptr;
 };
 
 class BagFeed final : public EventSource {
@@ -58,6 +62,7 @@ class BagFeed final : public EventSource {
   void advance(Time now);
   void publish();
   std::string name_of(const std::string& topic, const std::string& node) const;
+  void tell_live(const std::string& topic, const std::string& node, Time now, bag::BytesView cdr) const;
 
   const bag::Bag& recording_;
   FeedOptions options_;

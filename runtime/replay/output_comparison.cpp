@@ -1,47 +1,33 @@
 #include "runtime/replay/output_comparison.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "runtime/wire/leaves.hpp"
+#include "runtime/bag/message_stamp.hpp"
+#include "runtime/replay/message_comparison.hpp"
 #include "runtime/wire/type_registry.hpp"
 
 namespace bw::replay {
 namespace {
 
-/// ranges[17] -> ranges
-std::string without_indexes(const std::string& path) {
-  std::string out;
-  bool inside = false;
-  for (const char c : path) {
-    if (c == '[') inside = true;
-    if (!inside) out += c;
-    if (c == ']') inside = false;
-  }
-  return out;
-}
-
-/// Of two numbers; nothing where one is none. Equal infinities and NaN beside NaN are 0 apart.
-std::optional<double> distance(const LeafValue& a, const LeafValue& b) {
-  const auto number = [](const LeafValue& value) -> std::optional<double> {
-    if (const auto* v = std::get_if<double>(&value)) return *v;
-    if (const auto* v = std::get_if<std::int64_t>(&value)) return static_cast<double>(*v);
-    if (const auto* v = std::get_if<std::uint64_t>(&value)) return static_cast<double>(*v);
-    return std::nullopt;
-  };
-  const auto x = number(a);
-  const auto y = number(b);
-  if (!x || !y) return std::nullopt;
-  if (*x == *y || (std::isnan(*x) && std::isnan(*y))) return 0.0;
-  const double apart = std::abs(*x - *y);
-  return std::isnan(apart) ? std::numeric_limits<double>::infinity() : apart;
-}
-
 std::string time_text(Time time) { return fmt::format("{:.9f} s", time.to_seconds()); }
+
+/// Half the median time between two stamps; nothing of less than two messages.
+template <class Messages>
+std::optional<Duration> half_period(const Messages& messages) {
+  std::vector<std::int64_t> gaps;
+  for (std::size_t i = 1; i < messages.size(); ++i)
+    gaps.push_back((messages[i].stamp - messages[i - 1].stamp).nanoseconds);
+  if (gaps.empty()) return std::nullopt;
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::ranges::nth_element(gaps, middle);
+  return Duration{*middle / 2};
+}
+
+Duration between(Time a, Time b) { return a < b ? b - a : a - b; }
 
 }  // namespace
 
@@ -49,17 +35,27 @@ void OutputComparison::add_topic(const std::string& topic, const std::string& ty
   verdicts_[topic].type = type;
 }
 
+OutputComparison::Waiting OutputComparison::waiting(const std::string& topic, Time time,
+                                                    bag::BytesView cdr) const {
+  Waiting message{time, time, {cdr.begin(), cdr.end()}};
+  const auto verdict = verdicts_.find(topic);
+  const TypeDescription* type = verdict == verdicts_.end() ? nullptr : find_type(verdict->second.type);
+  if (type != nullptr && bag::begins_with_stamp(*type)) message.stamp = bag::stamp_of(cdr).value_or(time);
+  return message;
+}
+
 void OutputComparison::expect(const std::string& topic, Time time, bag::BytesView cdr) {
-  waiting_[topic].expected.push_back({time, {cdr.begin(), cdr.end()}});
-  match(topic);
+  waiting_[topic].expected.push_back(waiting(topic, time, cdr));
+  if (pairing_ == Pairing::in_order) match_in_order(topic);
 }
 
 void OutputComparison::got(const std::string& topic, Time time, bag::BytesView cdr) {
-  waiting_[topic].got.push_back({time, {cdr.begin(), cdr.end()}});
-  match(topic);
+  hash_.add(topic, time, cdr);
+  waiting_[topic].got.push_back(waiting(topic, time, cdr));
+  if (pairing_ == Pairing::in_order) match_in_order(topic);
 }
 
-void OutputComparison::match(const std::string& topic) {
+void OutputComparison::match_in_order(const std::string& topic) {
   Pair& pair = waiting_[topic];
   while (!pair.expected.empty() && !pair.got.empty()) {
     compare(topic, pair.expected.front(), pair.got.front());
@@ -68,59 +64,74 @@ void OutputComparison::match(const std::string& topic) {
   }
 }
 
+void OutputComparison::match_by_stamp(const std::string& topic, Time end) {
+  TopicVerdict& verdict = verdicts_[topic];
+  Pair& pair = waiting_[topic];
+  std::ranges::stable_sort(pair.expected, {}, &Waiting::stamp);
+  std::ranges::stable_sort(pair.got, {}, &Waiting::stamp);
+  const std::optional<Duration> limit = half_period(pair.expected);
+  auto recorded = pair.expected.begin();
+  auto replayed = pair.got.begin();
+  while (recorded != pair.expected.end() && replayed != pair.got.end()) {
+    const Duration apart = between(recorded->stamp, replayed->stamp);
+    const auto is_nearer = [&](const auto& a, const auto& b) { return between(a->stamp, b->stamp) < apart; };
+    const bool is_far = limit && apart > *limit;
+    const auto next_recorded = std::next(recorded);
+    const auto next_replayed = std::next(replayed);
+    if (is_far ? replayed->stamp < recorded->stamp
+               : next_replayed != pair.got.end() && is_nearer(recorded, next_replayed)) {
+      extra(verdict, *replayed++, end);
+    } else if (is_far || (next_recorded != pair.expected.end() && is_nearer(next_recorded, replayed))) {
+      missing(verdict, *recorded++);
+    } else {
+      verdict.apart = std::max(verdict.apart, apart.to_seconds());
+      compare(topic, *recorded++, *replayed++);
+    }
+  }
+  pair.expected.erase(pair.expected.begin(), recorded);
+  pair.got.erase(pair.got.begin(), replayed);
+}
+
 void OutputComparison::compare(const std::string& topic, const Waiting& recorded, const Waiting& replayed) {
   TopicVerdict& verdict = verdicts_[topic];
-  if (recorded.time == replayed.time && recorded.cdr == replayed.cdr) {
-    ++verdict.equal;
-    return;
+  TopicTolerances tolerances = tolerances_[topic];
+  const bool by_stamp = pairing_ == Pairing::by_stamp;
+  // What pairs are made by is not held against them.
+  if (by_stamp && recorded.stamp != replayed.stamp)
+    tolerances.left_out.insert(tolerances.left_out.end(), {"header.stamp", "stamp"});
+  const MessageDifference difference =
+      compare_messages(find_type(verdict.type), recorded.cdr, replayed.cdr, tolerances);
+  if (difference.largest > verdict.largest) {
+    verdict.largest = difference.largest;
+    verdict.largest_field = difference.largest_field;
   }
   std::optional<Difference> first;
-  if (recorded.time != replayed.time)
+  if (!by_stamp && recorded.time != replayed.time) {
     first = {recorded.time, "", time_text(recorded.time), time_text(replayed.time)};
-  const TypeDescription* type = find_type(verdict.type);
-  const auto old_leaves = type == nullptr ? std::vector<Leaf>() : leaves_of(*type, recorded.cdr);
-  const auto new_leaves = type == nullptr ? std::vector<Leaf>() : leaves_of(*type, replayed.cdr);
-  const auto& left_out = tolerances_.left_out[topic];
-  const auto& absolute = tolerances_.absolute[topic];
-  const bool is_explained = !old_leaves.empty();
-  for (std::size_t i = 0; i < std::min(old_leaves.size(), new_leaves.size()); ++i) {
-    const Leaf& a = old_leaves[i];
-    const Leaf& b = new_leaves[i];
-    if (a.path == b.path && a.value == b.value) continue;
-    const std::string field = without_indexes(a.path);
-    if (std::ranges::find(left_out, field) != left_out.end()) continue;
-    // Negative: not two numbers of one field.
-    const double apart = a.path == b.path ? distance(a.value, b.value).value_or(-1.0) : -1.0;
-    if (apart > verdict.largest) {
-      verdict.largest = apart;
-      verdict.largest_field = a.path;
-    }
-    const auto tolerance = absolute.find(field);
-    if (apart == 0.0 || (apart > 0.0 && tolerance != absolute.end() && apart <= tolerance->second)) continue;
-    if (!first) first = {recorded.time, a.path, to_text(a.value), to_text(b.value)};
-    if (a.path != b.path) break;  // sequences of other lengths: what follows is not the same field
+  } else if (difference.first) {
+    first = {recorded.time, difference.first->field, difference.first->recorded, difference.first->replayed};
   }
-  if (!is_explained && !first) first = {recorded.time, "bytes", "", ""};
-  if (!first) {
-    ++verdict.equal;
-    return;
-  }
-  ++verdict.differing;
+  ++(first ? verdict.differing : verdict.equal);
   if (!verdict.first) verdict.first = std::move(first);
+}
+
+void OutputComparison::missing(TopicVerdict& verdict, const Waiting& recorded) {
+  ++verdict.missing;
+  if (!verdict.first) verdict.first = Difference{recorded.time, "", "a message", "none"};
+}
+
+void OutputComparison::extra(TopicVerdict& verdict, const Waiting& replayed, Time end) {
+  if (replayed.time >= end) return;
+  ++verdict.extra;
+  if (!verdict.first) verdict.first = Difference{replayed.time, "", "none", "a message"};
 }
 
 void OutputComparison::finish(Time end) {
   for (auto& [topic, pair] : waiting_) {
+    if (pairing_ == Pairing::by_stamp) match_by_stamp(topic, end);
     TopicVerdict& verdict = verdicts_[topic];
-    verdict.missing += pair.expected.size();
-    if (!pair.expected.empty() && !verdict.first) {
-      verdict.first = Difference{pair.expected.front().time, "", "a message", "none"};
-    }
-    const auto is_late = [&](const Waiting& w) { return w.time >= end; };
-    const auto count = std::ranges::count_if(pair.got, [&](const Waiting& w) { return !is_late(w); });
-    verdict.extra += static_cast<std::uint64_t>(count);
-    if (count > 0 && !verdict.first)
-      verdict.first = Difference{pair.got.front().time, "", "none", "a message"};
+    for (const Waiting& recorded : pair.expected) missing(verdict, recorded);
+    for (const Waiting& replayed : pair.got) extra(verdict, replayed, end);
   }
   waiting_.clear();
 }

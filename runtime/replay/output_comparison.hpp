@@ -6,17 +6,19 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "runtime/bag/bytes.hpp"
 #include "runtime/base/time.hpp"
+#include "runtime/host/sample_hash.hpp"
+#include "runtime/replay/tolerances.hpp"
 
 namespace bw::replay {
 
-/// Which fields of a topic need not be equal to the bit. Paths without indexes: ranges, tracks.position.x.
-struct Tolerances {
-  std::map<std::string, std::map<std::string, double>> absolute;  ///< by topic and field; missing: exact
-  std::map<std::string, std::vector<std::string>> left_out;       ///< fields that cannot repeat, by topic
+/// Which recorded message belongs to which new one.
+enum class Pairing {
+  in_order,  ///< the first to the first: of a run in virtual time; times must be equal
+  by_stamp,  ///< the nearest within half the topic's usual period, by the message's own stamp where it has one: of a run in
+             ///< real time
 };
 
 /// The first place where a topic differs.
@@ -33,6 +35,7 @@ struct TopicVerdict {
   std::uint64_t differing = 0;
   std::uint64_t missing = 0;  ///< recorded, not written now
   std::uint64_t extra = 0;    ///< written now, not recorded
+  double apart = 0.0;         ///< largest time between the two of a pair, by_stamp [s]
   double largest = 0.0;       ///< difference of a number
   std::string largest_field;
   std::optional<Difference> first;
@@ -42,7 +45,8 @@ struct TopicVerdict {
 
 class OutputComparison {
  public:
-  explicit OutputComparison(Tolerances tolerances) : tolerances_(std::move(tolerances)) {}
+  OutputComparison(Pairing pairing, Tolerances tolerances)
+      : pairing_(pairing), tolerances_(std::move(tolerances)) {}
 
   /// A topic that takes part, of a type by its ROS name.
   void add_topic(const std::string& topic, const std::string& type);
@@ -57,20 +61,29 @@ class OutputComparison {
   [[nodiscard]] std::optional<std::string> first_topic() const;
   /// Messages that had a partner.
   [[nodiscard]] std::uint64_t compared() const;
+  /// SHA-256 over the new messages, in the order they were written.
+  [[nodiscard]] std::string sha256() const { return hash_.hex(); }
 
  private:
   struct Waiting {
-    Time time;
+    Time time;   ///< component clock
+    Time stamp;  ///< its own, else `time`
     bag::Bytes cdr;
   };
   struct Pair {
     std::deque<Waiting> expected;
     std::deque<Waiting> got;
   };
-  void match(const std::string& topic);
+  Waiting waiting(const std::string& topic, Time time, bag::BytesView cdr) const;
+  void match_in_order(const std::string& topic);
+  void match_by_stamp(const std::string& topic, Time end);
+  void missing(TopicVerdict& verdict, const Waiting& recorded);
+  void extra(TopicVerdict& verdict, const Waiting& replayed, Time end);
   void compare(const std::string& topic, const Waiting& recorded, const Waiting& replayed);
 
+  Pairing pairing_;
   Tolerances tolerances_;
+  SampleHash hash_;
   std::map<std::string, TopicVerdict> verdicts_;
   std::map<std::string, Pair> waiting_;
 };

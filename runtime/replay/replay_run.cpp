@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "runtime/build_identity.hpp"
 #include "runtime/host/host.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/replay/bag_feed.hpp"
+#include "runtime/replay/change_text.hpp"
+#include "runtime/replay/updated_bag.hpp"
 
 namespace bw::replay {
 namespace {
@@ -22,19 +26,25 @@ const std::set<std::string> kOfTheProcess = {"/rosout", "/diagnostics", "/clock"
 /// Topics with the nodes that write them.
 using Outputs = std::set<std::pair<std::string, std::string>>;
 
-/// Gives the feed what the running components write.
+/// Gives the feed what the running components write, until they are deactivated.
 class LiveTap final : public SampleTap {
  public:
-  LiveTap(BagFeed& feed, Outputs live) : feed_(feed), live_(std::move(live)) {}
+  /// `text` may be null.
+  LiveTap(BagFeed& feed, Outputs live, ChangeText* text) : feed_(feed), live_(std::move(live)), text_(text) {}
   void connect(const std::vector<const OutputEnd*>&) override {}
   void on_sample(const OutputEnd& output, Time now, std::span<const std::uint8_t> cdr) override {
     const std::string& node = output.owner.name;
-    if (live_.contains({output.topic, node})) feed_.on_live(output.topic, node, now, cdr);
+    if (is_over_ || !live_.contains({output.topic, node})) return;
+    feed_.on_live(output.topic, node, now, cdr);
+    if (text_ != nullptr) text_->add(output.topic, std::string(output.type.ros_name), now, cdr);
   }
+  void run_is_over() override { is_over_ = true; }
 
  private:
   BagFeed& feed_;
   Outputs live_;
+  ChangeText* text_;
+  bool is_over_ = false;
 };
 
 void keep_only(Graph& graph, const std::vector<std::string>& names) {
@@ -92,6 +102,20 @@ std::vector<std::string> notes_on(const bag::Bag& recording) {
   return notes;
 }
 
+void tell_tolerances(ReplayResult& result, const Tolerances& tolerances, const Outputs& live) {
+  if (result.pairing == Pairing::by_stamp) {
+    result.notes.emplace_back(
+        "the bag is of real time: messages are compared with the nearest by stamp, within half a period");
+  }
+  for (const auto& [topic, fields] : tolerances) {
+    if (std::ranges::none_of(live, [&](const auto& output) { return output.first == topic; })) continue;
+    if (!fields.left_out.empty())
+      result.notes.push_back(fmt::format("not compared: {} of {}", fmt::join(fields.left_out, ", "), topic));
+    for (const auto& [field, value] : fields.absolute)
+      result.notes.push_back(fmt::format("may differ by {}: {} of {}", value, field, topic));
+  }
+}
+
 }  // namespace
 
 ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions& options) {
@@ -106,33 +130,50 @@ ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions&
     throw std::runtime_error("nothing that these components write is in the bag");
   const Outputs live = feed_options.live;
   const auto metadata = recording.metadata();
+  ReplayResult result{
+      .pairing = entry(metadata, "bandwagon", "clock") == "lockstep" ? Pairing::in_order : Pairing::by_stamp,
+      .notes = notes_on(recording)};
   if (const std::string count = entry(metadata, "result", "messages_of_run"); !count.empty()) {
     feed_options.messages = std::stoull(count);
   }
   const std::string seed = entry(metadata, "bandwagon", "seed");
 
-  OutputComparison comparison(options.tolerances);
+  const Tolerances tolerances = read_tolerances(graph.tolerances, recording.topics());
+  tell_tolerances(result, tolerances, live);
+  std::optional<UpdatedBag> updated;
+  if (!options.update.empty()) {
+    updated.emplace(recording, options.update);
+    feed_options.on_message = [&updated](auto... message) { updated->write(message...); };
+  }
+  OutputComparison comparison(result.pairing, tolerances);
   BagFeed feed(recording, std::move(feed_options), comparison);
+  ChangeText text(recording.start());
+  const auto tap = std::make_shared<LiveTap>(feed, live, options.with_text ? &text : nullptr);
   std::vector<ExtraComponent> extra;
   extra.push_back({.name = "bag_player", .component = feed.make_component(), .first = true});
   HostOptions host_options{.clock = ClockMode::lockstep,
                            .seed = seed.empty() ? 1 : std::stoull(seed),
                            .start = recording.start(),
                            .source = &feed,
-                           .tap = std::make_shared<LiveTap>(feed, live)};
+                           .tap = tap};
+  std::string parameters;
   {
     Host host(std::move(graph), host_options, std::move(extra));
+    for (const auto& [name, report] : host.parameters())
+      parameters += fmt::format("# {}\n{}\n", name, report.yaml);
     host.run(recording.end() - recording.start());
   }
   feed.finish();
   comparison.finish(recording.end());
+  if (updated) updated->finish(parameters);
 
-  ReplayResult result{.topics = comparison.verdicts(),
-                      .first_topic = comparison.first_topic().value_or(""),
-                      .compared = comparison.compared(),
-                      .published = feed.published(),
-                      .malformed = feed.malformed(),
-                      .notes = notes_on(recording)};
+  result.topics = comparison.verdicts();
+  result.first_topic = comparison.first_topic().value_or("");
+  result.compared = comparison.compared();
+  result.published = feed.published();
+  result.malformed = feed.malformed();
+  result.sha256 = comparison.sha256();
+  result.text = text.text();
   result.notes.insert(result.notes.end(), feed.refused().begin(), feed.refused().end());
   if (const auto damage = feed.damage()) {
     result.notes.push_back(

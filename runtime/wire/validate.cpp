@@ -78,4 +78,10 @@ bool validate(const TypeDescription& type, std::span<const std::uint8_t> cdr, st
   return !fault;
 }
 
+std::optional<std::size_t> message_size(const TypeDescription& type, std::span<const std::uint8_t> cdr) {
+  CdrReader reader(cdr);
+  if (!reader.open() || check(type, reader)) return std::nullopt;
+  return reader.offset() + 4;
+}
+
 }  // namespace bw

@@ -1,7 +1,9 @@
 // Says whether bytes are a well-formed message of a type, before anything is allocated for it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -15,5 +17,10 @@ namespace bw {
 /// is constant.
 [[nodiscard]] bool validate(const TypeDescription& type, std::span<const std::uint8_t> cdr,
                             std::string* error = nullptr);
+
+/// Bytes that the message takes, encapsulation included: DDS pads what it carries to a multiple of four. Nothing when
+/// validate() refuses it.
+[[nodiscard]] std::optional<std::size_t> message_size(const TypeDescription& type,
+                                                      std::span<const std::uint8_t> cdr);
 
 }  // namespace bw

@@ -76,6 +76,17 @@ TEST(Validate, HoldsBounds) {
   EXPECT_FALSE(validate(type, bytes("abcd", 3)));
 }
 
+TEST(MessageSize, EndsWhereTheMessageEnds) {
+  // 4 bytes of encapsulation, 4 of length, "ab" and its NUL.
+  std::vector<std::uint8_t> bytes = CdrWriter().text("ab").bytes();
+  const TypeDescription& type = *find_type("std_msgs/msg/String");
+  EXPECT_EQ(message_size(type, bytes), 11U);
+  bytes.resize(16);  // DDS pads
+  EXPECT_EQ(message_size(type, bytes), 11U);
+  bytes.resize(10);
+  EXPECT_FALSE(message_size(type, bytes));
+}
+
 TEST(Deserialize, SaysWhyWithoutThrowing) {
   std_msgs::msg::Header header;
   std::string reason;

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "runtime/bag/bag.hpp"
 #include "tests/interop/process.hpp"
 
 namespace bw::test {
@@ -97,6 +98,61 @@ TEST_F(Recording, AChangedWeightIsNamedByItsFirstDifference) {
   const nlohmann::json first = read_json(folder_ / "verdict.json")["first_difference"];
   EXPECT_FALSE(first["field"].get<std::string>().empty());
   EXPECT_NE(first["recorded"], first["replayed"]);
+}
+
+/// Everything but what each process says for itself: topic, time, stamp and bytes of every message.
+std::vector<std::string> messages_of(const std::filesystem::path& path) {
+  const auto recording = bag::open_bag(path);
+  const std::string over = recording->metadata().at("result").at("messages_of_run");
+  std::vector<std::string> list;
+  const auto messages = recording->messages({});
+  bag::BagMessage m;
+  for (std::uint64_t i = 0; i < std::stoull(over) && messages->next(m) == bag::Step::message; ++i) {
+    const std::string& topic = recording->topics()[m.topic].name;
+    if (topic == "/rosout" || topic == "/diagnostics" || topic == "/clock") continue;
+    list.push_back(topic + " " + recording->topics()[m.topic].writer + " " +
+                   std::to_string(m.log_time.nanoseconds) + " " + std::to_string(m.publish_time.nanoseconds) +
+                   " " + std::string(m.data.begin(), m.data.end()));
+  }
+  return list;
+}
+
+// Record, replay, record: the new bag holds the same messages at the same times in the same order, and is as good a
+// truth as the first.
+TEST_F(Recording, ReplayedAndRecordedAgainIsTheSame) {
+  const std::vector<std::string> all = {"localization",      "people",   "local_costmap", "local_planner",
+                                        "collision_monitor", "navigator"};
+  const Outcome outcome = replay(all, {"--update"});
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const std::vector<std::string> first = messages_of(folder_ / "drive");
+  const std::vector<std::string> second = messages_of(folder_ / "drive.replayed");
+  EXPECT_GT(first.size(), 3000U);
+  EXPECT_TRUE(first == second) << first.size() << " and " << second.size() << " messages";
+  const Outcome again =
+      bandwagon({"replay", folder_ / "drive.replayed", "--graph", kGraph, "--run", "people"});
+  EXPECT_EQ(again.status, 0) << again.out << again.err;
+}
+
+// What one weight changes lies within a tolerance wide enough, or is left out.
+TEST_F(Recording, TolerancesOfTheGraphHold) {
+  std::ifstream in(kGraph);
+  std::string graph((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  const auto resolved = [&](const std::string& key) {  // paths are relative to the file they stand in
+    const std::string from = key + ": ../";
+    for (std::size_t at = graph.find(from); at != std::string::npos; at = graph.find(from))
+      graph.replace(at, from.size(), key + ": " + std::string(BANDWAGON_SOURCE_DIR) + "/config/");
+  };
+  resolved("robot");
+  std::ofstream(folder_ / "tolerant.yaml")
+      << graph << "\ntolerances:\n  /cmd_vel_nav: {linear: 5, angular: 5}\n  /follow_status: {command: 5}\n"
+      << "  /local_plan: {poses: left_out}\n  /local_planner_markers: {markers: left_out}\n";
+  const std::vector<std::string> change = {"--set", "local_planner.teb.band.weights.time=1.01"};
+  const Outcome strict = replay({"local_planner"}, change);
+  EXPECT_EQ(strict.status, 1) << strict.out << strict.err;
+  const Outcome tolerant = bandwagon({"replay", folder_ / "drive", "--graph", folder_ / "tolerant.yaml",
+                                      "--set", change[1], "--run", "local_planner"});
+  EXPECT_EQ(tolerant.status, 0) << tolerant.out << tolerant.err;
+  EXPECT_THAT(tolerant.out, HasSubstr("not compared: poses of /local_plan"));
 }
 
 TEST_F(Recording, WhatIsNotThereIsRefusedInWords) {

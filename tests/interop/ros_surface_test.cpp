@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cstring>
 #include <set>
-#include <thread>
 
 #include <gmock/gmock.h>
 
 #include "runtime/dds/participant.hpp"
+#include "tests/interop/eventually.hpp"
 #include "tests/interop/running_graph.hpp"
 
 namespace bw::test {
@@ -44,17 +44,6 @@ const std::vector<ExpectedEnd>& expected_ends() {
        "5a8a36efb05fb25070fa0fb3810290c0e6cd4862b54a8fb975a1ee8dc55a333e"},
   };
   return ends;
-}
-
-/// Polls `seen` until it holds, for at most 30 s.
-template <class Condition>
-bool eventually(Condition seen) {
-  for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-       std::chrono::steady_clock::now() < end;) {
-    if (seen()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return false;
 }
 
 /// Reads rmw_dds_common/msg/ParticipantEntitiesInfo as CDR1 lays it out, with the given size of a gid; exact

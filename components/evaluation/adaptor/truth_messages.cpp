@@ -24,11 +24,18 @@ TruthSample to_truth(const bandwagon_msgs::msg::GroundTruth& message) {
   return sample;
 }
 
-GoalTolerance tolerance_of(const bandwagon_msgs::msg::NavigationStatus& message) {
-  GoalTolerance tolerance;
-  if (message.xy_tolerance() > 0.0) tolerance.xy = message.xy_tolerance();
-  if (message.yaw_tolerance() > 0.0) tolerance.yaw = message.yaw_tolerance();
-  return tolerance;
+GoalNews to_goal_news(const bandwagon_msgs::msg::NavigationStatus& message) {
+  namespace status_value = bandwagon_msgs::msg::NavigationStatus_Constants;
+  GoalNews news;
+  news.goal_id = message.goal_id();
+  news.is_over = message.status() >= status_value::SUCCEEDED;
+  news.is_claimed = message.status() == status_value::SUCCEEDED;
+  news.others_follow = message.number_of_goals_remaining() > 0;
+  news.reason = message.reason();
+  news.goal = from_pose(message.goal().pose()).position();
+  if (message.xy_tolerance() > 0.0) news.tolerance.xy = message.xy_tolerance();
+  if (message.yaw_tolerance() > 0.0) news.tolerance.yaw = message.yaw_tolerance();
+  return news;
 }
 
 std::optional<OccupancyGrid> to_grid(const nav_msgs::msg::OccupancyGrid& message) {
@@ -68,6 +75,8 @@ bandwagon_msgs::msg::ScoreCard to_message(const ScoreCard& card, const PoseError
   message.share_ci_above_0_14(card.share_ci_above_0_14);
   message.mean_speed_mps(card.mean_speed);
   message.rms_jerk_mps3(card.rms_jerk);
+  message.localization_poses(static_cast<std::uint32_t>(errors.count()));
+  message.localization_mean_m(errors.mean_position());
   message.localization_rms_m(errors.rms_position());
   message.localization_max_m(errors.max_position());
   message.localization_rms_rad(errors.rms_heading());

@@ -8,16 +8,14 @@
 #include <bandwagon_msgs/msg/score_card.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 
-#include "components/evaluation/pose_errors.hpp"
-#include "components/evaluation/score_keeper.hpp"
-#include "components/evaluation/truth_sample.hpp"
+#include "components/evaluation/drive_judge.hpp"
 #include "components/model/occupancy_grid.hpp"
 
 namespace bw {
 
 TruthSample to_truth(const bandwagon_msgs::msg::GroundTruth& message);
-/// Within which the navigator calls its goal reached; the usual figures where it does not say.
-GoalTolerance tolerance_of(const bandwagon_msgs::msg::NavigationStatus& message);
+/// With the usual tolerances where the navigator does not say within what it calls its goal reached.
+GoalNews to_goal_news(const bandwagon_msgs::msg::NavigationStatus& message);
 /// Nothing when sizes and cells disagree or the resolution is no length.
 std::optional<OccupancyGrid> to_grid(const nav_msgs::msg::OccupancyGrid& message);
 bandwagon_msgs::msg::ScoreCard to_message(const ScoreCard& card, const PoseErrors& errors,

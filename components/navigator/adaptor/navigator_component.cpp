@@ -25,6 +25,7 @@ class NavigatorComponent final : public Component {
   void configure(Setup& setup) override {
     parameters_ = setup.parameters<NavigatorParameters>();
     navigator_.emplace(parameters_);
+    goals_.emplace(parameters_.goal_list());
     log_ = setup.log();
     map_frame_ = setup.frame("map");
     transforms_ = setup.transforms();
@@ -36,11 +37,7 @@ class NavigatorComponent final : public Component {
         "goal_pose", Qos::standard(), [this](const auto& goal, const Tick& tick) { on_goal(goal, tick); },
         Need::optional);
     setup.input<std_msgs::msg::Empty>(
-        "cancel_goal", Qos::standard(),
-        [this](const auto&, const Tick& tick) {
-          navigator_->cancel(situation(tick));
-          send(tick);
-        },
+        "cancel_goal", Qos::standard(), [this](const auto&, const Tick& tick) { cancel(tick); },
         Need::optional);
     setup.input<PlanResult>("plan_result", Qos::standard(), [this](const auto& result, const Tick& tick) {
       navigator_->on_plan(from_message(result), situation(tick));
@@ -53,14 +50,16 @@ class NavigatorComponent final : public Component {
     setup.every(Duration::seconds(1.0 / parameters_.rate), "step", [this](const Tick& tick) { step(tick); });
   }
 
-  void activate(const Tick& tick) override { activated_ = tick.now; }
+  void activate(const Tick& tick) override { goals_->activate(tick.now); }
+  void deactivate(const Tick& tick) override { cancel(tick); }
 
-  void deactivate(const Tick& tick) override {
+ private:
+  void cancel(const Tick& tick) {
+    goals_->give_up();
     navigator_->cancel(situation(tick));
     send(tick);
   }
 
- private:
   Situation situation(const Tick& tick) const {
     Situation s{tick.now, std::nullopt, {}};
     if (!odometry_) return s;
@@ -76,6 +75,7 @@ class NavigatorComponent final : public Component {
     const std::optional<Pose2> X_MF =
         frame == map_frame_ ? Pose2{} : transforms_->lookup_planar(map_frame_, frame);
     if (X_MF) {
+      if (is_finite(from_pose(goal.pose()))) goals_->give_up();
       navigator_->accept(*X_MF * from_pose(goal.pose()), situation(tick));
     } else {
       navigator_->refuse(from_pose(goal.pose()),
@@ -91,16 +91,14 @@ class NavigatorComponent final : public Component {
     if (navigator_->has_goal() && feedback_is_due) publish(navigator_->report(situation(tick)), tick);
   }
 
-  /// The goal of the graph, as soon as it is known where the robot is.
+  /// A goal of the graph, as soon as it is known where the robot is.
   void send_own_goal(const Tick& tick) {
-    const GoalParameters& goal = parameters_.goal;
-    const double waited = (tick.now - activated_).to_seconds() - goal.delay;
-    if (!goal.enabled || goal_sent_ || waited < 0.0) return;
+    const std::optional<Pose2> X_MG = goals_->due(tick.now);
+    if (!X_MG) return;
     const Situation now = situation(tick);
-    goal_sent_ = now.X_MB.has_value();
-    if (goal_sent_) navigator_->accept({goal.x, goal.y, goal.theta}, now);
+    if (now.X_MB) goals_->taken(navigator_->accept(*X_MG, now));
     constexpr double kPatience = 10.0;  // [s] until a person is told
-    if (!goal_sent_ && !told_ && waited > kPatience) {
+    if (!now.X_MB && !told_ && (tick.now - goals_->due_since()).to_seconds() > kPatience) {
       log_.warn("the goal waits: no pose on odometry/filtered yet");
       told_ = true;
     }
@@ -118,15 +116,16 @@ class NavigatorComponent final : public Component {
   }
 
   void publish(const GoalReport& report, const Tick& tick) {
-    status_.publish(to_message(report, make_header(map_frame_, tick.now)));
+    NavigationStatus message = to_message(report, make_header(map_frame_, tick.now));
+    message.number_of_goals_remaining(goals_->see(report, tick.now));
+    status_.publish(message);
     last_feedback_ = tick.now;
   }
 
   NavigatorParameters parameters_;
   std::optional<Navigator> navigator_;
-  Time activated_;
+  std::optional<GoalList> goals_;
   Time last_feedback_;
-  bool goal_sent_ = false;
   bool told_ = false;
   Logger log_;
   std::string map_frame_;

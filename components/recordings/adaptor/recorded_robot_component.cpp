@@ -1,12 +1,16 @@
-// Plays a log on the component clock, so that the graph that drives a robot runs on it: odometry, inertial
+// Plays a bag on the component clock, so that the graph that drives a robot runs on it: odometry, inertial
 // unit, fixes, ranges, scans and reference as the robot and the simulated world publish them.
+#include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "components/messages/odometry_outputs.hpp"
 #include "components/recordings/adaptor/recording_messages.hpp"
-#include "components/recordings/files/log_files.hpp"
+#include "components/recordings/files/drive_of_bag.hpp"
 #include "components/recordings/played_odometry.hpp"
 #include "components/recordings/recorded_robot_options.hpp"
 #include "runtime/component.hpp"
@@ -15,44 +19,30 @@ namespace bw {
 namespace {
 
 constexpr Duration kStep = Duration::milliseconds(5);
-
-RecordedDrive read_log(LogFormat format, const std::filesystem::path& folder) {
-  switch (format) {
-    case LogFormat::husky:
-      return read_husky_log(folder);
-    case LogFormat::mrclam:
-      return read_mrclam_log(folder);
-    case LogFormat::labyrinth:
-      return read_labyrinth_log(folder);
-    case LogFormat::laser:
-      return read_laser_log(folder);
-  }
-  return {};
-}
+constexpr Duration kAfterTheEnd = Duration::milliseconds(1000);
 
 class RecordedRobotComponent final : public Component {
  public:
   void configure(Setup& setup) override {
     options_ = setup.parameters<RecordedRobotOptions>();
-    drive_ = read_log(options_.format, setup.file_parameter("folder"));
-    if (options_.format == LogFormat::mrclam) {
+    const auto robot = setup.shared<Robot>("robot");
+    read_bag(setup, robot);
+    if (options_.make_sensors) {
       add_synthetic_sensors(drive_, options_.synthetic,
                             {options_.datum_latitude, options_.datum_longitude, 0.0}, setup.seed());
     }
     held_out_.fixes = hold_out(drive_, options_.hold_out);
-    if (drive_.wheel_separation == 0.0)
-      drive_.wheel_separation = setup.shared<Robot>("robot").wheel_separation;
     events_ = events_between(drive_, options_.start, options_.end);
     held_out_events_ = events_between(held_out_, options_.start, options_.end);
     odometry_.emplace(drive_, options_.variance_per_metre, options_.rate);
-    declare_outputs(setup);
+    declare_outputs(setup, robot);
+    if (options_.end_run) finish_run_ = setup.finish_run();
     setup.every(kStep, "play", [this](const Tick& tick) { play(tick.now); });
-    setup.log().info("{} entries of a {} log", events_.size(), text_of(options_.format));
   }
 
   void activate(const Tick& tick) override {
     start_ = tick.now;
-    outputs_.publish_mounts(tick.now);
+    outputs_.publish_mounts(tick.now, to_message(drive_.mounts, frame_, tick.now));
   }
 
   void operator()(const OdometrySample* sample) {
@@ -70,9 +60,7 @@ class RecordedRobotComponent final : public Component {
     ranges_.publish(to_message(*sample, map_frame_, when(sample->time)));
   }
   void operator()(const ScanSample* sample) {
-    sensor_msgs::msg::LaserScan message =
-        to_message(*sample, drive_.scan_geometry, laser_frame_, when(sample->time));
-    scan_.publish(message);
+    scan_.publish(to_message(*sample, frame_(sample->frame), when(sample->time)));
   }
   void operator()(const ReferencePose* sample) {
     Twist2 twist = reference_before_ != nullptr ? twist_between(*reference_before_, *sample) : Twist2{};
@@ -82,12 +70,27 @@ class RecordedRobotComponent final : public Component {
   }
 
  private:
-  void declare_outputs(Setup& setup) {
+  void read_bag(Setup& setup, const Robot& robot) {
+    const std::filesystem::path path = setup.file_parameter("bag");
+    BagDrive read = drive_of_bag(*bag::open_bag(path), options_.topics, path.string(),
+                                 {.separation = robot.wheel_separation, .radius = robot.wheel_radius});
+    drive_ = std::move(read.drive);
+    setup.log().info("plays {} ({})", read.log.name, path.string());
+    for (const std::string& left_out : read.left_out) setup.log().warn("{}", left_out);
+    // The graph's own word on a sensor holds, and where the base is others say.
+    std::erase_if(drive_.mounts, [&robot](const FrameMount& mount) {
+      const bool is_sensor =
+          std::ranges::find(robot.sensors, mount.child, &SensorMount::frame) != robot.sensors.end();
+      return is_sensor || mount.child == "base_link" || mount.child == "odom";
+    });
+  }
+
+  void declare_outputs(Setup& setup, const Robot& robot) {
+    frame_ = [prefixed = setup.frame("")](const std::string& frame) { return prefixed + frame; };
     map_frame_ = setup.frame("map");
-    imu_frame_ = setup.frame(options_.imu_frame);
-    gps_frame_ = setup.frame(options_.gps_frame);
-    laser_frame_ = setup.frame(options_.laser_frame);
-    outputs_ = {setup, setup.shared<Robot>("robot")};
+    imu_frame_ = setup.frame(drive_.imu_frame);
+    gps_frame_ = setup.frame(drive_.gps_frame);
+    outputs_ = {setup, robot};
     if (!drive_.imu.empty()) imu_ = setup.output<sensor_msgs::msg::Imu>("imu");
     if (!drive_.fixes.empty()) fix_ = setup.output<sensor_msgs::msg::NavSatFix>("gps/fix");
     if (!held_out_.fixes.empty())
@@ -97,7 +100,7 @@ class RecordedRobotComponent final : public Component {
     if (!drive_.truth.empty()) truth_ = setup.output<bandwagon_msgs::msg::GroundTruth>("sim/ground_truth");
   }
 
-  /// Moment of the component clock at which the log's `time` is played.
+  /// Moment of the component clock at which the bag's `time` is played.
   Time when(Time time) const {
     return start_ + Duration::seconds((time.to_seconds() - options_.start) / options_.rate);
   }
@@ -110,6 +113,14 @@ class RecordedRobotComponent final : public Component {
       if (when(fix.time) > now) return;
       held_out_fix_.publish(to_message(fix, gps_frame_, when(fix.time)));
     }
+    if (next_ == events_.size()) end_run(now);
+  }
+
+  /// When the others have had time for the last entry.
+  void end_run(Time now) {
+    if (!last_played_) last_played_ = now;
+    if (finish_run_ && now - *last_played_ >= kAfterTheEnd)
+      std::exchange(finish_run_, nullptr)(true, "the bag is over");
   }
 
   RecordedRobotOptions options_;
@@ -120,9 +131,12 @@ class RecordedRobotComponent final : public Component {
   std::vector<RecordedEvent> held_out_events_;
   std::size_t next_ = 0;
   std::size_t next_held_out_ = 0;
-  Time start_;  ///< component time at which the log's start second is played
+  std::optional<Time> last_played_;
+  std::function<void(bool, const std::string&)> finish_run_;
+  Time start_;  ///< component time at which the bag's start second is played
   const ReferencePose* reference_before_ = nullptr;
-  std::string map_frame_, imu_frame_, gps_frame_, laser_frame_;
+  std::string map_frame_, imu_frame_, gps_frame_;
+  Renamed frame_;
   OdometryOutputs outputs_;
   Output<sensor_msgs::msg::Imu> imu_;
   Output<sensor_msgs::msg::NavSatFix> fix_;

@@ -38,7 +38,9 @@ sensor_msgs::msg::NavSatFix to_message(const FixSample& sample, const std::strin
   message.altitude(sample.place.altitude);
   for (int i = 0; i < 3; ++i)
     message.position_covariance()[static_cast<std::size_t>(4 * i)] = sample.variance(i);
-  message.position_covariance_type(sensor_msgs::msg::NavSatFix_Constants::COVARIANCE_TYPE_DIAGONAL_KNOWN);
+  namespace type = sensor_msgs::msg::NavSatFix_Constants;
+  message.position_covariance_type(sample.variance.isZero() ? type::COVARIANCE_TYPE_UNKNOWN
+                                                            : type::COVARIANCE_TYPE_DIAGONAL_KNOWN);
   return message;
 }
 
@@ -51,18 +53,18 @@ bandwagon_msgs::msg::AnchorRange to_message(const RangeSample& sample, const std
   return message;
 }
 
-sensor_msgs::msg::LaserScan to_message(const ScanSample& sample, const ScanGeometry& geometry,
-                                       const std::string& frame, Time stamp) {
-  const auto last_beam = static_cast<double>(sample.ranges.size()) - 1.0;
+sensor_msgs::msg::LaserScan to_message(const ScanSample& sample, const std::string& frame, Time stamp) {
   sensor_msgs::msg::LaserScan message;
   message.header(make_header(frame, stamp));
-  message.angle_min(static_cast<float>(geometry.angle_min));
-  message.angle_max(static_cast<float>(geometry.angle_min + last_beam * geometry.angle_increment));
-  message.angle_increment(static_cast<float>(geometry.angle_increment));
-  message.scan_time(static_cast<float>(geometry.period));
-  message.range_min(static_cast<float>(geometry.range_min));
-  message.range_max(static_cast<float>(geometry.range_max));
+  message.angle_min(sample.geometry.angle_min);
+  message.angle_max(sample.geometry.angle_max);
+  message.angle_increment(sample.geometry.angle_increment);
+  message.time_increment(sample.geometry.time_increment);
+  message.scan_time(sample.geometry.period);
+  message.range_min(sample.geometry.range_min);
+  message.range_max(sample.geometry.range_max);
   message.ranges(sample.ranges);
+  message.intensities(sample.intensities);
   return message;
 }
 
@@ -79,6 +81,26 @@ bandwagon_msgs::msg::GroundTruth to_message(const ReferencePose& reference, cons
     message.twist(to_twist_message({kUnknown, kUnknown}));
   }
   message.wall_clearance(std::numeric_limits<double>::infinity());
+  return message;
+}
+
+tf2_msgs::msg::TFMessage to_message(const std::vector<FrameMount>& mounts, const Renamed& renamed,
+                                    Time stamp) {
+  tf2_msgs::msg::TFMessage message;
+  for (const FrameMount& mount : mounts) {
+    geometry_msgs::msg::TransformStamped& transform = message.transforms().emplace_back();
+    transform.header(make_header(renamed(mount.parent), stamp));
+    transform.child_frame_id(renamed(mount.child));
+    auto& translation = transform.transform().translation();
+    translation.x(mount.translation.x());
+    translation.y(mount.translation.y());
+    translation.z(mount.translation.z());
+    auto& rotation = transform.transform().rotation();
+    rotation.x(mount.rotation(0));
+    rotation.y(mount.rotation(1));
+    rotation.z(mount.rotation(2));
+    rotation.w(mount.rotation(3));
+  }
   return message;
 }
 

@@ -74,6 +74,15 @@ std::string real_data_table(const RealDataResults& results) {
   return html + "</table>\n";
 }
 
+std::string logs_used(const RealDataResults& results) {
+  std::string html = "<p>Logs:</p>\n" + head({"log", "source", "licence"});
+  for (const NamedLog& log : results.logs) {
+    html += "<tr>" + cell(xml_text(log.name)) + cell(xml_text(log.source)) + cell(xml_text(log.licence)) +
+            "</tr>\n";
+  }
+  return html + "</table>\n";
+}
+
 std::string walk_table(const RealDataResults& results) {
   if (results.walks.empty()) return "";
   std::string html = head({"position_walk", "Husky, every second fix", "Husky, outage", "MRCLAM, receiver",
@@ -111,7 +120,7 @@ std::string ekf_page(const EkfReport& report) {
     return html + "<p>Not run: " + xml_text(report.real_data_missing) + ".</p></body></html>\n";
   html += parameters(*report.real_data) + real_data_table(*report.real_data) +
           "<p>MRCLAM: means over seeds 1 to " + std::to_string(report.real_data->seeds) + ".</p>\n" +
-          walk_table(*report.real_data) + pictures(*report.real_data);
+          walk_table(*report.real_data) + pictures(*report.real_data) + logs_used(*report.real_data);
   return html + "</body></html>\n";
 }
 

@@ -34,8 +34,11 @@ Json real_data_json(const RealDataResults& results) {
                  {"position_walk_m_per_sqrt_m", p.position_walk},
                  {"heading_offset_sigma_rad", p.heading_offset_sigma}}},
                {"seeds", results.seeds},
+               {"logs", Json::array()},
                {"rows", Json::array()},
                {"position_walk", Json::array()}};
+  for (const NamedLog& log : results.logs)
+    json["logs"].push_back({{"name", log.name}, {"source", log.source}, {"licence", log.licence}});
   for (const RealDataRow& row : results.rows) {
     json["rows"].push_back({{"log", row.log},
                             {"task", row.task},

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "components/localization/ekf/ekf.hpp"
-#include "components/recordings/files/log_files.hpp"
 #include "components/recordings/hold_out.hpp"
 #include "components/recordings/synthetic_sensors.hpp"
 #include "components/tools/experiments/range_start.hpp"
@@ -189,12 +188,14 @@ std::vector<RealDataRow> run_labyrinth(const RecordedDrive& log, const RealDataP
   return rows;
 }
 
-RealDataResults run_real_data(const std::filesystem::path& data, int seeds, bool with_walks) {
+RealDataResults run_real_data(const RealDataLogs& logs, int seeds, bool with_walks) {
   RealDataResults results{.seeds = seeds};
+  for (const NamedLog* log : {&logs.husky, &logs.mrclam, &logs.labyrinth})
+    results.logs.push_back({log->name, log->source, log->licence, {}});
   const RealDataParameters& parameters = results.parameters;
-  const RecordedDrive husky = read_husky_log(data / "husky_odom_imu_gps");
-  const RecordedDrive mrclam = read_mrclam_log(data / "mrclam6_robot1");
-  const RecordedDrive labyrinth = read_labyrinth_log(data / "tuc_labyrinth_uwb");
+  const RecordedDrive& husky = logs.husky.drive;
+  const RecordedDrive& mrclam = logs.mrclam.drive;
+  const RecordedDrive& labyrinth = logs.labyrinth.drive;
   const std::vector<RealDataRow> outdoors = run_husky(husky, parameters);
   const std::vector<RealDataRow> indoors = run_mrclam(mrclam, parameters, seeds);
   const std::vector<RealDataRow> maze = run_labyrinth(labyrinth, parameters);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -50,7 +49,22 @@ struct RealDataPicture {
   std::vector<Way> ways;
 };
 
+/// One of the logs, and what is known of where it comes from.
+struct NamedLog {
+  std::string name;
+  std::string source;
+  std::string licence;
+  RecordedDrive drive;
+};
+
+struct RealDataLogs {
+  NamedLog husky;
+  NamedLog mrclam;
+  NamedLog labyrinth;
+};
+
 struct RealDataResults {
+  std::vector<NamedLog> logs;  ///< without their drives
   RealDataParameters parameters;
   int seeds = 0;  ///< of the synthetic receiver and compass
   std::vector<RealDataRow> rows;
@@ -68,8 +82,7 @@ std::vector<RealDataRow> run_mrclam(const RecordedDrive& log, const RealDataPara
 /// Labyrinth: wheels, + ranges without and with gate, in this order, from the first pose that ranges give.
 std::vector<RealDataRow> run_labyrinth(const RecordedDrive& log, const RealDataParameters& parameters);
 
-/// `data` holds the logs' folders. Throws what the readers throw.
-RealDataResults run_real_data(const std::filesystem::path& data, int seeds, bool with_walks);
+RealDataResults run_real_data(const RealDataLogs& logs, int seeds, bool with_walks);
 
 /// Half held out < 1.3 m, outage < 4 m (Husky with gyro), and the ordering of the thesis (MRCLAM).
 std::vector<Criterion> real_data_criteria(const RealDataResults& results);

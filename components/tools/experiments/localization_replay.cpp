@@ -44,6 +44,7 @@ class Feed {
 
   void operator()(const FixSample* sample) {
     if (!sensors_.receiver) return;
+    if (sample->variance.isZero()) throw std::invalid_argument("the log declares no variance of its fixes");
     PositionFix fix;
     fix.time = sample->time;
     fix.source = kReceiver;

@@ -7,6 +7,7 @@
 #include "components/tools/evaluate/suite.hpp"
 #include "components/tools/experiments/anticipation_report.hpp"
 #include "components/tools/experiments/honesty.hpp"
+#include "components/tools/experiments/project_file.hpp"
 #include "components/tools/experiments/reproduce.hpp"
 #include "components/tools/program/drive.hpp"
 #include "runtime/atomic_file.hpp"
@@ -19,17 +20,6 @@ constexpr int kRuns = 40;
 constexpr int kQuickRuns = 5;
 constexpr std::int64_t kQuickSeeds = 2;
 constexpr std::int64_t kOwnSensesSeeds = 10;  // half of those by ideal senses: reported, not judged
-
-// From the project's folder, from its build folder, or installed.
-std::filesystem::path suite_file() {
-  const std::filesystem::path suite = "config/suites/hallway.yaml";
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  for (const std::filesystem::path& folder : {std::filesystem::path("."), program / "../share/bandwagon",
-                                              program / "../../..", program / "../../../.."}) {
-    if (std::filesystem::exists(folder / suite)) return folder / suite;
-  }
-  throw std::runtime_error(suite.string() + " is not found: run this in the project's folder");
-}
 
 std::vector<CrossingResult> drive_crossing(const std::vector<CrossingEntry>& entries,
                                            const CrossingGeometry& geometry, int runs) {
@@ -92,7 +82,7 @@ std::vector<HallwayJob> hallway_jobs(const Suite& suite, const std::vector<Cross
 /// By ideal senses all `entries`, then by its own the planners' defaults.
 std::vector<HallwayDrive> drive_hallway(const std::vector<CrossingEntry>& entries,
                                         const std::vector<CrossingEntry>& defaults, bool quick) {
-  const Suite suite = load_suite(suite_file());
+  const Suite suite = load_suite(project_file("config/suites/hallway.yaml"));
   std::vector<HallwayJob> jobs = hallway_jobs(suite, entries, false, quick);
   for (HallwayJob& job : hallway_jobs(suite, defaults, true, quick)) jobs.push_back(std::move(job));
   // A wrong parameter is found before the first drive.

@@ -5,6 +5,8 @@
 
 #include "components/tools/experiments/ekf_report.hpp"
 #include "components/tools/experiments/honesty.hpp"
+#include "components/tools/experiments/project_file.hpp"
+#include "components/tools/experiments/recorded_logs.hpp"
 #include "components/tools/experiments/reproduce.hpp"
 #include "runtime/atomic_file.hpp"
 
@@ -26,6 +28,8 @@ void print(const EkfReport& report) {
                row.sensors.published_variance[w], row.mean.variance);
   }
   if (report.real_data) {
+    for (const NamedLog& log : report.real_data->logs)
+      fmt::print("log {} from {}, licence: {}\n", log.name, log.source, log.licence);
     for (const RealDataRow& row : report.real_data->rows)
       fmt::print("{:18} {:64} {:44} reference {:12} mean {:.3f} m\n", row.log, row.task, row.sensors,
                  row.reference, row.mean);
@@ -42,9 +46,11 @@ bool reproduce_ekf(const ReproduceArguments& arguments) {
   std::cerr << fmt::format("simulated drives, {} seeds\n", report.seeds);
   report.rows = ekf_rows(report.seeds);
   if (const char* shared = std::getenv("BANDWAGON_SHARED")) {
-    std::cerr << "logs of real robots\n";
-    report.real_data = run_real_data(std::filesystem::path(shared) / "data",
-                                     arguments.quick ? kQuickRealSeeds : kRealSeeds, !arguments.quick);
+    const RealDataLogs logs =
+        read_real_data(std::filesystem::path(shared) / "data", project_file("config/imports"));
+    std::cerr << fmt::format("logs of real robots: {}, {}, {}\n", logs.husky.name, logs.mrclam.name,
+                             logs.labyrinth.name);
+    report.real_data = run_real_data(logs, arguments.quick ? kQuickRealSeeds : kRealSeeds, !arguments.quick);
   } else {
     report.real_data_missing = "BANDWAGON_SHARED names no folder of recorded data";
   }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -17,15 +18,16 @@
 namespace bw {
 namespace {
 
-/// The planner's own name, from the parameter that selects it.
-std::string algorithm_of(const Host& host, const std::string& component) {
+/// Value of a parameter as text; `otherwise` where there is none.
+std::string parameter_of(const Host& host, const std::string& component, std::string_view parameter,
+                         const std::string& otherwise) {
   for (const auto& [name, report] : host.parameters()) {
     if (name != component) continue;
     for (const ParameterRow& row : report.rows) {
-      if (row.name == "algorithm") return row.value;
+      if (row.name == parameter) return row.value;
     }
   }
-  return component;
+  return otherwise;
 }
 
 /// Asks the host to end when a person does.
@@ -65,6 +67,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   const ComponentNode* evaluation = find_type(graph, "evaluation", options.host.only_process);
   const ComponentNode* planner = find_type(graph, "local_planner", options.host.only_process);
   const std::string planner_name = planner == nullptr ? "" : planner->name;
+  const std::string evaluation_name = evaluation == nullptr ? "" : evaluation->name;
   const std::string graph_file = graph.path.string();
   if (evaluation != nullptr && !options.svg.empty()) {
     ConfigNode file;
@@ -102,6 +105,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   }
   Host host(std::move(graph), host_options, std::move(extra));
   if (recording) recording->describe(host, host_options);
+  result.has_goal = !result.judged || parameter_of(host, evaluation_name, "scored", "drive") != "run";
   running = &host;
   if (!planner_name.empty())
     planner_cycle(host.statistics(), planner_name);  // else: an error before the drive
@@ -114,13 +118,15 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
     if (const std::string lost = recording->finish(host); !lost.empty()) std::cerr << lost << "\n";
   }
 
-  const RunFacts facts{.graph = graph_file,
-                       .seed = options.host.seed,
-                       .planner_component = planner_name,
-                       .planner_name = planner_name.empty() ? "" : algorithm_of(host, planner_name),
-                       .realtime_factor = host.elapsed_seconds() / real_s,
-                       .samples_sha256 = host.samples_sha256(),
-                       .end_reason = result.end.reason};
+  const RunFacts facts{
+      .graph = graph_file,
+      .seed = options.host.seed,
+      .planner_component = planner_name,
+      .planner_name = planner_name.empty() ? "" : parameter_of(host, planner_name, "algorithm", planner_name),
+      .realtime_factor = host.elapsed_seconds() / real_s,
+      .samples_sha256 = host.samples_sha256(),
+      .end_reason = result.end.reason,
+      .has_goal = result.has_goal};
   result.card = seen->card;
   result.json = to_json(seen->card, facts, host.statistics());
   if (seen->card) result.json["robot_path"] = path_json(seen->path, *seen->card);

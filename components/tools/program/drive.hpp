@@ -24,7 +24,8 @@ struct DriveOptions {
 
 struct DriveResult {
   RunEnd end;
-  bool judged = false;  ///< the graph has an evaluation in the processes that ran
+  bool judged = false;   ///< the graph has an evaluation in the processes that ran
+  bool has_goal = true;  ///< false: it scores the whole run, which no goal ends
   std::optional<bandwagon_msgs::msg::ScoreCard> card;
   nlohmann::json json;  ///< the score card (score_card_json.hpp)
 };

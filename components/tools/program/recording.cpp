@@ -74,8 +74,8 @@ void Recording::describe(const Host& host, const HostOptions& options) {
   recorder.attach("graph.yaml", "application/yaml", content_of(host.graph().path), {});
   recorder.attach("parameters.yaml", "application/yaml", parameters_of(host), {});
   constexpr const char* kClocks[] = {"wall", "lockstep", "topic"};
-  recorder.add_metadata("bandwagon", {{"version", BANDWAGON_VERSION},
-                                      {"revision", BANDWAGON_REVISION},
+  recorder.add_metadata("bandwagon", {{"version", program_version()},
+                                      {"revision", source_revision()},
                                       {"build_id", build_id()},
                                       {"cpu", cpu_type()},
                                       {"host", host_name()},

@@ -45,6 +45,7 @@ int run(const RunOptions& options) {
   if (!options.json.empty()) write_file_atomically(options.json, result.json.dump(2) + "\n");
   if (!result.judged) return result.end.ok ? 0 : 1;
   std::cout << in_words(result.json);
+  if (!result.has_goal) return result.end.ok ? 0 : 1;
   const bool contact = result.card && result.card->collisions() > 0;
   return result.json.value("reached", false) && !(options.fail_on_contact && contact) ? 0 : 1;
 }

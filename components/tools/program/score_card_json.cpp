@@ -50,6 +50,42 @@ std::string meters(const nlohmann::json& value) {
   return value.is_number() ? fmt::format("{:.2f} m", value.get<double>()) : "-";
 }
 
+/// Empty where nothing was measured.
+std::string pose_error_in_words(const nlohmann::json& card) {
+  const nlohmann::json pose = card.value("localization", nlohmann::json());
+  if (!pose.is_object() || !pose["rms_m"].is_number()) return "";
+  const std::string heading =
+      pose["rms_rad"].is_number() ? fmt::format(" and {:.4f} rad", pose["rms_rad"].get<double>()) : "";
+  return fmt::format(
+      "Localization off by {:.3f} m on average, {:.3f} m{} rms, {:.3f} m at most ({} poses).\n",
+      pose["mean_m"].get<double>(), pose["rms_m"].get<double>(), heading, pose["max_m"].get<double>(),
+      pose["poses"].get<std::uint32_t>());
+}
+
+/// How close the robot came to people, and how it moved.
+std::string company_in_words(const nlohmann::json& card) {
+  const auto value = [&](const char* key) { return card[key].is_number() ? card[key].get<double>() : 0.0; };
+  return fmt::format(
+             "Closest to a person {} (boundary to boundary), collision index at most {:.2f}, above 0.54 for "
+             "{:.1f} % of the time.\n",
+             meters(card["closest_person_m"]), value("max_collision_index"),
+             100.0 * value("share_ci_above_0_54")) +
+         fmt::format("Mean speed {:.2f} m/s, RMS jerk {:.2f} m/s^3.\n", value("mean_speed_mps"),
+                     value("rms_jerk_mps3"));
+}
+
+/// Of a run that nobody drove.
+std::string run_in_words(const nlohmann::json& card) {
+  std::string text = fmt::format("Run over: {}", card.value("reason", ""));
+  if (!card.contains("path_length_m")) return text + "; nobody told the truth, and nothing is scored.\n";
+  text += fmt::format("; {} in {:.1f} s.\n", meters(card["path_length_m"]),
+                      card["time_to_goal_s"].is_number() ? card["time_to_goal_s"].get<double>() : 0.0);
+  if (card["closest_person_m"].is_number()) text += company_in_words(card);
+  if (!card["localization"].is_object()) return text;
+  const std::string error = pose_error_in_words(card);
+  return text + (error.empty() ? "The localization gave no pose that could be compared.\n" : error);
+}
+
 }  // namespace
 
 const CallbackStatistics& planner_cycle(const std::vector<CallbackStatistics>& statistics,
@@ -79,31 +115,38 @@ nlohmann::json path_json(const std::vector<PathPoint>& path, const bandwagon_msg
   return points;
 }
 
+nlohmann::json card_json(const bandwagon_msgs::msg::ScoreCard& card) {
+  return {{"reached", card.reached()},
+          {"reason", card.reason()},
+          {"time_to_goal_s", number(card.time_to_goal_s())},
+          {"path_length_m", number(card.path_length_m())},
+          {"distance_to_goal_m", number(card.distance_to_goal_m())},
+          {"min_distance_m", number(card.min_distance_m())},
+          {"closest_person_m", number(card.closest_person_m())},
+          {"collisions", card.collisions()},
+          {"collisions_at_speed", card.collisions_at_speed()},
+          {"max_collision_index", number(card.max_collision_index())},
+          {"max_collision_index_045", number(card.max_collision_index_045())},
+          {"share_ci_above_0_54", number(card.share_ci_above_0_54())},
+          {"share_ci_above_0_14", number(card.share_ci_above_0_14())},
+          {"mean_speed_mps", number(card.mean_speed_mps())},
+          {"rms_jerk_mps3", number(card.rms_jerk_mps3())},
+          {"localization",
+           {{"poses", card.localization_poses()},
+            {"mean_m", number(card.localization_mean_m())},
+            {"rms_m", number(card.localization_rms_m())},
+            {"max_m", number(card.localization_max_m())},
+            {"rms_rad", number(card.localization_rms_rad())}}}};
+}
+
 nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card, const RunFacts& facts,
                        const std::vector<CallbackStatistics>& statistics) {
-  nlohmann::json json;
+  nlohmann::json json = {{"reached", false}};
+  if (card) json = card_json(*card);
+  if (!card || !card->finished()) json["reason"] = facts.end_reason;
   json["graph"] = facts.graph;
   json["seed"] = facts.seed;
-  json["reached"] = card && card->reached();
-  json["reason"] = card && card->finished() ? card->reason() : facts.end_reason;
-  if (card) {
-    json["time_to_goal_s"] = number(card->time_to_goal_s());
-    json["path_length_m"] = number(card->path_length_m());
-    json["distance_to_goal_m"] = number(card->distance_to_goal_m());
-    json["min_distance_m"] = number(card->min_distance_m());
-    json["closest_person_m"] = number(card->closest_person_m());
-    json["collisions"] = card->collisions();
-    json["collisions_at_speed"] = card->collisions_at_speed();
-    json["max_collision_index"] = number(card->max_collision_index());
-    json["max_collision_index_045"] = number(card->max_collision_index_045());
-    json["share_ci_above_0_54"] = number(card->share_ci_above_0_54());
-    json["share_ci_above_0_14"] = number(card->share_ci_above_0_14());
-    json["mean_speed_mps"] = number(card->mean_speed_mps());
-    json["rms_jerk_mps3"] = number(card->rms_jerk_mps3());
-    json["localization"] = {{"rms_m", number(card->localization_rms_m())},
-                            {"max_m", number(card->localization_max_m())},
-                            {"rms_rad", number(card->localization_rms_rad())}};
-  }
+  if (!facts.has_goal) json["has_goal"] = false;
   json["planner"] = planner_json(facts, statistics);
   json["realtime_factor"] = number(facts.realtime_factor);
   if (!facts.samples_sha256.empty()) json["samples_sha256"] = facts.samples_sha256;
@@ -112,33 +155,22 @@ nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card
 }
 
 std::string in_words(const nlohmann::json& card) {
+  if (!card.value("has_goal", true)) return run_in_words(card);
   std::string text = card.value("reached", false)
                          ? fmt::format("Goal reached in {:.1f} s", card.value("time_to_goal_s", 0.0))
                          : fmt::format("Goal not reached: {}", card.value("reason", "no score card"));
   if (!card.contains("collisions")) return text + ".\n";
   text += fmt::format(" over {}, {} contacts ({} while the robot moved).\n", meters(card["path_length_m"]),
                       card["collisions"].get<int>(), card["collisions_at_speed"].get<int>());
-  text += fmt::format(
-      "Closest to a person {} (boundary to boundary), collision index at most {:.2f}, above 0.54 for {:.1f} "
-      "% of the time.\n",
-      meters(card["closest_person_m"]),
-      card["max_collision_index"].is_number() ? card["max_collision_index"].get<double>() : 0.0,
-      100.0 * (card["share_ci_above_0_54"].is_number() ? card["share_ci_above_0_54"].get<double>() : 0.0));
-  text += fmt::format("Mean speed {:.2f} m/s, RMS jerk {:.2f} m/s^3.\n",
-                      card["mean_speed_mps"].is_number() ? card["mean_speed_mps"].get<double>() : 0.0,
-                      card["rms_jerk_mps3"].is_number() ? card["rms_jerk_mps3"].get<double>() : 0.0);
-  if (const auto& pose = card["localization"]; pose.is_object() && pose["rms_m"].is_number()) {
-    text +=
-        fmt::format("Localization off by {:.3f} m and {:.4f} rad rms, {:.3f} m at most.\n",
-                    pose["rms_m"].get<double>(), pose["rms_rad"].get<double>(), pose["max_m"].get<double>());
-  }
-  if (const auto& planner = card["planner"]; planner.is_object()) {
+  text += company_in_words(card);
+  text += pose_error_in_words(card);
+  if (const auto planner = card.value("planner", nlohmann::json()); planner.is_object()) {
     text +=
         fmt::format("Planner {}: {} cycles, CPU median {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms.\n",
                     planner.value("name", ""), planner.value("cycles", 0), planner.value("median_ms", 0.0),
                     planner.value("p99_ms", 0.0), planner.value("max_ms", 0.0));
   }
-  if (card["realtime_factor"].is_number()) {
+  if (card.contains("realtime_factor") && card["realtime_factor"].is_number()) {
     text += fmt::format("Simulated at {:.1f} times real time.\n", card["realtime_factor"].get<double>());
   }
   return text;

@@ -21,6 +21,7 @@ struct RunFacts {
   double realtime_factor = 0.0;
   std::string samples_sha256;
   std::string end_reason;
+  bool has_goal = true;  ///< false: the whole run is scored, and nobody drives
 };
 
 /// The statistics of the planner's cycle, the callback `control_cycle`. Throws std::runtime_error when `component` has
@@ -32,7 +33,10 @@ const CallbackStatistics& planner_cycle(const std::vector<CallbackStatistics>& s
 /// One point every 0.5 s, rounded to 1 ms, 1 mm and 1 mrad; what was before the drive is left out.
 nlohmann::json path_json(const std::vector<PathPoint>& path, const bandwagon_msgs::msg::ScoreCard& card);
 
-/// Throws std::runtime_error like planner_cycle() unless planner_component is empty.
+/// The card alone.
+nlohmann::json card_json(const bandwagon_msgs::msg::ScoreCard& card);
+
+/// The card of a run with its facts. Throws std::runtime_error like planner_cycle() unless planner_component is empty.
 nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card, const RunFacts& facts,
                        const std::vector<CallbackStatistics>& statistics);
 

@@ -93,6 +93,43 @@ TEST(NavigatorComponent, DrivesToTheGoalOfTheGraph) {
   EXPECT_NEAR(static_cast<double>(world.statuses.size()), 2 + 15 + 1, 2);
 }
 
+// 3 m out, 1 m back, 2 m out at 1 m/s with a second between: succeeded three times, 2, 1 and 0 goals follow.
+TEST(NavigatorComponent, DrivesTheGoalsOfTheGraphOneAfterTheOther) {
+  World world;
+  run_with_script(
+      "components: {navigator: {parameters: {goals: [{x: 3.0}, {x: 2.0}, {x: 4.0}], waypoint_pause: 1.0}}}",
+      14.0, [&](bw::Setup& setup) { world.configure(setup); });
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> ends;
+  for (const NavigationStatus& status : world.statuses) {
+    if (status.status() == NavigationStatus_Constants::SUCCEEDED)
+      ends.emplace_back(status.goal_id(), status.number_of_goals_remaining());
+  }
+  EXPECT_THAT(ends, ::testing::ElementsAre(std::pair(1, 2), std::pair(2, 1), std::pair(3, 0)));
+  EXPECT_NEAR(world.x, 4.0, 1e-9);
+}
+
+// A person sends the robot elsewhere while the first of two goals is driven: the list is over.
+TEST(NavigatorComponent, AGoalFromOutsideEndsTheList) {
+  World world;
+  run_with_script(
+      "components: {navigator: {parameters: {goals: [{x: 30.0}, {x: 2.0}]}}}", 12.0, [&](bw::Setup& setup) {
+        world.configure(setup);
+        setup.every(
+            Duration::milliseconds(3000), "goals",
+            [out = setup.output<geometry_msgs::msg::PoseStamped>("goal_pose")](const Tick& tick) mutable {
+              if (tick.sequence == 0) out.publish(goal(6.0));
+            });
+      });
+  EXPECT_EQ(world.statuses.back().status(), NavigationStatus_Constants::SUCCEEDED);
+  EXPECT_EQ(world.statuses.back().goal_id(), 2U);
+  for (const NavigationStatus& status : world.statuses) {
+    if (status.goal_id() == 2 || status.status() == NavigationStatus_Constants::ABORTED) {
+      EXPECT_EQ(status.number_of_goals_remaining(), 0U);
+    }
+  }
+  EXPECT_NEAR(world.x, 6.0, 1e-9);
+}
+
 TEST(NavigatorComponent, TellsPlannerAndJudgeWithinWhatTheGoalIsReached) {
   for (const bool is_set : {false, true}) {
     World world;

@@ -28,7 +28,7 @@
 #include <gtest/gtest.h>
 
 #include "components/files/csv_file.hpp"
-#include "components/recordings/files/log_files.hpp"
+#include "components/recordings/files/imported_drive.hpp"
 #include "runtime/base/quantile.hpp"
 #include "tests/components/people/perception_trial.hpp"
 #include "tests/components/people/recorded_picture.hpp"
@@ -126,8 +126,10 @@ TEST(RecordedPeople, AreFollowed) {
   const char* shared = std::getenv("BANDWAGON_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "recorded data are not at hand (BANDWAGON_SHARED)";
   const RecordedDrive drive =
-      read_laser_log(std::filesystem::path(shared) / "data" / "people_laser_stationary");
-  const ScanGeometry& geometry = drive.scan_geometry;
+      import_drive(std::string(BANDWAGON_SOURCE_DIR) + "/config/imports/laser.yaml",
+                   {std::filesystem::path(shared) / "data" / "people_laser_stationary"})
+          .drive;
+  const ScanGeometry& geometry = drive.scans.front().geometry;
   Stretch sparse("0 to 20 s, not seen when parameters were chosen", "people_laser_stationary_labels_0.csv");
   Stretch dense("33 to 53 s, not seen when parameters were chosen", "people_laser_stationary_labels_33.csv");
   Stretch seen("97.5 to 105 s, seen when parameters were chosen", "people_laser_stationary_labels_97.csv");

@@ -1,46 +1,19 @@
 // Drives a robot of ours 0.5 m straight on, over another vendor's DDS, and prints what it saw as `key: value`
 // lines. Every wait is bounded; exit status 0 when all of it was seen.
 //   ROS_DOMAIN_ID=81 cyclone_driver
-#include <dds/dds.h>
 #include <math.h>
 #include <stdbool.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "cyclone_common.h"
 #include "geometry_msgs/msg/Twist.h"
 #include "nav_msgs/msg/OccupancyGrid.h"
 #include "nav_msgs/msg/Odometry.h"
 #include "sensor_msgs/msg/LaserScan.h"
 
-// Loopback only, unicast only; the peer is tried on the ports of the first 32 participants.
-static const char kConfig[] =
-    "<General><Interfaces><NetworkInterface name=\"lo\" multicast=\"false\"/></Interfaces>"
-    "<AllowMulticast>false</AllowMulticast></General>"
-    "<Discovery><ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>31</"
-    "MaxAutoParticipantIndex>"
-    "<Peers><Peer Address=\"127.0.0.1\"/></Peers></Discovery>";
-
 static const double kSpeed = 0.4;     // [m/s]
 static const double kDistance = 0.5;  // [m]
 static const dds_duration_t kPeriod = DDS_MSECS(50);
-
-static dds_entity_t checked(dds_return_t result, const char* what) {
-  if (result < 0) {
-    fprintf(stderr, "%s: %s\n", what, dds_strretcode(-result));
-    exit(2);
-  }
-  return result;
-}
-
-// The topic as ROS 2 names it. The IDL compiler knows the type by its plain name, `pkg::msg::Name`.
-static dds_entity_t ros_topic(dds_entity_t participant, const dds_topic_descriptor_t* plain, const char* type,
-                              const char* topic) {
-  dds_topic_descriptor_t mangled = *plain;
-  mangled.m_typename = type;
-  return checked(dds_create_topic(participant, &mangled, topic, NULL, NULL), topic);
-}
 
 static dds_qos_t* reliable(dds_durability_kind_t durability) {
   dds_qos_t* qos = dds_create_qos();
@@ -105,10 +78,7 @@ static void command(dds_entity_t writer, double speed) {
 }
 
 int main(void) {
-  const char* domain = getenv("ROS_DOMAIN_ID");
-  const dds_domainid_t id = domain ? (dds_domainid_t)atoi(domain) : 0;
-  checked(dds_create_domain(id, kConfig), "domain");
-  const dds_entity_t participant = checked(dds_create_participant(id, NULL, NULL), "participant");
+  const dds_entity_t participant = join_domain();
 
   const dds_entity_t odom = reader_of(
       participant,

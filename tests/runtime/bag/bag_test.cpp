@@ -236,6 +236,11 @@ TEST(QosText, IsWhatHumbleReads) {
             "  avoid_ros_namespace_conventions: false\n");
 }
 
+TEST(QosText, ADepthThatNobodyToldIsAnUnknownHistory) {
+  // As rosbag2 writes what only discovery knows: RMW_QOS_POLICY_HISTORY_UNKNOWN is 3.
+  EXPECT_THAT(to_qos_text({{.depth = 0}}), ::testing::StartsWith("- history: 3\n  depth: 0\n"));
+}
+
 TEST(QosText, ThePlayerOffersWhatAllAgreeOn) {
   EXPECT_EQ(playing_qos({}), Qos::standard(10));
   EXPECT_EQ(playing_qos({Qos::latched()}).durability, Durability::transient_local);

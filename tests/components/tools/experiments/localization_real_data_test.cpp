@@ -2,10 +2,11 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include <gtest/gtest.h>
 
-#include "components/recordings/files/log_files.hpp"
+#include "components/recordings/files/imported_drive.hpp"
 #include "components/tools/experiments/ekf_report.hpp"
 
 namespace bw {
@@ -18,12 +19,17 @@ class RealData : public ::testing::Test {
     if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED names no folder of recorded data";
     data_ = std::filesystem::path(shared) / "data";
   }
+  RecordedDrive read(const std::string& columns, const std::string& folder) const {
+    return import_drive(std::string(BANDWAGON_SOURCE_DIR) + "/config/imports/" + columns + ".yaml",
+                        {data_ / folder})
+        .drive;
+  }
   std::filesystem::path data_;
 };
 
 // Book 8.7: every second fix held out: mean < 1.3 m; an outage of 100 s: < 4 m.
 TEST_F(RealData, HuskyMeetsTheCriteria) {
-  const std::vector<RealDataRow> rows = run_husky(read_husky_log(data_ / "husky_odom_imu_gps"), {});
+  const std::vector<RealDataRow> rows = run_husky(read("husky", "husky_odom_imu_gps"), {});
   ASSERT_EQ(rows.size(), 9U);
   EXPECT_GT(rows[0].count, 450U);  // of 494 held out, but for those before the first pose
   EXPECT_LT(rows[0].mean, 1.3);
@@ -37,7 +43,7 @@ TEST_F(RealData, HuskyMeetsTheCriteria) {
 
 // The ordering of the dissertation on a real robot: wheels > + compass > + receiver > all.
 TEST_F(RealData, MrclamHasTheOrderingOfTheDissertation) {
-  const std::vector<RealDataRow> rows = run_mrclam(read_mrclam_log(data_ / "mrclam6_robot1"), {}, 1);
+  const std::vector<RealDataRow> rows = run_mrclam(read("mrclam", "mrclam6_robot1"), {}, 1);
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_NEAR(rows[0].mean, 1.98, 0.05);  // dead reckoning has no parameter: the study's own figure
   EXPECT_GT(rows[0].mean, rows[2].mean);
@@ -47,11 +53,30 @@ TEST_F(RealData, MrclamHasTheOrderingOfTheDissertation) {
 
 // Ranges long by 0.1 m and more keep the filter within that much of the reference; the wheels alone drift.
 TEST_F(RealData, LabyrinthStartsFromRangesAlone) {
-  const std::vector<RealDataRow> rows = run_labyrinth(read_labyrinth_log(data_ / "tuc_labyrinth_uwb"), {});
+  const std::vector<RealDataRow> rows = run_labyrinth(read("labyrinth", "tuc_labyrinth_uwb"), {});
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_GT(rows[2].count, 150U);
   EXPECT_LT(rows[2].mean, 0.25);
   EXPECT_LT(rows[1].mean, 0.25);
+}
+
+// The report names the logs that it used.
+TEST(EkfReport, NamesTheLogs) {
+  EkfReport report{.seeds = 1, .rows = ekf_rows(1)};
+  report.real_data.emplace();
+  report.real_data->logs = {{"a_log", "its <source>", "its licence", {}}};
+  // What all_criteria() asks for.
+  for (const char* const sensors : {"wheels, gyro, receiver", "wheels", "wheels, receiver", "wheels, compass",
+                                    "wheels, receiver, compass"}) {
+    for (const char* const log : {"Husky", "MRCLAM"}) {
+      for (const char* const task : {"every second fix held out", "no fix from 150 s to 250 s"})
+        report.real_data->rows.push_back({.log = log, .task = task, .sensors = sensors, .count = 1});
+    }
+  }
+  const auto json = ekf_json(report);
+  EXPECT_EQ(json["real_data"]["logs"][0]["name"], "a_log");
+  EXPECT_EQ(json["real_data"]["logs"][0]["licence"], "its licence");
+  EXPECT_NE(ekf_page(report).find("<td>a_log</td><td>its &lt;source&gt;</td>"), std::string::npos);
 }
 
 TEST(EkfReport, JudgesTheMeansItWasGiven) {

@@ -1,0 +1,55 @@
+// Judges a drive from its beginning to its end: the score card, the error of the pose, and what the picture needs.
+// A drive begins with a goal and ends with it, or with the last of several that follow each other.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "components/evaluation/pose_errors.hpp"
+#include "components/evaluation/run_recorder.hpp"
+#include "components/evaluation/score_keeper.hpp"
+
+namespace bw {
+
+/// What the navigator says of a goal.
+struct GoalNews {
+  std::uint64_t goal_id = 0;  ///< rises from goal to goal
+  bool is_over = false;
+  bool is_claimed = false;     ///< over, and the robot says that it stands there
+  bool others_follow = false;  ///< goals of the same drive
+  std::string reason;
+  Vector2 goal{0.0, 0.0};  ///< in map [m]
+  GoalTolerance tolerance;
+};
+
+class DriveJudge {
+ public:
+  /// `robot_radius` [m], `top_speed` [m/s].
+  DriveJudge(const EvaluationOptions& options, double robot_radius, double top_speed)
+      : keeper_(options, robot_radius), recorder_(robot_radius, top_speed) {}
+
+  /// A drive without a goal, such as that of a recording, lasts until end_run().
+  void begin_run(Time now);
+  void end_run(Time now);
+  /// True when it ends the drive.
+  bool on_goal(const GoalNews& news, Time now);
+  void on_truth(const TruthSample& sample);
+  /// Where the robot believes to be in map at `time`.
+  void on_pose(Time time, const Pose2& X_MB);
+
+  bool running() const { return keeper_.running(); }
+  const ScoreCard& card() const { return keeper_.card(); }
+  const PoseErrors& pose_errors() const { return errors_; }
+  RunRecorder& recorder() { return recorder_; }
+
+ private:
+  void begin(const GoalNews& news, Time now);
+
+  ScoreKeeper keeper_;
+  PoseErrors errors_;
+  RunRecorder recorder_;
+  std::uint64_t goal_id_ = 0;
+  bool others_follow_ = false;
+};
+
+}  // namespace bw

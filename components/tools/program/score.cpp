@@ -1,0 +1,91 @@
+// bandwagon score BAG: how a recorded drive went. Exit status 0 when every goal of the bag was reached, 1 when not.
+#include <iostream>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "components/evaluation/adaptor/truth_messages.hpp"
+#include "components/messages/geometry.hpp"
+#include "components/model/robot.hpp"
+#include "components/tools/program/score_bag.hpp"
+#include "components/tools/program/score_card_json.hpp"
+#include "runtime/cli/verb.hpp"
+#include "runtime/parameters/read_parameters.hpp"
+#include "runtime/parameters/yaml_file.hpp"
+
+namespace bw {
+namespace {
+
+struct ScoreOptions {
+  std::string path;
+  double robot_radius = 0.0;
+  bool json = false;
+};
+
+/// From the robot file that the bag carries.
+std::optional<double> recorded_radius(const bag::Bag& recording) {
+  const auto file = recording.attachment("robot.yaml");
+  if (!file) return std::nullopt;
+  const ConfigNode root =
+      parse_yaml({reinterpret_cast<const char*>(file->data()), file->size()}, "robot.yaml in the bag");
+  const ConfigNode* radius = root.find("radius");
+  return radius == nullptr || !radius->is_scalar() ? std::nullopt : parse_number(radius->scalar);
+}
+
+nlohmann::json to_json(const ScoredDrive& drive) {
+  nlohmann::json json = card_json(to_message(drive.card, drive.pose_errors, make_header("map", {})));
+  if (!drive.has_goal) json["has_goal"] = false;
+  if (drive.pose_errors.count() == 0) json["localization"] = nullptr;
+  return json;
+}
+
+int score(const ScoreOptions& options) {
+  const auto recording = bag::open_bag(options.path);
+  double radius = options.robot_radius;
+  std::string radius_from = "given";
+  if (radius == 0.0) {
+    const auto recorded = recorded_radius(*recording);
+    radius_from = recorded ? "the bag's robot file" : "the usual one";
+    radius = recorded.value_or(Robot{}.radius);
+  }
+  const BagScore score = score_bag(*recording, radius);
+  nlohmann::json json = {{"bag", options.path},
+                         {"judged_by", score.judged_by},
+                         {"robot_radius_m", radius},
+                         {"notes", score.notes},
+                         {"drives", nlohmann::json::array()}};
+  bool all_reached = !score.drives.empty();
+  for (const ScoredDrive& drive : score.drives) {
+    json["drives"].push_back(to_json(drive));
+    all_reached &= drive.card.reached || !drive.has_goal;
+  }
+  if (options.json) {
+    std::cout << json.dump(2) << "\n";
+    return all_reached ? 0 : 1;
+  }
+  std::cout << fmt::format("Judged by {}; robot of radius {:.2f} m ({}).\n", score.judged_by, radius,
+                           radius_from);
+  for (const std::string& note : score.notes) std::cout << "note: " << note << "\n";
+  if (score.drives.empty()) std::cout << "No drive is in the bag: no goal was set.\n";
+  for (const auto& drive : json["drives"]) std::cout << in_words(drive);
+  return all_reached ? 0 : 1;
+}
+
+CLI::App* add_score(CLI::App& app, int& status) {
+  auto options = std::make_shared<ScoreOptions>();
+  CLI::App* verb = app.add_subcommand("score", "Score cards of the drives in a recording");
+  verb->add_option("BAG", options->path, "File or folder")->required();
+  verb->add_option("--robot-radius", options->robot_radius,
+                   "Of the robot's disc [m]; else the bag's robot file tells")
+      ->check(CLI::PositiveNumber);
+  verb->add_flag("--json", options->json, "As JSON");
+  verb->callback([options, &status] { status = score(*options); });
+  return verb;
+}
+
+}  // namespace
+
+BW_VERB(look, "score", add_score)
+
+}  // namespace bw

@@ -1,0 +1,210 @@
+#include "components/tools/program/score_bag.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include <bandwagon_msgs/msg/ground_truth.hpp>
+#include <bandwagon_msgs/msg/navigation_status.hpp>
+#include <bandwagon_msgs/msg/tracks.hpp>
+#include <fmt/format.h>
+#include <nav_msgs/msg/odometry.hpp>
+
+#include "components/evaluation/adaptor/truth_messages.hpp"
+#include "components/messages/geometry.hpp"
+#include "runtime/bag/known_type.hpp"
+
+namespace bw {
+namespace {
+
+using bandwagon_msgs::msg::GroundTruth;
+using bandwagon_msgs::msg::NavigationStatus;
+using bandwagon_msgs::msg::Tracks;
+using nav_msgs::msg::Odometry;
+
+constexpr double kTopSpeed = 1.0;  // only a picture's colours need it [m/s]
+constexpr Duration kForgetsPeople =
+    Duration::milliseconds(500);  // tracks older than this are not people any more
+
+bool has_messages(const bag::BagTopic& topic, std::string_view type) {
+  return topic.type == type && topic.message_count > 0 && bag::known_type(topic).type != nullptr;
+}
+
+/// Number of the topic of this type, of the first of the names that is there, else of any name.
+std::optional<std::size_t> find_topic(const bag::Bag& recording, std::string_view type,
+                                      const std::vector<std::string>& names = {}) {
+  const auto& topics = recording.topics();
+  std::optional<std::size_t> any;
+  for (std::size_t i = topics.size(); i-- > 0;) {
+    if (has_messages(topics[i], type)) any = i;
+  }
+  for (const std::string& name : names) {
+    for (std::size_t i = 0; i < topics.size(); ++i) {
+      if (topics[i].name == name && has_messages(topics[i], type)) return i;
+    }
+  }
+  return any;
+}
+
+/// Which topics tell what.
+struct Sources {
+  std::optional<std::size_t> truth, status, belief, odometry, tracks;
+
+  explicit Sources(const bag::Bag& recording)
+      : truth(find_topic(recording, "bandwagon_msgs/msg/GroundTruth")),
+        status(find_topic(recording, "bandwagon_msgs/msg/NavigationStatus")),
+        belief(find_topic(recording, "nav_msgs/msg/Odometry", {"/odometry/filtered", "/odom"})),
+        odometry(find_topic(recording, "nav_msgs/msg/Odometry", {"/odom"})),
+        tracks(find_topic(recording, "bandwagon_msgs/msg/Tracks")) {}
+};
+
+class Scorer {
+ public:
+  Scorer(const bag::Bag& recording, double robot_radius)
+      : recording_(recording), from_(recording), judge_({}, robot_radius, kTopSpeed) {
+    if (!from_.truth && !from_.belief)
+      throw std::runtime_error(
+          "the bag holds neither a ground truth nor an odometry: nothing tells where the robot was");
+    const auto name = [&](std::size_t topic) { return recording.topics()[topic].name; };
+    if (from_.truth) {
+      score_.judged_by = "ground truth " + name(*from_.truth);
+    } else {
+      score_.judged_by =
+          "the robot's own " + name(*from_.belief) + (from_.tracks ? " and " + name(*from_.tracks) : "");
+      score_.notes.emplace_back(
+          "without a ground truth: distances are estimates, walls and the error of the pose are not judged");
+      if (!from_.tracks) score_.notes.emplace_back("no tracks: people are not judged");
+    }
+    for (const bag::BagTopic& topic : recording.topics()) {
+      if (const bag::KnownType known = bag::known_type(topic); !known.why.empty())
+        score_.notes.push_back(topic.name + " is not used: " + known.why);
+    }
+    if (!from_.status)
+      score_.notes.emplace_back("no navigation status: the whole bag is one drive, without a goal");
+  }
+
+  BagScore run() {
+    const auto messages = recording_.messages({});
+    bag::BagMessage m;
+    for (bag::Step step = messages->next(m); step != bag::Step::end; step = messages->next(m)) {
+      if (step == bag::Step::damaged) {
+        const bag::BagFault fault = messages->fault();
+        score_.notes.push_back(fmt::format("{}: byte {}: {}", fault.file.string(), fault.offset, fault.what));
+      } else {
+        take(m);
+      }
+    }
+    finish();
+    return std::move(score_);
+  }
+
+ private:
+  void take(const bag::BagMessage& m) {
+    now_ = m.log_time;
+    if (m.topic == from_.truth)
+      read<GroundTruth>(m, [&](const auto& message) { on_truth(to_truth(message)); });
+    if (m.topic == from_.status) read<NavigationStatus>(m, [&](const auto& message) { on_status(message); });
+    if (m.topic == from_.tracks && !from_.truth)
+      read<Tracks>(m, [&](const auto& message) { on_tracks(message); });
+    if (m.topic == from_.odometry || m.topic == from_.belief)
+      read<Odometry>(m, [&](const auto& message) { on_odometry(m.topic, message); });
+  }
+
+  template <class Message, class Action>
+  void read(const bag::BagMessage& m, Action action) {
+    Message message;
+    if (deserialize(m.data, message)) {
+      action(message);
+    } else {
+      ++malformed_;
+    }
+  }
+
+  void on_status(const NavigationStatus& message) {
+    if (judge_.on_goal(to_goal_news(message), now_)) keep();
+  }
+
+  void on_truth(const TruthSample& sample) {
+    if (!from_.status && !judge_.running()) judge_.begin_run(now_);
+    judge_.on_truth(sample);
+  }
+
+  void on_odometry(std::size_t topic, const Odometry& message) {
+    const Pose2 X_FB = from_pose(message.pose().pose());
+    X_FB_[message.header().frame_id()] = X_FB;
+    if (topic != from_.belief) return;
+    const Time stamp = from_stamp(message.header().stamp());
+    if (from_.truth) {
+      judge_.on_pose(stamp, X_FB);
+      return;
+    }
+    TruthSample sample;
+    sample.time = stamp;
+    sample.X_MB = X_FB;
+    sample.twist = from_twist(message.twist().twist());
+    sample.wall_gap = std::numeric_limits<double>::infinity();
+    if (now_ - tracked_at_ <= kForgetsPeople) sample.people = people_in(message.header().frame_id());
+    on_truth(sample);
+  }
+
+  void on_tracks(const Tracks& message) {
+    tracks_ = message;
+    tracked_at_ = now_;
+  }
+
+  /// The tracks in another frame, by way of the robot, whose pose is known in both.
+  std::vector<TruePerson> people_in(const std::string& frame) {
+    const auto there = X_FB_.find(tracks_.header().frame_id());
+    const auto here = X_FB_.find(frame);
+    if (there == X_FB_.end() || here == X_FB_.end()) {
+      lost_frame_ = tracks_.header().frame_id();
+      return {};
+    }
+    const Pose2 X_HT = here->second * inverse(there->second);
+    std::vector<TruePerson> people;
+    for (const auto& track : tracks_.tracks()) {
+      people.push_back({track.id(), X_HT * Vector2(track.position().x(), track.position().y()),
+                        Eigen::Rotation2Dd(X_HT.theta) * Vector2(track.velocity().x(), track.velocity().y()),
+                        track.radius()});
+    }
+    return people;
+  }
+
+  void keep() { score_.drives.push_back({judge_.card(), judge_.pose_errors(), from_.status.has_value()}); }
+
+  void finish() {
+    if (judge_.running()) {
+      judge_.end_run(now_);
+      keep();
+      if (from_.status) score_.drives.back().card.reason = "the bag ends before the drive";
+    }
+    if (malformed_ > 0) score_.notes.push_back(fmt::format("{} messages do not fit their types", malformed_));
+    if (lost_frame_)
+      score_.notes.push_back("tracks are in frame '" + *lost_frame_ +
+                             "', which no odometry tells of: people are not judged");
+  }
+
+  const bag::Bag& recording_;
+  Sources from_;
+  DriveJudge judge_;
+  BagScore score_;
+  Time now_;
+  std::map<std::string, Pose2> X_FB_;  ///< by frame: base_link in it
+  Tracks tracks_;
+  Time tracked_at_{std::numeric_limits<std::int64_t>::min() / 2};
+  std::optional<std::string> lost_frame_;
+  std::uint64_t malformed_ = 0;
+};
+
+}  // namespace
+
+BagScore score_bag(const bag::Bag& recording, double robot_radius) {
+  return Scorer(recording, robot_radius).run();
+}
+
+}  // namespace bw

@@ -1,0 +1,30 @@
+// The score cards of a recorded drive: from the world's truth where the bag has it, else from what the robot itself
+// believed (its odometry) and saw (its tracks).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "components/evaluation/drive_judge.hpp"
+#include "runtime/bag/bag.hpp"
+
+namespace bw {
+
+struct ScoredDrive {
+  ScoreCard card;
+  PoseErrors pose_errors;
+  bool has_goal = true;  ///< false: nobody said where the robot goes, the whole bag is one drive
+};
+
+struct BagScore {
+  std::string judged_by;           ///< a sentence: by which topics
+  std::vector<std::string> notes;  ///< what could not be judged, or is an estimate
+  std::vector<ScoredDrive> drives;
+};
+
+/// `robot_radius` [m]. Throws std::runtime_error when the bag holds neither a truth nor an odometry.
+[[nodiscard]] BagScore score_bag(const bag::Bag& recording, double robot_radius);
+
+}  // namespace bw

@@ -1,0 +1,45 @@
+#include "runtime/ros/node_directory.hpp"
+
+#include <utility>
+
+namespace bw {
+
+std::string full_name(const NodeEntities& node) {
+  return (node.node_namespace == "/" ? "" : node.node_namespace) + "/" + node.name;
+}
+
+NodeDirectory::NodeDirectory(dds::Participant& participant, std::function<void()> on_news) {
+  Qos qos = Qos::latched();
+  qos.depth = 1000;  // one sample of every participant
+  reader_ = participant.create_reader(
+      {.topic = kDiscoveryTopic, .type = kDiscoveryType, .qos = qos, .user_data = {}}, std::move(on_news));
+}
+
+bool NodeDirectory::update() {
+  dds::Sample sample;
+  bool is_new = false;
+  while (reader_->take(sample)) {
+    auto entities = decode_participant_entities(sample.cdr);
+    if (!entities) continue;
+    is_new = true;
+    std::erase_if(participants_,
+                  [&](const auto& known) { return known.participant == entities->participant; });
+    participants_.push_back(std::move(*entities));
+  }
+  if (!is_new) return false;
+  node_of_.clear();
+  for (const ParticipantEntities& participant : participants_) {
+    for (const NodeEntities& node : participant.nodes) {
+      for (const dds::Guid& guid : node.readers) node_of_[guid] = full_name(node);
+      for (const dds::Guid& guid : node.writers) node_of_[guid] = full_name(node);
+    }
+  }
+  return true;
+}
+
+std::string NodeDirectory::node_of(const dds::Guid& endpoint) const {
+  const auto found = node_of_.find(endpoint);
+  return found == node_of_.end() ? std::string() : found->second;
+}
+
+}  // namespace bw

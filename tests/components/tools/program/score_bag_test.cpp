@@ -1,0 +1,136 @@
+#include "components/tools/program/score_bag.hpp"
+
+#include <filesystem>
+
+#include <bandwagon_msgs/msg/ground_truth.hpp>
+#include <bandwagon_msgs/msg/navigation_status.hpp>
+#include <bandwagon_msgs/msg/tracks.hpp>
+#include <gmock/gmock.h>
+#include <nav_msgs/msg/odometry.hpp>
+
+#include "components/messages/geometry.hpp"
+#include "runtime/bag/bag_writer.hpp"
+
+namespace bw {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Five seconds along x of map at 1 m/s. The odometry's frame lies 10 m off and turned by 90 degrees; a person of 0.3 m
+/// stands at (2, 1) in map, and the localization believes to be 0.1 m to the left.
+class RecordedDrive : public testing::Test {
+ protected:
+  void SetUp() override {
+    path_ = std::filesystem::path(testing::TempDir()) / "score_bag_test.mcap";
+    std::filesystem::remove(path_);
+    writer_.emplace(path_, bag::BagWriterOptions{});
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  template <class Message>
+  std::size_t topic(const std::string& name) {
+    return writer_->add_topic({.name = name, .type = std::string(MessageTraits<Message>::ros_name)});
+  }
+  template <class Message>
+  void write(std::size_t topic, Time time, const Message& message) {
+    std::vector<std::uint8_t> cdr;
+    serialize(message, cdr);
+    writer_->write(topic, time, time, cdr);
+  }
+
+  void drive(bool with_truth, bool with_status, bool with_tracks) {
+    using namespace bandwagon_msgs::msg;
+    const std::size_t odom = topic<nav_msgs::msg::Odometry>("/odom");
+    const std::size_t filtered = topic<nav_msgs::msg::Odometry>("/odometry/filtered");
+    const std::size_t truth = with_truth ? topic<GroundTruth>("/sim/ground_truth") : 0;
+    const std::size_t status = with_status ? topic<NavigationStatus>("/navigation_status") : 0;
+    const std::size_t tracks = with_tracks ? topic<Tracks>("/tracks") : 0;
+    const Pose2 X_MO{10.0, 0.0, 1.5707963267948966};
+    for (int i = 0; i <= 50; ++i) {
+      const Time now = Time::seconds(100.0 + 0.1 * i);
+      const Pose2 X_MB{0.1 * i, 0.0, 0.0};
+      NavigationStatus news;
+      news.goal_id(1);
+      news.goal().pose(to_pose({5.0, 0.0, 0.0}));
+      news.status(i == 50 ? NavigationStatus_Constants::SUCCEEDED : NavigationStatus_Constants::EXECUTING);
+      news.reason(i == 50 ? "reached" : "");
+      if (with_status && i == 0) write(status, now, news);
+      nav_msgs::msg::Odometry message;
+      message.header(make_header("odom", now));
+      message.pose().pose(to_pose(inverse(X_MO) * X_MB));
+      write(odom, now, message);
+      if (with_tracks) {
+        Tracks seen;
+        seen.header(make_header("odom", now));
+        Track person;
+        person.id(4);
+        person.position(to_point(inverse(X_MO) * Vector2(2.0, 1.0)));
+        person.radius(0.3);
+        seen.tracks().push_back(person);
+        write(tracks, now, seen);
+      }
+      GroundTruth true_state;
+      true_state.header(make_header("map", now));
+      true_state.pose(to_pose(X_MB));
+      true_state.twist().linear().x(1.0);
+      true_state.wall_clearance(2.0);
+      if (with_truth) write(truth, now, true_state);
+      message.header(make_header("map", now));
+      message.pose().pose(to_pose({X_MB.x, 0.1, 0.0}));
+      message.twist().twist().linear().x(1.0);
+      write(filtered, now, message);
+      if (with_status && i == 50) write(status, now, news);
+    }
+    writer_->close();
+  }
+
+  BagScore score() { return score_bag(*bag::open_bag(path_), 0.3); }
+
+  std::filesystem::path path_;
+  std::optional<bag::BagWriter> writer_;
+};
+
+TEST_F(RecordedDrive, ByTheTruth) {
+  drive(true, true, true);
+  const BagScore score = this->score();
+  EXPECT_EQ(score.judged_by, "ground truth /sim/ground_truth");
+  ASSERT_EQ(score.drives.size(), 1U);
+  const ScoreCard& card = score.drives[0].card;
+  EXPECT_TRUE(card.reached);
+  EXPECT_NEAR(card.path_length, 5.0, 1e-9);
+  EXPECT_NEAR(card.min_distance, 2.0, 1e-9) << "the truth knows nobody, only walls";
+  EXPECT_NEAR(score.drives[0].pose_errors.rms_position(), 0.1, 1e-9);
+}
+
+// The robot believes to drive along y = 0.1 and sees the person where it is from there: 1.0 - 0.3 - 0.3 m aside.
+TEST_F(RecordedDrive, ByWhatTheRobotBelievedAndSaw) {
+  drive(false, true, true);
+  const BagScore score = this->score();
+  EXPECT_EQ(score.judged_by, "the robot's own /odometry/filtered and /tracks");
+  ASSERT_EQ(score.drives.size(), 1U);
+  const ScoreCard& card = score.drives[0].card;
+  EXPECT_TRUE(card.finished && card.reached);
+  EXPECT_NEAR(card.time_to_goal, 5.0, 1e-9);
+  ASSERT_TRUE(card.closest);
+  EXPECT_NEAR(card.closest->gap, 0.4, 0.01);  // the pose is a cycle old when the tracks come
+  EXPECT_EQ(score.drives[0].pose_errors.count(), 0);
+}
+
+TEST_F(RecordedDrive, WithoutAGoalTheWholeBagIsOneDrive) {
+  drive(false, false, false);
+  const BagScore score = this->score();
+  ASSERT_EQ(score.drives.size(), 1U);
+  EXPECT_FALSE(score.drives[0].has_goal);
+  EXPECT_NEAR(score.drives[0].card.path_length, 5.0, 1e-9);
+  EXPECT_THAT(score.notes, testing::Contains(HasSubstr("no tracks")));
+  EXPECT_THAT(score.notes, testing::Contains(HasSubstr("no navigation status")));
+}
+
+TEST_F(RecordedDrive, WithNeitherTruthNorOdometryThereIsNothingToJudge) {
+  writer_->add_topic({.name = "/odom", .type = "nav_msgs/msg/Odometry"});
+  writer_->close();
+  EXPECT_THROW(score(), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace bw
