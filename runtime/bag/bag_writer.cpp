@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -11,16 +12,13 @@
 #include <unistd.h>
 
 #include "runtime/atomic_file.hpp"
+#include "runtime/bag/mcap_time.hpp"
 #include "runtime/bag/qos_text.hpp"
 
 namespace bw::bag {
 namespace {
 
 constexpr std::uint64_t kPartsOfMaxSize = 10;
-
-std::uint64_t to_mcap_time(Time time) {
-  return static_cast<std::uint64_t>(std::max<std::int64_t>(time.nanoseconds, 0));
-}
 
 /// Held as long as the folder is written; a kill lets go of it.
 int lock_folder(const std::filesystem::path& folder) {
@@ -65,8 +63,9 @@ std::filesystem::path BagWriter::file_path(std::size_t number) const {
 
 void BagWriter::open_file() {
   const std::filesystem::path file = file_path(next_number_++);
-  file_ = std::make_unique<mcap::Writer>(options_.create(file),
-                                         mcap::WriterOptions{.compression = options_.compression});
+  file_ = std::make_unique<mcap::Writer>(
+      options_.create(file),
+      mcap::WriterOptions{.compression = options_.compression, .profile = options_.profile});
   for (const mcap::Schema& schema : schemas_) file_->add_schema(schema);
   for (const mcap::Channel& channel : channels_) file_->add_channel(channel);
   metadata_.files.push_back({.path = file.filename().string()});
@@ -74,8 +73,12 @@ void BagWriter::open_file() {
 }
 
 std::size_t BagWriter::add_topic(const BagTopic& topic) {
-  std::uint16_t& schema_id = schema_ids_[{topic.type, topic.schema_text}];
-  if (schema_id == 0) {
+  constexpr std::size_t kMost = std::numeric_limits<std::uint16_t>::max();
+  if (channels_.size() == kMost)
+    throw std::runtime_error(path_.string() + ": MCAP has no room for more than 65535 topics");
+  std::uint16_t& schema_id = schema_ids_[{topic.type, topic.schema_encoding + "\n" + topic.schema_text}];
+  const bool has_schema = !topic.type.empty() || !topic.schema_text.empty();
+  if (schema_id == 0 && has_schema) {
     schema_id = static_cast<std::uint16_t>(schemas_.size() + 1);
     schemas_.push_back({.id = schema_id,
                         .name = topic.type,

@@ -23,6 +23,7 @@ namespace bw::bag {
 
 struct BagWriterOptions {
   Compression compression = Compression::zstd;
+  std::string profile = "ros2";  ///< of MCAP: what messages and schemas are to be understood as
   std::uint64_t split_size = 0;  ///< a new file begins beyond this [bytes]; 0: never. Folders only
   Duration split_duration{};     ///< or after this time; 0: never. Folders only
   /// The oldest files go, so that all together stay below this [bytes]; 0: they stay. Attachments, metadata and latched
@@ -73,8 +74,9 @@ class BagWriter {
   int lock_ = -1;
   std::vector<BagTopic> topics_;
   std::vector<std::size_t> listed_as_;  ///< by topic: its place in metadata_.topics, which knows no writers
-  std::vector<std::size_t> latched_depths_;                                  ///< by topic
-  std::map<std::pair<std::string, std::string>, std::uint16_t> schema_ids_;  ///< by type and text
+  std::vector<std::size_t> latched_depths_;  ///< by topic
+  std::map<std::pair<std::string, std::string>, std::uint16_t>
+      schema_ids_;  ///< by type, and encoding with text
   std::vector<mcap::Schema> schemas_;
   std::vector<mcap::Channel> channels_;
   std::unique_ptr<mcap::Writer> file_;
