@@ -1,6 +1,5 @@
 // Plays a bag on the component clock, so that the graph that drives a robot runs on it: odometry, inertial
 // unit, fixes, ranges, scans and reference as the robot and the simulated world publish them.
-#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -77,12 +76,7 @@ class RecordedRobotComponent final : public Component {
     drive_ = std::move(read.drive);
     setup.log().info("plays {} ({})", read.log.name, path.string());
     for (const std::string& left_out : read.left_out) setup.log().warn("{}", left_out);
-    // The graph's own word on a sensor holds, and where the base is others say.
-    std::erase_if(drive_.mounts, [&robot](const FrameMount& mount) {
-      const bool is_sensor =
-          std::ranges::find(robot.sensors, mount.child, &SensorMount::frame) != robot.sensors.end();
-      return is_sensor || mount.child == "base_link" || mount.child == "odom";
-    });
+    drop_what_others_tell(robot, drive_.mounts);
   }
 
   void declare_outputs(Setup& setup, const Robot& robot) {
