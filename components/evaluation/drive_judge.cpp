@@ -1,7 +1,6 @@
 #include "components/evaluation/drive_judge.hpp"
 
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace bw {
@@ -10,7 +9,7 @@ void DriveJudge::begin_run(Time now) {
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   keeper_.start(now, {kNowhere, kNowhere});
   errors_ = {};
-  recorder_.start(now, std::nullopt);
+  recorder_.start(now);
 }
 
 void DriveJudge::end_run(Time now) { keeper_.finish(now, false, "the run is over"); }

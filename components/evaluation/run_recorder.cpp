@@ -16,10 +16,9 @@ RunRecorder::RunRecorder(double robot_radius, double top_speed) : period_(kPerio
   recording_.top_speed = top_speed;
 }
 
-void RunRecorder::start(Time now, const std::optional<Vector2>& goal) {
+void RunRecorder::start(Time now) {
   recording_.moments.clear();
   recording_.goals.clear();
-  if (goal) recording_.goals.push_back(*goal);
   started_ = now;
   period_ = kPeriod;
   last_.reset();

@@ -34,8 +34,12 @@ class RunRecorder {
  public:
   RunRecorder(double robot_radius, double top_speed);
 
-  /// Forgets the moments, keeps map and shapes. Nothing: nobody said where the robot goes.
-  void start(Time now, const std::optional<Vector2>& goal);
+  /// Forgets moments and goals, keeps map and shapes.
+  void start(Time now);
+  void start(Time now, const Vector2& goal) {
+    start(now);
+    add_goal(goal);
+  }
   /// One more goal of the same drive.
   void add_goal(const Vector2& goal) { recording_.goals.push_back(goal); }
   void add(const TruthSample& sample);

@@ -19,6 +19,21 @@ WheelStep step_between(const RecordedDrive& drive, const OdometrySample& from, c
   return step;
 }
 
+void count_from(std::optional<Time> start, RecordedDrive& drive) {
+  const auto each = [&drive](const auto& action) {
+    for (auto& sample : drive.odometry) action(sample.time);
+    for (auto& sample : drive.imu) action(sample.time);
+    for (auto& sample : drive.fixes) action(sample.time);
+    for (auto& sample : drive.ranges) action(sample.time);
+    for (auto& sample : drive.scans) action(sample.time);
+    for (auto& sample : drive.truth) action(sample.time);
+  };
+  if (!start) each([&start](const Time& time) { start = std::min(start.value_or(time), time); });
+  if (!start) return;
+  const Duration before = *start - Time{};
+  each([before](Time& time) { time = time - before; });
+}
+
 OdometrySample advance(const OdometrySample& sample, const Twist2& twist, Time time) {
   return {time, advance_exact(sample.X_OB, twist, (time - sample.time).to_seconds()), twist};
 }

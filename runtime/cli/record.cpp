@@ -4,6 +4,7 @@
 #include <ctime>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/terminal.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/parameters/scalar_text.hpp"
 #include "runtime/record/wire_recorder.hpp"
 
 namespace bw::cli {
@@ -30,7 +32,7 @@ struct RecordOptions {
   std::string out;
   std::string compression = "zstd";
   std::uint64_t split_size = 0;
-  double split_duration = 0.0;
+  std::string split_duration;
   std::uint64_t max_size = 0;
   std::uint64_t cache_size = std::uint64_t{100} << 20;
   double for_s = 0.0;
@@ -42,15 +44,24 @@ std::string dated_folder() {
   return fmt::format("rosbag2_{:%Y_%m_%d-%H_%M_%S}", fmt::localtime(std::time(nullptr)));
 }
 
+Duration split_duration(const std::string& text) {
+  if (text.empty()) return {};
+  const std::optional<Duration> duration = parse_duration(text);
+  if (!duration || *duration < Duration::milliseconds(1000))
+    throw std::runtime_error("--split-duration " + text +
+                             ": must be a duration of at least 1 s, such as 60 or 10min");
+  return *duration;
+}
+
 bag::RecorderOptions recorder_options(const RecordOptions& options) {
   bag::RecorderOptions out{.queue_size = options.cache_size};
   out.writer.compression = options.compression == "none" ? bag::Compression::none
                                                          : bag::compression_of(options.compression).value();
   out.writer.split_size = options.split_size;
-  out.writer.split_duration = Duration::seconds(options.split_duration);
+  out.writer.split_duration = split_duration(options.split_duration);
   out.writer.max_size = options.max_size;
   // What is deleted are whole files.
-  if (options.max_size > 0 && options.split_size == 0 && options.split_duration == 0.0)
+  if (options.max_size > 0 && options.split_size == 0 && options.split_duration.empty())
     out.writer.split_size = options.max_size / 4;
   return out;
 }
@@ -70,7 +81,7 @@ std::string in_words(const record::WireRecorderStatus& status, double seconds) {
 
 int run_record(const RecordOptions& options) {
   const std::filesystem::path out = options.out.empty() ? dated_folder() : options.out;
-  const bool is_split = options.split_size > 0 || options.split_duration > 0.0 || options.max_size > 0;
+  const bool is_split = options.split_size > 0 || !options.split_duration.empty() || options.max_size > 0;
   if (is_split && out.extension() == ".mcap")
     throw std::runtime_error(out.string() +
                              " is one file: --split-size, --split-duration and --max-size need a folder");
@@ -122,8 +133,8 @@ CLI::App* add_record(CLI::App& app, int& status) {
                    "New folder, or a file.mcap; rosbag2_ and the date if not given");
   verb->add_option("-b,--split-size", options->split_size, "A new file beyond this, such as 500MB")
       ->transform(CLI::AsSizeValue(true));
-  verb->add_option("-d,--split-duration", options->split_duration, "A new file after so many seconds")
-      ->check(CLI::PositiveNumber);
+  verb->add_option("-d,--split-duration", options->split_duration,
+                   "A new file after this time, such as 60 (seconds) or 10min");
   verb->add_option("--max-size", options->max_size, "Of all files; the oldest are deleted, such as 2GB")
       ->transform(CLI::AsSizeValue(true));
   verb->add_option("--max-cache-size", options->cache_size, "Of messages that wait for the disk (100 MiB)")

@@ -110,6 +110,7 @@ void add_replay_topics_options(CLI::App& verb, ReplayTopicsOptions& options) {
   verb.add_option("--topics", options.topics, "Only these")->group(kGroup);
   verb.add_option("--exclude", options.exclude, "Not what this regular expression finds")->group(kGroup);
   verb.add_option("--remap", options.remap, "/recorded:=/played, as many as needed")->group(kGroup);
+  verb.add_option("--wait-for", options.wait_for, "Begins when somebody reads these topics")->group(kGroup);
   verb.add_flag("--pause", options.pause,
                 "Begins paused. Keys: SPACE pause, RIGHT or n next message, UP and DOWN rate")
       ->group(kGroup);
@@ -117,7 +118,7 @@ void add_replay_topics_options(CLI::App& verb, ReplayTopicsOptions& options) {
 
 std::string given_replay_topics_option(const CLI::App& verb) {
   for (const char* name :
-       {"--rate", "--start", "--duration", "--topics", "--exclude", "--remap", "--pause"}) {
+       {"--rate", "--start", "--duration", "--topics", "--exclude", "--remap", "--wait-for", "--pause"}) {
     if (verb.count(name) > 0) return name;
   }
   return {};
@@ -139,7 +140,8 @@ int replay_topics(const std::vector<std::string>& paths, const ReplayTopicsOptio
                    .duration = options.duration_s > 0.0 ? std::optional(Duration::seconds(options.duration_s))
                                                         : std::nullopt,
                    .clock_hz = clock_hz,
-                   .is_paused = options.pause});
+                   .is_paused = options.pause,
+                   .wait_for = options.wait_for});
   replay::PlayerStatus status;
   {
     TerminalControl control(recording->end() - recording->start());

@@ -16,6 +16,7 @@ struct ReplayTopicsOptions {
   std::vector<std::string> topics;
   std::string exclude;
   std::vector<std::string> remap;  ///< FROM:=TO
+  std::vector<std::string> wait_for;
   bool pause = false;
 };
 

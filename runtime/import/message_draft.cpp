@@ -20,7 +20,7 @@ constexpr std::string_view kDurationType = "builtin_interfaces/msg/Duration";
 constexpr std::string_view kQuaternionType = "geometry_msgs/msg/Quaternion";
 constexpr std::string_view kHeaderType = "std_msgs/msg/Header";
 constexpr std::string_view kAngles[] = {"roll", "pitch", "yaw"};
-constexpr std::size_t kMostElements = 100'000;
+constexpr std::size_t kMostElements = 1000;
 
 /// "covariance[4]" is covariance and 4.
 struct Part {

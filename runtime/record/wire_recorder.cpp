@@ -13,6 +13,7 @@
 #include "runtime/bag/qos_text.hpp"
 #include "runtime/bag/schema.hpp"
 #include "runtime/build_identity.hpp"
+#include "runtime/graph/names.hpp"
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/stamps.hpp"
 #include "runtime/wire/serialization.hpp"
@@ -107,11 +108,12 @@ void WireRecorder::close() {
 
 void WireRecorder::work() {
   for (bool is_last = false; !is_last;) {
-    is_last = stop_;
+    const bool is_stopping = stop_;
     if (options_.use_sim_time) hear_clock();
     look_around();
     take_queued();
-    for (auto& [guid, source] : sources_) settle(source, is_last);
+    for (auto& [guid, source] : sources_) settle(source);
+    is_last = is_stopping && held_bytes_ == 0;  // who has just come is still waited for
     report(steady_clock::now());
     if (!is_last) std::this_thread::sleep_for(kPeriod);
   }
@@ -129,7 +131,8 @@ void WireRecorder::look_around() {
   for (const dds::Endpoint& e : endpoints) {
     if (!e.is_writer || is_own(e.guid, participant_.guid()) || !e.topic.starts_with("rt/")) continue;
     const std::string topic = ros_topic(e.topic);
-    if (!choice_.wants(topic, nodes[e.topic])) continue;
+    if (topic_name_rule(topic) || !choice_.wants(topic, nodes[e.topic]))
+      continue;  // any DDS program may be there
     auto known = sources_.find(e.guid);
     if (known == sources_.end()) {
       known = sources_.emplace(e.guid, make_source(topic, ros_type(e.type), type_hash_in(e.user_data), e.qos))
@@ -225,6 +228,7 @@ void WireRecorder::take(const Ear& ear, const dds::Sample& sample) {
     lost_[source.topic] += source.intake.lost() - lost;
   }
   if (!is_new) return;
+  if (options_.use_sim_time) hear_clock();  // what came before this sample is there by now
   bag::BytesView cdr = sample.cdr;
   if (source.description != nullptr) {
     // DDS pads; a message of a type that is known ends where it ends.
@@ -239,10 +243,9 @@ void WireRecorder::take(const Ear& ear, const dds::Sample& sample) {
 }
 
 /// Gives the source its place in the bag once its node is known, or nobody has named one for long enough.
-void WireRecorder::settle(Source& source, bool at_once) {
+void WireRecorder::settle(Source& source) {
   if (source.bag_topic || source.held.empty()) return;
-  const bool is_long =
-      at_once || held_bytes_ > kMostHeld || steady_clock::now() - source.seen > kLongestUnnamed;
+  const bool is_long = held_bytes_ > kMostHeld || steady_clock::now() - source.seen > kLongestUnnamed;
   if (source.node.empty() && !is_long) return;
   const auto [place, is_new] = bag_topics_.emplace(std::tuple(source.topic, source.type, source.node), 0);
   if (is_new) {
@@ -273,8 +276,8 @@ void WireRecorder::record(const Source& source, Time received, Time sent, bag::B
 
 void WireRecorder::hear_clock() {
   rosgraph_msgs::msg::Clock message;
-  while (clock_reader_->take(sample_)) {
-    if (deserialize(sample_.cdr, message)) clock_[sample_.received] = from_stamp(message.clock());
+  while (clock_reader_->take(clock_sample_)) {
+    if (deserialize(clock_sample_.cdr, message)) clock_[clock_sample_.received] = from_stamp(message.clock());
   }
   while (clock_.size() > kMostClockSteps) clock_.erase(clock_.begin());
 }

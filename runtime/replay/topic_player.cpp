@@ -4,12 +4,14 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 #include <rosgraph_msgs/msg/clock.hpp>
 
 #include "runtime/host/statistics.hpp"
+#include "runtime/parameters/nearest.hpp"
 #include "runtime/replay/latched.hpp"
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/stamps.hpp"
@@ -23,6 +25,7 @@ namespace {
 constexpr const char* kNodeName = "bandwagon_player";
 constexpr Duration kLongestWait = Duration::milliseconds(100);  // between looks at the control
 constexpr Duration kQuiet = Duration::milliseconds(500);        // discovery that tells nothing new is done
+constexpr Duration kDiscovery = Duration::milliseconds(1300);   // one announcement period and a little
 constexpr Duration kLongestDiscovery = Duration::milliseconds(3000);
 constexpr Duration kLongestDelivery = Duration::milliseconds(2000);
 constexpr Duration kHeartbeat =
@@ -90,19 +93,38 @@ void TopicPlayer::open_writers() {
     announcement_.add(*clock_);
   }
   announcement_.publish();
+  for (const std::string& name : options_.wait_for) awaited_.push_back(writer_of(name));
+}
+
+/// Any of the topic's.
+const dds::Writer* TopicPlayer::writer_of(const std::string& name) const {
+  if (name == "/clock" && clock_) return clock_.get();
+  std::vector<std::string_view> known;
+  for (std::size_t i = 0; i < played_.size(); ++i) {
+    if (played_[i] && played_[i]->name == name) return voices_[i].writer.get();
+    if (played_[i]) known.push_back(played_[i]->name);
+  }
+  throw std::runtime_error("--wait-for " + name + ": " + unknown_rule("topic", name, known));
+}
+
+/// Somebody reads each of the topics that were to be waited for.
+bool TopicPlayer::is_heard() const {
+  return std::ranges::all_of(awaited_,
+                             [](const dds::Writer* writer) { return writer->matched_readers() > 0; });
 }
 
 /// False when the control wants the end.
 bool TopicPlayer::wait_for_readers(PlayerControl& control) {
   const Duration begin = steady_time();
   Duration changed = begin;
-  for (std::uint64_t known = participant_.endpoint_changes(); steady_time() - changed < kQuiet;) {
-    if (steady_time() - begin > kLongestDiscovery) break;
+  std::uint64_t known = participant_.endpoint_changes();
+  for (Duration now = begin;; now = steady_time()) {
+    const std::uint64_t changes = participant_.endpoint_changes();
+    if (std::exchange(known, changes) != changes) changed = now;
+    const bool is_settled = now - begin >= kDiscovery && now - changed >= kQuiet;
+    if ((is_settled || now - begin >= kLongestDiscovery) && is_heard()) return true;
     if (control.wait(Duration::milliseconds(20), status()) == PlayerControl::Wish::end) return false;
-    if (std::exchange(known, participant_.endpoint_changes()) != participant_.endpoint_changes())
-      changed = steady_time();
   }
-  return true;
 }
 
 /// False at the end.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "runtime/bag/bag.hpp"
@@ -24,6 +25,7 @@ struct PlayerOptions {
   std::optional<Duration> duration{};  ///< bag time; nothing: to the end
   std::optional<double> clock_hz{};    ///< publishes /clock
   bool is_paused = false;              ///< at the beginning
+  std::vector<std::string> wait_for;   ///< played topics that must have a reader before the beginning
 };
 
 struct PlayerStatus {
@@ -34,7 +36,7 @@ struct PlayerStatus {
   std::uint64_t malformed = 0;  ///< messages that do not fit their type, left out
   std::uint64_t refused = 0;    ///< by DDS
   Duration latest{};            ///< the longest that a message was late
-  bool is_waiting = true;  ///< for readers, before the beginning
+  bool is_waiting = true;       ///< for readers, before the beginning
   bool is_paused = false;
   double rate = 1.0;
 };
@@ -67,6 +69,8 @@ class TopicPlayer {
   };
 
   void open_writers();
+  [[nodiscard]] const dds::Writer* writer_of(const std::string& name) const;
+  [[nodiscard]] bool is_heard() const;
   bool wait_for_readers(PlayerControl& control);
   bool read();
   bool obey(PlayerControl::Wish wish);
@@ -84,6 +88,7 @@ class TopicPlayer {
   NodeAnnouncement announcement_;
   std::vector<Voice> voices_;  ///< by topic of the bag
   std::unique_ptr<dds::Writer> clock_;
+  std::vector<const dds::Writer*> awaited_;
   std::unique_ptr<bag::BagMessages> messages_;
   std::optional<PlaySchedule> schedule_;
   Duration began_;           ///< steady clock

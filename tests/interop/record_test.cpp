@@ -1,8 +1,11 @@
 // `bandwagon record` beside writers of others: what they sent is what the bag holds, byte by byte, whatever they offer and
 // whether the type is known or not.
 #include <algorithm>
+#include <map>
 
+#include <diagnostic_msgs/msg/diagnostic_array.hpp>
 #include <gmock/gmock.h>
+#include <rosgraph_msgs/msg/clock.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
 
 #include "runtime/ros/node_announcement.hpp"
@@ -212,7 +215,7 @@ TEST(Record, ATypeOfAnotherDdsIsRecordedAndPlayedByItsBytes) {
 
   Running recorder({"record", "/readings", "--out", folder / "second"});
   ASSERT_TRUE(recorder.is_there()) << recorder.process().err();
-  const Outcome player = bandwagon({"replay", folder / "first"});
+  const Outcome player = bandwagon({"replay", folder / "first", "--wait-for", "/readings"});
   EXPECT_EQ(player.status, 0) << player.err;
   EXPECT_EQ(recorder.stop().status, 0);
   EXPECT_EQ(messages_of(folder / "second"), first);
@@ -220,6 +223,69 @@ TEST(Record, ATypeOfAnotherDdsIsRecordedAndPlayedByItsBytes) {
   EXPECT_EQ(topic_of(*second, "/readings").type, "odd_msgs/msg/Reading");
   EXPECT_EQ(topic_of(*second, "/readings").schema_encoding, "unknown");
   EXPECT_EQ(topic_of(*second, "/readings").writer, "bandwagon_player");
+}
+
+TEST(Record, WithSimTimeTheBagHasTheTimesOfTheClock) {
+  const Folder folder;
+  Running recorder({"record", "/text", "--use-sim-time", "--out", folder / "sim.mcap"});
+  ASSERT_TRUE(recorder.is_there()) << recorder.process().err();
+  dds::Participant participant(local());
+  const auto clock =
+      participant.create_writer(endpoint("/clock", "rosgraph_msgs/msg/Clock", Qos::standard(100)));
+  const auto texts =
+      participant.create_writer(endpoint("/text", "std_msgs/msg/String", Qos::latched(), kStringHash));
+  const auto tick = [&](std::int64_t seconds) {
+    rosgraph_msgs::msg::Clock message;
+    message.clock(to_stamp({seconds * 1'000'000'000}));
+    Bytes cdr;
+    serialize(message, cdr);
+    clock->write(cdr);
+  };
+  ASSERT_TRUE(is_matched(*clock));
+  EXPECT_EQ(texts->matched_readers(), 0) << "nothing is recorded before there is a time";
+  texts->write(text("from before"));
+  tick(100);
+  ASSERT_TRUE(is_matched(*texts));
+  // The recorder may be told of the text before it has looked at the clock; 100 s is the least that it knows then.
+  ASSERT_TRUE(texts->wait_until_received(Duration::milliseconds(10'000)));
+  tick(250);
+  texts->write(text("now"));
+  ASSERT_TRUE(texts->wait_until_received(Duration::milliseconds(10'000)));
+  EXPECT_EQ(recorder.stop().status, 0);
+  const auto recording = bag::open_bag(folder / "sim.mcap");
+  std::vector<std::int64_t> seconds;
+  const auto messages = recording->messages({});
+  for (bag::BagMessage m; messages->next(m) == bag::Step::message;) {
+    EXPECT_EQ(m.publish_time, m.log_time) << "a text has no stamp of its own";
+    seconds.push_back(m.log_time.nanoseconds / 1'000'000'000);
+  }
+  EXPECT_THAT(seconds, testing::ElementsAre(100, 250));
+  EXPECT_EQ(recording->metadata().at("bandwagon").at("clock"), "topic");
+}
+
+TEST(Record, TellsTheDiagnosticsHowItIsDoing) {
+  const Folder folder;
+  dds::Participant participant(local());
+  const auto reader = participant.create_reader(
+      endpoint("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", Qos::standard()), [] {});
+  const auto texts =
+      participant.create_writer(endpoint("/text", "std_msgs/msg/String", Qos::latched(), kStringHash));
+  texts->write(text("hello"));
+  Running recorder({"record", "/text", "--out", folder / "a.mcap"});
+  std::map<std::string, std::string> values;
+  EXPECT_TRUE(eventually([&] {
+    diagnostic_msgs::msg::DiagnosticArray message;
+    for (dds::Sample sample; reader->take(sample);) {
+      if (!deserialize(sample.cdr, message)) continue;
+      EXPECT_EQ(message.status().at(0).name(), "bandwagon_recorder");
+      EXPECT_EQ(message.status().at(0).level(), 0);
+      for (const auto& pair : message.status().at(0).values()) values[pair.key()] = pair.value();
+    }
+    return values["messages"] == "1";
+  }));
+  const Outcome nodes = bandwagon({"node", "list"});
+  EXPECT_THAT(nodes.out, HasSubstr("/bandwagon_recorder\n"));
+  EXPECT_EQ(recorder.stop().status, 0);
 }
 
 TEST(Record, WhatMakesNoSenseIsRefused) {
@@ -231,6 +297,7 @@ TEST(Record, WhatMakesNoSenseIsRefused) {
     EXPECT_THAT(outcome.err, HasSubstr(why));
   };
   refused({}, "name topics, --node or --all");
+  refused({"--all", "--split-duration", "soon", "--out", folder / "a"}, "must be a duration");
   refused({"--all", "--exclude", "("}, "is no regular expression");
   refused({"--all", "--split-size", "1MB", "--out", folder / "a.mcap"}, "is one file");
   EXPECT_TRUE(std::filesystem::is_empty(folder / "")) << "nothing was begun";

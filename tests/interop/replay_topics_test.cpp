@@ -84,7 +84,8 @@ TEST(ReplayTopics, WhatIsPlayedAndRecordedAgainIsTheSame) {
   }
   Running recorder({"record", "--all", "--out", folder / "second"});
   ASSERT_TRUE(recorder.is_there()) << recorder.process().err();
-  const Outcome player = bandwagon({"replay", folder / "first"});
+  const Outcome player =
+      bandwagon({"replay", folder / "first", "--wait-for", "/chatter", "/scan", "/map", "/odd"});
   EXPECT_EQ(player.status, 0) << player.err;
   EXPECT_THAT(player.out, HasSubstr("300 messages of 4 topics"));
   EXPECT_EQ(recorder.stop().status, 0);
@@ -115,7 +116,7 @@ TEST(ReplayTopics, WhoComesLateGetsEveryStaticTransformFromBeforeTheStart) {
   }
   dds::Participant participant(local());
   Ear ticks(participant, "/text", "std_msgs/msg/String", Qos::standard());
-  Running player({"replay", folder / "drive.mcap", "--start", "3"});
+  Running player({"replay", folder / "drive.mcap", "--start", "3", "--wait-for", "/text"});
   ASSERT_TRUE(eventually([&] { return !ticks.heard().empty(); })) << player.process().err();
   // It plays; only now somebody wants to know where the laser is.
   dds::Participant late(local());
@@ -151,7 +152,7 @@ TEST(ReplayTopics, SeveralBagsGoByTheirTimesUnderOtherNames) {
   Ear noise(participant, "/noise", "std_msgs/msg/String", Qos::standard(100));
   const Outcome player =
       bandwagon({"replay", folder / "even.mcap", folder / "odd.mcap", "--remap", "/even:=/numbers", "--remap",
-                 "/odd:=/numbers", "--exclude", "noise", "--duration", "0.006"});
+                 "/odd:=/numbers", "--exclude", "noise", "--duration", "0.006", "--wait-for", "/numbers"});
   EXPECT_EQ(player.status, 0) << player.err;
   std::vector<std::string> texts;
   for (const Bytes& cdr : numbers.heard()) {
@@ -180,7 +181,8 @@ TEST(ReplayTopics, TheClockIsTheBagsAndTheRecordedOneIsNotPlayed) {
   }
   dds::Participant participant(local());
   Ear clock(participant, "/clock", "rosgraph_msgs/msg/Clock", Qos::standard(1000));
-  const Outcome player = bandwagon({"replay", folder / "drive.mcap", "--clock", "100", "--rate", "2"});
+  const Outcome player =
+      bandwagon({"replay", folder / "drive.mcap", "--clock", "100", "--rate", "2", "--wait-for", "/clock"});
   EXPECT_EQ(player.status, 0) << player.err;
   EXPECT_THAT(player.out, HasSubstr("101 messages of 1 topics"));
   // 1 s of the bag at rate 2 is 0.5 s: ticks at 0, 10, ..., 500 ms, fewer where the machine was late.
@@ -208,7 +210,7 @@ TEST(ReplayTopics, AMessageThatIsNoneIsCountedAndLeftOut) {
   }
   dds::Participant participant(local());
   Ear texts(participant, "/text", "std_msgs/msg/String", Qos::standard());
-  const Outcome player = bandwagon({"replay", folder / "drive.mcap", "--rate", "0"});
+  const Outcome player = bandwagon({"replay", folder / "drive.mcap", "--rate", "0", "--wait-for", "/text"});
   EXPECT_EQ(player.status, 0) << player.err;
   EXPECT_THAT(player.out, HasSubstr("1 messages do not fit their type"));
   EXPECT_EQ(texts.heard().size(), 2U);
@@ -290,7 +292,7 @@ TEST(ReplayTopics, KeysPauseStepAndChangeTheRateAndTheTerminalIsLeftAsItWas) {
   }
   dds::Participant participant(local());
   Ear texts(participant, "/text", "std_msgs/msg/String", Qos::standard());
-  OnTerminal player({"replay", folder / "slow.mcap", "--pause"});
+  OnTerminal player({"replay", folder / "slow.mcap", "--pause", "--wait-for", "/text"});
   ASSERT_TRUE(player.shows("paused")) << player.out();
   EXPECT_FALSE(player.is_ordinary());
   EXPECT_TRUE(texts.heard().empty());
@@ -333,6 +335,7 @@ TEST(ReplayTopics, OptionsThatDoNotBelongTogetherAreRefused) {
   refused({"--clock", "lockstep"}, "without --graph it is how often /clock is published");
   refused({"--graph", "g.yaml", "--run", "x", "--clock", "40"}, "with --graph the clock is lockstep");
   refused({"--start", "1"}, "lies behind the bag's end");
+  refused({"--wait-for", "/txt"}, "--wait-for /txt: unknown topic");
   refused({"--topics", "/txt"}, "did you mean '/text'");
   refused({"--remap", "/text=/b"}, "must be /recorded:=/played");
 }

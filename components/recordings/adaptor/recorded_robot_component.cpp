@@ -1,6 +1,5 @@
 // Plays a bag on the component clock, so that the graph that drives a robot runs on it: odometry, inertial
 // unit, fixes, ranges, scans and reference as the robot and the simulated world publish them.
-#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -63,9 +62,9 @@ class RecordedRobotComponent final : public Component {
     scan_.publish(to_message(*sample, frame_(sample->frame), when(sample->time)));
   }
   void operator()(const ReferencePose* sample) {
-    Twist2 twist = reference_before_ != nullptr ? twist_between(*reference_before_, *sample) : Twist2{};
-    reference_before_ = sample;
-    twist = {twist.v * options_.rate, twist.omega * options_.rate};
+    // On the way to the next one, so that who carries the truth forward meets it; the last keeps that before.
+    if (sample != &drive_.truth.back()) to_next_reference_ = twist_between(*sample, *(sample + 1));
+    const Twist2 twist{to_next_reference_.v * options_.rate, to_next_reference_.omega * options_.rate};
     truth_.publish(to_message(*sample, twist, map_frame_, when(sample->time)));
   }
 
@@ -77,12 +76,7 @@ class RecordedRobotComponent final : public Component {
     drive_ = std::move(read.drive);
     setup.log().info("plays {} ({})", read.log.name, path.string());
     for (const std::string& left_out : read.left_out) setup.log().warn("{}", left_out);
-    // The graph's own word on a sensor holds, and where the base is others say.
-    std::erase_if(drive_.mounts, [&robot](const FrameMount& mount) {
-      const bool is_sensor =
-          std::ranges::find(robot.sensors, mount.child, &SensorMount::frame) != robot.sensors.end();
-      return is_sensor || mount.child == "base_link" || mount.child == "odom";
-    });
+    drop_what_others_tell(robot, drive_.mounts);
   }
 
   void declare_outputs(Setup& setup, const Robot& robot) {
@@ -134,7 +128,7 @@ class RecordedRobotComponent final : public Component {
   std::optional<Time> last_played_;
   std::function<void(bool, const std::string&)> finish_run_;
   Time start_;  ///< component time at which the bag's start second is played
-  const ReferencePose* reference_before_ = nullptr;
+  Twist2 to_next_reference_;
   std::string map_frame_, imu_frame_, gps_frame_;
   Renamed frame_;
   OdometryOutputs outputs_;

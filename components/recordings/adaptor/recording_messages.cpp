@@ -1,5 +1,6 @@
 #include "components/recordings/adaptor/recording_messages.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "components/messages/geometry.hpp"
@@ -82,6 +83,14 @@ bandwagon_msgs::msg::GroundTruth to_message(const ReferencePose& reference, cons
   }
   message.wall_clearance(std::numeric_limits<double>::infinity());
   return message;
+}
+
+void drop_what_others_tell(const Robot& robot, std::vector<FrameMount>& mounts) {
+  std::erase_if(mounts, [&robot](const FrameMount& mount) {
+    const bool is_sensor =
+        std::ranges::find(robot.sensors, mount.child, &SensorMount::frame) != robot.sensors.end();
+    return is_sensor || mount.child == "base_link" || mount.child == "odom";
+  });
 }
 
 tf2_msgs::msg::TFMessage to_message(const std::vector<FrameMount>& mounts, const Renamed& renamed,

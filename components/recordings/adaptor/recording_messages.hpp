@@ -12,6 +12,7 @@
 #include <sensor_msgs/msg/nav_sat_fix.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
+#include "components/model/robot.hpp"
 #include "components/recordings/recorded_drive.hpp"
 
 namespace bw {
@@ -35,6 +36,9 @@ bandwagon_msgs::msg::GroundTruth to_message(const ReferencePose& reference, cons
 
 /// What this run calls a frame of the bag.
 using Renamed = std::function<std::string(const std::string& frame)>;
+
+/// The graph's own word on a sensor holds, and where the base is others tell.
+void drop_what_others_tell(const Robot& robot, std::vector<FrameMount>& mounts);
 
 tf2_msgs::msg::TFMessage to_message(const std::vector<FrameMount>& mounts, const Renamed& renamed,
                                     Time stamp);

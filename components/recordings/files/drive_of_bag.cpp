@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <functional>
-#include <limits>
 #include <map>
-#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -21,7 +18,6 @@
 #include "components/recordings/files/drive_messages.hpp"
 #include "components/recordings/summed_odometry.hpp"
 #include "runtime/bag/known_type.hpp"
-#include "runtime/parameters/scalar_text.hpp"
 #include "runtime/wire/serialization.hpp"
 
 namespace bw {
@@ -38,7 +34,6 @@ using sensor_msgs::msg::NavSatFix;
 using tf2_msgs::msg::TFMessage;
 
 constexpr const char* kMounts = "/tf_static";
-constexpr const char* kLogRecord = "log";  // runtime/import/import_tables.hpp
 
 /// What became of the messages of one topic.
 struct Counts {
@@ -101,31 +96,10 @@ class DriveReader {
   RecordedDrive& drive() { return result_.drive; }
 
   void read_log(const WheelSizes& sizes) {
-    result_.log.name = std::filesystem::path(path_).stem().string();
-    const auto metadata = bag_.metadata();
-    const auto record = metadata.find(kLogRecord);
-    wheel_radius_ = sizes.radius;
-    drive().wheel_separation = sizes.separation;
-    if (record == metadata.end()) return;
-    const auto text = [&](const char* name, std::string& value) {
-      if (const auto found = record->second.find(name); found != record->second.end()) value = found->second;
-    };
-    const auto number = [&](const char* name) -> std::optional<double> {
-      const auto found = record->second.find(name);
-      if (found == record->second.end()) return std::nullopt;
-      const std::optional<double> value = parse_number(found->second);
-      if (!value || !std::isfinite(*value))
-        throw std::runtime_error(
-            fmt::format("{}: record {}: {} = '{}' is no number", path_, kLogRecord, name, found->second));
-      return value;
-    };
-    text("name", result_.log.name);
-    text("source", result_.log.source);
-    text("licence", result_.log.licence);
-    if (const auto start = number("start")) start_ = Time::seconds(*start);
-    drive().wheel_separation = number("wheel_separation").value_or(sizes.separation);
-    drive().wheel_variance = number("wheel_variance").value_or(0.0);
-    wheel_radius_ = number("wheel_radius").value_or(sizes.radius);
+    result_.log = log_record_of(bag_, path_);
+    drive().wheel_separation = result_.log.wheel_separation.value_or(sizes.separation);
+    drive().wheel_variance = result_.log.wheel_variance.value_or(0.0);
+    wheel_radius_ = result_.log.wheel_radius.value_or(sizes.radius);
   }
 
   /// True if the bag has the topic; then its messages go to `use`, which says whether they were of use. A name other
@@ -264,7 +238,7 @@ class DriveReader {
     counts_[topics_.truth].repeated += put_in_order(d.truth);
     std::ranges::stable_sort(d.ranges, {}, &RangeSample::time);  // of several anchors
     std::ranges::stable_sort(d.scans, {}, &ScanSample::time);    // of several scanners
-    count_from_start();
+    count_from(result_.log.start, d);
     if (!d.fixes.empty()) d.datum = d.fixes.front().place;
     for (const auto& [topic, counts] : counts_) {
       const auto tell = [&, &name = topic](std::size_t count, const char* what) {
@@ -276,30 +250,11 @@ class DriveReader {
     }
   }
 
-  void count_from_start() {
-    RecordedDrive& d = drive();
-    const auto each = [&d](const auto& action) {
-      for (auto& s : d.odometry) action(s.time);
-      for (auto& s : d.imu) action(s.time);
-      for (auto& s : d.fixes) action(s.time);
-      for (auto& s : d.ranges) action(s.time);
-      for (auto& s : d.scans) action(s.time);
-      for (auto& s : d.truth) action(s.time);
-    };
-    if (!start_) {
-      start_ = Time{std::numeric_limits<std::int64_t>::max()};
-      each([this](const Time& time) { start_ = std::min(*start_, time); });
-    }
-    const Duration before = *start_ - Time{};
-    each([before](Time& time) { time = time - before; });
-  }
-
   const bag::Bag& bag_;
   const DriveTopics& topics_;
   const std::string& path_;
   BagDrive result_;
   double wheel_radius_ = 0.0;
-  std::optional<Time> start_;
   SummedCommands summed_;
   std::map<std::size_t, Handler> handlers_;  ///< by topic of the bag
   std::map<std::string, Counts> counts_;     ///< by topic

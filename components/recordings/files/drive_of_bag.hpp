@@ -5,21 +5,15 @@
 #include <vector>
 
 #include "components/recordings/drive_topics.hpp"
+#include "components/recordings/files/log_record.hpp"
 #include "components/recordings/recorded_drive.hpp"
 #include "runtime/bag/bag.hpp"
 
 namespace bw {
 
-/// What the bag says of itself.
-struct LogName {
-  std::string name;
-  std::string source;   ///< empty: it does not tell
-  std::string licence;  ///< empty: it does not tell
-};
-
 struct BagDrive {
   RecordedDrive drive;
-  LogName log;
+  LogRecord log;
   std::vector<std::string> left_out;  ///< sentences: what of the bag is not in the drive, and how much
 };
 

@@ -1,5 +1,7 @@
 #include "components/evaluation/drive_judge.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace bw {
@@ -33,6 +35,25 @@ class Drive {
                          at(t));
   }
 };
+
+// Nobody drives: everything from the beginning on is scored, and no goal is reached or missed.
+TEST(DriveJudge, ARunWithoutAGoalIsScoredWhole) {
+  Drive d;
+  d.judge.begin_run(at(0.0));
+  d.drive(0.0, 2.0, 0.0);
+  TruthSample place{.time = at(2.5), .X_MB = {3.0, 0.0, std::nan("")}, .twist = {std::nan(""), std::nan("")}};
+  d.judge.on_truth(place);
+  d.judge.end_run(at(2.5));
+  const ScoreCard& card = d.judge.card();
+  EXPECT_TRUE(card.finished);
+  EXPECT_FALSE(card.reached);
+  EXPECT_NEAR(card.path_length, 3.0, 1e-9);
+  EXPECT_TRUE(std::isnan(card.distance_to_goal));
+  EXPECT_NEAR(d.judge.pose_errors().mean_position(), 0.1, 1e-12);
+  EXPECT_TRUE(d.judge.recorder().recording().goals.empty());
+  EXPECT_NEAR(d.judge.recorder().recording().moments.back().speed, 2.0, 1e-6);  // 1 m in half a second
+  EXPECT_FALSE(d.judge.running());
+}
 
 // Two goals, 3 m and 4 m farther: one card of 7 m in 7 s.
 TEST(DriveJudge, SeveralGoalsAreOneDrive) {

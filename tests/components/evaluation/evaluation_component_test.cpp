@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include <bandwagon_msgs/msg/ground_truth.hpp>
@@ -11,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/msg/occupancy_grid.hpp>
+#include <nav_msgs/msg/odometry.hpp>
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/obstacles.hpp"
@@ -139,6 +141,48 @@ TEST(EvaluationComponent, JudgesByTheNavigatorsTolerance) {
   EXPECT_FALSE(reached("{}", 0.1));
   EXPECT_TRUE(reached("{goal_tolerance: 0.3}", 0.1));
   EXPECT_FALSE(reached("{goal_tolerance: 0.2}", 1.0));
+}
+
+// Beside a recording: no goal, a reference of places alone at 10 Hz, an opinion 0.25 m to the left of it at 20 Hz.
+TEST(Evaluation, ScoresAWholeRunAgainstAReferenceWithoutHeading) {
+  const std::filesystem::path svg = std::filesystem::path(::testing::TempDir()) / "recorded_run.svg";
+  std::vector<ScoreCard> list;
+  run_with_script("components: {evaluation: {parameters: {scored: run, svg: " + svg.string() + "}}}", 4.0,
+                  [&list](bw::Setup& setup) {
+                    setup.input<ScoreCard>("score_card", Qos::standard(50),
+                                           [&](const auto& card, const Tick&) { list.push_back(card); });
+                    setup.every(Duration::milliseconds(50), "robot",
+                                [truth = setup.output<GroundTruth>("sim/ground_truth"),
+                                 pose = setup.output<nav_msgs::msg::Odometry>("odometry/filtered")](
+                                    const Tick& tick) mutable {
+                                  const double t = seconds_since_start(tick.now);
+                                  nav_msgs::msg::Odometry opinion;
+                                  opinion.header(make_header("map", tick.now));
+                                  opinion.pose().pose(to_pose({0.5 * t, 0.25, 0.0}));
+                                  pose.publish(opinion);
+                                  if (tick.sequence % 2 != 0) return;
+                                  GroundTruth message;
+                                  message.header(make_header("map", tick.now));
+                                  message.pose().position(to_point({0.5 * t, 0.0}));
+                                  message.pose().orientation().w(0.0);
+                                  message.twist().linear().x(std::nan(""));
+                                  message.twist().angular().z(std::nan(""));
+                                  message.wall_clearance(std::numeric_limits<double>::infinity());
+                                  truth.publish(message);
+                                });
+                  });
+  ASSERT_FALSE(list.empty());
+  const ScoreCard& card = list.back();
+  EXPECT_GT(card.localization_poses(), 60U);
+  EXPECT_NEAR(card.localization_mean_m(), 0.25, 1e-9);
+  EXPECT_NEAR(card.localization_max_m(), 0.25, 1e-9);
+  EXPECT_TRUE(std::isnan(card.localization_rms_rad()));
+  EXPECT_FALSE(card.reached());
+  EXPECT_NEAR(card.mean_speed_mps(), 0.5, 1e-6);
+  EXPECT_EQ(card.rms_jerk_mps3(), 0.0);
+  const std::string picture = text_of(svg);
+  EXPECT_THAT(picture, HasSubstr("<svg"));
+  EXPECT_THAT(picture, testing::Not(HasSubstr("nan")));
 }
 
 }  // namespace

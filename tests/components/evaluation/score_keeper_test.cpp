@@ -169,6 +169,21 @@ TEST(ScoreKeeper, OnlyTheDriveCountsAndANewOneBeginsAfresh) {
   EXPECT_FALSE(keeper.card().finished);
 }
 
+// A reference may know places alone: the way is theirs, and nothing becomes NaN by what it does not know.
+TEST(ScoreKeeper, ATruthWithoutHeadingAndSpeedIsScoredByItsPlaces) {
+  ScoreKeeper keeper = started();
+  for (int i = 0; i <= 10; ++i) {
+    TruthSample place = sample(1.0 + 0.5 * i, 0.25 * i, 0.5);
+    place.X_MB.theta = std::nan("");
+    place.twist = {std::nan(""), std::nan("")};
+    keeper.add(place);
+  }
+  EXPECT_NEAR(keeper.card().path_length, 2.5, 1e-12);
+  EXPECT_NEAR(keeper.card().mean_speed, 2.5 / keeper.card().time_to_goal, 1e-12);
+  EXPECT_EQ(keeper.card().rms_jerk, 0.0);
+  EXPECT_EQ(keeper.card().collisions_at_speed, 0);
+}
+
 TEST(ScoreKeeper, UnsoundSamplesChangeNothing) {
   ScoreKeeper keeper = started();
   keeper.add(sample(1.0, 0.0, 0.5));

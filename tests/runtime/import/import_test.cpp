@@ -1,8 +1,12 @@
 // Two logs made up here, imported by their columns files alone, with what they must give in closed form; and what
 // becomes of gaps, stamps and lines.
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -267,6 +271,41 @@ tables:
   EXPECT_EQ(odometry.header().frame_id(), "front");
   EXPECT_EQ(odometry.pose().pose().position().x(), 40.0);
   EXPECT_THAT(odometry.twist().covariance(), testing::Each(0.5));
+}
+
+/// What stands between ``` and ``` in a page.
+std::vector<std::string> blocks_of(const std::filesystem::path& page) {
+  std::ifstream file(page);
+  std::vector<std::string> blocks;
+  bool inside = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("```")) {
+      inside = !inside;
+      if (inside) blocks.emplace_back();
+    } else if (inside) {
+      blocks.back() += line + "\n";
+    }
+  }
+  return blocks;
+}
+
+TEST(Import, TheExampleOfTheReadmeIsImported) {
+  const Tables tables;
+  const std::vector<std::string> blocks = blocks_of(BANDWAGON_SOURCE_DIR "/config/imports/README.md");
+  ASSERT_EQ(blocks.size(), 4U);  // the command, two tables, the columns file
+  tables.write("boat.csv", blocks[1]);
+  tables.write("scans.txt", blocks[2]);
+  const ImportedLog log = tables.import(blocks[3]);
+  const auto odometry = messages_of<Odometry>(log, "/odom");
+  ASSERT_EQ(odometry.size(), 2U);
+  EXPECT_NEAR(odometry[0].twist().twist().linear().x(), 1.0, 1e-12);
+  EXPECT_NEAR(yaw_of(odometry[1].pose().pose().orientation()), -0.5 * kDegree, 1e-12);
+  const LaserScan scan = messages_of<LaserScan>(log, "/scan").at(0);
+  ASSERT_EQ(scan.ranges().size(), 4U);
+  EXPECT_FLOAT_EQ(scan.ranges()[0], 1.53F);
+  EXPECT_EQ(scan.ranges()[1], std::numeric_limits<float>::infinity());
+  EXPECT_TRUE(std::isnan(scan.ranges()[3]));
+  EXPECT_FLOAT_EQ(scan.angle_increment(), static_cast<float>(60.0 * kDegree));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include "runtime/import/message_draft.hpp"
 
 #include <cmath>
-#include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include <gmock/gmock.h>

@@ -1,18 +1,25 @@
 // Every mistake in a columns file or a table is refused, and its file, line and column are named.
+#include <algorithm>
 #include <filesystem>
+#include <random>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "runtime/bag/bag.hpp"
 #include "runtime/import/imported_bag.hpp"
+#include "runtime/wire/type_registry.hpp"
+#include "runtime/wire/validate.hpp"
 #include "tests/runtime/import/tables.hpp"
 
 namespace bw::imports {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
 /// A columns file with these parts; line 9 is `field`.
@@ -217,6 +224,57 @@ TEST_F(Refusals, LinesThatNobodyChooses) {
               HasSubstr("a.csv:2: column 1 = 'ODOMETER': no message is made of lines that begin so"));
 }
 
+// Whatever bytes are written into the files: messages of the type, or a refusal.
+TEST_F(Refusals, NoBytesBreakAnImport) {
+  const std::string file =
+      "log: {name: l, parameters: {wheel_separation: 0.4}}\ntables:\n  - file: a.csv\n    separator: whitespace\n"
+      "    messages:\n      - line: W\n        columns: [word, n, 'r[n]', x, time, ...]\n"
+      "        stamp: {column: time, unit: ms, on_falling: drop, on_duplicate: keep}\n        topic: /scan\n"
+      "        type: sensor_msgs/msg/LaserScan\n        fields:\n"
+      "          ranges: {columns: r, unit: mm, gaps: {nan: nan, 0: inf}, reverse: true}\n"
+      "          angle_min: {by_count: {2: -90, 3: -45}, of: r, unit: deg, turning: clockwise}\n"
+      "          scan_time: {column: x, unit: ms, min: 0, max: 100}\n        constants: {angle_max: 90 deg}\n";
+  const std::string table = "W 2 100 nan 5 0 host\nW 3 1 0 3 7 1.5 host\n";
+  constexpr std::string_view kBytes = "0123456789-+.eE[]{}:,*#'\"naif \n\t\r~\0\xff";
+  std::mt19937 random(12);
+  const auto mutated = [&](std::string text) {
+    for (auto changes = 1 + random() % 3; changes > 0; --changes) {
+      const std::size_t at = random() % text.size();
+      const char byte = kBytes[random() % kBytes.size()];
+      switch (random() % 3) {
+        case 0:
+          text[at] = byte;
+          break;
+        case 1:
+          text.insert(at, 1, byte);
+          break;
+        default:
+          text.erase(at, 1 + random() % 4);
+      }
+    }
+    return text;
+  };
+  int imported = 0;
+  constexpr int kMutants = 1000;
+  for (int i = 0; i < kMutants; ++i) {
+    tables_.write("a.csv", i % 2 == 0 ? mutated(table) : table);
+    try {
+      const ImportedLog log = tables_.import(i % 2 == 0 ? file : mutated(file));
+      for (const ImportedMessage& m : log.messages) {
+        const TypeDescription* type = find_type(log.topics.at(m.topic).type);
+        std::string reason;
+        ASSERT_TRUE(type != nullptr && validate(*type, m.data, &reason)) << reason;
+      }
+      ++imported;
+    } catch (const std::runtime_error& error) {
+      ASSERT_THAT(error.what(), AnyOf(HasSubstr("a.csv"), HasSubstr("columns.yaml")));
+    }
+  }
+  // Some changes do no harm, and most do: both ways were tried.
+  EXPECT_GT(imported, kMutants / 20);
+  EXPECT_LT(imported, kMutants * 19 / 20);
+}
+
 // Whole, or not there at all.
 TEST_F(Refusals, NoHalfBagIsLeft) {
   const auto files = [this] {
@@ -237,6 +295,20 @@ TEST_F(Refusals, NoHalfBagIsLeft) {
   EXPECT_EQ(bag->metadata().at("log").at("name"), "l");
   EXPECT_TRUE(std::filesystem::exists(tables_ / "folder/folder_0.mcap"));
   EXPECT_EQ(files(), before + 2);
+  // In memory it is the same bag.
+  const auto in_memory = as_bag(log);
+  EXPECT_EQ(in_memory->start(), bag->start());
+  EXPECT_EQ(in_memory->end(), bag->end());
+  EXPECT_EQ(in_memory->metadata().at("log"), bag->metadata().at("log"));
+  const bag::BagSelection second{.start = Time::seconds(2), .topics = std::set<std::string>{"/odom"}};
+  for (const bag::Bag* one : {in_memory.get(), bag.get()}) {
+    const auto messages = one->messages(second);
+    bag::BagMessage message;
+    ASSERT_EQ(messages->next(message), bag::Step::message);
+    EXPECT_EQ(message.log_time, Time::seconds(2));
+    EXPECT_TRUE(std::ranges::equal(message.data, log.messages.at(1).data));
+    EXPECT_EQ(messages->next(message), bag::Step::end);
+  }
   // A message that cannot be written ends it: the disk, here a file where the folder should be.
   const auto blocked = tables_.write("blocked", "");
   EXPECT_ANY_THROW(write_bag(log, blocked / "out.mcap"));

@@ -1,4 +1,6 @@
 // The planner's time on a score card is that of its control cycle, or there is none; the robot's path is thinned.
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -57,6 +59,31 @@ TEST(ScoreCard, ThePathIsThinnedAndBeginsWithTheDrive) {
   }
   EXPECT_EQ(points[0][2], 0.123);
   EXPECT_EQ(points[0][3], -3.0);
+}
+
+TEST(ScoreCard, ARunThatNobodyDroveTellsTheErrorOfThePose) {
+  bandwagon_msgs::msg::ScoreCard card;
+  card.path_length_m(47.0);
+  card.time_to_goal_s(770.0);
+  card.localization_poses(6000);
+  card.localization_mean_m(0.104);
+  card.localization_rms_m(0.117);
+  card.localization_max_m(0.26);
+  card.localization_rms_rad(0.0196);
+  card.distance_to_goal_m(std::nan(""));
+  card.closest_person_m(std::numeric_limits<double>::infinity());  // nobody was there
+  const RunFacts facts{.end_reason = "the bag is over", .has_goal = false};
+  nlohmann::json json = to_json(card, facts, {});
+  EXPECT_EQ(json["has_goal"], false);
+  EXPECT_EQ(json["localization"]["mean_m"], 0.104);
+  EXPECT_TRUE(json["distance_to_goal_m"].is_null());
+  EXPECT_EQ(
+      in_words(json),
+      "Run over: the bag is over; 47.00 m in 770.0 s.\n"
+      "Localization off by 0.104 m on average, 0.117 m and 0.0196 rad rms, 0.260 m at most (6000 poses).\n");
+  card.localization_rms_rad(std::nan(""));
+  EXPECT_THAT(in_words(to_json(card, facts, {})), testing::HasSubstr("0.117 m rms, 0.260 m at most"));
+  EXPECT_THAT(in_words(to_json({}, facts, {})), testing::HasSubstr("nobody told the truth"));
 }
 
 }  // namespace
