@@ -111,9 +111,10 @@ std::string planner_of(const nlohmann::json& card, const Job& job) {
 }
 
 EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, const Job& job) {
-  DriveOptions drive_options{
-      .host = {.clock = ClockMode::lockstep, .seed = static_cast<std::uint64_t>(job.seed)},
-      .longest = Duration::seconds(suite.options.time_limit)};
+  DriveOptions drive_options;
+  drive_options.host.clock = ClockMode::lockstep;
+  drive_options.host.seed = static_cast<std::uint64_t>(job.seed);
+  drive_options.longest = Duration::seconds(suite.options.time_limit);
   const std::string& name = suite.options.episodes[job.episode].name;
   if (!options.svg_dir.empty()) {
     // Names of episodes are unique in a suite.
