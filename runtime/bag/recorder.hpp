@@ -76,7 +76,7 @@ class Recorder {
 
   const RecorderOptions options_;
   std::unique_ptr<SyncThread> sync_;  ///< none where the caller waits
-  mutable std::mutex writer_mutex_;  ///< taken before mutex_ where both are
+  mutable std::mutex writer_mutex_;   ///< taken before mutex_ where both are
   BagWriter writer_;
 
   mutable std::mutex mutex_;  ///< guards what follows

@@ -1,6 +1,7 @@
 // Snapshots: what they begin and end with, and what happens when the disk does not play along. Times are those recorded.
 #include "runtime/bag/flight_recorder.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 
