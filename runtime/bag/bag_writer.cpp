@@ -154,8 +154,6 @@ void BagWriter::add_metadata(const std::string& name, const std::map<std::string
 
 void BagWriter::flush() { file_->flush(); }
 
-void BagWriter::sync() { file_->sync(); }
-
 std::uint64_t BagWriter::size() const {
   std::uint64_t sum = file_ ? file_->size() : 0;
   for (const Closed& file : closed_) sum += file.size;
@@ -171,7 +169,7 @@ void BagWriter::close_file() {
   span_files();
   file_->write(mcap::Metadata{.name = "rosbag2", .entries = {{"serialized_metadata", to_record(metadata_)}}});
   file_->close();
-  file_->sync();
+  options_.sync(file_->sink());
   closed_.push_back({next_number_ - 1, file_->size(), s.channel_message_counts});
   file_.reset();
 }

@@ -31,6 +31,8 @@ struct BagWriterOptions {
   std::uint64_t max_size = 0;
   /// Makes the files; a test puts a disk that is full or slow in this place.
   std::function<std::unique_ptr<ByteSink>(const std::filesystem::path&)> create = create_file;
+  /// Gets a file when its end is written.
+  std::function<void(std::shared_ptr<ByteSink>)> sync = [](const auto& file) { file->sync(); };
 };
 
 class BagWriter {
@@ -51,9 +53,9 @@ class BagWriter {
   void add_metadata(const std::string& name, const std::map<std::string, std::string>& entries);
   /// What was written so far survives a kill of the program.
   void flush();
-  /// What was flushed so far survives a power cut.
-  void sync();
-  /// Writes summaries and metadata.yaml, and syncs.
+  /// What was flushed so far survives a power cut when this file is synced, by any thread.
+  [[nodiscard]] const std::shared_ptr<ByteSink>& sink() const { return file_->sink(); }
+  /// Writes summaries and metadata.yaml.
   void close();
 
   [[nodiscard]] std::uint64_t size() const;  ///< of all files [bytes]

@@ -1,5 +1,6 @@
 #include "runtime/bag/byte_sink.hpp"
 
+#include <atomic>
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -51,7 +52,7 @@ class FileSink final : public ByteSink {
 
   std::filesystem::path path_;
   int descriptor_;
-  std::uint64_t size_ = 0;
+  std::atomic<std::uint64_t> size_ = 0;
   bool is_name_kept_ = false;
 };
 

@@ -88,7 +88,7 @@ void FlightRecorder::run() {
     synced = now;
     on_disk([this] {
       snapshot_->writer->flush();
-      snapshot_->writer->sync();
+      snapshot_->writer->sink()->sync();
     });
   }
 }
@@ -190,7 +190,7 @@ void FlightRecorder::begin(const std::string& name, const std::string& topic, Ti
   if (!options_.waits && snapshot_) {
     on_disk([this] {
       snapshot_->writer->flush();
-      snapshot_->writer->sync();
+      snapshot_->writer->sink()->sync();
     });
   }
 }

@@ -69,7 +69,7 @@ class FlightRecorder final : public SampleTap {
 
   void connect(const std::vector<const OutputEnd*>& outputs) override;
   void on_sample(const OutputEnd& output, Time now, std::span<const std::uint8_t> cdr) override;
-  /// It is there in every drive, so it costs no drawings.
+  /// As RunRecorder.
   [[nodiscard]] bool wants_everything() const override { return false; }
 
   /// Ends the snapshot that is being written.

@@ -13,7 +13,7 @@ constexpr double kLeastGain = 0.02;  // share that compression must save
 
 }  // namespace
 
-Writer::Writer(std::unique_ptr<ByteSink> sink, WriterOptions options)
+Writer::Writer(std::shared_ptr<ByteSink> sink, WriterOptions options)
     : options_(std::move(options)), sink_(std::move(sink)) {
   Bytes start(kMagic.begin(), kMagic.end());
   append(start, Header{options_.profile, options_.library});

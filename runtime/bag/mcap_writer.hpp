@@ -25,7 +25,7 @@ struct WriterOptions {
 class Writer {
  public:
   /// Writes magic and header. Every call may throw what the sink throws; then the file is a cut one.
-  Writer(std::unique_ptr<ByteSink> sink, WriterOptions options);
+  Writer(std::shared_ptr<ByteSink> sink, WriterOptions options);
 
   /// Channels are known by the ids they come with; both must be unique and not 0.
   void add_schema(Schema schema);
@@ -36,8 +36,8 @@ class Writer {
   void write(const Metadata& metadata);
   /// Ends the open chunk, so that what was written so far survives a kill.
   void flush();
-  /// Hands what was flushed to the device.
-  void sync() { sink_->sync(); }
+  /// To sync what was flushed.
+  [[nodiscard]] const std::shared_ptr<ByteSink>& sink() const { return sink_; }
   /// Writes summary and footer. Nothing may be written after that.
   void close();
 
@@ -52,7 +52,7 @@ class Writer {
   void append_summary(Bytes& out, std::uint64_t start);
 
   WriterOptions options_;
-  std::unique_ptr<ByteSink> sink_;
+  std::shared_ptr<ByteSink> sink_;
   std::map<std::uint16_t, Schema> schemas_;
   std::map<std::uint16_t, Channel> channels_;
 

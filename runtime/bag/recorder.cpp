@@ -25,11 +25,25 @@ Duration cpu_time() {
 }  // namespace
 
 Recorder::Recorder(const std::filesystem::path& path, RecorderOptions options)
-    : options_(std::move(options)), writer_(path, options_.writer) {
+    : options_(std::move(options)),
+      sync_(options_.waits ? nullptr
+                           : std::make_unique<SyncThread>([this](const std::string& error) { fail(error); })),
+      writer_(path, writer_options()) {
   if (!options_.waits) thread_ = std::thread([this] { run(); });
 }
 
 Recorder::~Recorder() { close(); }
+
+BagWriterOptions Recorder::writer_options() {
+  BagWriterOptions writer = options_.writer;
+  if (sync_) writer.sync = [this](std::shared_ptr<ByteSink> file) { sync_->ask(std::move(file)); };
+  return writer;
+}
+
+void Recorder::fail(const std::string& error) {
+  const std::lock_guard lock(mutex_);
+  if (error_.empty()) error_ = error;
+}
 
 /// Runs what touches the disk. Its failure is the end of the recording, and said in the status.
 template <class Action>
@@ -45,7 +59,7 @@ void Recorder::on_disk(Action action) {
     error = failure.what();
   }
   const std::lock_guard lock(mutex_);
-  error_ = std::move(error);
+  if (error_.empty()) error_ = std::move(error);
   size_ = writer_.size();
 }
 
@@ -132,7 +146,7 @@ void Recorder::run() {
       on_disk([&] {
         writer_.flush();
         flushed = writer_.message_count();
-        if (is_due) writer_.sync();
+        if (is_due) sync_->ask(writer_.sink());
       });
     }
     const std::lock_guard lock(mutex_);
@@ -155,6 +169,7 @@ void Recorder::close() {
     if (!dropped.empty()) writer_.add_metadata("dropped", dropped);
     writer_.close();
   });
+  if (sync_) sync_->finish();
 }
 
 RecorderStatus Recorder::status() const {

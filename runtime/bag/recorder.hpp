@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "runtime/bag/bag_writer.hpp"
+#include "runtime/bag/sync_thread.hpp"
 
 namespace bw::bag {
 
@@ -70,8 +71,12 @@ class Recorder {
   void write(const Queue& queue);
   void run();
 
+  [[nodiscard]] BagWriterOptions writer_options();
+  void fail(const std::string& error);
+
   const RecorderOptions options_;
-  mutable std::mutex writer_mutex_;  ///< taken before mutex_ where both are
+  std::unique_ptr<SyncThread> sync_;  ///< none where the caller waits
+  mutable std::mutex writer_mutex_;   ///< taken before mutex_ where both are
   BagWriter writer_;
 
   mutable std::mutex mutex_;  ///< guards what follows

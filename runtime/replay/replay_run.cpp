@@ -120,8 +120,13 @@ void tell_tolerances(ReplayResult& result, const Tolerances& tolerances, const O
 
 ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions& options) {
   keep_only(graph, options.run);
+  const auto metadata = recording.metadata();
+  const bool is_lockstep = entry(metadata, "bandwagon", "clock") == "lockstep";
   std::set<std::string> recorded;
-  for (const bag::BagTopic& topic : recording.topics()) recorded.insert(topic.name);
+  for (const bag::BagTopic& topic : recording.topics()) {
+    // In real time, what nobody reads is not sent.
+    if (is_lockstep || topic.message_count > 0) recorded.insert(topic.name);
+  }
   FeedOptions feed_options{.ignored = kOfTheProcess};
   for (const auto& [topic, node] : outputs_of(graph)) {
     if (recorded.contains(topic) && !kOfTheProcess.contains(topic)) feed_options.live.insert({topic, node});
@@ -129,9 +134,8 @@ ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions&
   if (feed_options.live.empty())
     throw std::runtime_error("nothing that these components write is in the bag");
   const Outputs live = feed_options.live;
-  const auto metadata = recording.metadata();
   ReplayResult result{
-      .pairing = entry(metadata, "bandwagon", "clock") == "lockstep" ? Pairing::in_order : Pairing::by_stamp,
+      .pairing = is_lockstep ? Pairing::in_order : Pairing::by_stamp,
       .notes = notes_on(recording)};
   if (const std::string count = entry(metadata, "result", "messages_of_run"); !count.empty()) {
     feed_options.messages = std::stoull(count);

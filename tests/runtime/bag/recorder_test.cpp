@@ -1,10 +1,12 @@
 // The recorder's promises: in order, never in the way, and honest about what it lost.
 #include "runtime/bag/recorder.hpp"
 
+#include <atomic>
 #include <cerrno>
 #include <condition_variable>
 #include <mutex>
 #include <system_error>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -133,7 +135,10 @@ class ForgetfulDisk final : public ByteSink {
     }
   };
   explicit ForgetfulDisk(std::shared_ptr<Platter> platter) : platter_(std::move(platter)) {}
-  void write(BytesView bytes) override { written_.insert(written_.end(), bytes.begin(), bytes.end()); }
+  void write(BytesView bytes) override {
+    const std::lock_guard lock(platter_->mutex);
+    written_.insert(written_.end(), bytes.begin(), bytes.end());
+  }
   void sync() override {
     const std::lock_guard lock(platter_->mutex);
     platter_->kept = written_;
@@ -163,6 +168,54 @@ TEST(Recorder, SyncsByItselfSoThatAPowerCutLeavesABagThatOpens) {
   mcap::write_content(cut, {reinterpret_cast<const char*>(kept.data()), kept.size()});
   EXPECT_EQ(times(cut), up_to(100));
   EXPECT_EQ(open_bag(cut)->faults().size(), 1U);  // it was not closed
+}
+
+TEST(Recorder, WritesOnWhileTheDeviceTakesItsTimeToSync) {
+  class LongSync final : public ByteSink {
+   public:
+    LongSync(std::unique_ptr<ByteSink> file, std::shared_ptr<StuckDisk::Gate> gate)
+        : file_(std::move(file)), gate_(std::move(gate)) {}
+    void write(BytesView bytes) override { file_->write(bytes); }
+    void sync() override { gate_->pass(); }
+    std::uint64_t size() const override { return file_->size(); }
+
+   private:
+    std::unique_ptr<ByteSink> file_;
+    std::shared_ptr<StuckDisk::Gate> gate_;
+  };
+  const mcap::Folder folder;
+  auto gate = std::make_shared<StuckDisk::Gate>();
+  gate->set(false);
+  RecorderOptions options;
+  options.writer.create = [gate](const std::filesystem::path& file) {
+    return std::make_unique<LongSync>(create_file(file), gate);
+  };
+  Recorder recorder(folder / "a.mcap", options);
+  const std::size_t a = recorder.add_topic(topic("/a"));
+  gate->wait_until_stuck();
+  for (std::int64_t i = 0; i < 100; ++i) recorder.record(a, {i}, {i}, mcap::as_bytes("text"));
+  while (recorder.status().flushed < 100) std::this_thread::yield();
+  EXPECT_EQ(times(folder / "a.mcap"), up_to(100));  // while the sync has not returned
+  gate->set(true);
+  recorder.close();
+}
+
+TEST(Recorder, SaysWhenASyncFails) {
+  class FailingSync final : public ByteSink {
+   public:
+    void write(BytesView bytes) override { size_ += bytes.size(); }
+    void sync() override { throw std::system_error(EIO, std::generic_category(), "disk"); }
+    std::uint64_t size() const override { return size_; }
+
+   private:
+    std::atomic<std::uint64_t> size_ = 0;
+  };
+  const mcap::Folder folder;
+  RecorderOptions options;
+  options.writer.create = [](const std::filesystem::path&) { return std::make_unique<FailingSync>(); };
+  Recorder recorder(folder / "a.mcap", options);
+  while (recorder.status().error.empty()) std::this_thread::yield();
+  EXPECT_THAT(recorder.status().error, ::testing::HasSubstr("Input/output error"));
 }
 
 /// A disk that takes a number of bytes each time somebody turns it on, and waits for the next time.
