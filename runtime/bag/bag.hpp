@@ -55,7 +55,7 @@ struct BagFault {
 
 struct BagSelection {
   Time start{std::numeric_limits<std::int64_t>::min()};        ///< inclusive
-  Time end{std::numeric_limits<std::int64_t>::max()};          ///< exclusive
+  Time end{std::numeric_limits<std::int64_t>::max()};          ///< exclusive, its greatest value apart
   std::optional<std::set<std::string>> topics = std::nullopt;  ///< nothing: all
 };
 
@@ -73,13 +73,17 @@ class BagMessages {
 struct BagAttachment {
   std::string name;
   std::string media_type;
-  std::uint64_t size = 0;  ///< [bytes]
+  std::uint64_t size = 0;      ///< [bytes]
+  std::filesystem::path file;  ///< that holds it
+  std::uint64_t offset = 0;    ///< in it [bytes]
 };
 
 class Bag {
  public:
   virtual ~Bag() = default;
   [[nodiscard]] virtual std::string storage() const = 0;  ///< mcap or sqlite3
+  /// How messages are to be understood: `ros2`, or what another recorder wrote, which may be nothing.
+  [[nodiscard]] virtual std::string profile() const = 0;
   [[nodiscard]] virtual const std::vector<BagTopic>& topics() const = 0;
   [[nodiscard]] virtual Time start() const = 0;  ///< log time of the first message
   [[nodiscard]] virtual Time end() const = 0;    ///< of the last one
@@ -90,6 +94,8 @@ class Bag {
   [[nodiscard]] virtual std::map<std::string, std::map<std::string, std::string>> metadata() const = 0;
   /// What was found wrong when it was opened; a file that was not closed is one.
   [[nodiscard]] virtual const std::vector<BagFault>& faults() const = 0;
+  /// What a look at every byte tells that reading the messages does not: other checksums. May take long.
+  [[nodiscard]] virtual std::vector<BagFault> verify() const = 0;
   /// The bag must outlive what this returns.
   [[nodiscard]] virtual std::unique_ptr<BagMessages> messages(const BagSelection& selection) const = 0;
 };

@@ -1,27 +1,33 @@
 #include "runtime/bag/bag_report.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <optional>
 
-#include "runtime/wire/type_registry.hpp"
+#include "runtime/bag/known_type.hpp"
 #include "runtime/wire/validate.hpp"
 
 namespace bw::bag {
 namespace {
 
-/// The description of a type that is built in and the same as the recorded one.
-const TypeDescription* known_type(const BagTopic& topic) {
-  const TypeDescription* type = topic.serialization_format == "cdr" ? find_type(topic.type) : nullptr;
-  if (type == nullptr || topic.type_hash.empty() || topic.type_hash == type->type_hash) return type;
-  return nullptr;
+/// Of what a hostile bag claims, too: differences of its times may be more than Duration holds.
+Duration difference(Duration a, Duration b) {
+  std::int64_t result = 0;
+  if (__builtin_sub_overflow(a.nanoseconds, b.nanoseconds, &result))
+    return {a.nanoseconds < 0 ? std::numeric_limits<std::int64_t>::min()
+                              : std::numeric_limits<std::int64_t>::max()};
+  return {result};
 }
 
 class Examination {
  public:
   explicit Examination(const Bag& bag, Duration jump) : jump_(jump) {
     for (const BagTopic& topic : bag.topics()) {
-      report_.topics.push_back({.name = topic.name, .type = topic.type});
-      types_.push_back(known_type(topic));
+      const KnownType known = known_type(topic);
+      report_.topics.push_back(
+          {.name = topic.name, .type = topic.type, .writer = topic.writer, .difference = known.why});
+      types_.push_back(known.type);
     }
     last_stamps_.resize(types_.size());
     report_.faults = bag.faults();
@@ -45,14 +51,26 @@ class Examination {
     }
   }
   void take(const BagFault& fault) { report_.faults.push_back(fault); }
-  BagReport finish() { return std::move(report_); }
+  /// With what the bag promised: a message that is in its counts and not in its chunks is lost.
+  BagReport finish(const Bag& bag) {
+    std::uint64_t read = 0;
+    for (const TopicReport& topic : report_.topics) read += topic.count;
+    if (report_.faults.empty() && read != bag.message_count()) {
+      report_.faults.push_back({{},
+                                0,
+                                std::to_string(bag.message_count()) + " messages are promised and " +
+                                    std::to_string(read) + " are there"});
+    }
+    std::ranges::copy(bag.verify(), std::back_inserter(report_.faults));
+    return std::move(report_);
+  }
 
  private:
   void compare_clocks(const BagMessage& m, TopicReport& topic) {
     std::optional<Time>& last_stamp = last_stamps_[m.topic];
     if (last_stamp) {
       if (m.publish_time < *last_stamp && topic.falling++ == 0) topic.first_falling = m.log_time;
-      const Duration apart = (m.log_time - topic.last) - (m.publish_time - *last_stamp);
+      const Duration apart = difference(m.log_time - topic.last, m.publish_time - *last_stamp);
       // One jump is seen by every topic: those within the time of a jump are one.
       const bool is_new = report_.clock_jumps.empty() || m.log_time - report_.clock_jumps.back().at > jump_;
       if ((apart > jump_ || apart < jump_ * -1) && is_new) report_.clock_jumps.push_back({m.log_time, apart});
@@ -90,7 +108,7 @@ BagReport examine(const Bag& bag, Duration jump) {
       examination.take(message);
     }
   }
-  return examination.finish();
+  return examination.finish(bag);
 }
 
 }  // namespace bw::bag

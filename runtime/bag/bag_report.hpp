@@ -12,6 +12,8 @@ namespace bw::bag {
 struct TopicReport {
   std::string name;
   std::string type;
+  std::string writer;      ///< node, where the bag tells
+  std::string difference;  ///< why messages of a type that is known here are not decoded; empty: they are
   std::uint64_t count = 0;
   std::uint64_t bytes = 0;
   Time first;  ///< log time

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -11,13 +12,13 @@
 #include <unistd.h>
 
 #include "runtime/atomic_file.hpp"
+#include "runtime/bag/mcap_time.hpp"
+#include "runtime/bag/qos_text.hpp"
 
 namespace bw::bag {
 namespace {
 
-std::uint64_t to_mcap_time(Time time) {
-  return static_cast<std::uint64_t>(std::max<std::int64_t>(time.nanoseconds, 0));
-}
+constexpr std::uint64_t kPartsOfMaxSize = 10;
 
 /// Held as long as the folder is written; a kill lets go of it.
 int lock_folder(const std::filesystem::path& folder) {
@@ -34,6 +35,8 @@ int lock_folder(const std::filesystem::path& folder) {
 
 BagWriter::BagWriter(std::filesystem::path path, BagWriterOptions options)
     : path_(std::move(path)), options_(std::move(options)), is_folder_(path_.extension() != ".mcap") {
+  if (options_.max_size > 0 && options_.split_size == 0)
+    options_.split_size = std::max<std::uint64_t>(options_.max_size / kPartsOfMaxSize, 1);
   if (!is_folder_) {
     if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path());
     open_file();
@@ -60,8 +63,9 @@ std::filesystem::path BagWriter::file_path(std::size_t number) const {
 
 void BagWriter::open_file() {
   const std::filesystem::path file = file_path(next_number_++);
-  file_ = std::make_unique<mcap::Writer>(options_.create(file),
-                                         mcap::WriterOptions{.compression = options_.compression});
+  file_ = std::make_unique<mcap::Writer>(
+      options_.create(file),
+      mcap::WriterOptions{.compression = options_.compression, .profile = options_.profile});
   for (const mcap::Schema& schema : schemas_) file_->add_schema(schema);
   for (const mcap::Channel& channel : channels_) file_->add_channel(channel);
   metadata_.files.push_back({.path = file.filename().string()});
@@ -69,8 +73,12 @@ void BagWriter::open_file() {
 }
 
 std::size_t BagWriter::add_topic(const BagTopic& topic) {
-  std::uint16_t& schema_id = schema_ids_[{topic.type, topic.schema_text}];
-  if (schema_id == 0) {
+  constexpr std::size_t kMost = std::numeric_limits<std::uint16_t>::max();
+  if (channels_.size() == kMost)
+    throw std::runtime_error(path_.string() + ": MCAP has no room for more than 65535 topics");
+  std::uint16_t& schema_id = schema_ids_[{topic.type, topic.schema_encoding + "\n" + topic.schema_text}];
+  const bool has_schema = !topic.type.empty() || !topic.schema_text.empty();
+  if (schema_id == 0 && has_schema) {
     schema_id = static_cast<std::uint16_t>(schemas_.size() + 1);
     schemas_.push_back({.id = schema_id,
                         .name = topic.type,
@@ -87,6 +95,7 @@ std::size_t BagWriter::add_topic(const BagTopic& topic) {
   if (!topic.writer.empty()) channels_.back().metadata["node"] = topic.writer;
   file_->add_channel(channels_.back());
   topics_.push_back(topic);
+  latched_depths_.push_back(latched_depth(from_qos_text(topic.offered_qos_profiles)));
   const auto listed = std::ranges::find_if(
       metadata_.topics, [&](const TopicMetadata& t) { return t.name == topic.name && t.type == topic.type; });
   listed_as_.push_back(static_cast<std::size_t>(listed - metadata_.topics.begin()));
@@ -109,8 +118,12 @@ void BagWriter::write(std::size_t topic, Time log_time, Time publish_time, Bytes
   if (is_folder_ && file_has_messages_ && (too_large || too_long)) {
     close_file();
     open_file();
-    delete_oldest();
   }
+  write_message(topic, log_time, publish_time, data);
+  if (is_folder_ && options_.max_size > 0 && size() > options_.max_size) delete_oldest(log_time);
+}
+
+void BagWriter::write_message(std::size_t topic, Time log_time, Time publish_time, BytesView data) {
   file_->write({.channel_id = channels_[topic].id,
                 .log_time = to_mcap_time(log_time),
                 .publish_time = to_mcap_time(publish_time),
@@ -118,6 +131,9 @@ void BagWriter::write(std::size_t topic, Time log_time, Time publish_time, Bytes
   if (!std::exchange(file_has_messages_, true)) file_start_ = log_time;
   ++metadata_.topics[listed_as_[topic]].message_count;
   ++metadata_.message_count;
+  if (options_.max_size == 0 || latched_depths_[topic] == 0) return;
+  carried_.add(next_number_ - 1, Carried::Message{topic, log_time, publish_time, {data.begin(), data.end()}},
+               latched_depths_[topic]);
 }
 
 void BagWriter::attach(const std::string& name, const std::string& media_type, std::string_view content,
@@ -127,13 +143,18 @@ void BagWriter::attach(const std::string& name, const std::string& media_type, s
                                 .name = name,
                                 .media_type = media_type,
                                 .data = {content.begin(), content.end()}});
+  if (options_.max_size > 0)
+    carried_.add(next_number_ - 1, Carried::Attachment{name, media_type, std::string(content), now});
 }
 
 void BagWriter::add_metadata(const std::string& name, const std::map<std::string, std::string>& entries) {
   file_->write(mcap::Metadata{.name = name, .entries = entries});
+  if (options_.max_size > 0) carried_.add(next_number_ - 1, Carried::Metadata{name, entries});
 }
 
 void BagWriter::flush() { file_->flush(); }
+
+void BagWriter::sync() { file_->sync(); }
 
 std::uint64_t BagWriter::size() const {
   std::uint64_t sum = file_ ? file_->size() : 0;
@@ -147,36 +168,45 @@ void BagWriter::close_file() {
   file.start = s.start_time;
   file.duration = s.end_time - s.start_time;
   file.message_count = s.message_count;
-  if (s.message_count > 0) {
-    const std::uint64_t end = std::max(metadata_.start + metadata_.duration, s.end_time);
-    const bool is_first = metadata_.start == 0 && metadata_.duration == 0;
-    metadata_.start = is_first ? s.start_time : std::min(metadata_.start, s.start_time);
-    metadata_.duration = end - metadata_.start;
-  }
+  span_files();
   file_->write(mcap::Metadata{.name = "rosbag2", .entries = {{"serialized_metadata", to_record(metadata_)}}});
   file_->close();
-  closed_.push_back({file_->size(), s.channel_message_counts});
+  file_->sync();
+  closed_.push_back({next_number_ - 1, file_->size(), s.channel_message_counts});
   file_.reset();
-  write_metadata();
 }
 
-void BagWriter::delete_oldest() {
-  while (options_.max_size > 0 && metadata_.files.size() > 1 && size() > options_.max_size) {
+void BagWriter::span_files() {
+  std::uint64_t end = 0;
+  metadata_.start = 0;
+  for (const FileMetadata& file : metadata_.files) {
+    if (file.message_count == 0) continue;
+    metadata_.start = end == 0 ? file.start : std::min(metadata_.start, file.start);
+    end = std::max(end, file.start + file.duration);
+  }
+  metadata_.duration = end - metadata_.start;
+}
+
+void BagWriter::delete_oldest(Time now) {
+  while (!closed_.empty() && size() > options_.max_size) {
+    const Closed oldest = std::move(closed_.front());
+    closed_.erase(closed_.begin());
     std::filesystem::remove(path_ / metadata_.files.front().path);
     metadata_.message_count -= metadata_.files.front().message_count;
-    for (const auto& [channel, count] : closed_.front().counts)
+    for (const auto& [channel, count] : oldest.counts)
       metadata_.topics[listed_as_[channel - 1U]].message_count -= count;
     metadata_.files.erase(metadata_.files.begin());
-    closed_.erase(closed_.begin());
+    const Carried::Parts parts = carried_.take(oldest.number);
+    for (const auto& a : parts.attachments) attach(a.name, a.media_type, a.content, a.time);
+    for (const auto& m : parts.metadata) add_metadata(m.name, m.entries);
+    for (const auto& m : parts.messages) write_message(m.topic, now, m.publish_time, m.data);
   }
-}
-
-void BagWriter::write_metadata() {
-  if (is_folder_) write_file_atomically(path_ / "metadata.yaml", to_yaml(metadata_));
 }
 
 void BagWriter::close() {
-  if (file_) close_file();
+  if (!file_) return;
+  close_file();
+  if (is_folder_) write_file_atomically(path_ / "metadata.yaml", to_yaml(metadata_));
 }
 
 }  // namespace bw::bag

@@ -2,6 +2,8 @@
 //
 //   drive.mcap          one file
 //   drive/              drive_0.mcap, drive_1.mcap, ..., metadata.yaml
+//
+// metadata.yaml comes with the end: without it, after a kill, a folder is all the files in it.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +16,19 @@
 
 #include "runtime/bag/bag.hpp"
 #include "runtime/bag/bag_metadata.hpp"
+#include "runtime/bag/carried.hpp"
 #include "runtime/bag/mcap_writer.hpp"
 
 namespace bw::bag {
 
 struct BagWriterOptions {
   Compression compression = Compression::zstd;
+  std::string profile = "ros2";  ///< of MCAP: what messages and schemas are to be understood as
   std::uint64_t split_size = 0;  ///< a new file begins beyond this [bytes]; 0: never. Folders only
   Duration split_duration{};     ///< or after this time; 0: never. Folders only
-  std::uint64_t max_size =
-      0;  ///< the oldest files go beyond this, all together [bytes]; 0: never. Folders only
+  /// The oldest files go, so that all together stay below this [bytes]; 0: they stay. Attachments, metadata and latched
+  /// messages in them are written again. Without a split_size files are split at a tenth of it. Folders only
+  std::uint64_t max_size = 0;
   /// Makes the files; a test puts a disk that is full or slow in this place.
   std::function<std::unique_ptr<ByteSink>(const std::filesystem::path&)> create = create_file;
 };
@@ -46,7 +51,9 @@ class BagWriter {
   void add_metadata(const std::string& name, const std::map<std::string, std::string>& entries);
   /// What was written so far survives a kill of the program.
   void flush();
-  /// Writes summaries and metadata.yaml.
+  /// What was flushed so far survives a power cut.
+  void sync();
+  /// Writes summaries and metadata.yaml, and syncs.
   void close();
 
   [[nodiscard]] std::uint64_t size() const;  ///< of all files [bytes]
@@ -56,8 +63,9 @@ class BagWriter {
  private:
   void open_file();
   void close_file();
-  void delete_oldest();
-  void write_metadata();
+  void delete_oldest(Time now);
+  void write_message(std::size_t topic, Time log_time, Time publish_time, BytesView data);
+  void span_files();
   [[nodiscard]] std::filesystem::path file_path(std::size_t number) const;
 
   std::filesystem::path path_;
@@ -66,7 +74,9 @@ class BagWriter {
   int lock_ = -1;
   std::vector<BagTopic> topics_;
   std::vector<std::size_t> listed_as_;  ///< by topic: its place in metadata_.topics, which knows no writers
-  std::map<std::pair<std::string, std::string>, std::uint16_t> schema_ids_;  ///< by type and text
+  std::vector<std::size_t> latched_depths_;  ///< by topic
+  std::map<std::pair<std::string, std::string>, std::uint16_t>
+      schema_ids_;  ///< by type, and encoding with text
   std::vector<mcap::Schema> schemas_;
   std::vector<mcap::Channel> channels_;
   std::unique_ptr<mcap::Writer> file_;
@@ -76,10 +86,12 @@ class BagWriter {
   BagMetadata metadata_;
   /// A file that was closed and is still there.
   struct Closed {
+    std::size_t number = 0;
     std::uint64_t size = 0;                         ///< [bytes]
     std::map<std::uint16_t, std::uint64_t> counts;  ///< messages by channel
   };
   std::vector<Closed> closed_;  ///< the oldest first, as in metadata_
+  Carried carried_;             ///< with a max_size
 };
 
 }  // namespace bw::bag

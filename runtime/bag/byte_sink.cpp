@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -32,15 +33,26 @@ class FileSink final : public ByteSink {
   }
   void sync() override {
     if (fdatasync(descriptor_) != 0) fail();
+    if (!std::exchange(is_name_kept_, true)) keep_name();
   }
   std::uint64_t size() const override { return size_; }
 
  private:
+  /// A file whose folder is not written is lost with the power, whatever was written into it.
+  void keep_name() const {
+    const std::filesystem::path folder = path_.has_parent_path() ? path_.parent_path() : ".";
+    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) fail();
+    const bool is_kept = fsync(descriptor) == 0 || errno == EINVAL;  // some file systems cannot
+    close(descriptor);
+    if (!is_kept) fail();
+  }
   [[noreturn]] void fail() const { throw std::system_error(errno, std::generic_category(), path_.string()); }
 
   std::filesystem::path path_;
   int descriptor_;
   std::uint64_t size_ = 0;
+  bool is_name_kept_ = false;
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ class ByteSink {
   virtual ~ByteSink() = default;
   /// Appends all of `bytes`. Throws std::system_error with the system's reason; a part may have been written then.
   virtual void write(BytesView bytes) = 0;
-  /// Asks the device to keep what was written. Throws as write() does.
+  /// Waits until the device keeps what was written, and the file's name. Throws as write() does.
   virtual void sync() = 0;
   /// Bytes written so far.
   [[nodiscard]] virtual std::uint64_t size() const = 0;

@@ -5,16 +5,11 @@
 
 #include "runtime/bag/byte_source.hpp"
 #include "runtime/bag/mcap_messages.hpp"
+#include "runtime/bag/mcap_time.hpp"
+#include "runtime/bag/mcap_verify.hpp"
 
 namespace bw::bag {
 namespace {
-
-Time to_time(std::uint64_t nanoseconds) { return {static_cast<std::int64_t>(nanoseconds)}; }
-
-/// MCAP's times are unsigned; what lies outside is moved to the nearest.
-std::uint64_t to_mcap_time(Time time) {
-  return static_cast<std::uint64_t>(std::max<std::int64_t>(time.nanoseconds, 0));
-}
 
 class McapMessages final : public BagMessages {
  public:
@@ -27,8 +22,8 @@ class McapMessages final : public BagMessages {
     const mcap::Step step = messages_.next(read);
     if (step != mcap::Step::message) return step == mcap::Step::end ? Step::end : Step::damaged;
     message = {.topic = topic_of_.at(read.channel_id),
-               .log_time = to_time(read.log_time),
-               .publish_time = to_time(read.publish_time),
+               .log_time = from_mcap_time(read.log_time),
+               .publish_time = from_mcap_time(read.publish_time),
                .data = read.data};
     return Step::message;
   }
@@ -72,16 +67,17 @@ class McapBag final : public Bag {
   }
 
   std::string storage() const override { return "mcap"; }
+  std::string profile() const override { return contents_.header.profile; }
   const std::vector<BagTopic>& topics() const override { return topics_; }
-  Time start() const override { return to_time(contents_.statistics.start_time); }
-  Time end() const override { return to_time(contents_.statistics.end_time); }
+  Time start() const override { return from_mcap_time(contents_.statistics.start_time); }
+  Time end() const override { return from_mcap_time(contents_.statistics.end_time); }
   std::uint64_t message_count() const override { return contents_.statistics.message_count; }
   const std::vector<BagFault>& faults() const override { return faults_; }
 
   std::vector<BagAttachment> attachments() const override {
     std::vector<BagAttachment> all;
     for (const mcap::AttachmentIndex& a : contents_.attachments)
-      all.push_back({a.name, a.media_type, a.data_size});
+      all.push_back({a.name, a.media_type, a.data_size, file_.path(), a.offset});
     return all;
   }
   std::optional<Bytes> attachment(const std::string& name) const override {
@@ -112,8 +108,15 @@ class McapBag final : public Bag {
     }
     return all;
   }
+  std::vector<BagFault> verify() const override {
+    std::vector<BagFault> faults;
+    for (const mcap::Fault& fault : mcap::verify(file_, contents_))
+      faults.push_back({file_.path(), fault.offset, fault.what});
+    return faults;
+  }
   std::unique_ptr<BagMessages> messages(const BagSelection& selection) const override {
-    mcap::Selection wanted{.start = to_mcap_time(selection.start), .end = to_mcap_time(selection.end)};
+    mcap::Selection wanted{.start = to_mcap_time(selection.start)};
+    if (selection.end != BagSelection{}.end) wanted.end = to_mcap_time(selection.end);
     if (selection.topics) {
       wanted.channels.emplace();
       for (const auto& [id, topic] : topic_of_) {

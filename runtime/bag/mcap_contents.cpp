@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -70,6 +71,16 @@ bool is_within(const Contents& contents, std::uint64_t summary_start) {
          std::ranges::all_of(contents.metadata, [&](const auto& m) { return inside(m.offset, m.length); });
 }
 
+/// One chunk named a thousand times would be read a thousand times.
+bool is_apart(const std::vector<ChunkIndex>& chunks) {
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> places;
+  for (const ChunkIndex& c : chunks) places.emplace_back(c.chunk_start, c.chunk_length);
+  std::ranges::sort(places);
+  return std::ranges::adjacent_find(places, [](const auto& a, const auto& b) {
+           return b.first - a.first < a.second;
+         }) == places.end();
+}
+
 /// Nothing, with a fault, when the file has no summary that can be trusted.
 std::optional<Contents> from_summary(const ByteSource& file, Fault& fault) {
   Bytes end;
@@ -88,6 +99,9 @@ std::optional<Contents> from_summary(const ByteSource& file, Fault& fault) {
   fault = {footer_at, "the footer names a summary that does not lie before it"};
   const std::uint64_t offsets = footer.summary_offset_start == 0 ? footer_at : footer.summary_offset_start;
   if (footer.summary_start > offsets || offsets > footer_at) return std::nullopt;
+  fault = {footer_at,
+           "the footer names a summary of " + std::to_string(footer_at - footer.summary_start) + " bytes"};
+  if (footer_at - footer.summary_start > kLargestRecord) return std::nullopt;
   if (!file.read(footer.summary_start, footer_at - footer.summary_start, summary)) return std::nullopt;
   fault = {footer.summary_start, "the checksum of the summary does not fit"};
   const std::uint32_t crc = crc32(BytesView(end).first(kRecordPrefix + kFooterLength - 4), crc32(summary));
@@ -98,8 +112,11 @@ std::optional<Contents> from_summary(const ByteSource& file, Fault& fault) {
   if (!read_group(BytesView(summary).first(size), contents)) return std::nullopt;
   fault = {footer.summary_start, "the summary names places that are not in the file"};
   if (!is_within(contents, footer.summary_start)) return std::nullopt;
+  fault = {footer.summary_start, "the summary names chunks that lie in each other"};
+  if (!is_apart(contents.chunks)) return std::nullopt;
   fault = {footer.summary_start, "messages outside of chunks are in no summary"};
   if (contents.chunks.empty() && contents.statistics.message_count > 0) return std::nullopt;
+  contents.summary_start = footer.summary_start;
   contents.from_summary = true;
   return contents;
 }
@@ -194,6 +211,7 @@ class Walk {
     std::size_t inside = 0;
     RecordView record;
     bool has_messages = false;
+    std::set<std::uint16_t> channels;
     while (inside < records_.size()) {
       fault = {offset, "a record in the chunk does not hold what it should"};
       if (!next_record(records_, inside, record)) return false;
@@ -203,13 +221,14 @@ class Walk {
         Message message;
         if (!parse(record.content, message)) return false;
         count(message, contents_.statistics);
-        index.message_index_offsets[message.channel_id] = 0;
+        channels.insert(message.channel_id);
         // From the messages, not from the chunk's own word.
         index.start_time = has_messages ? std::min(index.start_time, message.log_time) : message.log_time;
         index.end_time = std::max(index.end_time, message.log_time);
         has_messages = true;
       }
     }
+    for (const std::uint16_t channel : channels) index.message_index_offsets.emplace_back(channel, 0);
     contents_.chunks.push_back(std::move(index));
     ++contents_.statistics.chunk_count;
     return true;
@@ -236,11 +255,13 @@ bool read_record(const ByteSource& file, std::uint64_t offset, Opcode& opcode, B
     fault.what = "no record begins here";
     return false;
   }
-  if (!file.read(offset + kRecordPrefix, length, content)) {
-    fault.what = "a record claims " + std::to_string(length) + " bytes, more than the file holds";
+  const std::uint64_t held = file.size() - offset - kRecordPrefix;
+  if (length > std::min(held, kLargestRecord)) {
+    fault.what = "a record claims " + std::to_string(length) + " bytes, more than " +
+                 (length > held ? "the file holds" : "any record may have");
     return false;
   }
-  return true;
+  return file.read(offset + kRecordPrefix, length, content);
 }
 
 bool open_chunk(BytesView content, std::uint64_t offset, Chunk& chunk, Bytes& records, Fault& fault) {
@@ -259,7 +280,8 @@ bool open_chunk(BytesView content, std::uint64_t offset, Chunk& chunk, Bytes& re
 Contents read_contents(const ByteSource& file) {
   Bytes start;
   if (!file.read(0, kMagic.size(), start) || !is_magic(start)) {
-    throw std::runtime_error(file.path().string() + " is no MCAP file: it does not begin as one");
+    throw std::runtime_error(file.path().string() + " is no MCAP file: " +
+                             (file.size() == 0 ? "it is empty" : "it does not begin as one (byte 0)"));
   }
   Fault fault;
   std::optional<Contents> summarised = from_summary(file, fault);

@@ -12,6 +12,9 @@
 
 namespace bw::bag::mcap {
 
+/// No record and no summary beyond this is read, whatever the file claims and however large it is [bytes].
+inline constexpr std::uint64_t kLargestRecord = std::uint64_t{1} << 30;
+
 /// Something in the file that is not as it should be.
 struct Fault {
   std::uint64_t offset = 0;  ///< in the file [bytes]
@@ -34,7 +37,8 @@ struct Contents {
   std::vector<AttachmentIndex> attachments;
   std::vector<MetadataIndex> metadata;
   Statistics statistics;
-  bool from_summary = false;  ///< false: the file was not closed, or its summary is broken
+  std::uint64_t summary_start = 0;  ///< in the file [bytes]
+  bool from_summary = false;        ///< false: the file was not closed, or its summary is broken
   std::vector<Fault> faults;
 };
 

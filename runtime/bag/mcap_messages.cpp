@@ -15,21 +15,27 @@ Messages::Messages(const ByteSource& file, const Contents& contents, Selection s
   for (std::size_t i = 0; i < contents_.chunks.size(); ++i) {
     if (is_wanted(contents_.chunks[i])) order_.push_back(i);
   }
-  std::ranges::sort(order_, {}, [&](std::size_t i) {
+  const auto place = [&](std::size_t i) {
     return std::pair(contents_.chunks[i].start_time, contents_.chunks[i].chunk_start);
-  });
+  };
+  // As recorders write them they are in order, and a long bag has very many.
+  if (!std::ranges::is_sorted(order_, {}, place)) std::ranges::sort(order_, {}, place);
   std::ranges::sort(loose_, {}, [](const LooseMessage& m) { return std::pair(m.log_time, m.offset); });
 }
 
+bool Messages::is_over(std::uint64_t time) const {
+  return time >= selection_.end && selection_.end != std::numeric_limits<std::uint64_t>::max();
+}
+
 bool Messages::is_wanted(const ChunkIndex& chunk) const {
-  if (chunk.end_time < selection_.start || chunk.start_time >= selection_.end) return false;
+  if (chunk.end_time < selection_.start || is_over(chunk.start_time)) return false;
   if (!selection_.channels || chunk.message_index_offsets.empty()) return true;
   return std::ranges::any_of(chunk.message_index_offsets,
                              [&](const auto& entry) { return selection_.channels->contains(entry.first); });
 }
 
 bool Messages::is_wanted(const Message& message) const {
-  return message.log_time >= selection_.start && message.log_time < selection_.end &&
+  return message.log_time >= selection_.start && !is_over(message.log_time) &&
          (!selection_.channels || selection_.channels->contains(message.channel_id)) &&
          contents_.channels.contains(message.channel_id);
 }

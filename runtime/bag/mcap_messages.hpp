@@ -19,7 +19,7 @@ namespace bw::bag::mcap {
 
 struct Selection {
   std::uint64_t start = 0;                                         ///< log time [ns], inclusive
-  std::uint64_t end = std::numeric_limits<std::uint64_t>::max();   ///< exclusive
+  std::uint64_t end = std::numeric_limits<std::uint64_t>::max();   ///< exclusive, its greatest value apart
   std::optional<std::set<std::uint16_t>> channels = std::nullopt;  ///< nothing: all
 };
 
@@ -54,6 +54,7 @@ class Messages {
     Bytes records;
   };
 
+  bool is_over(std::uint64_t time) const;
   bool is_wanted(const ChunkIndex& chunk) const;
   bool is_wanted(const Message& message) const;
   bool enter(std::size_t chunk);

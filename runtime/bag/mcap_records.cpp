@@ -226,7 +226,7 @@ bool parse(BytesView content, ChunkIndex& record) {
     std::uint16_t channel = 0;
     std::uint64_t offset = 0;
     if (!offsets.number(channel) || !offsets.number(offset)) return false;
-    record.message_index_offsets[channel] = offset;
+    record.message_index_offsets.emplace_back(channel, offset);
   }
   return r.number(record.message_index_length) && r.text(record.compression) &&
          r.number(record.compressed_size) && r.number(record.uncompressed_size);

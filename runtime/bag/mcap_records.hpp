@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "runtime/bag/bytes.hpp"
@@ -95,7 +96,7 @@ struct ChunkIndex {
   std::uint64_t end_time = 0;
   std::uint64_t chunk_start = 0;   ///< in the file
   std::uint64_t chunk_length = 0;  ///< with its prefix
-  std::map<std::uint16_t, std::uint64_t> message_index_offsets;
+  std::vector<std::pair<std::uint16_t, std::uint64_t>> message_index_offsets;  ///< by channel, in the file
   std::uint64_t message_index_length = 0;
   std::string compression;
   std::uint64_t compressed_size = 0;

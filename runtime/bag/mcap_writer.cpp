@@ -110,7 +110,7 @@ void Writer::flush() {
 void Writer::write_message_indexes(ChunkIndex& index) {
   const std::size_t start = record_.size();
   for (const auto& [channel, messages] : chunk_messages_) {
-    index.message_index_offsets[channel] = index.chunk_start + record_.size();
+    index.message_index_offsets.emplace_back(channel, index.chunk_start + record_.size());
     append(record_, messages);
   }
   index.message_index_length = record_.size() - start;

@@ -78,6 +78,7 @@ class JoinedBag final : public Bag {
   }
 
   std::string storage() const override { return files_.front()->storage(); }
+  std::string profile() const override { return files_.front()->profile(); }
   const std::vector<BagTopic>& topics() const override { return topics_; }
   Time start() const override { return start_; }
   Time end() const override { return end_; }
@@ -99,6 +100,11 @@ class JoinedBag final : public Bag {
     for (const auto& file : files_) {
       for (auto& [name, entries] : file->metadata()) all[name] = std::move(entries);
     }
+    return all;
+  }
+  std::vector<BagFault> verify() const override {
+    std::vector<BagFault> all;
+    for (const auto& file : files_) std::ranges::copy(file->verify(), std::back_inserter(all));
     return all;
   }
   std::unique_ptr<BagMessages> messages(const BagSelection& selection) const override {

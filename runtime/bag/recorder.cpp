@@ -4,11 +4,23 @@
 #include <exception>
 #include <utility>
 
+#include <time.h>
+
 namespace bw::bag {
 namespace {
 
 constexpr std::chrono::milliseconds kPeriod(100);  // between looks at the queue
-constexpr std::chrono::seconds kFlushPeriod(1);    // no more than this is lost by a kill
+// A kill takes what waits in the queue and in the open chunk: kPeriod + kFlushPeriod, and the time to write them.
+constexpr std::chrono::milliseconds kFlushPeriod(500);
+// A power cut takes also what came since the last sync.
+constexpr std::chrono::milliseconds kSyncPeriod(1000);
+
+/// Of the calling thread.
+Duration cpu_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return Duration{time.tv_sec * 1'000'000'000 + time.tv_nsec};
+}
 
 }  // namespace
 
@@ -97,7 +109,9 @@ void Recorder::write(const Queue& queue) {
 
 void Recorder::run() {
   Queue taken;
-  auto flushed = std::chrono::steady_clock::now();
+  auto flushed_at = std::chrono::steady_clock::now();
+  auto synced_at = flushed_at;
+  std::uint64_t flushed = 0;
   bool is_last = false;
   while (!is_last) {
     {
@@ -110,10 +124,20 @@ void Recorder::run() {
     taken.entries.clear();
     taken.bytes.clear();
     const auto now = std::chrono::steady_clock::now();
-    if (now - flushed < kFlushPeriod) continue;
-    flushed = now;
-    const std::lock_guard writer_lock(writer_mutex_);
-    on_disk([this] { writer_.flush(); });
+    if (now - flushed_at >= kFlushPeriod) {
+      flushed_at = now;
+      const bool is_due = now - synced_at >= kSyncPeriod;
+      if (is_due) synced_at = now;
+      const std::lock_guard writer_lock(writer_mutex_);
+      on_disk([&] {
+        writer_.flush();
+        flushed = writer_.message_count();
+        if (is_due) writer_.sync();
+      });
+    }
+    const std::lock_guard lock(mutex_);
+    flushed_ = flushed;
+    cpu_time_ = cpu_time();
   }
 }
 
@@ -135,7 +159,12 @@ void Recorder::close() {
 
 RecorderStatus Recorder::status() const {
   const std::lock_guard lock(mutex_);
-  RecorderStatus status{.recorded = recorded_, .dropped = {}, .size = size_, .error = error_};
+  RecorderStatus status{.recorded = recorded_,
+                        .flushed = flushed_,
+                        .dropped = {},
+                        .size = size_,
+                        .error = error_,
+                        .cpu_time = cpu_time_};
   for (std::size_t i = 0; i < dropped_.size(); ++i) {
     if (dropped_[i] > 0) status.dropped[topic_names_[i]] += dropped_[i];
   }

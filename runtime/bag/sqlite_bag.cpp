@@ -1,5 +1,6 @@
 #include "runtime/bag/sqlite_bag.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -7,6 +8,9 @@
 
 namespace bw::bag {
 namespace {
+
+constexpr std::uintmax_t kLeastLimit = 1'000'000;
+constexpr std::uintmax_t kLargestValue = 1'000'000'000;  // SQLite's own limit [bytes]
 
 struct CloseDatabase {
   void operator()(sqlite3* database) const { sqlite3_close(database); }
@@ -62,11 +66,13 @@ class SqliteMessages final : public BagMessages {
                  const BagSelection& selection)
       : file_(std::move(file)),
         topic_of_(topic_of),
-        query_(database,
-               "SELECT topic_id, timestamp, data, id FROM messages WHERE timestamp >= ?1 AND timestamp < ?2" +
-                   only_topics + " ORDER BY timestamp, id") {
+        query_(
+            database,
+            "SELECT topic_id, timestamp, data, id FROM messages WHERE timestamp >= ?1 AND timestamp <= ?2" +
+                only_topics + " ORDER BY timestamp, id") {
     query_.bind(1, selection.start.nanoseconds);
-    query_.bind(2, selection.end.nanoseconds);
+    const bool is_limited = selection.end != BagSelection{}.end;
+    query_.bind(2, selection.end.nanoseconds - (is_limited ? 1 : 0));
   }
 
   Step next(BagMessage& message) override {
@@ -101,16 +107,28 @@ class SqliteBag final : public Bag {
     const int result = sqlite3_open_v2(file.c_str(), &raw, SQLITE_OPEN_READONLY, nullptr);
     database_.reset(raw);
     if (result != SQLITE_OK) fail(raw == nullptr ? "it cannot be opened" : sqlite3_errmsg(raw));
+    // Nothing in the file can be longer than the file; SQLite needs some for itself.
+    const std::uintmax_t most = std::clamp(std::filesystem::file_size(file), kLeastLimit, kLargestValue);
+    sqlite3_limit(raw, SQLITE_LIMIT_LENGTH, static_cast<int>(most));
+    // Of a file that was cut, what is left is read; SQLite refuses it otherwise. Damage is looked for in every page.
+    sqlite3_exec(raw, "PRAGMA writable_schema=ON; PRAGMA cell_size_check=ON; PRAGMA trusted_schema=OFF",
+                 nullptr, nullptr, nullptr);
     read_topics();
     read_definitions();
     Query range(raw, "SELECT MIN(timestamp), MAX(timestamp), COUNT(*) FROM messages");
-    if (range.next() != Query::Row::row) fail("it has no table of messages (" + range.error() + ")");
+    if (!range.is_valid()) fail("it has no table of messages (" + range.error() + ")");
+    if (range.next() != Query::Row::row) {
+      // Messages before the damage can be read all the same.
+      faults_.push_back({file, 0, range.error()});
+      return;
+    }
     start_ = {range.integer(0)};
     end_ = {range.integer(1)};
     count_ = static_cast<std::uint64_t>(range.integer(2));
   }
 
   std::string storage() const override { return "sqlite3"; }
+  std::string profile() const override { return "ros2"; }
   const std::vector<BagTopic>& topics() const override { return topics_; }
   Time start() const override { return start_; }
   Time end() const override { return end_; }
@@ -118,6 +136,12 @@ class SqliteBag final : public Bag {
   std::vector<BagAttachment> attachments() const override { return {}; }
   std::optional<Bytes> attachment(const std::string&) const override { return std::nullopt; }
   const std::vector<BagFault>& faults() const override { return faults_; }
+  std::vector<BagFault> verify() const override {
+    Query query(database_.get(), "PRAGMA quick_check(1)");
+    if (query.next() != Query::Row::row) return {{file_, 0, query.error()}};
+    if (query.text(0) == "ok") return {};
+    return {{file_, 0, query.text(0)}};
+  }
 
   std::map<std::string, std::map<std::string, std::string>> metadata() const override {
     Query query(database_.get(), "SELECT metadata FROM metadata ORDER BY id DESC LIMIT 1");

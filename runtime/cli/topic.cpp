@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/bag/bag.hpp"
+#include "runtime/bag/known_type.hpp"
 #include "runtime/cli/outside.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/verb.hpp"
@@ -158,15 +159,17 @@ int echo_bag(const TopicOptions& options) {
   const auto recording = bag::open_bag(options.bag);
   const std::string name = join_namespaces("/", options.topic);
   std::vector<std::string_view> known;
-  std::string recorded_type;
+  const bag::BagTopic* recorded = nullptr;
   for (const bag::BagTopic& topic : recording->topics()) {
     known.push_back(topic.name);
-    if (topic.name == name) recorded_type = topic.type;
+    if (topic.name == name) recorded = &topic;
   }
-  if (recorded_type.empty())
+  if (recorded == nullptr)
     throw std::runtime_error(options.bag + ": " + name + ": " + unknown_rule("topic", name, known));
-  const TypeDescription* type = find_type(recorded_type);
-  if (type == nullptr) throw std::runtime_error("no description of " + recorded_type + " is built in");
+  const auto [type, why] = bag::known_type(*recorded);
+  if (type == nullptr)
+    throw std::runtime_error(why.empty() ? "no description of " + recorded->type + " is built in"
+                                         : options.bag + ": " + name + " is not decoded: " + why);
   const auto messages = recording->messages({.topics = std::set<std::string>{name}});
   bool is_sound = true;
   bag::BagMessage message;

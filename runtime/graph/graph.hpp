@@ -7,6 +7,7 @@
 //   transport: localhost            # localhost | lan
 //   plugins: [path.so]              # paths are relative to the file they stand in
 //   robot: ../robots/generic.yaml   # a shared section: a file or a map
+//   snapshot: {keep: 30s, on: [contact], to: near_misses}    # snapshot_settings.hpp
 //   tolerances: {...}               # of replays (runtime/replay/tolerances.hpp): a file or a map
 //   components:
 //     local_planner:                # the node's name; the order is the rank
@@ -30,6 +31,7 @@
 
 #include "runtime/base/time.hpp"
 #include "runtime/graph/names.hpp"
+#include "runtime/graph/snapshot_settings.hpp"
 #include "runtime/parameters/config_node.hpp"
 
 namespace bw {
@@ -79,7 +81,8 @@ struct Graph {
   std::map<std::string, ConfigNode>
       shared;             ///< sections such as `robot`, overrides applied; absent if not given
   ConfigNode tolerances;  ///< by how much a replay may differ; a map or nothing
-  std::vector<ComponentNode> components;  ///< in rank order
+  std::optional<SnapshotSettings> snapshot;  ///< absent if not given
+  std::vector<ComponentNode> components;     ///< in rank order
 
   const ComponentNode* find(std::string_view component) const;
   /// Names of the processes, in the order of their first components.

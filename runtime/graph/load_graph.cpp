@@ -117,6 +117,8 @@ class GraphReader {
         graph_.shared[std::string(section)] = read_section(reader, *node, section);
       }
     }
+    if (const ConfigNode* snapshot = reader.find("snapshot"))
+      graph_.snapshot = read_snapshot(*snapshot, violations_);
     if (const ConfigNode* node = reader.find("tolerances"))
       graph_.tolerances = read_section(reader, *node, "tolerances");
     if (const ConfigNode* components = reader.find("components")) {

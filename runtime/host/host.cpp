@@ -171,7 +171,7 @@ void Host::connect() {
     for (const auto& output : actor->outputs) {
       output->writer =
           participant_->create_writer(endpoint_options(output->topic, output->type, output->qos));
-      output->always_read = lockstep || options_.tap != nullptr;
+      output->always_read = lockstep || (options_.tap && options_.tap->wants_everything());
     }
   }
   if (options_.tap) tap_outputs();

@@ -38,6 +38,8 @@ thread_local std::vector<Input*>* t_reached = nullptr;
 
 void WallRunner::publish(OutputEnd& output, std::span<const std::uint8_t> cdr) {
   if (tap_ != nullptr) tap_->on_sample(output, clock_.now(), cdr);
+  // What a recording alone wants costs no write.
+  if (output.qos.durability == Durability::volatile_ && output.writer->matched_readers() == 0) return;
   thread_local std::vector<Input*> reached;
   t_reached = &reached;
   output.writer->write(cdr);

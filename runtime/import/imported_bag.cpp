@@ -46,6 +46,7 @@ class ImportedBag final : public bag::Bag {
   explicit ImportedBag(ImportedLog log) : log_(std::move(log)) {}
 
   std::string storage() const override { return "tables"; }
+  std::string profile() const override { return "ros2"; }
   const std::vector<bag::BagTopic>& topics() const override { return log_.topics; }
   Time start() const override { return log_.messages.empty() ? Time{} : log_.messages.front().stamp; }
   Time end() const override { return log_.messages.empty() ? Time{} : log_.messages.back().stamp; }
@@ -56,6 +57,7 @@ class ImportedBag final : public bag::Bag {
     return log_.metadata;
   }
   const std::vector<bag::BagFault>& faults() const override { return faults_; }
+  std::vector<bag::BagFault> verify() const override { return {}; }
   std::unique_ptr<bag::BagMessages> messages(const bag::BagSelection& selection) const override {
     return std::make_unique<Messages>(log_, selection);
   }

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace bw {
 namespace {
@@ -58,28 +59,55 @@ std::optional<double> parse_number(std::string_view text) {
   return parse_all<double>(text);
 }
 
-std::optional<Duration> parse_duration(std::string_view text) {
-  struct Unit {
-    std::string_view name;
-    double seconds;
-  };
-  constexpr std::array<Unit, 5> kUnits = {
-      {{"ns", 1e-9}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1.0}, {"min", 60.0}}};
+namespace {
+
+struct Unit {
+  std::string_view name;
+  double factor;
+};
+
+/// A number and the unit behind it, which may be missing; nothing if either is none.
+std::optional<double> parse_with_unit(std::string_view text, std::span<const Unit> units) {
   std::size_t letter = text.size();
-  while (letter > 0 && text[letter - 1] >= 'a' && text[letter - 1] <= 'z') --letter;
-  double scale = 1.0;
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  while (letter > 0 && is_letter(text[letter - 1])) --letter;
+  double factor = 1.0;
   if (letter < text.size()) {
     const std::string_view name = text.substr(letter);
-    const auto unit =
-        std::find_if(kUnits.begin(), kUnits.end(), [name](const Unit& u) { return u.name == name; });
-    if (unit == kUnits.end()) return std::nullopt;
-    scale = unit->seconds;
+    const auto unit = std::ranges::find(units, name, &Unit::name);
+    if (unit == units.end()) return std::nullopt;
+    factor = unit->factor;
     text = text.substr(0, letter);
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   }
   const std::optional<double> number = parse_number(text);
-  if (!number || !std::isfinite(*number) || std::abs(*number * scale) > kCentury) return std::nullopt;
-  return Duration::seconds(*number * scale);
+  if (!number || !std::isfinite(*number)) return std::nullopt;
+  return *number * factor;
+}
+
+}  // namespace
+
+std::optional<Duration> parse_duration(std::string_view text) {
+  constexpr std::array<Unit, 5> kUnits = {
+      {{"ns", 1e-9}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1.0}, {"min", 60.0}}};
+  const std::optional<double> seconds = parse_with_unit(text, kUnits);
+  if (!seconds || std::abs(*seconds) > kCentury) return std::nullopt;
+  return Duration::seconds(*seconds);
+}
+
+std::optional<std::uint64_t> parse_size(std::string_view text) {
+  constexpr std::array<Unit, 9> kUnits = {{{"B", 1.0},
+                                           {"kB", 1e3},
+                                           {"MB", 1e6},
+                                           {"GB", 1e9},
+                                           {"TB", 1e12},
+                                           {"KiB", 0x1p10},
+                                           {"MiB", 0x1p20},
+                                           {"GiB", 0x1p30},
+                                           {"TiB", 0x1p40}}};
+  const std::optional<double> bytes = parse_with_unit(text, kUnits);
+  if (!bytes || *bytes < 0.0 || *bytes >= 0x1p63) return std::nullopt;
+  return static_cast<std::uint64_t>(std::llround(*bytes));
 }
 
 std::string to_text(bool value) { return value ? "true" : "false"; }

@@ -16,6 +16,9 @@ std::optional<double> parse_number(std::string_view text);         ///< decimal,
 /// `20ms`, `250 us`, `0.02s`, `10 min`, or seconds without a unit; finite, and below 100 years.
 std::optional<Duration> parse_duration(std::string_view text);
 
+/// `100MB`, `1.5 GiB`, `500 kB`, or bytes without a unit: whole bytes, below 2^63.
+std::optional<std::uint64_t> parse_size(std::string_view text);
+
 std::string to_text(bool value);
 std::string to_text(std::int64_t value);
 /// The shortest text that reads back as the same number and as no integer: 1.0, 0.1, 1e-09, .inf.

@@ -108,11 +108,12 @@ void WireRecorder::close() {
 
 void WireRecorder::work() {
   for (bool is_last = false; !is_last;) {
-    is_last = stop_;
+    const bool is_stopping = stop_;
     if (options_.use_sim_time) hear_clock();
     look_around();
     take_queued();
-    for (auto& [guid, source] : sources_) settle(source, is_last);
+    for (auto& [guid, source] : sources_) settle(source);
+    is_last = is_stopping && held_bytes_ == 0;  // who has just come is still waited for
     report(steady_clock::now());
     if (!is_last) std::this_thread::sleep_for(kPeriod);
   }
@@ -242,10 +243,9 @@ void WireRecorder::take(const Ear& ear, const dds::Sample& sample) {
 }
 
 /// Gives the source its place in the bag once its node is known, or nobody has named one for long enough.
-void WireRecorder::settle(Source& source, bool at_once) {
+void WireRecorder::settle(Source& source) {
   if (source.bag_topic || source.held.empty()) return;
-  const bool is_long =
-      at_once || held_bytes_ > kMostHeld || steady_clock::now() - source.seen > kLongestUnnamed;
+  const bool is_long = held_bytes_ > kMostHeld || steady_clock::now() - source.seen > kLongestUnnamed;
   if (source.node.empty() && !is_long) return;
   const auto [place, is_new] = bag_topics_.emplace(std::tuple(source.topic, source.type, source.node), 0);
   if (is_new) {
@@ -277,8 +277,7 @@ void WireRecorder::record(const Source& source, Time received, Time sent, bag::B
 void WireRecorder::hear_clock() {
   rosgraph_msgs::msg::Clock message;
   while (clock_reader_->take(clock_sample_)) {
-    if (deserialize(clock_sample_.cdr, message))
-      clock_[clock_sample_.received] = from_stamp(message.clock());
+    if (deserialize(clock_sample_.cdr, message)) clock_[clock_sample_.received] = from_stamp(message.clock());
   }
   while (clock_.size() > kMostClockSteps) clock_.erase(clock_.begin());
 }

@@ -93,7 +93,7 @@ class WireRecorder {
   bool take_some(Ear& ear);
   void take_queued();
   void take(const Ear& ear, const dds::Sample& sample);
-  void settle(Source& source, bool at_once);
+  void settle(Source& source);
   void record(const Source& source, Time received, Time sent, bag::BytesView cdr);
   void hear_clock();
   Time log_time(Time received) const;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/bag/known_type.hpp"
 #include "runtime/bag/message_stamp.hpp"
 #include "runtime/bag/qos_text.hpp"
 #include "runtime/ros/dds_names.hpp"
-#include "runtime/wire/type_registry.hpp"
 #include "runtime/wire/validate.hpp"
 
 namespace bw::replay {
@@ -19,7 +19,7 @@ class BagFeed::Player final : public Component {
   void configure(Setup& setup) override {
     const std::vector<bag::BagTopic>& topics = feed_.recording_.topics();
     for (std::size_t i = 0; i < topics.size(); ++i) {
-      if (feed_.roles_[i] != Role::played) continue;
+      if (feed_.roles_[i] != Role::played && feed_.roles_[i] != Role::refused) continue;
       const MessageType type{
           .ros_name = topics[i].type, .dds_name = feed_.dds_names_[i], .type_hash = topics[i].type_hash};
       feed_.ports_[i] = setup.raw_output(
@@ -50,7 +50,12 @@ BagFeed::BagFeed(const bag::Bag& recording, FeedOptions options, OutputCompariso
                      : options_.ignored.contains(topic.name) ? Role::ignored
                                                              : Role::played);
     if (is_live) comparison_.add_topic(name_of(topic.name, topic.writer), topic.type);
-    types_.push_back(find_type(topic.type));
+    const bag::KnownType known = bag::known_type(topic);
+    types_.push_back(known.type);
+    if (roles_.back() == Role::played && !known.why.empty()) {
+      roles_.back() = Role::refused;
+      refused_.push_back(topic.name + " is not played: " + known.why);
+    }
     dds_names_.push_back(dds_type(topic.type));
   }
   ports_.resize(roles_.size(), nullptr);
@@ -77,7 +82,7 @@ void BagFeed::read() {
       continue;
     }
     ++read_;
-    if (roles_[message.topic] == Role::ignored) continue;
+    if (roles_[message.topic] == Role::ignored || roles_[message.topic] == Role::refused) continue;
     pending_ = message;
     return;
   }

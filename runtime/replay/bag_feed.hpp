@@ -13,6 +13,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "runtime/bag/bag.hpp"
 #include "runtime/component.hpp"
@@ -49,11 +50,13 @@ class BagFeed final : public EventSource {
   [[nodiscard]] std::uint64_t published() const { return published_; }
   /// Messages that do not fit their type; they were not published.
   [[nodiscard]] std::uint64_t malformed() const { return malformed_; }
+  /// Topics whose type has our name and is not ours, with the reason; nothing of them was published.
+  [[nodiscard]] const std::vector<std::string>& refused() const { return refused_; }
   [[nodiscard]] std::optional<bag::BagFault> damage() const { return damage_; }
 
  private:
   class Player;
-  enum class Role { played, live, ignored };
+  enum class Role { played, refused, live, ignored };
 
   void read();
   void advance(Time now);
@@ -78,6 +81,7 @@ class BagFeed final : public EventSource {
   std::optional<Time> last_run_;
   std::uint64_t published_ = 0;
   std::uint64_t malformed_ = 0;
+  std::vector<std::string> refused_;
   std::optional<bag::BagFault> damage_;
   bool is_active_ = false;
 };

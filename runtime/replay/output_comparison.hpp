@@ -18,7 +18,7 @@ namespace bw::replay {
 enum class Pairing {
   in_order,  ///< the first to the first: of a run in virtual time; times must be equal
   by_stamp,  ///< the nearest within half the topic's usual period, by the message's own stamp where it has one: of a run in
-             ///< real time
+             ///< real time; new messages before the topic's first recorded one or after its last do not count
 };
 
 /// The first place where a topic differs.

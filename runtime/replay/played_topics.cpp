@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "runtime/bag/known_type.hpp"
 #include "runtime/bag/qos_text.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/parameters/nearest.hpp"
-#include "runtime/wire/type_registry.hpp"
 
 namespace bw::replay {
 namespace {
@@ -45,7 +45,7 @@ void check_types(const std::vector<std::optional<PlayedTopic>>& played) {
 
 std::string hash_of(const bag::BagTopic& topic) {
   if (!topic.type_hash.empty()) return topic.type_hash;
-  const TypeDescription* ours = find_type(topic.type);
+  const TypeDescription* ours = bag::known_type(topic).type;
   return ours == nullptr ? std::string() : std::string(ours->type_hash);
 }
 

@@ -174,6 +174,7 @@ ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions&
   result.malformed = feed.malformed();
   result.sha256 = comparison.sha256();
   result.text = text.text();
+  result.notes.insert(result.notes.end(), feed.refused().begin(), feed.refused().end());
   if (const auto damage = feed.damage()) {
     result.notes.push_back(
         fmt::format("{}: byte {}: {}", damage->file.string(), damage->offset, damage->what));

@@ -15,8 +15,11 @@ NodeAnnouncement::NodeAnnouncement(dds::Participant& participant, const std::str
     : format_(gid_format_of_environment()),
       entities_{.participant = participant.guid(),
                 .nodes = {{.node_namespace = "/", .name = name, .readers = {}, .writers = {}}}},
-      writer_(participant.create_writer(
-          {.topic = kDiscoveryTopic, .type = kDiscoveryType, .qos = Qos::latched(), .user_data = {}})) {}
+      writer_(participant.create_writer({.topic = kDiscoveryTopic,
+                                         .type = kDiscoveryType,
+                                         .qos = Qos::latched(),
+                                         .user_data = {},
+                                         .heartbeat = Duration::milliseconds(100)})) {}
 
 void NodeAnnouncement::add(const dds::Reader& reader) {
   entities_.nodes.front().readers.push_back(reader.guid());

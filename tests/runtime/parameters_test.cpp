@@ -414,6 +414,17 @@ TEST(ScalarText, ReadsDurations) {
   }
 }
 
+TEST(ScalarText, ReadsSizes) {
+  EXPECT_EQ(parse_size("100MB"), 100'000'000U);
+  EXPECT_EQ(parse_size("1.5 GiB"), 3U << 29U);
+  EXPECT_EQ(parse_size("500 kB"), 500'000U);
+  EXPECT_EQ(parse_size("4096"), 4096U);
+  EXPECT_EQ(parse_size("0B"), 0U);
+  for (const char* bad : {"", "MB", "100 MX", "100mb", "-1MB", ".inf", "1e30GB", "1 2 MB"}) {
+    EXPECT_EQ(parse_size(bad), std::nullopt) << bad;
+  }
+}
+
 TEST(Nearest, CountsInsertionsDeletionsChangesAndSwaps) {
   EXPECT_EQ(nearest_of("raet", {"beams", "rate"}), "rate");
   EXPECT_EQ(nearest_of("max_speed", {"v_max", "speed_max"}), std::nullopt);

@@ -9,6 +9,8 @@ namespace {
 using visualization_msgs::msg::Marker;
 namespace constants = visualization_msgs::msg::Marker_Constants;
 
+constexpr std::size_t kUsualMarkers = 128;
+
 bool has_place(const geometry_msgs::msg::Point& p) {
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
@@ -16,6 +18,7 @@ bool has_place(const geometry_msgs::msg::Point& p) {
 }  // namespace
 
 MarkerDrawing::MarkerDrawing(std_msgs::msg::Header header) : header_(std::move(header)) {
+  array_.markers().reserve(kUsualMarkers);
   Marker clear;
   clear.header(header_);
   clear.action(constants::DELETEALL);

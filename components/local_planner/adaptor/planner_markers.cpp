@@ -35,6 +35,7 @@ void draw_candidates(const std::vector<Candidate>& candidates, MarkerDrawing& dr
     if (candidate.trajectory.size() < 2) continue;
     const Color& color = candidate.chosen ? kChosen : kOther;
     Marker line = drawing.make("candidates", constants::LINE_STRIP, candidate.chosen ? 0.05 : 0.025, color);
+    line.points().reserve(candidate.trajectory.size());
     for (const TrajectoryPoint& point : candidate.trajectory)
       line.points().push_back(to_point(point.pose.position()));
     drawing.add(std::move(line));

@@ -17,6 +17,7 @@
 #include "components/messages/wheel_joints.hpp"
 #include "components/recordings/files/drive_messages.hpp"
 #include "components/recordings/summed_odometry.hpp"
+#include "runtime/bag/known_type.hpp"
 #include "runtime/wire/serialization.hpp"
 
 namespace bw {
@@ -113,6 +114,9 @@ class DriveReader {
       if (in_bag.type != MessageTraits<Message>::ros_name)
         throw std::runtime_error(fmt::format("{}: {} is {}, and {} is needed", path_, topic, in_bag.type,
                                              MessageTraits<Message>::ros_name));
+      if (const bag::KnownType known = bag::known_type(in_bag); known.type == nullptr)
+        throw std::runtime_error(
+            fmt::format("{}: {} is no {} of this build: {}", path_, topic, in_bag.type, known.why));
       handlers_[i] = [this, topic, use](const bag::BagMessage& in) {
         Message message;
         if (!deserialize(in.data, message)) {

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "components/tools/bench/bench.hpp"
+#include "components/tools/bench/bench_bag.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/parameters/overrides.hpp"
 #include "runtime/parameters/parameters.hpp"
@@ -74,11 +75,33 @@ void add_crowd(CLI::App* bench, int& status) {
   });
 }
 
+void add_bag(CLI::App* bench, int& status) {
+  auto bag = std::make_shared<BenchBagArguments>();
+  CLI::App* verb = bench->add_subcommand("bag", "Recordings: written, opened, searched and read");
+  verb->add_option("--folder", bag->folder, "Where bags are made, and deleted")
+      ->check(CLI::ExistingDirectory);
+  verb->add_option("--size", bag->size_gb, "Messages in the bag that is opened and searched [GB] (1)")
+      ->check(CLI::Range(0.001, 1e9));
+  verb->add_option("--compression", bag->compression,
+                   "Of that bag: none (so large is the file then), lz4 or zstd")
+      ->check(CLI::IsMember({"none", "lz4", "zstd"}));
+  verb->add_option("--write", bag->write_gb, "Messages written in each compression [GB] (1)")
+      ->check(CLI::Range(0.001, 1e9));
+  verb->add_option("--read", bag->read, "Measures reading of this bag, and writes none");
+  verb->add_option("--seeks", bag->seeks, "Random times to go to (100)")->check(CLI::Range(0, 100000));
+  verb->add_option("--seed", bag->seed, "Of contents and times");
+  verb->add_flag("--keep", bag->keep, "Leaves the large bag");
+  verb->add_option("--json", bag->json, "Writes the figures here");
+  verb->callback([bag, &status] { status = bench_bag(*bag); });
+}
+
 CLI::App* add_bench(CLI::App& app, int& status) {
   CLI::App* bench =
-      app.add_subcommand("bench", "A local planner on benchmark scenes, without DDS")->require_subcommand(1);
+      app.add_subcommand("bench", "Local planners on benchmark scenes, and recordings: times, without DDS")
+          ->require_subcommand(1);
   add_teb(bench, status);
   add_crowd(bench, status);
+  add_bag(bench, status);
   return bench;
 }
 

@@ -9,9 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include <sys/resource.h>
+
+#include "components/tools/program/bag_description.hpp"
 #include "components/tools/program/recording.hpp"
 #include "components/tools/program/run_observer.hpp"
 #include "components/tools/program/score_card_json.hpp"
+#include "components/tools/program/snapshots.hpp"
+#include "components/tools/program/taps.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/parameters/overrides.hpp"
 
@@ -28,6 +33,17 @@ std::string parameter_of(const Host& host, const std::string& component, std::st
     }
   }
   return otherwise;
+}
+
+/// What this process took so far.
+nlohmann::json process_json() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return {{"cpu_s", seconds(usage.ru_utime) + seconds(usage.ru_stime)},
+          {"max_rss_mb", static_cast<double>(usage.ru_maxrss) * 1024e-6}};  // it comes in KiB
 }
 
 /// Asks the host to end when a person does.
@@ -52,6 +68,51 @@ class InterruptWatch {
  private:
   std::atomic<bool> done_ = false;
   std::thread thread_;
+};
+
+/// The recording and the snapshots of one drive, whichever of them are asked for.
+class Bags {
+ public:
+  Bags(const Graph& graph, const DriveOptions& options)
+      : graph_(graph), options_(options), lockstep_(options.host.clock == ClockMode::lockstep) {
+    if (!options.record.empty()) recording_.emplace();
+    if (graph.snapshot && options.snapshots) snapshots_.emplace();
+  }
+
+  /// Before the host.
+  void join(HostOptions& host_options, std::vector<ExtraComponent>& extra) {
+    if (!recording_ && !snapshots_) return;
+    host_options.tap = taps_;
+    if (lockstep_) return;
+    if (recording_) extra.push_back({"recorder", recording_->make_reporter()});
+    const std::string& process = options_.host.only_process;
+    if (snapshots_) extra.push_back({"flight_recorder", snapshots_->make_reporter(process)});
+  }
+  void open(const Host& host) {
+    if (snapshots_) taps_->add(snapshots_->open(graph_, host, options_.host, describe(host, options_.host)));
+    if (recording_)
+      taps_->add(recording_->open(options_.record, {.writer = options_.record_options, .waits = lockstep_},
+                                  describe(host, options_.host)));
+  }
+  /// Says what was lost, and where snapshots are.
+  void finish(const Host& host) {
+    if (snapshots_) snapshots_->finish();
+    if (snapshots_) std::cerr << snapshots_->untold();
+    if (!recording_) return;
+    if (const std::string lost = recording_->finish(host); !lost.empty()) std::cerr << lost << "\n";
+  }
+  void add_to(nlohmann::json& json) const {
+    if (recording_) json["recording"] = recording_->json();
+    if (snapshots_) json["snapshots"] = snapshots_->json();
+  }
+
+ private:
+  const Graph graph_;  ///< with the components that are left out
+  const DriveOptions& options_;
+  bool lockstep_;
+  std::shared_ptr<Taps> taps_ = std::make_shared<Taps>();
+  std::optional<Recording> recording_;
+  std::optional<Snapshots> snapshots_;
 };
 
 }  // namespace
@@ -96,15 +157,10 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
          })});
   }
   HostOptions host_options = options.host;
-  const bool lockstep = host_options.clock == ClockMode::lockstep;
-  std::optional<Recording> recording;
-  if (!options.record.empty()) {
-    recording.emplace(options.record, lockstep);
-    host_options.tap = recording->tap();
-    if (!lockstep) extra.push_back({"recorder", recording->make_reporter()});
-  }
+  Bags bags(graph, options);
+  bags.join(host_options, extra);
   Host host(std::move(graph), host_options, std::move(extra));
-  if (recording) recording->describe(host, host_options);
+  bags.open(host);
   result.has_goal = !result.judged || parameter_of(host, evaluation_name, "scored", "drive") != "run";
   running = &host;
   if (!planner_name.empty())
@@ -114,9 +170,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   const Duration started = steady_time();
   result.end = host.run(options.longest);
   const double real_s = (steady_time() - started).to_seconds();
-  if (recording) {
-    if (const std::string lost = recording->finish(host); !lost.empty()) std::cerr << lost << "\n";
-  }
+  bags.finish(host);
 
   const RunFacts facts{
       .graph = graph_file,
@@ -129,6 +183,9 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
       .has_goal = result.has_goal};
   result.card = seen->card;
   result.json = to_json(seen->card, facts, host.statistics());
+  bags.add_to(result.json);
+  result.json["real_time_s"] = real_s;
+  result.json["process"] = process_json();
   if (seen->card) result.json["robot_path"] = path_json(seen->path, *seen->card);
   return result;
 }

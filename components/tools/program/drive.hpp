@@ -9,6 +9,7 @@
 #include <bandwagon_msgs/msg/score_card.hpp>
 #include <nlohmann/json.hpp>
 
+#include "runtime/bag/bag_writer.hpp"
 #include "runtime/graph/graph.hpp"
 #include "runtime/host/host.hpp"
 
@@ -19,7 +20,9 @@ struct DriveOptions {
   std::optional<Duration> longest;  ///< ends then, on the component clock
   std::filesystem::path svg;        ///< picture of the drive; empty: none
   std::filesystem::path record;     ///< bag of the drive: a folder, or a file.mcap; empty: none
-  bool show_progress = false;       ///< one refreshing line on stderr
+  bag::BagWriterOptions record_options;
+  bool snapshots = false;      ///< as the graph says; else its section `snapshot` is not looked at
+  bool show_progress = false;  ///< one refreshing line on stderr
 };
 
 struct DriveResult {

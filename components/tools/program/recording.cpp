@@ -1,48 +1,33 @@
 #include "components/tools/program/recording.hpp"
 
-#include <fstream>
-#include <iterator>
-#include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
-
-#include "runtime/build_identity.hpp"
 
 namespace bw {
 namespace {
 
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-std::string parameters_of(const Host& host) {
-  std::string text;
-  for (const auto& [name, report] : host.parameters()) {
-    text += name + ":\n";
-    std::istringstream lines(report.yaml);
-    for (std::string line; std::getline(lines, line);) text += "  " + line + "\n";
-  }
-  return text;
-}
-
+/// Counts by topic are values on the diagnostics, and in the bag.
 std::string in_words(const bag::RecorderStatus& status) {
   std::string words = status.error.empty() ? "" : "the recording ended early: " + status.error;
-  for (const auto& [topic, count] : status.dropped) {
-    words +=
-        fmt::format("{}{} messages of {} are not in the recording", words.empty() ? "" : "; ", count, topic);
-  }
-  return words;
+  if (status.dropped.empty()) return words;
+  std::uint64_t sum = 0;
+  for (const auto& [topic, count] : status.dropped) sum += count;
+  const std::string topics = status.dropped.size() == 1 ? status.dropped.begin()->first
+                                                        : fmt::format("{} topics", status.dropped.size());
+  return words +
+         fmt::format("{}{} messages of {} are not in the recording", words.empty() ? "" : "; ", sum, topics);
 }
 
 class RecordingReporter final : public Component {
  public:
-  explicit RecordingReporter(std::shared_ptr<bag::RunRecorder> recorder) : recorder_(std::move(recorder)) {}
+  explicit RecordingReporter(std::shared_ptr<std::shared_ptr<bag::RunRecorder>> recorder)
+      : recorder_(std::move(recorder)) {}
 
   void configure(Setup& setup) override {
     DiagnosticReporter& diagnostics = setup.diagnostics();
     setup.every(Duration::milliseconds(1000), "report", [this, &diagnostics, log = setup.log()](const Tick&) {
-      const bag::RecorderStatus status = recorder_->recorder().status();
+      const bag::RecorderStatus status = (*recorder_)->recorder().status();
       const std::string words = in_words(status);
       diagnostics.set_value("messages", std::to_string(status.recorded));
       diagnostics.set_value("bytes", std::to_string(status.size));
@@ -59,43 +44,41 @@ class RecordingReporter final : public Component {
   }
 
  private:
-  std::shared_ptr<bag::RunRecorder> recorder_;
+  std::shared_ptr<std::shared_ptr<bag::RunRecorder>> recorder_;
   bool has_complained_ = false;
 };
 
 }  // namespace
 
-Recording::Recording(const std::filesystem::path& path, bool lockstep)
-    : path_(path),
-      recorder_(std::make_shared<bag::RunRecorder>(path, bag::RecorderOptions{.waits = lockstep})) {}
+std::unique_ptr<Component> Recording::make_reporter() const {
+  return std::make_unique<RecordingReporter>(recorder_);
+}
 
-void Recording::describe(const Host& host, const HostOptions& options) {
-  bag::Recorder& recorder = recorder_->recorder();
-  recorder.attach("graph.yaml", "application/yaml", content_of(host.graph().path), {});
-  recorder.attach("parameters.yaml", "application/yaml", parameters_of(host), {});
-  constexpr const char* kClocks[] = {"wall", "lockstep", "topic"};
-  recorder.add_metadata("bandwagon", {{"version", program_version()},
-                                      {"revision", source_revision()},
-                                      {"build_id", build_id()},
-                                      {"cpu", cpu_type()},
-                                      {"host", host_name()},
-                                      {"clock", kClocks[static_cast<int>(options.clock)]},
-                                      {"seed", std::to_string(options.seed)},
-                                      {"process", options.only_process},
-                                      {"graph", host.graph().path.string()}});
+std::shared_ptr<SampleTap> Recording::open(const std::filesystem::path& path, bag::RecorderOptions options,
+                                           const bag::BagDescription& description) {
+  *recorder_ = std::make_shared<bag::RunRecorder>(path, std::move(options));
+  bag::Recorder& recorder = (*recorder_)->recorder();
+  for (const auto& a : description.attachments) recorder.attach(a.name, a.media_type, a.content, {});
+  for (const auto& [name, entries] : description.metadata) recorder.add_metadata(name, entries);
+  return *recorder_;
 }
 
 std::string Recording::finish(const Host& host) {
-  std::map<std::string, std::string> result = {
-      {"messages_of_run", std::to_string(recorder_->messages_of_run())}};
+  bag::RunRecorder& run = **recorder_;
+  std::map<std::string, std::string> result = {{"messages_of_run", std::to_string(run.messages_of_run())}};
   if (std::string hash = host.samples_sha256(); !hash.empty()) result["samples_sha256"] = std::move(hash);
-  recorder_->recorder().add_metadata("result", result);
-  recorder_->recorder().close();
-  return in_words(recorder_->recorder().status());
+  run.recorder().add_metadata("result", result);
+  run.recorder().close();
+  return in_words(run.recorder().status());
 }
 
-std::unique_ptr<Component> Recording::make_reporter() const {
-  return std::make_unique<RecordingReporter>(recorder_);
+nlohmann::json Recording::json() const {
+  const bag::RecorderStatus status = (*recorder_)->recorder().status();
+  return {{"messages", status.recorded},
+          {"bytes", status.size},
+          {"dropped", status.dropped},
+          {"error", status.error},
+          {"cpu_s", status.cpu_time.to_seconds()}};
 }
 
 }  // namespace bw

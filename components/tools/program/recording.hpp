@@ -1,34 +1,35 @@
 // The bag of a drive: every message its components send, and what one must know to drive it again.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
+#include "runtime/bag/flight_recorder.hpp"
 #include "runtime/bag/run_recorder.hpp"
-#include "runtime/graph/graph.hpp"
 #include "runtime/host/host.hpp"
 
 namespace bw {
 
 class Recording {
  public:
-  /// Throws std::runtime_error or std::system_error naming `path`. In lock-step the run waits for the disk; nothing of
-  /// the recording enters a sample.
-  Recording(const std::filesystem::path& path, bool lockstep);
+  Recording() : recorder_(std::make_shared<std::shared_ptr<bag::RunRecorder>>()) {}
 
-  std::shared_ptr<SampleTap> tap() const { return recorder_; }
-  /// Attachments graph.yaml and parameters.yaml, metadata `bandwagon`.
-  void describe(const Host& host, const HostOptions& options);
+  /// Of drops and failures on the diagnostics: in real time only, so that in lock-step nothing of the recording enters a
+  /// sample. To be made before the host, which takes it.
+  [[nodiscard]] std::unique_ptr<Component> make_reporter() const;
+  /// When the graph is known to be sound. Throws std::runtime_error or std::system_error naming `path`.
+  [[nodiscard]] std::shared_ptr<SampleTap> open(const std::filesystem::path& path,
+                                                bag::RecorderOptions options,
+                                                const bag::BagDescription& description);
   /// Ends it. A sentence about what was lost, empty if nothing was.
-  std::string finish(const Host& host);
-  /// In real time: a component that tells the diagnostics of drops and failures.
-  std::unique_ptr<Component> make_reporter() const;
+  [[nodiscard]] std::string finish(const Host& host);
+  /// Messages, bytes, drops, CPU time of the thread that writes.
+  [[nodiscard]] nlohmann::json json() const;
 
  private:
-  std::filesystem::path path_;
-  std::shared_ptr<bag::RunRecorder> recorder_;
+  std::shared_ptr<std::shared_ptr<bag::RunRecorder>> recorder_;  ///< empty until open()
 };
 
 }  // namespace bw

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "components/tools/program/drive.hpp"
+#include "components/tools/program/record_options.hpp"
 #include "components/tools/program/score_card_json.hpp"
 #include "runtime/atomic_file.hpp"
 #include "runtime/cli/verb.hpp"
@@ -22,7 +23,7 @@ struct RunOptions {
   double pace = 0.0;
   std::string json;
   std::string svg;
-  std::string record;
+  RecordOptions record;
   bool progress = false;
   bool fail_on_contact = false;
 };
@@ -32,15 +33,19 @@ ClockMode clock_mode(const std::string& name) {
 }
 
 int run(const RunOptions& options) {
+  Graph graph = load_graph(options.graph, options.set);
+  options.record.apply_to(graph.snapshot);
   const DriveResult result =
-      drive(load_graph(options.graph, options.set),
+      drive(std::move(graph),
             {.host = {.clock = clock_mode(options.clock),
                       .seed = options.seed,
                       .only_process = options.only,
                       .pace = options.pace},
              .longest = options.for_s > 0.0 ? std::optional(Duration::seconds(options.for_s)) : std::nullopt,
              .svg = options.svg,
-             .record = options.record,
+             .record = options.record.record,
+             .record_options = options.record.writer_options(),
+             .snapshots = true,
              .show_progress = options.progress || isatty(STDERR_FILENO) != 0});
   if (!options.json.empty()) write_file_atomically(options.json, result.json.dump(2) + "\n");
   if (!result.judged) return result.end.ok ? 0 : 1;
@@ -68,7 +73,7 @@ CLI::App* add_run(CLI::App& app, int& status) {
       ->check(CLI::NonNegativeNumber);
   verb->add_option("--json", options->json, "Writes the score card here");
   verb->add_option("--svg", options->svg, "Writes a picture of the run here");
-  verb->add_option("--record", options->record, "Records every message: a new folder, or a file.mcap");
+  options->record.add_to(*verb);
   verb->add_flag("--progress", options->progress, "Progress line even when stderr is no terminal");
   verb->add_flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 after any contact");
   verb->callback([options, &status] { status = run(*options); });

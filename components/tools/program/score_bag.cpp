@@ -17,6 +17,7 @@
 
 #include "components/evaluation/adaptor/truth_messages.hpp"
 #include "components/messages/geometry.hpp"
+#include "runtime/bag/known_type.hpp"
 
 namespace bw {
 namespace {
@@ -30,17 +31,21 @@ constexpr double kTopSpeed = 1.0;  // only a picture's colours need it [m/s]
 constexpr Duration kForgetsPeople =
     Duration::milliseconds(500);  // tracks older than this are not people any more
 
+bool has_messages(const bag::BagTopic& topic, std::string_view type) {
+  return topic.type == type && topic.message_count > 0 && bag::known_type(topic).type != nullptr;
+}
+
 /// Number of the topic of this type, of the first of the names that is there, else of any name.
 std::optional<std::size_t> find_topic(const bag::Bag& recording, std::string_view type,
                                       const std::vector<std::string>& names = {}) {
   const auto& topics = recording.topics();
   std::optional<std::size_t> any;
   for (std::size_t i = topics.size(); i-- > 0;) {
-    if (topics[i].type == type && topics[i].message_count > 0) any = i;
+    if (has_messages(topics[i], type)) any = i;
   }
   for (const std::string& name : names) {
     for (std::size_t i = 0; i < topics.size(); ++i) {
-      if (topics[i].type == type && topics[i].name == name && topics[i].message_count > 0) return i;
+      if (topics[i].name == name && has_messages(topics[i], type)) return i;
     }
   }
   return any;
@@ -74,6 +79,10 @@ class Scorer {
       score_.notes.emplace_back(
           "without a ground truth: distances are estimates, walls and the error of the pose are not judged");
       if (!from_.tracks) score_.notes.emplace_back("no tracks: people are not judged");
+    }
+    for (const bag::BagTopic& topic : recording.topics()) {
+      if (const bag::KnownType known = bag::known_type(topic); !known.why.empty())
+        score_.notes.push_back(topic.name + " is not used: " + known.why);
     }
     if (!from_.status)
       score_.notes.emplace_back("no navigation status: the whole bag is one drive, without a goal");

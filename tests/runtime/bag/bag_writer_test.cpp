@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include "runtime/bag/qos_text.hpp"
 #include "tests/runtime/bag/mcap_files.hpp"
 
 namespace bw::bag {
@@ -90,6 +91,85 @@ TEST(BagWriter, SplitsByTimeAndSize) {
         UnorderedElementsAre(std::string(name) + "_0.mcap", std::string(name) + "_1.mcap", "metadata.yaml"));
     EXPECT_THAT(times(*open_bag(folder / name)), ElementsAre(0, 1, 2, 3, 4, 5));
   }
+}
+
+TEST(BagWriter, AKilledRecordingOfSeveralFilesIsReadWhole) {
+  const mcap::Folder folder;
+  const std::string filler(1000, 'f');
+  {
+    BagWriter writer(folder / "d", {.compression = Compression::none, .split_size = 3000});
+    const std::size_t topic = writer.add_topic(kTopic);
+    for (std::int64_t i = 0; i < 8; ++i) writer.write(topic, {i}, {i}, mcap::as_bytes(filler));
+    writer.flush();
+  }  // without close()
+  const auto bag = open_bag(folder / "d");
+  // Three messages of 1031 bytes exceed 3000: two files are closed, the third has two messages.
+  EXPECT_THAT(names_in(folder / "d"), UnorderedElementsAre("d_0.mcap", "d_1.mcap", "d_2.mcap"));
+  EXPECT_THAT(times(*bag), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
+  EXPECT_THAT(bag->faults(), SizeIs(1));  // of the file that was not closed
+}
+
+/// Counts what was asked of the device.
+class CountingDisk final : public ByteSink {
+ public:
+  CountingDisk(std::unique_ptr<ByteSink> file, std::vector<std::uint64_t>& synced)
+      : file_(std::move(file)), synced_(synced) {}
+  void write(BytesView bytes) override { file_->write(bytes); }
+  void sync() override { synced_.push_back(size()); }
+  std::uint64_t size() const override { return file_->size(); }
+
+ private:
+  std::unique_ptr<ByteSink> file_;
+  std::vector<std::uint64_t>& synced_;
+};
+
+TEST(BagWriter, EveryFileIsSyncedWhole) {
+  const mcap::Folder folder;
+  std::vector<std::uint64_t> synced;
+  BagWriter writer(folder / "d", {.split_duration = Duration{2}, .create = [&](const auto& file) {
+                                    return std::make_unique<CountingDisk>(create_file(file), synced);
+                                  }});
+  const std::size_t topic = writer.add_topic(kTopic);
+  for (std::int64_t i = 0; i < 6; ++i) writer.write(topic, {i}, {i}, mcap::as_bytes("text"));
+  writer.close();
+  EXPECT_THAT(synced, ElementsAre(std::filesystem::file_size(folder / "d/d_0.mcap"),
+                                  std::filesystem::file_size(folder / "d/d_1.mcap")));
+}
+
+TEST(BagWriter, StaysBelowItsLimitAndKeepsWhatABagCannotBeWithout) {
+  const mcap::Folder folder;
+  const std::string filler(1000, 'f');
+  BagWriter writer(folder / "d", {.compression = Compression::none, .max_size = 200'000});
+  BagTopic latched = kTopic;
+  latched.name = "/map";
+  latched.offered_qos_profiles = to_qos_text({Qos::latched()});
+  const std::size_t map = writer.add_topic(latched);
+  const std::size_t text = writer.add_topic(kTopic);
+  writer.attach("graph.yaml", "text/yaml", "components:", {});
+  writer.add_metadata("bandwagon", {{"seed", "7"}});
+  for (const char* content : {"old map", "new map"}) writer.write(map, {0}, {0}, mcap::as_bytes(content));
+  for (std::int64_t i = 1; i <= 2000; ++i) {
+    writer.write(text, {i}, {i}, mcap::as_bytes(filler));
+    ASSERT_LE(writer.size(), 200'000U);
+  }
+  writer.close();
+  const auto bag = open_bag(folder / "d");
+  EXPECT_TRUE(bag->faults().empty());
+  EXPECT_EQ(bag->attachments().size(), 1U);
+  EXPECT_EQ(bag->attachment("graph.yaml")->size(), 11U);
+  EXPECT_EQ(bag->metadata().at("bandwagon").at("seed"), "7");
+  std::vector<std::string> maps;
+  std::uint64_t count = 0;
+  const auto messages = bag->messages({});
+  for (BagMessage m; messages->next(m) == Step::message; ++count) {
+    if (bag->topics()[m.topic].name == "/map") maps.emplace_back(m.data.begin(), m.data.end());
+  }
+  EXPECT_THAT(maps, ElementsAre("new map"));
+  const BagMetadata metadata = read_bag_metadata(folder / "d/metadata.yaml");
+  EXPECT_EQ(metadata.message_count, count);
+  EXPECT_EQ(metadata.start, static_cast<std::uint64_t>(bag->start().nanoseconds));
+  EXPECT_EQ(metadata.start + metadata.duration, 2000U);
+  EXPECT_GT(count, 150U);  // of 193 messages of 1031 bytes at most; a tenth goes at a time
 }
 
 TEST(BagWriter, DropsTheOldestFilesBeyondTheLimit) {

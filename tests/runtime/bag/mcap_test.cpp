@@ -1,7 +1,6 @@
 // MCAP files: what is written is read back, in order, whole or cut. Expected values are what was written, and the
 // tables of the MCAP specification.
 #include <algorithm>
-#include <random>
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -176,7 +175,7 @@ TEST(Mcap, ADamagedChunkIsNamedAndTheRestIsRead) {
   std::uint64_t last_lost = 0;
   {
     const ByteSource file(folder / "a.mcap");
-    const ChunkIndex& chunk = read_contents(file).chunks.at(1);
+    const ChunkIndex chunk = read_contents(file).chunks.at(1);
     damaged_at = chunk.chunk_start;
     first_lost = chunk.start_time;
     last_lost = chunk.end_time;
@@ -201,46 +200,6 @@ TEST(Mcap, RefusesWhatIsNoMcapFile) {
   EXPECT_THROW(read_back(folder / "b.mcap"), std::runtime_error);
   EXPECT_THROW(read_back(folder / "missing.mcap"), std::runtime_error);
   EXPECT_THROW(read_back(folder / ""), std::runtime_error);  // a folder
-}
-
-TEST(Mcap, ALengthBeyondTheFileAllocatesNothing) {
-  const Folder folder;
-  write_file(folder / "a.mcap", rising(20), Compression::zstd);
-  std::string content = content_of(folder / "a.mcap").substr(0, 400);
-  // The first chunk follows the header; its length becomes 2 GB.
-  const std::size_t chunk = content.find('\x06', kMagic.size() + kRecordPrefix);
-  ASSERT_NE(chunk, std::string::npos);
-  content.replace(chunk + 1, 8, std::string("\x00\x00\x00\x80\x00\x00\x00\x00", 8));
-  write_content(folder / "b.mcap", content);
-  const ByteSource file(folder / "b.mcap");
-  const Contents contents = read_contents(file);
-  ASSERT_THAT(contents.faults, SizeIs(2));
-  EXPECT_THAT(contents.faults[1].what, HasSubstr("2147483648"));
-  EXPECT_EQ(contents.faults[1].offset, chunk);
-}
-
-TEST(Mcap, MutatedFilesNeverCrashTheReader) {
-  const Folder folder;
-  const int count =
-      std::getenv("BANDWAGON_BAG_MUTATIONS") ? std::atoi(std::getenv("BANDWAGON_BAG_MUTATIONS")) : 1000;
-  std::mt19937_64 random(12);
-  for (const Compression compression : {Compression::none, Compression::lz4, Compression::zstd}) {
-    const std::string name = "whole" + std::string(name_of(compression)) + ".mcap";
-    write_file(folder / name, rising(100), compression);
-    const std::string whole = content_of(folder / name);
-    for (int i = 0; i < count / 3; ++i) {
-      std::string content = whole.substr(0, random() % 4 == 0 ? random() % whole.size() : whole.size());
-      for (std::uint64_t k = random() % 6; k > 0 && !content.empty(); --k) {
-        content[random() % content.size()] = static_cast<char>(random());
-      }
-      write_content(folder / "b.mcap", content);
-      try {
-        EXPECT_LE(read_back(folder / "b.mcap").samples.size(), 100U);
-      } catch (const std::runtime_error&) {
-        // said to be no MCAP file
-      }
-    }
-  }
 }
 
 }  // namespace

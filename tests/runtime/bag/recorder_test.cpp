@@ -117,6 +117,116 @@ TEST(Recorder, DropsAndCountsWhileTheDiskIsStuck) {
   EXPECT_EQ(open_bag(folder / "a.mcap")->metadata().at("dropped").at("/b"), "1");
 }
 
+/// A disk that one can pull the plug of: what was not synced is forgotten.
+class ForgetfulDisk final : public ByteSink {
+ public:
+  struct Platter {
+    std::mutex mutex;
+    std::condition_variable changed;
+    Bytes kept;
+    int syncs = 0;
+    /// What is on it after so many syncs.
+    Bytes after(int count) {
+      std::unique_lock lock(mutex);
+      changed.wait(lock, [&] { return syncs >= count; });
+      return kept;
+    }
+  };
+  explicit ForgetfulDisk(std::shared_ptr<Platter> platter) : platter_(std::move(platter)) {}
+  void write(BytesView bytes) override { written_.insert(written_.end(), bytes.begin(), bytes.end()); }
+  void sync() override {
+    const std::lock_guard lock(platter_->mutex);
+    platter_->kept = written_;
+    ++platter_->syncs;
+    platter_->changed.notify_all();
+  }
+  std::uint64_t size() const override { return written_.size(); }
+
+ private:
+  std::shared_ptr<Platter> platter_;
+  Bytes written_;
+};
+
+TEST(Recorder, SyncsByItselfSoThatAPowerCutLeavesABagThatOpens) {
+  const mcap::Folder folder;
+  auto platter = std::make_shared<ForgetfulDisk::Platter>();
+  RecorderOptions options;
+  options.writer.create = [platter](const std::filesystem::path&) {
+    return std::make_unique<ForgetfulDisk>(platter);
+  };
+  Recorder recorder(folder / "a.mcap", options);
+  const std::size_t a = recorder.add_topic(topic("/a"));
+  for (std::int64_t i = 0; i < 100; ++i) recorder.record(a, {i}, {i}, mcap::as_bytes("before the cut"));
+  // The recorder alone decides when: the second sync began after all of it was written.
+  const Bytes kept = platter->after(2);
+  const std::filesystem::path cut = folder / "cut.mcap";
+  mcap::write_content(cut, {reinterpret_cast<const char*>(kept.data()), kept.size()});
+  EXPECT_EQ(times(cut), up_to(100));
+  EXPECT_EQ(open_bag(cut)->faults().size(), 1U);  // it was not closed
+}
+
+/// A disk that takes a number of bytes each time somebody turns it on, and waits for the next time.
+class SlowDisk final : public ByteSink {
+ public:
+  struct Supply {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::uint64_t bytes = 0;
+    void give(std::uint64_t more) {
+      const std::lock_guard lock(mutex);
+      bytes += more;
+      changed.notify_all();
+    }
+  };
+  SlowDisk(std::unique_ptr<ByteSink> file, std::shared_ptr<Supply> supply)
+      : file_(std::move(file)), supply_(std::move(supply)) {}
+  void write(BytesView bytes) override {
+    std::unique_lock lock(supply_->mutex);
+    supply_->changed.wait(lock, [&] { return supply_->bytes >= bytes.size(); });
+    supply_->bytes -= bytes.size();
+    file_->write(bytes);
+  }
+  void sync() override { file_->sync(); }
+  std::uint64_t size() const override { return file_->size(); }
+
+ private:
+  std::unique_ptr<ByteSink> file_;
+  std::shared_ptr<Supply> supply_;
+};
+
+TEST(Recorder, ADiskOfAMegabyteASecondGetsWhatItCanTakeAndTheRestIsCounted) {
+  const mcap::Folder folder;
+  auto supply = std::make_shared<SlowDisk::Supply>();
+  RecorderOptions options{.queue_size = 4'000'000};
+  options.writer.compression = Compression::none;
+  options.writer.create = [supply](const std::filesystem::path& file) {
+    return std::make_unique<SlowDisk>(create_file(file), supply);
+  };
+  supply->give(10'000);  // for the head of the file
+  Recorder recorder(folder / "a.mcap", options);
+  const std::size_t a = recorder.add_topic(topic("/a"));
+  const std::string message(100'000, 'm');
+  // Twenty seconds in which 2 MB come and 1 MB is taken: record() returns each time, however far the disk is behind.
+  std::uint64_t sent = 0;
+  for (int second = 0; second < 20; ++second) {
+    for (int i = 0; i < 20; ++i, ++sent) {
+      const auto time = static_cast<std::int64_t>(sent);
+      recorder.record(a, {time}, {time}, mcap::as_bytes(message));
+    }
+    supply->give(1'000'000);
+  }
+  supply->give(100'000'000);
+  recorder.close();
+  const RecorderStatus status = recorder.status();
+  EXPECT_TRUE(status.error.empty());
+  const std::vector<std::int64_t> kept = times(folder / "a.mcap");
+  EXPECT_EQ(kept.size(), status.recorded);
+  // 40 MB came; queue, writing thread and disk took no more than 4 + 4 + 20 of them.
+  ASSERT_TRUE(status.dropped.contains("/a"));
+  EXPECT_EQ(kept.size() + status.dropped.at("/a"), sent);
+  EXPECT_GE(status.dropped.at("/a"), 120U);
+}
+
 TEST(Recorder, SaysWhenTheDiskFailsAndGoesOnCounting) {
   class FullDisk final : public ByteSink {
    public:

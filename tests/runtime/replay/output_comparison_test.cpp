@@ -87,8 +87,8 @@ TEST(OutputComparison, ByStampTheNearestBelongTogether) {
   for (const double t : {1.0, 1.1, 1.2, 1.3}) c.recorded(t, t);
   c.replayed(1.02, 1.0);
   c.replayed(1.22, 1.2);
+  c.replayed(1.27, 7.0);
   c.replayed(1.32, 1.3);
-  c.replayed(1.37, 7.0);
   const TopicVerdict& verdict = c.verdict();
   EXPECT_EQ(verdict.equal, 3U);
   EXPECT_EQ(verdict.differing, 0U);
@@ -96,6 +96,17 @@ TEST(OutputComparison, ByStampTheNearestBelongTogether) {
   EXPECT_EQ(verdict.extra, 1U);
   EXPECT_NEAR(verdict.apart, 0.02, 1e-9);
   EXPECT_EQ(verdict.first->time, at(1.1));
+}
+
+// The writer ran from 1.0 s to 1.3 s; the new one runs from 0 s to 2 s.
+TEST(OutputComparison, ByStampOnlyTheTimeOfTheWriterCounts) {
+  Comparison c(Pairing::by_stamp);
+  for (const double t : {1.0, 1.1, 1.2, 1.3}) c.recorded(t, 1.0);
+  for (int i = 0; i <= 20; ++i) c.replayed(0.1 * i, 1.0);
+  const TopicVerdict& verdict = c.verdict();
+  EXPECT_EQ(verdict.equal, 4U);
+  EXPECT_EQ(verdict.extra, 0U);
+  EXPECT_TRUE(verdict.is_equal());
 }
 
 TEST(OutputComparison, TheHashIsOfWhatIsWrittenNow) {

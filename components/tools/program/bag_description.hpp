@@ -1,0 +1,13 @@
+// What the bags of a drive carry beside its messages.
+#pragma once
+
+#include "runtime/bag/flight_recorder.hpp"
+#include "runtime/host/host.hpp"
+
+namespace bw {
+
+/// Attachments graph.yaml, parameters.yaml and one file for each shared section that has one, such as robot.yaml; metadata
+/// `bandwagon`.
+[[nodiscard]] bag::BagDescription describe(const Host& host, const HostOptions& options);
+
+}  // namespace bw

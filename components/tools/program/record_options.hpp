@@ -1,0 +1,33 @@
+// What the command line says of recordings and snapshots.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "runtime/bag/bag_writer.hpp"
+#include "runtime/graph/graph.hpp"
+
+namespace bw {
+
+struct RecordOptions {
+  std::string record;
+  std::string split_size;
+  std::string split_duration;
+  std::string max_size;
+  std::string compression = "zstd";
+  std::string snapshot;
+  std::string snapshot_memory;
+  std::string snapshot_to;
+  std::vector<std::string> snapshot_on;
+
+  void add_to(CLI::App& verb);
+  /// Throws std::runtime_error naming option, value and rule.
+  [[nodiscard]] bag::BagWriterOptions writer_options() const;
+  /// Puts what was given over what the graph says. Throws std::runtime_error or ConfigError.
+  void apply_to(std::optional<SnapshotSettings>& snapshot) const;
+};
+
+}  // namespace bw
