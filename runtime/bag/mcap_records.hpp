@@ -94,8 +94,8 @@ struct MessageIndex {
 struct ChunkIndex {
   std::uint64_t start_time = 0;
   std::uint64_t end_time = 0;
-  std::uint64_t chunk_start = 0;   ///< in the file
-  std::uint64_t chunk_length = 0;  ///< with its prefix
+  std::uint64_t chunk_start = 0;                                               ///< in the file
+  std::uint64_t chunk_length = 0;                                              ///< with its prefix
   std::vector<std::pair<std::uint16_t, std::uint64_t>> message_index_offsets;  ///< by channel, in the file
   std::uint64_t message_index_length = 0;
   std::string compression;

@@ -54,7 +54,8 @@ std::string to_qos_text(const std::vector<Qos>& offered) {
   std::string text;
   for (const Qos& qos : offered) {
     text += fmt::format("- history: {}\n  depth: {}\n  reliability: {}\n  durability: {}\n",
-                        qos.depth > 0 ? kKeepLast : kUnknownHistory, qos.depth, qos.reliability == Reliability::reliable ? kReliable : kBestEffort,
+                        qos.depth > 0 ? kKeepLast : kUnknownHistory, qos.depth,
+                        qos.reliability == Reliability::reliable ? kReliable : kBestEffort,
                         qos.durability == Durability::transient_local ? kTransientLocal : kVolatile);
     text += duration_text("deadline", std::nullopt) + duration_text("lifespan", qos.lifespan);
     text += fmt::format("  liveliness: {}\n", kAutomatic);

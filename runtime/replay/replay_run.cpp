@@ -134,9 +134,8 @@ ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions&
   if (feed_options.live.empty())
     throw std::runtime_error("nothing that these components write is in the bag");
   const Outputs live = feed_options.live;
-  ReplayResult result{
-      .pairing = is_lockstep ? Pairing::in_order : Pairing::by_stamp,
-      .notes = notes_on(recording)};
+  ReplayResult result{.pairing = is_lockstep ? Pairing::in_order : Pairing::by_stamp,
+                      .notes = notes_on(recording)};
   if (const std::string count = entry(metadata, "result", "messages_of_run"); !count.empty()) {
     feed_options.messages = std::stoull(count);
   }

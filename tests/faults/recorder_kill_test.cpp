@@ -27,14 +27,14 @@
 namespace bw::bag {
 namespace {
 
-constexpr std::size_t kLarge = 20'000;        // [bytes] of a message; a thousand of them each second are 20 MB/s
-constexpr std::size_t kSmall = 200;           // so that no chunk is ever full
-constexpr double kMostLostByKill = 1.0;       // [s]
-constexpr double kMostLostByPowerCut = 2.0;   // [s]
+constexpr std::size_t kLarge = 20'000;   // [bytes] of a message; a thousand of them each second are 20 MB/s
+constexpr std::size_t kSmall = 200;      // so that no chunk is ever full
+constexpr double kMostLostByKill = 1.0;  // [s]
+constexpr double kMostLostByPowerCut = 2.0;  // [s]
 
 /// What the child tells while it lives.
 struct Shared {
-  std::atomic<std::uint64_t> sent = 0;  ///< messages given to the recorder
+  std::atomic<std::uint64_t> sent = 0;   ///< messages given to the recorder
   std::atomic<std::int64_t> newest = 0;  ///< time of the last of them [ns]
   std::atomic<std::uint64_t> flushed = 0;
   std::atomic<std::uint64_t> dropped = 0;
@@ -83,10 +83,14 @@ class WatchedFile final : public ByteSink {
                                       int clock) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   RecorderOptions options;
-  options.writer.create = [&](const auto& path) { return std::make_unique<WatchedFile>(create_file(path), shared); };
+  options.writer.create = [&](const auto& path) {
+    return std::make_unique<WatchedFile>(create_file(path), shared);
+  };
   Recorder recorder(file, options);
-  const std::size_t topic = recorder.add_topic(
-      {.name = "/noise", .type = "std_msgs/msg/String", .schema_encoding = "ros2msg", .schema_text = "string data\n"});
+  const std::size_t topic = recorder.add_topic({.name = "/noise",
+                                                .type = "std_msgs/msg/String",
+                                                .schema_encoding = "ros2msg",
+                                                .schema_text = "string data\n"});
   const int timer = timerfd_create(CLOCK_MONOTONIC, 0);
   const itimerspec each_millisecond{.it_interval = {0, 1'000'000}, .it_value = {0, 1'000'000}};
   timerfd_settime(timer, 0, &each_millisecond, nullptr);
@@ -108,9 +112,9 @@ class WatchedFile final : public ByteSink {
 }
 
 struct Left {
-  std::uint64_t count = 0;  ///< messages, all of them sound and in order
-  std::int64_t first = 0;   ///< [ns]
-  std::int64_t newest = 0;  ///< [ns]
+  std::uint64_t count = 0;    ///< messages, all of them sound and in order
+  std::int64_t first = 0;     ///< [ns]
+  std::int64_t newest = 0;    ///< [ns]
   std::uint64_t missing = 0;  ///< before the last one
 };
 
@@ -120,7 +124,8 @@ Left read(const std::filesystem::path& file, std::size_t size) {
   const auto bag = open_bag(file);
   // It was not closed, and its last record may be cut.
   for (const BagFault& fault : bag->faults())
-    EXPECT_THAT(fault.what, testing::AnyOf(testing::HasSubstr("not closed"), testing::HasSubstr("more than the file holds")));
+    EXPECT_THAT(fault.what, testing::AnyOf(testing::HasSubstr("not closed"),
+                                           testing::HasSubstr("more than the file holds")));
   const auto messages = bag->messages({});
   BagMessage message;
   Step step = messages->next(message);
@@ -219,9 +224,10 @@ void kill_often(std::size_t size, std::uint64_t kills, bool is_measured) {
     worst = {std::max(worst.by_kill, lost.by_kill), std::max(worst.by_power_cut, lost.by_power_cut),
              std::max(worst.longest_sync, lost.longest_sync), worst.dropped + lost.dropped};
   }
-  fmt::print("{} kills at random times, seed {}, {} bytes a millisecond: at most {:.3f} s lost by a kill, {:.3f} s by a power cut; "
-             "longest sync {:.3f} s, {} messages dropped\n",
-             kills, seed, size, worst.by_kill, worst.by_power_cut, worst.longest_sync, worst.dropped);
+  fmt::print(
+      "{} kills at random times, seed {}, {} bytes a millisecond: at most {:.3f} s lost by a kill, {:.3f} s by a power cut; "
+      "longest sync {:.3f} s, {} messages dropped\n",
+      kills, seed, size, worst.by_kill, worst.by_power_cut, worst.longest_sync, worst.dropped);
 }
 
 const char* const kKills = "BANDWAGON_RECORDER_KILLS";
