@@ -116,6 +116,20 @@ void tell_tolerances(ReplayResult& result, const Tolerances& tolerances, const O
   }
 }
 
+void tell(ReplayResult& result, const OutputComparison& comparison, const BagFeed& feed) {
+  result.topics = comparison.verdicts();
+  result.first_topic = comparison.first_topic().value_or("");
+  result.compared = comparison.compared();
+  result.published = feed.published();
+  result.malformed = feed.malformed();
+  result.sha256 = comparison.sha256();
+  result.notes.insert(result.notes.end(), feed.refused().begin(), feed.refused().end());
+  if (const auto damage = feed.damage()) {
+    result.notes.push_back(
+        fmt::format("{}: byte {}: {}", damage->file.string(), damage->offset, damage->what));
+  }
+}
+
 }  // namespace
 
 ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions& options) {
@@ -170,18 +184,8 @@ ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions&
   comparison.finish(recording.end());
   if (updated) updated->finish(parameters);
 
-  result.topics = comparison.verdicts();
-  result.first_topic = comparison.first_topic().value_or("");
-  result.compared = comparison.compared();
-  result.published = feed.published();
-  result.malformed = feed.malformed();
-  result.sha256 = comparison.sha256();
+  tell(result, comparison, feed);
   result.text = text.text();
-  result.notes.insert(result.notes.end(), feed.refused().begin(), feed.refused().end());
-  if (const auto damage = feed.damage()) {
-    result.notes.push_back(
-        fmt::format("{}: byte {}: {}", damage->file.string(), damage->offset, damage->what));
-  }
   return result;
 }
 
