@@ -4,7 +4,6 @@
 #include <ctime>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -13,11 +12,11 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "runtime/cli/bag_writing.hpp"
 #include "runtime/cli/regex_option.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/terminal.hpp"
 #include "runtime/cli/verb.hpp"
-#include "runtime/parameters/scalar_text.hpp"
 #include "runtime/record/wire_recorder.hpp"
 
 namespace bw::cli {
@@ -30,11 +29,8 @@ struct RecordOptions {
   record::TopicChoiceOptions choice;
   std::string exclude;
   std::string out;
-  std::string compression = "zstd";
-  std::uint64_t split_size = 0;
-  std::string split_duration;
-  std::uint64_t max_size = 0;
-  std::uint64_t cache_size = std::uint64_t{100} << 20;
+  BagWriting writing;
+  std::string cache_size = "100MiB";
   double for_s = 0.0;
   bool use_sim_time = false;
 };
@@ -42,28 +38,6 @@ struct RecordOptions {
 /// As `ros2 bag record` names it, by the local time.
 std::string dated_folder() {
   return fmt::format("rosbag2_{:%Y_%m_%d-%H_%M_%S}", fmt::localtime(std::time(nullptr)));
-}
-
-Duration split_duration(const std::string& text) {
-  if (text.empty()) return {};
-  const std::optional<Duration> duration = parse_duration(text);
-  if (!duration || *duration < Duration::milliseconds(1000))
-    throw std::runtime_error("--split-duration " + text +
-                             ": must be a duration of at least 1 s, such as 60 or 10min");
-  return *duration;
-}
-
-bag::RecorderOptions recorder_options(const RecordOptions& options) {
-  bag::RecorderOptions out{.queue_size = options.cache_size};
-  out.writer.compression = options.compression == "none" ? bag::Compression::none
-                                                         : bag::compression_of(options.compression).value();
-  out.writer.split_size = options.split_size;
-  out.writer.split_duration = split_duration(options.split_duration);
-  out.writer.max_size = options.max_size;
-  // What is deleted are whole files.
-  if (options.max_size > 0 && options.split_size == 0 && options.split_duration.empty())
-    out.writer.split_size = options.max_size / 4;
-  return out;
 }
 
 std::uint64_t sum_of(const std::map<std::string, std::uint64_t>& counts) {
@@ -81,17 +55,15 @@ std::string in_words(const record::WireRecorderStatus& status, double seconds) {
 
 int run_record(const RecordOptions& options) {
   const std::filesystem::path out = options.out.empty() ? dated_folder() : options.out;
-  const bool is_split = options.split_size > 0 || !options.split_duration.empty() || options.max_size > 0;
-  if (is_split && out.extension() == ".mcap")
-    throw std::runtime_error(out.string() +
-                             " is one file: --split-size, --split-duration and --max-size need a folder");
   record::TopicChoiceOptions choice = options.choice;
   choice.exclude = to_regex("--exclude", options.exclude);
   catch_interrupts();
-  record::WireRecorder recorder(out, {.choice = std::move(choice),
-                                      .network = dds::Network::from_environment(dds::Transport::localhost),
-                                      .use_sim_time = options.use_sim_time,
-                                      .recorder = recorder_options(options)});
+  record::WireRecorder recorder(
+      out, {.choice = std::move(choice),
+            .network = dds::Network::from_environment(dds::Transport::localhost),
+            .use_sim_time = options.use_sim_time,
+            .recorder = {.writer = options.writing.options(out),
+                         .queue_size = size_option("--max-cache-size", options.cache_size, 1'000'000)}});
   const auto start = steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(steady_clock::now() - start).count(); };
   {
@@ -131,16 +103,8 @@ CLI::App* add_record(CLI::App& app, int& status) {
       ->allow_extra_args(false);
   verb->add_option("-o,--out", options->out,
                    "New folder, or a file.mcap; rosbag2_ and the date if not given");
-  verb->add_option("-b,--split-size", options->split_size, "A new file beyond this, such as 500MB")
-      ->transform(CLI::AsSizeValue(true));
-  verb->add_option("-d,--split-duration", options->split_duration,
-                   "A new file after this time, such as 60 (seconds) or 10min");
-  verb->add_option("--max-size", options->max_size, "Of all files; the oldest are deleted, such as 2GB")
-      ->transform(CLI::AsSizeValue(true));
-  verb->add_option("--max-cache-size", options->cache_size, "Of messages that wait for the disk (100 MiB)")
-      ->transform(CLI::AsSizeValue(true));
-  verb->add_option("--compression", options->compression, "zstd, lz4 or none")
-      ->check(CLI::IsMember({"zstd", "lz4", "none"}));
+  options->writing.add_to(*verb);
+  verb->add_option("--max-cache-size", options->cache_size, "Of messages that wait for the disk (100MiB)");
   verb->add_option("--for", options->for_s, "Ends after so many seconds")->check(CLI::PositiveNumber);
   verb->add_flag("--use-sim-time", options->use_sim_time, "Times of the bag from /clock");
   verb->callback([options, &status] { status = run_record(*options); });

@@ -7,17 +7,14 @@
 
 #include <CLI/App.hpp>
 
-#include "runtime/bag/bag_writer.hpp"
+#include "runtime/cli/bag_writing.hpp"
 #include "runtime/graph/graph.hpp"
 
 namespace bw {
 
 struct RecordOptions {
   std::string record;
-  std::string split_size;
-  std::string split_duration;
-  std::string max_size;
-  std::string compression = "zstd";
+  cli::BagWriting writing;
   std::string snapshot;
   std::string snapshot_memory;
   std::string snapshot_to;
