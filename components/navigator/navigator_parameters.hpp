@@ -10,29 +10,7 @@
 
 namespace bw {
 
-/// A goal of the graph itself, in map.
-struct GoalParameters {
-  bool enabled = false;
-  double x = 0.0;
-  double y = 0.0;
-  double theta = 0.0;
-  double delay = 1.0;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("enabled", enabled, {.doc = "drive to this goal after the start; otherwise wait for goal_pose"});
-    v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
-    v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
-    v("theta", theta, {.unit = "rad", .min = -3.1416, .max = 3.1416, .doc = "heading in map"});
-    v("delay", delay,
-      {.unit = "s",
-       .min = 0,
-       .max = 3600,
-       .doc = "time after the start before the goal is taken up, and never before the pose is known"});
-  }
-};
-
-/// One of several goals of the graph, in map.
+/// Where to go, in map.
 struct ListedGoal {
   double x = 0.0;
   double y = 0.0;
@@ -43,6 +21,23 @@ struct ListedGoal {
     v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
     v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
     v("theta", theta, {.unit = "rad", .min = -3.1416, .max = 3.1416, .doc = "heading in map"});
+  }
+};
+
+/// The one goal of a graph, and when goals of the graph begin.
+struct GoalParameters : ListedGoal {
+  bool enabled = false;
+  double delay = 1.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("enabled", enabled, {.doc = "drive to this goal after the start; otherwise wait for goal_pose"});
+    ListedGoal::fields(v);
+    v("delay", delay,
+      {.unit = "s",
+       .min = 0,
+       .max = 3600,
+       .doc = "time after the start before the goal is taken up, and never before the pose is known"});
   }
 };
 
