@@ -16,11 +16,11 @@ case $what in
   program)
     $new && options+=(-DBANDWAGON_TESTS=OFF)
     targets=(--target bandwagon)
-    echo "Building the program, $preset (from scratch: about 4 minutes on two cores) ..."
+    echo "Building the program, $preset (from scratch: about 8 minutes on two cores) ..."
     ;;
   tests)
     options+=(-DBANDWAGON_TESTS=ON)
-    echo "Building the program, its tests and benchmarks, $preset (from scratch: about 12 minutes on two cores) ..."
+    echo "Building the program, its tests and benchmarks, $preset (from scratch: up to 20 minutes on two cores) ..."
     ;;
   *)
     echo "usage: $0 [PRESET] [program|tests]" >&2
