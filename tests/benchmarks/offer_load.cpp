@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/dds/participant.hpp"
+#include "tests/interop/eventually.hpp"
 
 int main(int argc, char** argv) {
   using std::chrono::steady_clock;
@@ -24,7 +25,10 @@ int main(int argc, char** argv) {
       {.network = bw::dds::Network::from_environment(bw::dds::Transport::localhost)});
   const auto writer = participant.create_writer(
       {.topic = "rt/load", .type = "load_msgs::msg::dds_::Load_", .qos = qos, .user_data = {}});
-  while (writer->matched_readers() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  if (!bw::test::eventually([&] { return writer->matched_readers() > 0; })) {
+    std::cerr << "nobody reads /load\n";
+    return 1;
+  }
   std::vector<std::uint8_t> cdr(size, 7);
   cdr[0] = cdr[2] = cdr[3] = 0;
   cdr[1] = 1;

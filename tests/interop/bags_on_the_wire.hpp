@@ -16,6 +16,7 @@
 #include "runtime/dds/participant.hpp"
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/wire/serialization.hpp"
+#include "tests/folder.hpp"
 #include "tests/interop/eventually.hpp"
 #include "tests/interop/process.hpp"
 
@@ -77,24 +78,6 @@ inline std::vector<Recorded> messages_of(const std::filesystem::path& path, cons
   }
   return out;
 }
-
-/// A folder of one test.
-class Folder {
- public:
-  Folder()
-      : path_(std::filesystem::path(BANDWAGON_BINARY_DIR) /
-              ::testing::UnitTest::GetInstance()->current_test_info()->name()) {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline Outcome bandwagon(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), BANDWAGON_PROGRAM);

@@ -15,6 +15,7 @@
 namespace bw::bag {
 namespace {
 
+using mcap::said_by;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -22,14 +23,6 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
 
-std::string said_by(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "nothing was refused";
-}
 std::string said_on_opening(const std::filesystem::path& path) {
   return said_by([&] { static_cast<void>(open_bag(path)); });
 }

@@ -12,19 +12,11 @@
 namespace bw::bag {
 namespace {
 
+using mcap::said_by;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-std::string said_by(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "nothing was refused";
-}
 
 /// "topic time data" of every message.
 std::vector<std::string> texts(const Bag& bag, const BagSelection& selection = {}) {

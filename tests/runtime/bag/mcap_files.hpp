@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,27 +16,21 @@
 
 #include "runtime/bag/mcap_messages.hpp"
 #include "runtime/bag/mcap_writer.hpp"
+#include "tests/folder.hpp"
 
 namespace bw::bag::mcap {
 
-/// A folder that vanishes with the test.
-class Folder {
- public:
-  Folder()
-      : path_(std::filesystem::temp_directory_path() /
-              (std::string("bandwagon_bag_") + std::to_string(getpid()) + "_" +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+using test::Folder;
 
- private:
-  std::filesystem::path path_;
-};
+/// The words of the refusal.
+inline std::string said_by(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
 
 /// One message as the tests compare them.
 struct Sample {
