@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <stdexcept>
+#include <utility>
 
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -84,6 +85,7 @@ Endpoint to_endpoint(const ProxyData& data, bool is_writer) {
   if (lifespan != eprosima::fastrtps::c_TimeInfinite) e.qos.lifespan = Duration{lifespan.to_ns()};
   const auto& user_data = data.m_qos.m_userData.getValue();
   e.user_data.assign(user_data.begin(), user_data.end());
+  e.partitions = data.m_qos.m_partition.getNames();
   return e;
 }
 
@@ -141,7 +143,9 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
         info.status == rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT) {
       participants_.erase(guid);
       std::erase_if(endpoints_, [&](const auto& item) {
-        return std::equal(guid.begin(), guid.begin() + 12, item.first.begin());
+        const bool is_its = std::equal(guid.begin(), guid.begin() + 12, item.first.begin());
+        if (is_its) remember(item.second);
+        return is_its;
       });
       ++changes_;
     } else {
@@ -176,6 +180,10 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
     });
     return all;
   }
+  std::vector<Endpoint> take_departed() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(departed_, {});
+  }
   std::vector<Guid> participants() const {
     const std::lock_guard lock(mutex_);
     std::vector<Guid> all;
@@ -187,17 +195,23 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
   void update(const Endpoint& endpoint, bool removed) {
     const std::lock_guard lock(mutex_);
     if (removed) {
-      endpoints_.erase(endpoint.guid);
+      if (endpoints_.erase(endpoint.guid) > 0) remember(endpoint);
     } else {
       endpoints_[endpoint.guid] = endpoint;
     }
     ++changes_;
+  }
+  /// With the mutex held.
+  void remember(const Endpoint& endpoint) {
+    constexpr std::size_t kMost = 256;
+    if (endpoint.is_writer && departed_.size() < kMost) departed_.push_back(endpoint);
   }
 
   std::atomic<std::uint64_t> changes_ = 0;
   mutable std::mutex mutex_;
   std::map<Guid, bool> participants_;
   std::map<Guid, Endpoint> endpoints_;
+  std::vector<Endpoint> departed_;
 };
 
 class EnqueueListener final : public efd::DataReaderListener {
@@ -211,12 +225,15 @@ class EnqueueListener final : public efd::DataReaderListener {
 
 }  // namespace
 
+using Partitions = std::vector<std::string>;
+
 struct Participant::Impl {
   DiscoveryListener discovery;
   efd::DomainParticipant* participant = nullptr;
-  efd::Publisher* publisher = nullptr;
-  efd::Subscriber* subscriber = nullptr;
+  Partitions of_writers, of_readers;  ///< where an endpoint names none
   std::mutex mutex;
+  std::map<Partitions, efd::Publisher*> publishers;
+  std::map<Partitions, efd::Subscriber*> subscribers;
   std::map<std::string, efd::Topic*> topics;
 
   ~Impl() {
@@ -224,6 +241,27 @@ struct Participant::Impl {
     participant->set_listener(nullptr);
     participant->delete_contained_entities();
     efd::DomainParticipantFactory::get_instance()->delete_participant(participant);
+  }
+
+  efd::Publisher* publisher(const Partitions& asked) {
+    const std::lock_guard lock(mutex);
+    const Partitions& partitions = asked.empty() ? of_writers : asked;
+    efd::Publisher*& publisher = publishers[partitions];
+    if (publisher != nullptr) return publisher;
+    efd::PublisherQos qos = efd::PUBLISHER_QOS_DEFAULT;
+    for (const std::string& name : partitions) qos.partition().push_back(name.c_str());
+    publisher = participant->create_publisher(qos);
+    return publisher;
+  }
+  efd::Subscriber* subscriber(const Partitions& asked) {
+    const std::lock_guard lock(mutex);
+    const Partitions& partitions = asked.empty() ? of_readers : asked;
+    efd::Subscriber*& subscriber = subscribers[partitions];
+    if (subscriber != nullptr) return subscriber;
+    efd::SubscriberQos qos = efd::SUBSCRIBER_QOS_DEFAULT;
+    for (const std::string& name : partitions) qos.partition().push_back(name.c_str());
+    subscriber = participant->create_subscriber(qos);
+    return subscriber;
   }
 
   efd::Topic* topic(const EndpointOptions& options) {
@@ -340,16 +378,9 @@ Participant::Participant(const ParticipantOptions& options) : impl_(std::make_un
     std::erase_if(opened, [&](int descriptor) { return before.contains(descriptor); });
     bind_to_loopback(opened);
   }
-  impl_->publisher = impl_->participant->create_publisher(efd::PUBLISHER_QOS_DEFAULT);
-  impl_->subscriber = impl_->participant->create_subscriber(efd::SUBSCRIBER_QOS_DEFAULT);
   if (!options.private_partition.empty()) {
-    efd::PublisherQos publisher_qos = efd::PUBLISHER_QOS_DEFAULT;
-    publisher_qos.partition().push_back("");  // the partition of every ordinary reader
-    publisher_qos.partition().push_back(options.private_partition.c_str());
-    impl_->publisher->set_qos(publisher_qos);
-    efd::SubscriberQos subscriber_qos = efd::SUBSCRIBER_QOS_DEFAULT;
-    subscriber_qos.partition().push_back(options.private_partition.c_str());
-    impl_->subscriber->set_qos(subscriber_qos);
+    impl_->of_writers = {"", options.private_partition};  // "" is the partition of every ordinary reader
+    impl_->of_readers = {options.private_partition};
   }
 }
 
@@ -361,15 +392,17 @@ std::unique_ptr<Writer> Participant::create_writer(const EndpointOptions& option
   qos.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
   if (options.heartbeat) qos.reliable_writer_qos().times.heartbeatPeriod = to_duration(*options.heartbeat);
   set_user_data(qos.user_data(), options.user_data);
-  efd::DataWriter* writer = impl_->publisher->create_datawriter(impl_->topic(options), qos);
+  efd::Publisher* publisher = impl_->publisher(options.partitions);
+  efd::DataWriter* writer = publisher->create_datawriter(impl_->topic(options), qos);
   if (writer == nullptr) throw std::runtime_error("DDS refuses a writer on " + options.topic);
-  auto result = std::make_unique<FastWriter>(impl_->publisher, writer, impl_->discovery);
+  auto result = std::make_unique<FastWriter>(publisher, writer, impl_->discovery);
   impl_->discovery.add_local({.guid = result->guid(),
                               .is_writer = true,
                               .topic = options.topic,
                               .type = options.type,
                               .qos = options.qos,
-                              .user_data = options.user_data});
+                              .user_data = options.user_data,
+                              .partitions = options.partitions});
   return result;
 }
 
@@ -378,20 +411,24 @@ std::unique_ptr<Reader> Participant::create_reader(const EndpointOptions& option
   efd::DataReaderQos qos = efd::DATAREADER_QOS_DEFAULT;
   apply(options, qos);
   set_user_data(qos.user_data(), options.user_data);
-  auto result = std::make_unique<FastReader>(impl_->subscriber, std::move(on_sample), impl_->discovery);
+  auto result = std::make_unique<FastReader>(impl_->subscriber(options.partitions), std::move(on_sample),
+                                             impl_->discovery);
   result->open(impl_->topic(options), qos);
   impl_->discovery.add_local({.guid = result->guid(),
                               .is_writer = false,
                               .topic = options.topic,
                               .type = options.type,
                               .qos = options.qos,
-                              .user_data = options.user_data});
+                              .user_data = options.user_data,
+                              .partitions = options.partitions});
   return result;
 }
 
 Guid Participant::guid() const { return to_guid(impl_->participant->guid()); }
 
 std::vector<Endpoint> Participant::endpoints() const { return impl_->discovery.endpoints(); }
+
+std::vector<Endpoint> Participant::take_departed() { return impl_->discovery.take_departed(); }
 
 std::uint64_t Participant::endpoint_changes() const { return impl_->discovery.changes(); }
 

@@ -54,7 +54,8 @@ struct Endpoint {
   std::string topic;      ///< DDS name, such as rt/odom
   std::string type;       ///< DDS name, such as nav_msgs::msg::dds_::Odometry_
   Qos qos;
-  std::string user_data;  ///< typehash=RIHS01_...;
+  std::string user_data;                     ///< typehash=RIHS01_...;
+  std::vector<std::string> partitions = {};  ///< none: that of every ordinary endpoint
 };
 
 struct EndpointOptions {
@@ -64,6 +65,8 @@ struct EndpointOptions {
   std::string user_data;
   /// Of a reliable writer: so often readers that lack something are told; nothing: every 3 s.
   std::optional<Duration> heartbeat = std::nullopt;
+  /// "" is that of every ordinary endpoint; empty: the participant's.
+  std::vector<std::string> partitions = {};
 };
 
 /// One received sample: CDR with its 4-byte encapsulation header.
@@ -110,6 +113,9 @@ class Participant {
   Guid guid() const;
   /// Every endpoint known now, own and remote, sorted by topic, kind and guid.
   std::vector<Endpoint> endpoints() const;
+  /// Remote writers that have left since the last call, so that one that came and went between two looks at endpoints()
+  /// is not missed; the first 256 of them.
+  std::vector<Endpoint> take_departed();
   /// Counts the changes of endpoints(): cheap to look at often.
   std::uint64_t endpoint_changes() const;
   /// Remote participants alive now.

@@ -65,11 +65,25 @@ ComponentDeclaration declaration_of(const Actor& actor) {
   return d;
 }
 
-dds::EndpointOptions endpoint_options(const std::string& topic, const MessageType& type, const Qos& qos) {
+dds::EndpointOptions endpoint_options(const std::string& topic, const MessageType& type, const Qos& qos,
+                                      std::vector<std::string> partitions) {
   return {.topic = "rt" + topic,
           .type = std::string(type.dds_name),
           .qos = qos,
-          .user_data = "typehash=" + std::string(type.type_hash) + ";"};
+          .user_data = "typehash=" + std::string(type.type_hash) + ";",
+          .partitions = std::move(partitions)};
+}
+
+/// Everybody may read a command; its readers in the graph hear its owner alone.
+std::vector<std::string> partitions_of(const OutputEnd& output) {
+  if (!output.command) return {};
+  const Actor& owner = output.owner;
+  return {"", command_partition(full_name({.node_namespace = owner.node_namespace, .name = owner.name}))};
+}
+
+std::vector<std::string> partitions_of(const Input& input) {
+  if (input.commander.empty()) return {};
+  return {command_partition(input.commander)};
 }
 
 }  // namespace
@@ -95,7 +109,8 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
 
   const bool lockstep = options_.clock == ClockMode::lockstep;
   ProcessServiceOptions service_options{
-      .publishes_clock = lockstep, .on_clock = nullptr, .timings = !lockstep};
+      .publishes_clock = lockstep, .on_clock = nullptr, .look_around = nullptr, .timings = !lockstep};
+  if (!lockstep) service_options.look_around = [this](Time now) { look_at_commands(now); };
   if (options_.clock == ClockMode::topic) {
     auto topic_clock = std::make_unique<TopicClock>();
     service_options.on_clock = [clock = topic_clock.get()](Time now) { clock->set(now); };
@@ -124,6 +139,9 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
     if (actor->rank > 0) declarations_.push_back(declaration_of(*actor));
   }
   if (!options_.is_partial) throw_if_any(check_graph(declarations_, graph_));
+  std::vector<Actor*> all;
+  for (const auto& actor : actors_) all.push_back(actor.get());
+  commands_ = find_commands(all, local_);
 }
 
 Host::~Host() {
@@ -166,22 +184,27 @@ void Host::connect() {
   } else {
     runner_ = std::make_unique<WallRunner>(local_, *clock_);
   }
+  // In lock-step all ends are in the participant's own partition already.
+  const auto partitions = [lockstep](const auto& end) {
+    return lockstep ? std::vector<std::string>() : partitions_of(end);
+  };
   // Writers first: in one participant a match is immediate, so no reader misses a latched first sample.
   for (Actor* actor : local_) {
     for (const auto& output : actor->outputs) {
-      output->writer =
-          participant_->create_writer(endpoint_options(output->topic, output->type, output->qos));
+      output->writer = participant_->create_writer(
+          endpoint_options(output->topic, output->type, output->qos, partitions(*output)));
       output->always_read = lockstep || (options_.tap && options_.tap->wants_everything());
     }
   }
   if (options_.tap) tap_outputs();
   for (Actor* actor : local_) {
     for (const auto& input : actor->inputs) {
-      input->reader =
-          participant_->create_reader(endpoint_options(input->topic, input->type, input->qos),
-                                      [this, end = input.get()] { runner_->sample_arrived(*end); });
+      input->reader = participant_->create_reader(
+          endpoint_options(input->topic, input->type, input->qos, partitions(*input)),
+          [this, end = input.get()] { runner_->sample_arrived(*end); });
     }
   }
+  if (!lockstep) command_guard_ = std::make_unique<CommandGuard>(*participant_, commands_);
   announce_nodes();
 }
 
@@ -207,6 +230,24 @@ void Host::announce_nodes() {
       {.topic = kDiscoveryTopic, .type = kDiscoveryType, .qos = Qos::latched(), .user_data = {}});
   node_writer_->write(encode(
       entities, graph_.settings.ros_distro == "humble" ? GidFormat::humble : GidFormat::iron_and_later));
+}
+
+void Host::look_at_commands(Time now) {
+  if (!command_guard_) return;
+  Actor& services = *actors_.front();
+  for (const CommandWatch::News& news : command_guard_->look(now)) log(services, news.level, news.text);
+  using Level = DiagnosticReporter::Level;
+  Level level = Level::ok;
+  std::string message = "ok";
+  for (const auto& [topic, state] : command_guard_->states()) {
+    services.set_value(topic, state.text);
+    const Level its = state.level == LogLevel::error  ? Level::error
+                      : state.level == LogLevel::warn ? Level::warn
+                                                      : Level::ok;
+    if (its > level) message = topic + ": " + state.text;
+    level = std::max(level, its);
+  }
+  services.report(level, message);
 }
 
 RunEnd Host::run(std::optional<Duration> duration) {

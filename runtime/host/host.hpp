@@ -13,6 +13,7 @@
 #include "runtime/graph/check_graph.hpp"
 #include "runtime/graph/graph.hpp"
 #include "runtime/host/actor.hpp"
+#include "runtime/host/command_guard.hpp"
 #include "runtime/host/component_clock.hpp"
 #include "runtime/host/event_source.hpp"
 #include "runtime/host/runner.hpp"
@@ -78,6 +79,7 @@ class Host {
   void add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here);
   void connect();
   void announce_nodes();
+  void look_at_commands(Time now);
   void tap_outputs();
   void log(const Actor& actor, LogLevel level, const std::string& text);
   std::vector<Actor*> local_actors() const;
@@ -91,6 +93,8 @@ class Host {
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
   std::unique_ptr<dds::Writer> node_writer_;
+  std::vector<CommandTopic> commands_;
+  std::unique_ptr<CommandGuard> command_guard_;  ///< null in lock-step
   class ProcessServices* services_ = nullptr;
   std::optional<Time> started_;
   Duration time_to_rest_;  ///< the longest that a component asked for

@@ -1,5 +1,6 @@
 #include "runtime/ros/node_directory.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace bw {
@@ -26,7 +27,18 @@ bool NodeDirectory::update() {
                   [&](const auto& known) { return known.participant == entities->participant; });
     participants_.push_back(std::move(*entities));
   }
-  if (!is_new) return false;
+  if (is_new) index();
+  return is_new;
+}
+
+void NodeDirectory::keep_only(const std::vector<dds::Guid>& participants) {
+  const auto is_gone = [&](const ParticipantEntities& known) {
+    return std::ranges::find(participants, known.participant) == participants.end();
+  };
+  if (std::erase_if(participants_, is_gone) > 0) index();
+}
+
+void NodeDirectory::index() {
   node_of_.clear();
   for (const ParticipantEntities& participant : participants_) {
     for (const NodeEntities& node : participant.nodes) {
@@ -34,7 +46,6 @@ bool NodeDirectory::update() {
       for (const dds::Guid& guid : node.writers) node_of_[guid] = full_name(node);
     }
   }
-  return true;
 }
 
 std::string NodeDirectory::node_of(const dds::Guid& endpoint) const {
