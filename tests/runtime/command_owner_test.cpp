@@ -172,11 +172,10 @@ TEST(CommandOwner, WhoCameAndWentAtOnceIsNamed) {
   ASSERT_TRUE(eventually([&] { return !witness.participant.remote_participants().empty(); }));
   {
     const Outsider once("once");
-    // Known to the machine by the time that its own writers are known to it.
-    ASSERT_TRUE(eventually([&] {
-      return std::ranges::any_of(once.participant.endpoints(),
-                                 [](const auto& end) { return !end.is_local && end.topic == "rt/motor"; });
-    }));
+    ASSERT_TRUE(eventually([&] { return once.announcement->matched_readers() > 0; }));
+    ASSERT_TRUE(once.announcement->wait_until_received(Duration::seconds(20)));
+    // A node that goes says so before its participant does.
+    once.announcement->write(encode({.participant = once.participant.guid(), .nodes = {}}, GidFormat::iron_and_later));
   }
   EXPECT_TRUE(witness.hears("; /once publishes it too")) << witness.logged;
   EXPECT_EQ(machine.foreign, 0);
