@@ -6,34 +6,34 @@
 
 namespace bw {
 
-std::vector<CommandTopic> find_commands(const std::vector<Actor*>& all, const std::vector<Actor*>& local) {
+std::vector<WatchedTopic> find_watched_topics(const std::vector<Actor*>& all,
+                                              const std::vector<Actor*>& local) {
   std::map<std::string, std::string> commanders;
+  std::map<std::string_view, std::vector<std::string>> open;  // by type
   for (const Actor* actor : all) {
     for (const auto& output : actor->outputs) {
       if (output->command)
         commanders[output->topic] = full_name({.node_namespace = actor->node_namespace, .name = actor->name});
     }
+    for (const auto& input : actor->inputs) {
+      if (input->is_external) open[input->type.ros_name].push_back(input->topic);
+    }
   }
-  std::map<std::string, CommandTopic> found;
-  std::map<std::string, std::string_view> type_of;
+  std::map<std::string, WatchedTopic> found;
   for (Actor* actor : local) {
     for (const auto& input : actor->inputs) {
       const auto commander = commanders.find(input->topic);
-      if (commander == commanders.end() || input->is_external) continue;
-      input->commander = commander->second;
-      found[input->topic] = {.topic = input->topic, .owner = commander->second};
-      type_of[input->topic] = input->type.ros_name;
-    }
-  }
-  std::vector<CommandTopic> topics;
-  for (auto& [name, topic] : found) {
-    for (const Actor* actor : all) {
-      for (const auto& input : actor->inputs) {
-        if (input->is_external && input->type.ros_name == type_of[name]) topic.open.push_back(input->topic);
+      if (input->is_external) {
+        found.try_emplace(input->topic, WatchedTopic{input->topic, std::string(input->type.ros_name)});
+      } else if (commander != commanders.end()) {
+        input->commander = commander->second;
+        found[input->topic] = {input->topic, std::string(input->type.ros_name), commander->second,
+                               open[input->type.ros_name]};
       }
     }
-    topics.push_back(std::move(topic));
   }
+  std::vector<WatchedTopic> topics;
+  for (auto& [name, topic] : found) topics.push_back(std::move(topic));
   return topics;
 }
 

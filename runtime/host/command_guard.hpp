@@ -12,14 +12,15 @@ namespace bw {
 
 struct Actor;
 
-/// Marks the inputs that a node of the graph commands (Input::commander), and gives the topics of those that are local and
-/// that the graph leaves to their owner.
-std::vector<CommandTopic> find_commands(const std::vector<Actor*>& all, const std::vector<Actor*>& local);
+/// Marks the local inputs that a node of the graph commands (Input::commander), and gives their topics and those that the
+/// graph leaves to others.
+std::vector<WatchedTopic> find_watched_topics(const std::vector<Actor*>& all,
+                                              const std::vector<Actor*>& local);
 
 /// Not for several threads at once.
 class CommandGuard {
  public:
-  CommandGuard(dds::Participant& participant, const std::vector<CommandTopic>& topics)
+  CommandGuard(dds::Participant& participant, const std::vector<WatchedTopic>& topics)
       : participant_(participant), directory_(participant), watch_(topics) {}
 
   std::vector<CommandWatch::News> look(Time now);

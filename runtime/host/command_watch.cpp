@@ -29,8 +29,8 @@ std::string listed(const std::vector<std::string>& names) {
 
 std::string command_partition(const std::string& owner) { return "commands_of:" + owner; }
 
-CommandWatch::CommandWatch(const std::vector<CommandTopic>& topics) {
-  for (const CommandTopic& topic : topics) watched_.push_back({.command = topic, .strangers = {}});
+CommandWatch::CommandWatch(const std::vector<WatchedTopic>& topics) {
+  for (const WatchedTopic& topic : topics) watched_.push_back({.topic = topic, .strangers = {}});
 }
 
 std::vector<CommandWatch::News> CommandWatch::look(const std::vector<dds::Endpoint>& present,
@@ -38,31 +38,32 @@ std::vector<CommandWatch::News> CommandWatch::look(const std::vector<dds::Endpoi
                                                    const NodeOf& node_of, Time now) {
   std::vector<News> news;
   for (Watched& watched : watched_) {
-    const CommandTopic& command = watched.command;
+    const WatchedTopic& topic = watched.topic;
     int owners = 0;
     for (auto& [guid, stranger] : watched.strangers) stranger.is_there = false;
     const auto meet = [&](const dds::Endpoint& end, bool is_there) {
-      if (!end.is_writer || ros_topic(end.topic) != command.topic) return;
-      if (is_owners(end, command.owner)) {
+      if (!end.is_writer || ros_topic(end.topic) != topic.topic) return;
+      if (topic.owner.empty() && ros_type(end.type) == topic.type) return;
+      if (!topic.owner.empty() && is_owners(end, topic.owner)) {
         owners += is_there ? 1 : 0;
-      } else {
-        watched.strangers.try_emplace(end.guid, Stranger{.since = now}).first->second.is_there = is_there;
+        return;
       }
+      const Stranger stranger{.since = now, .type = ros_type(end.type)};
+      watched.strangers.try_emplace(end.guid, stranger).first->second.is_there = is_there;
     };
     for (const dds::Endpoint& end : present) meet(end, true);
     for (const dds::Endpoint& end : departed) meet(end, false);
     if (const auto names = names_to_tell(watched, node_of, now); !names.empty())
-      news.push_back({LogLevel::warn, refusal(command, names)});
+      news.push_back({LogLevel::warn, refusal(topic, names)});
     std::erase_if(watched.strangers, [](const auto& item) { return !item.second.is_there; });
     if (owners > 1 && watched.owners <= 1) {
       news.push_back(
           {LogLevel::error,
-           fmt::format(
-               "nobody is obeyed on {}: {} publishers are {}; the graph runs twice on this domain, or "
-               "was killed and started again a moment ago",
-               command.topic, owners, command.owner)});
+           fmt::format("nobody is obeyed on {}: {} publishers are {}; the graph runs twice on this "
+                       "domain, or was killed and started again a moment ago",
+                       topic.topic, owners, topic.owner)});
     } else if (owners <= 1 && watched.owners > 1) {
-      news.push_back({LogLevel::info, fmt::format("{} has one publisher again", command.topic)});
+      news.push_back({LogLevel::info, fmt::format("{} has one publisher again", topic.topic)});
     }
     watched.owners = owners;
   }
@@ -77,34 +78,41 @@ std::vector<std::string> CommandWatch::names_to_tell(Watched& watched, const Nod
     const bool is_time = !stranger.name.empty() || !stranger.is_there || now - stranger.since >= kPatience;
     if (stranger.is_told || !is_time) continue;
     stranger.is_told = true;
-    names.push_back(stranger.name.empty() ? kNameless : stranger.name);
+    names.push_back(label(watched, stranger));
   }
   return names;
 }
 
-std::string CommandWatch::refusal(const CommandTopic& command, const std::vector<std::string>& names) {
-  const std::string way = command.open.empty()
+std::string CommandWatch::label(const Watched& watched, const Stranger& stranger) {
+  const std::string name = stranger.name.empty() ? kNameless : stranger.name;
+  return watched.topic.owner.empty() ? name + " (" + stranger.type + ")" : name;
+}
+
+std::string CommandWatch::refusal(const WatchedTopic& topic, const std::vector<std::string>& names) {
+  if (topic.owner.empty())
+    return fmt::format("not heard: {}; {} is {} here", listed(names), topic.topic, topic.type);
+  const std::string way = topic.open.empty()
                               ? "mark the input external: true in the graph to let others in"
-                              : fmt::format("others are heard on {}", fmt::join(command.open, ", "));
-  return fmt::format("refused: {} is commanded by {} alone; {} publish{} it too; {}", command.topic,
-                     command.owner, listed(names), names.size() > 1 ? "" : "es", way);
+                              : fmt::format("others are heard on {}", fmt::join(topic.open, ", "));
+  return fmt::format("refused: {} is commanded by {} alone; {} publish{} it too; {}", topic.topic,
+                     topic.owner, listed(names), names.size() > 1 ? "" : "es", way);
 }
 
 std::map<std::string, CommandWatch::State> CommandWatch::states() const {
   std::map<std::string, State> states;
   for (const Watched& watched : watched_) {
-    State& state = states[watched.command.topic];
+    const std::string& owner = watched.topic.owner;
     std::vector<std::string> names;
     for (const auto& [guid, stranger] : watched.strangers) {
-      if (stranger.is_told) names.push_back(stranger.name.empty() ? kNameless : stranger.name);
+      if (stranger.is_told) names.push_back(label(watched, stranger));
     }
+    State& state = states[watched.topic.topic];
     if (watched.owners > 1) {
-      state = {LogLevel::error,
-               fmt::format("nobody is obeyed: {} publishers are {}", watched.owners, watched.command.owner)};
+      state = {LogLevel::error, fmt::format("nobody is obeyed: {} publishers are {}", watched.owners, owner)};
     } else if (!names.empty()) {
-      state = {LogLevel::warn, fmt::format("refused: {}", listed(names))};
+      state = {LogLevel::warn, fmt::format("{}: {}", owner.empty() ? "not heard" : "refused", listed(names))};
     } else {
-      state.text = "commanded by " + watched.command.owner;
+      state.text = owner.empty() ? "open to all" : "commanded by " + owner;
     }
   }
   return states;

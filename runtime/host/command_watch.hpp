@@ -1,5 +1,6 @@
-// Who else writes on the topics that command this process. A command has one owner in the graph and is read in a partition
-// of this owner, where nobody else writes: the others are not heard, and named here.
+// Who writes in vain on topics that this process hears. A command has one owner in the graph and is read in a partition of
+// this owner, where nobody else writes: the others are not heard, and named here. So are those who write another type on a
+// topic that the graph leaves to others.
 #pragma once
 
 #include <functional>
@@ -13,11 +14,12 @@
 
 namespace bw {
 
-/// A topic that commands something, and whose it is.
-struct CommandTopic {
+/// A topic that commands something, and whose it is; or one that the graph leaves to others.
+struct WatchedTopic {
   std::string topic;                   ///< /cmd_vel
-  std::string owner;                   ///< full name of the node, /collision_monitor
-  std::vector<std::string> open = {};  ///< topics of the same type that the graph leaves to others
+  std::string type;                    ///< geometry_msgs/msg/Twist
+  std::string owner = {};              ///< full name of the node, /collision_monitor; empty: anybody's
+  std::vector<std::string> open = {};  ///< others of the same type that are anybody's
 };
 
 /// The DDS partition in which commands of this node are read. All processes of a graph derive the same.
@@ -37,7 +39,7 @@ class CommandWatch {
   };
   using NodeOf = std::function<std::string(const dds::Guid&)>;  ///< empty: not named yet
 
-  explicit CommandWatch(const std::vector<CommandTopic>& topics);
+  explicit CommandWatch(const std::vector<WatchedTopic>& topics);
 
   /// To be called every half second or so, with the endpoints that are there and the writers that left since the last call.
   /// A writer is told once: when its node has a name, or after a second without one.
@@ -51,18 +53,20 @@ class CommandWatch {
  private:
   struct Stranger {
     Time since;
-    std::string name;  ///< empty: not known yet
+    std::string type;
+    std::string name = {};  ///< empty: not known yet
     bool is_told = false;
     bool is_there = true;
   };
   struct Watched {
-    CommandTopic command;
+    WatchedTopic topic;
     std::map<dds::Guid, Stranger> strangers;
     int owners = 0;
   };
 
   static std::vector<std::string> names_to_tell(Watched& watched, const NodeOf& node_of, Time now);
-  static std::string refusal(const CommandTopic& command, const std::vector<std::string>& names);
+  static std::string label(const Watched& watched, const Stranger& stranger);
+  static std::string refusal(const WatchedTopic& topic, const std::vector<std::string>& names);
 
   std::vector<Watched> watched_;
 };

@@ -9,6 +9,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "runtime/host/command_guard.hpp"
 #include "runtime/host/host_setup.hpp"
 #include "runtime/host/lockstep_runner.hpp"
 #include "runtime/host/process_services.hpp"
@@ -55,7 +56,8 @@ ComponentDeclaration declaration_of(const Actor& actor) {
     d.inputs.push_back({.name = input->name,
                         .type = std::string(input->type.ros_name),
                         .qos = input->qos,
-                        .optional = input->need == Need::optional});
+                        .optional = input->need == Need::optional,
+                        .only_newest = input->kind == InputKind::keep_newest});
   }
   for (const auto& output : actor.outputs) {
     d.outputs.push_back({.name = output->name,
@@ -168,9 +170,6 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
     if (actor->rank > 0) declarations_.push_back(declaration_of(*actor));
   }
   if (!options_.is_partial) throw_if_any(check_graph(declarations_, graph_));
-  std::vector<Actor*> all;
-  for (const auto& actor : actors_) all.push_back(actor.get());
-  commands_ = find_commands(all, local_);
 }
 
 Host::~Host() {
@@ -217,6 +216,9 @@ void Host::connect() {
   } else {
     runner_ = std::make_unique<WallRunner>(local_, *clock_);
   }
+  std::vector<Actor*> all;
+  for (const auto& actor : actors_) all.push_back(actor.get());
+  const std::vector<WatchedTopic> watched = find_watched_topics(all, local_);
   // In lock-step all ends are in the participant's own partition already.
   const auto partitions = [lockstep](const auto& end) {
     return lockstep ? std::vector<std::string>() : partitions_of(end);
@@ -243,7 +245,7 @@ void Host::connect() {
   for (Actor* actor : local_) connect_services(*actor);
   for (Actor* actor : local_) connect_clients(*actor);
   if (outside_) outside_->connect(*participant_, heard_outside_, local_);
-  if (!lockstep) command_guard_ = std::make_unique<CommandGuard>(*participant_, commands_);
+  if (!lockstep) command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
   announce_nodes();
 }
 

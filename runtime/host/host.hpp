@@ -13,7 +13,6 @@
 #include "runtime/graph/check_graph.hpp"
 #include "runtime/graph/graph.hpp"
 #include "runtime/host/actor.hpp"
-#include "runtime/host/command_guard.hpp"
 #include "runtime/host/component_clock.hpp"
 #include "runtime/host/event_source.hpp"
 #include "runtime/host/outside_inputs.hpp"
@@ -103,8 +102,7 @@ class Host {
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
   std::unique_ptr<dds::Writer> node_writer_;
-  std::vector<CommandTopic> commands_;
-  std::unique_ptr<CommandGuard> command_guard_;  ///< null in lock-step
+  std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step
   class ProcessServices* services_ = nullptr;
   std::optional<Time> started_;
   Duration time_to_rest_;  ///< the longest that a component asked for

@@ -9,6 +9,7 @@
 #include <rcl_interfaces/msg/log.hpp>
 #include <std_msgs/msg/float64.hpp>
 
+#include "runtime/host/command_watch.hpp"
 #include "runtime/host/host.hpp"
 #include "runtime/ros/discovery_info.hpp"
 #include "tests/interop/eventually.hpp"

@@ -10,7 +10,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const CommandTopic kTopic{.topic = "/cmd_vel", .owner = "/collision_monitor", .open = {"/cmd_vel_teleop"}};
+const WatchedTopic kTopic{.topic = "/cmd_vel",
+                          .type = "geometry_msgs/msg/Twist",
+                          .owner = "/collision_monitor",
+                          .open = {"/cmd_vel_teleop"}};
 
 dds::Endpoint writer(std::uint8_t id, std::vector<std::string> partitions = {}) {
   return {.guid = {id}, .is_writer = true, .topic = "rt/cmd_vel", .partitions = std::move(partitions)};
@@ -90,8 +93,25 @@ TEST(CommandWatch, TwoOwnersAreAnErrorUntilOneIsLeft) {
   EXPECT_EQ(domain.state().level, LogLevel::info);
 }
 
+TEST(CommandWatch, OnATopicThatIsOpenTheTypeIsWhatIsRefused) {
+  CommandWatch watch(std::vector{WatchedTopic{.topic = "/cmd_vel", .type = "geometry_msgs/msg/Twist"}});
+  dds::Endpoint good = writer(1), bad = writer(2);
+  good.type = "geometry_msgs::msg::dds_::Twist_";
+  bad.type = "geometry_msgs::msg::dds_::TwistStamped_";
+  const auto node_of = [](const dds::Guid& guid) { return guid[0] == 1 ? "/keyboard" : "/joystick"; };
+  const auto news = watch.look({good, bad}, {}, node_of, at(0.0));
+  ASSERT_EQ(news.size(), 1U);
+  EXPECT_EQ(
+      news[0].text,
+      "not heard: /joystick (geometry_msgs/msg/TwistStamped); /cmd_vel is geometry_msgs/msg/Twist here");
+  EXPECT_EQ(watch.states().at("/cmd_vel").level, LogLevel::warn);
+  EXPECT_TRUE(watch.look({good}, {}, node_of, at(0.5)).empty());
+  EXPECT_EQ(watch.states().at("/cmd_vel").text, "open to all");
+}
+
 TEST(CommandWatch, WithoutAnOpenTopicItSaysHowToOpenOne) {
-  CommandWatch watch(std::vector{CommandTopic{.topic = "/cmd_vel", .owner = "/base"}});
+  CommandWatch watch(
+      std::vector{WatchedTopic{.topic = "/cmd_vel", .type = "geometry_msgs/msg/Twist", .owner = "/base"}});
   const auto news = watch.look(
       {writer(2)}, {}, [](const dds::Guid&) { return "/teleop"; }, at(0.0));
   ASSERT_EQ(news.size(), 1U);
