@@ -27,6 +27,8 @@ std::vector<std::string> Actor::stale_inputs(Time now) const {
 
 bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
   if (!input.reader->take(sample_)) return false;
+  // Two who command: nobody is obeyed, and what moves stops because its commands are too old.
+  if (!input.commander.empty() && input.reader->matched_writers() > 1) return true;
   {
     const std::lock_guard lock(mutex);
     input.last_received = now;

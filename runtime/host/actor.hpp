@@ -37,6 +37,8 @@ class Input final : public Inlet {
   SampleHandler handler;
   InputKind kind = InputKind::callback;
   Need need = Need::required;
+  bool is_external = false;  ///< the graph leaves the topic to others
+  std::string commander;     ///< full name of the node whose command this is; empty: anybody may write it
   std::optional<Duration> max_age;
   OnStale on_stale = OnStale::ignore;
   std::unique_ptr<dds::Reader> reader;

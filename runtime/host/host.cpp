@@ -9,6 +9,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "runtime/host/command_guard.hpp"
 #include "runtime/host/host_setup.hpp"
 #include "runtime/host/lockstep_runner.hpp"
 #include "runtime/host/process_services.hpp"
@@ -55,7 +56,8 @@ ComponentDeclaration declaration_of(const Actor& actor) {
     d.inputs.push_back({.name = input->name,
                         .type = std::string(input->type.ros_name),
                         .qos = input->qos,
-                        .optional = input->need == Need::optional});
+                        .optional = input->need == Need::optional,
+                        .only_newest = input->kind == InputKind::keep_newest});
   }
   for (const auto& output : actor.outputs) {
     d.outputs.push_back({.name = output->name,
@@ -91,6 +93,18 @@ dds::EndpointOptions endpoint_options(const std::string& topic, const MessageTyp
           .user_data = user_data_of(std::string(type.type_hash))};
 }
 
+/// Everybody may read a command; its readers in the graph hear its owner alone.
+std::vector<std::string> partitions_of(const OutputEnd& output) {
+  if (!output.command) return {};
+  const Actor& owner = output.owner;
+  return {"", command_partition(full_name({.node_namespace = owner.node_namespace, .name = owner.name}))};
+}
+
+std::vector<std::string> partitions_of(const Input& input) {
+  if (input.commander.empty()) return {};
+  return {command_partition(input.commander)};
+}
+
 }  // namespace
 
 Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
@@ -114,7 +128,8 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
 
   const bool lockstep = options_.clock == ClockMode::lockstep;
   ProcessServiceOptions service_options{
-      .publishes_clock = lockstep, .on_clock = nullptr, .timings = !lockstep};
+      .publishes_clock = lockstep, .on_clock = nullptr, .look_around = nullptr, .timings = !lockstep};
+  if (!lockstep) service_options.look_around = [this](Time now) { look_at_commands(now); };
   if (options_.clock == ClockMode::topic) {
     auto topic_clock = std::make_unique<TopicClock>();
     service_options.on_clock = [clock = topic_clock.get()](Time now) { clock->set(now); };
@@ -201,10 +216,18 @@ void Host::connect() {
   } else {
     runner_ = std::make_unique<WallRunner>(local_, *clock_);
   }
+  std::vector<Actor*> all;
+  for (const auto& actor : actors_) all.push_back(actor.get());
+  const std::vector<WatchedTopic> watched = find_watched_topics(all, local_);
+  // In lock-step all ends are in the participant's own partition already.
+  const auto partitions = [lockstep](const auto& end) {
+    return lockstep ? std::vector<std::string>() : partitions_of(end);
+  };
   // Writers first: in one participant a match is immediate, so no reader misses a latched first sample.
   for (Actor* actor : local_) {
     for (const auto& output : actor->outputs) {
       dds::EndpointOptions options = endpoint_options(output->topic, output->type, output->qos);
+      options.partitions = partitions(*output);
       if (actor == outside_actor_) options.partitions = {private_partition};  // outside has said it already
       output->writer = participant_->create_writer(options);
       output->always_read = lockstep || (options_.tap && options_.tap->wants_everything());
@@ -213,13 +236,16 @@ void Host::connect() {
   if (options_.tap) tap_outputs();
   for (Actor* actor : local_) {
     for (const auto& input : actor->inputs) {
-      input->reader = participant_->create_reader(endpoint_options(input->topic, input->type, input->qos),
-                                                  [this, end = input.get()] { runner_->arrived(*end); });
+      dds::EndpointOptions options = endpoint_options(input->topic, input->type, input->qos);
+      options.partitions = partitions(*input);
+      input->reader =
+          participant_->create_reader(options, [this, end = input.get()] { runner_->arrived(*end); });
     }
   }
   for (Actor* actor : local_) connect_services(*actor);
   for (Actor* actor : local_) connect_clients(*actor);
   if (outside_) outside_->connect(*participant_, heard_outside_, local_);
+  if (!lockstep) command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
   announce_nodes();
 }
 
@@ -291,6 +317,24 @@ void Host::announce_nodes() {
       {.topic = kDiscoveryTopic, .type = kDiscoveryType, .qos = Qos::latched(), .user_data = {}});
   node_writer_->write(encode(
       entities, graph_.settings.ros_distro == "humble" ? GidFormat::humble : GidFormat::iron_and_later));
+}
+
+void Host::look_at_commands(Time now) {
+  if (!command_guard_) return;
+  Actor& services = *actors_.front();
+  for (const CommandWatch::News& news : command_guard_->look(now)) log(services, news.level, news.text);
+  using Level = DiagnosticReporter::Level;
+  Level level = Level::ok;
+  std::string message = "ok";
+  for (const auto& [topic, state] : command_guard_->states()) {
+    services.set_value(topic, state.text);
+    const Level its = state.level == LogLevel::error  ? Level::error
+                      : state.level == LogLevel::warn ? Level::warn
+                                                      : Level::ok;
+    if (its > level) message = topic + ": " + state.text;
+    level = std::max(level, its);
+  }
+  services.report(level, message);
 }
 
 RunEnd Host::run(std::optional<Duration> duration) {

@@ -85,6 +85,7 @@ class Host {
   void connect_services(Actor& actor);
   void connect_clients(Actor& actor);
   void announce_nodes();
+  void look_at_commands(Time now);
   void tap_outputs();
   void log(const Actor& actor, LogLevel level, const std::string& text);
   std::vector<Actor*> local_actors() const;
@@ -101,6 +102,7 @@ class Host {
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
   std::unique_ptr<dds::Writer> node_writer_;
+  std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step
   class ProcessServices* services_ = nullptr;
   std::optional<Time> started_;
   Duration time_to_rest_;  ///< the longest that a component asked for

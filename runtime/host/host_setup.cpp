@@ -71,6 +71,7 @@ void HostSetup::add_input(const std::string& topic, const MessageType& type, con
   input->kind = kind;
   input->need = need;
   if (const InputSettings* settings = node_.input(topic)) {
+    input->is_external = settings->external;
     input->max_age = settings->max_age;
     input->on_stale = settings->on_stale;
     if (input->max_age) actor_.watched.push_back(input.get());

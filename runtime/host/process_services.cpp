@@ -30,6 +30,10 @@ void ProcessServices::configure(Setup& setup) {
   diagnostics_ = setup.output<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics");
   setup.every(Duration::milliseconds(1000), "diagnostics",
               [this](const Tick& tick) { publish_diagnostics(tick.now); });
+  if (options_.look_around) {
+    setup.every(Duration::milliseconds(500), "look_around",
+                [this](const Tick& tick) { options_.look_around(tick.now); });
+  }
   if (options_.on_clock) {
     setup.input<rosgraph_msgs::msg::Clock>("/clock", Qos::clock(), [this](const auto& message, const Tick&) {
       options_.on_clock(from_stamp(message.clock()));

@@ -15,8 +15,9 @@
 namespace bw {
 
 struct ProcessServiceOptions {
-  bool publishes_clock = false;        ///< lock-step
-  std::function<void(Time)> on_clock;  ///< hears /clock, when time comes from outside; empty: deaf
+  bool publishes_clock = false;           ///< lock-step
+  std::function<void(Time)> on_clock;     ///< hears /clock, when time comes from outside; empty: deaf
+  std::function<void(Time)> look_around;  ///< every half second; empty: never
   bool timings = true;  ///< statistics go into the diagnostics; off in lock-step, where nothing measured on a
                         ///< real clock may enter a sample
 };
