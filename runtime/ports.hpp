@@ -76,6 +76,8 @@ struct RequestHandler {
   /// False when the bytes do not hold the request.
   std::function<bool(std::span<const std::uint8_t> cdr, const RequestId& from, const Tick& tick)> handle;
   std::function<void(const std::string& reason, std::vector<std::uint8_t>& cdr)> refuse = nullptr;
+  /// The response with nothing in it: what is answered where there is no component to tell.
+  std::function<void(std::vector<std::uint8_t>& cdr)> empty = nullptr;
   /// With `refuse`: the request as a message that can be recorded, and back. False when the bytes do not hold it.
   std::function<bool(std::span<const std::uint8_t> request, const RequestId& from, Time now,
                      std::vector<std::uint8_t>& event)>
