@@ -45,7 +45,8 @@ class OutputPort {
   std::vector<std::uint8_t> buffer;  ///< reused by Output::publish
 };
 
-/// Gives the bytes of one sample to the component; false when they do not hold the message.
+/// Gives the bytes of one sample to the component; false when they do not hold the message. No bytes at all: what is kept
+/// of earlier ones is out of date.
 using SampleHandler = std::function<bool(std::span<const std::uint8_t> cdr, const Tick& tick)>;
 using TickHandler = std::function<void(const Tick& tick)>;
 

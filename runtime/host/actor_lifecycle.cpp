@@ -120,6 +120,16 @@ void ActorLifecycle::activate(Time now) {
 void ActorLifecycle::deactivate(Time now) {
   actor_.component->deactivate({.now = now, .health = Health::stop});
   mute();
+  forget_messages(now);
+}
+
+/// The world moves on meanwhile. A latched message holds until the next one.
+void ActorLifecycle::forget_messages(Time now) {
+  if (!is_running_) return;
+  for (const auto& input : actor_.inputs) {
+    const bool is_kept = input->kind == InputKind::keep_newest && input->qos.durability == Durability::volatile_;
+    if (is_kept && !input->of_node) input->handler({}, {.now = now});
+  }
 }
 
 void ActorLifecycle::cleanup() {

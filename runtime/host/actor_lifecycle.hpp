@@ -54,6 +54,7 @@ class ActorLifecycle {
   void deactivate(Time now);
   void cleanup();
   void mute();
+  void forget_messages(Time now);
   void give_up();
   void destroy();
   void begin_hearing(Time now);

@@ -97,6 +97,32 @@ TEST(Transitions, WhatIsInactiveIsMuteAndDeafAndTicksAnew) {
   EXPECT_THAT(heard, ElementsAre("0@10", "1@20", "4@50", "5@60"));
 }
 
+TEST(Transitions, WhatIsActiveAgainHasNoMessagesOfBefore) {
+  // Messages at 10 and 20 only; the map is latched.
+  Events seen;
+  ScriptedGraph g;
+  g.add("source", [] {
+     return Script{.configure = [](bw::Setup& setup) {
+       setup.every(Duration::milliseconds(10), "tick",
+                   [a = setup.output<Float64>("a"),
+                    map = setup.output<Float64>("map", Qos::latched())](const Tick& tick) {
+                     if (tick.sequence < 2) a.publish(value(1));
+                     if (tick.sequence == 0) map.publish(value(2));
+                   });
+     }};
+   }).add("user", [&seen] {
+    return Script{.configure = [&seen](bw::Setup& setup) {
+      setup.every(Duration::milliseconds(15), "tick",
+                  [&seen, a = setup.latest<Float64>("a", Qos::standard()),
+                   map = setup.latest<Float64>("map", Qos::latched())](const Tick& tick) {
+                    seen.push_back(std::to_string(ms(tick.now)) + (a ? " a" : "") + (map ? " map" : ""));
+                  });
+    }};
+  });
+  run(g.graph, 0.06, {{31, "user", "deactivate"}, {32, "user", "activate"}});
+  EXPECT_THAT(seen, ElementsAre("15 a map", "30 a map", "47 map"));
+}
+
 TEST(Transitions, DeactivationMayPublishALastTimeAndSeesStop) {
   Events heard;
   ScriptedGraph g;
