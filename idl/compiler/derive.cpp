@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "idl/compiler/names.hpp"
+
 namespace bw::idl {
 namespace {
 
@@ -57,6 +59,7 @@ class Deriver {
   }
 
   void check(const std::vector<std::string>& suffixes) const {
+    if (!is_type_name(interface_.name)) fail(1, "expected a file's name in CamelCase");
     for (std::size_t i = 0; i < std::max(suffixes.size(), file_.structs.size()); ++i) {
       const std::string expected =
           i < suffixes.size() ? "struct " + cpp_name(suffixes[i]) : "no more structs";
