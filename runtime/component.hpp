@@ -52,7 +52,7 @@ class Output {
   OutputPort* port_ = nullptr;
 };
 
-/// The newest message of a topic; empty until the first one came.
+/// The newest message of a topic; empty until the first one since activation came, unless the topic is latched.
 template <class M>
 class Latest {
  public:
@@ -148,6 +148,7 @@ class Setup {
     auto incoming = std::make_shared<M>();
     add_input(topic, message_type<M>(), qos, InputKind::keep_newest, need,
               [state = handle.state_, incoming](std::span<const std::uint8_t> cdr, const Tick& tick) mutable {
+                if (cdr.empty()) state->message.reset();
                 if (!deserialize(cdr, *incoming)) return false;
                 if (!state->message) state->message.emplace();
                 std::swap(*state->message, *incoming);

@@ -53,6 +53,7 @@ std::string services_name(const std::string& process) {
 ComponentDeclaration declaration_of(const Actor& actor) {
   ComponentDeclaration d{.name = actor.name, .inputs = {}, .outputs = {}};
   for (const auto& input : actor.inputs) {
+    if (input->of_node) continue;
     d.inputs.push_back({.name = input->name,
                         .type = std::string(input->type.ros_name),
                         .qos = input->qos,
@@ -60,13 +61,16 @@ ComponentDeclaration declaration_of(const Actor& actor) {
                         .only_newest = input->kind == InputKind::keep_newest});
   }
   for (const auto& output : actor.outputs) {
+    if (output->of_node) continue;
     d.outputs.push_back({.name = output->name,
                          .type = std::string(output->type.ros_name),
                          .qos = output->qos,
                          .command = output->command});
   }
-  for (const auto& service : actor.services)
-    d.services.push_back({.name = service->name, .type = std::string(service->type.ros_name)});
+  for (const auto& service : actor.services) {
+    if (!service->of_node)
+      d.services.push_back({.name = service->name, .type = std::string(service->type.ros_name)});
+  }
   for (const auto& client : actor.clients) {
     d.clients.push_back({.name = client->name,
                          .type = std::string(client->type.ros_name),
@@ -84,6 +88,14 @@ dds::EndpointOptions service_options(const std::string& topic, const MessageType
           .qos = Qos::standard(kDepth),
           .user_data = user_data_of(std::string(type.type_hash)),
           .allocated_samples = 1};
+}
+
+std::vector<std::string> node_namespaces(const Graph& graph) {
+  std::vector<std::string> names;
+  for (const ComponentNode& node : graph.components) names.push_back(node.node_namespace);
+  std::ranges::sort(names);
+  names.erase(std::ranges::unique(names).begin(), names.end());
+  return names;
 }
 
 dds::EndpointOptions endpoint_options(const std::string& topic, const MessageType& type, const Qos& qos) {
@@ -137,16 +149,25 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
   } else {
     clock_ = std::make_unique<MonotonicClock>();
   }
+  if (graph_.settings.external_lifecycle && lockstep && !options_.accept_inputs &&
+      options_.source == nullptr && !options_.is_partial) {
+    throw std::runtime_error(
+        "lifecycle: external waits for a manager from outside, and a run in lock-step takes nothing from outside without "
+        "--accept-inputs");
+  }
+  if (graph_.settings.external_lifecycle && !lockstep)
+    service_options.bond_namespaces = node_namespaces(graph_);
   auto services = std::make_unique<ProcessServices>(std::move(service_options), local_);
   services_ = services.get();
   const ComponentNode services_node{.name = services_name(only), .lane = "services"};
-  add_component(services_node, std::move(services), true);
+  add_component(services_node, std::move(services), true, ActorRole::process);
   std::vector<Violation> violations;
   for (const ComponentNode& node : graph_.components) {
     const auto own = std::ranges::find(extra, node.name, &ExtraComponent::name);
     try {
       add_component(node, own != extra.end() ? std::move(own->component) : make_or_refuse(node),
-                    only.empty() || node.process == only);
+                    only.empty() || node.process == only,
+                    own != extra.end() ? ActorRole::observer : ActorRole::component);
     } catch (const ConfigError& error) {
       for (const Violation& violation : error.violations()) violations.push_back(violation);
     } catch (const std::runtime_error& error) {
@@ -154,6 +175,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
     }
   }
   throw_if_any(std::move(violations));
+  if (!options_.is_partial) add_managers();
   if (lockstep) {
     outside_ = std::make_unique<OutsideInputs>(options_.accept_inputs, [](const std::string& text) {
       terminal().warn(text);  // not on /rosout: a refused message changes nothing, no sample either
@@ -162,12 +184,12 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
     if (options_.accept_inputs) {
       const ComponentNode& node = graph_.components.emplace_back(
           ComponentNode{.name = OutsideInputs::kNode, .type = OutsideInputs::kNode, .lane = "services"});
-      add_component(node, outside_->make_component(heard_outside_), true);
+      add_component(node, outside_->make_component(heard_outside_), true, ActorRole::observer);
       outside_actor_ = actors_.back().get();
     }
   }
   for (const auto& actor : actors_) {
-    if (actor->rank > 0) declarations_.push_back(declaration_of(*actor));
+    if (actor->is_in_graph()) declarations_.push_back(declaration_of(*actor));
   }
   if (!options_.is_partial) throw_if_any(check_graph(declarations_, graph_));
 }
@@ -183,8 +205,10 @@ Host::~Host() {
   }
 }
 
-void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here) {
+void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here,
+                         ActorRole role) {
   auto actor = std::make_unique<Actor>();
+  actor->role = role;
   actor->name = node.name;
   actor->node_namespace = node.node_namespace;
   actor->type = node.type;
@@ -198,6 +222,7 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
   Actor& added = *actors_.back();
   HostSetup setup(*this, added, node);
   added.component->configure(setup);
+  offer_lifecycle(added, setup);
 }
 
 void Host::connect() {
@@ -340,16 +365,11 @@ void Host::look_at_commands(Time now) {
 RunEnd Host::run(std::optional<Duration> duration) {
   connect();
   started_ = runner_->now();
-  for (Actor* actor : local_) {
-    for (const auto& output : actor->outputs) output->sink = runner_.get();
-  }
-  for (Actor* actor : local_) actor->component->activate({.now = runner_->now()});
-  RunEnd end = runner_->run(duration);
+  const std::vector<Actor*> order = bring_up_order();
+  std::optional<RunEnd> failure = bring_up(order);
+  RunEnd end = failure ? *failure : runner_->run(duration);
   if (options_.tap) options_.tap->run_is_over();
-  const std::vector<Actor*> backwards(local_.rbegin(), local_.rend());
-  for (Actor* actor : backwards)
-    actor->component->deactivate({.now = runner_->now(), .health = Health::stop});
-  for (Actor* actor : backwards) actor->component->cleanup();
+  bring_down(order, end);
   return end;
 }
 
@@ -369,7 +389,7 @@ void Host::log(const Actor& actor, LogLevel level, const std::string& text) {
 std::vector<std::pair<std::string, ParameterReport>> Host::parameters() const {
   std::vector<std::pair<std::string, ParameterReport>> all;
   for (const auto& actor : actors_) {
-    if (actor->rank > 0) all.emplace_back(actor->name, actor->parameters);
+    if (actor->is_in_graph()) all.emplace_back(actor->name, actor->parameters);
   }
   return all;
 }

@@ -10,10 +10,15 @@
 namespace bw {
 
 class Host;
+class Rebinding;
 
 class HostSetup final : public Setup {
  public:
-  HostSetup(Host& host, Actor& actor, const ComponentNode& node) : host_(host), actor_(actor), node_(node) {}
+  /// With `rebinding` a new instance declares the ends that the actor has already.
+  HostSetup(Host& host, Actor& actor, const ComponentNode& node, Rebinding* rebinding = nullptr)
+      : host_(host), actor_(actor), node_(node), rebinding_(rebinding) {}
+  /// What is declared from now on belongs to the node, whatever becomes of its component.
+  void declare_for_the_node() { of_node_ = true; }
 
   std::filesystem::path file_parameter(std::string_view key) const override;
   void every(Duration period, const std::string& name, TickHandler on_tick) override;
@@ -42,6 +47,8 @@ class HostSetup final : public Setup {
   Host& host_;
   Actor& actor_;
   const ComponentNode& node_;
+  Rebinding* rebinding_ = nullptr;
+  bool of_node_ = false;
 };
 
 }  // namespace bw

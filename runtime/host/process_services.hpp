@@ -1,5 +1,5 @@
-// What every process offers beside its components, as one more node: /clock in lock-step, /rosout and
-// /diagnostics.
+// What every process offers beside its components, as one more node: /clock in lock-step, /rosout, /diagnostics, the list
+// of what runs in it, bonds.
 #pragma once
 
 #include <functional>
@@ -11,13 +11,15 @@
 
 #include "runtime/component.hpp"
 #include "runtime/host/actor.hpp"
+#include "runtime/host/bonds.hpp"
 
 namespace bw {
 
 struct ProcessServiceOptions {
-  bool publishes_clock = false;           ///< lock-step
-  std::function<void(Time)> on_clock;     ///< hears /clock, when time comes from outside; empty: deaf
-  std::function<void(Time)> look_around;  ///< every half second; empty: never
+  bool publishes_clock = false;                   ///< lock-step
+  std::function<void(Time)> on_clock;             ///< hears /clock, when time comes from outside; empty: deaf
+  std::function<void(Time)> look_around;          ///< every half second; empty: never
+  std::vector<std::string> bond_namespaces = {};  ///< where components have bonds with a manager from outside
   bool timings = true;  ///< statistics go into the diagnostics; off in lock-step, where nothing measured on a
                         ///< real clock may enter a sample
 };
@@ -25,7 +27,7 @@ struct ProcessServiceOptions {
 class ProcessServices final : public Component {
  public:
   ProcessServices(ProcessServiceOptions options, const std::vector<Actor*>& watched)
-      : options_(std::move(options)), watched_(watched) {}
+      : options_(std::move(options)), watched_(watched), bonds_(watched) {}
 
   void configure(Setup& setup) override;
   /// From any thread.
@@ -36,6 +38,7 @@ class ProcessServices final : public Component {
 
   ProcessServiceOptions options_;
   const std::vector<Actor*>& watched_;
+  Bonds bonds_;
   Output<rosgraph_msgs::msg::Clock> clock_;
   Output<diagnostic_msgs::msg::DiagnosticArray> diagnostics_;
   std::mutex log_mutex_;

@@ -57,7 +57,9 @@ void LocalizationComponent::listen(Setup& setup) {
 
 void LocalizationComponent::activate(const Tick& tick) {
   const InitialPoseParameters& pose = parameters_.initial_pose;
-  if (parameters_.set_initial_pose) start_at({pose.x, pose.y, pose.yaw}, usual_covariance(pose), tick.now);
+  // Active again after a pause it knows better where it is.
+  if (parameters_.set_initial_pose && !filter_->initialised())
+    start_at({pose.x, pose.y, pose.yaw}, usual_covariance(pose), tick.now);
 }
 
 void LocalizationComponent::on_odometry(const nav_msgs::msg::Odometry& message, const Tick& tick) {
