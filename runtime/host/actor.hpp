@@ -91,6 +91,7 @@ struct Actor final : DiagnosticReporter {
   std::vector<std::unique_ptr<OutputEnd>> outputs;
   std::vector<std::unique_ptr<Timer>> timers;
   ParameterReport parameters;
+  LiveParameters live_parameters;
 
   /// Guards what the diagnostics read while the lane works: statistics, arrival times, the three below.
   mutable std::mutex mutex;

@@ -143,6 +143,7 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
   actor->lane = node.lane;
   actor->rank = actors_.size();
   actor->latency = node.latency;
+  actor->live_parameters = LiveParameters(node.name);
   actor->component = std::move(component);
   if (here) local_.push_back(actor.get());
   actors_.push_back(std::move(actor));

@@ -80,6 +80,16 @@ void HostSetup::add_input(const std::string& topic, const MessageType& type, con
   actor_.inputs.push_back(std::move(input));
 }
 
+void HostSetup::keep_parameters(ParameterReport report, ParameterDeclaration declaration) {
+  actor_.parameters = std::move(report);
+  actor_.live_parameters.declare(std::move(declaration));
+}
+
+void HostSetup::keep_shared_parameters(std::string_view section, ParameterSet values) {
+  actor_.live_parameters.declare_read_only(std::string(section), std::move(values),
+                                           "components share it; it is set in the graph");
+}
+
 const ConfigNode& HostSetup::shared_section(std::string_view section) const {
   static const ConfigNode kNothing{};
   const auto found = host_.graph().shared.find(std::string(section));
