@@ -102,16 +102,16 @@ TEST(LiveParameters, GivesOneSnapshotToTheComponent) {
 }
 
 TEST(LiveParameters, JudgesEachWithThoseAcceptedBefore) {
-  Node node({});
+  Node node(std::vector<std::string>{});
   EXPECT_THAT(node.each({{"weight", 20.0}, {"rate", 2.0}, {"weight", 3.0}, {"weight", 2.0}, {"wieght", 1.0}}),
               ElementsAre("weight = 20.0: must be between 0 and 9", "", "weight must not exceed rate", "",
                           "unknown parameter 'wieght'; did you mean 'weight'?"));
   EXPECT_THAT(node.heard, ElementsAre(2.0));
-  EXPECT_THAT(node.changed, ElementsAre(NamedValue{"rate", 2.0}, NamedValue{"weight", 2.0}));
+  EXPECT_THAT(node.changed, ElementsAre(NamedValue{"weight", 2.0}, NamedValue{"rate", 2.0}));
 }
 
 TEST(LiveParameters, ChangesAllOrNone) {
-  Node node({});
+  Node node(std::vector<std::string>{});
   EXPECT_EQ(node.all({{"clearance.wall", 1.0}, {"rate", 2.0}, {"weight", 3.0}}),
             "weight must not exceed rate");
   EXPECT_EQ(node.all({{"clearance.wall", 1.0}, {"robot.wall", 1.0}}),
