@@ -71,6 +71,8 @@ class Host {
   std::vector<CallbackStatistics> statistics() const;
   /// Lock-step only, else empty.
   std::string samples_sha256() const;
+  /// Lock-step: something entered by accept_inputs.
+  bool was_changed_from_outside() const { return outside_ && outside_->was_used(); }
   /// Seconds on the component clock since the run began.
   double elapsed_seconds() const;
 
