@@ -59,10 +59,11 @@ int list_nodes_parameters() {
   Outside outside;
   outside.settle();
   std::set<std::string> nodes;
-  const std::string prefix = "rq", suffix = "/list_parametersRequest";
+  const std::string suffix = "/list_parameters";
   for (const dds::Endpoint& endpoint : outside.endpoints(true)) {
-    if (!endpoint.topic.starts_with(prefix + "/") || !endpoint.topic.ends_with(suffix)) continue;
-    nodes.insert(endpoint.topic.substr(prefix.size(), endpoint.topic.size() - prefix.size() - suffix.size()));
+    const std::string service = service_of_request(endpoint.topic);
+    if (!endpoint.is_writer && service.ends_with(suffix))
+      nodes.insert(service.substr(0, service.size() - suffix.size()));
   }
   for (const std::string& node : nodes) {
     ParameterClient client(outside.participant(), node);
