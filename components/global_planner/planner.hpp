@@ -42,6 +42,9 @@ class Planner {
   Planner() = default;
   explicit Planner(const GlobalPlannerOptions& options) : options_(options) {}
 
+  /// What the map was prepared with (clearance, what is an obstacle) stays until the next map.
+  void set_options(const GlobalPlannerOptions& options) { options_ = options; }
+
   /// Prepares a map for a disc robot of this radius [m]. Returns why it cannot be used (sizes, numbers), or
   /// nothing.
   std::string set_map(const OccupancyGrid& map, double robot_radius);

@@ -67,6 +67,11 @@ class VelocityLimiter {
  public:
   VelocityLimiter(const Robot& robot, const LimiterOptions& options);
 
+  void set_options(const LimiterOptions& options) {
+    timeout_ = Duration::seconds(options.command_timeout);
+    plausible_factor_ = options.plausible_factor;
+  }
+
   void command(Time now, const Twist2& twist);
   /// How lower speeds are reached, until told otherwise.
   void set_braking(Braking braking) { braking_ = braking; }

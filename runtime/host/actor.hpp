@@ -118,6 +118,7 @@ struct Actor final : DiagnosticReporter {
   std::vector<std::unique_ptr<ServiceEnd>> services;
   std::vector<std::unique_ptr<ClientEnd>> clients;
   ParameterReport parameters;
+  LiveParameters live_parameters;
 
   /// Guards what the diagnostics read while the lane works: statistics, arrival times, the three below.
   mutable std::mutex mutex;

@@ -10,8 +10,10 @@
 #include <unistd.h>
 
 #include "runtime/host/command_guard.hpp"
+#include "runtime/graph/names.hpp"
 #include "runtime/host/host_setup.hpp"
 #include "runtime/host/lockstep_runner.hpp"
+#include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/wall_runner.hpp"
 #include "runtime/parameters/nearest.hpp"
@@ -97,6 +99,16 @@ std::vector<std::string> node_namespaces(const Graph& graph) {
   names.erase(std::ranges::unique(names).begin(), names.end());
   return names;
 }
+
+/// What every node of ROS 2 has.
+struct NodeParameters {
+  bool use_sim_time = false;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("use_sim_time", use_sim_time, {.doc = "time comes from /clock, as the command line says"});
+  }
+};
 
 dds::EndpointOptions endpoint_options(const std::string& topic, const MessageType& type, const Qos& qos) {
   return {.topic = dds_topic(topic),
@@ -216,13 +228,26 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
   actor->lane = node.lane;
   actor->rank = actors_.size();
   actor->latency = node.latency;
+  actor->live_parameters = LiveParameters(node.name);
   actor->component = std::move(component);
   if (here) local_.push_back(actor.get());
   actors_.push_back(std::move(actor));
   Actor& added = *actors_.back();
   HostSetup setup(*this, added, node);
   added.component->configure(setup);
+  setup.declare_for_the_node();
   offer_lifecycle(added, setup);
+  offer_parameters(setup, added);
+}
+
+void Host::offer_parameters(Setup& setup, Actor& actor) {
+  actor.live_parameters.declare_read_only("", ParameterSet(NodeParameters{options_.clock != ClockMode::wall}),
+                                          "--clock decides it for the whole run");
+  offer_parameter_services(
+      setup, actor.live_parameters, [this, &actor](const Tick& tick, const std::vector<NamedValue>& changed) {
+        if (actor.state == lifecycle::State::unconfigured) actor.lifecycle->forget_parameters();
+        services_->tell_change(join_namespaces(actor.node_namespace, actor.name), tick.now, changed);
+      });
 }
 
 void Host::connect() {
@@ -323,11 +348,14 @@ void Host::tap_outputs() {
 
 void Host::announce_nodes() {
   ParticipantEntities entities{.participant = participant_->guid(), .nodes = {}};
+  const auto& parameter_events = *std::ranges::find_if(
+      actors_.front()->outputs, [](const auto& o) { return o->topic == kParameterEvents; });
   for (const Actor* actor : local_) {
     NodeEntities node{
         .node_namespace = actor->node_namespace, .name = actor->name, .readers = {}, .writers = {}};
     for (const auto& input : actor->inputs) node.readers.push_back(input->reader->guid());
     for (const auto& output : actor->outputs) node.writers.push_back(output->writer->guid());
+    if (actor->rank > 0) node.writers.push_back(parameter_events->writer->guid());
     for (const auto& service : actor->services) {
       node.readers.push_back(service->reader->guid());
       node.writers.push_back(service->writer->guid());

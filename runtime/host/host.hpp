@@ -93,6 +93,7 @@ class Host {
   std::optional<RunEnd> bring_up(const std::vector<Actor*>& order);
   /// Brings what is up to rest, backwards, whatever fails.
   void bring_down(const std::vector<Actor*>& order, RunEnd& end);
+  void offer_parameters(Setup& setup, Actor& actor);
   void connect();
   void connect_services(Actor& actor);
   void connect_clients(Actor& actor);

@@ -88,6 +88,16 @@ void HostSetup::add_input(const std::string& topic, const MessageType& type, con
   actor_.inputs.push_back(std::move(input));
 }
 
+void HostSetup::keep_parameters(ParameterReport report, ParameterDeclaration declaration) {
+  actor_.parameters = std::move(report);
+  actor_.live_parameters.declare(std::move(declaration));
+}
+
+void HostSetup::keep_shared_parameters(std::string_view section, ParameterSet values) {
+  actor_.live_parameters.declare_read_only(std::string(section), std::move(values),
+                                           "components share it; it is set in the graph");
+}
+
 ServicePort& HostSetup::add_service(const std::string& name, const ServiceType& type, ServiceScope scope) {
   if (rebinding_ != nullptr) return rebinding_->service(name, type);
   actor_.services.push_back(std::make_unique<ServiceEnd>(actor_, name, node_.topic_of(name), type, scope));

@@ -53,7 +53,12 @@ std::uint8_t to_code(PathStatus status) {
 class GlobalPlannerComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    options_ = setup.parameters<GlobalPlannerParameters>();
+    options_ = setup.parameters<GlobalPlannerParameters>(
+        [this](const GlobalPlannerParameters& changed, const Tick&) {
+          options_ = changed;
+          planner_.set_options(changed.planner);
+        },
+        {"clearance_range", "clearance_weight", "unknown_is_obstacle", "occupied_at"});
     robot_radius_ = setup.shared<Robot>("robot").radius;
     planner_ = Planner(options_.planner);
     log_ = setup.log();

@@ -26,7 +26,9 @@ std::size_t thread_count(std::int64_t wanted, bool lockstep) {
 }  // namespace
 
 void LocalPlannerComponent::configure(Setup& setup) {
-  parameters_ = setup.parameters<LocalPlannerParameters>();
+  parameters_ = setup.parameters<LocalPlannerParameters>(
+      [this](const LocalPlannerParameters& changed, const Tick&) { use(changed); },
+      {"algorithm", "controller_frequency", "max_iterations", "max_cycle_time", "threads"});
   robot_ = setup.shared<Robot>("robot");
   planner_ = make_planner(parameters_.algorithm, parameters_.planners);
   period_ = 1.0 / parameters_.controller_frequency;
@@ -52,6 +54,13 @@ void LocalPlannerComponent::configure(Setup& setup) {
 
 void LocalPlannerComponent::activate(const Tick&) {
   if (threads_ > 1) pool_.emplace(threads_);
+}
+
+void LocalPlannerComponent::use(const LocalPlannerParameters& parameters) {
+  std::unique_ptr<LocalPlanner> planner = make_planner(parameters.algorithm, parameters.planners);
+  planner->continue_from(*planner_);
+  planner_ = std::move(planner);
+  parameters_ = parameters;
 }
 
 void LocalPlannerComponent::on_request(const bandwagon_msgs::msg::FollowRequest& request) {

@@ -32,6 +32,8 @@ class LocalPlannerComponent final : public Component {
   void cleanup() override;
 
  private:
+  /// From the next cycle on; the planner goes on from where it is.
+  void use(const LocalPlannerParameters& parameters);
   void on_request(const bandwagon_msgs::msg::FollowRequest& request);
   void control_cycle(const Tick& tick);
   /// `missing` names what is needed and not there yet.

@@ -17,7 +17,16 @@ Eigen::Matrix3d usual_covariance(const InitialPoseParameters& pose) {
 }  // namespace
 
 void LocalizationComponent::configure(Setup& setup) {
-  parameters_ = setup.parameters<LocalizationParameters>();
+  // The filters are fixed: what they know was learnt with their parameters.
+  parameters_ = setup.parameters<LocalizationParameters>(
+      [this](const LocalizationParameters& changed, const Tick&) {
+        parameters_ = changed;
+        inputs_.set_noise(changed.sensors);
+        wheels_.set_noise(changed.sensors.wheel_noise);
+      },
+      {"algorithm", "set_initial_pose", "start_anywhere", "sensors.gyro", "sensors.compass", "sensors.gps",
+       "sensors.course", "sensors.laser", "sensors.ranges", "sensors.poses", "datum", "pose_rate", "ekf",
+       "particle_filter"});
   inputs_.configure(setup, parameters_);
   wheels_ = {inputs_.wheels(), setup.shared<Robot>("robot").wheel_separation,
              parameters_.sensors.wheel_noise};

@@ -25,7 +25,13 @@ namespace bw::costmap {
 class LocalCostmapComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    parameters_ = setup.parameters<LocalCostmapParameters>();
+    parameters_ = setup.parameters<LocalCostmapParameters>(
+        [this](const LocalCostmapParameters& changed, const Tick&) {
+          parameters_ = changed;
+          grid_->set_options(changed.grid);
+          inflation_.emplace(changed.inflation, robot_radius_, changed.grid.resolution);
+        },
+        {"use_map", "width", "height", "resolution"});
     robot_radius_ = setup.shared<Robot>("robot").radius;
     grid_.emplace(parameters_.grid);
     inflation_.emplace(parameters_.inflation, robot_radius_, parameters_.grid.resolution);

@@ -24,6 +24,9 @@ class LocalGrid {
  public:
   explicit LocalGrid(const GridOptions& options);
 
+  /// For the next sweep. Size and resolution stay.
+  void set_options(const GridOptions& options) { options_ = options; }
+
   /// Takes a sweep in, its scanner in odom. `X_OB`: base_link at that time; the window rolls to have it in
   /// the middle, and a disc of `robot_radius` [m] around it is free. `people`: where they are at that time,
   /// in odom; cells whose centre lies within radius + people_margin are neither marked nor kept. A sweep that

@@ -26,7 +26,9 @@ struct MotorControlOptions : LimiterOptions {
 class MotorControlComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    const auto options = setup.parameters<MotorControlOptions>();
+    const auto options = setup.parameters<MotorControlOptions>(
+        [this](const MotorControlOptions& changed, const Tick&) { limiter_->set_options(changed); },
+        {"rate"});
     robot_ = setup.shared<Robot>("robot");
     limiter_.emplace(robot_, options);
     log_ = setup.log();

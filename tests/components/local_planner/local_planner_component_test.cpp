@@ -19,6 +19,7 @@
 #include "components/messages/geometry.hpp"
 #include "components/model/differential_drive.hpp"
 #include "tests/components/component_rig.hpp"
+#include "tests/components/parameter_change.hpp"
 
 namespace bw {
 namespace {
@@ -42,6 +43,7 @@ struct Neighbours {
   int odometry_ends = 1'000'000;
   int odometry_begins = 0;
   bool transforms = true;
+  std::vector<NamedValue> change;  ///< of the planner's parameters, at 2.05 s
   // What is seen.
   Pose2 X_MB = kStart;
   Twist2 twist;
@@ -51,6 +53,7 @@ struct Neighbours {
   visualization_msgs::msg::MarkerArray markers;
   std::map<std::string, std::string> diagnostics;
   std::string diagnostic_message;
+  std::vector<std::string> refusals;  ///< of the changes
 
   void configure(bw::Setup& setup) {
     setup.input<geometry_msgs::msg::Twist>("cmd_vel_nav", Qos::command(),
@@ -74,6 +77,7 @@ struct Neighbours {
           }
         },
         Need::optional);
+    if (!change.empty()) change_parameters(setup, "/local_planner", 2.05, change, refusals);
     setup.every(
         Duration::seconds(kStep), "neighbours",
         [this, odometry = setup.output<nav_msgs::msg::Odometry>("odom"),
@@ -306,6 +310,45 @@ TEST(LocalPlannerComponent, OnTheWallClockDiagnosticsTellTimesToo) {
   EXPECT_GT(std::stod(n.diagnostics["cycle_p95_ms"]), 0.0);
   // A microsecond has room for no iteration: the floor of the budget.
   EXPECT_EQ(n.diagnostics["iteration_budget"], "10");
+}
+
+/// Three seconds along a wall of one disc; parameters are changed at 2.05 s, between the cycles of 2.0 and 2.1 s.
+std::vector<std::pair<double, Twist2>> drive_with(const std::vector<NamedValue>& change,
+                                                  const std::string& refusal = "") {
+  Neighbours n;
+  n.requests = {{0, FollowRequest_Constants::FOLLOW}};
+  n.path = {{0, 0, 0}, {10, 0, 0}};
+  n.obstacles = one_disc(3.0, 0.8, 0.2);
+  n.change = change;
+  n.run(3.0);
+  EXPECT_EQ(n.refusals, std::vector<std::string>(change.empty() ? 0 : 1, refusal));
+  return n.commands;
+}
+
+// The command of 2.1 s is the first that a changed distance to obstacles has a part in.
+TEST(LocalPlannerComponent, TakesChangedParametersInTheNextCycle) {
+  const auto before = drive_with({});
+  const auto changed = drive_with({{"teb.band.min_obstacle_dist", 0.8}});
+  ASSERT_EQ(changed.size(), before.size());
+  const auto [first, other] = std::mismatch(before.begin(), before.end(), changed.begin());
+  ASSERT_NE(first, before.end());
+  EXPECT_NEAR(first->first, 2.1, 1e-6);
+}
+
+// A parameter of another planner has this one made anew. It drives on as if nothing had been: its bands are still there.
+TEST(LocalPlannerComponent, KeepsItsBandsWhenParametersChange) {
+  EXPECT_EQ(drive_with({{"hrvo.lookahead", 2.0}}), drive_with({}));
+}
+
+TEST(LocalPlannerComponent, DrivesOnWhenAChangeIsRefused) {
+  const auto before = drive_with({});
+  EXPECT_EQ(drive_with({{"teb.band.min_obstacle_dist", -0.1}},
+                       "teb.band.min_obstacle_dist = -0.1: must be between 0 and 10 m"),
+            before);
+  EXPECT_EQ(
+      drive_with({{"algorithm", "dwa"}},
+                 "algorithm may not change while local_planner is active; deactivate and clean up first"),
+      before);
 }
 
 TEST(LocalPlannerComponent, RefusesAnUnknownPlannerByName) {
