@@ -3,10 +3,10 @@
 #include <string>
 
 #include <bandwagon_msgs/msg/tracks.hpp>
-#include <nav2_msgs/srv/get_costmap.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
 
+#include "components/mapping/adaptor/costmap_services.hpp"
 #include "components/mapping/costmap/inflation.hpp"
 #include "components/mapping/costmap/local_grid.hpp"
 #include "components/mapping/costmap/map_fill.hpp"
@@ -49,27 +49,11 @@ class LocalCostmapComponent final : public Component {
           "map", Qos::latched(), [this](const auto& message, const Tick&) { keep_map(message); });
     }
     setup.every(Duration::milliseconds(10), "sweeps", [this](const Tick& tick) { take_in(tick.now); });
-    offer_services(setup);
+    offer_services(setup,
+                   {.grid = grid_, .position = position_, .costs = [this](Time now) { return costs(now); }});
   }
 
  private:
-  /// Names as Nav2's costmap node of the same name has them.
-  void offer_services(Setup& setup) {
-    offer_clear_services(setup, "local_costmap",
-                         {.entirely = [this] { grid_->clear(); },
-                          .inside = [this](double edge) { grid_->clear_inside(position_, edge); },
-                          .outside = [this](double edge) { grid_->clear_outside(position_, edge); }});
-    using nav2_msgs::srv::GetCostmap;
-    setup.service<GetCostmap>(
-        "local_costmap/get_costmap", [this](const GetCostmap::Request&, const Tick& tick) {
-          OccupancyGrid cells = grid_->cells();
-          fill(cells);
-          GetCostmap::Response response;
-          response.map(to_costmap(cells, inflation_->costs(cells), odom_frame_, swept_.value_or(tick.now)));
-          return response;
-        });
-  }
-
   void keep_map(const nav_msgs::msg::OccupancyGrid& message) {
     const std::string fault = read_grid(message, map_);
     if (fault.empty()) {
@@ -123,6 +107,12 @@ class LocalCostmapComponent final : public Component {
     const std::vector<std::uint8_t>& costs = inflation_->costs(cells_);
     for (std::size_t i = 0; i < costs.size(); ++i) cells_.cells[i] = occupancy_of(costs[i]);
     costmap_.publish(to_message(cells_, odom_frame_, stamp));
+  }
+
+  nav2_msgs::msg::Costmap costs(Time now) {
+    OccupancyGrid cells = grid_->cells();
+    fill(cells);
+    return to_costmap(cells, inflation_->costs(cells), odom_frame_, swept_.value_or(now));
   }
 
   /// What nobody has seen takes what the map says.
