@@ -43,6 +43,7 @@ void LocalPlannerComponent::configure(Setup& setup) {
   tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::command());
   obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::command());
   transforms_ = setup.transforms();
+  speed_.listen(setup, robot_.limits);
   setup.input<bandwagon_msgs::msg::FollowRequest>(
       "follow_request", Qos::standard(), [this](const auto& request, const Tick&) { on_request(request); });
   command_ = setup.command<geometry_msgs::msg::Twist>("cmd_vel_nav");
@@ -73,7 +74,7 @@ void LocalPlannerComponent::on_request(const bandwagon_msgs::msg::FollowRequest&
 }
 
 PlanningProblem LocalPlannerComponent::make_problem(const Tick& tick, std::string& missing) {
-  PlanningProblem problem{.now = tick.now, .footprint = {.radius = robot_.radius}, .limits = robot_.limits};
+  PlanningProblem problem{.now = tick.now, .footprint = {.radius = robot_.radius}, .limits = speed_.limits()};
   problem.control_period = period_;
   problem.command_lead = parameters_.command_lead;
   problem.goal_tolerance = goal_tolerance_of(request_);

@@ -59,9 +59,7 @@ void LocalizationComponent::listen(Setup& setup) {
   setup.input<PoseWithCovarianceStamped>(
       "initialpose", Qos::standard(), [this](const auto& m, const Tick& tick) { on_initial_pose(m, tick); },
       Need::optional);
-  setup.input<std_msgs::msg::Empty>(
-      "reinitialize_global_localization", Qos::standard(),
-      [this](const auto&, const Tick& tick) { search(tick.now); }, Need::optional);
+  offer_services(setup);
 }
 
 void LocalizationComponent::activate(const Tick& tick) {

@@ -6,6 +6,7 @@
 #include <nav2_msgs/msg/collision_monitor_state.hpp>
 
 #include "components/messages/geometry.hpp"
+#include "components/messages/speed_limit.hpp"
 #include "components/messages/wheel_joints.hpp"
 #include "components/motor_control/velocity_limiter.hpp"
 #include "runtime/component.hpp"
@@ -45,6 +46,7 @@ class MotorControlComponent final : public Component {
           limiter_->set_braking(acts ? Braking::hard : Braking::smooth);
         },
         Need::optional);
+    speed_.listen(setup, robot_.limits);
     setup.every(Duration::seconds(1.0 / options.rate), "wheel_commands",
                 [this](const Tick& tick) { step(tick); });
   }
@@ -53,6 +55,7 @@ class MotorControlComponent final : public Component {
 
  private:
   void step(const Tick& tick) {
+    limiter_->allow(speed_.limits());
     const LimitedTwist limited =
         tick.health == Health::stop ? limiter_->stop(tick.now) : limiter_->step(tick.now);
     if (limited.state != state_) report(limited);
@@ -79,6 +82,7 @@ class MotorControlComponent final : public Component {
   }
 
   Robot robot_;
+  LimitedSpeed speed_;
   std::optional<VelocityLimiter> limiter_;
   LimiterState state_ = LimiterState::waiting;
   Twist2 last_;
