@@ -251,13 +251,14 @@ void Host::connect_clients(Actor& actor) {
   for (const auto& client : actor.clients) {
     ClientEnd* end = client.get();
     end->runner = runner_.get();
-    const auto on_arrival = [this, end] { runner_->arrived(*end); };
+    const std::function<void()> on_arrival = [this, end] { runner_->arrived(*end); };
+    // A request waits until both halves of its server are connected. Within a run in lock-step they are from the beginning.
+    const std::function<void()> on_match = lockstep ? nullptr : on_arrival;
     end->reader = participant_->create_reader(service_options(reply_topic(end->service), end->type.response),
-                                              on_arrival);
+                                              on_arrival, on_match);
     dds::EndpointOptions options = service_options(request_topic(end->service), end->type.request);
     if (lockstep) options.partitions = {participant_->private_partition()};
-    end->writer = participant_->create_writer(
-        options, lockstep ? std::function<void()>() : std::function<void()>(on_arrival));
+    end->writer = participant_->create_writer(options, on_match);
   }
 }
 
