@@ -230,6 +230,11 @@ void Host::connect_services(Actor& actor) {
     ServiceEnd* end = service.get();
     end->sink = runner_.get();
     end->keeps_foreign_apart = lockstep;
+    end->complain = [this, &actor, lockstep](const std::string& text) {
+      // In lock-step not on /rosout: what comes from outside changes no sample.
+      if (lockstep) return terminal().warn("[{}] {}", actor.name, text);
+      log(actor, LogLevel::warn, text);
+    };
     const auto on_match = [this, end] {
       // Within a run in lock-step everybody is connected from the beginning.
       if (outside_) {

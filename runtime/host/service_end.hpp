@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -52,6 +53,7 @@ class ServiceEnd final : public Inlet, public ServicePort {
   ServiceScope scope;
   RequestHandler handler;
   bool keeps_foreign_apart = false;  ///< lock-step
+  std::function<void(const std::string& text)> complain;  ///< of requests that cannot be read
   std::unique_ptr<dds::Reader> reader;
   std::unique_ptr<dds::Writer> writer;
   SampleSink* sink = nullptr;
@@ -65,6 +67,7 @@ class ServiceEnd final : public Inlet, public ServicePort {
   };
 
   void sort_arrivals();
+  void complain_of(const Request& request) const;
   void write(const RequestId& to, std::span<const std::uint8_t> cdr);
 
   std::uint64_t calls_ = 0;
