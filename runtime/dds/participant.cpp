@@ -236,11 +236,21 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
 
 class EnqueueListener final : public efd::DataReaderListener {
  public:
-  explicit EnqueueListener(std::function<void()> on_sample) : on_sample_(std::move(on_sample)) {}
+  EnqueueListener(std::function<void()> on_sample, std::function<void()> on_match)
+      : on_sample_(std::move(on_sample)), on_match_(std::move(on_match)) {}
   void on_data_available(efd::DataReader*) override { on_sample_(); }
+  void on_subscription_matched(efd::DataReader*, const efd::SubscriptionMatchedStatus&) override {
+    on_match_();
+  }
+  efd::StatusMask heard() const {
+    efd::StatusMask mask = efd::StatusMask::data_available();
+    if (on_match_) mask << efd::StatusMask::subscription_matched();
+    return mask;
+  }
 
  private:
   std::function<void()> on_sample_;
+  std::function<void()> on_match_;
 };
 
 }  // namespace
@@ -373,8 +383,11 @@ class FastWriter final : public Writer, private efd::DataWriterListener {
 
 class FastReader final : public Reader {
  public:
-  FastReader(efd::Subscriber* subscriber, std::function<void()> on_sample, DiscoveryListener& discovery)
-      : subscriber_(subscriber), listener_(std::move(on_sample)), discovery_(discovery) {}
+  FastReader(efd::Subscriber* subscriber, std::function<void()> on_sample, std::function<void()> on_match,
+             DiscoveryListener& discovery)
+      : subscriber_(subscriber),
+        listener_(std::move(on_sample), std::move(on_match)),
+        discovery_(discovery) {}
   ~FastReader() override {
     if (reader_ == nullptr) return;
     discovery_.remove_local(guid());
@@ -385,7 +398,7 @@ class FastReader final : public Reader {
   FastReader& operator=(const FastReader&) = delete;
 
   void open(efd::Topic* topic, const efd::DataReaderQos& qos) {
-    reader_ = subscriber_->create_datareader(topic, qos, &listener_, efd::StatusMask::data_available());
+    reader_ = subscriber_->create_datareader(topic, qos, &listener_, listener_.heard());
     if (reader_ == nullptr) throw std::runtime_error("DDS refuses a reader on " + topic->get_name());
   }
   bool take(Sample& sample) override {
@@ -466,12 +479,13 @@ std::unique_ptr<Writer> Participant::create_writer(const EndpointOptions& option
 }
 
 std::unique_ptr<Reader> Participant::create_reader(const EndpointOptions& options,
-                                                   std::function<void()> on_sample) {
+                                                   std::function<void()> on_sample,
+                                                   std::function<void()> on_match) {
   efd::DataReaderQos qos = efd::DATAREADER_QOS_DEFAULT;
   apply(options, qos);
   set_user_data(qos.user_data(), options.user_data);
   auto result = std::make_unique<FastReader>(impl_->subscriber(options.partitions), std::move(on_sample),
-                                             impl_->discovery);
+                                             std::move(on_match), impl_->discovery);
   result->open(impl_->topic(options), qos);
   impl_->discovery.add_local({.guid = result->guid(),
                               .is_writer = false,

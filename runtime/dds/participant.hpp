@@ -127,8 +127,10 @@ class Participant {
   /// `on_match`, if any, runs on a DDS thread when a reader has come or gone: it may only enqueue.
   std::unique_ptr<Writer> create_writer(const EndpointOptions& options,
                                         std::function<void()> on_match = nullptr);
-  /// `on_sample` runs on a DDS thread with endpoint locks held: it may only enqueue.
-  std::unique_ptr<Reader> create_reader(const EndpointOptions& options, std::function<void()> on_sample);
+  /// `on_sample` runs on a DDS thread with endpoint locks held: it may only enqueue. So does `on_match`, if any, when a writer
+  /// has come or gone.
+  std::unique_ptr<Reader> create_reader(const EndpointOptions& options, std::function<void()> on_sample,
+                                        std::function<void()> on_match = nullptr);
 
   Guid guid() const;
   const std::string& private_partition() const;

@@ -306,6 +306,11 @@ void Host::connect_services(Actor& actor) {
     ServiceEnd* end = service.get();
     end->sink = runner_.get();
     end->keeps_foreign_apart = lockstep;
+    end->complain = [this, &actor, lockstep](const std::string& text) {
+      // In lock-step not on /rosout: what comes from outside changes no sample.
+      if (lockstep) return terminal().warn("[{}] {}", actor.name, text);
+      log(actor, LogLevel::warn, text);
+    };
     const auto on_match = [this, end] {
       // Within a run in lock-step everybody is connected from the beginning.
       if (outside_) {
@@ -327,13 +332,14 @@ void Host::connect_clients(Actor& actor) {
   for (const auto& client : actor.clients) {
     ClientEnd* end = client.get();
     end->runner = runner_.get();
-    const auto on_arrival = [this, end] { runner_->arrived(*end); };
+    const std::function<void()> on_arrival = [this, end] { runner_->arrived(*end); };
+    // A request waits until both halves of its server are connected. Within a run in lock-step they are from the beginning.
+    const std::function<void()> on_match = lockstep ? nullptr : on_arrival;
     end->reader = participant_->create_reader(service_options(reply_topic(end->service), end->type.response),
-                                              on_arrival);
+                                              on_arrival, on_match);
     dds::EndpointOptions options = service_options(request_topic(end->service), end->type.request);
     if (lockstep) options.partitions = {participant_->private_partition()};
-    end->writer = participant_->create_writer(
-        options, lockstep ? std::function<void()>() : std::function<void()>(on_arrival));
+    end->writer = participant_->create_writer(options, on_match);
   }
 }
 
