@@ -1,5 +1,6 @@
 // Goals as `ros2 topic pub --once /goal_pose` sends them: a participant appears, waits for a reader, sends one goal and
-// leaves a tenth of a second later. Each goal comes from a participant of its own; the x of the k-th goal is k.
+// leaves a tenth of a second later. Each goal comes from a process of its own, as the tool is one; the x of the k-th goal
+// is k.
 //
 //   goal_once humble|jazzy FIRST COUNT
 //
@@ -28,6 +29,8 @@
 #include <fastdds/dds/topic/TopicDataType.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace {
 
@@ -49,7 +52,7 @@ void append(Bytes& bytes, T value) {
 /// geometry_msgs/PoseStamped at (x, 0) in map, as CDR lays it out on a little-endian machine.
 Bytes goal(double x) {
   Bytes bytes = {0, 1, 0, 0};
-  append<std::int32_t>(bytes, 0);   // stamp: 0 means the newest transform
+  append<std::int32_t>(bytes, 0);  // stamp: 0 means the newest transform
   append<std::uint32_t>(bytes, 0);
   append<std::uint32_t>(bytes, 4);  // with its NUL
   for (const char c : {'m', 'a', 'p', '\0'}) append(bytes, c);
@@ -132,8 +135,7 @@ bool send(bool is_humble, int number, DomainId_t domain) {
   qos.history().depth = is_humble ? 1 : 10;
   qos.data_sharing().off();
   qos.publish_mode().kind = SYNCHRONOUS_PUBLISH_MODE;
-  DataWriter* writer =
-      publisher->create_datawriter(topic, qos, &match, StatusMask::publication_matched());
+  DataWriter* writer = publisher->create_datawriter(topic, qos, &match, StatusMask::publication_matched());
   const bool is_matched = match.wait();
   if (is_matched) {
     Bytes bytes = goal(number);
@@ -157,7 +159,14 @@ int main(int count_of_arguments, char** arguments) {
   const int first = std::atoi(arguments[2]);
   const char* domain = std::getenv("ROS_DOMAIN_ID");
   for (int number = first; number < first + std::atoi(arguments[3]); ++number) {
-    const bool sent = send(is_humble, number, static_cast<DomainId_t>(domain == nullptr ? 0 : std::atoi(domain)));
-    std::cout << (sent ? "sent " : "unmatched ") << number << std::endl;
+    const pid_t child = fork();
+    if (child == 0) {
+      const bool sent =
+          send(is_humble, number, static_cast<DomainId_t>(domain == nullptr ? 0 : std::atoi(domain)));
+      std::cout << (sent ? "sent " : "unmatched ") << number << std::endl;
+      return 0;
+    }
+    int status = 0;
+    if (child < 0 || waitpid(child, &status, 0) != child || status != 0) return 1;
   }
 }
