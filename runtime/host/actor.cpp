@@ -23,8 +23,17 @@ std::vector<std::string> Actor::stale_inputs(Time now) const {
   return stale;
 }
 
+void Actor::see(Time now) {
+  if (now < now_) {
+    const std::lock_guard lock(mutex);
+    for (const auto& input : inputs) input->last_received = std::min(input->last_received, now);
+  }
+  now_ = now;
+}
+
 bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
   if (!input.reader->take(sample_)) return false;
+  see(now);
   {
     const std::lock_guard lock(mutex);
     input.last_received = now;
@@ -42,6 +51,7 @@ bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
 }
 
 void Actor::fire(Timer& timer, Time now, std::optional<Duration> waited) {
+  see(now);
   const Duration start = thread_cpu_time();
   timer.handler(Tick{.now = now, .health = health(now), .sequence = timer.calls++});
   const Duration spent = thread_cpu_time() - start;

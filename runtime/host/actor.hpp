@@ -119,7 +119,11 @@ struct Actor final : DiagnosticReporter {
   void fire(Timer& timer, Time now, std::optional<Duration> waited);
 
  private:
+  /// Ages count from here after a clock that went back, or a silent input would stay fresh until it is there again.
+  void see(Time now);
+
   dds::Sample sample_;
+  Time now_;
 };
 
 }  // namespace bw

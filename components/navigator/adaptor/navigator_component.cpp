@@ -87,6 +87,11 @@ class NavigatorComponent final : public Component {
   }
 
   void step(const Tick& tick) {
+    if (tick.now < stepped_) {  // the clock went back
+      goals_->shift(stepped_ - tick.now);
+      last_feedback_ = {};
+    }
+    stepped_ = tick.now;
     send_own_goal(tick);
     send(tick);
     const bool feedback_is_due = (tick.now - last_feedback_).to_seconds() >= parameters_.feedback_period;
@@ -128,6 +133,7 @@ class NavigatorComponent final : public Component {
   std::optional<Navigator> navigator_;
   std::optional<GoalList> goals_;
   Time last_feedback_;
+  Time stepped_;
   bool told_ = false;
   Logger log_;
   std::string map_frame_;

@@ -96,11 +96,12 @@ class WorldComponent final : public Component {
     was_usable_ = usable;
   }
 
-  /// Steps up to `now`. A host that was held up for long slows the world down instead of racing after the
-  /// clock.
+  /// Steps up to `now`. A host that was held up for long, or a clock that jumped ahead, slows the world down instead of
+  /// making it race; after a clock that went back the world goes on from there.
   void catch_up(Time now) {
-    constexpr Duration kMostBehind = Duration::milliseconds(500);
-    if (now - start_ > world_->time() + kMostBehind) start_ = now - world_->time() - kMostBehind;
+    constexpr Duration kMostApart = Duration::milliseconds(500);
+    if (now - start_ > world_->time() + kMostApart) start_ = now - world_->time() - kMostApart;
+    if (world_->time() - (now - start_) > kMostApart) start_ = now - world_->time();
     while (start_ + world_->time() + world_->physics_step() <= now) publish(world_->step());
   }
 
