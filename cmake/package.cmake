@@ -31,7 +31,7 @@ file(GLOB shared_by_planners CONFIGURE_DEPENDS components/local_planner/*.hpp)
 list(FILTER shared_by_planners EXCLUDE REGEX "/(planner_factory|local_planner_parameters)\\.hpp$")
 install(FILES ${shared_by_planners} DESTINATION ${headers}/components/local_planner)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/idl/ DESTINATION ${headers}/idl
-  FILES_MATCHING REGEX "/msg/[A-Za-z0-9_]+\\.hpp$" PATTERN CMakeFiles EXCLUDE PATTERN compiler EXCLUDE)
+  FILES_MATCHING REGEX "/(msg|srv|action)/[A-Za-z0-9_]+\\.hpp$" PATTERN CMakeFiles EXCLUDE PATTERN compiler EXCLUDE)
 install(DIRECTORY idl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/bandwagon/idl
   FILES_MATCHING PATTERN "*.idl" PATTERN compiler EXCLUDE)
 install(DIRECTORY config DESTINATION ${CMAKE_INSTALL_DATADIR}/bandwagon)

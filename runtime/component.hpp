@@ -27,6 +27,7 @@
 #include "runtime/parameters/list_parameters.hpp"
 #include "runtime/parameters/read_parameters.hpp"
 #include "runtime/ports.hpp"
+#include "runtime/service.hpp"
 #include "runtime/wire/serialization.hpp"
 
 namespace bw {
@@ -85,9 +86,6 @@ class DiagnosticReporter {
   /// A figure beside the message, kept until it is set again. In lock-step nothing measured on a real clock.
   virtual void set_value(const std::string& key, std::string value) = 0;
 };
-
-/// Whether a graph without a publisher for the input is refused.
-enum class Need { required, optional };
 
 /// Whether a message calls the component, or only waits to be looked at.
 enum class InputKind { callback, keep_newest };
@@ -162,6 +160,20 @@ class Setup {
   /// one.
   virtual void every(Duration period, const std::string& name, TickHandler on_tick) = 0;
 
+  /// Answers requests of service S: `handle(request, tick)` returns the response, or `handle(request, reply, tick)` calls
+  /// `reply` now or later. A service that changes something gives `refuse(reason)`, its answer where that may not be: the
+  /// component is not active, the run is in lock-step, the request cannot be read. Without it the service only tells.
+  template <class S, class Handle>
+  void service(const std::string& name, Handle handle, Refusal<S> refuse = nullptr,
+               ServiceScope scope = ServiceScope::component) {
+    ServicePort& port = add_service(name, service_type<S>(), scope);
+    set_handler(port, request_handler<S>(port, std::move(handle), std::move(refuse)));
+  }
+  template <class S>
+  Client<S> client(const std::string& name, Need need = Need::required) {
+    return Client<S>(add_client(name, service_type<S>(), need));
+  }
+
   /// A transform tree fed from /tf and /tf_static.
   std::shared_ptr<const TransformTree> transforms();
   /// `name` with the graph's frame prefix.
@@ -190,6 +202,9 @@ class Setup {
                                  bool command) = 0;
   virtual void add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind,
                          Need need, SampleHandler handler) = 0;
+  virtual ServicePort& add_service(const std::string& name, const ServiceType& type, ServiceScope scope) = 0;
+  virtual void set_handler(ServicePort& port, RequestHandler handler) = 0;
+  virtual ClientPort* add_client(const std::string& name, const ServiceType& type, Need need) = 0;
   virtual const ConfigNode& parameter_section() const = 0;
   virtual std::string parameter_path() const = 0;
   virtual const ConfigNode& shared_section(std::string_view section) const = 0;

@@ -1,9 +1,11 @@
-// The type-erased ends of topics: what the templates of component.hpp hand to the host, which alone knows
+// The type-erased ends of topics and services: what the templates of component.hpp hand to the host, which alone knows
 // lanes, clocks and DDS.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,6 +32,9 @@ struct MessageType {
   std::string_view type_hash;  ///< RIHS01_...
 };
 
+/// Whether a graph is refused in which nobody publishes the input, or offers the service.
+enum class Need { required, optional };
+
 class OutputPort {
  public:
   virtual ~OutputPort() = default;
@@ -43,5 +48,54 @@ class OutputPort {
 /// Gives the bytes of one sample to the component; false when they do not hold the message.
 using SampleHandler = std::function<bool(std::span<const std::uint8_t> cdr, const Tick& tick)>;
 using TickHandler = std::function<void(const Tick& tick)>;
+
+/// Names of a service type as the wire knows them.
+struct ServiceType {
+  std::string_view ros_name;  ///< rcl_interfaces/srv/GetParameters
+  MessageType request;
+  MessageType response;
+  MessageType event;  ///< both in one message: the form in which a request is recorded
+};
+
+/// Whom a reply goes to: the client, and its count of the request.
+struct RequestId {
+  std::array<std::uint8_t, 16> client{};
+  std::int64_t sequence = 0;
+  auto operator<=>(const RequestId&) const = default;
+};
+
+class ServicePort {
+ public:
+  virtual ~ServicePort() = default;
+  virtual void reply(const RequestId& to, std::span<const std::uint8_t> cdr) = 0;
+};
+
+/// What a service does with a request. A service that changes something says with `refuse` what it answers where that may
+/// not be; without, it only tells.
+struct RequestHandler {
+  /// False when the bytes do not hold the request.
+  std::function<bool(std::span<const std::uint8_t> cdr, const RequestId& from, const Tick& tick)> handle;
+  std::function<void(const std::string& reason, std::vector<std::uint8_t>& cdr)> refuse = nullptr;
+  /// With `refuse`: the request as a message that can be recorded, and back. False when the bytes do not hold it.
+  std::function<bool(std::span<const std::uint8_t> request, const RequestId& from, Time now,
+                     std::vector<std::uint8_t>& event)>
+      to_event = nullptr;
+  std::function<bool(std::span<const std::uint8_t> event, RequestId& from,
+                     std::vector<std::uint8_t>& request)>
+      from_event = nullptr;
+};
+
+/// Whether a service is answered while its component is not active.
+enum class ServiceScope { component, node };
+
+/// The reply, or nothing when none came in time.
+using ReplyHandler = std::function<void(std::optional<std::span<const std::uint8_t>> cdr, const Tick& tick)>;
+
+class ClientPort {
+ public:
+  virtual ~ClientPort() = default;
+  virtual bool is_ready() const = 0;
+  virtual void call(std::span<const std::uint8_t> cdr, Duration deadline, ReplyHandler on_reply) = 0;
+};
 
 }  // namespace bw

@@ -89,7 +89,7 @@ std::string message_header(const File& file, const Types& types) {
                     include("runtime/wire/serialization.hpp");
   for (const Constants& constants : file.constants) out += constants_definition(constants);
   for (const Struct& type : file.structs) out += class_definition(type, types);
-  out += "\nnamespace bw {\n";
+  out += interface_definition(interface_of(file.path)) + "\nnamespace bw {\n";
   for (const Struct& type : file.structs) {
     out += "\ntemplate <>\nstruct " + traits(type) + " {\n  using Message = " + type.cpp_name() +
            ";\n  static constexpr std::string_view ros_name = " + quoted(type.ros_name()) +

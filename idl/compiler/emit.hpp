@@ -11,7 +11,8 @@ namespace bw::idl {
 /// "nav_msgs/msg/Odometry.idl" -> "nav_msgs/msg/odometry.hpp", the header name ROS 2 gives a message.
 [[nodiscard]] std::string header_path(const std::string& idl_path);
 
-/// <package>/<category>/<name>.hpp: the class and its bw::MessageTraits.
+/// <package>/<category>/<name>.hpp: the classes, their bw::MessageTraits, and of a service or an action the struct that
+/// names its parts.
 [[nodiscard]] std::string message_header(const File& file, const Types& types);
 
 /// <package>/wire.cpp: what the headers of a package declare and what need not be compiled by each of their users.

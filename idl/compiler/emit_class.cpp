@@ -1,6 +1,7 @@
 #include "idl/compiler/emit_class.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "idl/compiler/emit.hpp"
 
@@ -62,11 +63,20 @@ std::string open_namespace(const std::string& package, const std::string& catego
   return "\nnamespace " + package + "::" + category + " {\n";
 }
 
+/// struct <name> { its ROS name, and `using <part> = <prefix>_<part>;` of each part.
+std::string parts(const std::string& name, const std::string& prefix, const std::string& ros_name,
+                  std::initializer_list<const char*> names) {
+  std::string out =
+      "struct " + name + " {\n  static constexpr std::string_view ros_name = \"" + ros_name + "\";\n";
+  for (const std::string part : names) out += "  using " + part + " = " + prefix + "_" + part + ";\n";
+  return out;
+}
+
 }  // namespace
 
 std::string class_includes(const File& file) {
   std::string out =
-      "#include <array>\n#include <cstdint>\n#include <string>\n#include <utility>\n#include <vector>\n\n";
+      "#include <array>\n#include <cstdint>\n#include <string>\n#include <string_view>\n#include <utility>\n#include <vector>\n\n";
   for (const std::string& include : file.includes) out += "#include \"" + header_path(include) + "\"\n";
   return out;
 }
@@ -102,6 +112,25 @@ std::string class_definition(const Struct& type, const Types& types) {
            " }\n";
   }
   return out + "\n private:\n" + fields + "};\n\n}\n";
+}
+
+std::string interface_definition(const Interface& interface) {
+  const std::string& name = interface.name;
+  const std::string ros_name = interface.ros_name();
+  std::string out = open_namespace(interface.package, interface.category) + "\n";
+  if (interface.category == "srv") {
+    out += parts(name, name, ros_name, {"Request", "Response", "Event"});
+  } else if (interface.category == "action") {
+    out += parts(name, name, ros_name, {"Goal", "Result", "Feedback", "FeedbackMessage"});
+    for (const std::string service : {"SendGoal", "GetResult"}) {
+      out +=
+          parts(service, name + "_" + service, ros_name + "_" + service, {"Request", "Response", "Event"}) +
+          "};\n";
+    }
+  } else {
+    return "";
+  }
+  return out + "};\n\n}\n";
 }
 
 std::string special_members(const Struct& type, const Types& types) {

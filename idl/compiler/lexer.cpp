@@ -60,7 +60,7 @@ class Lexer {
       const std::size_t close = line.rfind('"');
       if (open == close) fail("expected #include \"package/msg/Name.idl\"");
       add(Token::Type::kInclude, line.substr(open + 1, close - open - 1));
-    } else if (!line.starts_with("#ifndef") && !line.starts_with("#define") && !line.starts_with("#endif")) {
+    } else {
       fail("unknown directive '" + std::string(line) + "'");
     }
   }

@@ -1,5 +1,5 @@
-// Splits IDL text into words, each with its line; drops comments and include guards, keeps include
-// directives.
+// Splits IDL text into words, each with its line; drops comments, keeps include directives, which are
+// all that ROS 2's own parser knows of a preprocessor.
 #pragma once
 
 #include <string>

@@ -19,14 +19,23 @@ struct Member {
   std::string message;  ///< ROS name of the nested type if kind is kMessage
 };
 
-struct Struct {
+/// What a file is named after: a message, a service or an action.
+struct Interface {
   std::string package;   ///< "nav_msgs"
   std::string category;  ///< "msg", "srv" or "action"
   std::string name;      ///< "Odometry"
-  std::vector<Member> members;
 
   [[nodiscard]] std::string ros_name() const { return package + "/" + category + "/" + name; }
   [[nodiscard]] std::string cpp_name() const { return package + "::" + category + "::" + name; }
+};
+
+/// "nav_msgs/msg/Odometry.idl" -> its parts; those that a path does not have are empty.
+[[nodiscard]] Interface interface_of(const std::string& path);
+
+struct Struct : Interface {
+  std::vector<Member> members;
+  int line = 0;  ///< where its file defines it; 0: derived
+
   [[nodiscard]] std::string dds_name() const { return package + "::" + category + "::dds_::" + name + "_"; }
 };
 
@@ -42,6 +51,7 @@ struct Constants {
   std::string category;
   std::string name;  ///< "Marker_Constants"
   std::vector<Constant> values;
+  int line = 0;
 };
 
 /// One IDL file. Includes and the file's own path are relative to the root of the interfaces.
@@ -50,6 +60,7 @@ struct File {
   std::vector<std::string> includes;
   std::vector<Struct> structs;
   std::vector<Constants> constants;
+  int lines = 0;
 };
 
 }  // namespace bw::idl

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <stdexcept>
 
+#include "idl/compiler/derive.hpp"
 #include "idl/compiler/lexer.hpp"
 
 namespace bw::idl {
@@ -29,7 +31,8 @@ class Parser {
   Parser(std::string_view text, const std::string& path) : path_(path), tokens_(tokenize(text, path)) {}
 
   File run() {
-    File file{path_, {}, {}, {}};
+    File file;
+    file.path = path_;
     while (now().type == Token::Type::kInclude) file.includes.push_back(next().text);
     while (now().type != Token::Type::kEnd) {
       const std::string package = open_module();
@@ -40,6 +43,8 @@ class Parser {
       }
       expect(";");
     }
+    file.lines = now().line;
+    derive(file);
     return file;
   }
 
@@ -82,14 +87,16 @@ class Parser {
 
   void definition(const std::string& package, const std::string& category, File& file) {
     if (accept("module")) {
-      Constants result{package, category, word("a module's name"), {}};
+      const int line = now().line;
+      Constants result{package, category, word("a module's name"), {}, line};
       if (!result.name.ends_with("_Constants")) fail("a module named <Name>_Constants before");
       expect("{");
       while (!accept("}")) result.values.push_back(constant());
       file.constants.push_back(std::move(result));
     } else {
       expect("struct");
-      Struct result{package, category, word("a struct's name"), {}};
+      const int line = now().line;
+      Struct result{{package, category, word("a struct's name")}, {}, line};
       expect("{");
       while (!accept("}")) result.members.push_back(member());
       if (result.members.empty())
@@ -204,6 +211,12 @@ class Linker {
 };
 
 }  // namespace
+
+Interface interface_of(const std::string& path) {
+  const std::filesystem::path parts(path);
+  return {parts.parent_path().parent_path().string(), parts.parent_path().filename().string(),
+          parts.stem().string()};
+}
 
 File parse(std::string_view text, const std::string& path) { return Parser(text, path).run(); }
 

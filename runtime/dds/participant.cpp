@@ -4,6 +4,7 @@
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <set>
 #include <stdexcept>
 
 #include <fastdds/dds/domain/DomainParticipant.hpp>
@@ -11,6 +12,7 @@
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
@@ -28,6 +30,11 @@ namespace bw::dds {
 namespace efd = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 
+bool same_participant(const Guid& a, const Guid& b) {
+  constexpr std::size_t kPrefix = 12;
+  return std::equal(a.begin(), a.begin() + kPrefix, b.begin());
+}
+
 namespace {
 
 Guid to_guid(const rtps::GUID_t& guid) {
@@ -35,6 +42,18 @@ Guid to_guid(const rtps::GUID_t& guid) {
   std::copy_n(guid.guidPrefix.value, 12, result.begin());
   std::copy_n(guid.entityId.value, 4, result.begin() + 12);
   return result;
+}
+
+rtps::GUID_t to_rtps(const Guid& guid) {
+  rtps::GUID_t result;
+  std::copy_n(guid.begin(), 12, result.guidPrefix.value);
+  std::copy_n(guid.begin() + 12, 4, result.entityId.value);
+  return result;
+}
+
+SampleIdentity to_identity(const rtps::SampleIdentity& identity) {
+  if (identity.writer_guid() == rtps::c_Guid_Unknown) return {};
+  return {to_guid(identity.writer_guid()), static_cast<std::int64_t>(identity.sequence_number().to64long())};
 }
 
 eprosima::fastrtps::Duration_t to_duration(Duration d) {
@@ -64,6 +83,7 @@ void apply(const EndpointOptions& options, EndpointQos& qos) {
   qos.history().depth = q.depth;
   qos.data_sharing().off();
   qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  qos.resource_limits().allocated_samples = std::min(options.allocated_samples, 100);
   if (q.lifespan) qos.lifespan().duration = to_duration(*q.lifespan);
 }
 
@@ -211,12 +231,16 @@ class EnqueueListener final : public efd::DataReaderListener {
 
 }  // namespace
 
+using Partitions = std::vector<std::string>;
+
 struct Participant::Impl {
   DiscoveryListener discovery;
   efd::DomainParticipant* participant = nullptr;
-  efd::Publisher* publisher = nullptr;
-  efd::Subscriber* subscriber = nullptr;
+  std::string private_partition;
+  Partitions of_writers, of_readers;  ///< where an endpoint names none
   std::mutex mutex;
+  std::map<Partitions, efd::Publisher*> publishers;
+  std::map<Partitions, efd::Subscriber*> subscribers;
   std::map<std::string, efd::Topic*> topics;
 
   ~Impl() {
@@ -224,6 +248,27 @@ struct Participant::Impl {
     participant->set_listener(nullptr);
     participant->delete_contained_entities();
     efd::DomainParticipantFactory::get_instance()->delete_participant(participant);
+  }
+
+  efd::Publisher* publisher(const Partitions& asked) {
+    const std::lock_guard lock(mutex);
+    const Partitions& partitions = asked.empty() ? of_writers : asked;
+    efd::Publisher*& publisher = publishers[partitions];
+    if (publisher != nullptr) return publisher;
+    efd::PublisherQos qos = efd::PUBLISHER_QOS_DEFAULT;
+    for (const std::string& name : partitions) qos.partition().push_back(name.c_str());
+    publisher = participant->create_publisher(qos);
+    return publisher;
+  }
+  efd::Subscriber* subscriber(const Partitions& asked) {
+    const std::lock_guard lock(mutex);
+    const Partitions& partitions = asked.empty() ? of_readers : asked;
+    efd::Subscriber*& subscriber = subscribers[partitions];
+    if (subscriber != nullptr) return subscriber;
+    efd::SubscriberQos qos = efd::SUBSCRIBER_QOS_DEFAULT;
+    for (const std::string& name : partitions) qos.partition().push_back(name.c_str());
+    subscriber = participant->create_subscriber(qos);
+    return subscriber;
   }
 
   efd::Topic* topic(const EndpointOptions& options) {
@@ -245,35 +290,71 @@ struct Participant::Impl {
 
 namespace {
 
-class FastWriter final : public Writer {
+class FastWriter final : public Writer, private efd::DataWriterListener {
  public:
-  FastWriter(efd::Publisher* publisher, efd::DataWriter* writer, DiscoveryListener& discovery)
-      : publisher_(publisher), writer_(writer), discovery_(discovery) {}
+  FastWriter(efd::Publisher* publisher, std::function<void()> on_match, DiscoveryListener& discovery)
+      : publisher_(publisher), on_match_(std::move(on_match)), discovery_(discovery) {}
   ~FastWriter() override {
+    if (writer_ == nullptr) return;
     discovery_.remove_local(guid());
+    writer_->set_listener(nullptr);
     publisher_->delete_datawriter(writer_);
   }
   FastWriter(const FastWriter&) = delete;
   FastWriter& operator=(const FastWriter&) = delete;
 
+  void open(efd::Topic* topic, const efd::DataWriterQos& qos) {
+    writer_ = publisher_->create_datawriter(topic, qos, this, efd::StatusMask::publication_matched());
+    if (writer_ == nullptr) throw std::runtime_error("DDS refuses a writer on " + topic->get_name());
+  }
   bool write(std::span<const std::uint8_t> cdr) override {
     RawSample sample{.outgoing = cdr, .incoming = {}};
     return writer_->write(&sample);
   }
+  std::optional<SampleIdentity> write_related(std::span<const std::uint8_t> cdr,
+                                              const SampleIdentity& related) override {
+    RawSample sample{.outgoing = cdr, .incoming = {}};
+    rtps::WriteParams params;
+    params.related_sample_identity().writer_guid(to_rtps(related.guid));
+    if (related.sequence != 0) {
+      params.related_sample_identity().sequence_number(
+          rtps::SequenceNumber_t(static_cast<std::uint64_t>(related.sequence)));
+    }
+    if (!writer_->write(&sample, params)) return std::nullopt;
+    return to_identity(params.sample_identity());
+  }
   Guid guid() const override { return to_guid(writer_->guid()); }
-  int matched_readers() const override {
-    efd::PublicationMatchedStatus status;
-    writer_->get_publication_matched_status(status);
-    return status.current_count;
+  int matched_readers() const override { return matched_count_; }
+  bool is_matched(const Guid& reader) const override {
+    const std::lock_guard lock(mutex_);
+    return matched_.contains(reader);
   }
   bool wait_until_received(Duration limit) override {
     return writer_->wait_for_acknowledgments(to_duration(limit)) == ReturnCode_t::RETCODE_OK;
   }
 
  private:
+  void on_publication_matched(efd::DataWriter*, const efd::PublicationMatchedStatus& status) override {
+    const Guid reader = to_guid(rtps::iHandle2GUID(status.last_subscription_handle));
+    {
+      const std::lock_guard lock(mutex_);
+      if (status.current_count_change > 0) {
+        matched_.insert(reader);
+      } else {
+        matched_.erase(reader);
+      }
+      matched_count_ = static_cast<int>(matched_.size());
+    }
+    if (on_match_) on_match_();
+  }
+
   efd::Publisher* publisher_;
-  efd::DataWriter* writer_;
+  std::function<void()> on_match_;
   DiscoveryListener& discovery_;
+  mutable std::mutex mutex_;
+  std::set<Guid> matched_;
+  std::atomic<int> matched_count_ = 0;
+  efd::DataWriter* writer_ = nullptr;
 };
 
 class FastReader final : public Reader {
@@ -302,6 +383,7 @@ class FastReader final : public Reader {
       sample.cdr.swap(raw.incoming);
       sample.writer = to_guid(info.sample_identity.writer_guid());
       sample.sequence = info.sample_identity.sequence_number().to64long();
+      sample.related = to_identity(info.related_sample_identity);
       sample.received = to_time(info.reception_timestamp);
       sample.sent = to_time(info.source_timestamp);
       return true;
@@ -340,30 +422,25 @@ Participant::Participant(const ParticipantOptions& options) : impl_(std::make_un
     std::erase_if(opened, [&](int descriptor) { return before.contains(descriptor); });
     bind_to_loopback(opened);
   }
-  impl_->publisher = impl_->participant->create_publisher(efd::PUBLISHER_QOS_DEFAULT);
-  impl_->subscriber = impl_->participant->create_subscriber(efd::SUBSCRIBER_QOS_DEFAULT);
+  impl_->private_partition = options.private_partition;
   if (!options.private_partition.empty()) {
-    efd::PublisherQos publisher_qos = efd::PUBLISHER_QOS_DEFAULT;
-    publisher_qos.partition().push_back("");  // the partition of every ordinary reader
-    publisher_qos.partition().push_back(options.private_partition.c_str());
-    impl_->publisher->set_qos(publisher_qos);
-    efd::SubscriberQos subscriber_qos = efd::SUBSCRIBER_QOS_DEFAULT;
-    subscriber_qos.partition().push_back(options.private_partition.c_str());
-    impl_->subscriber->set_qos(subscriber_qos);
+    impl_->of_writers = {"", options.private_partition};  // "" is the partition of every ordinary reader
+    impl_->of_readers = {options.private_partition};
   }
 }
 
 Participant::~Participant() = default;
 
-std::unique_ptr<Writer> Participant::create_writer(const EndpointOptions& options) {
+std::unique_ptr<Writer> Participant::create_writer(const EndpointOptions& options,
+                                                   std::function<void()> on_match) {
   efd::DataWriterQos qos = efd::DATAWRITER_QOS_DEFAULT;
   apply(options, qos);
   qos.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
   if (options.heartbeat) qos.reliable_writer_qos().times.heartbeatPeriod = to_duration(*options.heartbeat);
   set_user_data(qos.user_data(), options.user_data);
-  efd::DataWriter* writer = impl_->publisher->create_datawriter(impl_->topic(options), qos);
-  if (writer == nullptr) throw std::runtime_error("DDS refuses a writer on " + options.topic);
-  auto result = std::make_unique<FastWriter>(impl_->publisher, writer, impl_->discovery);
+  auto result = std::make_unique<FastWriter>(impl_->publisher(options.partitions), std::move(on_match),
+                                             impl_->discovery);
+  result->open(impl_->topic(options), qos);
   impl_->discovery.add_local({.guid = result->guid(),
                               .is_writer = true,
                               .topic = options.topic,
@@ -382,7 +459,8 @@ std::unique_ptr<Reader> Participant::create_reader(const EndpointOptions& option
   qos.reliable_reader_qos().times.initialAcknackDelay = to_duration(Duration::milliseconds(1));
   qos.reliable_reader_qos().times.heartbeatResponseDelay = to_duration(Duration::milliseconds(1));
   set_user_data(qos.user_data(), options.user_data);
-  auto result = std::make_unique<FastReader>(impl_->subscriber, std::move(on_sample), impl_->discovery);
+  auto result = std::make_unique<FastReader>(impl_->subscriber(options.partitions), std::move(on_sample),
+                                             impl_->discovery);
   result->open(impl_->topic(options), qos);
   impl_->discovery.add_local({.guid = result->guid(),
                               .is_writer = false,
@@ -394,6 +472,8 @@ std::unique_ptr<Reader> Participant::create_reader(const EndpointOptions& option
 }
 
 Guid Participant::guid() const { return to_guid(impl_->participant->guid()); }
+
+const std::string& Participant::private_partition() const { return impl_->private_partition; }
 
 std::vector<Endpoint> Participant::endpoints() const { return impl_->discovery.endpoints(); }
 

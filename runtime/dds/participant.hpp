@@ -19,6 +19,8 @@ namespace bw::dds {
 
 using Guid = std::array<std::uint8_t, 16>;  ///< 12 bytes of participant prefix, 4 of entity id
 
+bool same_participant(const Guid& a, const Guid& b);
+
 enum class Transport {
   localhost,  ///< discovery and data on 127.0.0.1 only, sockets bound to the loopback device
   lan,        ///< multicast discovery on every interface
@@ -64,6 +66,18 @@ struct EndpointOptions {
   std::string user_data;
   /// Of a reliable writer: so often readers that lack something are told; nothing: every 3 s.
   std::optional<Duration> heartbeat = std::nullopt;
+  /// "" is that of every ordinary endpoint; empty: the participant's.
+  std::vector<std::string> partitions = {};
+  /// Samples that memory is taken for beforehand; more come as they are needed.
+  int allocated_samples = 100;
+};
+
+/// By which a reply finds its request: whom to answer, and the count of the request at its writer. On the wire it is the
+/// related sample identity (PID 0x800f).
+struct SampleIdentity {
+  Guid guid{};
+  std::int64_t sequence = 0;
+  auto operator<=>(const SampleIdentity&) const = default;
 };
 
 /// One received sample: CDR with its 4-byte encapsulation header.
@@ -71,6 +85,7 @@ struct Sample {
   std::vector<std::uint8_t> cdr;
   Guid writer{};
   std::uint64_t sequence = 0;  ///< the writer's count of its samples: a gap is a loss
+  SampleIdentity related;      ///< of a request or reply; zeros otherwise
   Time received;               ///< system clock
   Time sent;                   ///< the writer's system clock; 0 when it does not tell
 };
@@ -80,8 +95,13 @@ class Writer {
   virtual ~Writer() = default;
   /// Copies the bytes out before it returns. False when DDS refused the sample.
   virtual bool write(std::span<const std::uint8_t> cdr) = 0;
+  /// A request or a reply. The identity of the sample itself; nothing when DDS refused it.
+  virtual std::optional<SampleIdentity> write_related(std::span<const std::uint8_t> cdr,
+                                                      const SampleIdentity& related) = 0;
   virtual Guid guid() const = 0;
   virtual int matched_readers() const = 0;
+  /// The reader gets what is written from now on.
+  virtual bool is_matched(const Guid& reader) const = 0;
   /// Waits until all reliable readers have everything; false when they have not after `limit`.
   virtual bool wait_until_received(Duration limit) = 0;
 };
@@ -103,11 +123,14 @@ class Participant {
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
 
-  std::unique_ptr<Writer> create_writer(const EndpointOptions& options);
+  /// `on_match`, if any, runs on a DDS thread when a reader has come or gone: it may only enqueue.
+  std::unique_ptr<Writer> create_writer(const EndpointOptions& options,
+                                        std::function<void()> on_match = nullptr);
   /// `on_sample` runs on a DDS thread with endpoint locks held: it may only enqueue.
   std::unique_ptr<Reader> create_reader(const EndpointOptions& options, std::function<void()> on_sample);
 
   Guid guid() const;
+  const std::string& private_partition() const;
   /// Every endpoint known now, own and remote, sorted by topic, kind and guid.
   std::vector<Endpoint> endpoints() const;
   /// Counts the changes of endpoints(): cheap to look at often.

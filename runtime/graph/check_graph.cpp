@@ -20,6 +20,11 @@ struct End {
   std::string owner() const { return node->name + " (" + node->where.text() + ")"; }
 };
 
+struct Service {
+  std::vector<End<ServiceDeclaration>> servers;
+  std::vector<End<ClientDeclaration>> clients;
+};
+
 struct Topic {
   std::vector<End<OutputDeclaration>> writers;
   std::vector<End<InputDeclaration>> readers;
@@ -50,6 +55,14 @@ class Checker {
         if (const auto topic = checked_topic(*node, input.name))
           topics_[*topic].readers.push_back({node, &input});
       }
+      for (const auto& service : declaration.services) {
+        if (const auto name = checked_topic(*node, service.name))
+          services_[*name].servers.push_back({node, &service});
+      }
+      for (const auto& client : declaration.clients) {
+        if (const auto name = checked_topic(*node, client.name))
+          services_[*name].clients.push_back({node, &client});
+      }
       check_names(declaration, *node);
     }
   }
@@ -61,6 +74,7 @@ class Checker {
       check_qos(name, topic);
       check_fed(name, topic);
     }
+    for (const auto& [name, service] : services_) check_service(name, service);
     return std::move(violations_);
   }
 
@@ -82,8 +96,10 @@ class Checker {
   void check_names(const ComponentDeclaration& declaration, const ComponentNode& node) {
     std::vector<std::string_view> inputs, all;
     for (const auto& input : declaration.inputs) inputs.push_back(input.name);
+    for (const auto& client : declaration.clients) inputs.push_back(client.name);
     all = inputs;
     for (const auto& output : declaration.outputs) all.push_back(output.name);
+    for (const auto& service : declaration.services) all.push_back(service.name);
     std::set<std::string> topics;
     for (const std::string_view name : all) topics.insert(resolve_name(node.node_namespace, node.name, name));
     const std::string key = joined("components", node.name);
@@ -158,8 +174,27 @@ class Checker {
     }
   }
 
+  void check_service(const std::string& name, const Service& service) {
+    const auto& servers = service.servers;
+    for (std::size_t i = 1; i < servers.size(); ++i) {
+      add(servers[i].node->where, servers[i].key(), "",
+          name + " is a service and has a server already: " + servers[0].owner());
+    }
+    for (const auto& client : service.clients) {
+      if (!servers.empty()) {
+        check_type(name, client, servers[0].declared->type, servers[0].owner());
+        continue;
+      }
+      const InputSettings* settings = client.node->input(client.declared->name);
+      if (client.declared->optional || (settings != nullptr && settings->external)) continue;
+      add(client.node->where, client.key(), "",
+          "nobody offers the service " + name + "; remap it, or mark the input external: true");
+    }
+  }
+
   const Graph& graph_;
   std::map<std::string, Topic> topics_;
+  std::map<std::string, Service> services_;
   std::vector<Violation> violations_;
 };
 

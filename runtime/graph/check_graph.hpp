@@ -24,11 +24,24 @@ struct OutputDeclaration {
   bool command = false;  ///< it moves something: no second publisher may exist
 };
 
+struct ServiceDeclaration {
+  std::string name;
+  std::string type;  ///< std_srvs/srv/Trigger
+};
+
+struct ClientDeclaration {
+  std::string name;
+  std::string type;
+  bool optional = false;  ///< the component works without a server
+};
+
 /// The ends that a configured component has declared.
 struct ComponentDeclaration {
   std::string name;  ///< of the instance in the graph
   std::vector<InputDeclaration> inputs;
   std::vector<OutputDeclaration> outputs;
+  std::vector<ServiceDeclaration> services = {};
+  std::vector<ClientDeclaration> clients = {};
 };
 
 /// All violations, in the order of the declarations; empty: the graph may start. Located at the component,

@@ -4,6 +4,8 @@
 
 namespace bw {
 
+bool Input::take_one(Time now, std::optional<Duration> waited) { return actor->deliver(*this, now, waited); }
+
 Health Actor::health(Time now) const {
   if (stop_requested) return Health::stop;
   Health worst = Health::ok;

@@ -14,14 +14,22 @@
 #include "runtime/component.hpp"
 #include "runtime/dds/participant.hpp"
 #include "runtime/graph/graph.hpp"
+#include "runtime/host/client_end.hpp"
+#include "runtime/host/inlet.hpp"
+#include "runtime/host/service_end.hpp"
 #include "runtime/host/statistics.hpp"
+#include "runtime/host/timer.hpp"
 
 namespace bw {
 
 struct Actor;
 
-struct Input {
-  Actor* actor = nullptr;
+class Input final : public Inlet {
+ public:
+  const std::string& label() const override { return topic; }
+  bool calls_component() const override { return kind == InputKind::callback; }
+  bool take_one(Time now, std::optional<Duration> waited) override;
+
   std::string name;   ///< as the component declared it
   std::string topic;  ///< resolved, absolute
   MessageType type;
@@ -35,18 +43,6 @@ struct Input {
   Time last_received;  ///< activation time until the first sample
   std::uint64_t calls = 0;
   CallbackStatistics statistics;
-  std::atomic<bool> queued = false;  ///< wall clock: an event waits in the lane
-  std::atomic<std::int64_t> queued_at_ns = 0;
-};
-
-struct Timer {
-  Actor* actor = nullptr;
-  std::string name;
-  Duration period;
-  TickHandler handler;
-  Time next;
-  std::uint64_t calls = 0;
-  CallbackStatistics statistics;
 };
 
 /// Where an actor's outputs go: straight to DDS, or held back for the declared latency.
@@ -54,6 +50,8 @@ class SampleSink {
  public:
   virtual ~SampleSink() = default;
   virtual void publish(class OutputEnd& output, std::span<const std::uint8_t> cdr) = 0;
+  /// Does it when the callback that runs has taken its declared latency, at once without one.
+  virtual void when_done(std::function<void()> action) = 0;
 };
 
 class OutputEnd final : public OutputPort {
@@ -90,6 +88,8 @@ struct Actor final : DiagnosticReporter {
   std::vector<const Input*> watched;  ///< inputs with a max_age
   std::vector<std::unique_ptr<OutputEnd>> outputs;
   std::vector<std::unique_ptr<Timer>> timers;
+  std::vector<std::unique_ptr<ServiceEnd>> services;
+  std::vector<std::unique_ptr<ClientEnd>> clients;
   ParameterReport parameters;
 
   /// Guards what the diagnostics read while the lane works: statistics, arrival times, the three below.

@@ -15,6 +15,7 @@
 #include "runtime/host/wall_runner.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/registry.hpp"
+#include "runtime/ros/dds_names.hpp"
 #include "runtime/ros/discovery_info.hpp"
 #include "runtime/stamps.hpp"
 
@@ -62,14 +63,32 @@ ComponentDeclaration declaration_of(const Actor& actor) {
                          .qos = output->qos,
                          .command = output->command});
   }
+  for (const auto& service : actor.services)
+    d.services.push_back({.name = service->name, .type = std::string(service->type.ros_name)});
+  for (const auto& client : actor.clients) {
+    d.clients.push_back({.name = client->name,
+                         .type = std::string(client->type.ros_name),
+                         .optional = client->need == Need::optional});
+  }
   return d;
 }
 
+/// As rmw has it: services and parameters, with a history that outlasts a busy lane. Few samples wait, and there are many
+/// such ends.
+dds::EndpointOptions service_options(const std::string& topic, const MessageType& type) {
+  constexpr int kDepth = 1000;
+  return {.topic = topic,
+          .type = std::string(type.dds_name),
+          .qos = Qos::standard(kDepth),
+          .user_data = user_data_of(std::string(type.type_hash)),
+          .allocated_samples = 1};
+}
+
 dds::EndpointOptions endpoint_options(const std::string& topic, const MessageType& type, const Qos& qos) {
-  return {.topic = "rt" + topic,
+  return {.topic = dds_topic(topic),
           .type = std::string(type.dds_name),
           .qos = qos,
-          .user_data = "typehash=" + std::string(type.type_hash) + ";"};
+          .user_data = user_data_of(std::string(type.type_hash))};
 }
 
 }  // namespace
@@ -120,6 +139,18 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
     }
   }
   throw_if_any(std::move(violations));
+  if (lockstep) {
+    outside_ = std::make_unique<OutsideInputs>(options_.accept_inputs, [](const std::string& text) {
+      terminal().warn(text);  // not on /rosout: a refused message changes nothing, no sample either
+    });
+    heard_outside_ = OutsideInputs::topics_of(actors_);
+    if (options_.accept_inputs) {
+      const ComponentNode& node = graph_.components.emplace_back(
+          ComponentNode{.name = OutsideInputs::kNode, .type = OutsideInputs::kNode, .lane = "services"});
+      add_component(node, outside_->make_component(heard_outside_), true);
+      outside_actor_ = actors_.back().get();
+    }
+  }
   for (const auto& actor : actors_) {
     if (actor->rank > 0) declarations_.push_back(declaration_of(*actor));
   }
@@ -127,10 +158,13 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
 }
 
 Host::~Host() {
+  outside_.reset();
   for (const auto& actor : actors_) {
     actor->watched.clear();
     actor->inputs.clear();
     actor->outputs.clear();
+    actor->services.clear();
+    actor->clients.clear();
   }
 }
 
@@ -155,34 +189,76 @@ void Host::connect() {
   const bool lockstep = options_.clock == ClockMode::lockstep;
   const dds::Transport transport =
       graph_.settings.transport == "lan" ? dds::Transport::lan : dds::Transport::localhost;
-  participant_ = std::make_unique<dds::Participant>(
-      dds::ParticipantOptions{.network = dds::Network::from_environment(transport),
-                              .private_partition = lockstep ? "lockstep" + std::to_string(getpid()) : ""});
+  const std::string private_partition = lockstep ? "lockstep" + std::to_string(getpid()) : "";
+  participant_ = std::make_unique<dds::Participant>(dds::ParticipantOptions{
+      .network = dds::Network::from_environment(transport), .private_partition = private_partition});
   if (lockstep) {
     runner_ = std::make_unique<LockstepRunner>(
         local_, LockstepOptions{.pace = options_.pace,
                                 .start = options_.start.value_or(LockstepRunner::kStart),
-                                .source = options_.source});
+                                .source = options_.source,
+                                .outside = outside_.get()});
   } else {
     runner_ = std::make_unique<WallRunner>(local_, *clock_);
   }
   // Writers first: in one participant a match is immediate, so no reader misses a latched first sample.
   for (Actor* actor : local_) {
     for (const auto& output : actor->outputs) {
-      output->writer =
-          participant_->create_writer(endpoint_options(output->topic, output->type, output->qos));
+      dds::EndpointOptions options = endpoint_options(output->topic, output->type, output->qos);
+      if (actor == outside_actor_) options.partitions = {private_partition};  // outside has said it already
+      output->writer = participant_->create_writer(options);
       output->always_read = lockstep || (options_.tap && options_.tap->wants_everything());
     }
   }
   if (options_.tap) tap_outputs();
   for (Actor* actor : local_) {
     for (const auto& input : actor->inputs) {
-      input->reader =
-          participant_->create_reader(endpoint_options(input->topic, input->type, input->qos),
-                                      [this, end = input.get()] { runner_->sample_arrived(*end); });
+      input->reader = participant_->create_reader(endpoint_options(input->topic, input->type, input->qos),
+                                                  [this, end = input.get()] { runner_->arrived(*end); });
     }
   }
+  for (Actor* actor : local_) connect_services(*actor);
+  for (Actor* actor : local_) connect_clients(*actor);
+  if (outside_) outside_->connect(*participant_, heard_outside_, local_);
   announce_nodes();
+}
+
+// The reply's writer first: a server that takes requests and cannot answer makes every client wait.
+void Host::connect_services(Actor& actor) {
+  const bool lockstep = options_.clock == ClockMode::lockstep;
+  for (const auto& service : actor.services) {
+    ServiceEnd* end = service.get();
+    end->sink = runner_.get();
+    end->keeps_foreign_apart = lockstep;
+    const auto on_match = [this, end] {
+      // Within a run in lock-step everybody is connected from the beginning.
+      if (outside_) {
+        outside_->has_news();
+      } else {
+        runner_->arrived(*end);
+      }
+    };
+    end->writer =
+        participant_->create_writer(service_options(reply_topic(end->service), end->type.response), on_match);
+    dds::EndpointOptions options = service_options(request_topic(end->service), end->type.request);
+    if (lockstep) options.partitions = {"", participant_->private_partition()};
+    end->reader = participant_->create_reader(options, [this, end] { runner_->arrived(*end); });
+  }
+}
+
+void Host::connect_clients(Actor& actor) {
+  const bool lockstep = options_.clock == ClockMode::lockstep;
+  for (const auto& client : actor.clients) {
+    ClientEnd* end = client.get();
+    end->runner = runner_.get();
+    const auto on_arrival = [this, end] { runner_->arrived(*end); };
+    end->reader = participant_->create_reader(service_options(reply_topic(end->service), end->type.response),
+                                              on_arrival);
+    dds::EndpointOptions options = service_options(request_topic(end->service), end->type.request);
+    if (lockstep) options.partitions = {participant_->private_partition()};
+    end->writer = participant_->create_writer(
+        options, lockstep ? std::function<void()>() : std::function<void()>(on_arrival));
+  }
 }
 
 void Host::tap_outputs() {
@@ -201,6 +277,14 @@ void Host::announce_nodes() {
         .node_namespace = actor->node_namespace, .name = actor->name, .readers = {}, .writers = {}};
     for (const auto& input : actor->inputs) node.readers.push_back(input->reader->guid());
     for (const auto& output : actor->outputs) node.writers.push_back(output->writer->guid());
+    for (const auto& service : actor->services) {
+      node.readers.push_back(service->reader->guid());
+      node.writers.push_back(service->writer->guid());
+    }
+    for (const auto& client : actor->clients) {
+      node.readers.push_back(client->reader->guid());
+      node.writers.push_back(client->writer->guid());
+    }
     entities.nodes.push_back(std::move(node));
   }
   node_writer_ = participant_->create_writer(

@@ -15,6 +15,7 @@
 #include "runtime/host/actor.hpp"
 #include "runtime/host/component_clock.hpp"
 #include "runtime/host/event_source.hpp"
+#include "runtime/host/outside_inputs.hpp"
 #include "runtime/host/runner.hpp"
 #include "runtime/host/sample_tap.hpp"
 
@@ -33,6 +34,8 @@ struct HostOptions {
   double pace = 0.0;         ///< lock-step: virtual seconds per real second; 0 as fast as possible
   std::optional<Time> start = std::nullopt;  ///< lock-step: where virtual time begins
   EventSource* source = nullptr;             ///< lock-step: what happens besides the components
+  /// Lock-step: what changes something may come from outside, and is a part of the run then. Else it is refused.
+  bool accept_inputs = false;
   bool is_partial =
       false;  ///< a part of a graph, looked at and not run: inputs that nobody feeds are no mistake
   std::shared_ptr<SampleTap> tap = nullptr;  ///< sees every sample of this process
@@ -68,6 +71,8 @@ class Host {
   std::vector<CallbackStatistics> statistics() const;
   /// Lock-step only, else empty.
   std::string samples_sha256() const;
+  /// Lock-step: something entered by accept_inputs.
+  bool was_changed_from_outside() const { return outside_ && outside_->was_used(); }
   /// Seconds on the component clock since the run began.
   double elapsed_seconds() const;
 
@@ -77,6 +82,8 @@ class Host {
 
   void add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here);
   void connect();
+  void connect_services(Actor& actor);
+  void connect_clients(Actor& actor);
   void announce_nodes();
   void tap_outputs();
   void log(const Actor& actor, LogLevel level, const std::string& text);
@@ -88,6 +95,9 @@ class Host {
   std::vector<Actor*> local_;
   std::vector<ComponentDeclaration> declarations_;
   std::unique_ptr<ComponentClock> clock_;
+  std::unique_ptr<OutsideInputs> outside_;  ///< lock-step
+  std::vector<OutsideInputs::Topic> heard_outside_;
+  const Actor* outside_actor_ = nullptr;  ///< through which what is accepted enters
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
   std::unique_ptr<dds::Writer> node_writer_;

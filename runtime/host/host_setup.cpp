@@ -80,6 +80,31 @@ void HostSetup::add_input(const std::string& topic, const MessageType& type, con
   actor_.inputs.push_back(std::move(input));
 }
 
+ServicePort& HostSetup::add_service(const std::string& name, const ServiceType& type, ServiceScope scope) {
+  actor_.services.push_back(std::make_unique<ServiceEnd>(actor_, name, node_.topic_of(name), type, scope));
+  return *actor_.services.back();
+}
+
+// A request from outside of a run in lock-step is a message of that run: recorded, and heard again by a replay.
+void HostSetup::set_handler(ServicePort& port, RequestHandler handler) {
+  auto& end = static_cast<ServiceEnd&>(port);
+  end.handler = std::move(handler);
+  const bool hears_events = host_.options_.accept_inputs || host_.options_.source != nullptr;
+  if (!end.changes_something() || !is_lockstep() || !hears_events) return;
+  add_input(end.name + kServiceEvent, end.type.event, Qos::standard(1000), InputKind::callback,
+            Need::optional, [&end](std::span<const std::uint8_t> cdr, const Tick& tick) {
+              ServiceEnd::Request request;
+              if (!end.handler.from_event(cdr, request.from, request.cdr)) return false;
+              end.answer(request, tick.now);
+              return true;
+            });
+}
+
+ClientPort* HostSetup::add_client(const std::string& name, const ServiceType& type, Need need) {
+  actor_.clients.push_back(std::make_unique<ClientEnd>(actor_, name, node_.topic_of(name), type, need));
+  return actor_.clients.back().get();
+}
+
 const ConfigNode& HostSetup::shared_section(std::string_view section) const {
   static const ConfigNode kNothing{};
   const auto found = host_.graph().shared.find(std::string(section));

@@ -29,6 +29,9 @@ class HostSetup final : public Setup {
                          bool command) override;
   void add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind, Need need,
                  SampleHandler handler) override;
+  ServicePort& add_service(const std::string& name, const ServiceType& type, ServiceScope scope) override;
+  void set_handler(ServicePort& port, RequestHandler handler) override;
+  ClientPort* add_client(const std::string& name, const ServiceType& type, Need need) override;
   const ConfigNode& parameter_section() const override { return node_.parameters; }
   std::string parameter_path() const override { return node_.name; }
   const ConfigNode& shared_section(std::string_view section) const override;

@@ -15,15 +15,28 @@ void LockstepRunner::push(Event event) {
   events_.push(event);
 }
 
-void LockstepRunner::sample_arrived(Input& input) {
-  push({.time = now_, .rank = input.actor->rank, .actor = input.actor, .input = &input});
+void LockstepRunner::arrived(Inlet& inlet) {
+  if (std::this_thread::get_id() != thread_) {
+    if (options_.outside != nullptr) options_.outside->has_news();
+    return;
+  }
+  push({.time = now_, .rank = inlet.actor->rank, .actor = inlet.actor, .inlet = &inlet});
 }
 
 void LockstepRunner::publish(OutputEnd& output, std::span<const std::uint8_t> cdr) {
   if (collecting_ != nullptr) {
-    collecting_->held.push_back({&output, {cdr.begin(), cdr.end()}});
+    collecting_->held.emplace_back(
+        [this, &output, bytes = std::vector<std::uint8_t>(cdr.begin(), cdr.end())] { write(output, bytes); });
   } else {
     write(output, cdr);
+  }
+}
+
+void LockstepRunner::when_done(std::function<void()> action) {
+  if (collecting_ != nullptr) {
+    collecting_->held.push_back(std::move(action));
+  } else {
+    action();
   }
 }
 
@@ -38,7 +51,9 @@ RunEnd LockstepRunner::run(std::optional<Duration> duration) {
   real_start_ = steady_time();
   for (Actor* actor : actors_) {
     for (const auto& input : actor->inputs) input->last_received = now_;
-    for (const auto& timer : actor->timers) schedule_next(*timer, now_);
+    for (const auto& timer : actor->timers) {
+      if (timer->is_periodic()) schedule_next(*timer, now_);
+    }
   }
   std::optional<Time> last = duration ? std::optional(now_ + *duration) : std::nullopt;
   bool stopping = false;
@@ -50,6 +65,7 @@ RunEnd LockstepRunner::run(std::optional<Duration> duration) {
       last = last ? std::min(*last, end_time) : end_time;
     }
     if (last && *next > *last) break;
+    if (options_.outside != nullptr) options_.outside->look(now_);
     if (*next != now_) go_to(*next);
     if (events_.empty() || events_.top().time != now_) continue;
     const Event event = events_.top();
@@ -73,19 +89,24 @@ void LockstepRunner::go_to(Time time) {
   events_at_now_ = 0;
   instant_callbacks_.clear();
   wait_for_pace();
+  if (options_.outside != nullptr) options_.outside->enter(now_);
   if (options_.source != nullptr) options_.source->run(now_);
 }
 
 void LockstepRunner::dispatch(const Event& event) {
   Actor& actor = *event.actor;
-  if (event.input == nullptr && event.timer == nullptr) {
+  if (event.inlet == nullptr && event.timer == nullptr) {
     complete(actor);
     return;
   }
+  // A deadline that was moved since.
+  if (event.timer != nullptr && !event.timer->is_periodic() && event.timer->next != event.time &&
+      !event.was_deferred)
+    return;
   // Keeping the newest message runs no user code, so it costs nothing and happens even while the actor is
   // busy.
-  if (event.input != nullptr && event.input->kind == InputKind::keep_newest) {
-    actor.deliver(*event.input, now_, std::nullopt);
+  if (event.inlet != nullptr && !event.inlet->calls_component()) {
+    event.inlet->take_one(now_, std::nullopt);
     return;
   }
   if (const auto busy = busy_.find(actor.rank); busy != busy_.end()) {
@@ -105,8 +126,8 @@ void LockstepRunner::dispatch(const Event& event) {
     collecting_ = &busy_[actor.rank];
     push({.time = now_ + actor.latency, .rank = actor.rank, .actor = &actor});
   }
-  if (event.input != nullptr) {
-    actor.deliver(*event.input, now_, std::nullopt);
+  if (event.inlet != nullptr) {
+    event.inlet->take_one(now_, std::nullopt);
   } else {
     // The successor of a deferred tick is already scheduled.
     if (!event.was_deferred) schedule_next(*event.timer, event.time);
@@ -118,7 +139,7 @@ void LockstepRunner::dispatch(const Event& event) {
 void LockstepRunner::complete(Actor& actor) {
   Busy done = std::move(busy_.at(actor.rank));
   busy_.erase(actor.rank);
-  for (const HeldSample& sample : done.held) write(*sample.output, sample.cdr);
+  for (const auto& action : done.held) action();
   for (Event event : done.deferred) {
     event.time = now_;
     event.was_deferred = true;
@@ -126,7 +147,17 @@ void LockstepRunner::complete(Actor& actor) {
   }
 }
 
+void LockstepRunner::schedule(Timer& timer, Time at) {
+  timer.next = at;
+  if (at != Timer::kNever)
+    push({.time = at, .rank = timer.actor->rank, .actor = timer.actor, .timer = &timer});
+}
+
 void LockstepRunner::schedule_next(Timer& timer, Time due) {
+  if (!timer.is_periodic()) {
+    timer.next = Timer::kNever;
+    return;
+  }
   timer.next = due + timer.period;
   push({.time = timer.next, .rank = timer.actor->rank, .actor = timer.actor, .timer = &timer});
 }
@@ -134,7 +165,7 @@ void LockstepRunner::schedule_next(Timer& timer, Time due) {
 void LockstepRunner::count_event(const Event& event) {
   ++events_at_now_;
   if (events_at_now_ <= kMaxEventsPerInstant / 2) return;
-  const std::string what = event.input != nullptr   ? event.input->topic
+  const std::string what = event.inlet != nullptr   ? event.inlet->label()
                            : event.timer != nullptr ? event.timer->name
                                                     : "latency";
   ++instant_callbacks_[event.actor->name + " (" + what + ")"];

@@ -6,9 +6,11 @@
 #include <map>
 #include <mutex>
 #include <queue>
+#include <thread>
 #include <vector>
 
 #include "runtime/host/event_source.hpp"
+#include "runtime/host/outside.hpp"
 #include "runtime/host/runner.hpp"
 #include "runtime/host/sample_hash.hpp"
 
@@ -18,6 +20,7 @@ struct LockstepOptions {
   double pace = 0.0;              ///< virtual seconds per real second; 0 as fast as possible
   Time start;                     ///< where virtual time begins
   EventSource* source = nullptr;  ///< what happens besides the components' own events
+  Outside* outside = nullptr;     ///< what other participants send
 };
 
 class LockstepRunner final : public Runner {
@@ -30,8 +33,10 @@ class LockstepRunner final : public Runner {
   LockstepRunner(std::vector<Actor*> actors, const LockstepOptions& options);
 
   Time now() const override { return now_; }
-  void sample_arrived(Input& input) override;
+  void arrived(Inlet& inlet) override;
+  void schedule(Timer& timer, Time at) override;
   void publish(OutputEnd& output, std::span<const std::uint8_t> cdr) override;
+  void when_done(std::function<void()> action) override;
   /// Throws std::runtime_error naming the callbacks of an endless loop.
   RunEnd run(std::optional<Duration> duration) override;
   void finish(RunEnd end, Duration grace) override;
@@ -45,20 +50,16 @@ class LockstepRunner final : public Runner {
     std::size_t rank = 0;
     std::uint64_t sequence = 0;
     Actor* actor = nullptr;
-    Input* input = nullptr;     ///< a sample arrived
+    Inlet* inlet = nullptr;     ///< something arrived
     Timer* timer = nullptr;     ///< a tick is due; with neither: the actor's latency has passed
     bool was_deferred = false;  ///< waited for a busy actor
     bool operator>(const Event& other) const {
       return std::tie(time, rank, sequence) > std::tie(other.time, other.rank, other.sequence);
     }
   };
-  struct HeldSample {
-    OutputEnd* output;
-    std::vector<std::uint8_t> cdr;
-  };
   /// An actor inside its declared latency.
   struct Busy {
-    std::vector<HeldSample> held;
+    std::vector<std::function<void()>> held;
     std::vector<Event> deferred;
   };
 
@@ -74,12 +75,13 @@ class LockstepRunner final : public Runner {
 
   std::vector<Actor*> actors_;
   LockstepOptions options_;
+  std::thread::id thread_ = std::this_thread::get_id();  ///< what other threads bring is from outside
   Time now_;
   Duration real_start_;
   std::priority_queue<Event, std::vector<Event>, std::greater<>> events_;
   std::uint64_t next_sequence_ = 0;
   std::map<std::size_t, Busy> busy_;  ///< by rank
-  Busy* collecting_ = nullptr;        ///< where the running callback's outputs are held
+  Busy* collecting_ = nullptr;        ///< what the running callback has said is held there
   SampleHash hash_;
   int events_at_now_ = 0;
   std::map<std::string, int> instant_callbacks_;

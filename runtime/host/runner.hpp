@@ -22,8 +22,10 @@ class Runner : public SampleSink {
  public:
   /// The component clock.
   virtual Time now() const = 0;
-  /// A sample waits in the input's reader. Called by DDS with its locks held.
-  virtual void sample_arrived(Input& input) = 0;
+  /// Something waits at the inlet. Called by DDS with its locks held.
+  virtual void arrived(Inlet& inlet) = 0;
+  /// Sets when a timer without a period fires; Timer::kNever: it does not. On the actor's own lane.
+  virtual void schedule(Timer& timer, Time at) = 0;
   /// Runs until finish() or, with a duration, until it has passed.
   virtual RunEnd run(std::optional<Duration> duration) = 0;
   /// Ends the run; with a grace every actor first sees Health::stop for that long. Callable from any thread.

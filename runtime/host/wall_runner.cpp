@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include <pthread.h>
 
@@ -17,6 +18,7 @@ WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock)
     }
     lane_of_[actor] = lane.get();
     for (const auto& timer : actor->timers) lane->timers.push_back(timer.get());
+    for (const auto& client : actor->clients) lane->timers.push_back(&client->deadline_timer);
   }
   clock_.on_step([this] {
     for (const auto& [name, lane] : lanes_) {
@@ -30,37 +32,41 @@ WallRunner::~WallRunner() { clock_.on_step(nullptr); }
 
 namespace {
 
-/// Inputs reached by the write this thread is in. They are woken when it returns: before, they would only
+/// Inlets reached by the write this thread is in. They are woken when it returns: before, they would only
 /// block on the locks it holds.
-thread_local std::vector<Input*>* t_reached = nullptr;
+thread_local std::vector<Inlet*>* t_reached = nullptr;
 
 }  // namespace
 
 void WallRunner::publish(OutputEnd& output, std::span<const std::uint8_t> cdr) {
   if (tap_ != nullptr) tap_->on_sample(output, clock_.now(), cdr);
-  thread_local std::vector<Input*> reached;
+  run_and_wake([&] { output.writer->write(cdr); });
+}
+
+void WallRunner::run_and_wake(const std::function<void()>& write) {
+  thread_local std::vector<Inlet*> reached;
   t_reached = &reached;
-  output.writer->write(cdr);
+  write();
   t_reached = nullptr;
-  for (Input* input : reached) enqueue(*input);
+  for (Inlet* inlet : reached) enqueue(*inlet);
   reached.clear();
 }
 
-void WallRunner::sample_arrived(Input& input) {
-  if (input.queued.exchange(true)) return;  // the waiting event takes this sample too
-  input.queued_at_ns = steady_time().nanoseconds;
+void WallRunner::arrived(Inlet& inlet) {
+  if (inlet.queued.exchange(true)) return;  // the waiting event takes this one too
+  inlet.queued_at_ns = steady_time().nanoseconds;
   if (t_reached != nullptr) {
-    t_reached->push_back(&input);
+    t_reached->push_back(&inlet);
   } else {
-    enqueue(input);
+    enqueue(inlet);
   }
 }
 
-void WallRunner::enqueue(Input& input) {
-  Lane& lane = *lane_of_.at(input.actor);
+void WallRunner::enqueue(Inlet& inlet) {
+  Lane& lane = *lane_of_.at(inlet.actor);
   {
     const std::lock_guard lock(lane.mutex);
-    lane.queue.push_back(&input);
+    lane.queue.push_back(&inlet);
   }
   lane.wake.notify_one();
 }
@@ -69,7 +75,9 @@ RunEnd WallRunner::run(std::optional<Duration> duration) {
   const Time start = clock_.now();
   for (Actor* actor : actors_) {
     for (const auto& input : actor->inputs) input->last_received = start;
-    for (const auto& timer : actor->timers) timer->next = start + timer->period;
+    for (const auto& timer : actor->timers) {
+      if (timer->is_periodic()) timer->next = start + timer->period;
+    }
   }
   for (const auto& [name, lane] : lanes_) {
     lane->thread = std::thread([this, worker = lane.get()] { work(*worker); });
@@ -109,10 +117,10 @@ void WallRunner::work(Lane& lane) {
       wait(lane, lock);
       continue;
     }
-    Input* input = lane.queue.front();
+    Inlet* inlet = lane.queue.front();
     lane.queue.pop_front();
     lock.unlock();
-    drain(*input);
+    drain(*inlet);
     lock.lock();
   }
 }
@@ -122,7 +130,14 @@ void WallRunner::fire_if_due(Lane& lane, Timer& timer, std::unique_lock<std::mut
   if (lane.stop) return;
   if (now < timer.next) {
     // An outside clock that went back: start counting anew.
-    if (timer.next - now > timer.period) timer.next = now + timer.period;
+    if (timer.is_periodic() && timer.next - now > timer.period) timer.next = now + timer.period;
+    return;
+  }
+  if (!timer.is_periodic()) {
+    const Duration late = now - std::exchange(timer.next, Timer::kNever);
+    lock.unlock();
+    timer.actor->fire(timer, now, late);
+    lock.lock();
     return;
   }
   const Duration late = now - timer.next;
@@ -137,19 +152,21 @@ void WallRunner::fire_if_due(Lane& lane, Timer& timer, std::unique_lock<std::mut
   lock.lock();
 }
 
-void WallRunner::drain(Input& input) {
-  const Duration waited = steady_time() - Duration{input.queued_at_ns};
-  input.queued = false;  // before the take: a sample that arrives from now on makes a new event
+void WallRunner::drain(Inlet& inlet) {
+  const Duration waited = steady_time() - Duration{inlet.queued_at_ns};
+  inlet.queued = false;  // before the take: what arrives from now on makes a new event
   constexpr int kMostAtOnce = 16;
   for (int i = 0; i < kMostAtOnce; ++i) {
-    if (!input.actor->deliver(input, clock_.now(), waited)) return;
+    if (!inlet.take_one(clock_.now(), waited)) return;
   }
-  sample_arrived(input);  // others on this lane first
+  arrived(inlet);  // others on this lane first
 }
 
 void WallRunner::wait(Lane& lane, std::unique_lock<std::mutex>& lock) {
   std::optional<Time> next;
-  for (const Timer* timer : lane.timers) next = next ? std::min(*next, timer->next) : timer->next;
+  for (const Timer* timer : lane.timers) {
+    if (timer->next != Timer::kNever) next = next ? std::min(*next, timer->next) : timer->next;
+  }
   const std::optional<Duration> sleep = next ? clock_.real_time_until(*next) : std::nullopt;
   if (!sleep) {
     // Without timers, or with a clock that wakes us by itself.

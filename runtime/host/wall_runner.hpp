@@ -19,8 +19,10 @@ class WallRunner final : public Runner {
   ~WallRunner() override;
 
   Time now() const override { return clock_.now(); }
-  void sample_arrived(Input& input) override;
+  void arrived(Inlet& inlet) override;
+  void schedule(Timer& timer, Time at) override { timer.next = at; }
   void publish(OutputEnd& output, std::span<const std::uint8_t> cdr) override;
+  void when_done(std::function<void()> action) override { run_and_wake(action); }
   RunEnd run(std::optional<Duration> duration) override;
   void finish(RunEnd end, Duration grace) override;
 
@@ -30,16 +32,17 @@ class WallRunner final : public Runner {
     std::string name;
     std::mutex mutex;
     std::condition_variable wake;
-    std::deque<Input*> queue;
+    std::deque<Inlet*> queue;
     std::vector<Timer*> timers;
     bool stop = false;
     std::thread thread;
   };
 
-  void enqueue(Input& input);
+  void run_and_wake(const std::function<void()>& write);
+  void enqueue(Inlet& inlet);
   void work(Lane& lane);
   void fire_if_due(Lane& lane, Timer& timer, std::unique_lock<std::mutex>& lock);
-  void drain(Input& input);
+  void drain(Inlet& inlet);
   void wait(Lane& lane, std::unique_lock<std::mutex>& lock);
 
   std::vector<Actor*> actors_;

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/import/number_kinds.hpp"
+#include "runtime/wire/number_kinds.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/parameters/scalar_text.hpp"
 #include "runtime/wire/cdr_writer.hpp"

@@ -6,6 +6,7 @@ namespace bw {
 namespace {
 
 constexpr std::string_view kPrefix = "rt";
+constexpr std::string_view kRequest = "Request";
 constexpr std::string_view kMarker = "::dds_::";
 constexpr std::string_view kHashKey = "typehash=";
 
@@ -16,6 +17,15 @@ std::string ros_topic(const std::string& dds_topic) {
 }
 
 std::string dds_topic(const std::string& ros_topic) { return std::string(kPrefix) + ros_topic; }
+
+std::string request_topic(const std::string& service) { return "rq" + service + std::string(kRequest); }
+
+std::string reply_topic(const std::string& service) { return "rr" + service + "Reply"; }
+
+std::string service_of_request(const std::string& dds_topic) {
+  if (!dds_topic.starts_with("rq/") || !dds_topic.ends_with(kRequest)) return {};
+  return dds_topic.substr(2, dds_topic.size() - 2 - kRequest.size());
+}
 
 std::string ros_type(const std::string& dds_type) {
   const std::size_t marker = dds_type.find(kMarker);

@@ -56,8 +56,8 @@ class CdrWriter {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// A valid message of `type` with random values; sequences of up to `longest` elements, texts of up to 8
-/// characters.
+/// A valid message of `type` with random values; sequences of up to `longest` elements, or as many as they may have,
+/// texts of up to 8 characters.
 class RandomPayload {
  public:
   RandomPayload(std::uint64_t seed, std::uint32_t longest) : random_(seed), longest_(longest) {}
@@ -73,7 +73,8 @@ class RandomPayload {
     for (const FieldDescription& field : type.fields) {
       std::uint32_t count = field.shape == Shape::kArray ? field.capacity : 1;
       if (field.shape == Shape::kSequence) {
-        count = below(longest_ + 1);
+        const std::uint32_t bound = field.capacity == 0 ? longest_ : std::min(longest_, field.capacity);
+        count = below(bound + 1);
         writer.put(count);
       }
       for (std::uint32_t i = 0; i < count; ++i) element(field, writer);

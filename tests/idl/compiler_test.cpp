@@ -28,8 +28,6 @@ std::string in_module(const std::string& definition) {
 
 TEST(IdlCompiler, ReadsEveryKindOfMember) {
   const File file = parse(R"(
-    #ifndef GUARD
-    #define GUARD
     #include "c/msg/D.idl"  // where the nested type comes from
     /* two
        lines */
@@ -42,8 +40,7 @@ TEST(IdlCompiler, ReadsEveryKindOfMember) {
         sequence<string<8>> texts;
         c::msg::D nested;
       };
-    }; };
-    #endif)",
+    }; };)",
                           "a/msg/B.idl");
   EXPECT_EQ(file.includes, std::vector<std::string>{"c/msg/D.idl"});
   ASSERT_EQ(file.structs.size(), 1U);
@@ -95,6 +92,7 @@ TEST(IdlCompiler, RefusesWithFileAndLine) {
   EXPECT_THAT(fault("module a {"), HasSubstr("found 'the end of the file'"));
   EXPECT_THAT(fault("/* for ever"), HasSubstr("a/msg/B.idl:1: comment without end"));
   EXPECT_THAT(fault("#pragma once"), HasSubstr("a/msg/B.idl:1: unknown directive"));
+  EXPECT_THAT(fault("\n#ifndef GUARD"), HasSubstr("a/msg/B.idl:2: unknown directive"));
 }
 
 TEST(IdlCompiler, RefusesTypesThatDoNotFitTogether) {

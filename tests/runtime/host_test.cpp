@@ -15,6 +15,7 @@
 #include "runtime/host/lockstep_runner.hpp"
 #include "runtime/registry.hpp"
 #include "runtime/stamps.hpp"
+#include "tests/runtime/scripted.hpp"
 
 namespace bw {
 namespace {
@@ -29,24 +30,11 @@ Float64 value(double x) {
   return message;
 }
 
-/// A component whose behaviour is a lambda.
-class Scripted final : public Component {
- public:
-  explicit Scripted(std::function<void(Setup&)> script) : script_(std::move(script)) {}
-  void configure(bw::Setup& setup) override { script_(setup); }
-
- private:
-  std::function<void(Setup&)> script_;
-};
-
 /// A graph of scripted components, in rank order.
 class TestGraph {
  public:
   TestGraph& add(ComponentNode node, std::function<void(Setup&)> script) {
-    static int counter = 0;
-    node.type = "scripted" + std::to_string(counter++);
-    register_component(node.type, [script] { return std::make_unique<Scripted>(script); });
-    graph_.components.push_back(std::move(node));
+    graph_.components.push_back(scripted(std::move(node), std::move(script)));
     return *this;
   }
   std::string run(double seconds, std::uint64_t seed = 1) {

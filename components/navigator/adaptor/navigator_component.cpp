@@ -87,10 +87,8 @@ class NavigatorComponent final : public Component {
   }
 
   void step(const Tick& tick) {
-    if (tick.now < stepped_) {  // the clock went back
-      goals_->shift(stepped_ - tick.now);
-      last_feedback_ = {};
-    }
+    if (tick.now < stepped_) goals_->shift(stepped_ - tick.now);
+    if (tick.now < stepped_) last_feedback_ = {};
     stepped_ = tick.now;
     send_own_goal(tick);
     send(tick);

@@ -194,6 +194,8 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   result.card = seen->card;
   result.json = to_json(seen->card, facts, host.statistics());
   bags.add_to(result.json);
+  if (options.host.clock == ClockMode::lockstep)
+    result.json["inputs"] = host.was_changed_from_outside() ? "outside" : "graph";
   result.json["real_time_s"] = real_s;
   result.json["process"] = process_json();
   if (seen->card) result.json["robot_path"] = path_json(seen->path, *seen->card);

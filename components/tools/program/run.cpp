@@ -27,6 +27,7 @@ struct RunOptions {
   RecordOptions record;
   bool progress = false;
   bool fail_on_contact = false;
+  bool accept_inputs = false;
 };
 
 ClockMode clock_mode(const std::string& name) {
@@ -52,7 +53,8 @@ int run(const RunOptions& options) {
             {.host = {.clock = clock_mode(options.clock),
                       .seed = options.seed,
                       .only_process = options.only,
-                      .pace = pace_of(options)},
+                      .pace = pace_of(options),
+                      .accept_inputs = options.accept_inputs},
              .longest = options.for_s > 0.0 ? std::optional(Duration::seconds(options.for_s)) : std::nullopt,
              .svg = options.svg,
              .record = options.record.record,
@@ -84,6 +86,9 @@ CLI::App* add_run(CLI::App& app, int& status) {
       ->check(CLI::NonNegativeNumber);
   verb->add_flag("--stay", options->stay,
                  "Goes on for further goals when one is decided, until --for is over or Ctrl-C");
+  verb->add_flag(
+      "--accept-inputs", options->accept_inputs,
+      "Lock-step: goals, parameters, transitions and commands of other programs enter the run and its record");
   verb->add_option("--json", options->json, "Writes the score card here");
   verb->add_option("--svg", options->svg, "Writes a picture of the run here");
   options->record.add_to(*verb);

@@ -60,9 +60,8 @@ class WorldComponent final : public Component {
     imu_frame_ = setup.frame(options_.imu.frame);
     gps_frame_ = setup.frame(options_.gps.frame);
     scan_message_.header().frame_id(setup.frame(options_.laser.frame));
-    for (const std::string& frame : {options_.laser.frame, options_.imu.frame, options_.gps.frame}) {
+    for (const std::string& frame : {options_.laser.frame, options_.imu.frame, options_.gps.frame})
       if (!robot.has_mount_of(frame)) unlisted_.push_back(setup.frame(frame));
-    }
     if (!unlisted_.empty()) mounts_ = setup.output<tf2_msgs::msg::TFMessage>("/tf_static", Qos::latched());
     setup.every(world_->physics_step(), "physics", [this](const Tick& tick) { catch_up(tick.now); });
   }

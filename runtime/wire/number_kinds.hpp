@@ -7,7 +7,7 @@
 #include "runtime/wire/cdr_writer.hpp"
 #include "runtime/wire/type_description.hpp"
 
-namespace bw::imports {
+namespace bw {
 
 /// The rule that a field of this kind holds and the value breaks: a whole number in range, a float32 that is not too large.
 std::optional<std::string> broken_rule(Kind kind, double value);
@@ -15,4 +15,4 @@ std::optional<std::string> broken_rule(Kind kind, double value);
 /// Of a value that breaks no rule.
 void write_number(Kind kind, double value, CdrWriter& writer);
 
-}  // namespace bw::imports
+}  // namespace bw

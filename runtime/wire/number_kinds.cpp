@@ -1,4 +1,4 @@
-#include "runtime/import/number_kinds.hpp"
+#include "runtime/wire/number_kinds.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -7,9 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/parameters/scalar_text.hpp"
-
-namespace bw::imports {
+namespace bw {
 namespace {
 
 constexpr double kExact = 9007199254740992.0;  // whole numbers are exact in a double up to here
@@ -50,8 +48,7 @@ std::optional<std::pair<double, double>> range_of(Kind kind) {
 std::optional<std::string> broken_rule(Kind kind, double value) {
   if (const auto range = range_of(kind)) {
     if (value >= range->first && value <= range->second && value == std::trunc(value)) return std::nullopt;
-    return fmt::format("must be a whole number from {} to {}", short_text(range->first),
-                       short_text(range->second));
+    return fmt::format("must be a whole number from {:.0f} to {:.0f}", range->first, range->second);
   }
   const bool too_large = kind == Kind::kFloat32 && std::isfinite(value) &&
                          std::abs(value) > double{std::numeric_limits<float>::max()};
@@ -89,4 +86,4 @@ void write_number(Kind kind, double value, CdrWriter& writer) {
   }
 }
 
-}  // namespace bw::imports
+}  // namespace bw

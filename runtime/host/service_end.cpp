@@ -1,0 +1,119 @@
+#include "runtime/host/service_end.hpp"
+
+#include <algorithm>
+
+#include "runtime/host/actor.hpp"
+
+namespace bw {
+namespace {
+
+/// Replies kept for clients whose reader is not known yet.
+constexpr std::size_t kMostPending = 256;
+constexpr Duration kLongestPending = Duration::milliseconds(1000);
+
+/// The last octet of an entity id tells readers (RTPS 9.3.1.2).
+bool is_reader(const dds::Guid& guid) {
+  constexpr std::uint8_t kReaderNoKey = 0x04, kReaderWithKey = 0x07;
+  return guid.back() == kReaderNoKey || guid.back() == kReaderWithKey;
+}
+
+/// The reader that a client asks to be answered at, or else its writer.
+RequestId id_of(const dds::Sample& sample) {
+  const bool is_told = sample.related.guid != dds::Guid{};
+  return {is_told ? sample.related.guid : sample.writer, static_cast<std::int64_t>(sample.sequence)};
+}
+
+}  // namespace
+
+ServiceEnd::ServiceEnd(Actor& owner, std::string declared, std::string resolved,
+                       const ServiceType& service_type, ServiceScope service_scope)
+    : name(std::move(declared)), service(std::move(resolved)), type(service_type), scope(service_scope) {
+  actor = &owner;
+  statistics.component = owner.name;
+  statistics.callback = name;
+}
+
+bool ServiceEnd::take_one(Time now, std::optional<Duration> waited) {
+  flush();
+  if (keeps_foreign_apart) {
+    sort_arrivals();
+    if (own_.empty()) return false;
+    const Request request = std::move(own_.front());
+    own_.pop_front();
+    answer(request, now);
+    return true;
+  }
+  if (!reader->take(sample_)) return false;
+  if (waited) {
+    const std::lock_guard lock(actor->mutex);
+    statistics.wait.add(*waited);
+  }
+  answer({id_of(sample_), sample_.cdr}, now);
+  return true;
+}
+
+void ServiceEnd::answer(const Request& request, Time now) {
+  const Duration start = thread_cpu_time();
+  const bool accepted = handler.handle(request.cdr, request.from,
+                                       Tick{.now = now, .health = actor->health(now), .sequence = calls_});
+  if (accepted) {
+    ++calls_;
+  } else if (handler.refuse) {
+    refuse(request.from, "the request holds no " + std::string(type.ros_name));
+  }
+  const std::lock_guard lock(actor->mutex);
+  statistics.run.add(thread_cpu_time() - start);
+  if (!accepted) ++statistics.rejected;
+}
+
+void ServiceEnd::refuse(const RequestId& from, const std::string& reason) {
+  std::vector<std::uint8_t> cdr;
+  handler.refuse(reason, cdr);
+  reply(from, cdr);
+}
+
+void ServiceEnd::reply(const RequestId& to, std::span<const std::uint8_t> cdr) {
+  sink->when_done([this, to, bytes = std::vector<std::uint8_t>(cdr.begin(), cdr.end())] {
+    if (is_reader(to.client) && !writer->is_matched(to.client)) {
+      const std::lock_guard lock(pending_mutex_);
+      if (pending_.size() >= kMostPending) pending_.pop_front();
+      pending_.push_back({to, bytes, steady_time()});
+    } else {
+      write(to, bytes);
+    }
+  });
+  flush();  // the match may have come between the two
+}
+
+void ServiceEnd::flush() {
+  const std::lock_guard lock(pending_mutex_);
+  if (pending_.empty()) return;
+  const Duration now = steady_time();
+  std::erase_if(pending_, [&](const Pending& reply) {
+    if (!writer->is_matched(reply.to.client)) return now - reply.since > kLongestPending;
+    write(reply.to, reply.cdr);
+    return true;
+  });
+}
+
+void ServiceEnd::write(const RequestId& to, std::span<const std::uint8_t> cdr) {
+  writer->write_related(cdr, {to.client, to.sequence});
+}
+
+std::vector<ServiceEnd::Request> ServiceEnd::take_foreign() {
+  sort_arrivals();
+  return std::exchange(foreign_, {});
+}
+
+void ServiceEnd::sort_arrivals() {
+  while (reader->take(sample_)) {
+    Request request{id_of(sample_), sample_.cdr};
+    if (dds::same_participant(sample_.writer, reader->guid())) {
+      own_.push_back(std::move(request));
+    } else {
+      foreign_.push_back(std::move(request));
+    }
+  }
+}
+
+}  // namespace bw

@@ -1,0 +1,78 @@
+// One service of one actor: takes requests, gives them to the component, writes replies as rmw_fastrtps does (identity in
+// the inline QoS, nothing in the payload).
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "runtime/dds/participant.hpp"
+#include "runtime/host/inlet.hpp"
+#include "runtime/host/statistics.hpp"
+#include "runtime/ports.hpp"
+
+namespace bw {
+
+class SampleSink;
+
+/// ROS 2's service introspection: `<service>/_service_event`.
+inline constexpr const char* kServiceEvent = "/_service_event";
+
+class ServiceEnd final : public Inlet, public ServicePort {
+ public:
+  /// A request as it came.
+  struct Request {
+    RequestId from;
+    std::vector<std::uint8_t> cdr;
+  };
+
+  ServiceEnd(Actor& owner, std::string declared, std::string resolved, const ServiceType& service_type,
+             ServiceScope service_scope);
+
+  const std::string& label() const override { return service; }
+  bool take_one(Time now, std::optional<Duration> waited) override;
+  /// When the component's latency has passed; to a client that is not connected yet when it is, for at most a second.
+  void reply(const RequestId& to, std::span<const std::uint8_t> cdr) override;
+  /// Answers it here and now: by the component, or why not.
+  void answer(const Request& request, Time now);
+  void refuse(const RequestId& from, const std::string& reason);
+  /// It changes something, so that in lock-step it may not come from outside.
+  bool changes_something() const { return handler.refuse != nullptr; }
+
+  /// In lock-step: requests of other participants wait apart, and here they are. From the runner's thread.
+  std::vector<Request> take_foreign();
+  /// Writes replies whose clients have been connected meanwhile.
+  void flush();
+
+  std::string name;     ///< as the component declared it
+  std::string service;  ///< resolved, absolute
+  ServiceType type;
+  ServiceScope scope;
+  RequestHandler handler;
+  bool keeps_foreign_apart = false;  ///< lock-step
+  std::unique_ptr<dds::Reader> reader;
+  std::unique_ptr<dds::Writer> writer;
+  SampleSink* sink = nullptr;
+  CallbackStatistics statistics;
+
+ private:
+  struct Pending {
+    RequestId to;
+    std::vector<std::uint8_t> cdr;
+    Duration since;  ///< steady time
+  };
+
+  void sort_arrivals();
+  void write(const RequestId& to, std::span<const std::uint8_t> cdr);
+
+  std::uint64_t calls_ = 0;
+  dds::Sample sample_;
+  std::deque<Request> own_;
+  std::vector<Request> foreign_;
+  std::mutex pending_mutex_;
+  std::deque<Pending> pending_;
+};
+
+}  // namespace bw

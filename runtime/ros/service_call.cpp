@@ -1,0 +1,72 @@
+#include "runtime/ros/service_call.hpp"
+
+#include <condition_variable>
+#include <mutex>
+
+#include "runtime/ros/dds_names.hpp"
+
+namespace bw {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Wakes one thread from DDS threads.
+class Bell {
+ public:
+  void ring() {
+    const std::lock_guard lock(mutex_);
+    rung_ = true;
+    wake_.notify_one();
+  }
+  /// False at `end`.
+  bool wait(Clock::time_point end) {
+    std::unique_lock lock(mutex_);
+    const bool rung = wake_.wait_until(lock, end, [this] { return rung_; });
+    rung_ = false;
+    return rung;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool rung_ = false;
+};
+
+dds::EndpointOptions options(const std::string& topic, const MessageType& type) {
+  return {.topic = topic,
+          .type = std::string(type.dds_name),
+          .qos = Qos::standard(),
+          .user_data = user_data_of(std::string(type.type_hash))};
+}
+
+}  // namespace
+
+std::optional<std::vector<std::uint8_t>> call_service(dds::Participant& participant, const std::string& name,
+                                                      const ServiceType& type,
+                                                      std::span<const std::uint8_t> request,
+                                                      std::chrono::milliseconds limit) {
+  const Clock::time_point end = Clock::now() + limit;
+  Bell bell;
+  const auto ring = [&bell] { bell.ring(); };
+  const auto reader = participant.create_reader(options(reply_topic(name), type.response), ring);
+  const auto writer = participant.create_writer(options(request_topic(name), type.request), ring);
+  // Nothing tells when the reader is matched: looked at so often.
+  constexpr std::chrono::milliseconds kLook{5};
+  while (writer->matched_readers() == 0 || reader->matched_writers() == 0) {
+    if (Clock::now() >= end) return std::nullopt;
+    bell.wait(std::min(end, Clock::now() + kLook));
+  }
+  const auto asked = writer->write_related(request, {reader->guid(), 0});
+  if (!asked) return std::nullopt;
+  dds::Sample sample;
+  do {
+    while (reader->take(sample)) {
+      const dds::Guid& to = sample.related.guid;
+      if ((to == reader->guid() || to == writer->guid()) && sample.related.sequence == asked->sequence)
+        return std::move(sample.cdr);
+    }
+  } while (bell.wait(end));
+  return std::nullopt;
+}
+
+}  // namespace bw
