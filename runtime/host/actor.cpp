@@ -45,10 +45,13 @@ bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
       input.handler(sample_.cdr, Tick{.now = now, .health = health(now), .sequence = input.calls});
   const Duration spent = thread_cpu_time() - start;
   if (accepted) ++input.calls;
-  const std::lock_guard lock(mutex);
-  input.statistics.run.add(spent);
-  if (waited) input.statistics.wait.add(*waited);
-  if (!accepted) ++input.statistics.rejected;
+  {
+    const std::lock_guard lock(mutex);
+    input.statistics.run.add(spent);
+    if (waited) input.statistics.wait.add(*waited);
+    if (!accepted) ++input.statistics.rejected;
+  }
+  if (!accepted && input.statistics.rejected == 1 && on_first_rejected) on_first_rejected(input);
   return true;
 }
 

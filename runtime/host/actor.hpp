@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -91,6 +92,7 @@ struct Actor final : DiagnosticReporter {
   std::vector<std::unique_ptr<ServiceEnd>> services;
   std::vector<std::unique_ptr<ClientEnd>> clients;
   ParameterReport parameters;
+  std::function<void(const Input&)> on_first_rejected;  ///< an input's sample is not its message
 
   /// Guards what the diagnostics read while the lane works: statistics, arrival times, the three below.
   mutable std::mutex mutex;

@@ -14,7 +14,7 @@ namespace bw {
 /// Not for several threads at once.
 class NodeDirectory {
  public:
-  /// `on_news` runs on a DDS thread when there is something to read: it may only wake somebody.
+  /// The participant must outlive this. `on_news` runs on a DDS thread when there is something to read: it may only wake somebody.
   explicit NodeDirectory(
       dds::Participant& participant, std::function<void()> on_news = [] {});
 
@@ -25,6 +25,9 @@ class NodeDirectory {
   [[nodiscard]] std::string node_of(const dds::Guid& endpoint) const;
 
  private:
+  void forget_the_gone();
+
+  dds::Participant& participant_;
   std::unique_ptr<dds::Reader> reader_;
   std::vector<ParticipantEntities> participants_;
   std::map<dds::Guid, std::string> node_of_;

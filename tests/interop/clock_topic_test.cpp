@@ -37,10 +37,9 @@ class OutsideClock {
       : graph_({BANDWAGON_PROGRAM, "run", std::string(BANDWAGON_SOURCE_DIR) + "/tests/interop/one_room.yaml",
                 "--clock", "topic", "--stay"}),
         participant_({.network = dds::Network::from_environment({})}),
-        clock_(participant_.create_writer(
-            endpoint<rosgraph_msgs::msg::Clock>("/clock", Qos::standard()))),
-        odometry_(participant_.create_reader(
-            endpoint<nav_msgs::msg::Odometry>("/odom", Qos::standard(1000)), [] {})) {
+        clock_(participant_.create_writer(endpoint<rosgraph_msgs::msg::Clock>("/clock", Qos::standard()))),
+        odometry_(participant_.create_reader(endpoint<nav_msgs::msg::Odometry>("/odom", Qos::standard(1000)),
+                                             [] {})) {
     if (!eventually([this] { return clock_->matched_readers() > 0 && odometry_->matched_writers() > 0; }))
       throw std::runtime_error("no graph: " + graph_.err());
   }
@@ -111,7 +110,8 @@ TEST(ClockTopic, ScenariosForNow) {
   std::uniform_int_distribution<int> ms(1, 40);
   const auto irregular = [&] { return Duration::milliseconds(ms(random)); };
   const auto say = [&](const char* what, Duration longest) {
-    std::cout << what << " " << longest.to_seconds() << " behind " << (clock.now() - clock.newest()).to_seconds() << std::endl;
+    std::cout << what << " " << longest.to_seconds() << " behind "
+              << (clock.now() - clock.newest()).to_seconds() << std::endl;
   };
   say("start", clock.run(Duration::seconds(3.0), 2.0, ten_milliseconds));
   say("irregular", clock.run(Duration::seconds(3.0), 2.0, irregular));

@@ -95,7 +95,8 @@ class CollisionMonitorComponent final : public Component {
       report(verdict, silent);
     idle_ = silent;
     last_ = verdict;
-    if (markers_.has_readers() && (!drawn_at_ || tick.now - *drawn_at_ >= kMarkerPeriod || tick.now < *drawn_at_)) {
+    if (markers_.has_readers() &&
+        (!drawn_at_ || tick.now - *drawn_at_ >= kMarkerPeriod || tick.now < *drawn_at_)) {
       drawn_at_ = tick.now;
       markers_.publish(
           safety::to_markers(options_, robot_.radius, verdict, make_header(base_frame_, tick.now)));
