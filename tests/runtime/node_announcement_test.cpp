@@ -64,15 +64,20 @@ class Announcement : public testing::Test {
   /// What a reader that is there gets.
   std::vector<std::uint8_t> bytes() {
     dds::Participant listener(local());
+    Qos qos = Qos::latched();
+    qos.depth = 100;  // of all writers together
     const auto reader = listener.create_reader({.topic = kDiscoveryTopic,
                                                 .type = kDiscoveryType,
-                                                .qos = Qos::latched(),
+                                                .qos = qos,
                                                 .user_data = discovery_reader_user_data()},
                                                [] {});
     dds::Sample sample;
     const auto is_ours = [&] {
-      return reader->take(sample) &&
-             std::equal(sample.writer.begin(), sample.writer.begin() + 12, participant.guid().begin());
+      while (reader->take(sample)) {
+        if (std::equal(sample.writer.begin(), sample.writer.begin() + 12, participant.guid().begin()))
+          return true;
+      }
+      return false;
     };
     EXPECT_TRUE(eventually(is_ours));
     return sample.cdr;

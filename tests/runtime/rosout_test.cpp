@@ -31,8 +31,8 @@ TEST(Rosout, HasWhatWasSaidBeforeTheRun) {
   std::vector<std::string> heard;
   Graph graph;
   graph.components.push_back(scripted({.name = "eye", .node_namespace = "/robot1/front"},
-                                      [](Setup& setup) { setup.log().warn("dusty"); }));
-  graph.components.push_back(scripted({.name = "listener"}, [&](Setup& setup) {
+                                      [](bw::Setup& setup) { setup.log().warn("dusty"); }));
+  graph.components.push_back(scripted({.name = "listener"}, [&](bw::Setup& setup) {
     setup.log().info("listening");
     setup.input<Log>(
         "/rosout", Qos::rosout(),
@@ -78,7 +78,7 @@ class Console {
 
 TEST(Rosout, HasWhatTheHostSays) {
   Graph graph;
-  graph.components.push_back(scripted({.name = "eye"}, [](Setup& setup) {
+  graph.components.push_back(scripted({.name = "eye"}, [](bw::Setup& setup) {
     setup.log().info("open");
     setup.input<Float64>(
         "value", Qos::standard(), [](const Float64&, const Tick&) {}, Need::optional);
