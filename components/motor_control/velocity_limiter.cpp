@@ -51,6 +51,7 @@ void VelocityLimiter::command(Time now, const Twist2& twist) {
 
 LimitedTwist VelocityLimiter::step(Time now) {
   const double dt = elapsed(now);
+  if (arrival_ && *arrival_ > now) arrival_ = now;  // the clock went back
   const LimiterState state = judge(now);
   if (state == LimiterState::following) {
     const Twist2 wish = saturate(command_, allowed_, 2.0 * half_separation_, wheel_speed_max_);

@@ -70,7 +70,9 @@ void CollisionMonitor::sweep(Time now, const LaserSweep& sweep) {
 
 std::optional<std::string_view> CollisionMonitor::fault(Time now) {
   const LaserState state = watch_.state(now);
-  const bool has_odometry = odometry_at_ && (now - *odometry_at_).to_seconds() <= options_.source_timeout;
+  const bool has_odometry =
+      odometry_at_ && std::abs((now - *odometry_at_).to_seconds()) <= options_.source_timeout;
+  if (fault_at_ && *fault_at_ > now) fault_at_ = now;  // the clock went back
   if (state != LaserState::ok || !has_odometry) {
     const bool is_start = state == LaserState::waiting || !odometry_at_;
     fault_cause_ = state != LaserState::ok ? cause_of(state) : kOdometrySilent;

@@ -483,6 +483,10 @@ std::unique_ptr<Reader> Participant::create_reader(const EndpointOptions& option
                                                    std::function<void()> on_match) {
   efd::DataReaderQos qos = efd::DATAREADER_QOS_DEFAULT;
   apply(options, qos);
+  // A writer that knew this reader before it was known itself has sent in vain: it is asked at once what it has, since
+  // `ros2 topic pub --once` leaves after 100 ms. By default the question waits for 70 ms and the answer's answer for 5.
+  qos.reliable_reader_qos().times.initialAcknackDelay = to_duration(Duration::milliseconds(1));
+  qos.reliable_reader_qos().times.heartbeatResponseDelay = to_duration(Duration::milliseconds(1));
   set_user_data(qos.user_data(), options.user_data);
   auto result = std::make_unique<FastReader>(impl_->subscriber(options.partitions), std::move(on_sample),
                                              std::move(on_match), impl_->discovery);

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -119,6 +120,7 @@ struct Actor final : DiagnosticReporter {
   std::vector<std::unique_ptr<ClientEnd>> clients;
   ParameterReport parameters;
   LiveParameters live_parameters;
+  std::function<void(const Input&)> on_first_rejected;  ///< an input's sample is not its message
 
   /// Guards what the diagnostics read while the lane works: statistics, arrival times, the three below.
   mutable std::mutex mutex;
@@ -156,7 +158,11 @@ struct Actor final : DiagnosticReporter {
   void fire(Timer& timer, Time now, std::optional<Duration> waited);
 
  private:
+  /// Ages count from here after a clock that went back, or a silent input would stay fresh until it is there again.
+  void see(Time now);
+
   dds::Sample sample_;
+  Time now_;
 };
 
 }  // namespace bw

@@ -45,9 +45,7 @@ std::vector<CommandWatch::News> CommandGuard::look(Time now) {
   auto news = watch_.look(
       participant_.endpoints(), participant_.take_departed(),
       [this](const dds::Guid& guid) { return directory_.node_of(guid); }, now);
-  std::vector<dds::Guid> alive = participant_.remote_participants();
-  alive.push_back(participant_.guid());
-  directory_.keep_only(alive);
+  directory_.forget_the_gone();
   return news;
 }
 

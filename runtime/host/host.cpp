@@ -9,8 +9,8 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "runtime/host/command_guard.hpp"
 #include "runtime/graph/names.hpp"
+#include "runtime/host/command_guard.hpp"
 #include "runtime/host/host_setup.hpp"
 #include "runtime/host/lockstep_runner.hpp"
 #include "runtime/host/parameter_services.hpp"
@@ -19,7 +19,7 @@
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/registry.hpp"
 #include "runtime/ros/dds_names.hpp"
-#include "runtime/ros/discovery_info.hpp"
+#include "runtime/ros/node_announcement.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {
@@ -207,6 +207,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
 }
 
 Host::~Host() {
+  announcement_.reset();
   outside_.reset();
   for (const auto& actor : actors_) {
     actor->watched.clear();
@@ -233,6 +234,11 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
   if (here) local_.push_back(actor.get());
   actors_.push_back(std::move(actor));
   Actor& added = *actors_.back();
+  added.on_first_rejected = [this, &added](const Input& input) {
+    log(added, LogLevel::warn,
+        fmt::format("a sample on {} is no {} and was thrown away; /diagnostics counts them", input.topic,
+                    input.type.ros_name));
+  };
   HostSetup setup(*this, added, node);
   added.component->configure(setup);
   setup.declare_for_the_node();
@@ -296,7 +302,6 @@ void Host::connect() {
   for (Actor* actor : local_) connect_clients(*actor);
   if (outside_) outside_->connect(*participant_, heard_outside_, local_);
   if (!lockstep) command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
-  announce_nodes();
 }
 
 // The reply's writer first: a server that takes requests and cannot answer makes every client wait.
@@ -353,7 +358,12 @@ void Host::tap_outputs() {
 }
 
 void Host::announce_nodes() {
-  ParticipantEntities entities{.participant = participant_->guid(), .nodes = {}};
+  AnnouncementOptions options{.distro = graph_.settings.ros_distro};
+  // In lock-step nobody of outside is to decide anything, not even a line of the log.
+  options.looks_around = options_.clock != ClockMode::lockstep;
+  if (options.looks_around)
+    options.warn = [this](const std::string& text) { log(*local_.front(), LogLevel::warn, text); };
+  announcement_ = std::make_unique<NodeAnnouncement>(*participant_, std::move(options));
   const auto& parameter_events = *std::ranges::find_if(
       actors_.front()->outputs, [](const auto& o) { return o->topic == kParameterEvents; });
   for (const Actor* actor : local_) {
@@ -370,12 +380,9 @@ void Host::announce_nodes() {
       node.readers.push_back(client->reader->guid());
       node.writers.push_back(client->writer->guid());
     }
-    entities.nodes.push_back(std::move(node));
+    announcement_->add(std::move(node));
   }
-  node_writer_ = participant_->create_writer(
-      {.topic = kDiscoveryTopic, .type = kDiscoveryType, .qos = Qos::latched(), .user_data = {}});
-  node_writer_->write(encode(
-      entities, graph_.settings.ros_distro == "humble" ? GidFormat::humble : GidFormat::iron_and_later));
+  announcement_->publish();
 }
 
 void Host::look_at_commands(Time now) {
@@ -399,9 +406,19 @@ void Host::look_at_commands(Time now) {
 RunEnd Host::run(std::optional<Duration> duration) {
   connect();
   started_ = runner_->now();
+  for (const auto& output : actors_.front()->outputs)
+    output->sink = runner_.get();  // /rosout, before anybody speaks
+  for (const EarlyLine& line : early_log_) {
+    if (std::ranges::find(local_, line.actor) != local_.end())
+      publish_log(*line.actor, line.level, line.text);
+  }
+  announce_nodes();
   const std::vector<Actor*> order = bring_up_order();
   std::optional<RunEnd> failure = bring_up(order);
   RunEnd end = failure ? *failure : runner_->run(duration);
+  // A run in lock-step may be ended by a person, who is to decide nothing of its bytes.
+  if (options_.clock != ClockMode::lockstep)
+    log(*local_.front(), end.ok ? LogLevel::info : LogLevel::error, "the run ends: " + end.reason);
   if (options_.tap) options_.tap->run_is_over();
   bring_down(order, end);
   return end;
@@ -417,7 +434,19 @@ void Host::log(const Actor& actor, LogLevel level, const std::string& text) {
   const double seconds = started_ ? (now - *started_).to_seconds() : 0.0;
   const auto terminal_level = static_cast<spdlog::level::level_enum>(static_cast<int>(level) / 10);
   terminal().log(terminal_level, "{:8.3f} [{}] {}", seconds, actor.name, text);
-  if (started_) services_->log(actor.name, now, level, text);
+  if (started_) {
+    publish_log(actor, level, text);
+  } else {
+    early_log_.push_back({&actor, level, text});
+  }
+}
+
+/// Under the name that rclcpp gives the logger of a node: robot1.base for /robot1/base.
+void Host::publish_log(const Actor& actor, LogLevel level, const std::string& text) {
+  std::string name =
+      actor.node_namespace == "/" ? actor.name : actor.node_namespace.substr(1) + "." + actor.name;
+  std::ranges::replace(name, '/', '.');
+  services_->log(name, runner_->now(), level, text);
 }
 
 std::vector<std::pair<std::string, ParameterReport>> Host::parameters() const {

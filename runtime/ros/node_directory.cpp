@@ -3,17 +3,28 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/ros/distro_evidence.hpp"
+
 namespace bw {
+namespace {
+
+constexpr std::ptrdiff_t kPrefixSize = 12;  // of a participant, in the ids of its ends
+
+}  // namespace
 
 std::string full_name(const NodeEntities& node) {
   return (node.node_namespace == "/" ? "" : node.node_namespace) + "/" + node.name;
 }
 
-NodeDirectory::NodeDirectory(dds::Participant& participant, std::function<void()> on_news) {
+NodeDirectory::NodeDirectory(dds::Participant& participant, std::function<void()> on_news)
+    : participant_(participant) {
   Qos qos = Qos::latched();
   qos.depth = 1000;  // one sample of every participant
-  reader_ = participant.create_reader(
-      {.topic = kDiscoveryTopic, .type = kDiscoveryType, .qos = qos, .user_data = {}}, std::move(on_news));
+  reader_ = participant.create_reader({.topic = kDiscoveryTopic,
+                                       .type = kDiscoveryType,
+                                       .qos = qos,
+                                       .user_data = discovery_reader_user_data()},
+                                      std::move(on_news));
 }
 
 bool NodeDirectory::update() {
@@ -21,7 +32,10 @@ bool NodeDirectory::update() {
   bool is_new = false;
   while (reader_->take(sample)) {
     auto entities = decode_participant_entities(sample.cdr);
-    if (!entities) continue;
+    // Nobody speaks for another: what one participant can have known here is one sample.
+    if (!entities || !std::equal(sample.writer.begin(), sample.writer.begin() + kPrefixSize,
+                                 entities->participant.begin()))
+      continue;
     is_new = true;
     std::erase_if(participants_,
                   [&](const auto& known) { return known.participant == entities->participant; });
@@ -32,9 +46,11 @@ bool NodeDirectory::update() {
   return is_new;
 }
 
-void NodeDirectory::keep_only(const std::vector<dds::Guid>& participants) {
+void NodeDirectory::forget_the_gone() {
+  const std::vector<dds::Guid> alive = participant_.remote_participants();
   std::erase_if(participants_, [&](const ParticipantEntities& known) {
-    return std::ranges::find(participants, known.participant) == participants.end();
+    return known.participant != participant_.guid() &&
+           std::ranges::find(alive, known.participant) == alive.end();
   });
   node_of_.clear();
   for (const ParticipantEntities& participant : participants_) add_names(participant);

@@ -97,9 +97,14 @@ void LocalizationComponent::on_initial_pose(const geometry_msgs::msg::PoseWithCo
     log_.error("initialpose is in frame '{}', not in '{}': ignored", frame, map_frame_);
     return;
   }
+  if (const std::string fault = fault_of(message.pose().pose()); !fault.empty()) {
+    log_.error("initialpose is no pose: {}: ignored", fault);
+    return;
+  }
   Eigen::Matrix3d covariance = planar_covariance(message.pose().covariance());
   if (covariance.isZero()) covariance = usual_covariance(parameters_.initial_pose);
-  start_at(from_pose(message.pose().pose()), covariance, wheels_.X_OB() ? wheels_.time() : tick.now);
+  start_at(from_pose(normalised(message.pose().pose())), covariance,
+           wheels_.X_OB() ? wheels_.time() : tick.now);
 }
 
 void LocalizationComponent::start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time) {

@@ -91,6 +91,7 @@ class CollisionMonitorComponent final : public Component {
   /// Says nothing to a robot that stands and that nobody drives.
   void pass_on(const Tick& tick) {
     if (!wanted_at_) return;
+    if (*wanted_at_ > tick.now) wanted_at_ = tick.now;  // the clock went back
     const Verdict verdict = judge(tick);
     const bool silent = verdict.cause == kCommandSilent && !moves(monitor_->actual());
     if (!silent || moves(last_.allowed)) publish(verdict);
@@ -102,7 +103,8 @@ class CollisionMonitorComponent final : public Component {
       report(verdict, silent);
     idle_ = silent;
     last_ = verdict;
-    if (markers_.has_readers() && (!drawn_at_ || tick.now - *drawn_at_ >= kMarkerPeriod)) {
+    if (markers_.has_readers() &&
+        (!drawn_at_ || tick.now - *drawn_at_ >= kMarkerPeriod || tick.now < *drawn_at_)) {
       drawn_at_ = tick.now;
       markers_.publish(
           safety::to_markers(options_, robot_.radius, verdict, make_header(base_frame_, tick.now)));
