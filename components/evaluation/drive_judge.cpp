@@ -12,9 +12,25 @@ void DriveJudge::begin_run(Time now) {
   recorder_.start(now);
 }
 
-void DriveJudge::end_run(Time now) { keeper_.finish(now, false, "the run is over"); }
+void DriveJudge::end_run(Time now) {
+  if (lasts_ == Lasts::until_end_of_run) return keeper_.close();
+  keeper_.finish(now, false, "the run is over");
+}
+
+bool DriveJudge::on_goal_of_run(const GoalNews& news, Time now) {
+  if (news.goal_id > goal_id_ && (!news.is_over || !has_goal_)) {
+    others_follow_ = running();
+    begin(news, now);
+    has_goal_ = true;
+  }
+  if (!news.is_over || news.goal_id != goal_id_ || !has_goal_) return false;
+  has_goal_ = false;
+  keeper_.end_goal(news.is_claimed, news.reason);
+  return true;
+}
 
 bool DriveJudge::on_goal(const GoalNews& news, Time now) {
+  if (lasts_ == Lasts::until_end_of_run) return on_goal_of_run(news, now);
   if (news.goal_id > goal_id_ && (!news.is_over || !running())) begin(news, now);
   if (!news.is_over || news.goal_id != goal_id_ || !running()) return false;
   others_follow_ = news.others_follow;

@@ -1,5 +1,6 @@
 // Judges a drive from its beginning to its end: the score card, the error of the pose, and what the picture needs.
-// A drive begins with a goal and ends with it, or with the last of several that follow each other.
+// A drive begins with a goal and ends with it, or with the last of several that follow each other. A judge of a whole run
+// goes on from the first goal to the end of the run; the outcome is that of the last goal.
 #pragma once
 
 #include <cstdint>
@@ -24,32 +25,40 @@ struct GoalNews {
 
 class DriveJudge {
  public:
+  enum class Lasts { until_goal, until_end_of_run };
+
   /// `robot_radius` [m], `top_speed` [m/s].
-  DriveJudge(const EvaluationOptions& options, double robot_radius, double top_speed)
-      : keeper_(options, robot_radius), recorder_(robot_radius, top_speed) {}
+  DriveJudge(const EvaluationOptions& options, double robot_radius, double top_speed,
+             Lasts lasts = Lasts::until_goal)
+      : lasts_(lasts), keeper_(options, robot_radius), recorder_(robot_radius, top_speed) {}
 
   /// A drive without a goal, such as that of a recording, lasts until end_run().
   void begin_run(Time now);
   void end_run(Time now);
-  /// True when it ends the drive.
+  /// True when it ends the drive, or one of the goals of a whole run.
   bool on_goal(const GoalNews& news, Time now);
   void on_truth(const TruthSample& sample);
   /// Where the robot believes to be in map at `time`.
   void on_pose(Time time, const Pose2& X_MB);
 
   bool running() const { return keeper_.running(); }
+  /// Of a whole run: a goal is being driven to.
+  bool has_goal() const { return has_goal_; }
   const ScoreCard& card() const { return keeper_.card(); }
   const PoseErrors& pose_errors() const { return errors_; }
   RunRecorder& recorder() { return recorder_; }
 
  private:
   void begin(const GoalNews& news, Time now);
+  bool on_goal_of_run(const GoalNews& news, Time now);
 
+  Lasts lasts_;
   ScoreKeeper keeper_;
   PoseErrors errors_;
   RunRecorder recorder_;
   std::uint64_t goal_id_ = 0;
   bool others_follow_ = false;
+  bool has_goal_ = false;
 };
 
 }  // namespace bw

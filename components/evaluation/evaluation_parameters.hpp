@@ -10,12 +10,13 @@ namespace bw {
 
 /// What a score card is of.
 enum class Scored {
-  drive,  ///< to the goals that the navigator reports
-  run     ///< everything from the first truth on: nobody drives, as on a recording
+  drive,   ///< to the goals that the navigator reports
+  drives,  ///< everything from the first goal on: others follow while the run lasts
+  run      ///< everything from the first truth on: nobody drives, as on a recording
 };
 constexpr auto choice_table(Scored) {
   using enum Scored;
-  return choices<Scored>({{drive, "drive"}, {run, "run"}});
+  return choices<Scored>({{drive, "drive"}, {drives, "drives"}, {run, "run"}});
 }
 
 struct EvaluationParameters : EvaluationOptions {
@@ -30,8 +31,9 @@ struct EvaluationParameters : EvaluationOptions {
     EvaluationOptions::fields(v);
     v("scored", scored,
       {.doc =
-           "drive: to the goals that the navigator reports; run: the whole run, as beside a recording, where "
-           "only the error of the pose is of interest"});
+           "drive: to the goals that the navigator reports; drives: from the first goal to the end of the run, "
+           "with the outcome of the last goal (set by run --stay); run: the whole run, as beside a recording, "
+           "where only the error of the pose is of interest"});
     v("rate", rate, {.unit = "Hz", .min = 0.1, .max = 50, .doc = "score cards per second while driving"});
     v("svg", svg, {.doc = "file for the picture of the run; empty: none"});
     v("title", title, {.doc = "heading of the picture"});

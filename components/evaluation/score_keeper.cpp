@@ -15,6 +15,7 @@ constexpr double kSigma = 0.6;
 constexpr double kSigmaNarrow = 0.45;
 constexpr double kPhysicalLimit = 0.54;
 constexpr double kComfortLimit = 0.14;
+constexpr const char* kFalseClaim = "the robot claims the goal but is not there";
 
 bool is_sound(const TruthSample& sample) {
   return sample.X_MB.position().allFinite() && !std::isnan(sample.wall_gap) &&
@@ -115,6 +116,17 @@ bool ScoreKeeper::is_there(bool claimed) const {
   return claimed && last_ && card_.distance_to_goal <= allowed;
 }
 
+void ScoreKeeper::end_goal(bool claimed, const std::string& reason) {
+  card_.reached = is_there(claimed);
+  card_.reason = claimed && !card_.reached ? kFalseClaim : reason;
+}
+
+void ScoreKeeper::close() {
+  running_ = false;
+  card_.finished = true;
+  if (card_.reason.empty()) card_.reason = "the run ended before its goal";
+}
+
 void ScoreKeeper::finish(Time now, bool claimed, const std::string& reason) {
   if (!running_) return;
   running_ = false;
@@ -123,7 +135,7 @@ void ScoreKeeper::finish(Time now, bool claimed, const std::string& reason) {
   card_.mean_speed = card_.time_to_goal > 0.0 ? card_.path_length / card_.time_to_goal : 0.0;
   card_.reached = is_there(claimed) && !missed_a_leg_;
   card_.reason = reason;
-  if (claimed && !is_there(claimed)) card_.reason = "the robot claims the goal but is not there";
+  if (claimed && !is_there(claimed)) card_.reason = kFalseClaim;
   if (claimed && is_there(claimed) && missed_a_leg_) card_.reason = "an earlier goal was not reached";
 }
 

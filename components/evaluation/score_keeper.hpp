@@ -72,7 +72,13 @@ class ScoreKeeper {
   void next_leg(const Vector2& goal, const GoalTolerance& tolerance) {
     goal_ = goal;
     tolerance_ = tolerance;
+    card_.reached = false;
+    card_.reason.clear();
   }
+  /// The goal in hand is over and the card goes on: its outcome stands on it until the next goal or close().
+  void end_goal(bool claimed, const std::string& reason);
+  /// Ends the card with the outcome that stands on it.
+  void close();
   /// Counts while a drive lasts. Samples that are not newer, or whose places are not finite, are ignored; without a
   /// speed (NaN) there is no jerk.
   void add(const TruthSample& sample);

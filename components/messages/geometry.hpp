@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -63,6 +64,32 @@ inline geometry_msgs::msg::Pose to_pose(const Pose2& X) {
 /// May hold NaN when the message does: check with is_finite().
 inline Pose2 from_pose(const geometry_msgs::msg::Pose& pose) {
   return {pose.position().x(), pose.position().y(), yaw_of(pose.orientation())};
+}
+
+/// What keeps a pose that a person or a program sent from being one; empty: nothing. As in ROS's move_base a quaternion
+/// shorter than 0.001 has no direction: it is more likely a forgotten orientation than a wish to face along x.
+inline std::string fault_of(const geometry_msgs::msg::Pose& pose) {
+  constexpr double kShortestSquared = 1e-6;
+  const auto& p = pose.position();
+  const auto& q = pose.orientation();
+  if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+    return "the position is not finite";
+  const double squared = q.x() * q.x() + q.y() * q.y() + q.z() * q.z() + q.w() * q.w();
+  if (!std::isfinite(squared)) return "the quaternion is not finite";
+  if (squared < kShortestSquared) return "the quaternion has length 0 (no rotation is x 0, y 0, z 0, w 1)";
+  return {};
+}
+
+/// With a quaternion of length 1, as tf2 takes one of any other length; only for a pose without fault_of().
+inline geometry_msgs::msg::Pose normalised(const geometry_msgs::msg::Pose& pose) {
+  const auto& q = pose.orientation();
+  const double length = std::sqrt(q.x() * q.x() + q.y() * q.y() + q.z() * q.z() + q.w() * q.w());
+  geometry_msgs::msg::Pose result = pose;
+  result.orientation().x(q.x() / length);
+  result.orientation().y(q.y() / length);
+  result.orientation().z(q.z() / length);
+  result.orientation().w(q.w() / length);
+  return result;
 }
 
 inline constexpr Eigen::Index kPlanar[] = {0, 1, 5};  ///< x, y, yaw among x, y, z, roll, pitch, yaw

@@ -2,6 +2,7 @@
 // config/robots/.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct Robot {
   Limits limits;
   std::vector<SensorMount> sensors;  ///< one that is not listed sits at base_link
 
+  bool has_mount_of(const std::string& frame) const {
+    return std::ranges::any_of(sensors, [&](const SensorMount& mount) { return mount.frame == frame; });
+  }
   /// X_BS: pose of the sensor in base_link.
   Pose2 mount_of(const std::string& frame) const {
     for (const SensorMount& mount : sensors) {

@@ -28,6 +28,9 @@ class GoalList {
 
   void activate(Time now) { next_at_ = now + Duration::seconds(options_.delay); }
 
+  /// The clock went back by so much.
+  void shift(Duration back) { next_at_ = next_at_ - back; }
+
   /// The goal to be taken up now.
   [[nodiscard]] std::optional<Pose2> due(Time now) const {
     if (in_hand_ || remaining() == 0 || now < next_at_) return std::nullopt;

@@ -12,7 +12,18 @@ constexpr double kCancelPatience = 5.0;     // for the robot to come to rest [s]
 
 }  // namespace
 
+void Navigator::see(Time now) {
+  const Duration back = now_ - now;
+  now_ = now;
+  if (back <= Duration{}) return;
+  for (Time* past : {&started_, &plan_requested_, &follow_heard_, &phase_since_}) *past = *past - back;
+  for (std::optional<Time>* past : {&stuck_since_, &within_since_})
+    if (*past) **past = **past - back;
+  progress_.reset();
+}
+
 std::uint64_t Navigator::accept(const Pose2& X_MG, const Situation& situation) {
+  see(situation.now);
   if (!is_finite(X_MG)) return refuse({}, "the goal is not a finite pose");
   const std::uint64_t id = ++last_goal_id_;
   std::optional<GoalReport> preempted;
@@ -43,6 +54,7 @@ std::uint64_t Navigator::refuse(const Pose2& X_MG, const std::string& reason) {
 }
 
 void Navigator::cancel(const Situation& situation) {
+  see(situation.now);
   if (!has_goal() || phase_ == Phase::canceling) return;
   order(FollowMode::stop, situation.now);
   plan_id_ = 0;
@@ -52,6 +64,7 @@ void Navigator::cancel(const Situation& situation) {
 }
 
 void Navigator::on_plan(const PlanAnswer& answer, const Situation& situation) {
+  see(situation.now);
   if (plan_id_ == 0 || answer.id != plan_id_) return;
   plan_id_ = 0;
   if (phase_ != Phase::planning && phase_ != Phase::following) return;
@@ -88,6 +101,7 @@ void Navigator::plan_failed(const PlanAnswer& answer, const Situation& situation
 }
 
 void Navigator::on_follow(const FollowReport& report, const Situation& situation) {
+  see(situation.now);
   if (report.id != follow_id_ || !has_goal()) return;
   follow_heard_ = situation.now;
   const bool stuck = report.state == FollowState::blocked || report.state == FollowState::failed;
@@ -109,6 +123,7 @@ void Navigator::on_follow(const FollowReport& report, const Situation& situation
 }
 
 NavigatorActions Navigator::step(const Situation& situation) {
+  see(situation.now);
   if (has_goal()) {
     advance(situation);
     if (has_goal()) navigation_time_ = situation.now - started_;

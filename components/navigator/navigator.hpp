@@ -26,6 +26,9 @@ class Navigator {
  public:
   explicit Navigator(const NavigatorOptions& options) : options_(options) {}
 
+  /// Holds from the next event on; the goal in hand goes on.
+  void set_options(const NavigatorOptions& options) { options_ = options; }
+
   /// A new goal; preempts the one in hand. Returns its id. A goal that is not finite is aborted at once and
   /// preempts nothing.
   std::uint64_t accept(const Pose2& X_MG, const Situation& situation);
@@ -46,6 +49,8 @@ class Navigator {
   enum class Cure { wait, wait_then_back_off, back_off_then_wait };
   enum class Phase { idle, planning, following, waiting, backing_off, lost, canceling };
 
+  /// Times of the past move along with a clock that goes back.
+  void see(Time now);
   void advance(const Situation& situation);
   void advance_following(const Situation& situation);
   void advance_recovery(const Situation& situation);
@@ -69,6 +74,7 @@ class Navigator {
   GoalStatus status_ = GoalStatus::accepted;
   std::string reason_;
   Time started_;
+  Time now_;
   Duration navigation_time_;
 
   std::uint64_t last_order_id_ = 0;

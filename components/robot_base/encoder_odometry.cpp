@@ -35,6 +35,15 @@ CountsStatus EncoderOdometry::add(const EncoderCounts& counts) {
     return CountsStatus::first;
   }
   const Time newest = suspect_ ? suspect_->time : reference_->time;
+  if (clock_went_back(counts.time, newest)) {
+    const Travelled last = history_[history_size_ - 1];
+    history_[0] = {counts.time, last.distance, last.turn};
+    history_size_ = 1;
+    reference_ = counts;
+    suspect_.reset();
+    state_.time = counts.time;
+    return CountsStatus::rebased;
+  }
   if (counts.time <= newest) {
     ++faults_.stale;
     return CountsStatus::stale;
@@ -66,6 +75,15 @@ CountsStatus EncoderOdometry::add(const EncoderCounts& counts) {
   integrate(ds_left, ds_right);
   measure_twist();
   return status;
+}
+
+bool EncoderOdometry::clock_went_back(Time stamp, Time newest) {
+  constexpr Duration kLatest = Duration::milliseconds(500);
+  constexpr int kConfirmations = 5;
+  readings_behind_ = stamp < newest - kLatest ? readings_behind_ + 1 : 0;
+  if (readings_behind_ < kConfirmations) return false;
+  readings_behind_ = 0;
+  return true;
 }
 
 bool EncoderOdometry::possible(const EncoderCounts& from, const EncoderCounts& to) const {

@@ -6,7 +6,8 @@
 //
 // A counter that moves further than the wheels can is not motion. One such reading is dropped and the next
 // good one bridges it; two that agree with each other are a new count (the board restarted or lost counts):
-// odometry goes on from there and leaves the unknown part out.
+// odometry goes on from there and leaves the unknown part out. One old stamp is a fault of one reading; several in a row are
+// a clock that went back, and odometry goes on from there too.
 #pragma once
 
 #include <cstdint>
@@ -79,6 +80,7 @@ class EncoderOdometry {
 
  private:
   bool possible(const EncoderCounts& from, const EncoderCounts& to) const;
+  bool clock_went_back(Time stamp, Time newest);
   void integrate(double ds_left, double ds_right);
   void measure_twist();
 
@@ -91,6 +93,7 @@ class EncoderOdometry {
   OdometryFaults faults_;
   std::optional<EncoderCounts> reference_;
   std::optional<EncoderCounts> suspect_;
+  int readings_behind_ = 0;  ///< in a row, by more than late ones are
 
   /// Travel and turn up to a moment; the difference of two gives the mean twist between them.
   struct Travelled {

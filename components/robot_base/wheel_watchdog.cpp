@@ -23,6 +23,8 @@ WatchdogOutput WheelWatchdog::step(Time now) {
   const double dt = last_step_ && now > *last_step_ ? (now - *last_step_).to_seconds() : 0.0;
   last_step_ = now;
   if (!arrival_) return output_;
+  if (*arrival_ > now)
+    arrival_ = now;  // the clock went back: a command must not stay fresh until it is there again
   if (now - *arrival_ < timeout_) {
     output_ = {commanded_, WatchdogState::obeying};
     return output_;

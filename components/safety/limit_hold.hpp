@@ -19,6 +19,7 @@ class LimitHold {
   double update(Time now, double limit, int direction) {
     const double dt = std::max(0.0, (now - updated_at_).to_seconds());
     updated_at_ = now;
+    if (tight_at_ > now) tight_at_ = now;  // the clock went back
     if (direction != direction_ || limit <= held_) {
       held_ = limit;
       direction_ = direction;

@@ -44,7 +44,8 @@ bool SweepWatch::add(Time now, Time measured_at, std::span<const float> ranges, 
 }
 
 LaserState SweepWatch::state(Time now) const {
-  if (fresh_at_ && now - *fresh_at_ <= timeout_) return LaserState::ok;
+  // After a clock that went back nothing is fresh until the next sweep.
+  if (fresh_at_ && *fresh_at_ <= now && now - *fresh_at_ <= timeout_) return LaserState::ok;
   if (arrived_at_ && now - *arrived_at_ <= timeout_ && last_ != LaserState::ok) return last_;
   return fresh_at_ ? LaserState::silent : LaserState::waiting;
 }

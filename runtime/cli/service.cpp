@@ -72,6 +72,10 @@ int call(ServiceOptions options) {
   // One argument behind the name is the request where it is no type's name.
   if (options.type.find('{') != std::string::npos) options.request = std::exchange(options.type, "");
   if (options.type.empty()) options.type = offered->second;
+  if (options.type != offered->second) {
+    throw std::runtime_error(
+        fmt::format("{} is a {}, not a {}", options.name, offered->second, options.type));
+  }
   const TypeDescription* request = find_type(options.type + "_Request");
   const TypeDescription* response = find_type(options.type + "_Response");
   if (request == nullptr || response == nullptr)

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -104,6 +105,7 @@ Endpoint to_endpoint(const ProxyData& data, bool is_writer) {
   if (lifespan != eprosima::fastrtps::c_TimeInfinite) e.qos.lifespan = Duration{lifespan.to_ns()};
   const auto& user_data = data.m_qos.m_userData.getValue();
   e.user_data.assign(user_data.begin(), user_data.end());
+  e.partitions = data.m_qos.m_partition.getNames();
   return e;
 }
 
@@ -161,7 +163,9 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
         info.status == rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT) {
       participants_.erase(guid);
       std::erase_if(endpoints_, [&](const auto& item) {
-        return std::equal(guid.begin(), guid.begin() + 12, item.first.begin());
+        const bool is_its = std::equal(guid.begin(), guid.begin() + 12, item.first.begin());
+        if (is_its) remember(item.second);
+        return is_its;
       });
       ++changes_;
     } else {
@@ -196,6 +200,10 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
     });
     return all;
   }
+  std::vector<Endpoint> take_departed() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(departed_, {});
+  }
   std::vector<Guid> participants() const {
     const std::lock_guard lock(mutex_);
     std::vector<Guid> all;
@@ -207,26 +215,42 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
   void update(const Endpoint& endpoint, bool removed) {
     const std::lock_guard lock(mutex_);
     if (removed) {
-      endpoints_.erase(endpoint.guid);
+      if (endpoints_.erase(endpoint.guid) > 0) remember(endpoint);
     } else {
       endpoints_[endpoint.guid] = endpoint;
     }
     ++changes_;
+  }
+  /// With the mutex held.
+  void remember(const Endpoint& endpoint) {
+    constexpr std::size_t kMost = 256;
+    if (endpoint.is_writer && departed_.size() < kMost) departed_.push_back(endpoint);
   }
 
   std::atomic<std::uint64_t> changes_ = 0;
   mutable std::mutex mutex_;
   std::map<Guid, bool> participants_;
   std::map<Guid, Endpoint> endpoints_;
+  std::vector<Endpoint> departed_;
 };
 
 class EnqueueListener final : public efd::DataReaderListener {
  public:
-  explicit EnqueueListener(std::function<void()> on_sample) : on_sample_(std::move(on_sample)) {}
+  EnqueueListener(std::function<void()> on_sample, std::function<void()> on_match)
+      : on_sample_(std::move(on_sample)), on_match_(std::move(on_match)) {}
   void on_data_available(efd::DataReader*) override { on_sample_(); }
+  void on_subscription_matched(efd::DataReader*, const efd::SubscriptionMatchedStatus&) override {
+    on_match_();
+  }
+  efd::StatusMask heard() const {
+    efd::StatusMask mask = efd::StatusMask::data_available();
+    if (on_match_) mask << efd::StatusMask::subscription_matched();
+    return mask;
+  }
 
  private:
   std::function<void()> on_sample_;
+  std::function<void()> on_match_;
 };
 
 }  // namespace
@@ -359,8 +383,11 @@ class FastWriter final : public Writer, private efd::DataWriterListener {
 
 class FastReader final : public Reader {
  public:
-  FastReader(efd::Subscriber* subscriber, std::function<void()> on_sample, DiscoveryListener& discovery)
-      : subscriber_(subscriber), listener_(std::move(on_sample)), discovery_(discovery) {}
+  FastReader(efd::Subscriber* subscriber, std::function<void()> on_sample, std::function<void()> on_match,
+             DiscoveryListener& discovery)
+      : subscriber_(subscriber),
+        listener_(std::move(on_sample), std::move(on_match)),
+        discovery_(discovery) {}
   ~FastReader() override {
     if (reader_ == nullptr) return;
     discovery_.remove_local(guid());
@@ -371,7 +398,7 @@ class FastReader final : public Reader {
   FastReader& operator=(const FastReader&) = delete;
 
   void open(efd::Topic* topic, const efd::DataReaderQos& qos) {
-    reader_ = subscriber_->create_datareader(topic, qos, &listener_, efd::StatusMask::data_available());
+    reader_ = subscriber_->create_datareader(topic, qos, &listener_, listener_.heard());
     if (reader_ == nullptr) throw std::runtime_error("DDS refuses a reader on " + topic->get_name());
   }
   bool take(Sample& sample) override {
@@ -446,24 +473,31 @@ std::unique_ptr<Writer> Participant::create_writer(const EndpointOptions& option
                               .topic = options.topic,
                               .type = options.type,
                               .qos = options.qos,
-                              .user_data = options.user_data});
+                              .user_data = options.user_data,
+                              .partitions = options.partitions});
   return result;
 }
 
 std::unique_ptr<Reader> Participant::create_reader(const EndpointOptions& options,
-                                                   std::function<void()> on_sample) {
+                                                   std::function<void()> on_sample,
+                                                   std::function<void()> on_match) {
   efd::DataReaderQos qos = efd::DATAREADER_QOS_DEFAULT;
   apply(options, qos);
+  // A writer that knew this reader before it was known itself has sent in vain: it is asked at once what it has, since
+  // `ros2 topic pub --once` leaves after 100 ms. By default the question waits for 70 ms and the answer's answer for 5.
+  qos.reliable_reader_qos().times.initialAcknackDelay = to_duration(Duration::milliseconds(1));
+  qos.reliable_reader_qos().times.heartbeatResponseDelay = to_duration(Duration::milliseconds(1));
   set_user_data(qos.user_data(), options.user_data);
   auto result = std::make_unique<FastReader>(impl_->subscriber(options.partitions), std::move(on_sample),
-                                             impl_->discovery);
+                                             std::move(on_match), impl_->discovery);
   result->open(impl_->topic(options), qos);
   impl_->discovery.add_local({.guid = result->guid(),
                               .is_writer = false,
                               .topic = options.topic,
                               .type = options.type,
                               .qos = options.qos,
-                              .user_data = options.user_data});
+                              .user_data = options.user_data,
+                              .partitions = options.partitions});
   return result;
 }
 
@@ -472,6 +506,8 @@ Guid Participant::guid() const { return to_guid(impl_->participant->guid()); }
 const std::string& Participant::private_partition() const { return impl_->private_partition; }
 
 std::vector<Endpoint> Participant::endpoints() const { return impl_->discovery.endpoints(); }
+
+std::vector<Endpoint> Participant::take_departed() { return impl_->discovery.take_departed(); }
 
 std::uint64_t Participant::endpoint_changes() const { return impl_->discovery.changes(); }
 

@@ -1,7 +1,7 @@
 // A graph file as values: which components run where, and how their names are joined. Nothing here starts
 // anything.
 //
-//   ros_distro: jazzy               # humble | jazzy
+//   ros_distro: auto                # auto | humble | jazzy | kilted | lyrical (runtime/ros/node_announcement.hpp)
 //   namespace: ""                   # relative names go below it
 //   frame_prefix: ""
 //   transport: localhost            # localhost | lan
@@ -33,6 +33,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/base/ros_distro.hpp"
 #include "runtime/base/time.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/graph/snapshot_settings.hpp"
@@ -76,7 +77,7 @@ struct ComponentNode {
 };
 
 struct GraphSettings {
-  std::string ros_distro = "jazzy";
+  RosDistro ros_distro = RosDistro::automatic;
   std::string graph_namespace;
   std::string frame_prefix;
   std::string transport = "localhost";

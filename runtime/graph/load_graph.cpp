@@ -107,7 +107,7 @@ class GraphReader {
   void read_top(const ConfigNode& root) {
     ParameterReader reader(root, "", violations_);
     GraphSettings& settings = graph_.settings;
-    reader("ros_distro", settings.ros_distro, {.choices = {"humble", "jazzy"}});
+    reader("ros_distro", settings.ros_distro);
     read_text(reader, root, "namespace", settings.graph_namespace, namespace_rule);
     read_text(reader, root, "frame_prefix", settings.frame_prefix, frame_prefix_rule);
     reader("transport", settings.transport, {.choices = {"localhost", "lan"}});

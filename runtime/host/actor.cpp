@@ -38,12 +38,23 @@ std::vector<std::string> Actor::stale_inputs(Time now) const {
   return stale;
 }
 
+void Actor::see(Time now) {
+  if (now < now_) {
+    const std::lock_guard lock(mutex);
+    for (const auto& input : inputs) input->last_received = std::min(input->last_received, now);
+  }
+  now_ = now;
+}
+
 bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
   if (!input.reader->take(sample_)) return false;
+  // Two who command: nobody is obeyed, and what moves stops because its commands are too old.
+  if (!input.commander.empty() && input.reader->matched_writers() > 1) return true;
   const bool is_heard = input.of_node || is_active();
   if (role == ActorRole::component && input.qos.durability == Durability::transient_local)
     input.keep(sample_, is_heard);
   if (!is_heard) return true;
+  see(now);
   {
     const std::lock_guard lock(mutex);
     input.last_received = now;
@@ -57,14 +68,18 @@ void Actor::give(Input& input, std::span<const std::uint8_t> cdr, Time now, std:
   const bool accepted = input.handler(cdr, Tick{.now = now, .health = health(now), .sequence = input.calls});
   const Duration spent = thread_cpu_time() - start;
   if (accepted) ++input.calls;
-  const std::lock_guard lock(mutex);
-  input.statistics.run.add(spent);
-  if (waited) input.statistics.wait.add(*waited);
-  if (!accepted) ++input.statistics.rejected;
+  {
+    const std::lock_guard lock(mutex);
+    input.statistics.run.add(spent);
+    if (waited) input.statistics.wait.add(*waited);
+    if (!accepted) ++input.statistics.rejected;
+  }
+  if (!accepted && input.statistics.rejected == 1 && on_first_rejected) on_first_rejected(input);
 }
 
 void Actor::fire(Timer& timer, Time now, std::optional<Duration> waited) {
   if (!runs(timer)) return;
+  see(now);
   const Duration start = thread_cpu_time();
   timer.handler(Tick{.now = now, .health = health(now), .sequence = timer.calls++});
   const Duration spent = thread_cpu_time() - start;

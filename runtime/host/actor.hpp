@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -39,6 +40,8 @@ class Input final : public Inlet {
   SampleHandler handler;
   InputKind kind = InputKind::callback;
   Need need = Need::required;
+  bool is_external = false;  ///< the graph leaves the topic to others
+  std::string commander;     ///< full name of the node whose command this is; empty: anybody may write it
   std::optional<Duration> max_age;
   OnStale on_stale = OnStale::ignore;
   std::unique_ptr<dds::Reader> reader;
@@ -116,6 +119,8 @@ struct Actor final : DiagnosticReporter {
   std::vector<std::unique_ptr<ServiceEnd>> services;
   std::vector<std::unique_ptr<ClientEnd>> clients;
   ParameterReport parameters;
+  LiveParameters live_parameters;
+  std::function<void(const Input&)> on_first_rejected;  ///< an input's sample is not its message
 
   /// Guards what the diagnostics read while the lane works: statistics, arrival times, the three below.
   mutable std::mutex mutex;
@@ -153,7 +158,11 @@ struct Actor final : DiagnosticReporter {
   void fire(Timer& timer, Time now, std::optional<Duration> waited);
 
  private:
+  /// Ages count from here after a clock that went back, or a silent input would stay fresh until it is there again.
+  void see(Time now);
+
   dds::Sample sample_;
+  Time now_;
 };
 
 }  // namespace bw

@@ -34,6 +34,7 @@ Outcome outcome_of_failure(std::uint8_t transition) {
 void ActorLifecycle::wait_for_configure() {
   instance_is_ready_ = true;
   actor_.state = State::unconfigured;
+  actor_.live_parameters.set_configured(false);
 }
 
 void ActorLifecycle::enter(const lifecycle::Transition& transition, Time now) {
@@ -65,6 +66,7 @@ std::string ActorLifecycle::work(const lifecycle::Transition& transition, Time n
     switch (transition.id) {
       case id::kConfigure:
         configure();
+        actor_.live_parameters.set_configured(true);
         break;
       case id::kActivate:
         activate(now);
@@ -166,6 +168,7 @@ void ActorLifecycle::destroy() {
   mute();
   instance_is_ready_ = false;
   if (!means_.make) return;
+  actor_.live_parameters.set_configured(false);
   for (const auto& input : actor_.inputs) {
     if (!input->of_node) input->handler = nullptr;
   }

@@ -9,14 +9,17 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "runtime/graph/names.hpp"
+#include "runtime/host/command_guard.hpp"
 #include "runtime/host/host_setup.hpp"
 #include "runtime/host/lockstep_runner.hpp"
+#include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/wall_runner.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/registry.hpp"
 #include "runtime/ros/dds_names.hpp"
-#include "runtime/ros/discovery_info.hpp"
+#include "runtime/ros/node_announcement.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {
@@ -56,7 +59,8 @@ ComponentDeclaration declaration_of(const Actor& actor) {
     d.inputs.push_back({.name = input->name,
                         .type = std::string(input->type.ros_name),
                         .qos = input->qos,
-                        .optional = input->need == Need::optional});
+                        .optional = input->need == Need::optional,
+                        .only_newest = input->kind == InputKind::keep_newest});
   }
   for (const auto& output : actor.outputs) {
     if (output->of_node) continue;
@@ -96,11 +100,33 @@ std::vector<std::string> node_namespaces(const Graph& graph) {
   return names;
 }
 
+/// What every node of ROS 2 has.
+struct NodeParameters {
+  bool use_sim_time = false;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("use_sim_time", use_sim_time, {.doc = "time comes from /clock, as the command line says"});
+  }
+};
+
 dds::EndpointOptions endpoint_options(const std::string& topic, const MessageType& type, const Qos& qos) {
   return {.topic = dds_topic(topic),
           .type = std::string(type.dds_name),
           .qos = qos,
           .user_data = user_data_of(std::string(type.type_hash))};
+}
+
+/// Everybody may read a command; its readers in the graph hear its owner alone.
+std::vector<std::string> partitions_of(const OutputEnd& output) {
+  if (!output.command) return {};
+  const Actor& owner = output.owner;
+  return {"", command_partition(full_name({.node_namespace = owner.node_namespace, .name = owner.name}))};
+}
+
+std::vector<std::string> partitions_of(const Input& input) {
+  if (input.commander.empty()) return {};
+  return {command_partition(input.commander)};
 }
 
 }  // namespace
@@ -126,7 +152,8 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
 
   const bool lockstep = options_.clock == ClockMode::lockstep;
   ProcessServiceOptions service_options{
-      .publishes_clock = lockstep, .on_clock = nullptr, .timings = !lockstep};
+      .publishes_clock = lockstep, .on_clock = nullptr, .look_around = nullptr, .timings = !lockstep};
+  if (!lockstep) service_options.look_around = [this](Time now) { look_at_commands(now); };
   if (options_.clock == ClockMode::topic) {
     auto topic_clock = std::make_unique<TopicClock>();
     service_options.on_clock = [clock = topic_clock.get()](Time now) { clock->set(now); };
@@ -180,6 +207,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
 }
 
 Host::~Host() {
+  announcement_.reset();
   outside_.reset();
   for (const auto& actor : actors_) {
     actor->watched.clear();
@@ -201,13 +229,31 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
   actor->lane = node.lane;
   actor->rank = actors_.size();
   actor->latency = node.latency;
+  actor->live_parameters = LiveParameters(node.name);
   actor->component = std::move(component);
   if (here) local_.push_back(actor.get());
   actors_.push_back(std::move(actor));
   Actor& added = *actors_.back();
+  added.on_first_rejected = [this, &added](const Input& input) {
+    log(added, LogLevel::warn,
+        fmt::format("a sample on {} is no {} and was thrown away; /diagnostics counts them", input.topic,
+                    input.type.ros_name));
+  };
   HostSetup setup(*this, added, node);
   added.component->configure(setup);
+  setup.declare_for_the_node();
   offer_lifecycle(added, setup);
+  offer_parameters(setup, added);
+}
+
+void Host::offer_parameters(Setup& setup, Actor& actor) {
+  actor.live_parameters.declare_read_only("", ParameterSet(NodeParameters{options_.clock != ClockMode::wall}),
+                                          "--clock decides it for the whole run");
+  offer_parameter_services(
+      setup, actor.live_parameters, [this, &actor](const Tick& tick, const std::vector<NamedValue>& changed) {
+        if (actor.state == lifecycle::State::unconfigured) actor.lifecycle->forget_parameters();
+        services_->tell_change(join_namespaces(actor.node_namespace, actor.name), tick.now, changed);
+      });
 }
 
 void Host::connect() {
@@ -226,10 +272,18 @@ void Host::connect() {
   } else {
     runner_ = std::make_unique<WallRunner>(local_, *clock_);
   }
+  std::vector<Actor*> all;
+  for (const auto& actor : actors_) all.push_back(actor.get());
+  const std::vector<WatchedTopic> watched = find_watched_topics(all, local_);
+  // In lock-step all ends are in the participant's own partition already.
+  const auto partitions = [lockstep](const auto& end) {
+    return lockstep ? std::vector<std::string>() : partitions_of(end);
+  };
   // Writers first: in one participant a match is immediate, so no reader misses a latched first sample.
   for (Actor* actor : local_) {
     for (const auto& output : actor->outputs) {
       dds::EndpointOptions options = endpoint_options(output->topic, output->type, output->qos);
+      options.partitions = partitions(*output);
       if (actor == outside_actor_) options.partitions = {private_partition};  // outside has said it already
       output->writer = participant_->create_writer(options);
       output->always_read = lockstep || (options_.tap && options_.tap->wants_everything());
@@ -238,14 +292,16 @@ void Host::connect() {
   if (options_.tap) tap_outputs();
   for (Actor* actor : local_) {
     for (const auto& input : actor->inputs) {
-      input->reader = participant_->create_reader(endpoint_options(input->topic, input->type, input->qos),
-                                                  [this, end = input.get()] { runner_->arrived(*end); });
+      dds::EndpointOptions options = endpoint_options(input->topic, input->type, input->qos);
+      options.partitions = partitions(*input);
+      input->reader =
+          participant_->create_reader(options, [this, end = input.get()] { runner_->arrived(*end); });
     }
   }
   for (Actor* actor : local_) connect_services(*actor);
   for (Actor* actor : local_) connect_clients(*actor);
   if (outside_) outside_->connect(*participant_, heard_outside_, local_);
-  announce_nodes();
+  if (!lockstep) command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
 }
 
 // The reply's writer first: a server that takes requests and cannot answer makes every client wait.
@@ -255,6 +311,11 @@ void Host::connect_services(Actor& actor) {
     ServiceEnd* end = service.get();
     end->sink = runner_.get();
     end->keeps_foreign_apart = lockstep;
+    end->complain = [this, &actor, lockstep](const std::string& text) {
+      // In lock-step not on /rosout: what comes from outside changes no sample.
+      if (lockstep) return terminal().warn("[{}] {}", actor.name, text);
+      log(actor, LogLevel::warn, text);
+    };
     const auto on_match = [this, end] {
       // Within a run in lock-step everybody is connected from the beginning.
       if (outside_) {
@@ -276,13 +337,14 @@ void Host::connect_clients(Actor& actor) {
   for (const auto& client : actor.clients) {
     ClientEnd* end = client.get();
     end->runner = runner_.get();
-    const auto on_arrival = [this, end] { runner_->arrived(*end); };
+    const std::function<void()> on_arrival = [this, end] { runner_->arrived(*end); };
+    // A request waits until both halves of its server are connected. Within a run in lock-step they are from the beginning.
+    const std::function<void()> on_match = lockstep ? nullptr : on_arrival;
     end->reader = participant_->create_reader(service_options(reply_topic(end->service), end->type.response),
-                                              on_arrival);
+                                              on_arrival, on_match);
     dds::EndpointOptions options = service_options(request_topic(end->service), end->type.request);
     if (lockstep) options.partitions = {participant_->private_partition()};
-    end->writer = participant_->create_writer(
-        options, lockstep ? std::function<void()>() : std::function<void()>(on_arrival));
+    end->writer = participant_->create_writer(options, on_match);
   }
 }
 
@@ -296,12 +358,20 @@ void Host::tap_outputs() {
 }
 
 void Host::announce_nodes() {
-  ParticipantEntities entities{.participant = participant_->guid(), .nodes = {}};
+  AnnouncementOptions options{.distro = graph_.settings.ros_distro};
+  // In lock-step nobody of outside is to decide anything, not even a line of the log.
+  options.looks_around = options_.clock != ClockMode::lockstep;
+  if (options.looks_around)
+    options.warn = [this](const std::string& text) { log(*local_.front(), LogLevel::warn, text); };
+  announcement_ = std::make_unique<NodeAnnouncement>(*participant_, std::move(options));
+  const auto& parameter_events = *std::ranges::find_if(
+      actors_.front()->outputs, [](const auto& o) { return o->topic == kParameterEvents; });
   for (const Actor* actor : local_) {
     NodeEntities node{
         .node_namespace = actor->node_namespace, .name = actor->name, .readers = {}, .writers = {}};
     for (const auto& input : actor->inputs) node.readers.push_back(input->reader->guid());
     for (const auto& output : actor->outputs) node.writers.push_back(output->writer->guid());
+    if (actor->rank > 0) node.writers.push_back(parameter_events->writer->guid());
     for (const auto& service : actor->services) {
       node.readers.push_back(service->reader->guid());
       node.writers.push_back(service->writer->guid());
@@ -310,20 +380,45 @@ void Host::announce_nodes() {
       node.readers.push_back(client->reader->guid());
       node.writers.push_back(client->writer->guid());
     }
-    entities.nodes.push_back(std::move(node));
+    announcement_->add(std::move(node));
   }
-  node_writer_ = participant_->create_writer(
-      {.topic = kDiscoveryTopic, .type = kDiscoveryType, .qos = Qos::latched(), .user_data = {}});
-  node_writer_->write(encode(
-      entities, graph_.settings.ros_distro == "humble" ? GidFormat::humble : GidFormat::iron_and_later));
+  announcement_->publish();
+}
+
+void Host::look_at_commands(Time now) {
+  if (!command_guard_) return;
+  Actor& services = *actors_.front();
+  for (const CommandWatch::News& news : command_guard_->look(now)) log(services, news.level, news.text);
+  using Level = DiagnosticReporter::Level;
+  Level level = Level::ok;
+  std::string message = "ok";
+  for (const auto& [topic, state] : command_guard_->states()) {
+    services.set_value(topic, state.text);
+    const Level its = state.level == LogLevel::error  ? Level::error
+                      : state.level == LogLevel::warn ? Level::warn
+                                                      : Level::ok;
+    if (its > level) message = topic + ": " + state.text;
+    level = std::max(level, its);
+  }
+  services.report(level, message);
 }
 
 RunEnd Host::run(std::optional<Duration> duration) {
   connect();
   started_ = runner_->now();
+  for (const auto& output : actors_.front()->outputs)
+    output->sink = runner_.get();  // /rosout, before anybody speaks
+  for (const EarlyLine& line : early_log_) {
+    if (std::ranges::find(local_, line.actor) != local_.end())
+      publish_log(*line.actor, line.level, line.text);
+  }
+  announce_nodes();
   const std::vector<Actor*> order = bring_up_order();
   std::optional<RunEnd> failure = bring_up(order);
   RunEnd end = failure ? *failure : runner_->run(duration);
+  // A run in lock-step may be ended by a person, who is to decide nothing of its bytes.
+  if (options_.clock != ClockMode::lockstep)
+    log(*local_.front(), end.ok ? LogLevel::info : LogLevel::error, "the run ends: " + end.reason);
   if (options_.tap) options_.tap->run_is_over();
   bring_down(order, end);
   return end;
@@ -339,7 +434,19 @@ void Host::log(const Actor& actor, LogLevel level, const std::string& text) {
   const double seconds = started_ ? (now - *started_).to_seconds() : 0.0;
   const auto terminal_level = static_cast<spdlog::level::level_enum>(static_cast<int>(level) / 10);
   terminal().log(terminal_level, "{:8.3f} [{}] {}", seconds, actor.name, text);
-  if (started_) services_->log(actor.name, now, level, text);
+  if (started_) {
+    publish_log(actor, level, text);
+  } else {
+    early_log_.push_back({&actor, level, text});
+  }
+}
+
+/// Under the name that rclcpp gives the logger of a node: robot1.base for /robot1/base.
+void Host::publish_log(const Actor& actor, LogLevel level, const std::string& text) {
+  std::string name =
+      actor.node_namespace == "/" ? actor.name : actor.node_namespace.substr(1) + "." + actor.name;
+  std::ranges::replace(name, '/', '.');
+  services_->log(name, runner_->now(), level, text);
 }
 
 std::vector<std::pair<std::string, ParameterReport>> Host::parameters() const {

@@ -93,12 +93,15 @@ class Host {
   std::optional<RunEnd> bring_up(const std::vector<Actor*>& order);
   /// Brings what is up to rest, backwards, whatever fails.
   void bring_down(const std::vector<Actor*>& order, RunEnd& end);
+  void offer_parameters(Setup& setup, Actor& actor);
   void connect();
   void connect_services(Actor& actor);
   void connect_clients(Actor& actor);
   void announce_nodes();
+  void look_at_commands(Time now);
   void tap_outputs();
   void log(const Actor& actor, LogLevel level, const std::string& text);
+  void publish_log(const Actor& actor, LogLevel level, const std::string& text);
   std::vector<Actor*> local_actors() const;
 
   Graph graph_;
@@ -112,10 +115,17 @@ class Host {
   const Actor* outside_actor_ = nullptr;  ///< through which what is accepted enters
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
-  std::unique_ptr<dds::Writer> node_writer_;
+  std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step
+  std::unique_ptr<class NodeAnnouncement> announcement_;
   class ProcessServices* services_ = nullptr;
   std::optional<Time> started_;
-  Duration time_to_rest_;  ///< the longest that a component asked for
+  struct EarlyLine {
+    const Actor* actor;
+    LogLevel level;
+    std::string text;
+  };
+  std::vector<EarlyLine> early_log_;  ///< of the time before the run
+  Duration time_to_rest_;             ///< the longest that a component asked for
   std::mutex log_mutex_;
 };
 

@@ -29,13 +29,14 @@ void Host::offer_lifecycle(Actor& actor, HostSetup& setup) {
   LifecycleMeans means;
   means.log_error = [this, &actor](const std::string& text) { log(actor, LogLevel::error, text); };
   if (actor.role == ActorRole::component) {
-    setup.declare_for_the_node();
     offer_lifecycle_services(setup, actor);
     means.tell = offer_transition_events(setup);
     means.make = [&actor] { return make_component(actor.type); };
     means.configure = [this, &actor](Component& component) {
       Rebinding rebinding(actor);
-      HostSetup again(*this, actor, *graph_.find(actor.name), &rebinding);
+      ComponentNode& node = *std::ranges::find(graph_.components, actor.name, &ComponentNode::name);
+      actor.live_parameters.write_changes(node.parameters);
+      HostSetup again(*this, actor, node, &rebinding);
       component.configure(again);
       rebinding.commit();
     };

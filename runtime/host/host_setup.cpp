@@ -78,6 +78,7 @@ void HostSetup::add_input(const std::string& topic, const MessageType& type, con
   input->kind = kind;
   input->need = need;
   if (const InputSettings* settings = node_.input(topic)) {
+    input->is_external = settings->external;
     input->max_age = settings->max_age;
     input->on_stale = settings->on_stale;
     if (input->max_age) actor_.watched.push_back(input.get());
@@ -85,6 +86,16 @@ void HostSetup::add_input(const std::string& topic, const MessageType& type, con
   input->statistics.component = actor_.name;
   input->statistics.callback = topic;
   actor_.inputs.push_back(std::move(input));
+}
+
+void HostSetup::keep_parameters(ParameterReport report, ParameterDeclaration declaration) {
+  actor_.parameters = std::move(report);
+  actor_.live_parameters.declare(std::move(declaration));
+}
+
+void HostSetup::keep_shared_parameters(std::string_view section, ParameterSet values) {
+  actor_.live_parameters.declare_read_only(std::string(section), std::move(values),
+                                           "components share it; it is set in the graph");
 }
 
 ServicePort& HostSetup::add_service(const std::string& name, const ServiceType& type, ServiceScope scope) {

@@ -41,7 +41,8 @@ class HostSetup final : public Setup {
   std::string parameter_path() const override { return node_.name; }
   const ConfigNode& shared_section(std::string_view section) const override;
   void comes_to_rest_within(std::string_view section, Duration time) override;
-  void keep_parameters(ParameterReport report) override { actor_.parameters = std::move(report); }
+  void keep_parameters(ParameterReport report, ParameterDeclaration declaration) override;
+  void keep_shared_parameters(std::string_view section, ParameterSet values) override;
 
  private:
   Host& host_;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "runtime/host/container_services.hpp"
+#include "runtime/ros/parameter_messages.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {
@@ -41,9 +42,15 @@ void add_callbacks(diagnostic_msgs::msg::DiagnosticStatus& status, const Actor& 
 
 void ProcessServices::configure(Setup& setup) {
   rosout_ = setup.output<rcl_interfaces::msg::Log>("/rosout", Qos::rosout());
+  parameter_events_ =
+      setup.output<rcl_interfaces::msg::ParameterEvent>(kParameterEvents, Qos::standard(1000));
   diagnostics_ = setup.output<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics");
   setup.every(Duration::milliseconds(1000), "diagnostics",
               [this](const Tick& tick) { publish_diagnostics(tick.now); });
+  if (options_.look_around) {
+    setup.every(Duration::milliseconds(500), "look_around",
+                [this](const Tick& tick) { options_.look_around(tick.now); });
+  }
   if (options_.on_clock) {
     setup.input<rosgraph_msgs::msg::Clock>("/clock", Qos::clock(), [this](const auto& message, const Tick&) {
       options_.on_clock(from_stamp(message.clock()));
@@ -68,6 +75,16 @@ void ProcessServices::log(const std::string& name, Time stamp, LogLevel level, c
   message.msg(text);
   const std::lock_guard lock(log_mutex_);
   rosout_.publish(message);
+}
+
+void ProcessServices::tell_change(const std::string& node, Time stamp,
+                                  const std::vector<NamedValue>& changed) {
+  rcl_interfaces::msg::ParameterEvent message;
+  message.stamp(to_stamp(stamp));
+  message.node(node);
+  for (const NamedValue& parameter : changed) message.changed_parameters().push_back(to_message(parameter));
+  const std::lock_guard lock(event_mutex_);
+  parameter_events_.publish(message);
 }
 
 void ProcessServices::publish_diagnostics(Time now) {

@@ -1,12 +1,15 @@
-// What every process offers beside its components, as one more node: /clock in lock-step, /rosout, /diagnostics, the list
-// of what runs in it, bonds.
+// What every process offers beside its components, as one more node: /clock in lock-step, /rosout, /parameter_events,
+// /diagnostics, the list of what runs in it, bonds.
 #pragma once
 
 #include <functional>
 #include <mutex>
+#include <string>
+#include <vector>
 
 #include <diagnostic_msgs/msg/diagnostic_array.hpp>
 #include <rcl_interfaces/msg/log.hpp>
+#include <rcl_interfaces/msg/parameter_event.hpp>
 #include <rosgraph_msgs/msg/clock.hpp>
 
 #include "runtime/component.hpp"
@@ -15,9 +18,13 @@
 
 namespace bw {
 
+/// Every node is said to write here: ROS 2's tools look for it at each.
+inline constexpr const char* kParameterEvents = "/parameter_events";
+
 struct ProcessServiceOptions {
   bool publishes_clock = false;                   ///< lock-step
   std::function<void(Time)> on_clock;             ///< hears /clock, when time comes from outside; empty: deaf
+  std::function<void(Time)> look_around;          ///< every half second; empty: never
   std::vector<std::string> bond_namespaces = {};  ///< where components have bonds with a manager from outside
   bool timings = true;  ///< statistics go into the diagnostics; off in lock-step, where nothing measured on a
                         ///< real clock may enter a sample
@@ -31,6 +38,8 @@ class ProcessServices final : public Component {
   void configure(Setup& setup) override;
   /// From any thread.
   void log(const std::string& name, Time stamp, LogLevel level, const std::string& text);
+  /// From any thread. `node` is a full name.
+  void tell_change(const std::string& node, Time stamp, const std::vector<NamedValue>& changed);
 
  private:
   void publish_diagnostics(Time now);
@@ -42,6 +51,8 @@ class ProcessServices final : public Component {
   Output<diagnostic_msgs::msg::DiagnosticArray> diagnostics_;
   std::mutex log_mutex_;
   Output<rcl_interfaces::msg::Log> rosout_;
+  std::mutex event_mutex_;
+  Output<rcl_interfaces::msg::ParameterEvent> parameter_events_;
 };
 
 }  // namespace bw

@@ -1,6 +1,9 @@
 #include "runtime/host/service_end.hpp"
 
 #include <algorithm>
+#include <bit>
+
+#include <fmt/format.h>
 
 #include "runtime/host/actor.hpp"
 
@@ -71,9 +74,19 @@ void ServiceEnd::answer(const Request& request, Time now) {
   } else if (handler.refuse) {
     refuse(request.from, "the request holds no " + std::string(type.ros_name));
   }
-  const std::lock_guard lock(actor->mutex);
-  statistics.run.add(thread_cpu_time() - start);
-  if (!accepted) ++statistics.rejected;
+  {
+    const std::lock_guard lock(actor->mutex);
+    statistics.run.add(thread_cpu_time() - start);
+    if (!accepted) ++statistics.rejected;
+  }
+  if (!accepted) complain_of(request);
+}
+
+// The first, the second, the fourth: whoever floods us with such requests does not flood the log.
+void ServiceEnd::complain_of(const Request& request) const {
+  if (!complain || !std::has_single_bit(statistics.rejected)) return;
+  complain(fmt::format("a request of {} holds no {} ({} bytes; {} such so far)", service, type.ros_name,
+                       request.cdr.size(), statistics.rejected));
 }
 
 void ServiceEnd::refuse(const RequestId& from, const std::string& reason) {

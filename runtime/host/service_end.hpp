@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -54,6 +55,7 @@ class ServiceEnd final : public Inlet, public ServicePort {
   RequestHandler handler;
   bool keeps_foreign_apart = false;  ///< lock-step
   bool of_node = false;              ///< declared by the runtime, not by the component
+  std::function<void(const std::string& text)> complain;  ///< of requests that cannot be read
   std::unique_ptr<dds::Reader> reader;
   std::unique_ptr<dds::Writer> writer;
   SampleSink* sink = nullptr;
@@ -68,6 +70,7 @@ class ServiceEnd final : public Inlet, public ServicePort {
 
   bool is_closed() const;
   void sort_arrivals();
+  void complain_of(const Request& request) const;
   void write(const RequestId& to, std::span<const std::uint8_t> cdr);
 
   std::uint64_t calls_ = 0;

@@ -15,6 +15,8 @@ namespace bw {
 
 inline constexpr const char* kDiscoveryTopic = "ros_discovery_info";
 inline constexpr const char* kDiscoveryType = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
+inline constexpr const char* kDiscoveryTypeHash =
+    "RIHS01_91a0593bacdcc50ea9bdcf849a938b128412cc1ea821245c663bcd26f83c295e";
 
 enum class GidFormat { humble, iron_and_later };
 

@@ -84,6 +84,8 @@ class MessageText {
     const std::optional<std::int64_t> whole =
         value->is_scalar() && !value->quoted ? parse_integer(value->scalar) : std::nullopt;
     if (field.kind == Kind::kInt64 && whole) return writer_.write(*whole);
+    if (field.kind == Kind::kUint64 && whole && *whole >= 0)
+      return writer_.write(static_cast<std::uint64_t>(*whole));
     const std::optional<double> number = number_of(field.kind, *value);
     std::optional<std::string> rule =
         number ? broken_rule(field.kind, *number)

@@ -1,30 +1,85 @@
-// One node of ours on ros_discovery_info, so that ROS 2's tools list it with its ends.
+// Our nodes on ros_discovery_info, so that ROS 2's tools list them with their ends.
+//
+// In which format is decided once: by the caller, by ROS_DISTRO, or within two seconds by what the others on the domain
+// announce (distro_evidence.hpp); where nobody is, as for Jazzy. Nothing waits for that but the list of nodes. Who comes later
+// with the other format is told of, and changes nothing.
 #pragma once
 
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
 #include <string>
+#include <thread>
 
+#include "runtime/base/ros_distro.hpp"
 #include "runtime/ros/discovery_info.hpp"
+#include "runtime/ros/distro_evidence.hpp"
+#include "runtime/ros/node_directory.hpp"
 
 namespace bw {
 
-/// Humble where ROS_DISTRO says so, as ROS 2's own set-up script does.
-[[nodiscard]] GidFormat gid_format_of_environment();
+struct AnnouncementOptions {
+  RosDistro distro = RosDistro::automatic;
+  bool looks_around = true;  ///< false: decides at once and hears nobody, as lock-step must
+  /// Is told of the other format on the domain and of others' nodes of our names, once each, on a thread of the
+  /// announcement's own. Empty: nobody is looked for after the decision.
+  std::function<void(const std::string&)> warn = nullptr;
+};
 
 class NodeAnnouncement {
  public:
-  /// In the root namespace; the participant must outlive this.
-  NodeAnnouncement(dds::Participant& participant, const std::string& name);
+  static constexpr Duration kPatience = Duration::milliseconds(2000);
 
+  /// The participant must outlive this.
+  NodeAnnouncement(dds::Participant& participant, AnnouncementOptions options);
+  /// One node in the root namespace.
+  NodeAnnouncement(dds::Participant& participant, const std::string& name,
+                   RosDistro distro = RosDistro::automatic);
+  ~NodeAnnouncement();
+  NodeAnnouncement(const NodeAnnouncement&) = delete;
+  NodeAnnouncement& operator=(const NodeAnnouncement&) = delete;
+
+  void add(NodeEntities node);
+  /// Ends of the last node.
   void add(const dds::Reader& reader);
   void add(const dds::Writer& writer);
-  /// Tells all ends added so far.
+  /// Tells all nodes and ends added so far, once the format is decided.
   void publish();
 
+  /// Nothing until it is decided.
+  [[nodiscard]] std::optional<RosDistro> distro() const;
+
  private:
-  GidFormat format_;
+  void look_around();
+  void decide(RosDistro distro);
+  void write();
+  void warn_of_contradiction(const DistroEvidence& evidence);
+  void warn_of_namesakes();
+  [[nodiscard]] bool is_told_everything() const { return decided_ && !options_.warn; }
+
+  dds::Participant& participant_;
+  AnnouncementOptions options_;
+  Duration began_;  ///< on the monotonic clock
+  std::atomic<bool> has_news_ = false;
+  std::unique_ptr<NodeDirectory> directory_;
+  std::uint64_t seen_changes_ = 0;
+  DistroEvidence evidence_;
+  bool told_contradiction_ = false;
+  std::set<std::string> told_namesakes_;
+
+  mutable std::mutex mutex_;  ///< guards what follows
+  std::optional<RosDistro> decided_;
+  bool is_published_ = false;
   ParticipantEntities entities_;
   std::unique_ptr<dds::Writer> writer_;
+  bool stop_ = false;
+  std::condition_variable wake_;
+  std::thread thread_;
 };
 
 }  // namespace bw

@@ -14,17 +14,22 @@ namespace bw {
 /// Not for several threads at once.
 class NodeDirectory {
  public:
-  /// `on_news` runs on a DDS thread when there is something to read: it may only wake somebody.
+  /// The participant must outlive this. `on_news` runs on a DDS thread when there is something to read: it may only wake somebody.
   explicit NodeDirectory(
       dds::Participant& participant, std::function<void()> on_news = [] {});
 
   /// Reads what came; true when something did.
   bool update();
+  /// Participants that have left, and the names of ends that are gone.
+  void forget_the_gone();
   [[nodiscard]] const std::vector<ParticipantEntities>& participants() const { return participants_; }
   /// Its full name, /robot1/base; empty when nobody has named the endpoint.
   [[nodiscard]] std::string node_of(const dds::Guid& endpoint) const;
 
  private:
+  void add_names(const ParticipantEntities& participant);
+
+  dds::Participant& participant_;
   std::unique_ptr<dds::Reader> reader_;
   std::vector<ParticipantEntities> participants_;
   std::map<dds::Guid, std::string> node_of_;

@@ -48,13 +48,10 @@ std::optional<std::vector<std::uint8_t>> call_service(dds::Participant& particip
   const Clock::time_point end = Clock::now() + limit;
   Bell bell;
   const auto ring = [&bell] { bell.ring(); };
-  const auto reader = participant.create_reader(options(reply_topic(name), type.response), ring);
+  const auto reader = participant.create_reader(options(reply_topic(name), type.response), ring, ring);
   const auto writer = participant.create_writer(options(request_topic(name), type.request), ring);
-  // Nothing tells when the reader is matched: looked at so often.
-  constexpr std::chrono::milliseconds kLook{5};
   while (writer->matched_readers() == 0 || reader->matched_writers() == 0) {
-    if (Clock::now() >= end) return std::nullopt;
-    bell.wait(std::min(end, Clock::now() + kLook));
+    if (!bell.wait(end)) return std::nullopt;
   }
   const auto asked = writer->write_related(request, {reader->guid(), 0});
   if (!asked) return std::nullopt;

@@ -7,6 +7,8 @@ namespace bw {
 namespace {
 
 constexpr std::size_t kMaxDepth = 64;  // a longer chain is a loop
+constexpr Duration kLatest = Duration::milliseconds(500);
+constexpr int kConfirmations = 5;
 
 Eigen::Isometry3d interpolate(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double share) {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
@@ -25,7 +27,12 @@ bool TransformTree::set(const std::string& parent, const std::string& child, Tim
   Link& link = links_[child];
   if (link.parent != parent || link.is_static != is_static)
     link = {.parent = parent, .is_static = is_static, .samples = {}};
-  if (is_static) link.samples.clear();
+  const bool is_behind = !link.samples.empty() && stamp < link.samples.back().stamp - kLatest;
+  link.behind = is_behind ? link.behind + 1 : 0;
+  if (is_static || link.behind == kConfirmations) {
+    link.samples.clear();
+    link.behind = 0;
+  }
   const auto later = std::ranges::upper_bound(link.samples, stamp, {}, &Stamped::stamp);
   if (later != link.samples.begin() && std::prev(later)->stamp == stamp) {
     std::prev(later)->X_PC = X_PC;

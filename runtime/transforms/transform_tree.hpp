@@ -21,7 +21,8 @@ class TransformTree {
   explicit TransformTree(Duration history = Duration::milliseconds(10'000)) : history_(history) {}
 
   /// Ignores (false) a transform that is not finite, has no unit quaternion within 1e-3, is from itself to
-  /// itself, or is older than the history. A later parent for the same child replaces the former one.
+  /// itself, or is older than the history. A later parent for the same child replaces the former one. Five in a row that
+  /// are half a second older than the newest are a clock that went back: what was known of the child is forgotten.
   bool set(const std::string& parent, const std::string& child, Time stamp, const Eigen::Isometry3d& X_PC,
            bool is_static);
 
@@ -42,6 +43,7 @@ class TransformTree {
     std::string parent;
     bool is_static = false;
     std::deque<Stamped> samples;  ///< rising in time
+    int behind = 0;               ///< how many in a row were much older than the newest
   };
 
   std::vector<std::string> chain_to_root(const std::string& frame) const;

@@ -47,7 +47,7 @@ TEST(Record, EverySampleIsInTheBagAsItWasSent) {
   ASSERT_TRUE(recorder.is_there()) << recorder.process().err();
   // All of this appears while it records.
   dds::Participant participant(local());
-  NodeAnnouncement talker(participant, "talker");
+  NodeAnnouncement talker(participant, "talker", RosDistro::jazzy);
   const auto open = [&](const dds::EndpointOptions& options) {
     auto writer = participant.create_writer(options);
     talker.add(*writer);
@@ -131,8 +131,8 @@ TEST(Record, ANodeBringsItsTopicsAlone) {
   Running recorder({"record", "--node", "talker", "--out", folder / "one.mcap"});
   ASSERT_TRUE(recorder.is_there()) << recorder.process().err();
   dds::Participant participant(local());
-  NodeAnnouncement talker(participant, "talker");
-  NodeAnnouncement other(participant, "other");
+  NodeAnnouncement talker(participant, "talker", RosDistro::jazzy);
+  NodeAnnouncement other(participant, "other", RosDistro::jazzy);
   const auto wanted =
       participant.create_writer(endpoint("/wanted", "std_msgs/msg/String", Qos::latched(), kStringHash));
   const auto heard =

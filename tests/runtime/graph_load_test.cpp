@@ -84,7 +84,7 @@ components:
 )"),
                                  {"planner.weights.speed=2", "robot.radius=0.25", "base.port=/dev/ttyUSB0"});
 
-  EXPECT_EQ(graph.settings.ros_distro, "humble");
+  EXPECT_EQ(graph.settings.ros_distro, RosDistro::humble);
   EXPECT_EQ(graph.settings.frame_prefix, "robot1/");
   EXPECT_EQ(graph.settings.transport, "lan");
   EXPECT_THAT(graph.settings.plugins, ElementsAre((folder.path() / "graphs/lib/own.so").string()));
@@ -134,7 +134,7 @@ TEST(LoadGraph, RefusesUnknownKeysWithTheNearestKnown) {
 
 TEST(LoadGraph, RefusesWrongValues) {
   EXPECT_EQ(refusal("ros_distro: iron\ncomponents: {a: }"),
-            "g.yaml:1: ros_distro = iron: must be one of humble, jazzy");
+            "g.yaml:1: ros_distro = iron: must be one of auto, humble, jazzy, kilted, lyrical");
   EXPECT_EQ(refusal("transport: [wifi]\ncomponents: {a: }"), "g.yaml:1: transport = a list: must be text");
   EXPECT_EQ(refusal("namespace: a//b\ncomponents: {a: }"),
             "g.yaml:1: namespace = a//b: must be a namespace: letters, digits and _ between single /, no "

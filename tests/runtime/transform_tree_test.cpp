@@ -75,6 +75,19 @@ TEST(TransformTree, ALoopOfFramesEndsTheLookup) {
   EXPECT_FALSE(t.lookup("c", "a"));
 }
 
+// A clock 5 s and a clock 60 s back: the fifth transform tells, and the newest instant is one of the new time.
+TEST(TransformTree, ForgetsTheTimeBeforeAClockThatWentBack) {
+  for (const double restart : {95.0, 40.0}) {
+    TransformTree t;
+    for (int i = 0; i <= 10; ++i) t.set("a", "b", at(99.0 + 0.1 * i), spatial({1, 0, 0}), false);
+    t.set("a", "b", at(99.85), spatial({1, 0, 0}), false);  // a late one changes nothing
+    for (int i = 1; i <= 6; ++i) t.set("a", "b", at(restart + 0.1 * i), spatial({2, 0, 0}), false);
+    expect_pose(t.lookup_planar("a", "b"), 2, 0, 0);
+    EXPECT_TRUE(t.lookup("a", "b", at(restart + 0.55)));
+    EXPECT_FALSE(t.lookup("a", "b", at(99.5)));
+  }
+}
+
 TEST(TransformTree, ForgetsWhatIsOlderThanItsHistory) {
   TransformTree t(Duration::milliseconds(1000));
   for (int i = 1; i <= 100; ++i) t.set("a", "b", at(0.1 * i), Eigen::Isometry3d::Identity(), false);

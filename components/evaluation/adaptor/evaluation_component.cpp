@@ -34,7 +34,9 @@ class EvaluationComponent final : public Component {
     is_run_ = parameters_.scored == Scored::run;
     svg_path_ = setup.file_parameter("svg");
     const auto robot = setup.shared<Robot>("robot");
-    judge_.emplace(parameters_, robot.radius, robot.limits.v_max);
+    judge_.emplace(parameters_, robot.radius, robot.limits.v_max,
+                   parameters_.scored == Scored::drives ? DriveJudge::Lasts::until_end_of_run
+                                                        : DriveJudge::Lasts::until_goal);
     log_ = setup.log();
     map_frame_ = setup.frame("map");
     card_ = setup.output<bandwagon_msgs::msg::ScoreCard>("score_card");
@@ -83,9 +85,9 @@ class EvaluationComponent final : public Component {
 
   void deactivate(const Tick& tick) override {
     if (!judge_->running()) return;
-    if (is_run_) judge_->end_run(tick.now);
+    if (parameters_.scored != Scored::drive) judge_->end_run(tick.now);
     publish(tick);
-    if (is_run_) return draw();
+    if (is_run_ || (parameters_.scored == Scored::drives && !judge_->has_goal())) return draw();
     const bool is_late = parameters_.time_limit > 0.0 &&
                          (tick.now - activated_).to_seconds() >= parameters_.time_limit - kClockStep;
     draw(is_late ? "timeout" : "ended early");

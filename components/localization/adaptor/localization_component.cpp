@@ -17,7 +17,16 @@ Eigen::Matrix3d usual_covariance(const InitialPoseParameters& pose) {
 }  // namespace
 
 void LocalizationComponent::configure(Setup& setup) {
-  parameters_ = setup.parameters<LocalizationParameters>();
+  // The filters are fixed: what they know was learnt with their parameters.
+  parameters_ = setup.parameters<LocalizationParameters>(
+      [this](const LocalizationParameters& changed, const Tick&) {
+        parameters_ = changed;
+        inputs_.set_noise(changed.sensors);
+        wheels_.set_noise(changed.sensors.wheel_noise);
+      },
+      {"algorithm", "set_initial_pose", "start_anywhere", "sensors.gyro", "sensors.compass", "sensors.gps",
+       "sensors.course", "sensors.laser", "sensors.ranges", "sensors.poses", "datum", "pose_rate", "ekf",
+       "particle_filter"});
   inputs_.configure(setup, parameters_);
   wheels_ = {inputs_.wheels(), setup.shared<Robot>("robot").wheel_separation,
              parameters_.sensors.wheel_noise};
@@ -50,9 +59,7 @@ void LocalizationComponent::listen(Setup& setup) {
   setup.input<PoseWithCovarianceStamped>(
       "initialpose", Qos::standard(), [this](const auto& m, const Tick& tick) { on_initial_pose(m, tick); },
       Need::optional);
-  setup.input<std_msgs::msg::Empty>(
-      "reinitialize_global_localization", Qos::standard(),
-      [this](const auto&, const Tick& tick) { search(tick.now); }, Need::optional);
+  offer_services(setup);
 }
 
 void LocalizationComponent::activate(const Tick& tick) {
@@ -90,9 +97,14 @@ void LocalizationComponent::on_initial_pose(const geometry_msgs::msg::PoseWithCo
     log_.error("initialpose is in frame '{}', not in '{}': ignored", frame, map_frame_);
     return;
   }
+  if (const std::string fault = fault_of(message.pose().pose()); !fault.empty()) {
+    log_.error("initialpose is no pose: {}: ignored", fault);
+    return;
+  }
   Eigen::Matrix3d covariance = planar_covariance(message.pose().covariance());
   if (covariance.isZero()) covariance = usual_covariance(parameters_.initial_pose);
-  start_at(from_pose(message.pose().pose()), covariance, wheels_.X_OB() ? wheels_.time() : tick.now);
+  start_at(from_pose(normalised(message.pose().pose())), covariance,
+           wheels_.X_OB() ? wheels_.time() : tick.now);
 }
 
 void LocalizationComponent::start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time) {

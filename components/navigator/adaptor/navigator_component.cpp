@@ -23,7 +23,12 @@ using namespace bandwagon_msgs::msg;
 class NavigatorComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    parameters_ = setup.parameters<NavigatorParameters>();
+    parameters_ = setup.parameters<NavigatorParameters>(
+        [this](const NavigatorParameters& changed, const Tick&) {
+          parameters_ = changed;
+          navigator_->set_options(changed);
+        },
+        {"rate", "goal", "goals", "waypoint_pause", "number_of_loops", "stop_on_failure"});
     navigator_.emplace(parameters_);
     goals_.emplace(parameters_.goal_list());
     log_ = setup.log();
@@ -32,7 +37,7 @@ class NavigatorComponent final : public Component {
     odometry_ = setup.latest<nav_msgs::msg::Odometry>("odometry/filtered", Qos::command());
     plan_request_ = setup.output<PlanRequest>("plan_request");
     follow_request_ = setup.output<FollowRequest>("follow_request");
-    status_ = setup.output<NavigationStatus>("navigation_status");
+    status_ = setup.output<NavigationStatus>("navigation_status", Qos::latched());
     setup.input<geometry_msgs::msg::PoseStamped>(
         "goal_pose", Qos::standard(), [this](const auto& goal, const Tick& tick) { on_goal(goal, tick); },
         Need::optional);
@@ -74,17 +79,22 @@ class NavigatorComponent final : public Component {
     const std::string& frame = goal.header().frame_id();
     const std::optional<Pose2> X_MF =
         frame == map_frame_ ? Pose2{} : transforms_->lookup_planar(map_frame_, frame);
-    if (X_MF) {
-      if (is_finite(from_pose(goal.pose()))) goals_->give_up();
-      navigator_->accept(*X_MF * from_pose(goal.pose()), situation(tick));
-    } else {
-      navigator_->refuse(from_pose(goal.pose()),
+    if (const std::string fault = fault_of(goal.pose()); !fault.empty()) {
+      navigator_->refuse({}, "the goal is no pose: " + fault);
+    } else if (!X_MF) {
+      navigator_->refuse(from_pose(normalised(goal.pose())),
                          "the goal is in frame '" + frame + "', which is not known in '" + map_frame_ + "'");
+    } else {
+      goals_->give_up();
+      navigator_->accept(*X_MF * from_pose(normalised(goal.pose())), situation(tick));
     }
     send(tick);
   }
 
   void step(const Tick& tick) {
+    if (tick.now < stepped_) goals_->shift(stepped_ - tick.now);
+    if (tick.now < stepped_) last_feedback_ = {};
+    stepped_ = tick.now;
     send_own_goal(tick);
     send(tick);
     const bool feedback_is_due = (tick.now - last_feedback_).to_seconds() >= parameters_.feedback_period;
@@ -126,6 +136,7 @@ class NavigatorComponent final : public Component {
   std::optional<Navigator> navigator_;
   std::optional<GoalList> goals_;
   Time last_feedback_;
+  Time stepped_;
   bool told_ = false;
   Logger log_;
   std::string map_frame_;

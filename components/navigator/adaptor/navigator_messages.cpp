@@ -60,6 +60,8 @@ void log(const GoalReport& report, const Logger& log) {
   } else if (report.status == GoalStatus::accepted) {
     log.info("goal {}: to ({:.2f}, {:.2f}, {:.2f})", report.goal_id, report.X_MG.x, report.X_MG.y,
              report.X_MG.theta);
+  } else if (report.status == GoalStatus::canceling) {
+    return;  // its end says the same once the robot stands
   } else if (!report.reason.empty()) {
     log.warn("goal {}: {}", report.goal_id, report.reason);
   }

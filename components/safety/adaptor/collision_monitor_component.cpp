@@ -35,7 +35,9 @@ bool moves(const Twist2& twist) { return std::abs(twist.v) > kAtRest || std::abs
 class CollisionMonitorComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    options_ = setup.parameters<safety::CollisionMonitorOptions>();
+    options_ = setup.parameters<safety::CollisionMonitorOptions>(
+        [this](const safety::CollisionMonitorOptions& changed, const Tick&) { use(changed); },
+        {"source_timeout", "clear_after", "resume", "sweep"});
     robot_ = setup.shared<Robot>("robot");
     monitor_.emplace(robot_, options_);
     for (SensorMount& mount : robot_.sensors) mount.frame = setup.frame(mount.frame);
@@ -68,6 +70,12 @@ class CollisionMonitorComponent final : public Component {
   }
 
  private:
+  void use(const safety::CollisionMonitorOptions& changed) {
+    options_ = changed;
+    monitor_->set_options(changed);
+    last_.cause = "";  // it may have been the name of a zone
+  }
+
   void on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick) {
     monitor_->sweep(tick.now, to_sweep(message, robot_.mount_of(message.header().frame_id())));
     if (wanted_at_) pass_on(tick);
@@ -83,6 +91,7 @@ class CollisionMonitorComponent final : public Component {
   /// Says nothing to a robot that stands and that nobody drives.
   void pass_on(const Tick& tick) {
     if (!wanted_at_) return;
+    if (*wanted_at_ > tick.now) wanted_at_ = tick.now;  // the clock went back
     const Verdict verdict = judge(tick);
     const bool silent = verdict.cause == kCommandSilent && !moves(monitor_->actual());
     if (!silent || moves(last_.allowed)) publish(verdict);
@@ -94,7 +103,8 @@ class CollisionMonitorComponent final : public Component {
       report(verdict, silent);
     idle_ = silent;
     last_ = verdict;
-    if (markers_.has_readers() && (!drawn_at_ || tick.now - *drawn_at_ >= kMarkerPeriod)) {
+    if (markers_.has_readers() &&
+        (!drawn_at_ || tick.now - *drawn_at_ >= kMarkerPeriod || tick.now < *drawn_at_)) {
       drawn_at_ = tick.now;
       markers_.publish(
           safety::to_markers(options_, robot_.radius, verdict, make_header(base_frame_, tick.now)));

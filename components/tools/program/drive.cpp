@@ -11,6 +11,7 @@
 
 #include <sys/resource.h>
 
+#include "components/evaluation/evaluation_parameters.hpp"
 #include "components/tools/program/bag_description.hpp"
 #include "components/tools/program/recording.hpp"
 #include "components/tools/program/run_observer.hpp"
@@ -145,13 +146,21 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
     apply_override(graph, Override{.path = {evaluation->name, "time_limit"}, .value = std::move(limit)});
   }
 
+  if (evaluation != nullptr && options.stays && find_dotted(evaluation->parameters, "scored") == nullptr) {
+    ConfigNode scored;
+    scored.kind = ConfigNode::Kind::kScalar;
+    scored.scalar = text_of(Scored::drives);
+    apply_override(graph, Override{.path = {evaluation->name, "scored"}, .value = std::move(scored)});
+  }
+
   DriveResult result{.judged = evaluation != nullptr};
   auto seen = std::make_shared<Observation>();
   Host* running = nullptr;
   std::vector<ExtraComponent> extra;
   if (result.judged) {
     extra.push_back(
-        {"run_observer", std::make_unique<RunObserver>(seen, options.show_progress, [&running, planner_name] {
+        {"run_observer",
+         std::make_unique<RunObserver>(seen, options.show_progress, options.stays, [&running, planner_name] {
            if (running == nullptr || planner_name.empty()) return 0.0;
            return planner_cycle(running->statistics(), planner_name).run.quantile_ms(0.5);
          })});
@@ -180,7 +189,8 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
       .realtime_factor = host.elapsed_seconds() / real_s,
       .samples_sha256 = host.samples_sha256(),
       .end_reason = result.end.reason,
-      .has_goal = result.has_goal};
+      .has_goal = result.has_goal,
+      .stays = options.stays};
   result.card = seen->card;
   result.json = to_json(seen->card, facts, host.statistics());
   bags.add_to(result.json);

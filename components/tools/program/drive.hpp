@@ -23,6 +23,7 @@ struct DriveOptions {
   bag::BagWriterOptions record_options;
   bool snapshots = false;      ///< as the graph says; else its section `snapshot` is not looked at
   bool show_progress = false;  ///< one refreshing line on stderr
+  bool stays = false;          ///< the run goes on for further goals when one is decided
 };
 
 struct DriveResult {
@@ -36,7 +37,7 @@ struct DriveResult {
 /// The first component of this type in `process` (empty: in any); nullptr if there is none.
 const ComponentNode* find_type(const Graph& graph, const std::string& type, const std::string& process);
 
-/// Runs until the goal is decided, `longest` is over, or a person interrupts. Throws ConfigError or
+/// Runs until the goal is decided (unless it stays), `longest` is over, or a person interrupts. Throws ConfigError or
 /// std::runtime_error on a wrong configuration.
 DriveResult drive(Graph graph, const DriveOptions& options);
 

@@ -20,7 +20,8 @@ struct RunOptions {
   std::vector<std::string> set;
   std::string only;
   double for_s = 0.0;
-  double pace = 0.0;
+  std::optional<double> pace;
+  bool stay = false;
   std::string json;
   std::string svg;
   RecordOptions record;
@@ -33,6 +34,17 @@ ClockMode clock_mode(const std::string& name) {
   return name == "lockstep" ? ClockMode::lockstep : name == "topic" ? ClockMode::topic : ClockMode::wall;
 }
 
+/// As fast as possible, but in step with the people and programs that set further goals.
+double pace_of(const RunOptions& options) { return options.pace.value_or(options.stay ? 1.0 : 0.0); }
+
+/// A run that stays is asked to end; how its goals went is on the card.
+bool is_success(const RunOptions& options, const DriveResult& result) {
+  if (!result.judged || !result.has_goal) return result.end.ok;
+  const bool contact = result.card && result.card->collisions() > 0;
+  const bool is_well = options.stay ? result.end.ok : result.json.value("reached", false);
+  return is_well && !(options.fail_on_contact && contact);
+}
+
 int run(const RunOptions& options) {
   Graph graph = load_graph(options.graph, options.set);
   options.record.apply_to(graph.snapshot);
@@ -41,20 +53,18 @@ int run(const RunOptions& options) {
             {.host = {.clock = clock_mode(options.clock),
                       .seed = options.seed,
                       .only_process = options.only,
-                      .pace = options.pace,
+                      .pace = pace_of(options),
                       .accept_inputs = options.accept_inputs},
              .longest = options.for_s > 0.0 ? std::optional(Duration::seconds(options.for_s)) : std::nullopt,
              .svg = options.svg,
              .record = options.record.record,
              .record_options = options.record.writer_options(),
              .snapshots = true,
-             .show_progress = options.progress || isatty(STDERR_FILENO) != 0});
+             .show_progress = options.progress || isatty(STDERR_FILENO) != 0,
+             .stays = options.stay});
   if (!options.json.empty()) write_file_atomically(options.json, result.json.dump(2) + "\n");
-  if (!result.judged) return result.end.ok ? 0 : 1;
-  std::cout << in_words(result.json);
-  if (!result.has_goal) return result.end.ok ? 0 : 1;
-  const bool contact = result.card && result.card->collisions() > 0;
-  return result.json.value("reached", false) && !(options.fail_on_contact && contact) ? 0 : 1;
+  if (result.judged) std::cout << in_words(result.json);
+  return is_success(options, result) ? 0 : 1;
 }
 
 CLI::App* add_run(CLI::App& app, int& status) {
@@ -70,9 +80,12 @@ CLI::App* add_run(CLI::App& app, int& status) {
   verb->add_option("--only", options->only, "Only this process of the graph");
   verb->add_option("--for", options->for_s, "Ends after so many seconds of the component clock")
       ->check(CLI::PositiveNumber);
-  verb->add_option("--pace", options->pace,
-                   "Lock-step: virtual seconds per real second; 0 as fast as possible")
+  verb->add_option(
+          "--pace", options->pace,
+          "Lock-step: virtual seconds per real second; 0 as fast as possible (default; with --stay 1)")
       ->check(CLI::NonNegativeNumber);
+  verb->add_flag("--stay", options->stay,
+                 "Goes on for further goals when one is decided, until --for is over or Ctrl-C");
   verb->add_flag(
       "--accept-inputs", options->accept_inputs,
       "Lock-step: goals, parameters, transitions and commands of other programs enter the run and its record");

@@ -21,7 +21,7 @@ void RunObserver::configure(Setup& setup) {
         if (!started_) started_ = tick.now;
         seen_->card = card;
         if (show_progress_) show(card, tick.now);
-        if (card.finished()) finish_run_(card.reached(), card.reason());
+        if (card.finished() && !stays_) finish_run_(card.reached(), card.reason());
       });
   setup.input<bandwagon_msgs::msg::GroundTruth>(
       "sim/ground_truth", Qos::standard(),

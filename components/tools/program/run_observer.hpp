@@ -33,9 +33,13 @@ constexpr Duration kPathPeriod = Duration::milliseconds(100);
 class RunObserver final : public Component {
  public:
   /// `planner_ms`: the planner's last known median cycle time, for the progress line. `show_progress`: write
-  /// that line to stderr.
-  RunObserver(std::shared_ptr<Observation> seen, bool show_progress, std::function<double()> planner_ms)
-      : seen_(std::move(seen)), show_progress_(show_progress), planner_ms_(std::move(planner_ms)) {}
+  /// that line to stderr. With `stays` the run goes on when the goal is decided.
+  RunObserver(std::shared_ptr<Observation> seen, bool show_progress, bool stays,
+              std::function<double()> planner_ms)
+      : seen_(std::move(seen)),
+        show_progress_(show_progress),
+        stays_(stays),
+        planner_ms_(std::move(planner_ms)) {}
 
   void configure(Setup& setup) override;
 
@@ -44,6 +48,7 @@ class RunObserver final : public Component {
 
   std::shared_ptr<Observation> seen_;
   bool show_progress_;
+  bool stays_;
   std::function<double()> planner_ms_;
   std::optional<Time> started_;
   std::function<void(bool, const std::string&)> finish_run_;

@@ -86,6 +86,20 @@ std::string run_in_words(const nlohmann::json& card) {
   return text + (error.empty() ? "The localization gave no pose that could be compared.\n" : error);
 }
 
+std::string outcome_in_words(const nlohmann::json& card) {
+  const bool is_reached = card.value("reached", false);
+  const auto time = card.find("time_to_goal_s");
+  const double seconds = time != card.end() && time->is_number() ? time->get<double>() : 0.0;
+  if (!card.value("stayed", false)) {
+    return is_reached ? fmt::format("Goal reached in {:.1f} s", seconds)
+                      : fmt::format("Goal not reached: {}", card.value("reason", "no score card"));
+  }
+  if (!card.contains("collisions")) return "No goal was set: " + card.value("reason", "");
+  const std::string outcome =
+      is_reached ? "Last goal reached" : "Last goal not reached: " + card.value("reason", "");
+  return fmt::format("{}; the whole run since the first, {:.1f} s", outcome, seconds);
+}
+
 }  // namespace
 
 const CallbackStatistics& planner_cycle(const std::vector<CallbackStatistics>& statistics,
@@ -143,10 +157,12 @@ nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card
                        const std::vector<CallbackStatistics>& statistics) {
   nlohmann::json json = {{"reached", false}};
   if (card) json = card_json(*card);
-  if (!card || !card->finished()) json["reason"] = facts.end_reason;
+  const bool has_outcome = card && (card->finished() || (facts.stays && !card->reason().empty()));
+  if (!has_outcome) json["reason"] = facts.end_reason;
   json["graph"] = facts.graph;
   json["seed"] = facts.seed;
   if (!facts.has_goal) json["has_goal"] = false;
+  if (facts.stays) json["stayed"] = true;
   json["planner"] = planner_json(facts, statistics);
   json["realtime_factor"] = number(facts.realtime_factor);
   if (!facts.samples_sha256.empty()) json["samples_sha256"] = facts.samples_sha256;
@@ -156,9 +172,7 @@ nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card
 
 std::string in_words(const nlohmann::json& card) {
   if (!card.value("has_goal", true)) return run_in_words(card);
-  std::string text = card.value("reached", false)
-                         ? fmt::format("Goal reached in {:.1f} s", card.value("time_to_goal_s", 0.0))
-                         : fmt::format("Goal not reached: {}", card.value("reason", "no score card"));
+  std::string text = outcome_in_words(card);
   if (!card.contains("collisions")) return text + ".\n";
   text += fmt::format(" over {}, {} contacts ({} while the robot moved).\n", meters(card["path_length_m"]),
                       card["collisions"].get<int>(), card["collisions_at_speed"].get<int>());

@@ -22,6 +22,7 @@ struct RunFacts {
   std::string samples_sha256;
   std::string end_reason;
   bool has_goal = true;  ///< false: the whole run is scored, and nobody drives
+  bool stays = false;    ///< the whole run is scored, and the last goal's outcome counts
 };
 
 /// The statistics of the planner's cycle, the callback `control_cycle`. Throws std::runtime_error when `component` has

@@ -2,9 +2,12 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <sensor_msgs/msg/joint_state.hpp>
+#include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/files/map_file.hpp"
 #include "components/files/shape_file.hpp"
@@ -36,9 +39,10 @@ class WorldComponent final : public Component {
  public:
   void configure(Setup& setup) override {
     options_ = setup.parameters<WorldOptions>();
+    const auto robot = setup.shared<Robot>("robot");
     const std::uint64_t seed = setup.seed() + static_cast<std::uint64_t>(options_.seed_offset);
     WorldFiles files = read_files(setup);
-    world_ = std::make_unique<World>(options_, setup.shared<Robot>("robot"), files, seed);
+    world_ = std::make_unique<World>(options_, robot, files, seed);
     map_ = std::move(files.map);
     log_ = setup.log();
 
@@ -56,6 +60,9 @@ class WorldComponent final : public Component {
     imu_frame_ = setup.frame(options_.imu.frame);
     gps_frame_ = setup.frame(options_.gps.frame);
     scan_message_.header().frame_id(setup.frame(options_.laser.frame));
+    for (const std::string& frame : {options_.laser.frame, options_.imu.frame, options_.gps.frame})
+      if (!robot.has_mount_of(frame)) unlisted_.push_back(setup.frame(frame));
+    if (!unlisted_.empty()) mounts_ = setup.output<tf2_msgs::msg::TFMessage>("/tf_static", Qos::latched());
     setup.every(world_->physics_step(), "physics", [this](const Tick& tick) { catch_up(tick.now); });
   }
 
@@ -65,10 +72,19 @@ class WorldComponent final : public Component {
     const StaticObstacles shapes{.discs = scene.discs(), .segments = scene.segments()};
     obstacles_.publish(to_message(shapes, Pose2{}, map_frame_, tick.now));
     if (map_) true_map_.publish(to_message(*map_, map_frame_, tick.now));
+    if (!unlisted_.empty()) publish_mounts(tick.now);
   }
   void deactivate(const Tick&) override { world_->command({}); }
 
  private:
+  /// The base tells where the robot's sensors sit; those that the robot does not list sit at base_link.
+  void publish_mounts(Time now) {
+    tf2_msgs::msg::TFMessage mounts;
+    for (const std::string& frame : unlisted_)
+      mounts.transforms().push_back(to_transform(base_frame_, frame, now, Pose2{}));
+    mounts_.publish(mounts);
+  }
+
   void command(const sensor_msgs::msg::JointState& message) {
     const auto& rates = message.velocity();
     const bool usable = rates.size() == 2 && world_->command({rates[0], rates[1]});
@@ -79,11 +95,12 @@ class WorldComponent final : public Component {
     was_usable_ = usable;
   }
 
-  /// Steps up to `now`. A host that was held up for long slows the world down instead of racing after the
-  /// clock.
+  /// Steps up to `now`. A host that was held up for long, or a clock that jumped ahead, slows the world down instead of
+  /// making it race; after a clock that went back the world goes on from there.
   void catch_up(Time now) {
-    constexpr Duration kMostBehind = Duration::milliseconds(500);
-    if (now - start_ > world_->time() + kMostBehind) start_ = now - world_->time() - kMostBehind;
+    constexpr Duration kMostApart = Duration::milliseconds(500);
+    if (now - start_ > world_->time() + kMostApart) start_ = now - world_->time() - kMostApart;
+    if (world_->time() - (now - start_) > kMostApart) start_ = now - world_->time();
     while (start_ + world_->time() + world_->physics_step() <= now) publish(world_->step());
   }
 
@@ -115,6 +132,7 @@ class WorldComponent final : public Component {
   std::string base_frame_;
   std::string imu_frame_;
   std::string gps_frame_;
+  std::vector<std::string> unlisted_;  ///< frames of sensors that the robot does not say anything of
   sensor_msgs::msg::LaserScan scan_message_;
   Output<bandwagon_msgs::msg::WheelTicks> ticks_;
   Output<bandwagon_msgs::msg::GroundTruth> truth_;
@@ -123,6 +141,7 @@ class WorldComponent final : public Component {
   Output<sensor_msgs::msg::LaserScan> scan_;
   Output<sensor_msgs::msg::Imu> imu_;
   Output<sensor_msgs::msg::NavSatFix> fix_;
+  Output<tf2_msgs::msg::TFMessage> mounts_;
 };
 
 }  // namespace

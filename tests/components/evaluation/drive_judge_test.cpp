@@ -11,7 +11,9 @@ Time at(double seconds) { return Time::seconds(10.0 + seconds); }
 
 class Drive {
  public:
-  DriveJudge judge{{}, 0.3, 1.0};
+  explicit Drive(DriveJudge::Lasts lasts = DriveJudge::Lasts::until_goal) : judge({}, 0.3, 1.0, lasts) {}
+
+  DriveJudge judge;
 
   /// Along x at 1 m/s; the robot believes to be 0.1 m to the left.
   void drive(double from_s, double to_s, double x_at_start) {
@@ -53,6 +55,46 @@ TEST(DriveJudge, ARunWithoutAGoalIsScoredWhole) {
   EXPECT_TRUE(d.judge.recorder().recording().goals.empty());
   EXPECT_NEAR(d.judge.recorder().recording().moments.back().speed, 2.0, 1e-6);  // 1 m in half a second
   EXPECT_FALSE(d.judge.running());
+}
+
+// 3 m to the first goal, 2 s at it, 1 m to the second, which is canceled half a metre short; then a goal in a wall is refused
+// while the robot stands, and the run ends: one card of 4 m in 8 s with the last outcome.
+TEST(DriveJudge, AWholeRunHasTheOutcomeOfItsLastGoal) {
+  Drive d(DriveJudge::Lasts::until_end_of_run);
+  EXPECT_FALSE(d.goal(1, 3.0, false, false, false, 0.0));
+  d.drive(0.0, 3.0, 0.0);
+  EXPECT_TRUE(d.goal(1, 3.0, true, true, false, 3.0));
+  EXPECT_TRUE(d.judge.running());
+  EXPECT_TRUE(d.judge.card().reached);
+  EXPECT_EQ(d.judge.card().reason, "reached");
+
+  EXPECT_FALSE(d.goal(2, 4.5, false, false, false, 5.0));
+  EXPECT_FALSE(d.judge.card().reached);
+  EXPECT_TRUE(d.judge.has_goal());
+  EXPECT_FALSE(d.goal(3, 9.0, true, false, false, 5.5));  // refused while the second is driven
+  d.drive(5.0, 6.0, 3.0);
+  EXPECT_TRUE(d.goal(2, 4.5, true, false, false, 6.0));
+  EXPECT_EQ(d.judge.card().reason, "blocked");
+
+  EXPECT_TRUE(d.goal(4, 9.0, true, false, false, 7.0));
+  d.drive(8.0, 8.0, 4.0);
+  d.judge.end_run(at(8.0));
+  const ScoreCard& card = d.judge.card();
+  EXPECT_TRUE(card.finished);
+  EXPECT_FALSE(card.reached);
+  EXPECT_EQ(card.reason, "blocked");
+  EXPECT_NEAR(card.path_length, 4.0, 1e-9);
+  EXPECT_NEAR(card.time_to_goal, 8.0, 1e-9);
+  EXPECT_FALSE(d.judge.running());
+}
+
+TEST(DriveJudge, AWholeRunThatEndsBeforeItsGoalDidNotReachIt) {
+  Drive d(DriveJudge::Lasts::until_end_of_run);
+  d.goal(1, 3.0, false, false, false, 0.0);
+  d.drive(0.0, 1.0, 0.0);
+  d.judge.end_run(at(1.0));
+  EXPECT_FALSE(d.judge.card().reached);
+  EXPECT_EQ(d.judge.card().reason, "the run ended before its goal");
 }
 
 // Two goals, 3 m and 4 m farther: one card of 7 m in 7 s.

@@ -47,6 +47,7 @@ struct Drive {
   double nan_from = 1e9;       ///< IMU and fixes hold NaN from here on [s]
   std::optional<Pose2> click;  ///< sent on initialpose at 2 s
   std::string click_frame = "map";
+  double click_quaternion = 1.0;  ///< its length
 };
 
 class Sensors {
@@ -79,6 +80,9 @@ class Sensors {
       PoseWithCovarianceStamped message;
       message.header(make_header(drive_.click_frame, tick.now));
       message.pose().pose(to_pose(*drive_.click));
+      auto& q = message.pose().pose().orientation();
+      q.z(q.z() * drive_.click_quaternion);
+      q.w(q.w() * drive_.click_quaternion);
       click_.publish(message);  // no covariance, as some tools send it
     }
   }
@@ -189,6 +193,11 @@ TEST(LocalizationComponent, TakesAPoseClickedInRviz) {
   EXPECT_NEAR(last.pose().pose().position().x(), expected.x, 0.03);
   EXPECT_NEAR(last.pose().pose().position().y(), expected.y, 0.03);
 
+  drive.click_quaternion = 2.0;  // the same direction
+  EXPECT_EQ(run(drive).filtered.back().pose().pose(), last.pose().pose());
+  drive.click_quaternion = 0.0;  // none
+  EXPECT_TRUE(run(drive).filtered.empty());
+  drive.click_quaternion = 1.0;
   drive.click_frame = "odom";
   EXPECT_TRUE(run(drive).filtered.empty());
 }

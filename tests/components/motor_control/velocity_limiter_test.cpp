@@ -134,6 +134,17 @@ TEST(VelocityLimiter, CommandsOlderThan200MsStopAtTheStopDeceleration) {
   EXPECT_EQ(follower.silence().twist, Twist2{});
 }
 
+// 60 s back: the command counts from there.
+TEST(VelocityLimiter, AClockThatGoesBackKeepsNoCommandFresh) {
+  Follower follower{Robot{}};
+  follower.now = Time::seconds(61.0);
+  for (int i = 0; i < 100; ++i) follower.advance({1.0, 0.0});
+  follower.now = Time::seconds(1.0);
+  for (int i = 0; i <= 10; ++i)
+    EXPECT_EQ(follower.silence().state, LimiterState::following) << i * 20 << " ms";
+  EXPECT_EQ(follower.silence().state, LimiterState::stale);
+}
+
 TEST(VelocityLimiter, FreshCommandsResumeAfterAStopAndBothWheelsBrakeInProportion) {
   Follower follower{Robot{}};
   for (int i = 0; i < 200; ++i) follower.advance({0.8, 0.4});

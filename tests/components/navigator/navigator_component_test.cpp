@@ -1,4 +1,6 @@
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include <bandwagon_msgs/msg/follow_request.hpp>
 #include <bandwagon_msgs/msg/follow_status.hpp>
@@ -8,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/msg/odometry.hpp>
+#include <rcl_interfaces/msg/log.hpp>
 #include <std_msgs/msg/empty.hpp>
 
 #include "components/messages/geometry.hpp"
@@ -17,6 +20,8 @@ namespace bw {
 namespace {
 
 using namespace bandwagon_msgs::msg;
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 /// Planners and a robot that runs along the x axis at 1 m/s while it is told to follow.
@@ -28,6 +33,7 @@ struct World {
   int plans = 0;
   FollowRequest last_follow;  ///< the last request
   std::vector<NavigationStatus> statuses;
+  std::vector<std::string> log;  ///< of the navigator
 
   void configure(bw::Setup& setup) {
     setup.input<PlanRequest>("plan_request", Qos::standard(),
@@ -49,6 +55,12 @@ struct World {
                                });
     setup.input<NavigationStatus>("navigation_status", Qos::standard(50),
                                   [this](const auto& status, const Tick&) { statuses.push_back(status); });
+    setup.input<rcl_interfaces::msg::Log>(
+        "/rosout", Qos::rosout(),
+        [this](const auto& line, const Tick&) {
+          if (line.name() == "navigator") log.push_back(line.msg());
+        },
+        Need::optional);
     setup.every(Duration::milliseconds(50), "move",
                 [this, odometry = setup.output<nav_msgs::msg::Odometry>("odometry/filtered"),
                  follow = setup.output<FollowStatus>("follow_status")](const Tick&) mutable {
@@ -182,6 +194,64 @@ TEST(NavigatorComponent, CancelStandsStillAndSaysSo) {
       });
   EXPECT_EQ(world.statuses.back().status(), NavigationStatus_Constants::CANCELED);
   EXPECT_NEAR(world.x, 2.0, 0.16);  // from 1 s to 3 s
+  // One line where it begins, one where it ends; that it is being canceled is no news for people.
+  EXPECT_THAT(world.log, ElementsAre("goal 1: to (30.00, 0.00, 0.00)", "goal 1: canceled by request"));
+}
+
+// A reader that asks for what came before it is only matched by a writer that keeps the newest message.
+TEST(NavigatorComponent, KeepsItsLastStatusForWhoeverComesLate) {
+  World world;
+  std::vector<std::uint8_t> heard;
+  run_with_script("components: {navigator: {parameters: {goal: {enabled: true, x: 1.0}}}}", 4.0,
+                  [&](bw::Setup& setup) {
+                    world.configure(setup);
+                    setup.input<NavigationStatus>(
+                        "navigation_status", Qos::latched(),
+                        [&](const auto& status, const Tick&) { heard.push_back(status.status()); });
+                  });
+  ASSERT_FALSE(heard.empty());
+  EXPECT_EQ(heard.back(), NavigationStatus_Constants::SUCCEEDED);
+}
+
+geometry_msgs::msg::PoseStamped turned_goal(double x, std::array<double, 4> xyzw) {
+  geometry_msgs::msg::PoseStamped message = goal(x);
+  auto& q = message.pose().orientation();
+  q.x(xyzw[0]);
+  q.y(xyzw[1]);
+  q.z(xyzw[2]);
+  q.w(xyzw[3]);
+  return message;
+}
+
+// (0, 0, 1, 1) and (0, 0, 0.01, 0.01) are a quarter turn to the left, whatever their length.
+TEST(NavigatorComponent, TakesQuaternionsOfAnyLengthButNone) {
+  World world;
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  run_with_script("components: {navigator: {}}", 8.0, [&](bw::Setup& setup) {
+    world.configure(setup);
+    setup.every(Duration::milliseconds(1000), "goals",
+                [out = setup.output<geometry_msgs::msg::PoseStamped>("goal_pose")](const Tick& tick) mutable {
+                  if (tick.sequence == 0) out.publish(turned_goal(30.0, {0, 0, 0, 0}));
+                  if (tick.sequence == 1) out.publish(turned_goal(30.0, {0, 0, kNan, 1}));
+                  if (tick.sequence == 2) out.publish(turned_goal(kNan, {0, 0, 0, 1}));
+                  if (tick.sequence == 3) out.publish(turned_goal(30.0, {0, 0, 1, 1}));
+                  if (tick.sequence == 4) out.publish(turned_goal(30.0, {0, 0, 0.01, 0.01}));
+                });
+  });
+  std::vector<std::string> refused;
+  std::vector<double> headings;
+  for (const NavigationStatus& status : world.statuses) {
+    if (status.status() == NavigationStatus_Constants::ABORTED && status.goal_id() <= 3)
+      refused.push_back(status.reason());
+    if (status.status() == NavigationStatus_Constants::ACCEPTED)
+      headings.push_back(from_pose(status.goal().pose()).theta);
+  }
+  EXPECT_THAT(
+      refused,
+      ElementsAre("the goal is no pose: the quaternion has length 0 (no rotation is x 0, y 0, z 0, w 1)",
+                  "the goal is no pose: the quaternion is not finite",
+                  "the goal is no pose: the position is not finite"));
+  EXPECT_THAT(headings, ElementsAre(DoubleNear(1.5707963, 1e-6), DoubleNear(1.5707963, 1e-6)));
 }
 
 }  // namespace

@@ -270,6 +270,24 @@ TEST(Navigator, ASilentLocalPlannerIsNoticed) {
   EXPECT_EQ(drive.last().status, GoalStatus::executing);
 }
 
+// An hour back in the middle of a drive: plans are renewed as before, silence is noticed as before, and the time of the
+// drive counts what passed.
+TEST(Navigator, AClockThatGoesBackDelaysNothing) {
+  Drive drive;
+  drive.now = Time::seconds(7200.0);
+  drive.go_to(30.0);
+  drive.run(2.0);
+  const std::size_t plans = drive.plans.size();
+  drive.now = Time::seconds(3600.0);
+  drive.run(3.0);
+  EXPECT_NEAR(static_cast<double>(drive.plans.size() - plans), 3.0, 1.0);
+  drive.report_follow = false;
+  drive.speed = 0.0;
+  drive.run(2.3);
+  EXPECT_THAT(drive.last().reason, HasSubstr("the local planner does not answer"));
+  EXPECT_NEAR(drive.last().navigation_time.to_seconds(), 6.0, 1.35);
+}
+
 TEST(Navigator, ASilentGlobalPlannerIsNoticed) {
   Drive drive;
   drive.answer_plans = false;

@@ -81,6 +81,16 @@ TEST(WheelWatchdog, AFreshCommandResumes) {
   EXPECT_EQ(output.wheels, (WheelSpeeds{0.1, 0.1}));
 }
 
+// The command counts from when the clock went back: 250 ms and no longer.
+TEST(WheelWatchdog, AClockThatGoesBackKeepsNoCommandFresh) {
+  WheelWatchdog watchdog({}, kDeceleration);
+  watchdog.command(Time::seconds(60.0), {0.3, 0.4});
+  EXPECT_EQ(watchdog.step(Time::seconds(60.0)).state, WatchdogState::obeying);
+  EXPECT_EQ(watchdog.step(Time::seconds(1.0)).state, WatchdogState::obeying);
+  EXPECT_EQ(watchdog.step(Time::seconds(1.24)).state, WatchdogState::obeying);
+  EXPECT_EQ(watchdog.step(Time::seconds(1.25)).state, WatchdogState::stopping);
+}
+
 TEST(WheelWatchdog, ACommandThatIsNotFiniteIsNotFresh) {
   WheelWatchdog watchdog({}, kDeceleration);
   watchdog.command(Time::seconds(1.0), {0.5, 0.5});

@@ -61,6 +61,26 @@ TEST(ScoreCard, ThePathIsThinnedAndBeginsWithTheDrive) {
   EXPECT_EQ(points[0][3], -3.0);
 }
 
+// A run that stays is not over when its goal is: the card's own outcome counts, not how the run ended.
+TEST(ScoreCard, ARunThatStaysTellsTheLastGoalsOutcome) {
+  bandwagon_msgs::msg::ScoreCard card;
+  card.reached(true);
+  card.reason("reached");
+  card.path_length_m(21.0);
+  card.time_to_goal_s(70.0);
+  const RunFacts facts{.end_reason = "interrupted", .stays = true};
+  nlohmann::json json = to_json(card, facts, {});
+  EXPECT_EQ(json["stayed"], true);
+  EXPECT_EQ(json["reason"], "reached");
+  EXPECT_THAT(in_words(json),
+              testing::StartsWith("Last goal reached; the whole run since the first, 70.0 s over 21.00 m"));
+  card.reached(false);
+  card.reason("canceled by request");
+  EXPECT_THAT(in_words(to_json(card, facts, {})),
+              testing::StartsWith("Last goal not reached: canceled by request;"));
+  EXPECT_EQ(in_words(to_json({}, facts, {})), "No goal was set: interrupted.\n");
+}
+
 TEST(ScoreCard, ARunThatNobodyDroveTellsTheErrorOfThePose) {
   bandwagon_msgs::msg::ScoreCard card;
   card.path_length_m(47.0);

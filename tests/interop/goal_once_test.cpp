@@ -1,0 +1,61 @@
+// Goals by `ros2 topic pub --once`: the participant that sends one leaves a tenth of a second later, and the goal counts.
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/interop/eventually.hpp"
+#include "tests/interop/process.hpp"
+
+namespace bw::test {
+namespace {
+
+/// A navigator whose neighbours are elsewhere: it takes goals and says so in its log.
+constexpr const char* kGraph = R"(components:
+  navigator:
+    inputs:
+      goal_pose: {external: true}
+      cancel_goal: {external: true}
+      odometry/filtered: {external: true}
+      plan_result: {external: true}
+      follow_status: {external: true}
+)";
+
+/// Participants for each kind of tool; both kinds send at the same time.
+int goals() {
+  const char* asked = std::getenv("BANDWAGON_GOALS_BY_ONCE");
+  return (asked != nullptr ? std::atoi(asked) : 16) / 2;
+}
+
+bool was_taken(const std::string& log, int x) {
+  return log.find(": to (" + std::to_string(x) + ".00, ") != std::string::npos;
+}
+
+TEST(GoalsByOnce, AreAllTaken) {
+  const std::string graph = std::string(BANDWAGON_BINARY_DIR) + "/goal_once.yaml";
+  std::ofstream(graph) << kGraph;
+  Process taker({BANDWAGON_PROGRAM, "run", graph});
+  const int count = goals();
+  Process humble({GOAL_ONCE, "humble", "1", std::to_string(count)});
+  Process jazzy({GOAL_ONCE, "jazzy", std::to_string(count + 1), std::to_string(count)});
+  const auto limit = std::chrono::seconds(30 + 5 * count);
+  ASSERT_EQ(humble.wait(limit), 0) << humble.err();
+  ASSERT_EQ(jazzy.wait(limit), 0) << jazzy.err();
+  int taken = 0;
+  const auto count_taken = [&] {
+    const std::string log = taker.err();
+    taken = 0;
+    for (int x = 1; x <= 2 * count; ++x) taken += was_taken(log, x) ? 1 : 0;
+    return taken == 2 * count;
+  };
+  EXPECT_EQ(humble.out().find("unmatched"), std::string::npos) << humble.out();
+  EXPECT_EQ(jazzy.out().find("unmatched"), std::string::npos) << jazzy.out();
+  EXPECT_TRUE(eventually(count_taken)) << taken << " of " << 2 * count << "\n" << taker.err();
+  taker.signal(SIGINT);
+  EXPECT_EQ(taker.wait(std::chrono::seconds(20)), 0) << taker.err();
+}
+
+}  // namespace
+}  // namespace bw::test

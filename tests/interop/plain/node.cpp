@@ -1,0 +1,265 @@
+#include "tests/interop/plain/node.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
+#include <fastdds/dds/log/Log.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
+
+#include "tests/interop/plain/octets_type.hpp"
+
+namespace plain {
+namespace {
+
+constexpr const char* kGraphTopic = "ros_discovery_info";
+constexpr const char* kGraphType = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
+
+int domain_id() {
+  const char* text = std::getenv("ROS_DOMAIN_ID");
+  return text == nullptr ? 0 : std::atoi(text);
+}
+
+rtps::Locator_t loopback() {
+  rtps::Locator_t locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  locator.port = 0;
+  rtps::IPLocator::setIPv4(locator, "127.0.0.1");
+  return locator;
+}
+
+// UDP over unicast, peers sought on this machine's first ports: what ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST makes of
+// rmw_fastrtps; with loopback's address alone announced, as ROS_LOCALHOST_ONLY=1 does.
+dds::DomainParticipantQos participant_qos(std::shared_ptr<Wire> wire) {
+  dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
+  qos.name("/");
+  const std::string user_data = "enclave=/;";
+  qos.user_data().setValue(std::vector<rtps::octet>(user_data.begin(), user_data.end()));
+  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  udp->maxInitialPeersRange = 32;
+  qos.transport().use_builtin_transports = false;
+  if (wire) {
+    qos.transport().user_transports.push_back(recorded(udp, std::move(wire)));
+  } else {
+    qos.transport().user_transports.push_back(udp);
+  }
+  auto& builtin = qos.wire_protocol().builtin;
+  builtin.metatrafficUnicastLocatorList.push_back(loopback());
+  builtin.initialPeersList.push_back(loopback());
+  qos.wire_protocol().default_unicast_locator_list.push_back(loopback());
+  builtin.readerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  builtin.writerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  return qos;
+}
+
+template <class Qos>
+void set_service_qos(const EndOptions& options, Qos& qos) {
+  qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
+  qos.durability().kind = dds::VOLATILE_DURABILITY_QOS;
+  qos.history().kind = dds::KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = options.depth;
+  qos.data_sharing().off();
+  qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  qos.endpoint().entity_id = static_cast<std::int16_t>(options.entity_id);
+  if (options.type_hash.empty()) return;
+  const std::string user_data = "typehash=" + options.type_hash + ";";
+  qos.user_data().setValue(std::vector<rtps::octet>(user_data.begin(), user_data.end()));
+}
+
+template <class Qos>
+void set_graph_qos(Qos& qos) {
+  set_service_qos({.topic = {}, .type = {}, .type_hash = {}, .depth = 1}, qos);
+  qos.durability().kind = dds::TRANSIENT_LOCAL_DURABILITY_QOS;
+}
+
+template <class ProxyData>
+End to_end(const ProxyData& data, bool is_writer) {
+  End end{.topic = data.topicName().to_string(), .type = data.typeName().to_string(), .user_data = {}};
+  end.is_writer = is_writer;
+  end.is_reliable = data.m_qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS;
+  end.is_volatile = data.m_qos.m_durability.kind == dds::VOLATILE_DURABILITY_QOS;
+  const auto& user_data = data.m_qos.m_userData.getValue();
+  end.user_data.assign(user_data.begin(), user_data.end());
+  return end;
+}
+
+}  // namespace
+
+Gid to_gid(const rtps::GUID_t& guid) {
+  Gid gid{};
+  std::copy_n(guid.guidPrefix.value, 12, gid.begin());
+  std::copy_n(guid.entityId.value, 4, gid.begin() + 12);
+  return gid;
+}
+
+class Node::Listener final : public dds::DomainParticipantListener {
+ public:
+  void on_participant_discovery(dds::DomainParticipant*, rtps::ParticipantDiscoveryInfo&& info) override {
+    if (info.status != rtps::ParticipantDiscoveryInfo::REMOVED_PARTICIPANT &&
+        info.status != rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT)
+      return;
+    const Gid gone = to_gid(info.info.m_guid);
+    const std::lock_guard lock(mutex_);
+    std::erase_if(ends_, [&](const auto& item) {
+      return std::equal(gone.begin(), gone.begin() + 12, item.first.begin());
+    });
+  }
+  void on_subscriber_discovery(dds::DomainParticipant*, rtps::ReaderDiscoveryInfo&& info) override {
+    set(to_gid(info.info.guid()), to_end(info.info, false),
+        info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER);
+  }
+  void on_publisher_discovery(dds::DomainParticipant*, rtps::WriterDiscoveryInfo&& info) override {
+    set(to_gid(info.info.guid()), to_end(info.info, true),
+        info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER);
+  }
+  void set(const Gid& gid, End end, bool is_gone) {
+    const std::lock_guard lock(mutex_);
+    if (is_gone) {
+      ends_.erase(gid);
+    } else {
+      ends_[gid] = std::move(end);
+    }
+  }
+  std::map<Gid, End> ends() const {
+    const std::lock_guard lock(mutex_);
+    return ends_;
+  }
+  int count(const std::string& topic, bool is_writer) const {
+    const std::lock_guard lock(mutex_);
+    return static_cast<int>(std::ranges::count_if(ends_, [&](const auto& item) {
+      return item.second.topic == topic && item.second.is_writer == is_writer;
+    }));
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<Gid, End> ends_;
+};
+
+Node::Node(std::string name, std::shared_ptr<Wire> wire)
+    : name_(std::move(name)), listener_(std::make_unique<Listener>()) {
+  dds::Log::SetVerbosity(dds::Log::Kind::Error);
+  participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
+      static_cast<dds::DomainId_t>(domain_id()), participant_qos(std::move(wire)), listener_.get(),
+      dds::StatusMask::none());
+  if (participant_ == nullptr) throw std::runtime_error("no participant");
+  publisher_ = participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT);
+  subscriber_ = participant_->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT);
+  dds::DataWriterQos writer_qos = dds::DATAWRITER_QOS_DEFAULT;
+  set_graph_qos(writer_qos);
+  graph_writer_ = publisher_->create_datawriter(topic(kGraphTopic, kGraphType), writer_qos);
+  dds::DataReaderQos reader_qos = dds::DATAREADER_QOS_DEFAULT;
+  set_graph_qos(reader_qos);
+  reader_qos.history().kind = dds::KEEP_ALL_HISTORY_QOS;
+  graph_reader_ = subscriber_->create_datareader(topic(kGraphTopic, kGraphType), reader_qos);
+  announce();
+}
+
+Node::~Node() {
+  participant_->set_listener(nullptr);
+  participant_->delete_contained_entities();
+  dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
+}
+
+dds::Topic* Node::topic(const std::string& name, const std::string& type) {
+  if (dds::TopicDescription* known = participant_->lookup_topicdescription(name))
+    return static_cast<dds::Topic*>(known);
+  dds::TypeSupport support(new OctetsType(type));
+  support.register_type(participant_);
+  dds::Topic* created = participant_->create_topic(name, type, dds::TOPIC_QOS_DEFAULT);
+  if (created == nullptr) throw std::runtime_error("no topic " + name);
+  return created;
+}
+
+End Node::described(const EndOptions& options, bool is_writer) const {
+  return {
+      .topic = options.topic, .type = options.type, .user_data = {}, .is_writer = is_writer, .is_own = true};
+}
+
+dds::DataWriter* Node::create_writer(const EndOptions& options, dds::DataWriterListener* listener) {
+  dds::DataWriterQos qos = dds::DATAWRITER_QOS_DEFAULT;
+  set_service_qos(options, qos);
+  qos.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
+  dds::DataWriter* writer = publisher_->create_datawriter(
+      topic(options.topic, options.type), qos, listener,
+      listener == nullptr ? dds::StatusMask::none() : dds::StatusMask::publication_matched());
+  if (writer == nullptr) throw std::runtime_error("no writer on " + options.topic);
+  writers_.insert(to_gid(writer->guid()));
+  listener_->set(to_gid(writer->guid()), described(options, true), false);
+  return writer;
+}
+
+dds::DataReader* Node::create_reader(const EndOptions& options) {
+  dds::DataReaderQos qos = dds::DATAREADER_QOS_DEFAULT;
+  set_service_qos(options, qos);
+  dds::DataReader* reader = subscriber_->create_datareader(topic(options.topic, options.type), qos);
+  if (reader == nullptr) throw std::runtime_error("no reader on " + options.topic);
+  readers_.insert(to_gid(reader->guid()));
+  listener_->set(to_gid(reader->guid()), described(options, false), false);
+  return reader;
+}
+
+void Node::remove(dds::DataWriter* writer) {
+  writers_.erase(to_gid(writer->guid()));
+  listener_->set(to_gid(writer->guid()), {}, true);
+  publisher_->delete_datawriter(writer);
+}
+
+void Node::remove(dds::DataReader* reader) {
+  readers_.erase(to_gid(reader->guid()));
+  listener_->set(to_gid(reader->guid()), {}, true);
+  subscriber_->delete_datareader(reader);
+}
+
+void Node::announce() {
+  CdrOut cdr;
+  cdr.octets(to_gid(participant_->guid())).number(std::uint32_t{1}).text("/").text(name_);
+  for (const std::set<Gid>* gids : {&readers_, &writers_}) {
+    cdr.number(static_cast<std::uint32_t>(gids->size()));
+    for (const Gid& gid : *gids) cdr.octets(gid);
+  }
+  Bytes bytes = cdr.bytes();
+  graph_writer_->write(&bytes);
+}
+
+std::map<Gid, End> Node::ends() const { return listener_->ends(); }
+
+int Node::count(const std::string& topic_name, bool is_writer) const {
+  return listener_->count(topic_name, is_writer);
+}
+
+rtps::GUID_t Node::guid() const { return participant_->guid(); }
+
+std::vector<NodeInfo> Node::nodes() {
+  Bytes bytes;
+  dds::SampleInfo info;
+  while (graph_reader_->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
+    if (!info.valid_data) continue;
+    CdrIn cdr(bytes);
+    const auto gid = [&cdr] {
+      Gid value{};
+      std::copy_n(cdr.take(16), 16, value.begin());
+      return value;
+    };
+    const Gid participant = gid();
+    std::vector<NodeInfo> nodes(cdr.number<std::uint32_t>());
+    for (NodeInfo& node : nodes) {
+      const std::string space = cdr.text();
+      node.name = (space == "/" ? "" : space) + "/" + cdr.text();
+      for (std::set<Gid>* gids : {&node.readers, &node.writers}) {
+        for (auto left = cdr.number<std::uint32_t>(); left > 0; --left) gids->insert(gid());
+      }
+    }
+    if (participant != to_gid(participant_->guid())) nodes_[participant] = std::move(nodes);
+  }
+  std::vector<NodeInfo> all;
+  for (const auto& [participant, nodes] : nodes_) all.insert(all.end(), nodes.begin(), nodes.end());
+  return all;
+}
+
+}  // namespace plain
