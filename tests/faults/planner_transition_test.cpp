@@ -78,7 +78,7 @@ Drive drive(std::map<double, std::string> transitions) {
   extra.push_back({"taker", std::make_unique<Taker>(std::move(transitions), result)});
   Host host(load_graph(std::string(BANDWAGON_SOURCE_DIR) + "/tests/faults/straight_drive.yaml"),
             {.clock = ClockMode::lockstep, .seed = 3}, std::move(extra));
-  host.run(Duration::seconds(kGiven + 4.0));
+  host.run(Duration::seconds(kGiven + 8.0));  // the navigator backs off first, as it lacks a planner
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lifecycle_msgs/msg/transition_event.hpp>
+#include <rcl_interfaces/srv/set_parameters.hpp>
 #include <std_srvs/srv/trigger.hpp>
 
 #include "tests/runtime/lifecycle/scripted_graph.hpp"
@@ -12,6 +13,7 @@
 namespace bw::test {
 namespace {
 
+using rcl_interfaces::srv::SetParameters;
 using std_srvs::srv::Trigger;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -301,6 +303,60 @@ TEST(Transitions, AServiceThatChangesSomethingIsRefusedWhileNotActive) {
   run(g.graph, 0.035, {{15, "server", "deactivate"}, {25, "server", "cleanup"}});
   EXPECT_THAT(answers, ElementsAre("10 'done'", "10 'done'", "20 'server is not active (inactive)'",
                                    "20 'done'", "30 'server is not active (unconfigured)'", "30 ''"));
+}
+
+struct Gain {
+  double gain = 1.0;
+  void fields(auto& v) { v("gain", gain, {.min = 0, .max = 10, .doc = "of a test"}); }
+};
+
+/// Sets /a's gain at a time.
+class Setter final : public Component {
+ public:
+  Setter(std::unique_ptr<Component> other, int at_ms, double gain)
+      : other_(std::move(other)), at_ms_(at_ms), gain_(gain) {}
+  void configure(bw::Setup& setup) override {
+    other_->configure(setup);
+    setup.every(
+        Duration::milliseconds(1), "set",
+        [this, c = setup.client<SetParameters>("/a/set_parameters", Need::optional)](const Tick& tick) {
+          if (ms(tick.now) != at_ms_) return;
+          SetParameters::Request request;
+          auto& parameter = request.parameters().emplace_back();
+          parameter.name("gain");
+          parameter.value().type(3);
+          parameter.value().double_value(gain_);
+          c.call(request, Duration::milliseconds(5), [](const auto* response, const Tick&) {
+            ASSERT_NE(response, nullptr);
+            EXPECT_TRUE(response->results().at(0).successful()) << response->results().at(0).reason();
+          });
+        });
+  }
+
+ private:
+  std::unique_ptr<Component> other_;
+  int at_ms_;
+  double gain_;
+};
+
+TEST(Parameters, WhatIsChangedWhileUnconfiguredTheNextInstanceReads) {
+  for (const bool is_external : {false, true}) {
+    std::vector<double> read;
+    ScriptedGraph g;
+    g.add("a", [&read] {
+      return Script{
+          .configure = [&read](bw::Setup& setup) { read.push_back(setup.parameters<Gain>().gain); }};
+    });
+    g.graph.settings.external_lifecycle = is_external;
+    Events answers;
+    std::vector<Asker::Request> requests = {{10, "a", "configure"}, {11, "a", "activate"}};
+    if (!is_external) requests.insert(requests.begin(), {{2, "a", "deactivate"}, {3, "a", "cleanup"}});
+    Host host(g.graph, {.clock = ClockMode::lockstep, .accept_inputs = true},
+              with(std::make_unique<Setter>(std::make_unique<Asker>(requests, answers), 5, 7.5)));
+    host.run(Duration::milliseconds(20));
+    EXPECT_THAT(answers, testing::Each(HasSubstr(": ok")));
+    EXPECT_THAT(read, ElementsAre(1.0, 7.5)) << (is_external ? "external" : "own");
+  }
 }
 
 TEST(External, WaitsInLockstepOnlyForAManagerThatMayCome) {
