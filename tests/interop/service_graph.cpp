@@ -32,10 +32,10 @@ Trigger::Response said(const std::string& text) {
   return response;
 }
 
-/// Offered below the node's own name: /server/list_parameters. What is not asked by the example gets an empty response.
+/// Offered as /example/list_parameters and so on, beside the services of the node itself. What is not asked by the example gets an empty response.
 void offer_examples(Setup& setup) {
   for_each_example([&setup]<class S>(const Example<S>& example) {
-    setup.service<S>("~/" + example.service, [example](const typename S::Request& request, const Tick&) {
+    setup.service<S>("/example/" + example.service, [example](const typename S::Request& request, const Tick&) {
       return bytes_of(request) == bytes_of(example.request) ? example.response : typename S::Response{};
     });
   });
