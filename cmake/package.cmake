@@ -7,7 +7,7 @@ set(headers ${CMAKE_INSTALL_INCLUDEDIR}/bandwagon)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/bandwagon)
 
 # target and its name outside
-set(exported bandwagon_runtime runtime bandwagon_idl idl bw_graph graph bw_parameters parameters bw_wire wire bw_model model
+set(exported bandwagon_runtime runtime bandwagon_idl idl bw_graph graph bw_lifecycle lifecycle bw_parameters parameters bw_wire wire bw_model model
   bw_local_planner local_planner
   bandwagon program)
 while(exported)

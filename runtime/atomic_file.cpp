@@ -15,6 +15,14 @@ namespace {
   throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno));
 }
 
+/// With the reason of the call before.
+[[noreturn]] void fail_without(const std::filesystem::path& draft, const std::filesystem::path& path) {
+  const int reason = errno;
+  unlink(draft.c_str());
+  errno = reason;
+  fail(path);
+}
+
 void write_all(int descriptor, std::string_view content, const std::filesystem::path& path) {
   while (!content.empty()) {
     const ssize_t written = write(descriptor, content.data(), content.size());
@@ -40,7 +48,7 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view c
     throw;
   }
   close(descriptor);
-  if (rename(draft.c_str(), path.c_str()) != 0) fail(path);
+  if (rename(draft.c_str(), path.c_str()) != 0) fail_without(draft, path);
 }
 
 }  // namespace bw

@@ -20,9 +20,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "runtime/base/time.hpp"
 #include "runtime/graph/qos.hpp"
+#include "runtime/live_parameters.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/parameters/list_parameters.hpp"
 #include "runtime/parameters/read_parameters.hpp"
@@ -52,7 +54,7 @@ class Output {
   OutputPort* port_ = nullptr;
 };
 
-/// The newest message of a topic; empty until the first one came.
+/// The newest message of a topic; empty until the first one since activation came, unless the topic is latched.
 template <class M>
 class Latest {
  public:
@@ -95,11 +97,20 @@ class Setup {
  public:
   virtual ~Setup() = default;
 
-  /// The parameters of this instance, read strictly from the graph over the defaults of P.
+  /// The parameters of this instance, read strictly from the graph over the defaults of P. While the component is
+  /// configured, they may be changed from outside if it wants to hear of it: `on_change` gets every new snapshot between
+  /// two callbacks, whole and checked; a std::runtime_error of it refuses the change, and it gets the old one again.
+  /// `fixed` names parameters, or sections of them, that may not be changed even so; without `on_change` none may.
   template <class P>
-  P parameters() {
+  P parameters(std::function<void(const P&, const Tick&)> on_change = {},
+               std::vector<std::string> fixed = {}) {
     P values;
-    declare_parameters(values);
+    OnParameters on_snapshot;
+    if (on_change)
+      on_snapshot = [on_change = std::move(on_change)](const ParameterSet& snapshot, const Tick& tick) {
+        on_change(snapshot.as<P>(), tick);
+      };
+    declare_parameters(values, std::move(on_snapshot), std::move(fixed));
     return values;
   }
   /// A section of the graph that components share. What it describes may move, and then says by a member
@@ -108,6 +119,7 @@ class Setup {
   S shared(std::string_view section) {
     S values;
     read_into(values, shared_section(section), section);
+    keep_shared_parameters(section, ParameterSet(values));
     if constexpr (requires { values.time_to_rest(); }) comes_to_rest_within(section, values.time_to_rest());
     return values;
   }
@@ -148,6 +160,7 @@ class Setup {
     auto incoming = std::make_shared<M>();
     add_input(topic, message_type<M>(), qos, InputKind::keep_newest, need,
               [state = handle.state_, incoming](std::span<const std::uint8_t> cdr, const Tick& tick) mutable {
+                if (cdr.empty()) state->message.reset();
                 if (!deserialize(cdr, *incoming)) return false;
                 if (!state->message) state->message.emplace();
                 std::swap(*state->message, *incoming);
@@ -193,9 +206,10 @@ class Setup {
     return {MessageTraits<M>::ros_name, MessageTraits<M>::dds_name, MessageTraits<M>::type_hash};
   }
   template <class P>
-  void declare_parameters(P& values) {
+  void declare_parameters(P& values, OnParameters on_change, std::vector<std::string> fixed) {
     read_into(values, parameter_section(), parameter_path());
-    keep_parameters({.rows = list_parameters(values), .yaml = to_yaml(values)});
+    keep_parameters({.rows = list_parameters(values), .yaml = to_yaml(values)},
+                    {ParameterSet(values), std::move(on_change), std::move(fixed)});
   }
 
   virtual OutputPort* add_output(const std::string& topic, const MessageType& type, const Qos& qos,
@@ -209,7 +223,8 @@ class Setup {
   virtual std::string parameter_path() const = 0;
   virtual const ConfigNode& shared_section(std::string_view section) const = 0;
   virtual void comes_to_rest_within(std::string_view section, Duration time) = 0;
-  virtual void keep_parameters(ParameterReport report) = 0;
+  virtual void keep_parameters(ParameterReport report, ParameterDeclaration declaration) = 0;
+  virtual void keep_shared_parameters(std::string_view section, ParameterSet values) = 0;
 };
 
 class Component {

@@ -45,7 +45,8 @@ class OutputPort {
   std::vector<std::uint8_t> buffer;  ///< reused by Output::publish
 };
 
-/// Gives the bytes of one sample to the component; false when they do not hold the message.
+/// Gives the bytes of one sample to the component; false when they do not hold the message. No bytes at all: what is kept
+/// of earlier ones is out of date.
 using SampleHandler = std::function<bool(std::span<const std::uint8_t> cdr, const Tick& tick)>;
 using TickHandler = std::function<void(const Tick& tick)>;
 
@@ -76,6 +77,8 @@ struct RequestHandler {
   /// False when the bytes do not hold the request.
   std::function<bool(std::span<const std::uint8_t> cdr, const RequestId& from, const Tick& tick)> handle;
   std::function<void(const std::string& reason, std::vector<std::uint8_t>& cdr)> refuse = nullptr;
+  /// The response with nothing in it: what is answered where there is no component to tell.
+  std::function<void(std::vector<std::uint8_t>& cdr)> empty = nullptr;
   /// With `refuse`: the request as a message that can be recorded, and back. False when the bytes do not hold it.
   std::function<bool(std::span<const std::uint8_t> request, const RequestId& from, Time now,
                      std::vector<std::uint8_t>& event)>

@@ -32,7 +32,8 @@ class Reply {
   RequestId to_;
 };
 
-/// What a service that changes something answers where it may not.
+/// What a service that changes something answers where it may not. It outlives the component that gave it: nothing of that
+/// is captured in it.
 template <class S>
 using Refusal = std::function<typename S::Response(const std::string& reason)>;
 
@@ -120,6 +121,7 @@ RequestHandler request_handler(ServicePort& port, Handle handle, Refusal<S> refu
     }
     return true;
   };
+  result.empty = [](std::vector<std::uint8_t>& cdr) { serialize(typename S::Response(), cdr); };
   if (refuse) {
     result.refuse = [refuse = std::move(refuse)](const std::string& reason, std::vector<std::uint8_t>& cdr) {
       serialize(refuse(reason), cdr);

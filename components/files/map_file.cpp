@@ -1,8 +1,12 @@
 #include "components/files/map_file.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <charconv>
+#include <exception>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -13,11 +17,6 @@
 
 namespace bw {
 namespace {
-
-enum class MapMode { trinary, scale, raw };
-constexpr auto choice_table(MapMode) {
-  return choices<MapMode>({{MapMode::trinary, "trinary"}, {MapMode::scale, "scale"}, {MapMode::raw, "raw"}});
-}
 
 struct MapYaml {
   std::string image;
@@ -73,31 +72,18 @@ MapYaml read_map_yaml(ConfigNode& root) {
   return yaml;
 }
 
-CellOfShade rule_of(const MapYaml& yaml) {
-  return [yaml](double shade) -> std::int8_t {
-    if (yaml.mode == MapMode::raw) {
-      const long value = std::lround(shade * 255.0);
-      return value <= 100 ? static_cast<std::int8_t>(value) : OccupancyGrid::kUnknown;
-    }
-    const double p = yaml.negate == 1 ? shade : 1.0 - shade;
-    if (p > yaml.occupied_thresh) return OccupancyGrid::kOccupied;
-    if (p < yaml.free_thresh) return OccupancyGrid::kFree;
-    if (yaml.mode == MapMode::trinary) return OccupancyGrid::kUnknown;
-    const double range = yaml.occupied_thresh - yaml.free_thresh;
-    const double share = range > 0.0 ? (p - yaml.free_thresh) / range : 0.5;
-    return static_cast<std::int8_t>(1 + std::lround(98.0 * share));
-  };
-}
-
-}  // namespace
-
-OccupancyGrid load_map(const std::filesystem::path& yaml_path) {
+/// `stage` says what is being read, and so what is wrong when this throws.
+OccupancyGrid read_map(const std::filesystem::path& yaml_path, MapFault& stage) {
+  stage = MapFault::bad_metadata;
   ConfigNode root = load_yaml(yaml_path);
   const MapYaml yaml = read_map_yaml(root);
+  const MapShades shades{yaml.mode, yaml.negate == 1, yaml.free_thresh, yaml.occupied_thresh};
   const ConfigNode& image_node = *root.find("image");
+  stage = MapFault::bad_data;
   MapImage image;
   try {
-    image = read_map_image(resolve_path(image_node.where, yaml.image), rule_of(yaml));
+    image = read_map_image(resolve_path(image_node.where, yaml.image),
+                           [&shades](double shade) { return cell_of_shade(shades, shade); });
   } catch (const ConfigError& error) {
     // Both files belong in the message: the one that is wrong, and the one that names it.
     std::vector<Violation> violations = error.violations();
@@ -109,6 +95,67 @@ OccupancyGrid load_map(const std::filesystem::path& yaml_path) {
           .width = image.width,
           .height = image.height,
           .cells = std::move(image.cells)};
+}
+
+/// With %20 and the like as the characters they stand for.
+std::optional<std::string> decoded(std::string_view url) {
+  std::string text;
+  for (std::size_t i = 0; i < url.size(); ++i) {
+    if (url[i] != '%') {
+      text += url[i];
+      continue;
+    }
+    unsigned char code = 0;
+    const std::string_view digits = url.substr(i + 1, 2);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+    if (error != std::errc{} || digits.size() != 2 || end != digits.data() + 2) return std::nullopt;
+    text += static_cast<char>(code);
+    i += 2;
+  }
+  return text;
+}
+
+}  // namespace
+
+OccupancyGrid load_map(const std::filesystem::path& yaml_path) {
+  MapFault stage{};
+  return read_map(yaml_path, stage);
+}
+
+MapReading try_load_map(const std::filesystem::path& yaml_path) {
+  MapReading reading;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(yaml_path, error)) {
+    reading.fault = MapFault::no_file;
+    reading.reason = "there is no file " + yaml_path.string();
+    return reading;
+  }
+  try {
+    reading.grid = read_map(yaml_path, reading.fault);
+    reading.fault = MapFault::none;
+  } catch (const std::runtime_error& fault) {
+    reading.reason = fault.what();
+  } catch (const std::exception& fault) {  // no memory, say
+    reading.fault = MapFault::other;
+    reading.reason = yaml_path.string() + ": " + fault.what();
+  }
+  return reading;
+}
+
+std::optional<std::filesystem::path> path_of_url(std::string_view url) {
+  constexpr std::string_view kFile = "file://";
+  constexpr std::string_view kHere = "localhost";
+  std::optional<std::string> path(url);
+  if (url.substr(0, kFile.size()) == kFile) {
+    url.remove_prefix(kFile.size());
+    if (url.substr(0, kHere.size()) == kHere) url.remove_prefix(kHere.size());
+    path = url.empty() || url.front() != '/' ? std::nullopt : decoded(url);
+  } else if (url.find("://") != std::string_view::npos) {
+    return std::nullopt;
+  }
+  const auto is_control = [](unsigned char c) { return c < ' '; };
+  if (!path || path->empty() || std::any_of(path->begin(), path->end(), is_control)) return std::nullopt;
+  return std::filesystem::path(*path);
 }
 
 }  // namespace bw

@@ -2,22 +2,47 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
 
+#include "components/files/map_shades.hpp"
 #include "components/model/occupancy_grid.hpp"
+#include "runtime/base/choice.hpp"
 
 namespace bw {
 
 /// Keys: image (relative to the YAML), resolution [m], origin [x, y, yaw] of the lower left corner (yaw must
-/// be 0), negate, occupied_thresh, free_thresh, mode. With shade s (0 black to 1 white) and p = 1 - s (s if
-/// negated): trinary: occupied where p > occupied_thresh, free where p < free_thresh, else unknown; scale:
-/// the same, and 1 to 99 in proportion between the thresholds; raw: the pixel's value on the scale 0 to 255
-/// is the cell's, unknown above 100. Throws ConfigError (a std::runtime_error) naming file, line, key, value
-/// and rule.
+/// be 0), negate, occupied_thresh, free_thresh, mode; what shades mean: map_shades.hpp. Throws ConfigError (a
+/// std::runtime_error) naming file, line, key, value and rule.
 OccupancyGrid load_map(const std::filesystem::path& yaml);
 
-/// Writes `yaml` and, beside it, a PGM of the same name; each appears whole or not at all. Cells of 0, 100
-/// and unknown are written as trinary; a grid that holds others as raw. load_map() gives back an equal grid.
-/// Throws std::runtime_error naming the file that could not be written.
-void save_map(const OccupancyGrid& grid, const std::filesystem::path& yaml);
+/// What is wrong with a map, in the terms of nav2_msgs/LoadMap.
+enum class MapFault { none, no_file, bad_metadata, bad_data, other };
+
+struct MapReading {
+  MapFault fault = MapFault::other;
+  std::string reason;  ///< why there is no grid
+  OccupancyGrid grid;
+};
+
+/// load_map() for files that somebody names while the robot drives: never throws.
+MapReading try_load_map(const std::filesystem::path& yaml);
+
+enum class ImageFormat { pgm, png };
+constexpr auto choice_table(ImageFormat) {
+  return choices<ImageFormat>({{ImageFormat::pgm, "pgm"}, {ImageFormat::png, "png"}});
+}
+
+/// Writes `yaml` and, beside it, a picture of the same name; each appears whole or not at all, the picture first.
+/// load_map() gives back what pixel_of_cell() keeps; size, resolution and origin exactly. Throws std::runtime_error: a
+/// folder that is not there, a file that cannot be written, thresholds without room, a PGM in mode `scale` for cells that
+/// are unknown.
+void save_map(const OccupancyGrid& grid, const std::filesystem::path& yaml, const MapShades& shades,
+              ImageFormat format = ImageFormat::pgm);
+
+/// The file that a map's URL names: a path, relative to the working directory, or file:// with an absolute one. Nothing
+/// for another scheme, another host, or no path at all.
+std::optional<std::filesystem::path> path_of_url(std::string_view url);
 
 }  // namespace bw

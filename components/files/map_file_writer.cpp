@@ -1,82 +1,100 @@
-#include <algorithm>
-#include <cerrno>
-#include <cstdio>
+#include <array>
+#include <charconv>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include <fcntl.h>
-#include <unistd.h>
+#include <png.h>
 
 #include "components/files/map_file.hpp"
+#include "runtime/atomic_file.hpp"
 
 namespace bw {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
-  throw std::runtime_error(path.string() + ": cannot be " + what + ": " + std::strerror(errno));
-}
+constexpr std::size_t kGrayAndAlpha = 2;  // bytes of a pixel
 
-// A reader, or a power cut, meets the old file or the new one, never a part.
-void write_whole(const std::filesystem::path& path, std::string_view bytes) {
-  std::filesystem::path part = path;
-  part += ".part";
-  const int file = open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (file < 0) fail(part, "opened");
-  bool ok = true;
-  while (ok && !bytes.empty()) {
-    const ssize_t written = write(file, bytes.data(), bytes.size());
-    ok = written >= 0 || errno == EINTR;
-    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+/// Gray and opacity of each cell, the top row first.
+std::string pixels_of(const OccupancyGrid& grid, const MapShades& shades) {
+  std::string pixels;
+  pixels.reserve(grid.cells.size() * kGrayAndAlpha);
+  for (int row = grid.height; row-- > 0;) {
+    for (int column = 0; column < grid.width; ++column) {
+      const std::optional<std::uint8_t> pixel = pixel_of_cell(shades, grid.at(column, row));
+      constexpr std::uint8_t kGray = 128;
+      constexpr std::uint8_t kOpaque = 255;
+      pixels.push_back(static_cast<char>(pixel.value_or(kGray)));
+      pixels.push_back(static_cast<char>(pixel ? kOpaque : 0));
+    }
   }
-  ok = ok && fsync(file) == 0;
-  const int error = errno;
-  ok = close(file) == 0 && ok;
-  if (!ok || rename(part.c_str(), path.c_str()) != 0) {
-    if (!ok) errno = error;
-    const int reason = errno;
-    unlink(part.c_str());
-    errno = reason;
-    fail(path, "written");
+  return pixels;
+}
+
+std::string pgm_of(const OccupancyGrid& grid, const std::string& pixels) {
+  std::string file = "P5\n" + std::to_string(grid.width) + " " + std::to_string(grid.height) + "\n255\n";
+  file.reserve(file.size() + grid.cells.size());
+  for (std::size_t i = 0; i < pixels.size(); i += kGrayAndAlpha) {
+    if (pixels[i + 1] == 0)
+      throw std::runtime_error(
+          "a PGM has no transparent pixels, which mode scale needs for unknown cells: save a png");
+    file.push_back(pixels[i]);
   }
+  return file;
 }
 
-// Shades by map_server's custom: 205 lies between the thresholds 0.196 and 0.65.
-char trinary_pixel(std::int8_t cell) {
-  if (cell == OccupancyGrid::kFree) return static_cast<char>(254);
-  return cell == OccupancyGrid::kOccupied ? '\0' : static_cast<char>(205);
+std::string png_of(const OccupancyGrid& grid, const std::string& pixels) {
+  png_image png;
+  std::memset(&png, 0, sizeof png);
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(grid.width);
+  png.height = static_cast<png_uint_32>(grid.height);
+  png.format = PNG_FORMAT_GA;
+  std::string file(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
+  png_alloc_size_t size = file.size();
+  if (png_image_write_to_memory(&png, file.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
+    throw std::runtime_error(std::string("no PNG could be made: ") + png.message);
+  file.resize(size);
+  return file;
 }
 
-char raw_pixel(std::int8_t cell) { return cell < 0 ? static_cast<char>(255) : static_cast<char>(cell); }
-
+/// The shortest text that reads back to the same number.
 std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string quoted(const std::string& name) {
+  std::string text = "\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + '"';
+}
+
+std::string yaml_of(const OccupancyGrid& grid, const MapShades& shades, const std::string& image) {
+  return "image: " + quoted(image) + "\nmode: " + std::string(text_of(shades.mode)) +
+         "\nresolution: " + number(grid.resolution) + "\norigin: [" + number(grid.origin.x()) + ", " +
+         number(grid.origin.y()) + ", 0]\nnegate: 0\noccupied_thresh: " + number(shades.occupied_thresh) +
+         "\nfree_thresh: " + number(shades.free_thresh) + "\n";
 }
 
 }  // namespace
 
-void save_map(const OccupancyGrid& grid, const std::filesystem::path& yaml) {
+void save_map(const OccupancyGrid& grid, const std::filesystem::path& yaml, const MapShades& shades,
+              ImageFormat format) {
+  if (const auto fault = fault_of(shades)) throw std::runtime_error(yaml.string() + ": " + *fault);
+  // A mistyped folder is told and not made.
+  const std::filesystem::path folder = yaml.has_parent_path() ? yaml.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder))
+    throw std::runtime_error("cannot write " + yaml.string() + ": there is no folder " + folder.string());
   std::filesystem::path image = yaml;
-  image.replace_extension(".pgm");
-  const bool trinary = std::all_of(grid.cells.begin(), grid.cells.end(), [](std::int8_t cell) {
-    return cell < 0 || cell == OccupancyGrid::kFree || cell == OccupancyGrid::kOccupied;
-  });
-  std::string pixels = "P5\n" + std::to_string(grid.width) + " " + std::to_string(grid.height) + "\n255\n";
-  pixels.reserve(pixels.size() + grid.cells.size());
-  for (int row = grid.height; row-- > 0;) {
-    for (int column = 0; column < grid.width; ++column) {
-      const std::int8_t cell = grid.at(column, row);
-      pixels.push_back(trinary ? trinary_pixel(cell) : raw_pixel(cell));
-    }
-  }
-  write_whole(image, pixels);
-  write_whole(yaml, "image: " + image.filename().string() + "\nmode: " + (trinary ? "trinary" : "raw") +
-                        "\nresolution: " + number(grid.resolution) + "\norigin: [" + number(grid.origin.x()) +
-                        ", " + number(grid.origin.y()) +
-                        ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  image.replace_extension("." + std::string(text_of(format)));
+  const std::string pixels = pixels_of(grid, shades);
+  write_file_atomically(image, format == ImageFormat::png ? png_of(grid, pixels) : pgm_of(grid, pixels));
+  write_file_atomically(yaml, yaml_of(grid, shades, image.filename().string()));
 }
 
 }  // namespace bw

@@ -106,8 +106,6 @@ std::string_view to_string(PathStatus status) {
 }
 
 std::string Planner::set_map(const OccupancyGrid& map, double robot_radius) {
-  grid_ = {};
-  search_.grid_changed();
   if (map.width <= 0 || map.height <= 0) return "the map has no cells";
   if (map.width > SearchGrid::kMaxSide || map.height > SearchGrid::kMaxSide) {
     return "the map has more than " + std::to_string(SearchGrid::kMaxSide) + " cells on a side";
@@ -119,6 +117,8 @@ std::string Planner::set_map(const OccupancyGrid& map, double robot_radius) {
   if (!map.origin.allFinite()) return "the map's origin is not finite";
   if (!std::isfinite(robot_radius) || robot_radius < 0.0)
     return "the robot's radius is not a positive number";
+  grid_ = {};
+  search_.grid_changed();
   grid_.build(map, robot_radius, options_);
   return {};
 }
@@ -137,6 +137,15 @@ PathResult Planner::plan(const Pose2& start, const Pose2& goal, const std::vecto
   }
   grid_.block(temporary);
   result = plan_unblocked(start, goal, !temporary.empty());
+  grid_.unblock();
+  return result;
+}
+
+PathCheck Planner::check(const std::vector<Pose2>& path, const std::optional<Vector2>& robot,
+                         const std::vector<Disc>& temporary) {
+  if (grid_.empty()) return {};
+  grid_.block(temporary);
+  PathCheck result = check_path(grid_, path, robot);
   grid_.unblock();
   return result;
 }

@@ -1,12 +1,14 @@
 // The global planner: a map once, then paths on it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "components/global_planner/astar.hpp"
 #include "components/global_planner/options.hpp"
+#include "components/global_planner/path_check.hpp"
 #include "components/global_planner/search_grid.hpp"
 #include "components/model/obstacles.hpp"
 #include "components/model/occupancy_grid.hpp"
@@ -42,12 +44,19 @@ class Planner {
   Planner() = default;
   explicit Planner(const GlobalPlannerOptions& options) : options_(options) {}
 
-  /// Prepares a map for a disc robot of this radius [m]. Returns why it cannot be used (sizes, numbers), or
-  /// nothing.
+  /// What the map was prepared with (clearance, what is an obstacle) stays until the next map.
+  void set_options(const GlobalPlannerOptions& options) { options_ = options; }
+
+  /// Prepares a map for a disc robot of this radius [m]. Returns why it cannot be used (sizes, numbers; the map before stays),
+  /// or nothing.
   std::string set_map(const OccupancyGrid& map, double robot_radius);
 
   /// Path from `start` to `goal`, around `temporary` discs (people who stand in the way) as well.
   PathResult plan(const Pose2& start, const Pose2& goal, const std::vector<Disc>& temporary = {});
+
+  /// check_path() with `temporary` discs in the way as well.
+  PathCheck check(const std::vector<Pose2>& path, const std::optional<Vector2>& robot,
+                  const std::vector<Disc>& temporary = {});
 
   const SearchGrid& grid() const { return grid_; }
 

@@ -22,6 +22,13 @@ PlanningResult CheckedPlanner::plan(const PlanningProblem& problem) {
   return arrive(problem, driving_);
 }
 
+void CheckedPlanner::continue_from(const LocalPlanner& earlier) {
+  const auto* checked = dynamic_cast<const CheckedPlanner*>(&earlier);
+  if (checked == nullptr) return;
+  arrived_ = checked->arrived_;
+  remember(*checked);
+}
+
 void CheckedPlanner::reset() {
   arrived_ = false;
   forget();

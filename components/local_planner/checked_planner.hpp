@@ -17,12 +17,15 @@ class CheckedPlanner : public LocalPlanner {
 
   PlanningResult plan(const PlanningProblem& problem) final;
   void reset() final;
+  void continue_from(const LocalPlanner& earlier) final;
 
  protected:
   /// The command of this cycle for a sound problem with a plan whose end is not reached yet.
   virtual PlanningResult drive(const PlanningProblem& problem) = 0;
   /// Drops what was kept from earlier calls: the next call of drive() is a first one.
   virtual void forget() = 0;
+  /// Takes over what an earlier planner of the same kind has kept.
+  virtual void remember(const CheckedPlanner&) {}
 
   const DrivingOptions& driving() const { return driving_; }
 

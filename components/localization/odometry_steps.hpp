@@ -17,6 +17,8 @@ class OdometrySteps {
   OdometrySteps(int source, double separation, double noise)
       : source_(source), separation_(separation), noise_(noise) {}
 
+  void set_noise(double noise) { noise_ = noise; }
+
   /// Nothing for the first pose, and after a clock that went back.
   std::optional<WheelStep> add(Time time, const Pose2& X_OB, double heading_variance) {
     const std::optional<Pose2> before = X_OB_;

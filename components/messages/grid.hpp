@@ -34,8 +34,9 @@ inline std::string read_grid(const nav_msgs::msg::OccupancyGrid& message, Occupa
       message.data().size() != std::size_t{info.width()} * info.height()) {
     return "its cells are not width * height";
   }
-  if (!std::isfinite(info.resolution()) || info.resolution() < 1e-5F)
-    return "its resolution is not a positive number";
+  // As in map files; a cell of a thousandth of that would make the fields around a map of one cell as large as memory.
+  if (!(info.resolution() >= 0.001F && info.resolution() <= 100.0F))
+    return "its resolution is not between 0.001 and 100 m";
   const Pose2 origin = from_pose(info.origin());
   if (!is_finite(origin)) return "its origin is not finite";
   if (std::abs(origin.theta) > 1e-6) return "it is turned against its grid, which is not supported";

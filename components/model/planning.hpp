@@ -90,6 +90,9 @@ class LocalPlanner {
   virtual PlanningResult plan(const PlanningProblem& problem) = 0;
   /// Forgets warm starts: the next call is a first call.
   virtual void reset() = 0;
+  /// Takes over the warm starts of an earlier planner of the same kind, whose parameters were others. Of another kind
+  /// there are none.
+  virtual void continue_from(const LocalPlanner&) {}
 };
 
 }  // namespace bw

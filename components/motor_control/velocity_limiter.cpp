@@ -38,6 +38,7 @@ Twist2 saturate(const Twist2& twist, const Limits& limits, double wheel_separati
 
 VelocityLimiter::VelocityLimiter(const Robot& robot, const LimiterOptions& options)
     : limits_(robot.limits),
+      allowed_(robot.limits),
       half_separation_(robot.wheel_separation / 2.0),
       wheel_speed_max_(robot.wheel_speed_max),
       timeout_(Duration::seconds(options.command_timeout)),
@@ -52,7 +53,7 @@ LimitedTwist VelocityLimiter::step(Time now) {
   const double dt = elapsed(now);
   const LimiterState state = judge(now);
   if (state == LimiterState::following) {
-    const Twist2 wish = saturate(command_, limits_, 2.0 * half_separation_, wheel_speed_max_);
+    const Twist2 wish = saturate(command_, allowed_, 2.0 * half_separation_, wheel_speed_max_);
     const bool slows_down = std::abs(wish.v) < std::abs(twist_.v) || wish.v * twist_.v < 0.0;
     if (braking_ == Braking::hard && slows_down) {
       follow_hard(wish, dt);

@@ -67,7 +67,14 @@ class VelocityLimiter {
  public:
   VelocityLimiter(const Robot& robot, const LimiterOptions& options);
 
+  void set_options(const LimiterOptions& options) {
+    timeout_ = Duration::seconds(options.command_timeout);
+    plausible_factor_ = options.plausible_factor;
+  }
+
   void command(Time now, const Twist2& twist);
+  /// Speeds that commands are cut to from now on, at most the robot's own; they are reached within acc_max and jerk_max.
+  void allow(const Limits& limits) { allowed_ = limits; }
   /// How lower speeds are reached, until told otherwise.
   void set_braking(Braking braking) { braking_ = braking; }
   /// The twist from now until the next step. Call at a steady rate.
@@ -82,7 +89,8 @@ class VelocityLimiter {
   void follow_hard(const Twist2& wish, double dt);
   void brake_to_rest(double dt);
 
-  Limits limits_;
+  Limits limits_;   ///< of the robot: what a sound command stays near to
+  Limits allowed_;  ///< at present
   double half_separation_;
   double wheel_speed_max_;
   Duration timeout_;

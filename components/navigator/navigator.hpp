@@ -26,6 +26,9 @@ class Navigator {
  public:
   explicit Navigator(const NavigatorOptions& options) : options_(options) {}
 
+  /// Holds from the next event on; the goal in hand goes on.
+  void set_options(const NavigatorOptions& options) { options_ = options; }
+
   /// A new goal; preempts the one in hand. Returns its id. A goal that is not finite is aborted at once and
   /// preempts nothing.
   std::uint64_t accept(const Pose2& X_MG, const Situation& situation);

@@ -24,16 +24,22 @@ std::string_view cause_of(LaserState state) {
 
 CollisionMonitor::CollisionMonitor(const Robot& robot, const CollisionMonitorOptions& options)
     : limits_(robot.limits),
-      radius_(robot.radius + options.stopping.padding),
-      options_(options),
-      stopping_{options.stopping.reaction_time, robot.limits.stop_deceleration,
-                options.stopping.approach_speed},
+      robot_radius_(robot.radius),
       empty_sight_(options.sweep),
       watch_(Duration::seconds(options.source_timeout)),
       hold_(Duration::seconds(options.clear_after), robot.limits.acc_max) {
+  set_options(options);
+}
+
+void CollisionMonitor::set_options(const CollisionMonitorOptions& options) {
+  options_ = options;
+  radius_ = robot_radius_ + options.stopping.padding;
+  stopping_ = {options.stopping.reaction_time, limits_.stop_deceleration, options.stopping.approach_speed};
+  zones_.clear();
   for (const ZoneOptions& zone : options_.polygons) {
     if (zone.enabled) zones_.emplace_back(zone);
   }
+  held_cause_.cause = kStoppingDistance;  // it may have been the name of a zone
 }
 
 void CollisionMonitor::odometry(Time time, const Pose2& X_OB, const Twist2& twist) {

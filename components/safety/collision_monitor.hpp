@@ -54,6 +54,10 @@ class CollisionMonitor {
  public:
   CollisionMonitor(const Robot& robot, const CollisionMonitorOptions& options);
 
+  /// New zones, stopping distances and sight; what watches the laser stays as it was constructed. Causes of verdicts given
+  /// before are no longer valid.
+  void set_options(const CollisionMonitorOptions& options);
+
   /// Where the encoders say the robot is, and its true body velocity, at `time`.
   void odometry(Time time, const Pose2& X_OB, const Twist2& twist);
   /// A sweep that arrived at `now`, the laser in base_link.
@@ -95,7 +99,8 @@ class CollisionMonitor {
   Twist2 shrink(const Twist2& wanted, double speed) const;
 
   Limits limits_;
-  double radius_;
+  double robot_radius_;
+  double radius_ = 0.0;  ///< with padding
   CollisionMonitorOptions options_;
   Stopping stopping_;
   std::vector<Zone> zones_;

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -104,6 +105,7 @@ Endpoint to_endpoint(const ProxyData& data, bool is_writer) {
   if (lifespan != eprosima::fastrtps::c_TimeInfinite) e.qos.lifespan = Duration{lifespan.to_ns()};
   const auto& user_data = data.m_qos.m_userData.getValue();
   e.user_data.assign(user_data.begin(), user_data.end());
+  e.partitions = data.m_qos.m_partition.getNames();
   return e;
 }
 
@@ -161,7 +163,9 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
         info.status == rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT) {
       participants_.erase(guid);
       std::erase_if(endpoints_, [&](const auto& item) {
-        return std::equal(guid.begin(), guid.begin() + 12, item.first.begin());
+        const bool is_its = std::equal(guid.begin(), guid.begin() + 12, item.first.begin());
+        if (is_its) remember(item.second);
+        return is_its;
       });
       ++changes_;
     } else {
@@ -196,6 +200,10 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
     });
     return all;
   }
+  std::vector<Endpoint> take_departed() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(departed_, {});
+  }
   std::vector<Guid> participants() const {
     const std::lock_guard lock(mutex_);
     std::vector<Guid> all;
@@ -207,17 +215,23 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
   void update(const Endpoint& endpoint, bool removed) {
     const std::lock_guard lock(mutex_);
     if (removed) {
-      endpoints_.erase(endpoint.guid);
+      if (endpoints_.erase(endpoint.guid) > 0) remember(endpoint);
     } else {
       endpoints_[endpoint.guid] = endpoint;
     }
     ++changes_;
+  }
+  /// With the mutex held.
+  void remember(const Endpoint& endpoint) {
+    constexpr std::size_t kMost = 256;
+    if (endpoint.is_writer && departed_.size() < kMost) departed_.push_back(endpoint);
   }
 
   std::atomic<std::uint64_t> changes_ = 0;
   mutable std::mutex mutex_;
   std::map<Guid, bool> participants_;
   std::map<Guid, Endpoint> endpoints_;
+  std::vector<Endpoint> departed_;
 };
 
 class EnqueueListener final : public efd::DataReaderListener {
@@ -459,7 +473,8 @@ std::unique_ptr<Writer> Participant::create_writer(const EndpointOptions& option
                               .topic = options.topic,
                               .type = options.type,
                               .qos = options.qos,
-                              .user_data = options.user_data});
+                              .user_data = options.user_data,
+                              .partitions = options.partitions});
   return result;
 }
 
@@ -477,7 +492,8 @@ std::unique_ptr<Reader> Participant::create_reader(const EndpointOptions& option
                               .topic = options.topic,
                               .type = options.type,
                               .qos = options.qos,
-                              .user_data = options.user_data});
+                              .user_data = options.user_data,
+                              .partitions = options.partitions});
   return result;
 }
 
@@ -486,6 +502,8 @@ Guid Participant::guid() const { return to_guid(impl_->participant->guid()); }
 const std::string& Participant::private_partition() const { return impl_->private_partition; }
 
 std::vector<Endpoint> Participant::endpoints() const { return impl_->discovery.endpoints(); }
+
+std::vector<Endpoint> Participant::take_departed() { return impl_->discovery.take_departed(); }
 
 std::uint64_t Participant::endpoint_changes() const { return impl_->discovery.changes(); }
 

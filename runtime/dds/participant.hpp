@@ -56,7 +56,8 @@ struct Endpoint {
   std::string topic;      ///< DDS name, such as rt/odom
   std::string type;       ///< DDS name, such as nav_msgs::msg::dds_::Odometry_
   Qos qos;
-  std::string user_data;  ///< typehash=RIHS01_...;
+  std::string user_data;                     ///< typehash=RIHS01_...;
+  std::vector<std::string> partitions = {};  ///< none: that of every ordinary endpoint
 };
 
 struct EndpointOptions {
@@ -135,6 +136,9 @@ class Participant {
   const std::string& private_partition() const;
   /// Every endpoint known now, own and remote, sorted by topic, kind and guid.
   std::vector<Endpoint> endpoints() const;
+  /// Remote writers that have left since the last call, so that one that came and went between two looks at endpoints()
+  /// is not missed; the first 256 of them.
+  std::vector<Endpoint> take_departed();
   /// Counts the changes of endpoints(): cheap to look at often.
   std::uint64_t endpoint_changes() const;
   /// Remote participants alive now.

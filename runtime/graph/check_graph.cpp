@@ -74,6 +74,7 @@ class Checker {
       check_qos(name, topic);
       check_fed(name, topic);
     }
+    check_loops();
     for (const auto& [name, service] : services_) check_service(name, service);
     return std::move(violations_);
   }
@@ -102,6 +103,8 @@ class Checker {
     for (const auto& service : declaration.services) all.push_back(service.name);
     std::set<std::string> topics;
     for (const std::string_view name : all) topics.insert(resolve_name(node.node_namespace, node.name, name));
+    // Every node has a dozen private services, which nobody means who mistypes a topic.
+    std::erase_if(all, [](std::string_view name) { return name.starts_with("~/"); });
     const std::string key = joined("components", node.name);
     for (const Remap& remap : node.remaps) {
       if (topics.contains(resolve_name(node.node_namespace, node.name, remap.from))) continue;
@@ -190,6 +193,49 @@ class Checker {
       add(client.node->where, client.key(), "",
           "nobody offers the service " + name + "; remap it, or mark the input external: true");
     }
+  }
+
+  /// By type: who is called by whose command.
+  using Obedience = std::map<const ComponentNode*, std::set<const ComponentNode*>>;
+
+  /// A command that comes back to whoever gave it, on calls alone, drives the robot by itself and for ever: a multiplexer
+  /// that takes for a hand's what a monitor made of its own command.
+  void check_loops() {
+    std::map<std::string, Obedience> by_type;
+    for (const auto& [name, topic] : topics_) {
+      for (const auto& writer : topic.writers) {
+        for (const auto& reader : topic.readers) {
+          if (writer.declared->command && !reader.declared->only_newest)
+            by_type[writer.declared->type][writer.node].insert(reader.node);
+        }
+      }
+    }
+    for (const auto& [type, obedience] : by_type) {
+      std::set<const ComponentNode*> told;
+      for (const ComponentNode& node : graph_.components) {
+        std::vector<const ComponentNode*> way{&node};
+        if (told.contains(&node) || !returns(obedience, way)) continue;
+        std::string text;
+        for (const ComponentNode* passed : way) text += passed->name + " -> ";
+        add(node.where, joined("components", node.name), "",
+            "its command comes back to it: " + text + node.name + "; remap one of these topics");
+        told.insert(way.begin(), way.end());
+      }
+    }
+  }
+
+  /// Extends `way` until it would reach its beginning; false when it does not.
+  static bool returns(const Obedience& obedience, std::vector<const ComponentNode*>& way) {
+    const auto next = obedience.find(way.back());
+    if (next == obedience.end()) return false;
+    if (next->second.contains(way.front())) return true;
+    for (const ComponentNode* node : next->second) {
+      if (std::find(way.begin(), way.end(), node) != way.end()) continue;
+      way.push_back(node);
+      if (returns(obedience, way)) return true;
+      way.pop_back();
+    }
+    return false;
   }
 
   const Graph& graph_;

@@ -14,7 +14,8 @@ struct InputDeclaration {
   std::string name;  ///< as written in the component; the graph makes it a topic
   std::string type;  ///< nav_msgs/msg/Odometry
   Qos qos;
-  bool optional = false;  ///< the component works without
+  bool optional = false;     ///< the component works without
+  bool only_newest = false;  ///< it is looked at and calls nothing
 };
 
 struct OutputDeclaration {

@@ -28,4 +28,15 @@ std::vector<std::string> Graph::processes() const {
   return names;
 }
 
+std::vector<const ComponentNode*> Graph::bring_up_order() const {
+  std::vector<const ComponentNode*> order;
+  for (const std::string& name : bring_up) {
+    if (const ComponentNode* node = find(name)) order.push_back(node);
+  }
+  for (const ComponentNode& node : components) {
+    if (std::find(order.begin(), order.end(), &node) == order.end()) order.push_back(&node);
+  }
+  return order;
+}
+
 }  // namespace bw

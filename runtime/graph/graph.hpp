@@ -7,6 +7,9 @@
 //   transport: localhost            # localhost | lan
 //   plugins: [path.so]              # paths are relative to the file they stand in
 //   robot: ../robots/generic.yaml   # a shared section: a file or a map
+//   lifecycle: own                  # own | external: components stay unconfigured until a manager comes, such as Nav2's
+//   bring_up: [map_server, amcl]    # activated first and in this order, as a lifecycle_manager's node_names; the others
+//                                   # follow in rank order
 //   snapshot: {keep: 30s, on: [contact], to: near_misses}    # snapshot_settings.hpp
 //   tolerances: {...}               # of replays (runtime/replay/tolerances.hpp): a file or a map
 //   components:
@@ -16,6 +19,7 @@
 //       lane: planner               # default: main
 //       enabled: true               # false: left out; --set local_planner.enabled=true brings it back
 //       latency: 20ms
+//       manager: navigation         # navigation | localization | none: which of our lifecycle managers pauses it
 //       namespace: robot1           # below the graph's, unless absolute
 //       parameters: {...}           # or a file
 //       remap: {cmd_vel_nav: cmd_vel}
@@ -41,6 +45,9 @@ struct Override;
 /// What happens to a component when an input is older than its max_age.
 enum class OnStale { stop, degrade, ignore };
 
+/// Which of this program's two lifecycle managers a component belongs to; what belongs to none stays up.
+enum class Manager { navigation, localization, none };
+
 struct InputSettings {
   std::string name;  ///< as the component declares it
   std::optional<Duration> max_age = std::nullopt;
@@ -54,8 +61,9 @@ struct ComponentNode {
   std::string type;
   std::string process = "main";
   std::string lane = "main";
-  bool enabled = true;               ///< hosts leave out what is not
-  Duration latency;                  ///< computing time in lock-step, at least 0
+  bool enabled = true;  ///< hosts leave out what is not
+  Duration latency;     ///< computing time in lock-step, at least 0
+  Manager manager = Manager::navigation;
   std::string node_namespace = "/";  ///< absolute
   ConfigNode parameters;             ///< a map or nothing, overrides applied
   std::vector<Remap> remaps;
@@ -72,6 +80,7 @@ struct GraphSettings {
   std::string graph_namespace;
   std::string frame_prefix;
   std::string transport = "localhost";
+  bool external_lifecycle = false;   ///< a manager from outside brings the components up
   std::vector<std::string> plugins;  ///< resolved
 };
 
@@ -83,10 +92,13 @@ struct Graph {
   ConfigNode tolerances;  ///< by how much a replay may differ; a map or nothing
   std::optional<SnapshotSettings> snapshot;  ///< absent if not given
   std::vector<ComponentNode> components;     ///< in rank order
+  std::vector<std::string> bring_up;         ///< names of components that come up first, in this order
 
   const ComponentNode* find(std::string_view component) const;
   /// Names of the processes, in the order of their first components.
   std::vector<std::string> processes() const;
+  /// The components in the order in which they are configured and activated; the way down is backwards.
+  std::vector<const ComponentNode*> bring_up_order() const;
 };
 
 /// Overrides are `component.param=value`, `component.enabled=true|false` or `section.param=value`. Throws

@@ -112,6 +112,9 @@ class GraphReader {
     read_text(reader, root, "frame_prefix", settings.frame_prefix, frame_prefix_rule);
     reader("transport", settings.transport, {.choices = {"localhost", "lan"}});
     reader("plugins", settings.plugins, {.path = true});
+    std::string lifecycle = "own";
+    reader("lifecycle", lifecycle, {.choices = {"own", "external"}});
+    settings.external_lifecycle = lifecycle == "external";
     for (const std::string_view section : kSharedSections) {
       if (const ConfigNode* node = reader.find(section)) {
         graph_.shared[std::string(section)] = read_section(reader, *node, section);
@@ -130,7 +133,23 @@ class GraphReader {
     } else {
       add(root.where, "components", "", "must be given");
     }
+    if (const ConfigNode* names = reader.find("bring_up")) read_bring_up(*names);
     reader.refuse_unknown_keys();
+  }
+
+  void read_bring_up(const ConfigNode& names) {
+    if (!detail::is_list(names, "bring_up", violations_)) return;
+    std::vector<std::string_view> known;
+    for (const ComponentNode& node : graph_.components) known.push_back(node.name);
+    for (const ConfigNode& name : names.sequence) {
+      if (!name.is_scalar() || graph_.find(name.scalar) == nullptr) {
+        add(name.where, "bring_up", name.text(), unknown_rule("component", name.text(), known));
+      } else if (std::ranges::find(graph_.bring_up, name.scalar) != graph_.bring_up.end()) {
+        add(name.where, "bring_up", name.text(), "must be named once");
+      } else {
+        graph_.bring_up.push_back(name.scalar);
+      }
+    }
   }
 
   void read_component(const ConfigEntry& entry) {
@@ -153,6 +172,11 @@ class GraphReader {
     read_text(reader, map, "lane", node.lane, label_rule);
     reader("enabled", node.enabled);
     node.latency = read_duration(reader, "latency", Duration{}, kMaxLatency).value_or(Duration{});
+    std::string manager = "navigation";
+    reader("manager", manager, {.choices = {"navigation", "localization", "none"}});
+    node.manager = manager == "none"           ? Manager::none
+                   : manager == "localization" ? Manager::localization
+                                               : Manager::navigation;
     std::string inner;
     read_text(reader, map, "namespace", inner, namespace_rule);
     node.node_namespace = join_namespaces(graph_.settings.graph_namespace, inner);

@@ -4,6 +4,15 @@
 
 namespace bw {
 
+bool Input::calls_component() const { return kind == InputKind::callback && (of_node || actor->is_active()); }
+
+void Input::keep(const dds::Sample& sample, bool is_given) {
+  kept.push_back({sample.writer, sample.cdr, is_given});
+  const auto is_same_writer = [&](const Kept& other) { return other.writer == sample.writer; };
+  if (std::ranges::count_if(kept, is_same_writer) > qos.depth)
+    kept.erase(std::ranges::find_if(kept, is_same_writer));
+}
+
 bool Input::take_one(Time now, std::optional<Duration> waited) { return actor->deliver(*this, now, waited); }
 
 Health Actor::health(Time now) const {
@@ -17,6 +26,10 @@ Health Actor::health(Time now) const {
   return worst;
 }
 
+std::string Actor::not_active() const {
+  return name + " is not active (" + std::string(lifecycle::label(state)) + ")";
+}
+
 std::vector<std::string> Actor::stale_inputs(Time now) const {
   std::vector<std::string> stale;
   for (const Input* input : watched) {
@@ -27,23 +40,33 @@ std::vector<std::string> Actor::stale_inputs(Time now) const {
 
 bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
   if (!input.reader->take(sample_)) return false;
+  // Two who command: nobody is obeyed, and what moves stops because its commands are too old.
+  if (!input.commander.empty() && input.reader->matched_writers() > 1) return true;
+  const bool is_heard = input.of_node || is_active();
+  if (role == ActorRole::component && input.qos.durability == Durability::transient_local)
+    input.keep(sample_, is_heard);
+  if (!is_heard) return true;
   {
     const std::lock_guard lock(mutex);
     input.last_received = now;
   }
+  give(input, sample_.cdr, now, waited);
+  return true;
+}
+
+void Actor::give(Input& input, std::span<const std::uint8_t> cdr, Time now, std::optional<Duration> waited) {
   const Duration start = thread_cpu_time();
-  const bool accepted =
-      input.handler(sample_.cdr, Tick{.now = now, .health = health(now), .sequence = input.calls});
+  const bool accepted = input.handler(cdr, Tick{.now = now, .health = health(now), .sequence = input.calls});
   const Duration spent = thread_cpu_time() - start;
   if (accepted) ++input.calls;
   const std::lock_guard lock(mutex);
   input.statistics.run.add(spent);
   if (waited) input.statistics.wait.add(*waited);
   if (!accepted) ++input.statistics.rejected;
-  return true;
 }
 
 void Actor::fire(Timer& timer, Time now, std::optional<Duration> waited) {
+  if (!runs(timer)) return;
   const Duration start = thread_cpu_time();
   timer.handler(Tick{.now = now, .health = health(now), .sequence = timer.calls++});
   const Duration spent = thread_cpu_time() - start;

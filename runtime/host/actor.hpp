@@ -14,11 +14,13 @@
 #include "runtime/component.hpp"
 #include "runtime/dds/participant.hpp"
 #include "runtime/graph/graph.hpp"
+#include "runtime/host/actor_lifecycle.hpp"
 #include "runtime/host/client_end.hpp"
 #include "runtime/host/inlet.hpp"
 #include "runtime/host/service_end.hpp"
 #include "runtime/host/statistics.hpp"
 #include "runtime/host/timer.hpp"
+#include "runtime/lifecycle/state_machine.hpp"
 
 namespace bw {
 
@@ -27,7 +29,7 @@ struct Actor;
 class Input final : public Inlet {
  public:
   const std::string& label() const override { return topic; }
-  bool calls_component() const override { return kind == InputKind::callback; }
+  bool calls_component() const override;
   bool take_one(Time now, std::optional<Duration> waited) override;
 
   std::string name;   ///< as the component declared it
@@ -37,10 +39,22 @@ class Input final : public Inlet {
   SampleHandler handler;
   InputKind kind = InputKind::callback;
   Need need = Need::required;
+  bool is_external = false;  ///< the graph leaves the topic to others
+  std::string commander;     ///< full name of the node whose command this is; empty: anybody may write it
   std::optional<Duration> max_age;
   OnStale on_stale = OnStale::ignore;
   std::unique_ptr<dds::Reader> reader;
-  Time last_received;  ///< activation time until the first sample
+  Time last_received;    ///< activation time until the first sample
+  bool of_node = false;  ///< the runtime's: it is heard in every state of the component
+
+  /// Samples of a latched topic outlive the instance that heard them: the next one does not get them from the wire again.
+  struct Kept {
+    dds::Guid writer;
+    std::vector<std::uint8_t> cdr;
+    bool is_given = false;  ///< to the instance there is
+  };
+  std::deque<Kept> kept;  ///< as many of each writer as the topic keeps
+  void keep(const dds::Sample& sample, bool is_given);
   std::uint64_t calls = 0;
   CallbackStatistics statistics;
 };
@@ -71,11 +85,24 @@ class OutputEnd final : public OutputPort {
   Qos qos;
   bool command;
   bool always_read = false;
+  bool of_node = false;  ///< the runtime's: it is never mute
   std::unique_ptr<dds::Writer> writer;
   SampleSink* sink = nullptr;  ///< null until the component is active
 };
 
+/// What an actor is to the host.
+enum class ActorRole {
+  process,    ///< what every process offers
+  component,  ///< of the graph: it has a lifecycle of its own
+  observer,   ///< of the program: up from the beginning to the end
+  manager,    ///< brings components up and down
+};
+
 struct Actor final : DiagnosticReporter {
+  ActorRole role = ActorRole::component;
+  std::atomic<lifecycle::State> state = lifecycle::State::inactive;  ///< changed on its lane only
+  std::atomic<std::uint64_t> activations = 0;
+  std::unique_ptr<ActorLifecycle> lifecycle;
   std::string name;
   std::string node_namespace;  ///< "/" or "/robot1"
   std::string type;
@@ -91,6 +118,7 @@ struct Actor final : DiagnosticReporter {
   std::vector<std::unique_ptr<ServiceEnd>> services;
   std::vector<std::unique_ptr<ClientEnd>> clients;
   ParameterReport parameters;
+  LiveParameters live_parameters;
 
   /// Guards what the diagnostics read while the lane works: statistics, arrival times, the three below.
   mutable std::mutex mutex;
@@ -114,8 +142,17 @@ struct Actor final : DiagnosticReporter {
   /// Names of the watched inputs that are too old at `now`. With `mutex` held.
   std::vector<std::string> stale_inputs(Time now) const;
 
+  bool is_in_graph() const { return role == ActorRole::component || role == ActorRole::observer; }
+  bool is_active() const { return state == lifecycle::State::active; }
+  bool runs(const Timer& timer) const { return timer.of_node || is_active(); }
+  /// "planner is not active (unconfigured)"
+  std::string not_active() const;
+
   /// Takes one sample and gives it to the component; false when none was waiting.
   bool deliver(Input& input, Time now, std::optional<Duration> waited);
+  /// Gives the bytes of one sample to the component.
+  void give(Input& input, std::span<const std::uint8_t> cdr, Time now,
+            std::optional<Duration> waited = std::nullopt);
   void fire(Timer& timer, Time now, std::optional<Duration> waited);
 
  private:

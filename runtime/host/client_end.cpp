@@ -12,6 +12,7 @@ ClientEnd::ClientEnd(Actor& owner, std::string declared, std::string resolved,
     : name(std::move(declared)), service(std::move(resolved)), type(service_type), need(service_need) {
   actor = &owner;
   deadline_timer.actor = &owner;
+  deadline_timer.of_node = true;
   deadline_timer.name = name + " deadline";
   deadline_timer.handler = [this](const Tick& tick) { expire(tick); };
   deadline_timer.statistics.component = owner.name;
@@ -70,6 +71,12 @@ void ClientEnd::expire(const Tick& tick) {
     return true;
   });
   for (const ReplyHandler& on_reply : expired) on_reply(std::nullopt, tick);
+  watch_deadlines();
+}
+
+void ClientEnd::forget_calls() {
+  if (calls_.empty()) return;
+  calls_.clear();
   watch_deadlines();
 }
 

@@ -25,6 +25,9 @@ class ClientEnd final : public Inlet, public ClientPort {
   bool is_ready() const override;
   void call(std::span<const std::uint8_t> cdr, Duration deadline, ReplyHandler on_reply) override;
 
+  /// Nobody waits for replies any more.
+  void forget_calls();
+
   std::string name;     ///< as the component declared it
   std::string service;  ///< resolved, absolute
   ServiceType type;
@@ -32,6 +35,7 @@ class ClientEnd final : public Inlet, public ClientPort {
   std::unique_ptr<dds::Reader> reader;
   std::unique_ptr<dds::Writer> writer;
   Runner* runner = nullptr;
+  bool of_node = false;  ///< declared by the runtime, not by the component
   Timer deadline_timer;  ///< once, at the earliest deadline
 
  private:

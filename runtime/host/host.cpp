@@ -9,8 +9,11 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "runtime/host/command_guard.hpp"
+#include "runtime/graph/names.hpp"
 #include "runtime/host/host_setup.hpp"
 #include "runtime/host/lockstep_runner.hpp"
+#include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/wall_runner.hpp"
 #include "runtime/parameters/nearest.hpp"
@@ -52,19 +55,24 @@ std::string services_name(const std::string& process) {
 ComponentDeclaration declaration_of(const Actor& actor) {
   ComponentDeclaration d{.name = actor.name, .inputs = {}, .outputs = {}};
   for (const auto& input : actor.inputs) {
+    if (input->of_node) continue;
     d.inputs.push_back({.name = input->name,
                         .type = std::string(input->type.ros_name),
                         .qos = input->qos,
-                        .optional = input->need == Need::optional});
+                        .optional = input->need == Need::optional,
+                        .only_newest = input->kind == InputKind::keep_newest});
   }
   for (const auto& output : actor.outputs) {
+    if (output->of_node) continue;
     d.outputs.push_back({.name = output->name,
                          .type = std::string(output->type.ros_name),
                          .qos = output->qos,
                          .command = output->command});
   }
-  for (const auto& service : actor.services)
-    d.services.push_back({.name = service->name, .type = std::string(service->type.ros_name)});
+  for (const auto& service : actor.services) {
+    if (!service->of_node)
+      d.services.push_back({.name = service->name, .type = std::string(service->type.ros_name)});
+  }
   for (const auto& client : actor.clients) {
     d.clients.push_back({.name = client->name,
                          .type = std::string(client->type.ros_name),
@@ -84,11 +92,41 @@ dds::EndpointOptions service_options(const std::string& topic, const MessageType
           .allocated_samples = 1};
 }
 
+std::vector<std::string> node_namespaces(const Graph& graph) {
+  std::vector<std::string> names;
+  for (const ComponentNode& node : graph.components) names.push_back(node.node_namespace);
+  std::ranges::sort(names);
+  names.erase(std::ranges::unique(names).begin(), names.end());
+  return names;
+}
+
+/// What every node of ROS 2 has.
+struct NodeParameters {
+  bool use_sim_time = false;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("use_sim_time", use_sim_time, {.doc = "time comes from /clock, as the command line says"});
+  }
+};
+
 dds::EndpointOptions endpoint_options(const std::string& topic, const MessageType& type, const Qos& qos) {
   return {.topic = dds_topic(topic),
           .type = std::string(type.dds_name),
           .qos = qos,
           .user_data = user_data_of(std::string(type.type_hash))};
+}
+
+/// Everybody may read a command; its readers in the graph hear its owner alone.
+std::vector<std::string> partitions_of(const OutputEnd& output) {
+  if (!output.command) return {};
+  const Actor& owner = output.owner;
+  return {"", command_partition(full_name({.node_namespace = owner.node_namespace, .name = owner.name}))};
+}
+
+std::vector<std::string> partitions_of(const Input& input) {
+  if (input.commander.empty()) return {};
+  return {command_partition(input.commander)};
 }
 
 }  // namespace
@@ -114,7 +152,8 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
 
   const bool lockstep = options_.clock == ClockMode::lockstep;
   ProcessServiceOptions service_options{
-      .publishes_clock = lockstep, .on_clock = nullptr, .timings = !lockstep};
+      .publishes_clock = lockstep, .on_clock = nullptr, .look_around = nullptr, .timings = !lockstep};
+  if (!lockstep) service_options.look_around = [this](Time now) { look_at_commands(now); };
   if (options_.clock == ClockMode::topic) {
     auto topic_clock = std::make_unique<TopicClock>();
     service_options.on_clock = [clock = topic_clock.get()](Time now) { clock->set(now); };
@@ -122,16 +161,25 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
   } else {
     clock_ = std::make_unique<MonotonicClock>();
   }
+  if (graph_.settings.external_lifecycle && lockstep && !options_.accept_inputs &&
+      options_.source == nullptr && !options_.is_partial) {
+    throw std::runtime_error(
+        "lifecycle: external waits for a manager from outside, and a run in lock-step takes nothing from outside without "
+        "--accept-inputs");
+  }
+  if (graph_.settings.external_lifecycle && !lockstep)
+    service_options.bond_namespaces = node_namespaces(graph_);
   auto services = std::make_unique<ProcessServices>(std::move(service_options), local_);
   services_ = services.get();
   const ComponentNode services_node{.name = services_name(only), .lane = "services"};
-  add_component(services_node, std::move(services), true);
+  add_component(services_node, std::move(services), true, ActorRole::process);
   std::vector<Violation> violations;
   for (const ComponentNode& node : graph_.components) {
     const auto own = std::ranges::find(extra, node.name, &ExtraComponent::name);
     try {
       add_component(node, own != extra.end() ? std::move(own->component) : make_or_refuse(node),
-                    only.empty() || node.process == only);
+                    only.empty() || node.process == only,
+                    own != extra.end() ? ActorRole::observer : ActorRole::component);
     } catch (const ConfigError& error) {
       for (const Violation& violation : error.violations()) violations.push_back(violation);
     } catch (const std::runtime_error& error) {
@@ -139,6 +187,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
     }
   }
   throw_if_any(std::move(violations));
+  if (!options_.is_partial) add_managers();
   if (lockstep) {
     outside_ = std::make_unique<OutsideInputs>(options_.accept_inputs, [](const std::string& text) {
       terminal().warn(text);  // not on /rosout: a refused message changes nothing, no sample either
@@ -147,12 +196,12 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
     if (options_.accept_inputs) {
       const ComponentNode& node = graph_.components.emplace_back(
           ComponentNode{.name = OutsideInputs::kNode, .type = OutsideInputs::kNode, .lane = "services"});
-      add_component(node, outside_->make_component(heard_outside_), true);
+      add_component(node, outside_->make_component(heard_outside_), true, ActorRole::observer);
       outside_actor_ = actors_.back().get();
     }
   }
   for (const auto& actor : actors_) {
-    if (actor->rank > 0) declarations_.push_back(declaration_of(*actor));
+    if (actor->is_in_graph()) declarations_.push_back(declaration_of(*actor));
   }
   if (!options_.is_partial) throw_if_any(check_graph(declarations_, graph_));
 }
@@ -168,8 +217,10 @@ Host::~Host() {
   }
 }
 
-void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here) {
+void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here,
+                         ActorRole role) {
   auto actor = std::make_unique<Actor>();
+  actor->role = role;
   actor->name = node.name;
   actor->node_namespace = node.node_namespace;
   actor->type = node.type;
@@ -177,12 +228,26 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
   actor->lane = node.lane;
   actor->rank = actors_.size();
   actor->latency = node.latency;
+  actor->live_parameters = LiveParameters(node.name);
   actor->component = std::move(component);
   if (here) local_.push_back(actor.get());
   actors_.push_back(std::move(actor));
   Actor& added = *actors_.back();
   HostSetup setup(*this, added, node);
   added.component->configure(setup);
+  setup.declare_for_the_node();
+  offer_lifecycle(added, setup);
+  offer_parameters(setup, added);
+}
+
+void Host::offer_parameters(Setup& setup, Actor& actor) {
+  actor.live_parameters.declare_read_only("", ParameterSet(NodeParameters{options_.clock != ClockMode::wall}),
+                                          "--clock decides it for the whole run");
+  offer_parameter_services(
+      setup, actor.live_parameters, [this, &actor](const Tick& tick, const std::vector<NamedValue>& changed) {
+        if (actor.state == lifecycle::State::unconfigured) actor.lifecycle->forget_parameters();
+        services_->tell_change(join_namespaces(actor.node_namespace, actor.name), tick.now, changed);
+      });
 }
 
 void Host::connect() {
@@ -201,10 +266,18 @@ void Host::connect() {
   } else {
     runner_ = std::make_unique<WallRunner>(local_, *clock_);
   }
+  std::vector<Actor*> all;
+  for (const auto& actor : actors_) all.push_back(actor.get());
+  const std::vector<WatchedTopic> watched = find_watched_topics(all, local_);
+  // In lock-step all ends are in the participant's own partition already.
+  const auto partitions = [lockstep](const auto& end) {
+    return lockstep ? std::vector<std::string>() : partitions_of(end);
+  };
   // Writers first: in one participant a match is immediate, so no reader misses a latched first sample.
   for (Actor* actor : local_) {
     for (const auto& output : actor->outputs) {
       dds::EndpointOptions options = endpoint_options(output->topic, output->type, output->qos);
+      options.partitions = partitions(*output);
       if (actor == outside_actor_) options.partitions = {private_partition};  // outside has said it already
       output->writer = participant_->create_writer(options);
       output->always_read = lockstep || (options_.tap && options_.tap->wants_everything());
@@ -213,13 +286,16 @@ void Host::connect() {
   if (options_.tap) tap_outputs();
   for (Actor* actor : local_) {
     for (const auto& input : actor->inputs) {
-      input->reader = participant_->create_reader(endpoint_options(input->topic, input->type, input->qos),
-                                                  [this, end = input.get()] { runner_->arrived(*end); });
+      dds::EndpointOptions options = endpoint_options(input->topic, input->type, input->qos);
+      options.partitions = partitions(*input);
+      input->reader =
+          participant_->create_reader(options, [this, end = input.get()] { runner_->arrived(*end); });
     }
   }
   for (Actor* actor : local_) connect_services(*actor);
   for (Actor* actor : local_) connect_clients(*actor);
   if (outside_) outside_->connect(*participant_, heard_outside_, local_);
+  if (!lockstep) command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
   announce_nodes();
 }
 
@@ -278,11 +354,14 @@ void Host::tap_outputs() {
 
 void Host::announce_nodes() {
   ParticipantEntities entities{.participant = participant_->guid(), .nodes = {}};
+  const auto& parameter_events = *std::ranges::find_if(
+      actors_.front()->outputs, [](const auto& o) { return o->topic == kParameterEvents; });
   for (const Actor* actor : local_) {
     NodeEntities node{
         .node_namespace = actor->node_namespace, .name = actor->name, .readers = {}, .writers = {}};
     for (const auto& input : actor->inputs) node.readers.push_back(input->reader->guid());
     for (const auto& output : actor->outputs) node.writers.push_back(output->writer->guid());
+    if (actor->rank > 0) node.writers.push_back(parameter_events->writer->guid());
     for (const auto& service : actor->services) {
       node.readers.push_back(service->reader->guid());
       node.writers.push_back(service->writer->guid());
@@ -299,19 +378,32 @@ void Host::announce_nodes() {
       entities, graph_.settings.ros_distro == "humble" ? GidFormat::humble : GidFormat::iron_and_later));
 }
 
+void Host::look_at_commands(Time now) {
+  if (!command_guard_) return;
+  Actor& services = *actors_.front();
+  for (const CommandWatch::News& news : command_guard_->look(now)) log(services, news.level, news.text);
+  using Level = DiagnosticReporter::Level;
+  Level level = Level::ok;
+  std::string message = "ok";
+  for (const auto& [topic, state] : command_guard_->states()) {
+    services.set_value(topic, state.text);
+    const Level its = state.level == LogLevel::error  ? Level::error
+                      : state.level == LogLevel::warn ? Level::warn
+                                                      : Level::ok;
+    if (its > level) message = topic + ": " + state.text;
+    level = std::max(level, its);
+  }
+  services.report(level, message);
+}
+
 RunEnd Host::run(std::optional<Duration> duration) {
   connect();
   started_ = runner_->now();
-  for (Actor* actor : local_) {
-    for (const auto& output : actor->outputs) output->sink = runner_.get();
-  }
-  for (Actor* actor : local_) actor->component->activate({.now = runner_->now()});
-  RunEnd end = runner_->run(duration);
+  const std::vector<Actor*> order = bring_up_order();
+  std::optional<RunEnd> failure = bring_up(order);
+  RunEnd end = failure ? *failure : runner_->run(duration);
   if (options_.tap) options_.tap->run_is_over();
-  const std::vector<Actor*> backwards(local_.rbegin(), local_.rend());
-  for (Actor* actor : backwards)
-    actor->component->deactivate({.now = runner_->now(), .health = Health::stop});
-  for (Actor* actor : backwards) actor->component->cleanup();
+  bring_down(order, end);
   return end;
 }
 
@@ -331,7 +423,7 @@ void Host::log(const Actor& actor, LogLevel level, const std::string& text) {
 std::vector<std::pair<std::string, ParameterReport>> Host::parameters() const {
   std::vector<std::pair<std::string, ParameterReport>> all;
   for (const auto& actor : actors_) {
-    if (actor->rank > 0) all.emplace_back(actor->name, actor->parameters);
+    if (actor->is_in_graph()) all.emplace_back(actor->name, actor->parameters);
   }
   return all;
 }

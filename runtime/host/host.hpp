@@ -21,6 +21,8 @@
 
 namespace bw {
 
+class HostSetup;
+
 enum class ClockMode {
   wall,      ///< real time, one thread per lane
   lockstep,  ///< virtual time, one thread
@@ -80,11 +82,23 @@ class Host {
   friend class HostSetup;
   friend class ProcessServices;
 
-  void add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here);
+  void add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here,
+                     ActorRole role);
+  void offer_lifecycle(Actor& actor, HostSetup& setup);
+  /// The two managers, unless one comes from outside.
+  void add_managers();
+  /// The process's own actors and the program's observers keep their places.
+  std::vector<Actor*> bring_up_order() const;
+  /// Activates all, or leaves them to a manager from outside; says why when one fails.
+  std::optional<RunEnd> bring_up(const std::vector<Actor*>& order);
+  /// Brings what is up to rest, backwards, whatever fails.
+  void bring_down(const std::vector<Actor*>& order, RunEnd& end);
+  void offer_parameters(Setup& setup, Actor& actor);
   void connect();
   void connect_services(Actor& actor);
   void connect_clients(Actor& actor);
   void announce_nodes();
+  void look_at_commands(Time now);
   void tap_outputs();
   void log(const Actor& actor, LogLevel level, const std::string& text);
   std::vector<Actor*> local_actors() const;
@@ -101,6 +115,7 @@ class Host {
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
   std::unique_ptr<dds::Writer> node_writer_;
+  std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step
   class ProcessServices* services_ = nullptr;
   std::optional<Time> started_;
   Duration time_to_rest_;  ///< the longest that a component asked for

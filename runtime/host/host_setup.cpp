@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "runtime/host/host.hpp"
+#include "runtime/host/rebinding.hpp"
 
 namespace bw {
 
@@ -16,9 +17,11 @@ std::filesystem::path HostSetup::file_parameter(std::string_view key) const {
 void HostSetup::every(Duration period, const std::string& name, TickHandler on_tick) {
   if (period <= Duration{})
     throw std::logic_error(actor_.name + ": the timer " + name + " has no positive period");
+  if (rebinding_ != nullptr) return rebinding_->timer(name, period, std::move(on_tick));
   auto timer = std::make_unique<Timer>();
   timer->actor = &actor_;
   timer->name = name;
+  timer->of_node = of_node_;
   timer->period = period;
   timer->handler = std::move(on_tick);
   timer->statistics.component = actor_.name;
@@ -53,17 +56,21 @@ std::function<void(bool, const std::string&)> HostSetup::finish_run() {
 
 OutputPort* HostSetup::add_output(const std::string& topic, const MessageType& type, const Qos& qos,
                                   bool command) {
+  if (rebinding_ != nullptr) return rebinding_->output(topic, type, qos, command);
   auto output = std::make_unique<OutputEnd>(actor_, node_.topic_of(topic), type, qos, command);
   output->name = topic;
+  output->of_node = of_node_;
   actor_.outputs.push_back(std::move(output));
   return actor_.outputs.back().get();
 }
 
 void HostSetup::add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind,
                           Need need, SampleHandler handler) {
+  if (rebinding_ != nullptr) return rebinding_->input(topic, type, qos, kind, std::move(handler));
   auto input = std::make_unique<Input>();
   input->actor = &actor_;
   input->name = topic;
+  input->of_node = of_node_;
   input->topic = node_.topic_of(topic);
   input->type = type;
   input->qos = qos;
@@ -71,6 +78,7 @@ void HostSetup::add_input(const std::string& topic, const MessageType& type, con
   input->kind = kind;
   input->need = need;
   if (const InputSettings* settings = node_.input(topic)) {
+    input->is_external = settings->external;
     input->max_age = settings->max_age;
     input->on_stale = settings->on_stale;
     if (input->max_age) actor_.watched.push_back(input.get());
@@ -80,17 +88,31 @@ void HostSetup::add_input(const std::string& topic, const MessageType& type, con
   actor_.inputs.push_back(std::move(input));
 }
 
+void HostSetup::keep_parameters(ParameterReport report, ParameterDeclaration declaration) {
+  actor_.parameters = std::move(report);
+  actor_.live_parameters.declare(std::move(declaration));
+}
+
+void HostSetup::keep_shared_parameters(std::string_view section, ParameterSet values) {
+  actor_.live_parameters.declare_read_only(std::string(section), std::move(values),
+                                           "components share it; it is set in the graph");
+}
+
 ServicePort& HostSetup::add_service(const std::string& name, const ServiceType& type, ServiceScope scope) {
+  if (rebinding_ != nullptr) return rebinding_->service(name, type);
   actor_.services.push_back(std::make_unique<ServiceEnd>(actor_, name, node_.topic_of(name), type, scope));
+  actor_.services.back()->of_node = of_node_;
   return *actor_.services.back();
 }
 
 // A request from outside of a run in lock-step is a message of that run: recorded, and heard again by a replay.
 void HostSetup::set_handler(ServicePort& port, RequestHandler handler) {
   auto& end = static_cast<ServiceEnd&>(port);
-  end.handler = std::move(handler);
   const bool hears_events = host_.options_.accept_inputs || host_.options_.source != nullptr;
-  if (!end.changes_something() || !is_lockstep() || !hears_events) return;
+  const bool is_in_the_run = handler.refuse != nullptr && is_lockstep() && hears_events;
+  if (rebinding_ != nullptr) return rebinding_->request_handler(end, std::move(handler));
+  end.handler = std::move(handler);
+  if (!is_in_the_run) return;
   add_input(end.name + kServiceEvent, end.type.event, Qos::standard(1000), InputKind::callback,
             Need::optional, [&end](std::span<const std::uint8_t> cdr, const Tick& tick) {
               ServiceEnd::Request request;
@@ -98,10 +120,13 @@ void HostSetup::set_handler(ServicePort& port, RequestHandler handler) {
               end.answer(request, tick.now);
               return true;
             });
+  actor_.inputs.back()->of_node = true;  // answered in every state, if only by a refusal
 }
 
 ClientPort* HostSetup::add_client(const std::string& name, const ServiceType& type, Need need) {
+  if (rebinding_ != nullptr) return rebinding_->client(name, type);
   actor_.clients.push_back(std::make_unique<ClientEnd>(actor_, name, node_.topic_of(name), type, need));
+  actor_.clients.back()->of_node = of_node_;
   return actor_.clients.back().get();
 }
 
@@ -113,8 +138,8 @@ const ConfigNode& HostSetup::shared_section(std::string_view section) const {
 
 // What a graph does not mention stays where it is.
 void HostSetup::comes_to_rest_within(std::string_view section, Duration time) {
-  if (host_.graph().shared.contains(std::string(section)))
-    host_.time_to_rest_ = std::max(host_.time_to_rest_, time);
+  if (host_.graph().shared.contains(std::string(section)) && time > host_.time_to_rest_)
+    host_.time_to_rest_ = time;
 }
 
 }  // namespace bw

@@ -10,10 +10,15 @@
 namespace bw {
 
 class Host;
+class Rebinding;
 
 class HostSetup final : public Setup {
  public:
-  HostSetup(Host& host, Actor& actor, const ComponentNode& node) : host_(host), actor_(actor), node_(node) {}
+  /// With `rebinding` a new instance declares the ends that the actor has already.
+  HostSetup(Host& host, Actor& actor, const ComponentNode& node, Rebinding* rebinding = nullptr)
+      : host_(host), actor_(actor), node_(node), rebinding_(rebinding) {}
+  /// What is declared from now on belongs to the node, whatever becomes of its component.
+  void declare_for_the_node() { of_node_ = true; }
 
   std::filesystem::path file_parameter(std::string_view key) const override;
   void every(Duration period, const std::string& name, TickHandler on_tick) override;
@@ -36,12 +41,15 @@ class HostSetup final : public Setup {
   std::string parameter_path() const override { return node_.name; }
   const ConfigNode& shared_section(std::string_view section) const override;
   void comes_to_rest_within(std::string_view section, Duration time) override;
-  void keep_parameters(ParameterReport report) override { actor_.parameters = std::move(report); }
+  void keep_parameters(ParameterReport report, ParameterDeclaration declaration) override;
+  void keep_shared_parameters(std::string_view section, ParameterSet values) override;
 
  private:
   Host& host_;
   Actor& actor_;
   const ComponentNode& node_;
+  Rebinding* rebinding_ = nullptr;
+  bool of_node_ = false;
 };
 
 }  // namespace bw

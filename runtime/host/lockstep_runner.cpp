@@ -52,7 +52,7 @@ RunEnd LockstepRunner::run(std::optional<Duration> duration) {
   for (Actor* actor : actors_) {
     for (const auto& input : actor->inputs) input->last_received = now_;
     for (const auto& timer : actor->timers) {
-      if (timer->is_periodic()) schedule_next(*timer, now_);
+      if (timer->is_periodic() && actor->runs(*timer)) schedule_next(*timer, now_);
     }
   }
   std::optional<Time> last = duration ? std::optional(now_ + *duration) : std::nullopt;
@@ -99,10 +99,9 @@ void LockstepRunner::dispatch(const Event& event) {
     complete(actor);
     return;
   }
-  // A deadline that was moved since.
-  if (event.timer != nullptr && !event.timer->is_periodic() && event.timer->next != event.time &&
-      !event.was_deferred)
-    return;
+  // Moved since, or of a component that is not active: activation sets it anew.
+  if (event.timer != nullptr && event.timer->next != event.time && !event.was_deferred) return;
+  if (event.timer != nullptr && !actor.runs(*event.timer)) return;
   // Keeping the newest message runs no user code, so it costs nothing and happens even while the actor is
   // busy.
   if (event.inlet != nullptr && !event.inlet->calls_component()) {

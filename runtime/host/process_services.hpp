@@ -1,22 +1,31 @@
-// What every process offers beside its components, as one more node: /clock in lock-step, /rosout and
-// /diagnostics.
+// What every process offers beside its components, as one more node: /clock in lock-step, /rosout, /parameter_events,
+// /diagnostics, the list of what runs in it, bonds.
 #pragma once
 
 #include <functional>
 #include <mutex>
+#include <string>
+#include <vector>
 
 #include <diagnostic_msgs/msg/diagnostic_array.hpp>
 #include <rcl_interfaces/msg/log.hpp>
+#include <rcl_interfaces/msg/parameter_event.hpp>
 #include <rosgraph_msgs/msg/clock.hpp>
 
 #include "runtime/component.hpp"
 #include "runtime/host/actor.hpp"
+#include "runtime/host/bonds.hpp"
 
 namespace bw {
 
+/// Every node is said to write here: ROS 2's tools look for it at each.
+inline constexpr const char* kParameterEvents = "/parameter_events";
+
 struct ProcessServiceOptions {
-  bool publishes_clock = false;        ///< lock-step
-  std::function<void(Time)> on_clock;  ///< hears /clock, when time comes from outside; empty: deaf
+  bool publishes_clock = false;                   ///< lock-step
+  std::function<void(Time)> on_clock;             ///< hears /clock, when time comes from outside; empty: deaf
+  std::function<void(Time)> look_around;          ///< every half second; empty: never
+  std::vector<std::string> bond_namespaces = {};  ///< where components have bonds with a manager from outside
   bool timings = true;  ///< statistics go into the diagnostics; off in lock-step, where nothing measured on a
                         ///< real clock may enter a sample
 };
@@ -24,21 +33,26 @@ struct ProcessServiceOptions {
 class ProcessServices final : public Component {
  public:
   ProcessServices(ProcessServiceOptions options, const std::vector<Actor*>& watched)
-      : options_(std::move(options)), watched_(watched) {}
+      : options_(std::move(options)), watched_(watched), bonds_(watched) {}
 
   void configure(Setup& setup) override;
   /// From any thread.
   void log(const std::string& name, Time stamp, LogLevel level, const std::string& text);
+  /// From any thread. `node` is a full name.
+  void tell_change(const std::string& node, Time stamp, const std::vector<NamedValue>& changed);
 
  private:
   void publish_diagnostics(Time now);
 
   ProcessServiceOptions options_;
   const std::vector<Actor*>& watched_;
+  Bonds bonds_;
   Output<rosgraph_msgs::msg::Clock> clock_;
   Output<diagnostic_msgs::msg::DiagnosticArray> diagnostics_;
   std::mutex log_mutex_;
   Output<rcl_interfaces::msg::Log> rosout_;
+  std::mutex event_mutex_;
+  Output<rcl_interfaces::msg::ParameterEvent> parameter_events_;
 };
 
 }  // namespace bw

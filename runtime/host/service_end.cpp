@@ -55,7 +55,17 @@ bool ServiceEnd::take_one(Time now, std::optional<Duration> waited) {
   return true;
 }
 
+bool ServiceEnd::is_closed() const {
+  if (!handler.handle) return true;
+  if (scope == ServiceScope::node || actor->is_active()) return false;
+  return changes_something() || actor->state != lifecycle::State::inactive;
+}
+
 void ServiceEnd::answer(const Request& request, Time now) {
+  if (is_closed()) {
+    refuse(request.from, actor->not_active());
+    return;
+  }
   const Duration start = thread_cpu_time();
   const bool accepted = handler.handle(request.cdr, request.from,
                                        Tick{.now = now, .health = actor->health(now), .sequence = calls_});
@@ -81,7 +91,11 @@ void ServiceEnd::complain_of(const Request& request) const {
 
 void ServiceEnd::refuse(const RequestId& from, const std::string& reason) {
   std::vector<std::uint8_t> cdr;
-  handler.refuse(reason, cdr);
+  if (handler.refuse) {
+    handler.refuse(reason, cdr);
+  } else {
+    handler.empty(cdr);
+  }
   reply(from, cdr);
 }
 

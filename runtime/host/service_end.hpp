@@ -36,7 +36,8 @@ class ServiceEnd final : public Inlet, public ServicePort {
   bool take_one(Time now, std::optional<Duration> waited) override;
   /// When the component's latency has passed; to a client that is not connected yet when it is, for at most a second.
   void reply(const RequestId& to, std::span<const std::uint8_t> cdr) override;
-  /// Answers it here and now: by the component, or why not.
+  /// Answers it here and now: by the component, or why not. A component that is not active changes nothing; one that is
+  /// inactive still tells.
   void answer(const Request& request, Time now);
   void refuse(const RequestId& from, const std::string& reason);
   /// It changes something, so that in lock-step it may not come from outside.
@@ -53,6 +54,7 @@ class ServiceEnd final : public Inlet, public ServicePort {
   ServiceScope scope;
   RequestHandler handler;
   bool keeps_foreign_apart = false;  ///< lock-step
+  bool of_node = false;              ///< declared by the runtime, not by the component
   std::function<void(const std::string& text)> complain;  ///< of requests that cannot be read
   std::unique_ptr<dds::Reader> reader;
   std::unique_ptr<dds::Writer> writer;
@@ -66,6 +68,7 @@ class ServiceEnd final : public Inlet, public ServicePort {
     Duration since;  ///< steady time
   };
 
+  bool is_closed() const;
   void sort_arrivals();
   void complain_of(const Request& request) const;
   void write(const RequestId& to, std::span<const std::uint8_t> cdr);

@@ -19,6 +19,7 @@ struct Timer {
   Duration period;  ///< zero: once, at `next`
   TickHandler handler;
   Time next = kNever;
+  bool of_node = false;  ///< the runtime's: it ticks in every state of the component
   std::uint64_t calls = 0;
   CallbackStatistics statistics;
 

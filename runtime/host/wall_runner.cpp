@@ -76,7 +76,7 @@ RunEnd WallRunner::run(std::optional<Duration> duration) {
   for (Actor* actor : actors_) {
     for (const auto& input : actor->inputs) input->last_received = start;
     for (const auto& timer : actor->timers) {
-      if (timer->is_periodic()) timer->next = start + timer->period;
+      if (timer->is_periodic() && actor->runs(*timer)) timer->next = start + timer->period;
     }
   }
   for (const auto& [name, lane] : lanes_) {
@@ -130,7 +130,8 @@ void WallRunner::fire_if_due(Lane& lane, Timer& timer, std::unique_lock<std::mut
   if (lane.stop) return;
   if (now < timer.next) {
     // An outside clock that went back: start counting anew.
-    if (timer.is_periodic() && timer.next - now > timer.period) timer.next = now + timer.period;
+    if (timer.is_periodic() && timer.next != Timer::kNever && timer.next - now > timer.period)
+      timer.next = now + timer.period;
     return;
   }
   if (!timer.is_periodic()) {

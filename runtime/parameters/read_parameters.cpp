@@ -33,6 +33,14 @@ namespace {
 
 bool is_in_range(double value, const Field& field) { return value >= field.min && value <= field.max; }
 
+std::string number_rule(const Field& field) {
+  return field.unit.empty() ? "must be a number" : "must be a number of " + std::string(field.unit);
+}
+
+bool is_plain(const ConfigNode& node) { return node.is_scalar() && !node.quoted; }
+
+}  // namespace
+
 std::string range_rule(const Field& field) {
   const bool below = std::isfinite(field.min), above = std::isfinite(field.max);
   std::string rule = "must be ";
@@ -45,14 +53,6 @@ std::string range_rule(const Field& field) {
   }
   return field.unit.empty() ? rule : rule.append(" ").append(field.unit);
 }
-
-std::string number_rule(const Field& field) {
-  return field.unit.empty() ? "must be a number" : "must be a number of " + std::string(field.unit);
-}
-
-bool is_plain(const ConfigNode& node) { return node.is_scalar() && !node.quoted; }
-
-}  // namespace
 
 void read_bool(const ConfigNode& node, const std::string& key, bool& value,
                std::vector<Violation>& violations) {

@@ -41,6 +41,8 @@ class ParameterReader {
 
 namespace detail {
 
+/// "must be between 0.1 and 100 Hz"
+std::string range_rule(const Field&);
 void read_bool(const ConfigNode&, const std::string& key, bool&, std::vector<Violation>&);
 bool read_integer(const ConfigNode&, const std::string& key, const Field&, std::int64_t& value,
                   std::int64_t lowest, std::int64_t highest, std::vector<Violation>&);

@@ -237,6 +237,15 @@ void check_text(std::string_view text, const std::string& file) {
 
 }  // namespace
 
+bool is_config_text(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = character_length(text, i);
+    if (length == 0) return false;
+    i += length;
+  }
+  return true;
+}
+
 ConfigNode parse_yaml(std::string_view text, const std::string& file) {
   check_text(text, file);
   TreeBuilder builder(file);

@@ -17,6 +17,9 @@ inline constexpr std::size_t kMaxYamlBytes =
 inline constexpr std::size_t kMaxYamlNodes = 100'000;
 inline constexpr std::size_t kMaxYamlDepth = 32;
 
+/// Printable UTF-8, as a configuration may hold it.
+bool is_config_text(std::string_view text);
+
 /// Throws ConfigError with `file` and the line. `file` may be any name that a person recognises.
 ConfigNode parse_yaml(std::string_view text, const std::string& file);
 

@@ -21,7 +21,7 @@ namespace bw::replay {
 namespace {
 
 /// Every process says these for itself.
-const std::set<std::string> kOfTheProcess = {"/rosout", "/diagnostics", "/clock"};
+const std::set<std::string> kOfTheProcess = {"/rosout", "/diagnostics", "/clock", "/parameter_events"};
 
 /// Topics with the nodes that write them.
 using Outputs = std::set<std::pair<std::string, std::string>>;
@@ -136,6 +136,7 @@ ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions&
   keep_only(graph, options.run);
   const auto metadata = recording.metadata();
   const bool is_lockstep = entry(metadata, "bandwagon", "clock") == "lockstep";
+  if (!is_lockstep) graph.settings.external_lifecycle = false;  // what its manager said is not in the bag
   std::set<std::string> recorded;
   for (const bag::BagTopic& topic : recording.topics()) {
     // In real time, what nobody reads is not sent.

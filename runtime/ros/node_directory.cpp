@@ -1,5 +1,6 @@
 #include "runtime/ros/node_directory.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace bw {
@@ -24,17 +25,26 @@ bool NodeDirectory::update() {
     is_new = true;
     std::erase_if(participants_,
                   [&](const auto& known) { return known.participant == entities->participant; });
+    // Names stay: a node that goes says so by a message without it, which comes before anybody has asked.
+    add_names(*entities);
     participants_.push_back(std::move(*entities));
   }
-  if (!is_new) return false;
+  return is_new;
+}
+
+void NodeDirectory::keep_only(const std::vector<dds::Guid>& participants) {
+  std::erase_if(participants_, [&](const ParticipantEntities& known) {
+    return std::ranges::find(participants, known.participant) == participants.end();
+  });
   node_of_.clear();
-  for (const ParticipantEntities& participant : participants_) {
-    for (const NodeEntities& node : participant.nodes) {
-      for (const dds::Guid& guid : node.readers) node_of_[guid] = full_name(node);
-      for (const dds::Guid& guid : node.writers) node_of_[guid] = full_name(node);
-    }
+  for (const ParticipantEntities& participant : participants_) add_names(participant);
+}
+
+void NodeDirectory::add_names(const ParticipantEntities& participant) {
+  for (const NodeEntities& node : participant.nodes) {
+    for (const dds::Guid& guid : node.readers) node_of_[guid] = full_name(node);
+    for (const dds::Guid& guid : node.writers) node_of_[guid] = full_name(node);
   }
-  return true;
 }
 
 std::string NodeDirectory::node_of(const dds::Guid& endpoint) const {

@@ -20,11 +20,15 @@ class NodeDirectory {
 
   /// Reads what came; true when something did.
   bool update();
+  /// Forgets all other participants, and the names of ends that are gone.
+  void keep_only(const std::vector<dds::Guid>& participants);
   [[nodiscard]] const std::vector<ParticipantEntities>& participants() const { return participants_; }
   /// Its full name, /robot1/base; empty when nobody has named the endpoint.
   [[nodiscard]] std::string node_of(const dds::Guid& endpoint) const;
 
  private:
+  void add_names(const ParticipantEntities& participant);
+
   std::unique_ptr<dds::Reader> reader_;
   std::vector<ParticipantEntities> participants_;
   std::map<dds::Guid, std::string> node_of_;

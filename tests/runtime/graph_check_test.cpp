@@ -75,6 +75,24 @@ TEST(CheckGraph, RefusesASecondPublisherOfACommand) {
                           "already: planner (drive.yaml:4)"));
 }
 
+TEST(CheckGraph, RefusesACommandThatComesBackToWhoGaveIt) {
+  auto ends = declarations();
+  ends[1].inputs.push_back({"cmd_vel_hand", kTwist, Qos::command()});
+  ends[2].outputs.push_back({"cmd_vel_safe", kTwist, Qos::command(), true});
+  const std::string back = "    remap: {cmd_vel_hand: cmd_vel_safe}\n";
+  EXPECT_THAT(
+      texts(ends, drive(back)),
+      ElementsAre(
+          "drive.yaml:4: components.planner: its command comes back to it: planner -> motor -> planner; remap "
+          "one of these topics"));
+  // Seen, or turned into something else, it is no loop.
+  ends[1].inputs[1].only_newest = true;
+  EXPECT_THAT(texts(ends, drive(back)), IsEmpty());
+  ends[1].inputs[1] = {"cmd_vel_hand", kOdometry, Qos::command()};
+  ends[2].outputs[0].type = kOdometry;
+  EXPECT_THAT(texts(ends, drive(back)), IsEmpty());
+}
+
 TEST(CheckGraph, RefusesAnInputThatNobodyFeeds) {
   auto ends = declarations();
   ends[2].inputs[0].name = "cmd_vel_safe";

@@ -129,7 +129,7 @@ TEST(LoadGraph, RefusesUnknownKeysWithTheNearestKnown) {
             "g.yaml:4: components.world.inputs.odom.maxage: unknown key; did you mean 'max_age'?");
   EXPECT_EQ(refusal("components:\n  world:\n    colour: a\n"),
             "g.yaml:3: components.world.colour: unknown key; known: type, process, lane, enabled, latency, "
-            "namespace, parameters, remap, inputs");
+            "manager, namespace, parameters, remap, inputs");
 }
 
 TEST(LoadGraph, RefusesWrongValues) {
@@ -302,6 +302,51 @@ TEST(LoadGraph, RefusesASnapshotSectionInWords) {
   EXPECT_EQ(said("{to: x, on: [{topic: /a, field: b, above: 1, below: 3}]}"), together);
   EXPECT_EQ(said("{to: x, on: [{topic: /a, field: b, above: high}]}"),
             "g.yaml:1: snapshot.on.above = high: must be a number");
+}
+
+std::vector<std::string> bring_up_of(const Graph& graph) {
+  std::vector<std::string> names;
+  for (const ComponentNode* node : graph.bring_up_order()) names.push_back(node->name);
+  return names;
+}
+
+TEST(LoadGraph, ReadsLifecycleManagersAndTheOrderOfBringUp) {
+  const Folder folder;
+  const Graph graph = load_graph(folder.write("g.yaml", R"(
+lifecycle: external
+bring_up: [map_server, amcl]
+components:
+  planner:
+  amcl: {manager: localization}
+  base: {manager: none}
+  map_server: {manager: localization}
+)"));
+  EXPECT_TRUE(graph.settings.external_lifecycle);
+  EXPECT_THAT(bring_up_of(graph), ElementsAre("map_server", "amcl", "planner", "base"));
+  EXPECT_EQ(graph.find("planner")->manager, Manager::navigation);
+  EXPECT_EQ(graph.find("amcl")->manager, Manager::localization);
+  EXPECT_EQ(graph.find("base")->manager, Manager::none);
+
+  const Graph plain = load_graph(folder.write("p.yaml", "components: {b: , a: }"));
+  EXPECT_FALSE(plain.settings.external_lifecycle);
+  EXPECT_THAT(bring_up_of(plain), ElementsAre("b", "a"));
+}
+
+TEST(LoadGraph, RefusesABringUpThatIsNotOfThisGraph) {
+  const std::string text = refusal(R"(lifecycle: ours
+bring_up:
+  - planer
+  - planner
+  - planner
+components:
+  planner: {manager: nav}
+)");
+  EXPECT_THAT(text, ::testing::HasSubstr("g.yaml:1: lifecycle = ours: must be one of own, external"));
+  EXPECT_THAT(text,
+              ::testing::HasSubstr("g.yaml:3: bring_up = planer: unknown component; did you mean 'planner'?"));
+  EXPECT_THAT(text, ::testing::HasSubstr("g.yaml:5: bring_up = planner: must be named once"));
+  EXPECT_THAT(text, ::testing::HasSubstr("g.yaml:7: components.planner.manager = nav: must be one of"));
+  EXPECT_THAT(refusal("bring_up: planner\ncomponents: {planner: }"), ::testing::HasSubstr("bring_up"));
 }
 
 }  // namespace

@@ -4,7 +4,12 @@
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <nav_msgs/msg/path.hpp>
 
+#include "components/global_planner/adaptor/plan_messages.hpp"
+#include "components/global_planner/adaptor/planner_services.hpp"
+#include "components/global_planner/costs.hpp"
+#include "components/global_planner/global_planner_parameters.hpp"
 #include "components/global_planner/planner.hpp"
+#include "components/messages/costmap.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
 #include "components/model/robot.hpp"
@@ -12,48 +17,16 @@
 #include "runtime/transforms/transform_tree.hpp"
 
 namespace bw {
-namespace {
-
-struct GlobalPlannerParameters {
-  double standing_speed = 0.2;   ///< [m/s]
-  double standing_within = 5.0;  ///< [m]
-  GlobalPlannerOptions planner;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("standing_speed", standing_speed,
-      {.unit = "m/s", .min = 0, .max = 5, .doc = "tracks slower than this stand in the way; 0: none do"});
-    v("standing_within", standing_within,
-      {.unit = "m", .min = 0, .max = 100, .doc = "only tracks this near to the start count"});
-    planner.fields(v);
-  }
-};
-
-std::uint8_t to_code(PathStatus status) {
-  namespace codes = bandwagon_msgs::msg::PlanResult_Constants;
-  switch (status) {
-    case PathStatus::ok:
-      return codes::SUCCEEDED;
-    case PathStatus::start_blocked:
-      return codes::START_BLOCKED;
-    case PathStatus::goal_blocked:
-      return codes::GOAL_BLOCKED;
-    case PathStatus::disconnected:
-      return codes::DISCONNECTED;
-    case PathStatus::no_map:
-      return codes::NO_MAP;
-    case PathStatus::bad_request:
-      break;
-  }
-  return codes::BAD_REQUEST;
-}
-
-}  // namespace
 
 class GlobalPlannerComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    options_ = setup.parameters<GlobalPlannerParameters>();
+    options_ = setup.parameters<GlobalPlannerParameters>(
+        [this](const GlobalPlannerParameters& changed, const Tick&) {
+          options_ = changed;
+          planner_.set_options(changed.planner);
+        },
+        {"clearance_range", "clearance_weight", "unknown_is_obstacle", "occupied_at"});
     robot_radius_ = setup.shared<Robot>("robot").radius;
     planner_ = Planner(options_.planner);
     log_ = setup.log();
@@ -67,6 +40,9 @@ class GlobalPlannerComponent final : public Component {
     setup.input<bandwagon_msgs::msg::PlanRequest>(
         "plan_request", Qos::standard(),
         [this](const auto& request, const Tick& tick) { answer(request, tick.now); });
+    offer_planner_services(
+        setup, {.check = [this](const nav_msgs::msg::Path& path, Time now) { return check(path, now); },
+                .costs = [this](Time now) { return costs(now); }});
   }
 
  private:
@@ -74,18 +50,36 @@ class GlobalPlannerComponent final : public Component {
     OccupancyGrid grid;
     std::string fault = read_grid(message, grid);
     if (fault.empty()) fault = planner_.set_map(grid, robot_radius_);
-    if (fault.empty()) map_frame_ = message.header().frame_id();
-    if (!fault.empty()) log_.warn("the map is not used: {}", fault);
+    if (!fault.empty()) {
+      log_.warn("the map is not used: {}", fault);
+      return;
+    }
+    map_ = std::move(grid);
+    map_frame_ = message.header().frame_id();
+  }
+
+  /// Says nothing in the log: in lock-step a line is a sample of the run, and a question must not make one.
+  PathCheck check(const nav_msgs::msg::Path& message, Time now) {
+    const std::string& frame = message.header().frame_id();
+    const bool is_in_map = frame.empty() || frame == map_frame_;
+    const auto X_MF = is_in_map ? std::optional(Pose2{}) : transforms_->lookup_planar(map_frame_, frame);
+    if (map_frame_.empty() || !X_MF) return {};
+    std::vector<Pose2> path = from_path(message);
+    for (Pose2& pose : path) pose = *X_MF * pose;
+    const auto X_MB = transforms_->lookup_planar(map_frame_, base_frame_);
+    if (!X_MB) return planner_.check(path, std::nullopt);
+    return planner_.check(path, X_MB->position(), standing_people(*X_MB, now));
+  }
+
+  nav2_msgs::msg::Costmap costs(Time now) const {
+    if (map_frame_.empty()) return {};
+    return to_costmap(map_, costs_of(planner_.grid(), map_, options_.planner.clearance_weight), map_frame_,
+                      now);
   }
 
   void answer(const bandwagon_msgs::msg::PlanRequest& request, Time now) {
     const PathResult result = plan(request, now);
-    bandwagon_msgs::msg::PlanResult message;
-    message.header(make_header(map_frame_, now));
-    message.id(request.id());
-    message.status(to_code(result.status));
-    message.reason(result.reason);
-    message.path(to_path(map_frame_, now, result.path));
+    const auto message = to_plan_result(result, request.id(), make_header(map_frame_, now));
     result_.publish(message);
     if (result.status == PathStatus::ok) plan_.publish(message.path());
   }
@@ -133,6 +127,7 @@ class GlobalPlannerComponent final : public Component {
   double robot_radius_ = 0.0;
   Planner planner_;
   Logger log_;
+  OccupancyGrid map_;      ///< that the planner was given
   std::string map_frame_;  ///< empty until a usable map came
   std::string base_frame_;
   std::shared_ptr<const TransformTree> transforms_;

@@ -26,7 +26,9 @@ std::size_t thread_count(std::int64_t wanted, bool lockstep) {
 }  // namespace
 
 void LocalPlannerComponent::configure(Setup& setup) {
-  parameters_ = setup.parameters<LocalPlannerParameters>();
+  parameters_ = setup.parameters<LocalPlannerParameters>(
+      [this](const LocalPlannerParameters& changed, const Tick&) { use(changed); },
+      {"algorithm", "controller_frequency", "max_iterations", "max_cycle_time", "threads"});
   robot_ = setup.shared<Robot>("robot");
   planner_ = make_planner(parameters_.algorithm, parameters_.planners);
   period_ = 1.0 / parameters_.controller_frequency;
@@ -41,6 +43,7 @@ void LocalPlannerComponent::configure(Setup& setup) {
   tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::command());
   obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::command());
   transforms_ = setup.transforms();
+  speed_.listen(setup, robot_.limits);
   setup.input<bandwagon_msgs::msg::FollowRequest>(
       "follow_request", Qos::standard(), [this](const auto& request, const Tick&) { on_request(request); });
   command_ = setup.command<geometry_msgs::msg::Twist>("cmd_vel_nav");
@@ -54,6 +57,13 @@ void LocalPlannerComponent::activate(const Tick&) {
   if (threads_ > 1) pool_.emplace(threads_);
 }
 
+void LocalPlannerComponent::use(const LocalPlannerParameters& parameters) {
+  std::unique_ptr<LocalPlanner> planner = make_planner(parameters.algorithm, parameters.planners);
+  planner->continue_from(*planner_);
+  planner_ = std::move(planner);
+  parameters_ = parameters;
+}
+
 void LocalPlannerComponent::on_request(const bandwagon_msgs::msg::FollowRequest& request) {
   if (request.mode() != request_.mode()) planner_->reset();
   request_ = request;
@@ -64,7 +74,7 @@ void LocalPlannerComponent::on_request(const bandwagon_msgs::msg::FollowRequest&
 }
 
 PlanningProblem LocalPlannerComponent::make_problem(const Tick& tick, std::string& missing) {
-  PlanningProblem problem{.now = tick.now, .footprint = {.radius = robot_.radius}, .limits = robot_.limits};
+  PlanningProblem problem{.now = tick.now, .footprint = {.radius = robot_.radius}, .limits = speed_.limits()};
   problem.control_period = period_;
   problem.command_lead = parameters_.command_lead;
   problem.goal_tolerance = goal_tolerance_of(request_);

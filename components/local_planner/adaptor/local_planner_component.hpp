@@ -17,6 +17,7 @@
 #include "components/local_planner/adaptor/cycle_watch.hpp"
 #include "components/local_planner/local_planner_parameters.hpp"
 #include "components/local_planner/plan_window.hpp"
+#include "components/messages/speed_limit.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/transform_tree.hpp"
@@ -32,6 +33,8 @@ class LocalPlannerComponent final : public Component {
   void cleanup() override;
 
  private:
+  /// From the next cycle on; the planner goes on from where it is.
+  void use(const LocalPlannerParameters& parameters);
   void on_request(const bandwagon_msgs::msg::FollowRequest& request);
   void control_cycle(const Tick& tick);
   /// `missing` names what is needed and not there yet.
@@ -51,6 +54,7 @@ class LocalPlannerComponent final : public Component {
   std::string told_;     ///< about tolerances that are not used
   bool at_rest_ = true;  ///< STOP was obeyed: nothing more to say
 
+  LimitedSpeed speed_;
   Latest<nav_msgs::msg::Odometry> odometry_;
   Latest<bandwagon_msgs::msg::Tracks> tracks_;
   Latest<bandwagon_msgs::msg::Obstacles> obstacles_;

@@ -23,6 +23,9 @@ class HrvoPlanner final : public CheckedPlanner {
  private:
   PlanningResult drive(const PlanningProblem& problem) override;
   void forget() override { last_.reset(); }
+  void remember(const CheckedPlanner& earlier) override {
+    if (const auto* other = dynamic_cast<const HrvoPlanner*>(&earlier)) last_ = other->last_;
+  }
 
   HrvoOptions options_;
   std::optional<Vector2> last_;  ///< velocity advised

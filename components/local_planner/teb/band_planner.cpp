@@ -75,6 +75,16 @@ void BandPlanner::forget() {
   acceleration_ = 0.0;
 }
 
+void BandPlanner::remember(const CheckedPlanner& earlier) {
+  const auto* other = dynamic_cast<const BandPlanner*>(&earlier);
+  if (other == nullptr) return;
+  bands_ = other->bands_;
+  planned_at_ = other->planned_at_;
+  switched_at_ = other->switched_at_;
+  goal_ = other->goal_;
+  acceleration_ = other->acceleration_;
+}
+
 PlanningResult BandPlanner::drive(const PlanningProblem& problem) {
   const BandOptions& band = options_.teb.band;
   Cycle cycle{.problem = problem,

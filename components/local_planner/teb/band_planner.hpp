@@ -41,6 +41,7 @@ class BandPlanner final : public CheckedPlanner {
 
   PlanningResult drive(const PlanningProblem& problem) override;
   void forget() override;
+  void remember(const CheckedPlanner& earlier) override;
 
   /// The bands of the last cycle from where the robot is now.
   std::vector<BandCandidate> kept_candidates(const PlanningProblem& problem);

@@ -17,7 +17,16 @@ Eigen::Matrix3d usual_covariance(const InitialPoseParameters& pose) {
 }  // namespace
 
 void LocalizationComponent::configure(Setup& setup) {
-  parameters_ = setup.parameters<LocalizationParameters>();
+  // The filters are fixed: what they know was learnt with their parameters.
+  parameters_ = setup.parameters<LocalizationParameters>(
+      [this](const LocalizationParameters& changed, const Tick&) {
+        parameters_ = changed;
+        inputs_.set_noise(changed.sensors);
+        wheels_.set_noise(changed.sensors.wheel_noise);
+      },
+      {"algorithm", "set_initial_pose", "start_anywhere", "sensors.gyro", "sensors.compass", "sensors.gps",
+       "sensors.course", "sensors.laser", "sensors.ranges", "sensors.poses", "datum", "pose_rate", "ekf",
+       "particle_filter"});
   inputs_.configure(setup, parameters_);
   wheels_ = {inputs_.wheels(), setup.shared<Robot>("robot").wheel_separation,
              parameters_.sensors.wheel_noise};
@@ -50,14 +59,14 @@ void LocalizationComponent::listen(Setup& setup) {
   setup.input<PoseWithCovarianceStamped>(
       "initialpose", Qos::standard(), [this](const auto& m, const Tick& tick) { on_initial_pose(m, tick); },
       Need::optional);
-  setup.input<std_msgs::msg::Empty>(
-      "reinitialize_global_localization", Qos::standard(),
-      [this](const auto&, const Tick& tick) { search(tick.now); }, Need::optional);
+  offer_services(setup);
 }
 
 void LocalizationComponent::activate(const Tick& tick) {
   const InitialPoseParameters& pose = parameters_.initial_pose;
-  if (parameters_.set_initial_pose) start_at({pose.x, pose.y, pose.yaw}, usual_covariance(pose), tick.now);
+  // Active again after a pause it knows better where it is.
+  if (parameters_.set_initial_pose && !filter_->initialised())
+    start_at({pose.x, pose.y, pose.yaw}, usual_covariance(pose), tick.now);
 }
 
 void LocalizationComponent::on_odometry(const nav_msgs::msg::Odometry& message, const Tick& tick) {

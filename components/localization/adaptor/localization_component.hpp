@@ -6,7 +6,6 @@
 #include <string>
 
 #include <nav_msgs/msg/occupancy_grid.hpp>
-#include <std_msgs/msg/empty.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/localization/adaptor/localization_messages.hpp"
@@ -24,6 +23,7 @@ class LocalizationComponent final : public Component {
 
  private:
   void listen(Setup& setup);
+  void offer_services(Setup& setup);
   void on_odometry(const nav_msgs::msg::Odometry& message, const Tick& tick);
   void on_initial_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message, const Tick& tick);
   void on_map(const nav_msgs::msg::OccupancyGrid& message, const Tick& tick);

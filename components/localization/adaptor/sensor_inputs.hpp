@@ -25,6 +25,9 @@ class SensorInputs {
   /// outlives this.
   void listen(Setup& setup, Localizer& filter);
 
+  /// How noisy sensors are that do not say so themselves.
+  void set_noise(const SensorParameters& sensors) { sensors_ = sensors; }
+
   const SourceNames& names() const { return names_; }
   int wheels() const { return wheels_; }
 

@@ -51,8 +51,7 @@ class ParticleFilter final : public Localizer {
 
   Outcome add(const Measurement& measurement, Time now) override;
   Outcome add(const LaserReading& reading, Time now) override;
-  /// Uses the next sweep whether the robot moved or not (AMCL: request_nomotion_update).
-  void use_next_sweep() { use_next_sweep_ = true; }
+  void use_next_sweep() override { use_next_sweep_ = true; }
 
   bool initialised() const override { return initialised_; }
   /// Mean and covariance of the set as weighed by the last measurement, before it was drawn anew; with lasers

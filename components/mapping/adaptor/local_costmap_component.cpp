@@ -6,10 +6,12 @@
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
 
+#include "components/mapping/adaptor/costmap_services.hpp"
 #include "components/mapping/costmap/inflation.hpp"
 #include "components/mapping/costmap/local_grid.hpp"
 #include "components/mapping/costmap/map_fill.hpp"
 #include "components/mapping/local_costmap_parameters.hpp"
+#include "components/messages/costmap.hpp"
 #include "components/messages/grid.hpp"
 #include "components/messages/laser.hpp"
 #include "components/messages/obstacles.hpp"
@@ -25,7 +27,13 @@ namespace bw::costmap {
 class LocalCostmapComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    parameters_ = setup.parameters<LocalCostmapParameters>();
+    parameters_ = setup.parameters<LocalCostmapParameters>(
+        [this](const LocalCostmapParameters& changed, const Tick&) {
+          parameters_ = changed;
+          grid_->set_options(changed.grid);
+          inflation_.emplace(changed.inflation, robot_radius_, changed.grid.resolution);
+        },
+        {"use_map", "width", "height", "resolution"});
     robot_radius_ = setup.shared<Robot>("robot").radius;
     grid_.emplace(parameters_.grid);
     inflation_.emplace(parameters_.inflation, robot_radius_, parameters_.grid.resolution);
@@ -47,6 +55,8 @@ class LocalCostmapComponent final : public Component {
           "map", Qos::latched(), [this](const auto& message, const Tick&) { keep_map(message); });
     }
     setup.every(Duration::milliseconds(10), "sweeps", [this](const Tick& tick) { take_in(tick.now); });
+    offer_services(setup,
+                   {.grid = grid_, .position = position_, .costs = [this](Time now) { return costs(now); }});
   }
 
  private:
@@ -81,21 +91,21 @@ class LocalCostmapComponent final : public Component {
     const SweepFault fault = grid_->add(to_sweep(message, X_OL), X_OB, robot_radius_, people_at(stamp));
     note(fault == SweepFault::none ? std::string() : to_text(fault));
     if (fault != SweepFault::none) return;
+    swept_ = stamp;
+    position_ = X_OB.position();
     // A tenth of a period for stamps that tremble.
     if (published_ && stamp - *published_ < Duration::seconds(0.9 / parameters_.rate) && stamp > *published_)
       return;
     published_ = stamp;
-    publish(stamp, X_OB.position());
+    publish(stamp);
   }
 
   /// Silent while no sweep is usable: whoever reads obstacles watches their age.
-  void publish(Time stamp, const Vector2& position) {
+  void publish(Time stamp) {
     cells_ = grid_->cells();
-    if (const auto X_MO =
-            map_frame_.empty() ? std::nullopt : transforms_->lookup_planar(map_frame_, odom_frame_))
-      fill_unknown(cells_, map_, *X_MO, {});
+    fill(cells_);
     const ExtractionResult near =
-        extract_obstacles(cells_, position, parameters_.obstacles, grid_->surface());
+        extract_obstacles(cells_, position_, parameters_.obstacles, grid_->surface());
     obstacles_.publish(to_message(near.obstacles, {}, odom_frame_, stamp));
     diagnostics_->set_value("shapes", std::to_string(near.obstacles.size()));
     diagnostics_->set_value("shapes_dropped", std::to_string(near.dropped));
@@ -103,6 +113,19 @@ class LocalCostmapComponent final : public Component {
     const std::vector<std::uint8_t>& costs = inflation_->costs(cells_);
     for (std::size_t i = 0; i < costs.size(); ++i) cells_.cells[i] = occupancy_of(costs[i]);
     costmap_.publish(to_message(cells_, odom_frame_, stamp));
+  }
+
+  nav2_msgs::msg::Costmap costs(Time now) {
+    OccupancyGrid cells = grid_->cells();
+    fill(cells);
+    return to_costmap(cells, inflation_->costs(cells), odom_frame_, swept_.value_or(now));
+  }
+
+  /// What nobody has seen takes what the map says.
+  void fill(OccupancyGrid& cells) const {
+    if (map_frame_.empty()) return;
+    if (const auto X_MO = transforms_->lookup_planar(map_frame_, odom_frame_))
+      fill_unknown(cells, map_, *X_MO, {});
   }
 
   std::vector<Disc> people_at(Time time) const {
@@ -129,6 +152,8 @@ class LocalCostmapComponent final : public Component {
   OccupancyGrid cells_;
   OccupancyGrid map_;
   WaitingScans waiting_;
+  std::optional<Time> swept_;   ///< stamp of the last sweep that was used
+  Vector2 position_{0.0, 0.0};  ///< of the robot in odom, at that time
   std::optional<Time> published_;
   Complaint fault_{"none came yet"};
   Logger log_;

@@ -1,5 +1,7 @@
-// Adaptor of the map server: one latched map.
+// Adaptor of the map server: one latched map, and services to ask for it and to put another in its place.
+#include <nav2_msgs/srv/load_map.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
+#include <nav_msgs/srv/get_map.hpp>
 
 #include "components/files/map_file.hpp"
 #include "components/files/shape_file.hpp"
@@ -9,6 +11,35 @@
 #include "runtime/component.hpp"
 
 namespace bw {
+namespace {
+
+using nav2_msgs::srv::LoadMap;
+using nav_msgs::srv::GetMap;
+
+std::uint8_t to_result(MapFault fault) {
+  namespace result = nav2_msgs::srv::LoadMap_Response_Constants;
+  switch (fault) {
+    case MapFault::none:
+      return result::RESULT_SUCCESS;
+    case MapFault::no_file:
+      return result::RESULT_MAP_DOES_NOT_EXIST;
+    case MapFault::bad_data:
+      return result::RESULT_INVALID_MAP_DATA;
+    case MapFault::bad_metadata:
+      return result::RESULT_INVALID_MAP_METADATA;
+    case MapFault::other:
+      break;
+  }
+  return result::RESULT_UNDEFINED_FAILURE;
+}
+
+LoadMap::Response response_of(MapFault fault) {
+  LoadMap::Response response;
+  response.result(to_result(fault));
+  return response;
+}
+
+}  // namespace
 
 class MapServerComponent final : public Component {
  public:
@@ -24,14 +55,49 @@ class MapServerComponent final : public Component {
       for (const Disc& circle : read_circles(circles.string())) draw_disc(grid_, circle);
     }
     frame_ = setup.frame("map");
+    log_ = setup.log();
     map_ = setup.output<nav_msgs::msg::OccupancyGrid>("map", Qos::latched());
+    setup.service<GetMap>("~/map", [this](const GetMap::Request&, const Tick&) {
+      GetMap::Response response;
+      response.map(message());
+      return response;
+    });
+    setup.service<LoadMap>(
+        "~/load_map",
+        [this](const LoadMap::Request& request, const Tick& tick) { return load(request.map_url(), tick); },
+        [](const std::string&) { return response_of(MapFault::other); });
   }
 
-  void activate(const Tick& tick) override { map_.publish(to_message(grid_, frame_, tick.now)); }
+  void activate(const Tick& tick) override {
+    since_ = tick.now;
+    map_.publish(message());
+  }
 
  private:
+  /// A map that cannot be used changes nothing.
+  LoadMap::Response load(const std::string& url, const Tick& tick) {
+    const auto file = path_of_url(url);
+    MapReading reading{.fault = MapFault::no_file, .reason = "'" + url + "' is no path and no file:// URL"};
+    if (file) reading = try_load_map(*file);
+    if (reading.fault != MapFault::none) {
+      log_.error("the map stays as it is: {}", reading.reason);
+      return response_of(reading.fault);
+    }
+    grid_ = std::move(reading.grid);
+    since_ = tick.now;
+    log_.info("map {}: {} x {} cells of {} m", file->string(), grid_.width, grid_.height, grid_.resolution);
+    LoadMap::Response response = response_of(MapFault::none);
+    response.map(message());
+    map_.publish(response.map());
+    return response;
+  }
+
+  nav_msgs::msg::OccupancyGrid message() const { return to_message(grid_, frame_, since_); }
+
   OccupancyGrid grid_;
+  Time since_;  ///< when it became the map
   std::string frame_;
+  Logger log_;
   Output<nav_msgs::msg::OccupancyGrid> map_;
 };
 

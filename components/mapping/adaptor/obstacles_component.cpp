@@ -26,7 +26,8 @@ struct ObstaclesOptions {
 class ObstaclesComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    options_ = setup.parameters<ObstaclesOptions>();
+    options_ = setup.parameters<ObstaclesOptions>(
+        [this](const ObstaclesOptions& changed, const Tick&) { options_ = changed; }, {"rate"});
     log_ = setup.log();
     odom_frame_ = setup.frame("odom");
     base_frame_ = setup.frame("base_link");

@@ -14,15 +14,11 @@
 #include <vector>
 
 #include "components/mapping/costmap/costmap_options.hpp"
+#include "components/model/cell_cost.hpp"
 #include "components/model/distance_transform.hpp"
 #include "components/model/occupancy_grid.hpp"
 
 namespace bw::costmap {
-
-inline constexpr std::uint8_t kFreeCost = 0;
-inline constexpr std::uint8_t kInscribedCost = 253;  ///< the robot's inscribed disc would touch an obstacle
-inline constexpr std::uint8_t kLethalCost = 254;
-inline constexpr std::uint8_t kUnknownCost = 255;
 
 /// Cost of a known cell at `distance` [m] from the nearest obstacle cell.
 std::uint8_t cost_at(double distance, double inscribed_radius, const InflationOptions& options);

@@ -58,6 +58,19 @@ void LocalGrid::clear() {
   empty_ = true;
 }
 
+void LocalGrid::clear_square(const Vector2& center, double edge, bool inside) {
+  for (int row = 0; row < grid_.height; ++row) {
+    for (int column = 0; column < grid_.width; ++column) {
+      const Vector2 offset = grid_.center(column, row) - center;
+      if ((offset.cwiseAbs().maxCoeff() <= edge / 2.0) != inside) continue;
+      const std::size_t i = grid_.index(column, row);
+      grid_.cells[i] = OccupancyGrid::kUnknown;
+      cells_[i] = {};
+      surface_[i].setZero();
+    }
+  }
+}
+
 SweepFault LocalGrid::add(const LaserSweep& sweep, const Pose2& X_OB, double robot_radius,
                           const std::vector<Disc>& people) {
   if (const SweepFault fault = fault_of(sweep); fault != SweepFault::none) return fault;

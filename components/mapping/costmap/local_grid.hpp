@@ -24,6 +24,9 @@ class LocalGrid {
  public:
   explicit LocalGrid(const GridOptions& options);
 
+  /// For the next sweep. Size and resolution stay.
+  void set_options(const GridOptions& options) { options_ = options; }
+
   /// Takes a sweep in, its scanner in odom. `X_OB`: base_link at that time; the window rolls to have it in
   /// the middle, and a disc of `robot_radius` [m] around it is free. `people`: where they are at that time,
   /// in odom; cells whose centre lies within radius + people_margin are neither marked nor kept. A sweep that
@@ -33,6 +36,10 @@ class LocalGrid {
                  const std::vector<Disc>& people);
 
   void clear();  ///< forgets everything; the next sweep may have any time
+
+  /// Forgets the cells with their centre in the axis-aligned square of this edge [m] around a point in odom, or all others.
+  void clear_inside(const Vector2& center, double edge) { clear_square(center, edge, true); }
+  void clear_outside(const Vector2& center, double edge) { clear_square(center, edge, false); }
 
   /// Free (0), occupied (100) or unknown (-1), in odom. Valid until the next call.
   const OccupancyGrid& cells() const { return grid_; }
@@ -62,6 +69,7 @@ class LocalGrid {
 
   Vector2 to_cells(const Vector2& p) const { return (p - grid_.origin) / grid_.resolution; }
   void roll_to(const Vector2& center);
+  void clear_square(const Vector2& center, double edge, bool inside);
   void mark_disc(const Vector2& center, double radius, Mark mark);
   void draw(const LaserSweep& sweep);
   void cross(const Vector2& from, const Vector2& unit, double range, bool hit);

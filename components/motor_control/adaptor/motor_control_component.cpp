@@ -6,6 +6,7 @@
 #include <nav2_msgs/msg/collision_monitor_state.hpp>
 
 #include "components/messages/geometry.hpp"
+#include "components/messages/speed_limit.hpp"
 #include "components/messages/wheel_joints.hpp"
 #include "components/motor_control/velocity_limiter.hpp"
 #include "runtime/component.hpp"
@@ -26,7 +27,9 @@ struct MotorControlOptions : LimiterOptions {
 class MotorControlComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    const auto options = setup.parameters<MotorControlOptions>();
+    const auto options = setup.parameters<MotorControlOptions>(
+        [this](const MotorControlOptions& changed, const Tick&) { limiter_->set_options(changed); },
+        {"rate"});
     robot_ = setup.shared<Robot>("robot");
     limiter_.emplace(robot_, options);
     log_ = setup.log();
@@ -43,6 +46,7 @@ class MotorControlComponent final : public Component {
           limiter_->set_braking(acts ? Braking::hard : Braking::smooth);
         },
         Need::optional);
+    speed_.listen(setup, robot_.limits);
     setup.every(Duration::seconds(1.0 / options.rate), "wheel_commands",
                 [this](const Tick& tick) { step(tick); });
   }
@@ -51,6 +55,7 @@ class MotorControlComponent final : public Component {
 
  private:
   void step(const Tick& tick) {
+    limiter_->allow(speed_.limits());
     const LimitedTwist limited =
         tick.health == Health::stop ? limiter_->stop(tick.now) : limiter_->step(tick.now);
     if (limited.state != state_) report(limited);
@@ -77,6 +82,7 @@ class MotorControlComponent final : public Component {
   }
 
   Robot robot_;
+  LimitedSpeed speed_;
   std::optional<VelocityLimiter> limiter_;
   LimiterState state_ = LimiterState::waiting;
   Twist2 last_;

@@ -23,7 +23,12 @@ using namespace bandwagon_msgs::msg;
 class NavigatorComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    parameters_ = setup.parameters<NavigatorParameters>();
+    parameters_ = setup.parameters<NavigatorParameters>(
+        [this](const NavigatorParameters& changed, const Tick&) {
+          parameters_ = changed;
+          navigator_->set_options(changed);
+        },
+        {"rate", "goal", "goals", "waypoint_pause", "number_of_loops", "stop_on_failure"});
     navigator_.emplace(parameters_);
     goals_.emplace(parameters_.goal_list());
     log_ = setup.log();

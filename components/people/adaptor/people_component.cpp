@@ -15,7 +15,15 @@ const Duration kMarkerLifetime = Duration::milliseconds(250);
 }  // namespace
 
 void PeopleComponent::configure(Setup& setup) {
-  const auto parameters = setup.parameters<PeopleParameters>();
+  const auto parameters = setup.parameters<PeopleParameters>(
+      [this](const PeopleParameters& changed, const Tick&) {
+        detector_->set_options(changed.detector);
+        tracker_->set_options(changed.tracker);
+        predictor_->set_options(changed.prediction);
+        obstacles_timeout_ = changed.obstacles_timeout;
+      },
+      {"detector.background", "tracker.motion", "tracker.alignment", "prediction.model", "prediction.step",
+       "prediction.calibration_rate"});
   detector_ = std::make_unique<Detector>(parameters.detector);
   tracker_ = std::make_unique<Tracker>(parameters.tracker);
   predictor_ = std::make_unique<Predictor>(parameters.prediction);

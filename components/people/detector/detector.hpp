@@ -28,6 +28,8 @@ class Detector {
  public:
   explicit Detector(const DetectorOptions& options);
 
+  /// For the next sweep. The background keeps what it was constructed with.
+  void set_options(const DetectorOptions& options) { options_ = options; }
   void set_map(const OccupancyGrid& map);
 
   /// `sweep` with its scanner in O. Of an unusable one (fault_for_people) nothing is detected, no direction

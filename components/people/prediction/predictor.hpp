@@ -26,6 +26,9 @@ class Predictor {
   explicit Predictor(const PredictionOptions& options)
       : options_(options), calibration_(options.calibration_rate) {}
 
+  /// For the next predictions. The calibration keeps its rate.
+  void set_options(const PredictionOptions& options) { options_ = options; }
+
   /// Sets the predictions of each of `people` at `now`, at step, 2 step, ... up to the horizon; none of a
   /// person who is not finite. `walls`, in the frame of the people, only matter to social_force.
   void predict(std::vector<TrackedPerson>& people, const StaticObstacles& walls, Time now);

@@ -52,6 +52,7 @@ Motion motion_of(const PersonTrack& person) {
 class Tracker::Impl {
  public:
   explicit Impl(const TrackerOptions& options) : options_(options), alignment_(options.alignment) {}
+  void set_options(const TrackerOptions& options) { options_ = options; }
 
   const std::vector<TrackedPerson>& update(const DetectionSet& sweep);
   const std::vector<TrackedPerson>& people() const { return reported_; }
@@ -344,6 +345,8 @@ void Tracker::Impl::report() {
 
 Tracker::Tracker(const TrackerOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 Tracker::~Tracker() = default;
+
+void Tracker::set_options(const TrackerOptions& options) { impl_->set_options(options); }
 
 const std::vector<TrackedPerson>& Tracker::update(const DetectionSet& sweep) { return impl_->update(sweep); }
 const std::vector<TrackedPerson>& Tracker::people() const { return impl_->people(); }

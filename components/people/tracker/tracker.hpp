@@ -26,6 +26,9 @@ class Tracker {
   Tracker& operator=(const Tracker&) = delete;
   ~Tracker();
 
+  /// For the next sweep. The alignment keeps what it was constructed with.
+  void set_options(const TrackerOptions& options);
+
   /// Confirmed people after this sweep, by rising id; valid until the next call. A sweep not later than the
   /// one before is ignored, except that a jump back of more than `longest_gap` or a longer silence forgets
   /// everybody. Detections that are not finite, whose covariance is not positive definite or

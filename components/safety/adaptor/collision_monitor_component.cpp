@@ -35,7 +35,9 @@ bool moves(const Twist2& twist) { return std::abs(twist.v) > kAtRest || std::abs
 class CollisionMonitorComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    options_ = setup.parameters<safety::CollisionMonitorOptions>();
+    options_ = setup.parameters<safety::CollisionMonitorOptions>(
+        [this](const safety::CollisionMonitorOptions& changed, const Tick&) { use(changed); },
+        {"source_timeout", "clear_after", "resume", "sweep"});
     robot_ = setup.shared<Robot>("robot");
     monitor_.emplace(robot_, options_);
     for (SensorMount& mount : robot_.sensors) mount.frame = setup.frame(mount.frame);
@@ -68,6 +70,12 @@ class CollisionMonitorComponent final : public Component {
   }
 
  private:
+  void use(const safety::CollisionMonitorOptions& changed) {
+    options_ = changed;
+    monitor_->set_options(changed);
+    last_.cause = "";  // it may have been the name of a zone
+  }
+
   void on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick) {
     monitor_->sweep(tick.now, to_sweep(message, robot_.mount_of(message.header().frame_id())));
     if (wanted_at_) pass_on(tick);

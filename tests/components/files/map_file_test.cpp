@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "components/files/map_image.hpp"
-#include "components/model/random.hpp"
 #include "tests/components/files/map_files.hpp"
 
 namespace bw {
@@ -197,41 +196,6 @@ TEST_F(MapFile, RefusesFilesThatAreNoFiles) {
   EXPECT_THAT(refusal(test::yaml_for("/dev/zero")), HasSubstr("must be a file"));
   EXPECT_THAT(refusal(test::yaml_for(".")), HasSubstr("must be a file"));
   EXPECT_THROW(load_map(folder_ / "none.yaml"), std::runtime_error);
-}
-
-TEST_F(MapFile, SavesWhatItLoads) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    SCOPED_TRACE(seed);
-    Random random(seed);
-    OccupancyGrid grid{.resolution = random.uniform(0.01, 1.0),
-                       .origin = {random.normal(0.0, 30.0), random.normal(0.0, 30.0)},
-                       .width = 1 + static_cast<int>(random.uniform(0, 30)),
-                       .height = 1 + static_cast<int>(random.uniform(0, 30))};
-    for (int i = 0; i < grid.width * grid.height; ++i) {
-      const int value = static_cast<int>(random.uniform(-1, 101));
-      grid.cells.push_back(static_cast<std::int8_t>(seed % 2 == 0 ? value
-                                                    : value < 30  ? -1
-                                                    : value < 60  ? 0
-                                                                  : 100));
-    }
-    save_map(grid, folder_ / "saved.yaml");
-    const OccupancyGrid loaded = load_map(folder_ / "saved.yaml");
-    EXPECT_EQ(loaded.cells, grid.cells);
-    EXPECT_EQ(loaded.width, grid.width);
-    EXPECT_EQ(loaded.resolution, grid.resolution);
-    EXPECT_EQ(loaded.origin, grid.origin);
-  }
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "saved.yaml.part"));
-}
-
-TEST_F(MapFile, SaysWhichFileCannotBeWritten) {
-  OccupancyGrid grid{.width = 1, .height = 1, .cells = {0}};
-  try {
-    save_map(grid, folder_ / "no/such/folder.yaml");
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("no/such/folder.pgm.part"), HasSubstr("No such file")));
-  }
 }
 
 // The sizes of the READMEs of the three recorded maps.

@@ -190,5 +190,25 @@ TEST(Planner, AnswersEqualRequestsEqually) {
   }
 }
 
+// A message that is no map must not take away the one that is.
+TEST(Planner, KeepsItsMapWhenAnotherIsRefused) {
+  Planner planner = planner_on(two_rooms());
+  OccupancyGrid broken = open_floor(1.0, 1.0);
+  broken.cells.pop_back();
+  EXPECT_NE(planner.set_map(broken, kRadius), "");
+  EXPECT_EQ(planner.plan({1.0, 1.0, 0.3}, {9.0, 1.0, 2.0}).status, PathStatus::ok);
+}
+
+// A map of another size, origin and resolution counts from the next plan on.
+TEST(Planner, TakesAnotherMap) {
+  Planner planner = planner_on(two_rooms());
+  OccupancyGrid moved = open_floor(2.0, 2.0);
+  moved.origin = {100.0, -50.0};
+  moved.resolution = 0.1;
+  EXPECT_EQ(planner.set_map(moved, kRadius), "");
+  EXPECT_EQ(planner.plan({1.0, 1.0, 0.3}, {9.0, 1.0, 2.0}).status, PathStatus::start_blocked);
+  EXPECT_EQ(planner.plan({101.0, -49.0, 0.0}, {103.0, -47.0, 0.0}).status, PathStatus::ok);
+}
+
 }  // namespace
 }  // namespace bw

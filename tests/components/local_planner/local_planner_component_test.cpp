@@ -1,6 +1,7 @@
 // The local planner on its topics in lock-step, with a script in place of robot, map and navigator.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <bandwagon_msgs/msg/follow_request.hpp>
@@ -10,6 +11,7 @@
 #include <diagnostic_msgs/msg/diagnostic_array.hpp>
 #include <geometry_msgs/msg/twist.hpp>
 #include <gtest/gtest.h>
+#include <nav2_msgs/msg/speed_limit.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <nav_msgs/msg/path.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
@@ -18,7 +20,9 @@
 #include "components/local_planner/planner_factory.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/model/differential_drive.hpp"
+#include "components/model/speed_limit.hpp"
 #include "tests/components/component_rig.hpp"
+#include "tests/components/parameter_change.hpp"
 
 namespace bw {
 namespace {
@@ -33,7 +37,8 @@ constexpr std::uint64_t kRequestId = 17;
 /// The neighbours of the planner. The robot obeys at once; people and obstacles are in the map.
 struct Neighbours {
   // What happens.
-  std::map<int, std::uint8_t> requests;  ///< mode by step
+  std::map<int, std::uint8_t> requests;        ///< mode by step
+  std::map<int, bw::SpeedLimit> speed_limits;  ///< by step
   std::vector<Pose2> path = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
   Obstacles obstacles;
   Tracks tracks;
@@ -42,6 +47,7 @@ struct Neighbours {
   int odometry_ends = 1'000'000;
   int odometry_begins = 0;
   bool transforms = true;
+  std::vector<NamedValue> change;  ///< of the planner's parameters, at 2.05 s
   // What is seen.
   Pose2 X_MB = kStart;
   Twist2 twist;
@@ -51,6 +57,7 @@ struct Neighbours {
   visualization_msgs::msg::MarkerArray markers;
   std::map<std::string, std::string> diagnostics;
   std::string diagnostic_message;
+  std::vector<std::string> refusals;  ///< of the changes
 
   void configure(bw::Setup& setup) {
     setup.input<geometry_msgs::msg::Twist>("cmd_vel_nav", Qos::command(),
@@ -74,11 +81,13 @@ struct Neighbours {
           }
         },
         Need::optional);
+    if (!change.empty()) change_parameters(setup, "/local_planner", 2.05, change, refusals);
     setup.every(
         Duration::seconds(kStep), "neighbours",
         [this, odometry = setup.output<nav_msgs::msg::Odometry>("odom"),
          obstacles_out = setup.output<Obstacles>("obstacles"), tracks_out = setup.output<Tracks>("tracks"),
          request = setup.output<FollowRequest>("follow_request"),
+         speed_limit = setup.output<nav2_msgs::msg::SpeedLimit>("speed_limit"),
          tf = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf())](const Tick& tick) mutable {
           const int step = static_cast<int>(tick.sequence);
           X_MB = advance_exact(X_MB, twist, kStep);
@@ -88,6 +97,12 @@ struct Neighbours {
           obstacles_out.publish(obstacles);
           tracks.header(make_header("map", tick.now - Duration::seconds(tracks_age)));
           tracks_out.publish(tracks);
+          if (const auto limit = speed_limits.find(step); limit != speed_limits.end()) {
+            nav2_msgs::msg::SpeedLimit limit_out;
+            limit_out.percentage(limit->second.percentage);
+            limit_out.speed_limit(limit->second.value);
+            speed_limit.publish(limit_out);
+          }
           if (!requests.contains(step)) return;
           FollowRequest message;
           message.id(kRequestId);
@@ -157,6 +172,37 @@ TEST_P(EveryPlanner, FollowsThePathOfTheMapToItsEnd) {
     ASSERT_LE(std::abs(now.v - before.v), limits.stop_deceleration * 0.1 + 1e-9) << i;
   }
   EXPECT_EQ(n.diagnostics["planner"], GetParam());
+}
+
+// 1 m/s at 3 s, when 0.3 m/s is asked for: 0.7 s of braking with 1 m/s^2 and a second for planners that brake more softly.
+// What is no limit changes nothing; 0 takes it away.
+TEST_P(EveryPlanner, KeepsASpeedLimit) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  Neighbours n;
+  n.requests = {{5, FollowRequest_Constants::FOLLOW}};
+  n.path.clear();
+  for (int i = 0; i <= 20; ++i) n.path.push_back({1.0 * i, 0.0, 0.0});
+  n.speed_limits = {{150, {false, 0.3}},
+                    {300, {false, kNan}},
+                    {310, {false, -1.0}},
+                    {320, {true, 150.0}},
+                    {400, {true, 0.0}}};
+  n.run(11.0, "parameters: {algorithm: " + std::string(GetParam()) + ", command_lead: 0.1}");
+  const Limits limits;
+  double before_limit = 0.0;
+  double slowest = 1.0;
+  for (std::size_t i = 1; i < n.commands.size(); ++i) {
+    const auto& [t, now] = n.commands[i];
+    ASSERT_LE(std::abs(now.v - n.commands[i - 1].second.v), limits.stop_deceleration * 0.1 + 1e-9) << t;
+    if (t < 3.0) before_limit = std::max(before_limit, now.v);
+    if (t > 5.0 && t < 8.0) {
+      ASSERT_LE(now.v, 0.3 + 1e-9) << t;
+      slowest = std::min(slowest, now.v);
+    }
+  }
+  EXPECT_GT(before_limit, 0.8);
+  EXPECT_GT(slowest, 0.15);
+  EXPECT_GT(n.twist.v, 0.8);
 }
 
 // The drive ends within half of what counts as reached, unless the planner has a figure of its own, which counts as long
@@ -306,6 +352,45 @@ TEST(LocalPlannerComponent, OnTheWallClockDiagnosticsTellTimesToo) {
   EXPECT_GT(std::stod(n.diagnostics["cycle_p95_ms"]), 0.0);
   // A microsecond has room for no iteration: the floor of the budget.
   EXPECT_EQ(n.diagnostics["iteration_budget"], "10");
+}
+
+/// Three seconds along a wall of one disc; parameters are changed at 2.05 s, between the cycles of 2.0 and 2.1 s.
+std::vector<std::pair<double, Twist2>> drive_with(const std::vector<NamedValue>& change,
+                                                  const std::string& refusal = "") {
+  Neighbours n;
+  n.requests = {{0, FollowRequest_Constants::FOLLOW}};
+  n.path = {{0, 0, 0}, {10, 0, 0}};
+  n.obstacles = one_disc(3.0, 0.8, 0.2);
+  n.change = change;
+  n.run(3.0);
+  EXPECT_EQ(n.refusals, std::vector<std::string>(change.empty() ? 0 : 1, refusal));
+  return n.commands;
+}
+
+// The command of 2.1 s is the first that a changed distance to obstacles has a part in.
+TEST(LocalPlannerComponent, TakesChangedParametersInTheNextCycle) {
+  const auto before = drive_with({});
+  const auto changed = drive_with({{"teb.band.min_obstacle_dist", 0.8}});
+  ASSERT_EQ(changed.size(), before.size());
+  const auto [first, other] = std::mismatch(before.begin(), before.end(), changed.begin());
+  ASSERT_NE(first, before.end());
+  EXPECT_NEAR(first->first, 2.1, 1e-6);
+}
+
+// A parameter of another planner has this one made anew. It drives on as if nothing had been: its bands are still there.
+TEST(LocalPlannerComponent, KeepsItsBandsWhenParametersChange) {
+  EXPECT_EQ(drive_with({{"hrvo.lookahead", 2.0}}), drive_with({}));
+}
+
+TEST(LocalPlannerComponent, DrivesOnWhenAChangeIsRefused) {
+  const auto before = drive_with({});
+  EXPECT_EQ(drive_with({{"teb.band.min_obstacle_dist", -0.1}},
+                       "teb.band.min_obstacle_dist = -0.1: must be between 0 and 10 m"),
+            before);
+  EXPECT_EQ(
+      drive_with({{"algorithm", "dwa"}},
+                 "algorithm may not change while local_planner is active; deactivate and clean up first"),
+      before);
 }
 
 TEST(LocalPlannerComponent, RefusesAnUnknownPlannerByName) {

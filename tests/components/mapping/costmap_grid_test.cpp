@@ -318,5 +318,46 @@ TEST(LocalGrid, KnowsTheSurfaceBetterThanItsCells) {
   EXPECT_LT(worst, 0.02);
 }
 
+// A wall 1 m ahead, all along the window of 4 x 4 m. Of the columns of cells around y = 0.3 a square of 1 m takes those with
+// |y - 0.3| <= 0.5 m.
+TEST(LocalGrid, ForgetsInsideAndOutsideOfASquare) {
+  const GridOptions options{.width = 4.0, .height = 4.0};
+  Sweep sweep(1.0, {}, 1441, 3.0);
+  sweep.look_at({{{1.02, -3.0}, {1.02, 3.0}}});
+  for (const bool inside : {true, false}) {
+    LocalGrid grid(options);
+    ASSERT_EQ(add(grid, sweep), SweepFault::none);
+    const OccupancyGrid before = grid.cells();
+    const std::vector<Eigen::Vector2f> surface = grid.surface();
+    const Vector2 center{1.0, 0.3};
+    inside ? grid.clear_inside(center, 1.0) : grid.clear_outside(center, 1.0);
+    int kept = 0;
+    int forgotten = 0;
+    for (int row = 0; row < before.height; ++row) {
+      for (int column = 0; column < before.width; ++column) {
+        const Vector2 p = before.center(column, row);
+        const bool is_inside = std::abs(p.x() - 1.0) <= 0.5 && std::abs(p.y() - 0.3) <= 0.5;
+        const std::size_t i = before.index(column, row);
+        if (is_inside == inside) {
+          EXPECT_EQ(grid.cells().cells[i], OccupancyGrid::kUnknown);
+          EXPECT_EQ(grid.surface()[i], Eigen::Vector2f::Zero());
+          forgotten += before.cells[i] > 0 ? 1 : 0;
+        } else {
+          EXPECT_EQ(grid.cells().cells[i], before.cells[i]);
+          EXPECT_EQ(grid.surface()[i], surface[i]);
+          kept += before.cells[i] > 0 ? 1 : 0;
+        }
+      }
+    }
+    EXPECT_EQ(inside ? forgotten : kept, 20);  // cells of 5 cm in 1 m of wall
+    EXPECT_GT(inside ? kept : forgotten, 20);
+    // What is still there stands again after one sweep.
+    sweep.scan.time = Time::seconds(1.1);
+    ASSERT_EQ(add(grid, sweep), SweepFault::none);
+    EXPECT_EQ(value_at(grid, {1.02, 0.3}), OccupancyGrid::kOccupied);
+    sweep.scan.time = Time::seconds(1.0);
+  }
+}
+
 }  // namespace
 }  // namespace bw::costmap

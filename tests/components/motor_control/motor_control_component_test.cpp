@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/msg/twist.hpp>
 #include <gtest/gtest.h>
+#include <nav2_msgs/msg/speed_limit.hpp>
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/wheel_joints.hpp"
@@ -13,7 +14,11 @@ namespace {
 constexpr double kRadius = 0.0762;  // wheel of the default robot [m]
 
 /// Forward speeds commanded to the wheels, every 20 ms from 0.02 s on, when /cmd_vel follows `wish` at 10 Hz.
-std::vector<double> speeds(double seconds, const std::function<std::optional<Twist2>(double t)>& wish) {
+std::vector<double> speeds(
+    double seconds, const std::function<std::optional<Twist2>(double t)>& wish,
+    const std::function<std::optional<double>(double t)>& limit = [](double) {
+      return std::optional<double>();
+    }) {
   std::vector<double> list;
   run_with_script("components: {motor_control: {}}", seconds, [&](bw::Setup& setup) {
     setup.input<sensor_msgs::msg::JointState>(
@@ -22,7 +27,13 @@ std::vector<double> speeds(double seconds, const std::function<std::optional<Twi
           list.push_back((wheels.left + wheels.right) / 2.0);
         });
     setup.every(Duration::milliseconds(100), "wish",
-                [&, out = setup.command<geometry_msgs::msg::Twist>("cmd_vel")](const Tick& tick) mutable {
+                [&, out = setup.command<geometry_msgs::msg::Twist>("cmd_vel"),
+                 limits = setup.output<nav2_msgs::msg::SpeedLimit>("speed_limit")](const Tick& tick) mutable {
+                  if (const auto most = limit(seconds_since_start(tick.now))) {
+                    nav2_msgs::msg::SpeedLimit message;
+                    message.speed_limit(*most);
+                    limits.publish(message);
+                  }
                   if (const auto twist = wish(seconds_since_start(tick.now)))
                     out.publish(to_twist_message(*twist));
                 });
@@ -50,6 +61,30 @@ TEST(MotorControlComponent, StopsOnACommandThatIsNotFinite) {
   EXPECT_NEAR(at(list, 2.1), 0.8, 0.041);
   EXPECT_NEAR(at(list, 2.56), 0.0, 1e-6);
   for (const double v : list) EXPECT_TRUE(std::isfinite(v));
+}
+
+// Half a second from 0.8 to 0.3 m/s at 1 m/s^2, and what the jerk limit of 5 m/s^3 adds: 0.2 s at both ends together. A
+// command of 5 m/s is 100 times the limit of 0.05, and five times what the robot can do: cut, and no fault.
+TEST(MotorControlComponent, KeepsASpeedLimitWhateverIsCommanded) {
+  const auto list = speeds(
+      10.0,
+      [](double t) {
+        return Twist2{t < 4.05 ? 0.8 : 5.0, 0.0};
+      },
+      [](double t) -> std::optional<double> {
+        if (std::abs(t - 2.0) < 0.01) return 0.3;
+        if (std::abs(t - 4.0) < 0.01) return 0.05;
+        if (std::abs(t - 6.0) < 0.01) return -1.0;
+        if (std::abs(t - 7.0) < 0.01) return 0.0;
+        return std::nullopt;
+      });
+  EXPECT_NEAR(at(list, 2.0), 0.8, 1e-6);
+  EXPECT_GT(at(list, 2.3), 0.45);  // no safety stop: within acc_max
+  EXPECT_NEAR(at(list, 2.9), 0.3, 1e-3);
+  EXPECT_NEAR(at(list, 4.0), 0.3, 1e-6);
+  EXPECT_NEAR(at(list, 5.0), 0.05, 1e-3);
+  EXPECT_NEAR(at(list, 7.0), 0.05, 1e-6);
+  EXPECT_NEAR(at(list, 9.9), 1.0, 1e-3);  // the robot's own
 }
 
 }  // namespace

@@ -74,6 +74,38 @@ TEST(CollisionMonitor, WhatApproachesHasComeNearerSinceTheSweep) {
   EXPECT_NEAR(verdict.allowed.v, 0.8785, 2e-3);
 }
 
+// Free way 0.36 m, less 0.20 m: v 0.1 + v^2 / 4 = 0.16 gives v = -0.2 + sqrt(0.04 + 0.64) = 0.6246
+TEST(CollisionMonitor, TakesOtherDistancesWhileItRuns) {
+  Bench bench;
+  const Sweep sweep = sweep_of({pillar(0.66)});
+  EXPECT_NEAR(bench.run(0.1, sweep, {1.0, 0.0}).allowed.v, 0.8392, 2e-3);
+  CollisionMonitorOptions options;
+  options.stopping.margin = 0.2;
+  bench.monitor.set_options(options);
+  EXPECT_NEAR(bench.run(0.02, sweep, {1.0, 0.0}).allowed.v, 0.6246, 2e-3);
+}
+
+TEST(CollisionMonitor, TakesOtherZonesWhileItRuns) {
+  CollisionMonitorOptions options;
+  options.polygons.push_back(
+      {.name = "wide", .radius = 1.0, .action_type = Action::limit, .linear_limit = 0.3});
+  Bench bench(options);
+  const Sweep sweep = sweep_of({pillar(0.9)});
+  EXPECT_EQ(bench.run(0.1, sweep, {0.6, 0.0}).cause, "wide");
+  options.polygons[0].linear_limit = 0.2;
+  options.polygons[0].name = "a name that is long enough for memory of its own";
+  bench.monitor.set_options(options);
+  const Verdict verdict = bench.run(0.02, sweep, {0.6, 0.0});
+  EXPECT_EQ(verdict.cause, options.polygons[0].name);
+  EXPECT_NEAR(verdict.allowed.v, 0.2, 1e-9);
+  options.polygons[0].enabled = false;
+  bench.monitor.set_options(options);
+  const Verdict held = bench.run(0.02, sweep, {0.6, 0.0});  // a limit is eased clear_after later
+  EXPECT_EQ(held.cause, kStoppingDistance);
+  EXPECT_NEAR(held.allowed.v, 0.2, 1e-9);
+  EXPECT_EQ(bench.run(2.0, sweep, {0.6, 0.0}).allowed.v, 0.6);
+}
+
 TEST(CollisionMonitor, ScalesBothSoThatThePathStays) {
   const Twist2 wanted{1.0, 0.4};
   const Verdict verdict = Bench().run(0.1, sweep_of({pillar(0.7)}), wanted);

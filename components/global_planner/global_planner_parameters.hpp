@@ -1,0 +1,24 @@
+// Parameters of component `global_planner`.
+#pragma once
+
+#include "components/global_planner/options.hpp"
+#include "runtime/base/field.hpp"
+
+namespace bw {
+
+struct GlobalPlannerParameters {
+  double standing_speed = 0.2;   ///< [m/s]
+  double standing_within = 5.0;  ///< [m]
+  GlobalPlannerOptions planner;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("standing_speed", standing_speed,
+      {.unit = "m/s", .min = 0, .max = 5, .doc = "tracks slower than this stand in the way; 0: none do"});
+    v("standing_within", standing_within,
+      {.unit = "m", .min = 0, .max = 100, .doc = "only tracks this near to the start count"});
+    planner.fields(v);
+  }
+};
+
+}  // namespace bw

@@ -1,0 +1,23 @@
+// The services of Nav2's local costmap, under the names that its node there gives them.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include <nav2_msgs/msg/costmap.hpp>
+
+#include "components/mapping/costmap/local_grid.hpp"
+#include "runtime/component.hpp"
+
+namespace bw::costmap {
+
+/// What the services look at: members of the component.
+struct CostmapAnswers {
+  std::optional<LocalGrid>& grid;
+  const Vector2& position;  ///< of the robot in odom
+  std::function<nav2_msgs::msg::Costmap(Time now)> costs;
+};
+
+void offer_services(Setup& setup, const CostmapAnswers& answers);
+
+}  // namespace bw::costmap

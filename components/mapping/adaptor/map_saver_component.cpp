@@ -1,0 +1,126 @@
+// Adaptor: the newest map of a topic into a file.
+#include <cmath>
+#include <exception>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nav2_msgs/srv/save_map.hpp>
+#include <nav_msgs/msg/occupancy_grid.hpp>
+
+#include "components/files/map_file.hpp"
+#include "components/messages/grid.hpp"
+#include "runtime/component.hpp"
+
+namespace bw {
+namespace {
+
+using nav2_msgs::srv::SaveMap;
+
+struct MapSaverOptions {
+  std::vector<std::string> topics = {"map"};
+  double free_thresh_default = 0.25;
+  double occupied_thresh_default = 0.65;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("topics", topics,
+      {.doc = "topics with occupancy grids that can be saved; the first where a request names none"});
+    v("free_thresh_default", free_thresh_default,
+      {.min = 0.01, .max = 0.98, .doc = "cells up to this share are saved as free where a request has 0"});
+    v("occupied_thresh_default", occupied_thresh_default,
+      {.min = 0.02,
+       .max = 0.99,
+       .doc = "cells from this share on are saved as occupied where a request has 0"});
+  }
+
+  std::optional<std::string> violated_rule() const {
+    if (topics.empty()) return "topics must name one";
+    return fault_of(
+        MapShades{.free_thresh = free_thresh_default, .occupied_thresh = occupied_thresh_default});
+  }
+};
+
+template <ChoiceField Enum>
+Enum chosen(const std::string& key, const std::string& text, Enum usual) {
+  if (text.empty()) return usual;
+  if (const auto value = choice_of<Enum>(text)) return *value;
+  throw std::runtime_error(
+      fmt::format("{} '{}' is none of {}", key, text, fmt::join(choice_texts<Enum>(), ", ")));
+}
+
+/// The message carries a float; a decimal such as 0.65 is meant, not the float nearest to it.
+double threshold(float asked, double usual) {
+  return asked == 0.0F ? usual : std::round(static_cast<double>(asked) * 1e6) / 1e6;
+}
+
+}  // namespace
+
+class MapSaverComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    options_ = setup.parameters<MapSaverOptions>();
+    log_ = setup.log();
+    is_lockstep_ = setup.is_lockstep();
+    for (const std::string& topic : options_.topics)
+      maps_[topic] = setup.latest<nav_msgs::msg::OccupancyGrid>(topic, Qos::latched());
+    // It changes a file and nothing of the run, so it is answered from outside of a run in lock-step too.
+    setup.service<SaveMap>("~/save_map", [this](const SaveMap::Request& request, const Tick&) {
+      SaveMap::Response response;
+      try {
+        tell(LogLevel::info, "saved " + save(request));
+        response.result(true);
+      } catch (const std::exception& fault) {
+        tell(LogLevel::error, std::string("no map is saved: ") + fault.what());
+      }
+      return response;
+    });
+  }
+
+ private:
+  /// Returns the file's name. Throws what is told to people.
+  std::string save(const SaveMap::Request& request) const {
+    const nav_msgs::msg::OccupancyGrid& message = newest(request.map_topic());
+    OccupancyGrid grid;
+    if (const std::string fault = read_grid(message, grid); !fault.empty())
+      throw std::runtime_error("the map is of no use: " + fault);
+    const auto url = path_of_url(request.map_url());
+    if (!url) throw std::runtime_error("'" + request.map_url() + "' is no path and no file:// URL");
+    std::filesystem::path yaml = *url;
+    if (yaml.extension() != ".yaml") yaml += ".yaml";
+    const MapShades shades{
+        .mode = chosen("map_mode", request.map_mode(), MapMode::trinary),
+        .free_thresh = threshold(request.free_thresh(), options_.free_thresh_default),
+        .occupied_thresh = threshold(request.occupied_thresh(), options_.occupied_thresh_default)};
+    const ImageFormat usual = shades.mode == MapMode::scale ? ImageFormat::png : ImageFormat::pgm;
+    save_map(grid, yaml, shades, chosen("image_format", request.image_format(), usual));
+    return std::filesystem::absolute(yaml).string();
+  }
+
+  const nav_msgs::msg::OccupancyGrid& newest(const std::string& topic) const {
+    for (const auto& [name, map] : maps_) {
+      if (name != (topic.empty() ? options_.topics.front() : topic) && "/" + name != topic) continue;
+      if (!map) throw std::runtime_error("nothing came on " + name + " yet");
+      return *map;
+    }
+    throw std::runtime_error(fmt::format("'{}' is none of the topics in the parameter `topics` ({})", topic,
+                                         fmt::join(options_.topics, ", ")));
+  }
+
+  /// In lock-step a line of the log is a sample of the run, and an answer that only tells must not make one.
+  void tell(LogLevel level, const std::string& text) const {
+    if (is_lockstep_) return;
+    level == LogLevel::info ? log_.info("{}", text) : log_.error("{}", text);
+  }
+
+  MapSaverOptions options_;
+  bool is_lockstep_ = false;
+  Logger log_;
+  std::map<std::string, Latest<nav_msgs::msg::OccupancyGrid>> maps_;
+};
+
+BW_COMPONENT(MapSaverComponent, "map_saver")
+
+}  // namespace bw

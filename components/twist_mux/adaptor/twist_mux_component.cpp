@@ -1,0 +1,107 @@
+// Adaptor of the twist multiplexer: velocities that several want in, one out, on arrival.
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <geometry_msgs/msg/twist.hpp>
+#include <geometry_msgs/msg/twist_stamped.hpp>
+
+#include "components/messages/geometry.hpp"
+#include "components/twist_mux/twist_mux.hpp"
+#include "runtime/component.hpp"
+
+namespace bw {
+namespace {
+
+using geometry_msgs::msg::Twist;
+using geometry_msgs::msg::TwistStamped;
+
+constexpr Duration kCheckPeriod = Duration::milliseconds(10);
+
+class TwistMuxComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    options_ = setup.parameters<TwistMuxOptions>();
+    mux_.emplace(options_);
+    log_ = setup.log();
+    diagnostics_ = &setup.diagnostics();
+    out_ = setup.command<Twist>("cmd_vel_mux");
+    for (std::size_t i = 0; i < options_.sources.size(); ++i) {
+      const TwistSourceOptions& source = options_.sources[i];
+      if (source.stamped) {
+        setup.input<TwistStamped>(
+            source.topic, Qos::command(), [this, i](const auto& message, const Tick& tick) {
+              on_command(i, from_twist(message.twist()), from_stamp(message.header().stamp()), tick);
+            });
+      } else {
+        setup.input<Twist>(source.topic, Qos::command(), [this, i](const auto& message, const Tick& tick) {
+          on_command(i, from_twist(message), std::nullopt, tick);
+        });
+      }
+    }
+    setup.every(kCheckPeriod, "check", [this](const Tick& tick) { check(tick); });
+  }
+
+  void deactivate(const Tick&) override { out_.publish({}); }
+
+ private:
+  void on_command(std::size_t i, const Twist2& twist, std::optional<Time> stamp, const Tick& tick) {
+    publish(mux_->command(tick.now, i, twist, stamp), tick);
+  }
+
+  void check(const Tick& tick) {
+    const auto stop = mux_->check(tick.now);
+    publish(stop, tick);
+    if (stop && drove_) log_.info("{} has fallen silent: stopping", options_.sources[*drove_].topic);
+    report(tick.now);
+  }
+
+  void publish(const std::optional<Twist2>& twist, const Tick& tick) {
+    if (twist) out_.publish(to_twist_message(tick.health == Health::stop ? Twist2{} : *twist));
+  }
+
+  /// For the log it is news when somebody else drives than before.
+  void report(Time now) {
+    const auto active = mux_->active(now);
+    std::uint64_t refused = 0;
+    for (std::size_t i = 0; i < options_.sources.size(); ++i) {
+      const TwistMux::Count& count = mux_->count(i);
+      refused += count.not_finite + count.late;
+    }
+    if (active == active_ && refused == refused_) return;
+    if (refused > 0 && refused_ == 0) log_.warn("commands are refused: /diagnostics says whose and why");
+    if (active && drove_ && active != drove_) log_.info("{} drives", options_.sources[*active].topic);
+    if (active) drove_ = active;
+    active_ = active;
+    refused_ = refused;
+    tell(active);
+  }
+
+  void tell(std::optional<std::size_t> active) {
+    using Level = DiagnosticReporter::Level;
+    for (std::size_t i = 0; i < options_.sources.size(); ++i) {
+      const TwistMux::Count& count = mux_->count(i);
+      if (count.not_finite + count.late == 0) continue;
+      diagnostics_->set_value(options_.sources[i].topic, fmt::format("refused: {} not finite, {} too late",
+                                                                     count.not_finite, count.late));
+    }
+    const std::string who = active ? options_.sources[*active].topic + " drives" : "nobody drives";
+    diagnostics_->report(refused_ == 0 ? Level::ok : Level::warn,
+                         refused_ == 0 ? who : fmt::format("{}; {} commands refused", who, refused_));
+  }
+
+  TwistMuxOptions options_;
+  std::optional<TwistMux> mux_;
+  std::optional<std::size_t> active_;  ///< as told last
+  std::optional<std::size_t> drove_;
+  std::uint64_t refused_ = 0;
+  Logger log_;
+  DiagnosticReporter* diagnostics_ = nullptr;
+  Output<Twist> out_;
+};
+
+}  // namespace
+
+BW_COMPONENT(TwistMuxComponent, "twist_mux")
+
+}  // namespace bw

@@ -1,0 +1,68 @@
+#include "components/twist_mux/twist_mux.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bw {
+namespace {
+
+bool is_late(Time now, std::optional<Time> stamp, double timeout) {
+  if (!stamp || *stamp == Time{}) return false;
+  const Duration age = now - *stamp;
+  return age > Duration::seconds(timeout) && age <= TwistMux::kPlausibleAge;
+}
+
+}  // namespace
+
+TwistMux::TwistMux(const TwistMuxOptions& options)
+    : sources_(options.sources), heard_(sources_.size()), counts_(sources_.size()) {}
+
+std::optional<Twist2> TwistMux::command(Time now, std::size_t i, const Twist2& twist,
+                                        std::optional<Time> stamp) {
+  if (!std::isfinite(twist.v) || !std::isfinite(twist.omega)) {
+    ++counts_[i].not_finite;
+    if (last_ != i || !is_moving_) return std::nullopt;
+    is_moving_ = false;
+    return Twist2{};
+  }
+  if (is_late(now, stamp, sources_[i].timeout)) {
+    ++counts_[i].late;
+    return std::nullopt;
+  }
+  if (is_outranked(now, i)) {
+    ++counts_[i].outranked;
+    return std::nullopt;
+  }
+  ++counts_[i].passed;
+  heard_[i] = now;
+  last_ = i;
+  is_moving_ = twist != Twist2{};
+  return twist;
+}
+
+std::optional<Twist2> TwistMux::check(Time now) {
+  if (!is_moving_ || is_within(now, *last_, sources_[*last_].timeout)) return std::nullopt;
+  is_moving_ = false;
+  return Twist2{};
+}
+
+std::optional<std::size_t> TwistMux::active(Time now) const {
+  if (!last_ || !is_within(now, *last_, sources_[*last_].timeout)) return std::nullopt;
+  return last_;
+}
+
+bool TwistMux::is_within(Time now, std::size_t i, double seconds) const {
+  return heard_[i] && now - *heard_[i] <= Duration::seconds(seconds);
+}
+
+bool TwistMux::is_outranked(Time now, std::size_t i) const {
+  for (std::size_t other = 0; other < sources_.size(); ++other) {
+    const TwistSourceOptions& source = sources_[other];
+    if (source.priority > sources_[i].priority &&
+        is_within(now, other, std::max(source.hold, source.timeout)))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace bw

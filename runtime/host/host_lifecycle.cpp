@@ -1,0 +1,120 @@
+// How a host brings its components up and down: in the order of the graph, as far as they go, and never half.
+#include <algorithm>
+#include <exception>
+
+#include "runtime/host/host.hpp"
+#include "runtime/host/host_setup.hpp"
+#include "runtime/host/lifecycle_manager.hpp"
+#include "runtime/host/lifecycle_services.hpp"
+#include "runtime/host/rebinding.hpp"
+#include "runtime/registry.hpp"
+
+namespace bw {
+namespace {
+
+using lifecycle::State;
+
+/// The transition of the table; the host asks only for those that are there.
+const lifecycle::Transition& transition(State from, std::string_view label) {
+  return *lifecycle::requested_transition(from, 0, label);
+}
+
+constexpr std::string_view manager_name(Manager manager) {
+  return manager == Manager::localization ? "lifecycle_manager_localization" : "lifecycle_manager_navigation";
+}
+
+}  // namespace
+
+void Host::offer_lifecycle(Actor& actor, HostSetup& setup) {
+  LifecycleMeans means;
+  means.log_error = [this, &actor](const std::string& text) { log(actor, LogLevel::error, text); };
+  if (actor.role == ActorRole::component) {
+    offer_lifecycle_services(setup, actor);
+    means.tell = offer_transition_events(setup);
+    means.make = [&actor] { return make_component(actor.type); };
+    means.configure = [this, &actor](Component& component) {
+      Rebinding rebinding(actor);
+      ComponentNode& node = *std::ranges::find(graph_.components, actor.name, &ComponentNode::name);
+      actor.live_parameters.write_changes(node.parameters);
+      HostSetup again(*this, actor, node, &rebinding);
+      component.configure(again);
+      rebinding.commit();
+    };
+  }
+  actor.lifecycle = std::make_unique<ActorLifecycle>(actor, std::move(means));
+}
+
+void Host::add_managers() {
+  if (graph_.settings.external_lifecycle) return;
+  for (const Manager which : {Manager::localization, Manager::navigation}) {
+    std::vector<LifecycleManager::Node> nodes;
+    std::string process;
+    for (const ComponentNode* node : graph_.bring_up_order()) {
+      const auto actor = std::ranges::find(actors_, node->name, &Actor::name);
+      if (node->manager != which || actor == actors_.end() || (*actor)->role != ActorRole::component)
+        continue;
+      const bool is_here = std::ranges::find(local_, actor->get()) != local_.end();
+      nodes.push_back({.name = node->name,
+                       .change_state = node->topic_of("~/change_state"),
+                       .actor = is_here ? actor->get() : nullptr});
+      process = node->process;
+    }
+    // One manager for all processes: in that of the last component to come up.
+    if (nodes.empty() || (!options_.only_process.empty() && process != options_.only_process)) continue;
+    const ComponentNode node{.name = std::string(manager_name(which)),
+                             .process = process,
+                             .lane = "services",
+                             .node_namespace = join_namespaces("", graph_.settings.graph_namespace)};
+    add_component(node, std::make_unique<LifecycleManager>(std::move(nodes)), true, ActorRole::manager);
+  }
+}
+
+std::vector<Actor*> Host::bring_up_order() const {
+  std::vector<Actor*> managed;
+  for (const ComponentNode* node : graph_.bring_up_order()) {
+    const auto actor = std::ranges::find(local_, node->name, [](const Actor* a) { return a->name; });
+    if (actor != local_.end() && (*actor)->role == ActorRole::component) managed.push_back(*actor);
+  }
+  std::vector<Actor*> order = local_;
+  std::size_t next = 0;
+  for (Actor*& actor : order) {
+    if (actor->role == ActorRole::component) actor = managed[next++];
+  }
+  return order;
+}
+
+std::optional<RunEnd> Host::bring_up(const std::vector<Actor*>& order) {
+  for (Actor* actor : order) {
+    actor->lifecycle->connect(*runner_);
+    for (const auto& output : actor->outputs) {
+      if (output->of_node) output->sink = runner_.get();
+    }
+  }
+  for (Actor* actor : order) {
+    if (actor->role == ActorRole::component && graph_.settings.external_lifecycle) {
+      actor->lifecycle->wait_for_configure();
+      continue;
+    }
+    const std::string reason =
+        actor->lifecycle->change(transition(State::inactive, "activate"), runner_->now());
+    if (!reason.empty())
+      return RunEnd{.ok = false, .reason = actor->name + " cannot be activated: " + reason};
+  }
+  for (Actor* actor : order) actor->lifecycle->set_running(true);
+  return std::nullopt;
+}
+
+void Host::bring_down(const std::vector<Actor*>& order, RunEnd& end) {
+  for (Actor* actor : order) actor->lifecycle->set_running(false);
+  const auto take = [&](Actor& actor, State from, std::string_view label) {
+    if (actor.state != from) return;
+    const std::string reason = actor.lifecycle->change(transition(from, label), runner_->now());
+    if (!reason.empty() && end.ok)
+      end = {.ok = false, .reason = actor.name + " failed at the end: " + reason};
+  };
+  const std::vector<Actor*> backwards(order.rbegin(), order.rend());
+  for (Actor* actor : backwards) take(*actor, State::active, "deactivate");
+  for (Actor* actor : backwards) take(*actor, State::inactive, "cleanup");
+}
+
+}  // namespace bw

@@ -1,0 +1,159 @@
+// map_server and map_saver on their services, in lock-step.
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nav2_msgs/srv/load_map.hpp>
+#include <nav2_msgs/srv/save_map.hpp>
+#include <nav_msgs/msg/occupancy_grid.hpp>
+#include <nav_msgs/srv/get_map.hpp>
+
+#include "components/files/map_file.hpp"
+#include "components/messages/grid.hpp"
+#include "tests/components/files/map_files.hpp"
+#include "tests/components/service_calls.hpp"
+
+namespace bw {
+namespace {
+
+using nav2_msgs::srv::LoadMap;
+using nav2_msgs::srv::SaveMap;
+using nav_msgs::srv::GetMap;
+using testing::ElementsAre;
+
+using namespace std::string_literals;
+
+const std::string kGraph =
+    "components: {map_server: {parameters: {area: {length: 2.0, width: 1.0, resolution: 0.5}, walls: [{x1: 0.1, y1: 0.1, "
+    "x2: 0.2, y2: 0.1}]}}, map_saver: {}}";
+/// 4 x 2 cells of the graph's area, with its wall.
+const OccupancyGrid kArea{.resolution = 0.5, .width = 4, .height = 2, .cells = {100, 0, 0, 0, 0, 0, 0, 0}};
+
+struct Answers {
+  std::vector<nav_msgs::msg::OccupancyGrid> maps;  ///< on /map
+  std::vector<GetMap::Response> shown;
+  std::vector<LoadMap::Response> loaded;
+  std::vector<SaveMap::Response> saved;
+};
+
+LoadMap::Request load(const std::string& url) {
+  LoadMap::Request request;
+  request.map_url(url);
+  return request;
+}
+
+SaveMap::Request save(const std::string& topic, const std::string& url, const std::string& mode = "",
+                      const std::string& format = "") {
+  SaveMap::Request request;
+  request.map_topic(topic);
+  request.map_url(url);
+  request.map_mode(mode);
+  request.image_format(format);
+  return request;
+}
+
+/// One load or save each tenth of a second, then a look at the map.
+Answers run(const std::vector<std::string>& urls, const std::vector<SaveMap::Request>& savings) {
+  Answers answers;
+  std::vector<TimedRequest<LoadMap>> loads;
+  std::vector<TimedRequest<SaveMap>> saves;
+  for (const std::string& url : urls)
+    loads.push_back({0.1 * static_cast<double>(loads.size() + 1), load(url)});
+  for (const auto& request : savings)
+    saves.push_back({2.0 + 0.1 * static_cast<double>(saves.size()), request});
+  run_with_script(kGraph, 5.0, [&](bw::Setup& setup) {
+    setup.input<nav_msgs::msg::OccupancyGrid>("map", Qos::latched(),
+                                              [&](const auto& m, const Tick&) { answers.maps.push_back(m); });
+    call_at<GetMap>(setup, "map_server/map", {{0.05}, {4.9}}, answers.shown);
+    call_at<LoadMap>(setup, "map_server/load_map", loads, answers.loaded);
+    call_at<SaveMap>(setup, "map_saver/save_map", saves, answers.saved);
+  });
+  return answers;
+}
+
+OccupancyGrid grid_of(const nav_msgs::msg::OccupancyGrid& message) {
+  OccupancyGrid grid;
+  EXPECT_EQ(read_grid(message, grid), "");
+  return grid;
+}
+
+class MapServices : public testing::Test {
+ protected:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(MapServices, AnotherMapTakesThePlaceOfTheFirst) {
+  const OccupancyGrid other{
+      .resolution = 0.1, .origin = {-3.0, 7.0}, .width = 3, .height = 1, .cells = {0, 100, -1}};
+  save_map(other, folder_ / "other.yaml", {});
+  const Answers answers = run({"file://" + (folder_ / "other.yaml").string()}, {});
+  ASSERT_EQ(answers.loaded.size(), 1U);
+  EXPECT_EQ(answers.loaded[0].result(), 0);
+  ASSERT_EQ(answers.maps.size(), 2U);
+  ASSERT_EQ(answers.shown.size(), 2U);
+  EXPECT_EQ(grid_of(answers.shown[0].map()).cells, kArea.cells);
+  EXPECT_EQ(answers.shown[0].map(), answers.maps[0]);
+  for (const auto& message : {answers.loaded[0].map(), answers.maps[1], answers.shown[1].map()}) {
+    const OccupancyGrid grid = grid_of(message);
+    EXPECT_EQ(grid.cells, other.cells);
+    EXPECT_EQ(grid.width, 3);
+    EXPECT_EQ(grid.origin, other.origin);
+    EXPECT_EQ(grid.resolution, 0.1);
+    EXPECT_EQ(message.header().frame_id(), "map");
+    EXPECT_NEAR(seconds_since_start(from_stamp(message.info().map_load_time())), 0.1, 1e-6);
+  }
+}
+
+// nav2_msgs/LoadMap: 1 no file, 2 its picture, 3 its YAML.
+TEST_F(MapServices, ABrokenMapIsNamedAndTheFirstOneStays) {
+  test::write_file(folder_ / "no_picture.yaml", test::yaml_for("none.pgm"));
+  test::write_file(folder_ / "nan.yaml", "image: map.pgm\nresolution: .nan\norigin: [0, 0, 0]\n");
+  test::write_file(folder_ / "huge.pgm", "P5\n32768 32768\n255\n");  // claims 1 GiB
+  test::write_file(folder_ / "huge.yaml", test::yaml_for("huge.pgm"));
+  const auto at = [&](const char* name) { return (folder_ / name).string(); };
+  const Answers answers = run({"", "http://host/map.yaml", at("none.yaml"), at(""), "/dev/zero",
+                               at("no_picture.yaml"), at("huge.yaml"), at("nan.yaml")},
+                              {});
+  std::vector<int> results;
+  for (const auto& response : answers.loaded) {
+    results.push_back(response.result());
+    EXPECT_TRUE(response.map().data().empty());
+  }
+  EXPECT_THAT(results, ElementsAre(1, 1, 1, 1, 1, 2, 2, 3));
+  EXPECT_EQ(answers.maps.size(), 1U);
+  ASSERT_EQ(answers.shown.size(), 2U);
+  EXPECT_EQ(answers.shown[1], answers.shown[0]);
+}
+
+TEST_F(MapServices, TheMapIsSavedAndReadBack) {
+  const auto at = [&](const char* name) { return (folder_ / name).string(); };
+  const Answers answers = run({}, {save("", at("a")), save("map", at("b.yaml"), "raw", "png"),
+                                   save("/map", "file://" + at("c"), "scale")});
+  ASSERT_EQ(answers.saved.size(), 3U);
+  for (const auto& response : answers.saved) EXPECT_TRUE(response.result());
+  for (const auto* name : {"a.yaml", "b.yaml", "c.yaml"}) {
+    const OccupancyGrid grid = load_map(folder_ / name);
+    EXPECT_EQ(grid.cells, kArea.cells) << name;
+    EXPECT_EQ(grid.resolution, kArea.resolution);
+    EXPECT_EQ(grid.origin, kArea.origin);
+  }
+  for (const auto* name : {"a.pgm", "b.png", "c.png"}) EXPECT_TRUE(std::filesystem::exists(folder_ / name));
+}
+
+TEST_F(MapServices, WhatCannotBeSavedIsNot) {
+  const auto at = [&](const char* name) { return (folder_ / name).string(); };
+  SaveMap::Request crossed = save("map", at("crossed"));
+  crossed.free_thresh(0.7F);
+  SaveMap::Request nan = save("map", at("nan"));
+  nan.occupied_thresh(std::numeric_limits<float>::quiet_NaN());
+  const Answers answers =
+      run({}, {save("scan", at("topic")), save("map", ""), save("map", at("no/such/folder")),
+               save("map", "/proc/self/map"), save("map", at("mode"), "grey"),
+               save("map", at("format"), "", "bmp"), crossed, nan});
+  ASSERT_EQ(answers.saved.size(), 8U);
+  for (std::size_t i = 0; i < answers.saved.size(); ++i) EXPECT_FALSE(answers.saved[i].result()) << i;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / ""));
+}
+
+}  // namespace
+}  // namespace bw

@@ -1,0 +1,223 @@
+// A manager from outside, as Nav2's lifecycle_manager behaves: calls change_state and get_state of each node, then opens a
+// bond on /bond and expects the node's beats within half of the timeout (2 s of 4 s). And what `ros2 component` asks.
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include <bond/msg/status.hpp>
+#include <composition_interfaces/srv/list_nodes.hpp>
+#include <composition_interfaces/srv/load_node.hpp>
+#include <composition_interfaces/srv/unload_node.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <lifecycle_msgs/srv/get_available_states.hpp>
+#include <lifecycle_msgs/srv/get_available_transitions.hpp>
+#include <lifecycle_msgs/srv/get_state.hpp>
+#include <rcl_interfaces/msg/log.hpp>
+
+#include "runtime/ros/dds_names.hpp"
+#include "runtime/ros/service_call.hpp"
+#include "tests/interop/eventually.hpp"
+#include "tests/runtime/lifecycle/scripted_graph.hpp"
+
+namespace bw::test {
+namespace {
+
+using BondStatus = bond::msg::Status;
+using lifecycle_msgs::srv::GetAvailableStates;
+using lifecycle_msgs::srv::GetAvailableTransitions;
+using lifecycle_msgs::srv::GetState;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr auto kLimit = std::chrono::milliseconds(10'000);
+
+/// A graph of two components in real time, on a thread of its own until the test ends.
+class ExternalGraph {
+ public:
+  ExternalGraph() {
+    g_.add("controller_server", [] { return Script{}; }).add("planner_server", [] { return Script{}; });
+    g_.graph.settings.external_lifecycle = true;
+    host_.emplace(g_.graph, HostOptions{.clock = ClockMode::wall});
+    thread_ = std::thread([this] { host_->run(std::nullopt); });
+  }
+  ~ExternalGraph() {
+    host_->finish({.ok = true, .reason = "the test is over"}, true);
+    thread_.join();
+  }
+  ExternalGraph(const ExternalGraph&) = delete;
+  ExternalGraph& operator=(const ExternalGraph&) = delete;
+
+ private:
+  ScriptedGraph g_;
+  std::optional<Host> host_;
+  std::thread thread_;
+};
+
+/// The other side, in a participant of its own.
+class NavManager {
+ public:
+  NavManager() {
+    bonds_ = participant_.create_reader(end<BondStatus>("/bond", 100), [] {});
+    out_ = participant_.create_writer(end<BondStatus>("/bond", 5));
+    rosout_ = participant_.create_reader(end<rcl_interfaces::msg::Log>("/rosout", 100), [] {});
+  }
+
+  template <class S>
+  typename S::Response call(const std::string& service, const typename S::Request& request = {}) {
+    const auto response = call_service<S>(participant_, service, request, kLimit);
+    EXPECT_TRUE(response) << service << " did not answer";
+    return response.value_or(typename S::Response());
+  }
+  bool change(const std::string& node, std::uint8_t id) {
+    ChangeState::Request request;
+    request.transition().id(id);
+    return call<ChangeState>("/" + node + "/change_state", request).success();
+  }
+  std::string state(const std::string& node) {
+    return call<GetState>("/" + node + "/get_state").current_state().label();
+  }
+  /// The newest words of the nodes' side by node, since the last look.
+  std::map<std::string, BondStatus> look() {
+    std::map<std::string, BondStatus> newest;
+    dds::Sample sample;
+    while (bonds_->take(sample)) {
+      BondStatus status;
+      EXPECT_TRUE(deserialize(sample.cdr, status));
+      if (status.instance_id() != kInstance) newest[status.id()] = status;
+    }
+    return newest;
+  }
+  void beat(const std::string& node, bool active) {
+    BondStatus status;
+    status.id(node);
+    status.instance_id(kInstance);
+    status.active(active);
+    std::vector<std::uint8_t> cdr;
+    serialize(status, cdr);
+    out_->write(cdr);
+  }
+  bool was_logged(const std::string& text) {
+    dds::Sample sample;
+    rcl_interfaces::msg::Log line;
+    while (rosout_->take(sample)) {
+      if (deserialize(sample.cdr, line) && line.msg().find(text) != std::string::npos) return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr const char* kInstance = "of-the-manager";
+
+  template <class M>
+  static dds::EndpointOptions end(const std::string& topic, int depth) {
+    return {.topic = dds_topic(topic),
+            .type = std::string(MessageTraits<M>::dds_name),
+            .qos = Qos::standard(depth),
+            .user_data = {}};
+  }
+
+  dds::Participant participant_{{.network = dds::Network::from_environment({})}};
+  std::unique_ptr<dds::Reader> bonds_, rosout_;
+  std::unique_ptr<dds::Writer> out_;
+};
+
+TEST(OutsideManager, BringsUpBondsAndBringsDown) {
+  const ExternalGraph graph;
+  NavManager nav;
+  EXPECT_EQ(nav.state("controller_server"), "unconfigured");
+  EXPECT_FALSE(nav.change("planner_server", 3)) << "activate before configure";
+  EXPECT_TRUE(nav.look().empty()) << "no bond before activation";
+  for (const char* node : {"controller_server", "planner_server"}) {
+    EXPECT_TRUE(nav.change(node, 1));
+    EXPECT_EQ(nav.state(node), "inactive");
+  }
+  for (const char* node : {"controller_server", "planner_server"}) EXPECT_TRUE(nav.change(node, 3));
+
+  std::map<std::string, BondStatus> bonds;
+  EXPECT_TRUE(eventually([&] {
+    for (auto& [node, status] : nav.look()) bonds[node] = status;
+    return bonds.size() == 2;
+  }));
+  const BondStatus controller = bonds["controller_server"];
+  EXPECT_TRUE(controller.active());
+  EXPECT_FLOAT_EQ(controller.heartbeat_timeout(), 4.0F);
+  EXPECT_FLOAT_EQ(controller.heartbeat_period(), 0.1F);
+  EXPECT_NE(controller.instance_id(), "");
+  EXPECT_NE(controller.instance_id(), bonds["planner_server"].instance_id());
+
+  EXPECT_TRUE(nav.change("controller_server", 4));
+  EXPECT_TRUE(eventually([&] {
+    const auto said = nav.look();
+    const auto last = said.find("controller_server");
+    return last != said.end() && !last->second.active();
+  })) << "a bond that ends is told";
+
+  // Active once more it is another bond: bondcpp makes one per activation.
+  EXPECT_TRUE(nav.change("controller_server", 3));
+  EXPECT_TRUE(eventually([&] {
+    const auto said = nav.look();
+    const auto last = said.find("controller_server");
+    return last != said.end() && last->second.active() &&
+           last->second.instance_id() != controller.instance_id();
+  }));
+}
+
+TEST(OutsideManager, WhoseBeatsEndIsMissedAndNotFollowed) {
+  const ExternalGraph graph;
+  NavManager nav;
+  ASSERT_TRUE(nav.change("planner_server", 1));
+  ASSERT_TRUE(nav.change("planner_server", 3));
+  // A bond is formed by the first word of the other side, and that is its last.
+  EXPECT_TRUE(eventually([&] { return nav.look().contains("planner_server"); }));
+  nav.beat("planner_server", true);
+  EXPECT_TRUE(eventually([&] { return nav.was_logged("planner_server: its manager is gone"); }));
+  EXPECT_EQ(nav.state("planner_server"), "active");
+}
+
+TEST(OutsideManager, WhoEndsABondIsAnswered) {
+  const ExternalGraph graph;
+  NavManager nav;
+  ASSERT_TRUE(nav.change("planner_server", 1));
+  ASSERT_TRUE(nav.change("planner_server", 3));
+  EXPECT_TRUE(eventually([&] { return nav.look().contains("planner_server"); }));
+  nav.beat("planner_server", false);
+  EXPECT_TRUE(eventually([&] {
+    const auto said = nav.look();
+    const auto last = said.find("planner_server");
+    return last != said.end() && !last->second.active();
+  }));
+  EXPECT_EQ(nav.state("planner_server"), "active");
+}
+
+TEST(OutsideTools, SeeStatesTransitionsAndWhatRunsInTheProcess) {
+  const ExternalGraph graph;
+  NavManager nav;
+  EXPECT_EQ(nav.call<GetAvailableStates>("/planner_server/get_available_states").available_states().size(),
+            11U);
+  const auto now =
+      nav.call<GetAvailableTransitions>("/planner_server/get_available_transitions").available_transitions();
+  ASSERT_EQ(now.size(), 2U);
+  EXPECT_EQ(now[0].transition().label(), "configure");
+  EXPECT_EQ(now[1].transition().id(), 5);
+  EXPECT_EQ(now[1].goal_state().label(), "shuttingdown");
+  EXPECT_EQ(nav.call<GetAvailableTransitions>("/planner_server/get_transition_graph")
+                .available_transitions()
+                .size(),
+            25U);
+
+  using namespace composition_interfaces::srv;
+  const auto list = nav.call<ListNodes>("/bandwagon/_container/list_nodes");
+  EXPECT_THAT(list.full_node_names(), ElementsAre("/controller_server", "/planner_server"));
+  EXPECT_THAT(list.unique_ids(), ElementsAre(1U, 2U));
+  const auto load = nav.call<LoadNode>("/bandwagon/_container/load_node");
+  EXPECT_FALSE(load.success());
+  EXPECT_THAT(load.error_message(), HasSubstr("graph file"));
+  const auto unload = nav.call<UnloadNode>("/bandwagon/_container/unload_node");
+  EXPECT_FALSE(unload.success());
+  EXPECT_THAT(unload.error_message(), HasSubstr("stay in it"));
+}
+
+}  // namespace
+}  // namespace bw::test
