@@ -37,7 +37,9 @@ class Deriver {
   explicit Deriver(File& file) : file_(file), interface_(interface_of(file.path)) {}
 
   void run() {
-    if (interface_.category == "srv") {
+    if (interface_.category == "msg") {
+      check({""});
+    } else if (interface_.category == "srv") {
       check({"_Request", "_Response"});
       add_event("");
     } else if (interface_.category == "action") {

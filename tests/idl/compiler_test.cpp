@@ -75,7 +75,7 @@ TEST(IdlCompiler, WritesConstantsAndClasses) {
   const File file =
       parse(in_module("module B_Constants { const int8 LOW = -1; }; struct B { octet x; float y[2]; };"
                       "struct C { sequence<string> texts; };"),
-            "a/msg/B.idl");
+            "test.idl");
   const Types types = link({file});
   EXPECT_THAT(constants_definition(file.constants[0]), HasSubstr("inline constexpr std::int8_t LOW = -1;\n"));
   const std::string plain = class_definition(file.structs[0], types);
@@ -106,11 +106,11 @@ TEST(IdlCompiler, RefusesWithFileAndLine) {
 TEST(IdlCompiler, RefusesTypesThatDoNotFitTogether) {
   EXPECT_THAT(fault(in_module("struct B { a::msg::C c; };")), HasSubstr("B.c has unknown type a/msg/C"));
   EXPECT_THAT(fault(in_module("struct B { a::msg::B b; };")), HasSubstr("B.b has unknown type a/msg/B"));
-  EXPECT_THAT(fault(in_module("struct B { float x; }; struct B { float x; };")),
+  EXPECT_THAT(fault(in_module("struct B { float x; }; struct B { float x; };"), "test.idl"),
               HasSubstr("a/msg/B is defined twice"));
   EXPECT_THAT(fault("#include \"a/msg/B.idl\"\n" + in_module("struct B { float x; };")),
               HasSubstr("includes itself"));
-  EXPECT_THAT(fault("#include \"no.idl\"\n"), HasSubstr("no such file: no.idl"));
+  EXPECT_THAT(fault("#include \"no.idl\"\n", "test.idl"), HasSubstr("no such file: no.idl"));
 }
 
 // The order and fields of rosidl: its hash test holds the fields, this what is made at all.
@@ -130,6 +130,15 @@ TEST(IdlCompiler, DerivesWhatCarriesACall) {
               ElementsAre("unique_identifier_msgs/msg/UUID.idl", "builtin_interfaces/msg/Time.idl",
                           "service_msgs/msg/ServiceEventInfo.idl"));
   EXPECT_EQ(interface_definition(interface_of("a/msg/B.idl")), "");
+}
+
+// rosidl takes a file of two structs for a service.
+TEST(IdlCompiler, RefusesAFileThatIsNotOneMessage) {
+  EXPECT_EQ(fault(in_module("struct C { float x; };")),
+            "a/msg/B.idl:2: expected struct a::msg::B, found a::msg::C");
+  EXPECT_EQ(fault(in_module("struct B { float x; };\nstruct C { float x; };")),
+            "a/msg/B.idl:3: expected no more structs, found a::msg::C");
+  EXPECT_EQ(fault(in_module("")), "a/msg/B.idl:3: expected struct a::msg::B, found the end of the file");
 }
 
 TEST(IdlCompiler, RefusesServicesAndActionsThatAreNone) {
