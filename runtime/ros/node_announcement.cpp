@@ -39,7 +39,7 @@ NodeAnnouncement::NodeAnnouncement(dds::Participant& participant, AnnouncementOp
 }
 
 NodeAnnouncement::NodeAnnouncement(dds::Participant& participant, const std::string& name, RosDistro distro)
-    : NodeAnnouncement(participant, AnnouncementOptions{.distro = distro}) {
+    : NodeAnnouncement(participant, AnnouncementOptions{.distro = distro, .looks_around = false}) {
   add({.node_namespace = "/", .name = name, .readers = {}, .writers = {}});
 }
 
