@@ -57,14 +57,16 @@ std::string type_rule(const std::string& name, ParameterType wanted, const Param
   return rule;
 }
 
-/// Texts go into logs, YAML and JSON.
+/// Texts go into logs, YAML and JSON, and are kept.
 bool is_text(const ParameterValue& value) {
-  const auto one = [](const std::string& text) {
-    return text.size() <= kMaxYamlBytes && is_config_text(text);
+  std::size_t bytes = 0;
+  const auto fits = [&bytes](const std::string& text) {
+    bytes += text.size();
+    return bytes <= kMaxYamlBytes && is_config_text(text);
   };
-  if (const auto* text = std::get_if<std::string>(&value)) return one(*text);
+  if (const auto* text = std::get_if<std::string>(&value)) return fits(*text);
   if (const auto* texts = std::get_if<std::vector<std::string>>(&value))
-    return std::ranges::all_of(*texts, one);
+    return std::ranges::all_of(*texts, fits);
   return true;
 }
 
@@ -127,7 +129,8 @@ std::optional<std::string> ParameterSet::change(std::span<const NamedValue> chan
     const ParameterType type = type_of(values_[*index]);
     ParameterValue value = with_type(type, wanted.value);
     if (type_of(value) != type) return type_rule(wanted.name, type, value);
-    if (!is_text(value)) return wanted.name + " must be UTF-8 text without control characters";
+    if (!is_text(value))
+      return wanted.name + " must be UTF-8 text without control characters, of at most 1 MiB";
     put(section, *index, value, *held_);
     accepted.emplace_back(*index, std::move(value));
   }

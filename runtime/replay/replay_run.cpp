@@ -21,7 +21,7 @@ namespace bw::replay {
 namespace {
 
 /// Every process says these for itself.
-const std::set<std::string> kOfTheProcess = {"/rosout", "/diagnostics", "/clock"};
+const std::set<std::string> kOfTheProcess = {"/rosout", "/diagnostics", "/clock", "/parameter_events"};
 
 /// Topics with the nodes that write them.
 using Outputs = std::set<std::pair<std::string, std::string>>;

@@ -214,11 +214,12 @@ TEST(ParameterSet, RefusesBadValuesWithTheRuleOfTheField) {
   EXPECT_EQ(said("walls.0.x", 11.0), "walls.0.x = 11.0: must be between -10 and 10 m");
   EXPECT_EQ(said("gains", std::vector<double>(kMaxListElements + 1)),
             "gains = 20001 elements: must have at most 20000 elements");
-  EXPECT_EQ(said("label", std::string("a\0b", 3)), "label must be UTF-8 text without control characters");
+  EXPECT_EQ(said("label", std::string("a\0b", 3)),
+            "label must be UTF-8 text without control characters, of at most 1 MiB");
   EXPECT_EQ(said("names", std::vector<std::string>{"\xff"}),
-            "names must be UTF-8 text without control characters");
+            "names must be UTF-8 text without control characters, of at most 1 MiB");
   EXPECT_EQ(said("label", std::string(kMaxYamlBytes + 1, 'a')),
-            "label must be UTF-8 text without control characters");
+            "label must be UTF-8 text without control characters, of at most 1 MiB");
 }
 
 TEST(ParameterSet, RefusesUnknownNamesAndNamesTheNearest) {
