@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# build.sh [PRESET] [program|tests]: configures and builds a preset (default: release, tests: everything).
+# build.sh [PRESET] [program|tests|idl_compiler]: configures and builds a preset (default: release, tests: everything).
 # A new build folder that is asked for the program alone needs neither GoogleTest nor Benchmark; tests that a folder once had stay.
 set -euo pipefail
 
@@ -18,12 +18,17 @@ case $what in
     targets=(--target bandwagon)
     echo "Building the program, $preset (from scratch: about 8 minutes on two cores) ..."
     ;;
+  idl_compiler)
+    $new && options+=(-DBANDWAGON_TESTS=OFF)
+    targets=(--target bandwagon_idl_compiler)
+    echo "Building the compiler of the messages, $preset ..."
+    ;;
   tests)
     options+=(-DBANDWAGON_TESTS=ON)
     echo "Building the program, its tests and benchmarks, $preset (from scratch: up to 20 minutes on two cores) ..."
     ;;
   *)
-    echo "usage: $0 [PRESET] [program|tests]" >&2
+    echo "usage: $0 [PRESET] [program|tests|idl_compiler]" >&2
     exit 2
     ;;
 esac

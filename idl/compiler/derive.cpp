@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "idl/compiler/names.hpp"
+
 namespace bw::idl {
 namespace {
 
@@ -35,7 +37,9 @@ class Deriver {
   explicit Deriver(File& file) : file_(file), interface_(interface_of(file.path)) {}
 
   void run() {
-    if (interface_.category == "srv") {
+    if (interface_.category == "msg") {
+      check({""});
+    } else if (interface_.category == "srv") {
       check({"_Request", "_Response"});
       add_event("");
     } else if (interface_.category == "action") {
@@ -57,6 +61,7 @@ class Deriver {
   }
 
   void check(const std::vector<std::string>& suffixes) const {
+    if (!is_type_name(interface_.name)) fail(1, "expected a file's name in CamelCase");
     for (std::size_t i = 0; i < std::max(suffixes.size(), file_.structs.size()); ++i) {
       const std::string expected =
           i < suffixes.size() ? "struct " + cpp_name(suffixes[i]) : "no more structs";

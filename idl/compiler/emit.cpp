@@ -61,8 +61,8 @@ void describe(const Struct& type, const Types& types, const std::map<std::string
            (member.kind == Kind::kMessage ? "&" + constant(member.message) : "nullptr") + "},\n";
   }
   out += "};\nconstexpr TypeDescription " + name + "{" + traits(type) + "::ros_name, " + traits(type) +
-         "::dds_name,\n    " + traits(type) + "::type_hash, " + name + "_fields,\n    R\"(" +
-         texts.at(type.ros_name()) + ")\"};\n";
+         "::dds_name,\n    " + traits(type) + "::type_hash, " + name + "_fields,\n    R\"msg(" +
+         texts.at(type.ros_name()) + ")msg\"};\n";
 }
 
 }  // namespace

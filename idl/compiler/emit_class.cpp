@@ -23,8 +23,7 @@ std::string cpp_name(std::string ros_name) {
 }
 
 std::string cpp_type(const Member& member) {
-  const std::string element =
-      member.kind == Kind::kMessage ? cpp_name(member.message) : cpp_type(member.kind);
+  std::string element = member.kind == Kind::kMessage ? cpp_name(member.message) : cpp_type(member.kind);
   switch (member.shape) {
     case Shape::kArray:
       return "std::array<" + element + ", " + std::to_string(member.capacity) + ">";
@@ -63,12 +62,19 @@ std::string open_namespace(const std::string& package, const std::string& catego
   return "\nnamespace " + package + "::" + category + " {\n";
 }
 
-/// struct <name> { its ROS name, and `using <part> = <prefix>_<part>;` of each part.
-std::string parts(const std::string& name, const std::string& prefix, const std::string& ros_name,
+/// struct <name> { the ROS name of `interface`, and `using <part> = <interface>_<part>;` of each part.
+std::string parts(const std::string& name, const Interface& interface,
                   std::initializer_list<const char*> names) {
-  std::string out =
-      "struct " + name + " {\n  static constexpr std::string_view ros_name = \"" + ros_name + "\";\n";
-  for (const std::string part : names) out += "  using " + part + " = " + prefix + "_" + part + ";\n";
+  std::string out = "struct " + name + " {\n  static constexpr std::string_view ros_name = \"" +
+                    interface.ros_name() + "\";\n";
+  for (const char* part : names)
+    out.append("  using ")
+        .append(part)
+        .append(" = ")
+        .append(interface.name)
+        .append("_")
+        .append(part)
+        .append(";\n");
   return out;
 }
 
@@ -115,17 +121,15 @@ std::string class_definition(const Struct& type, const Types& types) {
 }
 
 std::string interface_definition(const Interface& interface) {
-  const std::string& name = interface.name;
-  const std::string ros_name = interface.ros_name();
   std::string out = open_namespace(interface.package, interface.category) + "\n";
   if (interface.category == "srv") {
-    out += parts(name, name, ros_name, {"Request", "Response", "Event"});
+    out += parts(interface.name, interface, {"Request", "Response", "Event"});
   } else if (interface.category == "action") {
-    out += parts(name, name, ros_name, {"Goal", "Result", "Feedback", "FeedbackMessage"});
-    for (const std::string service : {"SendGoal", "GetResult"}) {
-      out +=
-          parts(service, name + "_" + service, ros_name + "_" + service, {"Request", "Response", "Event"}) +
-          "};\n";
+    out += parts(interface.name, interface, {"Goal", "Result", "Feedback", "FeedbackMessage"});
+    for (const char* name : {"SendGoal", "GetResult"}) {
+      Interface service = interface;
+      service.name.append("_").append(name);
+      out += parts(name, service, {"Request", "Response", "Event"}) + "};\n";
     }
   } else {
     return "";

@@ -1,7 +1,9 @@
 #include "idl/compiler/lexer.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <stdexcept>
+#include <utility>
 
 namespace bw::idl {
 namespace {
@@ -33,16 +35,17 @@ class Lexer {
     throw std::runtime_error(path_ + ":" + std::to_string(line_) + ": " + what);
   }
 
-  void add(Token::Type type, std::string_view text) { tokens_.push_back({type, std::string(text), line_}); }
+  void add(Token::Type type, std::string_view text) {
+    tokens_.push_back({type, std::string(text), line_, std::exchange(comment_, "")});
+  }
 
   void skip_blanks() {
     while (at_ < text_.size()) {
       if (text_.substr(at_, 2) == "//") {
-        at_ = std::min(text_.find('\n', at_), text_.size());
-      } else if (text_.substr(at_, 2) == "/*") {
-        const std::size_t end = text_.find("*/", at_ + 2);
-        if (end == std::string_view::npos) fail("comment without end");
-        for (; at_ < end + 2; ++at_) line_ += text_[at_] == '\n' ? 1 : 0;
+        at_ = text_.find_first_not_of(' ', at_ + 2);
+        const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+        comment_ += std::string(text_.substr(std::min(at_, end), end - std::min(at_, end))) + "\n";
+        at_ = end;
       } else if (std::isspace(static_cast<unsigned char>(text_[at_])) != 0) {
         line_ += text_[at_++] == '\n' ? 1 : 0;
       } else {
@@ -79,6 +82,7 @@ class Lexer {
   const std::string& path_;
   std::size_t at_ = 0;
   int line_ = 1;
+  std::string comment_;
   std::vector<Token> tokens_;
 };
 

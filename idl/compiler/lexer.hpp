@@ -1,5 +1,5 @@
-// Splits IDL text into words, each with its line; drops comments, keeps include directives, which are
-// all that ROS 2's own parser knows of a preprocessor.
+// Splits IDL text into words, each with its line; keeps include directives, which are all that ROS 2's
+// own parser knows of a preprocessor, and comments after //, the only ones it knows.
 #pragma once
 
 #include <string>
@@ -13,6 +13,7 @@ struct Token {
   Type type;
   std::string text;  ///< identifier or number, one symbol ("::" counts as one), or the included path
   int line;
+  std::string comment;  ///< the lines of comment since the token before, each ended by a newline
 };
 
 /// The last token is kEnd. Throws std::runtime_error "<path>:<line>: ..." on text outside the subset.

@@ -17,6 +17,7 @@ struct Member {
   std::uint32_t capacity = 0;
   std::uint32_t string_capacity = 0;
   std::string message;  ///< ROS name of the nested type if kind is kMessage
+  std::string comment;  ///< what stands above it, line by line
 };
 
 /// What a file is named after: a message, a service or an action.
@@ -43,6 +44,7 @@ struct Constant {
   Kind kind = Kind::kInt32;
   std::string name;
   std::string value;  ///< as written, sign included
+  std::string comment;
 };
 
 /// module <Name>_Constants. Constants do not travel: they exist in C++ alone.
@@ -60,6 +62,7 @@ struct File {
   std::vector<std::string> includes;
   std::vector<Struct> structs;
   std::vector<Constants> constants;
+  std::string comment;  ///< at its head
   int lines = 0;
 };
 

@@ -27,15 +27,26 @@ std::string msg_type(const Member& member) {
 
 }  // namespace
 
+std::string comment_lines(const std::string& comment) {
+  std::string text;
+  for (std::size_t begin = 0; begin < comment.size();) {
+    const std::size_t end = comment.find('\n', begin);
+    text += "# " + comment.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  return text;
+}
+
 std::string msg_text(const Struct& type, const std::vector<Constants>& constants_of_file) {
   std::string text;
   for (const Constants& constants : constants_of_file) {
     if (constants.name != type.name + "_Constants") continue;
-    for (const Constant& c : constants.values) text += msg_type(c.kind) + " " + c.name + "=" + c.value + "\n";
+    for (const Constant& c : constants.values)
+      text += comment_lines(c.comment) + msg_type(c.kind) + " " + c.name + "=" + c.value + "\n";
   }
   for (const Member& member : type.members) {
     if (member.name == kEmptyMessageMember) return text + "# no fields\n";
-    text += msg_type(member) + " " + member.name + "\n";
+    text += comment_lines(member.comment) + msg_type(member) + " " + member.name + "\n";
   }
   return text;
 }

@@ -9,6 +9,7 @@
 
 #include "idl/compiler/derive.hpp"
 #include "idl/compiler/lexer.hpp"
+#include "idl/compiler/names.hpp"
 
 namespace bw::idl {
 namespace {
@@ -26,6 +27,9 @@ std::optional<Kind> primitive(std::string_view name) {
   return found == std::end(kPrimitives) ? std::nullopt : std::optional(found->second);
 }
 
+/// Of services and actions also with the part it is: Trigger_Request.
+bool is_struct_name(std::string_view name) { return is_type_name(name.substr(0, name.find('_'))); }
+
 class Parser {
  public:
   Parser(std::string_view text, const std::string& path) : path_(path), tokens_(tokenize(text, path)) {}
@@ -33,6 +37,7 @@ class Parser {
   File run() {
     File file;
     file.path = path_;
+    file.comment = now().comment;
     while (now().type == Token::Type::kInclude) file.includes.push_back(next().text);
     while (now().type != Token::Type::kEnd) {
       const std::string package = open_module();
@@ -69,6 +74,10 @@ class Parser {
     if (now().type != Token::Type::kWord) fail(expected);
     return next().text;
   }
+  std::string name(const char* expected, bool (*valid)(std::string_view)) {
+    if (!valid(now().text)) fail(expected);
+    return word(expected);
+  }
   std::uint32_t positive() {
     const std::string text = word("a positive number");
     std::uint32_t value = 0;
@@ -80,9 +89,9 @@ class Parser {
 
   std::string open_module() {
     expect("module");
-    std::string name = word("a module's name");
+    std::string result = name("a module's name in lower_case", is_field_name);
     expect("{");
-    return name;
+    return result;
   }
 
   void definition(const std::string& package, const std::string& category, File& file) {
@@ -96,7 +105,10 @@ class Parser {
     } else {
       expect("struct");
       const int line = now().line;
-      Struct result{{package, category, word("a struct's name")}, {}, line};
+      Struct result{{package, category,
+                     name("a struct's name in CamelCase", category == "msg" ? is_type_name : is_struct_name)},
+                    {},
+                    line};
       expect("{");
       while (!accept("}")) result.members.push_back(member());
       if (result.members.empty())
@@ -109,10 +121,11 @@ class Parser {
   Constant constant() {
     expect("const");
     Constant result;
+    result.comment = tokens_[at_ - 1].comment;
     const auto kind = primitive(word("a type"));
     if (!kind) fail("a number's type before");
     result.kind = *kind;
-    result.name = word("a constant's name");
+    result.name = name("a constant's name in UPPER_CASE", is_constant_name);
     expect("=");
     if (accept("-")) result.value = "-";
     result.value += word("a number");
@@ -122,6 +135,7 @@ class Parser {
 
   Member member() {
     Member result;
+    result.comment = now().comment;
     if (accept("sequence")) {
       result.shape = Shape::kSequence;
       expect("<");
@@ -131,7 +145,7 @@ class Parser {
     } else {
       element(result);
     }
-    result.name = word("a member's name");
+    result.name = name("a member's name in lower_case", is_field_name);
     if (accept("[")) {
       if (result.shape == Shape::kSequence) fail("';' (no arrays of sequences)");
       result.shape = Shape::kArray;

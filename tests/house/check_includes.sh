@@ -54,7 +54,7 @@ awk -v names="$names" '
       if (part[k] in into) continue
       into[part[k]]
       if (part[k] == "gmock/gmock.h") into["gtest/gtest.h"]
-      if (part[k] ~ /\/(msg)\/[a-z0-9_]+\.hpp$/) {  # generated (idl/compiler/emit_class.cpp)
+      if (part[k] ~ /\/(msg|srv|action)\/[a-z0-9_]+\.hpp$/) {  # generated (idl/compiler/emit_class.cpp)
         into["array"]
         into["span"]
         into["vector"]
