@@ -47,8 +47,8 @@ class Planner {
   /// What the map was prepared with (clearance, what is an obstacle) stays until the next map.
   void set_options(const GlobalPlannerOptions& options) { options_ = options; }
 
-  /// Prepares a map for a disc robot of this radius [m]. Returns why it cannot be used (sizes, numbers; the map before stays),
-  /// or nothing.
+  /// Prepares a map for a disc robot of this radius [m]. Returns why it cannot be used (sizes, numbers), or
+  /// nothing. The map before stays when it cannot.
   std::string set_map(const OccupancyGrid& map, double robot_radius);
 
   /// Path from `start` to `goal`, around `temporary` discs (people who stand in the way) as well.

@@ -195,44 +195,51 @@ class Checker {
     }
   }
 
-  /// By type: who is called by whose command.
+  /// Who is called by whose command.
   using Obedience = std::map<const ComponentNode*, std::set<const ComponentNode*>>;
 
-  /// A command that comes back to whoever gave it, on calls alone, drives the robot by itself and for ever: a multiplexer
-  /// that takes for a hand's what a monitor made of its own command.
+  /// An input that is left to others, and hears what comes of its component's own command, drives the robot by itself and
+  /// for ever: a multiplexer that takes for a hand's what a monitor made of its command.
   void check_loops() {
     std::map<std::string, Obedience> by_type;
+    for_each_command([&](const auto& writer, const auto& reader) {
+      by_type[writer.declared->type][writer.node].insert(reader.node);
+    });
+    for_each_command([&](const auto& writer, const auto& reader) {
+      const InputSettings* settings = reader.node->input(reader.declared->name);
+      std::vector<const ComponentNode*> way{reader.node};
+      if (settings == nullptr || !settings->external ||
+          !leads_to(writer.node, by_type[writer.declared->type], way))
+        return;
+      std::string text;
+      for (const ComponentNode* passed : way) text += passed->name + " -> ";
+      add(settings->where, reader.key(), reader.node->topic_of(reader.declared->name),
+          "is left to others and hears its own command back: " + text + reader.node->name + "; remap it");
+    });
+  }
+
+  /// Ends of a command that call.
+  template <class See>
+  void for_each_command(See see) const {
     for (const auto& [name, topic] : topics_) {
       for (const auto& writer : topic.writers) {
         for (const auto& reader : topic.readers) {
-          if (writer.declared->command && !reader.declared->only_newest)
-            by_type[writer.declared->type][writer.node].insert(reader.node);
+          if (writer.declared->command && !reader.declared->only_newest) see(writer, reader);
         }
-      }
-    }
-    for (const auto& [type, obedience] : by_type) {
-      std::set<const ComponentNode*> told;
-      for (const ComponentNode& node : graph_.components) {
-        std::vector<const ComponentNode*> way{&node};
-        if (told.contains(&node) || !returns(obedience, way)) continue;
-        std::string text;
-        for (const ComponentNode* passed : way) text += passed->name + " -> ";
-        add(node.where, joined("components", node.name), "",
-            "its command comes back to it: " + text + node.name + "; remap one of these topics");
-        told.insert(way.begin(), way.end());
       }
     }
   }
 
-  /// Extends `way` until it would reach its beginning; false when it does not.
-  static bool returns(const Obedience& obedience, std::vector<const ComponentNode*>& way) {
+  /// Extends `way` to `end` along commands; false when none leads there.
+  static bool leads_to(const ComponentNode* end, const Obedience& obedience,
+                       std::vector<const ComponentNode*>& way) {
+    if (way.back() == end) return true;
     const auto next = obedience.find(way.back());
     if (next == obedience.end()) return false;
-    if (next->second.contains(way.front())) return true;
     for (const ComponentNode* node : next->second) {
       if (std::find(way.begin(), way.end(), node) != way.end()) continue;
       way.push_back(node);
-      if (returns(obedience, way)) return true;
+      if (leads_to(end, obedience, way)) return true;
       way.pop_back();
     }
     return false;

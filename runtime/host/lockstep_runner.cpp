@@ -121,7 +121,8 @@ void LockstepRunner::dispatch(const Event& event) {
     if (event.timer != nullptr && !event.was_deferred) schedule_next(*event.timer, event.time);
     return;
   }
-  if (actor.latency > Duration{}) {
+  const bool takes_latency = event.inlet == nullptr || event.inlet->takes_latency();
+  if (takes_latency && actor.latency > Duration{}) {
     collecting_ = &busy_[actor.rank];
     push({.time = now_ + actor.latency, .rank = actor.rank, .actor = &actor});
   }

@@ -33,6 +33,8 @@ class ServiceEnd final : public Inlet, public ServicePort {
              ServiceScope service_scope);
 
   const std::string& label() const override { return service; }
+  /// A request to the node waits while its component is busy, and does not make it so.
+  bool takes_latency() const override { return scope == ServiceScope::component; }
   bool take_one(Time now, std::optional<Duration> waited) override;
   /// When the component's latency has passed; to a client that is not connected yet when it is, for at most a second.
   void reply(const RequestId& to, std::span<const std::uint8_t> cdr) override;

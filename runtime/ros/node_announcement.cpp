@@ -87,7 +87,7 @@ void NodeAnnouncement::decide(RosDistro distro) {
                                         .type = kDiscoveryType,
                                         .qos = Qos::latched(),
                                         .user_data = is_humble ? "" : user_data_of(kDiscoveryTypeHash),
-                                        .heartbeat = Duration::milliseconds(100)});
+                                        .heartbeat = dds::kPromptHeartbeat});
   write();
 }
 

@@ -67,9 +67,9 @@ TEST(MapChange, TheRobotArrivesWhateverIsLoadedOnTheWay) {
           if (card.finished()) finish(card.reached(), "the goal has ended");
         });
     call_at<LoadMap>(setup, "map_server/load_map",
-                     {{3.0, request_for(folder / "none.yaml")},
-                      {3.5, request_for(folder / "huge.yaml")},
-                      {4.0, request_for(folder / "nan.yaml")},
+                     {{4.0, request_for(folder / "none.yaml")},
+                      {4.5, request_for(folder / "huge.yaml")},
+                      {5.0, request_for(folder / "nan.yaml")},
                       {6.0, request_for(folder / "coarse.yaml")},
                       {9.0, request_for(folder / "elsewhere.yaml")},
                       {10.0, request_for(folder / "coarse.yaml")}},

@@ -34,7 +34,7 @@ class ServiceFaults : public testing::Test {
   /// A whole call of a newcomer.
   void expect_alive() {
     plain::Node newcomer("newcomer");
-    plain::Client client(newcomer, "/server/trigger", trigger());
+    plain::Client client(newcomer, "/example/trigger", trigger());
     const auto reply = client.call(trigger_request());
     ASSERT_TRUE(reply.has_value()) << server_.process().err();
     EXPECT_EQ(to_hex(*reply), to_hex(plain::padded(from_hex(golden_of("trigger").response))));
@@ -72,7 +72,7 @@ const std::map<std::string, std::string>& hostile_requests() {
 
 TEST_F(ServiceFaults, ARequestThatIsNoneIsNamedInTheLogAndCostsOthersNothing) {
   const Golden& list = golden_of("list_parameters");
-  plain::Client client(node_, "/server/list_parameters", plain_type(list),
+  plain::Client client(node_, "/example/list_parameters", plain_type(list),
                        plain::Client::Identity::reply_reader, 1000);
   ASSERT_TRUE(eventually([&] { return client.is_ready(); }));
   std::vector<std::int64_t> asked;
@@ -84,7 +84,7 @@ TEST_F(ServiceFaults, ARequestThatIsNoneIsNamedInTheLogAndCostsOthersNothing) {
   for (const std::int64_t sequence : asked) EXPECT_FALSE(client.take(sequence).has_value()) << sequence;
   EXPECT_THAT(
       server_.process().err(),
-      HasSubstr("[server] a request of /server/list_parameters holds no rcl_interfaces/srv/ListParameters"));
+      HasSubstr("[server] a request of /example/list_parameters holds no rcl_interfaces/srv/ListParameters"));
   expect_ends_well();
 }
 
@@ -112,7 +112,7 @@ TEST_F(ServiceFaults, AReplyThatNobodyWaitsForIsDropped) {
     plain::Client leaving(node_, "/kept", trigger());
     ASSERT_TRUE(eventually([&] { return leaving.is_ready(); }));
     leaving.send(trigger_request());
-    plain::Client count(node_, "/server/trigger", trigger());
+    plain::Client count(node_, "/example/trigger", trigger());
     ASSERT_TRUE(count.call(trigger_request()).has_value()) << "the request before is in the server";
   }
   {
@@ -120,7 +120,7 @@ TEST_F(ServiceFaults, AReplyThatNobodyWaitsForIsDropped) {
     plain::Client client(*dying, "/kept", trigger());
     ASSERT_TRUE(eventually([&] { return client.is_ready(); }));
     client.send(trigger_request());
-    plain::Client count(*dying, "/server/trigger", trigger());
+    plain::Client count(*dying, "/example/trigger", trigger());
     ASSERT_TRUE(count.call(trigger_request()).has_value());
   }
   plain::Client release(node_, "/release", trigger());
@@ -148,7 +148,7 @@ TEST_F(ServiceFaults, AKilledClientIsForgotten) {
 TEST_F(ServiceFaults, RepliesToReadersThatNeverComeAreBounded) {
   // Each names a reader that does not exist: the server holds the reply for a while, 256 of them at most.
   constexpr int kGhosts = 2000;
-  plain::Client client(node_, "/server/trigger", trigger(), plain::Client::Identity::reply_reader, 1000);
+  plain::Client client(node_, "/example/trigger", trigger(), plain::Client::Identity::reply_reader, 1000);
   ASSERT_TRUE(client.call(trigger_request()).has_value());
   const double before = server_.memory_mb();
   plain::rtps::GUID_t ghost = node_.guid();
@@ -177,7 +177,7 @@ TEST_F(ServiceFaults, ManyClientsOfOneParticipantAreAllAnswered) {
     plain::Node crowd("crowd");
     std::vector<std::unique_ptr<plain::Client>> all;
     for (int i = 0; i < clients; ++i)
-      all.push_back(std::make_unique<plain::Client>(crowd, "/server/trigger", trigger()));
+      all.push_back(std::make_unique<plain::Client>(crowd, "/example/trigger", trigger()));
     for (int i = 0; i < clients; ++i) {
       const auto reply = all[static_cast<std::size_t>(i)]->call(trigger_request(), std::chrono::seconds(60));
       ASSERT_TRUE(reply.has_value()) << "client " << i << " in round " << round << server_.process().err();
@@ -196,7 +196,7 @@ TEST_F(ServiceFaults, ManyParticipantsOneAfterAnotherLeaveNothing) {
   double first = 0.0;
   for (int i = 0; i < participants; ++i) {
     plain::Node node("guest");
-    plain::Client client(node, "/server/trigger", trigger());
+    plain::Client client(node, "/example/trigger", trigger());
     ASSERT_TRUE(client.call(trigger_request(), std::chrono::seconds(30)).has_value()) << "participant " << i;
     if (i == 9) first = server_.memory_mb();
   }
@@ -232,9 +232,9 @@ TEST_F(ServiceFaults, ManyRequestsOfOneClientAreAllAnsweredInTheirOrder) {
 
 TEST_F(ServiceFaults, AClientOfAnotherTypeHearsNothingAndDisturbsNobody) {
   // DDS connects equal types alone, as ROS 2 does: the stranger waits for its service to become available.
-  plain::Client stranger(node_, "/server/trigger", plain_type(golden_of("set_bool")));
+  plain::Client stranger(node_, "/example/trigger", plain_type(golden_of("set_bool")));
   plain::Node other("other");
-  plain::Client client(other, "/server/trigger", trigger());
+  plain::Client client(other, "/example/trigger", trigger());
   ASSERT_TRUE(client.call(trigger_request()).has_value());
   EXPECT_FALSE(stranger.is_ready());
   expect_alive();

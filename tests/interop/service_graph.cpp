@@ -1,5 +1,6 @@
 // The project's side of a service, as a process of its own, for tests that sit on the other side:
-//   service_graph serve    a node `server` with every service of service_examples.hpp and a few that take their time
+//   service_graph serve    a node `server` with every service of service_examples.hpp and a few that take their time, and a
+//                          node `limited` whose one parameter, limits.v_max, may change
 //   service_graph call     a node `caller` that calls the examples of /plain/... one after the other and prints the replies
 #include <csignal>
 #include <cstdio>
@@ -32,12 +33,13 @@ Trigger::Response said(const std::string& text) {
   return response;
 }
 
-/// Offered below the node's own name: /server/list_parameters. What is not asked by the example gets an empty response.
+/// Offered as /example/list_parameters and so on, beside the services of the node itself. What is not asked by the example gets an empty response.
 void offer_examples(Setup& setup) {
   for_each_example([&setup]<class S>(const Example<S>& example) {
-    setup.service<S>("~/" + example.service, [example](const typename S::Request& request, const Tick&) {
-      return bytes_of(request) == bytes_of(example.request) ? example.response : typename S::Response{};
-    });
+    setup.service<S>(
+        "/example/" + example.service, [example](const typename S::Request& request, const Tick&) {
+          return bytes_of(request) == bytes_of(example.request) ? example.response : typename S::Response{};
+        });
   });
 }
 
@@ -77,6 +79,16 @@ void offer_slow_ones(Setup& setup) {
       },
       [answer](const std::string& reason) { return answer(false, reason); });
 }
+
+struct Limits {
+  double v_max = 0.75;
+  void fields(auto& v) { v("v_max", v_max, {.min = 0, .max = 2, .doc = "top speed"}); }
+};
+
+struct LimitedOptions {
+  Limits limits;
+  void fields(auto& v) { v("limits", limits); }
+};
 
 /// All calls at once, in the hope of a server; the run ends when each has been answered or has run out of time.
 class Caller final : public Component {
@@ -128,6 +140,9 @@ int run(const std::string& role) {
       offer_examples(setup);
       offer_slow_ones(setup);
       end_when_asked(setup);
+    }));
+    graph.components.push_back(scripted({.name = "limited"}, [](Setup& setup) {
+      setup.parameters<LimitedOptions>([](const LimitedOptions&, const Tick&) {});
     }));
   } else {
     register_component("caller", [] { return std::make_unique<Caller>(); });

@@ -29,20 +29,20 @@ std::unique_ptr<ServiceProcess> ServiceVerb::server_;
 TEST_F(ServiceVerb, ListNamesOneALine) {
   const Outcome list = service({"list"});
   EXPECT_EQ(list.status, 0) << list.err;
-  for (const char* line : {"/count\n", "/server/get_state\n", "/server/trigger\n", "/switch\n"})
+  for (const char* line : {"/count\n", "/example/get_state\n", "/example/trigger\n", "/switch\n"})
     EXPECT_THAT(list.out, HasSubstr(line));
 }
 
 TEST_F(ServiceVerb, ListTellsTypes) {
   EXPECT_THAT(service({"list", "-t"}).out,
               AllOf(HasSubstr("/switch [std_srvs/srv/SetBool]\n"),
-                    HasSubstr("/server/set_parameters [rcl_interfaces/srv/SetParameters]\n")));
+                    HasSubstr("/example/set_parameters [rcl_interfaces/srv/SetParameters]\n")));
   const auto json = nlohmann::json::parse(service({"list", "--json"}).out);
   EXPECT_EQ(json.at("/count"), "std_srvs/srv/Trigger");
 }
 
 TEST_F(ServiceVerb, CallPrintsTheReplyAsYaml) {
-  const Outcome call = service({"call", "/server/trigger"});
+  const Outcome call = service({"call", "/example/trigger"});
   EXPECT_EQ(call.status, 0) << call.err;
   EXPECT_EQ(call.out, "success: true\nmessage: asked\n");
 }

@@ -66,7 +66,7 @@ std::unique_ptr<ServiceProcess> ServerOnTheWire::server_;
 TEST_F(ServerOnTheWire, EndsHaveTheNamesTypesQosAndHashesOfRos2) {
   plain::Node node("look");
   for (const Golden& entry : golden()) {
-    const std::string service = "/server/" + entry.service;
+    const std::string service = "/example/" + entry.service;
     ASSERT_TRUE(eventually([&] {
       return node.count("rq" + service + "Request", false) == 1 &&
              node.count("rr" + service + "Reply", true) == 1;
@@ -80,9 +80,9 @@ TEST_F(ServerOnTheWire, EndsHaveTheNamesTypesQosAndHashesOfRos2) {
 
 TEST_F(ServerOnTheWire, TheNodeListsItsRequestReaderAndReplyWriter) {
   plain::Node node("look");
-  ASSERT_TRUE(eventually([&] { return node.count("rr/server/triggerReply", true) == 1; }));
-  const plain::Gid reader = foreign_end(node, "rq/server/triggerRequest", false).first;
-  const plain::Gid writer = foreign_end(node, "rr/server/triggerReply", true).first;
+  ASSERT_TRUE(eventually([&] { return node.count("rr/example/triggerReply", true) == 1; }));
+  const plain::Gid reader = foreign_end(node, "rq/example/triggerRequest", false).first;
+  const plain::Gid writer = foreign_end(node, "rr/example/triggerReply", true).first;
   ASSERT_TRUE(eventually([&] {
     return std::ranges::any_of(node.nodes(),
                                [](const plain::NodeInfo& info) { return info.name == "/server"; });
@@ -96,7 +96,7 @@ TEST_F(ServerOnTheWire, TheNodeListsItsRequestReaderAndReplyWriter) {
 TEST_F(ServerOnTheWire, EachRequestGetsTheBytesOfItsResponse) {
   plain::Node node("ask");
   for (const Golden& entry : golden()) {
-    plain::Client client(node, "/server/" + entry.service, plain_type(entry));
+    plain::Client client(node, "/example/" + entry.service, plain_type(entry));
     const auto reply = client.call(plain::from_hex(entry.request));
     ASSERT_TRUE(reply.has_value()) << entry.service;
     EXPECT_EQ(to_hex(*reply), wire_hex(entry.response)) << entry.service;
@@ -107,9 +107,9 @@ TEST_F(ServerOnTheWire, AReplyCarriesTheClientsReaderAndTheCountOfTheRequest) {
   const auto wire = std::make_shared<plain::Wire>();
   plain::Node node("ask", wire);
   const Golden& trigger = golden_of("trigger");
-  plain::Client client(node, "/server/trigger", plain_type(trigger));
+  plain::Client client(node, "/example/trigger", plain_type(trigger));
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(client.call(plain::from_hex(trigger.request)).has_value());
-  const plain::Gid writer = foreign_end(node, "rr/server/triggerReply", true).first;
+  const plain::Gid writer = foreign_end(node, "rr/example/triggerReply", true).first;
   std::map<std::int64_t, plain::Data> replies;  // without those that were sent again
   for (plain::Data& data : wire->data_of(writer)) replies.emplace(data.sequence, std::move(data));
   ASSERT_THAT(replies, SizeIs(3));
@@ -127,7 +127,7 @@ TEST_F(ServerOnTheWire, ClientsOfEachKindOfIdentityAreAnswered) {
   const Golden& trigger = golden_of("trigger");
   using enum plain::Client::Identity;
   for (const plain::Client::Identity identity : {reply_reader, request_writer, unknown}) {
-    plain::Client client(node, "/server/trigger", plain_type(trigger), identity);
+    plain::Client client(node, "/example/trigger", plain_type(trigger), identity);
     const auto reply = client.call(plain::from_hex(trigger.request));
     ASSERT_TRUE(reply.has_value()) << static_cast<int>(identity);
     EXPECT_EQ(to_hex(*reply), wire_hex(trigger.response));
@@ -137,8 +137,8 @@ TEST_F(ServerOnTheWire, ClientsOfEachKindOfIdentityAreAnswered) {
 TEST_F(ServerOnTheWire, EveryClientSeesAllRepliesAndKnowsItsOwn) {
   plain::Node node("ask"), other_node("other");
   const Golden& trigger = golden_of("trigger");
-  plain::Client client(node, "/server/trigger", plain_type(trigger));
-  plain::Client other(other_node, "/server/trigger", plain_type(trigger));
+  plain::Client client(node, "/example/trigger", plain_type(trigger));
+  plain::Client other(other_node, "/example/trigger", plain_type(trigger));
   // Answered once, it is connected in both directions.
   ASSERT_TRUE(other.call(plain::from_hex(trigger.request)).has_value());
   ASSERT_TRUE(eventually([&] { return client.is_ready(); }));
@@ -181,7 +181,7 @@ TEST_F(ServerOnTheWire, AReplyWaitsForAReaderThatComesAfterTheRequest) {
   plain::Node node("ask");
   const Golden& trigger = golden_of("trigger");
   constexpr int kReader = 0x1234;
-  plain::Client ready(node, "/server/trigger", plain_type(trigger));
+  plain::Client ready(node, "/example/trigger", plain_type(trigger));
   ASSERT_TRUE(eventually([&] { return ready.is_ready(); }));
   plain::rtps::GUID_t future = node.guid();
   future.entityId = plain::rtps::EntityId_t(kReader << 8U | 0x04U);
@@ -189,7 +189,7 @@ TEST_F(ServerOnTheWire, AReplyWaitsForAReaderThatComesAfterTheRequest) {
   params.related_sample_identity().writer_guid(future);
   plain::Bytes request = plain::from_hex(trigger.request);
   ASSERT_TRUE(ready.writer().write(&request, params));
-  plain::dds::DataReader* reader = node.create_reader({.topic = plain::reply_topic("/server/trigger"),
+  plain::dds::DataReader* reader = node.create_reader({.topic = plain::reply_topic("/example/trigger"),
                                                        .type = plain::response_type(trigger.type),
                                                        .type_hash = {},
                                                        .entity_id = kReader});

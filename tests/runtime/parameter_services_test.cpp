@@ -82,6 +82,7 @@ class Client {
   std::vector<double> gains;  ///< published, one each 100 ms
   std::vector<ParameterEvent> events;
   std::string hash;
+  Duration latency;  ///< of the node
 
   template <class S>
   typename S::Response call(const std::string& service, const typename S::Request& request) {
@@ -101,7 +102,8 @@ class Client {
 
   void run(std::function<void(Setup&)> script) {
     Graph graph;
-    graph.components.push_back({.name = "publisher", .type = "gain_publisher", .node_namespace = "/robot1"});
+    graph.components.push_back(
+        {.name = "publisher", .type = "gain_publisher", .latency = latency, .node_namespace = "/robot1"});
     std::vector<ExtraComponent> extra;
     extra.push_back(
         {"client", std::make_unique<Script>([this, script](bw::Setup& setup) {
@@ -263,6 +265,24 @@ TEST(ParameterServices, LeaveTheRunAsItIsWhenTheyOnlyTell) {
   EXPECT_EQ(client.hash, alone);
   client.call<SetParameters>("set_parameters", with<SetParameters::Request>({{"gain", 2.0}}));
   EXPECT_NE(client.hash, alone);
+}
+
+// A component that takes 20 ms for what it does takes none to answer: a request waits for it, no more. 499 requests, all
+// but the last 20 ms of them answered by the end.
+TEST(ParameterServices, CostABusyComponentNoLatency) {
+  Client client;
+  client.latency = Duration::milliseconds(20);
+  int answers = 0;
+  client.run([&answers](bw::Setup& setup) {
+    setup.every(
+        Duration::milliseconds(1), "ask",
+        [&answers, get = setup.client<GetParameters>("/robot1/publisher/get_parameters")](const Tick&) {
+          get.call(named<GetParameters::Request>({"gain"}), Duration::milliseconds(30),
+                   [&answers](const auto* response, const Tick&) { answers += response != nullptr ? 1 : 0; });
+        });
+  });
+  EXPECT_GE(answers, 479);
+  EXPECT_EQ(client.gains.size(), 4U);  // what is due at 500 ms comes 20 ms later
 }
 
 // A thousand changes a second: 499 calls from 1 to 499 ms, the n-th to n / 100; each is answered, each change is told, and
