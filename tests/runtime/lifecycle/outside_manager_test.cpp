@@ -57,9 +57,9 @@ class RunningHost {
 
 Graph two_servers(bool external) {
   ScriptedGraph g;
-  g.add({.name = "controller_server", .process = "planning"}, [] {
+  g.add(ComponentNode{.name = "controller_server", .process = "planning"}, [] {
      return Script{};
-   }).add({.name = "planner_server", .process = "rest"}, [] { return Script{}; });
+   }).add(ComponentNode{.name = "planner_server", .process = "rest"}, [] { return Script{}; });
   g.graph.settings.external_lifecycle = external;
   return g.graph;
 }
