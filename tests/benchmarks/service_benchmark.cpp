@@ -1,12 +1,16 @@
-// The round trip of a service call between two components: from Client::call to the callback with the response. In one process
-// and across two, on lanes of their own, at rest (1 kHz) and one call after the other. Compare with `benchmark_executor`, whose
-// messages go one way.
+// What services cost. The round trip of a call between two components, from Client::call to the callback with the response:
+// in one process and across two, on lanes of their own, at rest (1 kHz) and one call after the other. Compare with
+// `benchmark_executor`, whose messages go one way. And nodes that do nothing but offer the services that every node has:
+// processor and memory of a process with 12 of them, and with none.
 //   benchmark_service [--json FILE]
+#include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -87,7 +91,31 @@ std::vector<ExtraComponent> server(const std::string& lane) {
   return components;
 }
 
-/// Forks: before this process has threads.
+/// What `measure` returns, in a process of its own. Forks: before this process has threads.
+template <class Measure>
+std::vector<double> in_a_process(std::size_t count, Measure measure) {
+  int pipes[2];
+  if (pipe(pipes) != 0) throw std::runtime_error("no pipe");
+  const pid_t child = fork();
+  if (child == 0) {
+    const std::vector<double> measured = measure();
+    const ssize_t written = write(pipes[1], measured.data(), measured.size() * sizeof(double));
+    _exit(written > 0 ? 0 : 1);
+  }
+  close(pipes[1]);
+  std::vector<double> measured(count);
+  char* to = reinterpret_cast<char*>(measured.data());
+  std::size_t left = count * sizeof(double);
+  for (ssize_t size = 0; left > 0 && (size = read(pipes[0], to, left)) > 0;) {
+    to += size;
+    left -= static_cast<std::size_t>(size);
+  }
+  close(pipes[0]);
+  waitpid(child, nullptr, 0);
+  if (left > 0) throw std::runtime_error("a process ended early");
+  return measured;
+}
+
 std::vector<double> across(std::size_t count, bool at_rest) {
   const pid_t child = fork();
   if (child == 0) {
@@ -95,29 +123,50 @@ std::vector<double> across(std::size_t count, bool at_rest) {
     host.run(Duration::seconds(120.0));
     _exit(0);
   }
-  // The server's process is told apart by a fork of its own caller, so that the next pair finds no threads either.
-  int pipes[2];
-  if (pipe(pipes) != 0) throw std::runtime_error("no pipe");
-  const pid_t caller = fork();
-  if (caller == 0) {
-    const std::vector<double> measured = call({}, count, at_rest);
-    const ssize_t written = write(pipes[1], measured.data(), measured.size() * sizeof(double));
-    _exit(written > 0 ? 0 : 1);
-  }
-  close(pipes[1]);
-  std::vector<double> round_trips_us(count);
-  char* to = reinterpret_cast<char*>(round_trips_us.data());
-  std::size_t left = count * sizeof(double);
-  for (ssize_t size = 0; left > 0 && (size = read(pipes[0], to, left)) > 0;) {
-    to += size;
-    left -= static_cast<std::size_t>(size);
-  }
-  close(pipes[0]);
-  waitpid(caller, nullptr, 0);
+  std::vector<double> round_trips_us = in_a_process(count, [&] { return call({}, count, at_rest); });
   kill(child, SIGTERM);
   waitpid(child, nullptr, 0);
-  if (left > 0) throw std::runtime_error("the caller failed");
   return round_trips_us;
+}
+
+double cpu_seconds() {
+  timespec used{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+}
+
+double memory_mb() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024.0;
+  }
+  return 0.0;
+}
+
+class Nothing final : public Component {
+  void configure(Setup&) override {}
+};
+
+BW_COMPONENT(Nothing, "nothing")
+
+/// Percent of a core, and MB, of a process with so many idle nodes.
+std::vector<double> idle(int nodes) {
+  Graph graph;
+  for (int i = 0; i < nodes; ++i)
+    graph.components.push_back({.name = "node" + std::to_string(i), .type = "nothing"});
+  Host host(graph, {.clock = ClockMode::wall});
+  std::vector<double> measured;
+  std::thread measuring([&] {
+    constexpr double kSeconds = 10.0;
+    std::this_thread::sleep_for(std::chrono::seconds(2));  // set-up is not idleness
+    const double before = cpu_seconds();
+    std::this_thread::sleep_for(std::chrono::duration<double>(kSeconds));
+    measured = {100.0 * (cpu_seconds() - before) / kSeconds, memory_mb()};
+    host.finish({.ok = true, .reason = "measured"}, true);
+  });
+  host.run(std::nullopt);
+  measuring.join();
+  return measured;
 }
 
 }  // namespace
@@ -131,6 +180,11 @@ int main(int argc, char** argv) {
     std::printf("%-44s median %6.1f us  p99 %7.1f us  (%zu calls)\n", name.c_str(), median, p99, us.size());
     json[name] = {{"median_us", median}, {"p99_us", p99}, {"calls", us.size()}};
   };
+  for (const int nodes : {0, 12}) {
+    const std::vector<double> idle = bw::in_a_process(2, [nodes] { return bw::idle(nodes); });
+    std::printf("%2d idle nodes: %.2f %% of a core, %.1f MB\n", nodes, idle[0], idle[1]);
+    json["idle_nodes_" + std::to_string(nodes)] = {{"cpu_percent", idle[0]}, {"memory_mb", idle[1]}};
+  }
   report("two processes, 1 kHz", bw::across(kCount, true));
   report("two processes, one after the other", bw::across(kCount, false));
   report("one process, 1 kHz", bw::call(bw::server("server"), kCount, true));

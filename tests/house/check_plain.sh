@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# check_plain.sh ROOT: the node on plain Fast DDS that tests our services from outside shares nothing with us, neither code of
+# the runtime nor what the interface compiler makes; and so do the tests that speak through it.
+set -euo pipefail
+cd "$1"
+
+files=$(ls tests/interop/plain/*.[ch]pp tests/interop/service_{process,golden}.hpp \
+  tests/interop/{service_wire,service_faults,node_services}_test.cpp)
+# shellcheck disable=SC2086
+if grep -nE '#[ \t]*include[ \t]*["<]((runtime|components|idl)/|[a-z0-9_]+/(msg|srv|action)/)' $files; then
+  echo 'the other side of the wire includes what is ours'
+  exit 1
+fi
+echo "$(wc -w <<<"$files") files of the other side looked at"
