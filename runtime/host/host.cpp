@@ -69,10 +69,8 @@ ComponentDeclaration declaration_of(const Actor& actor) {
                          .qos = output->qos,
                          .command = output->command});
   }
-  for (const auto& service : actor.services) {
-    if (!service->of_node)
-      d.services.push_back({.name = service->name, .type = std::string(service->type.ros_name)});
-  }
+  for (const auto& service : actor.services)
+    d.services.push_back({.name = service->name, .type = std::string(service->type.ros_name)});
   for (const auto& client : actor.clients) {
     d.clients.push_back({.name = client->name,
                          .type = std::string(client->type.ros_name),

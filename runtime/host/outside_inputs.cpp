@@ -78,6 +78,7 @@ void OutsideInputs::look(Time now) {
         kept_.push_back({.service = service, .topic = {}, .request = std::move(request)});
       } else {
         service->refuse(request.from, kRefusal);
+        tell_refusal("request to " + service->service, request.from.client);
       }
     }
   }
@@ -91,14 +92,14 @@ void OutsideInputs::listen(Ear& ear) {
     if (accepts_) {
       kept_.push_back({.service = nullptr, .topic = ear.topic, .request = {{}, sample.cdr}});
     } else {
-      refuse_message(ear.topic, sample.writer);
+      tell_refusal("message on " + ear.topic, sample.writer);
     }
   }
 }
 
-void OutsideInputs::refuse_message(const std::string& topic, const dds::Guid& writer) {
-  if (refused_.emplace(topic, writer).second)
-    warn_(fmt::format("refused a message on {}: {}", topic, kRefusal));
+/// Once for each sender: not every reply has a place for a reason.
+void OutsideInputs::tell_refusal(const std::string& what, const dds::Guid& sender) {
+  if (refused_.emplace(what, sender).second) warn_(fmt::format("refused a {}: {}", what, kRefusal));
 }
 
 void OutsideInputs::enter(Time now) {

@@ -61,7 +61,7 @@ class OutsideInputs final : public Outside {
   };
 
   void listen(Ear& ear);
-  void refuse_message(const std::string& topic, const dds::Guid& writer);
+  void tell_refusal(const std::string& what, const dds::Guid& sender);
 
   bool accepts_;
   std::function<void(const std::string&)> warn_;

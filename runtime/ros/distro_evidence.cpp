@@ -40,6 +40,7 @@ DistroEvidence distro_evidence(const std::vector<dds::Endpoint>& endpoints) {
       participant.has_hashes |= has_hash && is_ros_name(endpoint.topic);
       continue;
     }
+    if (!has_hash && !endpoint.is_writer) continue;
     participant.has_discovery_info = true;
     if (endpoint.user_data.find(kReadsBoth) != std::string::npos) continue;
     (has_hash ? participant.by_discovery_info.iron_and_later : participant.by_discovery_info.humble) = true;

@@ -1,6 +1,6 @@
 // The services that every node has, as ROS 2's tools ask for them, byte by byte. The node `limited` of service_graph has one
 // parameter of its own, limits.v_max = 0.75 from 0 to 2, so that most of its answers are those worked out in
-// service_golden.hpp; the others are worked out here by the same rules. What rclcpp has on every node: ros2_interop.md, 8.
+// service_golden.hpp; the others are worked out here by the same rules. They are those that rclcpp gives every node.
 #include <gmock/gmock.h>
 
 #include "tests/interop/eventually.hpp"

@@ -16,7 +16,10 @@ using testing::StartsWith;
 
 class Param : public testing::Test {
  protected:
-  static void SetUpTestSuite() { graph_ = std::make_unique<RunningGraph>(); }
+  static void SetUpTestSuite() {
+    graph_ = std::make_unique<RunningGraph>(std::filesystem::path(BANDWAGON_SOURCE_DIR) /
+                                            "config/graphs/hallway.yaml");
+  }
   static void TearDownTestSuite() {
     EXPECT_EQ(graph_->stop(), 0) << graph_->process().err();
     graph_.reset();

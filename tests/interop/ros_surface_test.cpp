@@ -164,7 +164,7 @@ TEST_P(RosSurface, NodesAreAnnouncedInTheBytesOfTheDistribution) {
   }
   EXPECT_TRUE(bytes.at_end());
   EXPECT_EQ(nodes,
-            (std::set<std::string>{"bandwagon", "map_server", "motor_control", "robot_base", "world"}));
+            (std::set<std::string>{"bandwagon", "lifecycle_manager_navigation", "map_server", "motor_control", "robot_base", "world"}));
   EXPECT_EQ(writers_of_parameter_events, nodes);
   EXPECT_EQ(owner[find("rt/odom", true)->guid], "robot_base");
   EXPECT_EQ(owner[find("rt/cmd_vel", false)->guid], "motor_control");

@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -32,6 +33,9 @@ class RunningGraph {
  public:
   explicit RunningGraph(const std::string& distro = "jazzy")
       : process_({BANDWAGON_PROGRAM, "run", graph_for(distro), "--for", "120"}) {}
+  /// Another graph; it stays up after its goal.
+  explicit RunningGraph(const std::filesystem::path& graph)
+      : process_({BANDWAGON_PROGRAM, "run", graph.string(), "--for", "120", "--stay"}) {}
 
   Process& process() { return process_; }
 

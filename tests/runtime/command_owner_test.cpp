@@ -176,7 +176,8 @@ TEST(CommandOwner, WhoCameAndWentAtOnceIsNamed) {
     ASSERT_TRUE(eventually([&] { return once.announcement->matched_readers() > 0; }));
     ASSERT_TRUE(once.announcement->wait_until_received(Duration::seconds(20)));
     // A node that goes says so before its participant does.
-    once.announcement->write(encode({.participant = once.participant.guid(), .nodes = {}}, GidFormat::iron_and_later));
+    once.announcement->write(
+        encode({.participant = once.participant.guid(), .nodes = {}}, GidFormat::iron_and_later));
   }
   EXPECT_TRUE(witness.hears("; /once publishes it too")) << witness.logged;
   EXPECT_EQ(machine.foreign, 0);

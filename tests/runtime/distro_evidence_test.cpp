@@ -13,7 +13,7 @@ const std::string kHash = std::string("typehash=") + kDiscoveryTypeHash + ";";
 /// An end of the participant whose prefix begins with `participant`.
 dds::Endpoint end(std::uint8_t participant, const std::string& topic, const std::string& user_data) {
   static std::uint8_t count = 0;
-  dds::Endpoint endpoint{.topic = topic, .user_data = user_data};
+  dds::Endpoint endpoint{.is_writer = true, .topic = topic, .user_data = user_data};
   endpoint.guid[0] = participant;
   endpoint.guid[15] = ++count;
   return endpoint;
@@ -36,6 +36,14 @@ TEST(DistroEvidence, OtherEndsCountForWhoeverHasNoneThere) {
             (DistroEvidence{.humble = true}));
   EXPECT_EQ(distro_evidence({end(1, "rt/odom", "")}), (DistroEvidence{})) << "any DDS program";
   EXPECT_EQ(distro_evidence({end(1, "odom", hash)}), (DistroEvidence{})) << "no name of ROS 2";
+}
+
+TEST(DistroEvidence, WhoOnlyReadsThereMayBeAnyProgram) {
+  dds::Endpoint reader = end(1, kDiscoveryTopic, "");
+  reader.is_writer = false;
+  EXPECT_EQ(distro_evidence({reader}), (DistroEvidence{}));
+  reader.user_data = kHash;
+  EXPECT_EQ(distro_evidence({reader}), (DistroEvidence{.iron_and_later = true}));
 }
 
 TEST(DistroEvidence, OwnEndsAndThoseThatReadBothCountForNothing) {

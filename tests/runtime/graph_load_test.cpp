@@ -342,8 +342,8 @@ components:
   planner: {manager: nav}
 )");
   EXPECT_THAT(text, ::testing::HasSubstr("g.yaml:1: lifecycle = ours: must be one of own, external"));
-  EXPECT_THAT(text,
-              ::testing::HasSubstr("g.yaml:3: bring_up = planer: unknown component; did you mean 'planner'?"));
+  EXPECT_THAT(
+      text, ::testing::HasSubstr("g.yaml:3: bring_up = planer: unknown component; did you mean 'planner'?"));
   EXPECT_THAT(text, ::testing::HasSubstr("g.yaml:5: bring_up = planner: must be named once"));
   EXPECT_THAT(text, ::testing::HasSubstr("g.yaml:7: components.planner.manager = nav: must be one of"));
   EXPECT_THAT(refusal("bring_up: planner\ncomponents: {planner: }"), ::testing::HasSubstr("bring_up"));

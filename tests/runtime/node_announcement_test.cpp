@@ -227,6 +227,7 @@ TEST(NodeDirectory, ForgetsWhoIsGone) {
   ASSERT_TRUE(eventually([&] { return participant.remote_participants().size() == 1; }));
   stays.announce("stays");
   ASSERT_TRUE(eventually([&] { return directory.update(); }));
+  directory.forget_the_gone();
   EXPECT_EQ(directory.participants().size(), 1U);
 }
 

@@ -18,6 +18,8 @@ namespace plain {
 namespace {
 
 constexpr const char* kGraphTopic = "ros_discovery_info";
+constexpr const char* kGraphHash =  // from Iron on
+    "RIHS01_91a0593bacdcc50ea9bdcf849a938b128412cc1ea821245c663bcd26f83c295e";
 constexpr const char* kGraphType = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
 
 int domain_id() {
@@ -73,7 +75,7 @@ void set_service_qos(const EndOptions& options, Qos& qos) {
 
 template <class Qos>
 void set_graph_qos(Qos& qos) {
-  set_service_qos({.topic = {}, .type = {}, .type_hash = {}, .depth = 1}, qos);
+  set_service_qos({.topic = {}, .type = {}, .type_hash = kGraphHash, .depth = 1}, qos);
   qos.durability().kind = dds::TRANSIENT_LOCAL_DURABILITY_QOS;
 }
 
