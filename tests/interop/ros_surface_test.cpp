@@ -98,7 +98,8 @@ class EntitiesReader {
 
 class RosSurface : public testing::TestWithParam<std::pair<const char*, std::size_t>> {
  protected:
-  RosSurface() : graph_(GetParam().first), observer_({.network = dds::Network::from_environment({})}) {}
+  RosSurface()
+      : graph_(std::string(GetParam().first)), observer_({.network = dds::Network::from_environment({})}) {}
 
   std::optional<dds::Endpoint> find(const std::string& topic, bool is_writer) const {
     for (dds::Endpoint& end : observer_.endpoints()) {
@@ -163,8 +164,8 @@ TEST_P(RosSurface, NodesAreAnnouncedInTheBytesOfTheDistribution) {
     }
   }
   EXPECT_TRUE(bytes.at_end());
-  EXPECT_EQ(nodes,
-            (std::set<std::string>{"bandwagon", "lifecycle_manager_navigation", "map_server", "motor_control", "robot_base", "world"}));
+  EXPECT_EQ(nodes, (std::set<std::string>{"bandwagon", "lifecycle_manager_navigation", "map_server",
+                                          "motor_control", "robot_base", "world"}));
   EXPECT_EQ(writers_of_parameter_events, nodes);
   EXPECT_EQ(owner[find("rt/odom", true)->guid], "robot_base");
   EXPECT_EQ(owner[find("rt/cmd_vel", false)->guid], "motor_control");
