@@ -60,6 +60,10 @@ struct Endpoint {
   std::vector<std::string> partitions = {};  ///< none: that of every ordinary endpoint
 };
 
+/// For what is written as soon as the other side is known: it may not know us yet, drops the sample, and is told of it again
+/// by the next heartbeat alone.
+inline constexpr Duration kPromptHeartbeat = Duration::milliseconds(100);
+
 struct EndpointOptions {
   std::string topic;  ///< DDS name
   std::string type;   ///< DDS name

@@ -89,6 +89,7 @@ dds::EndpointOptions service_options(const std::string& topic, const MessageType
           .type = std::string(type.dds_name),
           .qos = Qos::standard(kDepth),
           .user_data = user_data_of(std::string(type.type_hash)),
+          .heartbeat = dds::kPromptHeartbeat,
           .allocated_samples = 1};
 }
 

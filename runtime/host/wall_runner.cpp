@@ -35,6 +35,8 @@ namespace {
 /// Inlets reached by the write this thread is in. They are woken when it returns: before, they would only
 /// block on the locks it holds.
 thread_local std::vector<Inlet*>* t_reached = nullptr;
+/// Whose write it is: another host of this program wakes its own inlets.
+thread_local const WallRunner* t_writer = nullptr;
 
 }  // namespace
 
@@ -46,8 +48,10 @@ void WallRunner::publish(OutputEnd& output, std::span<const std::uint8_t> cdr) {
 void WallRunner::run_and_wake(const std::function<void()>& write) {
   thread_local std::vector<Inlet*> reached;
   t_reached = &reached;
+  t_writer = this;
   write();
   t_reached = nullptr;
+  t_writer = nullptr;
   for (Inlet* inlet : reached) enqueue(*inlet);
   reached.clear();
 }
@@ -55,7 +59,7 @@ void WallRunner::run_and_wake(const std::function<void()>& write) {
 void WallRunner::arrived(Inlet& inlet) {
   if (inlet.queued.exchange(true)) return;  // the waiting event takes this one too
   inlet.queued_at_ns = steady_time().nanoseconds;
-  if (t_reached != nullptr) {
+  if (t_writer == this) {
     t_reached->push_back(&inlet);
   } else {
     enqueue(inlet);

@@ -39,7 +39,7 @@ NodeAnnouncement::NodeAnnouncement(dds::Participant& participant, AnnouncementOp
 }
 
 NodeAnnouncement::NodeAnnouncement(dds::Participant& participant, const std::string& name, RosDistro distro)
-    : NodeAnnouncement(participant, AnnouncementOptions{.distro = distro}) {
+    : NodeAnnouncement(participant, AnnouncementOptions{.distro = distro, .looks_around = false}) {
   add({.node_namespace = "/", .name = name, .readers = {}, .writers = {}});
 }
 
@@ -87,7 +87,7 @@ void NodeAnnouncement::decide(RosDistro distro) {
                                         .type = kDiscoveryType,
                                         .qos = Qos::latched(),
                                         .user_data = is_humble ? "" : user_data_of(kDiscoveryTypeHash),
-                                        .heartbeat = Duration::milliseconds(100)});
+                                        .heartbeat = dds::kPromptHeartbeat});
   write();
 }
 

@@ -37,7 +37,7 @@ class NodeAnnouncement {
 
   /// The participant must outlive this.
   NodeAnnouncement(dds::Participant& participant, AnnouncementOptions options);
-  /// One node in the root namespace.
+  /// One node in the root namespace, of a tool that may be gone in a moment: it decides at once.
   NodeAnnouncement(dds::Participant& participant, const std::string& name,
                    RosDistro distro = RosDistro::automatic);
   ~NodeAnnouncement();

@@ -36,7 +36,8 @@ dds::EndpointOptions options(const std::string& topic, const MessageType& type) 
   return {.topic = topic,
           .type = std::string(type.dds_name),
           .qos = Qos::standard(),
-          .user_data = user_data_of(std::string(type.type_hash))};
+          .user_data = user_data_of(std::string(type.type_hash)),
+          .heartbeat = dds::kPromptHeartbeat};
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 #include <sensor_msgs/msg/laser_scan.hpp>
 
 #include "components/mapping/adaptor/costmap_services.hpp"
+#include "components/mapping/adaptor/map_below.hpp"
 #include "components/mapping/costmap/inflation.hpp"
 #include "components/mapping/costmap/local_grid.hpp"
-#include "components/mapping/costmap/map_fill.hpp"
 #include "components/mapping/local_costmap_parameters.hpp"
 #include "components/messages/costmap.hpp"
 #include "components/messages/grid.hpp"
@@ -50,25 +50,13 @@ class LocalCostmapComponent final : public Component {
                                                take_in(tick.now);
                                              });
     tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::standard(), Need::optional);
-    if (parameters_.use_map) {
-      setup.input<nav_msgs::msg::OccupancyGrid>(
-          "map", Qos::latched(), [this](const auto& message, const Tick&) { keep_map(message); });
-    }
+    if (parameters_.use_map) map_.listen(setup, transforms_);
     setup.every(Duration::milliseconds(10), "sweeps", [this](const Tick& tick) { take_in(tick.now); });
     offer_services(setup,
                    {.grid = grid_, .position = position_, .costs = [this](Time now) { return costs(now); }});
   }
 
  private:
-  void keep_map(const nav_msgs::msg::OccupancyGrid& message) {
-    const std::string fault = read_grid(message, map_);
-    if (fault.empty()) {
-      map_frame_ = message.header().frame_id();
-    } else {
-      log_.warn("the map is not used: {}", fault);
-    }
-  }
-
   void take_in(Time now) {
     waiting_.hand_over([&](const sensor_msgs::msg::LaserScan& scan, Time received) {
       const Time stamp = from_stamp(scan.header().stamp());
@@ -103,7 +91,7 @@ class LocalCostmapComponent final : public Component {
   /// Silent while no sweep is usable: whoever reads obstacles watches their age.
   void publish(Time stamp) {
     cells_ = grid_->cells();
-    fill(cells_);
+    map_.fill(cells_);
     const ExtractionResult near =
         extract_obstacles(cells_, position_, parameters_.obstacles, grid_->surface());
     obstacles_.publish(to_message(near.obstacles, {}, odom_frame_, stamp));
@@ -117,15 +105,8 @@ class LocalCostmapComponent final : public Component {
 
   nav2_msgs::msg::Costmap costs(Time now) {
     OccupancyGrid cells = grid_->cells();
-    fill(cells);
+    map_.fill(cells);
     return to_costmap(cells, inflation_->costs(cells), odom_frame_, swept_.value_or(now));
-  }
-
-  /// What nobody has seen takes what the map says.
-  void fill(OccupancyGrid& cells) const {
-    if (map_frame_.empty()) return;
-    if (const auto X_MO = transforms_->lookup_planar(map_frame_, odom_frame_))
-      fill_unknown(cells, map_, *X_MO, {});
   }
 
   std::vector<Disc> people_at(Time time) const {
@@ -150,7 +131,7 @@ class LocalCostmapComponent final : public Component {
   std::optional<LocalGrid> grid_;
   std::optional<Inflation> inflation_;
   OccupancyGrid cells_;
-  OccupancyGrid map_;
+  MapBelow map_;
   WaitingScans waiting_;
   std::optional<Time> swept_;   ///< stamp of the last sweep that was used
   Vector2 position_{0.0, 0.0};  ///< of the robot in odom, at that time
@@ -160,7 +141,6 @@ class LocalCostmapComponent final : public Component {
   DiagnosticReporter* diagnostics_ = nullptr;
   std::string odom_frame_;
   std::string base_frame_;
-  std::string map_frame_;  ///< empty until a usable map came
   std::shared_ptr<const TransformTree> transforms_;
   Latest<bandwagon_msgs::msg::Tracks> tracks_;
   Output<nav_msgs::msg::OccupancyGrid> costmap_;

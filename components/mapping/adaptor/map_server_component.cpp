@@ -65,7 +65,8 @@ class MapServerComponent final : public Component {
     setup.service<LoadMap>(
         "~/load_map",
         [this](const LoadMap::Request& request, const Tick& tick) { return load(request.map_url(), tick); },
-        [](const std::string&) { return response_of(MapFault::other); });
+        [](const std::string&) { return response_of(MapFault::other); },
+        ServiceScope::node);  // as Nav2's: a map may be changed before it is shown
   }
 
   void activate(const Tick& tick) override {

@@ -78,7 +78,10 @@ class RobotBaseComponent final : public Component {
 
   void on_counts(const EncoderCounts& counts) {
     const CountsStatus status = odometry_->add(counts);
-    if (status == CountsStatus::jump || status == CountsStatus::reset) {
+    const bool is_fault = status == CountsStatus::jump || status == CountsStatus::reset;
+    // At most a line a second: encoders that fail do so at every reading.
+    if (is_fault && (!fault_told_ || counts.time - *fault_told_ >= Duration::milliseconds(1000))) {
+      fault_told_ = counts.time;
       log_.warn("encoder {} dropped (jumps {}, resets {})", status == CountsStatus::jump ? "jump" : "reset",
                 odometry_->faults().jumps, odometry_->faults().resets);
     }
@@ -100,6 +103,7 @@ class RobotBaseComponent final : public Component {
   std::optional<WatchdogOutput> sent_;
   std::unique_ptr<Driver> driver_;
   Complaint refused_;
+  std::optional<Time> fault_told_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
   OdometryOutputs outputs_;

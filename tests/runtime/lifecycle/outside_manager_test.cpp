@@ -1,6 +1,6 @@
 // A manager from outside, as Nav2's lifecycle_manager behaves: calls change_state and get_state of each node, then opens a
-// bond on /bond and expects the node's beats within half of the timeout (2 s of 4 s). And what `ros2 component` asks.
-#include <atomic>
+// bond on /bond and expects the node's beats within half of the timeout (2 s of 4 s). Our own manager across processes. And
+// what `ros2 component` asks.
 #include <map>
 #include <mutex>
 #include <thread>
@@ -14,7 +14,9 @@
 #include <lifecycle_msgs/srv/get_available_states.hpp>
 #include <lifecycle_msgs/srv/get_available_transitions.hpp>
 #include <lifecycle_msgs/srv/get_state.hpp>
+#include <nav2_msgs/srv/manage_lifecycle_nodes.hpp>
 #include <rcl_interfaces/msg/log.hpp>
+#include <std_srvs/srv/trigger.hpp>
 
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/ros/service_call.hpp"
@@ -28,32 +30,39 @@ using BondStatus = bond::msg::Status;
 using lifecycle_msgs::srv::GetAvailableStates;
 using lifecycle_msgs::srv::GetAvailableTransitions;
 using lifecycle_msgs::srv::GetState;
+using nav2_msgs::srv::ManageLifecycleNodes;
+using std_srvs::srv::Trigger;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr auto kLimit = std::chrono::milliseconds(10'000);
 
-/// A graph of two components in real time, on a thread of its own until the test ends.
-class ExternalGraph {
+/// A graph, or one process of it, in real time, on a thread of its own until the test ends.
+class RunningHost {
  public:
-  ExternalGraph() {
-    g_.add("controller_server", [] { return Script{}; }).add("planner_server", [] { return Script{}; });
-    g_.graph.settings.external_lifecycle = true;
-    host_.emplace(g_.graph, HostOptions{.clock = ClockMode::wall});
-    thread_ = std::thread([this] { host_->run(std::nullopt); });
-  }
-  ~ExternalGraph() {
-    host_->finish({.ok = true, .reason = "the test is over"}, true);
+  explicit RunningHost(const Graph& graph, const std::string& only = "")
+      : host_(graph, {.clock = ClockMode::wall, .only_process = only}),
+        thread_([this] { host_.run(std::nullopt); }) {}
+  ~RunningHost() {
+    host_.finish({.ok = true, .reason = "the test is over"}, true);
     thread_.join();
   }
-  ExternalGraph(const ExternalGraph&) = delete;
-  ExternalGraph& operator=(const ExternalGraph&) = delete;
+  RunningHost(const RunningHost&) = delete;
+  RunningHost& operator=(const RunningHost&) = delete;
 
  private:
-  ScriptedGraph g_;
-  std::optional<Host> host_;
+  Host host_;
   std::thread thread_;
 };
+
+Graph two_servers(bool external) {
+  ScriptedGraph g;
+  g.add(ComponentNode{.name = "controller_server", .process = "planning"}, [] {
+     return Script{};
+   }).add(ComponentNode{.name = "planner_server", .process = "rest"}, [] { return Script{}; });
+  g.graph.settings.external_lifecycle = external;
+  return g.graph;
+}
 
 /// The other side, in a participant of its own.
 class NavManager {
@@ -98,6 +107,13 @@ class NavManager {
     serialize(status, cdr);
     out_->write(cdr);
   }
+  int servers(const std::string& service) const {
+    int count = 0;
+    for (const dds::Endpoint& end : participant_.endpoints()) {
+      if (end.topic == request_topic(service) && !end.is_writer && !end.is_local) ++count;
+    }
+    return count;
+  }
   bool was_logged(const std::string& text) {
     dds::Sample sample;
     rcl_interfaces::msg::Log line;
@@ -124,7 +140,7 @@ class NavManager {
 };
 
 TEST(OutsideManager, BringsUpBondsAndBringsDown) {
-  const ExternalGraph graph;
+  const RunningHost graph(two_servers(true));
   NavManager nav;
   EXPECT_EQ(nav.state("controller_server"), "unconfigured");
   EXPECT_FALSE(nav.change("planner_server", 3)) << "activate before configure";
@@ -165,7 +181,7 @@ TEST(OutsideManager, BringsUpBondsAndBringsDown) {
 }
 
 TEST(OutsideManager, WhoseBeatsEndIsMissedAndNotFollowed) {
-  const ExternalGraph graph;
+  const RunningHost graph(two_servers(true));
   NavManager nav;
   ASSERT_TRUE(nav.change("planner_server", 1));
   ASSERT_TRUE(nav.change("planner_server", 3));
@@ -177,7 +193,7 @@ TEST(OutsideManager, WhoseBeatsEndIsMissedAndNotFollowed) {
 }
 
 TEST(OutsideManager, WhoEndsABondIsAnswered) {
-  const ExternalGraph graph;
+  const RunningHost graph(two_servers(true));
   NavManager nav;
   ASSERT_TRUE(nav.change("planner_server", 1));
   ASSERT_TRUE(nav.change("planner_server", 3));
@@ -191,8 +207,29 @@ TEST(OutsideManager, WhoEndsABondIsAnswered) {
   EXPECT_EQ(nav.state("planner_server"), "active");
 }
 
+TEST(OwnManager, ReachesTheOtherProcesses) {
+  const Graph graph = two_servers(false);
+  const RunningHost planning(graph, "planning"), rest(graph, "rest");
+  NavManager nav;
+  const auto command = [&nav](std::uint8_t number) {
+    ManageLifecycleNodes::Request request;
+    request.command(number);
+    return nav.call<ManageLifecycleNodes>("/lifecycle_manager_navigation/manage_nodes", request).success();
+  };
+  const auto is_active = [&nav] { return nav.call<Trigger>("/lifecycle_manager_navigation/is_active"); };
+  EXPECT_TRUE(is_active().success());
+  EXPECT_TRUE(command(1)) << "pause";
+  EXPECT_EQ(nav.state("controller_server"), "inactive");
+  EXPECT_EQ(nav.state("planner_server"), "inactive");
+  EXPECT_EQ(is_active().message(), "controller_server is inactive");
+  EXPECT_TRUE(command(2)) << "resume";
+  EXPECT_EQ(nav.state("controller_server"), "active");
+  EXPECT_TRUE(is_active().success());
+  EXPECT_EQ(nav.servers("/lifecycle_manager_navigation/manage_nodes"), 1);
+}
+
 TEST(OutsideTools, SeeStatesTransitionsAndWhatRunsInTheProcess) {
-  const ExternalGraph graph;
+  const RunningHost graph(two_servers(true));
   NavManager nav;
   EXPECT_EQ(nav.call<GetAvailableStates>("/planner_server/get_available_states").available_states().size(),
             11U);
