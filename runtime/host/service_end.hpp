@@ -55,8 +55,8 @@ class ServiceEnd final : public Inlet, public ServicePort {
   ServiceType type;
   ServiceScope scope;
   RequestHandler handler;
-  bool keeps_foreign_apart = false;  ///< lock-step
-  bool of_node = false;              ///< declared by the runtime, not by the component
+  bool keeps_foreign_apart = false;                       ///< lock-step
+  bool of_node = false;                                   ///< declared by the runtime, not by the component
   std::function<void(const std::string& text)> complain;  ///< of requests that cannot be read
   std::unique_ptr<dds::Reader> reader;
   std::unique_ptr<dds::Writer> writer;

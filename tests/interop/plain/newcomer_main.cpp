@@ -63,8 +63,10 @@ int hear_first(const std::string& topic, const std::string& type, char** command
   }
   plain::Bytes sample;
   plain::dds::SampleInfo info;
-  while (reader->take_next_sample(&sample, &info) != ReturnCode_t::RETCODE_OK && since(start) < 60.0)
+  while (reader->take_next_sample(&sample, &info) != ReturnCode_t::RETCODE_OK) {
+    if (waitpid(child, nullptr, WNOHANG) == child) return 1;
     look_again();
+  }
   std::printf("first of %s after %.3f s\n", topic.c_str(), since(start));
   kill(child, SIGINT);
   waitpid(child, nullptr, 0);
