@@ -129,7 +129,8 @@ void ActorLifecycle::deactivate(Time now) {
 void ActorLifecycle::forget_messages(Time now) {
   if (!is_running_) return;
   for (const auto& input : actor_.inputs) {
-    const bool is_kept = input->kind == InputKind::keep_newest && input->qos.durability == Durability::volatile_;
+    const bool is_kept =
+        input->kind == InputKind::keep_newest && input->qos.durability == Durability::volatile_;
     if (is_kept && !input->of_node) input->handler({}, {.now = now});
   }
 }

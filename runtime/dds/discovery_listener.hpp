@@ -1,0 +1,121 @@
+// What discovery has told: the participants and endpoints that are there, and the writers that were.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
+
+#include "runtime/dds/fast_values.hpp"
+
+namespace bw::dds {
+
+template <class ProxyData>
+Endpoint to_endpoint(const ProxyData& data, bool is_writer) {
+  Endpoint e;
+  e.guid = to_guid(data.guid());
+  e.is_writer = is_writer;
+  e.topic = data.topicName().to_string();
+  e.type = data.typeName().to_string();
+  e.qos.reliability = data.m_qos.m_reliability.kind == efd::RELIABLE_RELIABILITY_QOS
+                          ? Reliability::reliable
+                          : Reliability::best_effort;
+  e.qos.durability = data.m_qos.m_durability.kind >= efd::TRANSIENT_LOCAL_DURABILITY_QOS
+                         ? Durability::transient_local
+                         : Durability::volatile_;
+  const eprosima::fastrtps::Duration_t& lifespan = data.m_qos.m_lifespan.duration;
+  if (lifespan != eprosima::fastrtps::c_TimeInfinite) e.qos.lifespan = Duration{lifespan.to_ns()};
+  const auto& user_data = data.m_qos.m_userData.getValue();
+  e.user_data.assign(user_data.begin(), user_data.end());
+  e.partitions = data.m_qos.m_partition.getNames();
+  return e;
+}
+
+/// Keeps the table of remote participants and endpoints.
+class DiscoveryListener final : public efd::DomainParticipantListener {
+ public:
+  void on_participant_discovery(efd::DomainParticipant*, rtps::ParticipantDiscoveryInfo&& info) override {
+    const Guid guid = to_guid(info.info.m_guid);
+    const std::lock_guard lock(mutex_);
+    if (info.status == rtps::ParticipantDiscoveryInfo::REMOVED_PARTICIPANT ||
+        info.status == rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT) {
+      participants_.erase(guid);
+      std::erase_if(endpoints_, [&](const auto& item) {
+        const bool is_its = std::equal(guid.begin(), guid.begin() + 12, item.first.begin());
+        if (is_its) remember(item.second);
+        return is_its;
+      });
+      ++changes_;
+    } else {
+      participants_[guid] = true;
+    }
+  }
+  void on_subscriber_discovery(efd::DomainParticipant*, rtps::ReaderDiscoveryInfo&& info) override {
+    update(to_endpoint(info.info, false), info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER);
+  }
+  void on_publisher_discovery(efd::DomainParticipant*, rtps::WriterDiscoveryInfo&& info) override {
+    update(to_endpoint(info.info, true), info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER);
+  }
+
+  void add_local(Endpoint endpoint) {
+    endpoint.is_local = true;
+    update(endpoint, false);
+  }
+  void remove_local(const Guid& guid) {
+    const std::lock_guard lock(mutex_);
+    endpoints_.erase(guid);
+    ++changes_;
+  }
+  std::uint64_t changes() const { return changes_; }
+  std::vector<Endpoint> endpoints() const {
+    std::vector<Endpoint> all;
+    {
+      const std::lock_guard lock(mutex_);
+      for (const auto& [guid, endpoint] : endpoints_) all.push_back(endpoint);
+    }
+    std::ranges::sort(all, [](const Endpoint& a, const Endpoint& b) {
+      return std::tie(a.topic, a.is_writer, a.guid) < std::tie(b.topic, b.is_writer, b.guid);
+    });
+    return all;
+  }
+  std::vector<Endpoint> take_departed() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(departed_, {});
+  }
+  std::vector<Guid> participants() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<Guid> all;
+    for (const auto& [guid, alive] : participants_) all.push_back(guid);
+    return all;
+  }
+
+ private:
+  void update(const Endpoint& endpoint, bool removed) {
+    const std::lock_guard lock(mutex_);
+    if (removed) {
+      if (endpoints_.erase(endpoint.guid) > 0) remember(endpoint);
+    } else {
+      endpoints_[endpoint.guid] = endpoint;
+    }
+    ++changes_;
+  }
+  /// With the mutex held.
+  void remember(const Endpoint& endpoint) {
+    constexpr std::size_t kMost = 256;
+    if (endpoint.is_writer && departed_.size() < kMost) departed_.push_back(endpoint);
+  }
+
+  std::atomic<std::uint64_t> changes_ = 0;
+  mutable std::mutex mutex_;
+  std::map<Guid, bool> participants_;
+  std::map<Guid, Endpoint> endpoints_;
+  std::vector<Endpoint> departed_;
+};
+
+}  // namespace bw::dds

@@ -1,0 +1,199 @@
+// How a host comes onto the wire: its ends, its taps, its nodes, and the watch over its commands.
+#include <algorithm>
+
+#include <unistd.h>
+
+#include "runtime/host/command_guard.hpp"
+#include "runtime/host/host.hpp"
+#include "runtime/host/lockstep_runner.hpp"
+#include "runtime/host/process_services.hpp"
+#include "runtime/host/terminal.hpp"
+#include "runtime/host/wall_runner.hpp"
+#include "runtime/ros/dds_names.hpp"
+#include "runtime/ros/discovery_info.hpp"
+#include "runtime/ros/node_announcement.hpp"
+
+namespace bw {
+namespace {
+
+/// As rmw has it: services and parameters, with a history that outlasts a busy lane. Few samples wait, and there are many
+/// such ends.
+dds::EndpointOptions service_options(const std::string& topic, const MessageType& type) {
+  constexpr int kDepth = 1000;
+  return {.topic = topic,
+          .type = std::string(type.dds_name),
+          .qos = Qos::standard(kDepth),
+          .user_data = user_data_of(std::string(type.type_hash)),
+          .heartbeat = dds::kPromptHeartbeat,
+          .allocated_samples = 1};
+}
+
+dds::EndpointOptions endpoint_options(const std::string& topic, const MessageType& type, const Qos& qos) {
+  return {.topic = dds_topic(topic),
+          .type = std::string(type.dds_name),
+          .qos = qos,
+          .user_data = user_data_of(std::string(type.type_hash))};
+}
+
+/// Everybody may read a command; its readers in the graph hear its owner alone.
+std::vector<std::string> partitions_of(const OutputEnd& output) {
+  if (!output.command) return {};
+  const Actor& owner = output.owner;
+  return {"", command_partition(full_name({.node_namespace = owner.node_namespace, .name = owner.name}))};
+}
+
+std::vector<std::string> partitions_of(const Input& input) {
+  if (input.commander.empty()) return {};
+  return {command_partition(input.commander)};
+}
+
+}  // namespace
+
+void Host::connect() {
+  const bool lockstep = options_.clock == ClockMode::lockstep;
+  const dds::Transport transport =
+      graph_.settings.transport == "lan" ? dds::Transport::lan : dds::Transport::localhost;
+  const std::string private_partition = lockstep ? "lockstep" + std::to_string(getpid()) : "";
+  participant_ = std::make_unique<dds::Participant>(dds::ParticipantOptions{
+      .network = dds::Network::from_environment(transport), .private_partition = private_partition});
+  if (lockstep) {
+    runner_ = std::make_unique<LockstepRunner>(
+        local_, LockstepOptions{.pace = options_.pace,
+                                .start = options_.start.value_or(LockstepRunner::kStart),
+                                .source = options_.source,
+                                .outside = outside_.get()});
+  } else {
+    runner_ = std::make_unique<WallRunner>(local_, *clock_);
+  }
+  std::vector<Actor*> all;
+  for (const auto& actor : actors_) all.push_back(actor.get());
+  const std::vector<WatchedTopic> watched = find_watched_topics(all, local_);
+  // In lock-step all ends are in the participant's own partition already.
+  const auto partitions = [lockstep](const auto& end) {
+    return lockstep ? std::vector<std::string>() : partitions_of(end);
+  };
+  // Writers first: in one participant a match is immediate, so no reader misses a latched first sample.
+  for (Actor* actor : local_) {
+    for (const auto& output : actor->outputs) {
+      dds::EndpointOptions options = endpoint_options(output->topic, output->type, output->qos);
+      options.partitions = partitions(*output);
+      if (actor == outside_actor_) options.partitions = {private_partition};  // outside has said it already
+      output->writer = participant_->create_writer(options);
+      output->always_read = lockstep || (options_.tap && options_.tap->wants_everything());
+    }
+  }
+  if (options_.tap) tap_outputs();
+  for (Actor* actor : local_) {
+    for (const auto& input : actor->inputs) {
+      dds::EndpointOptions options = endpoint_options(input->topic, input->type, input->qos);
+      options.partitions = partitions(*input);
+      input->reader =
+          participant_->create_reader(options, [this, end = input.get()] { runner_->arrived(*end); });
+    }
+  }
+  for (Actor* actor : local_) connect_services(*actor);
+  for (Actor* actor : local_) connect_clients(*actor);
+  if (outside_) outside_->connect(*participant_, heard_outside_, local_);
+  if (!lockstep) command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
+}
+
+// The reply's writer first: a server that takes requests and cannot answer makes every client wait.
+void Host::connect_services(Actor& actor) {
+  const bool lockstep = options_.clock == ClockMode::lockstep;
+  for (const auto& service : actor.services) {
+    ServiceEnd* end = service.get();
+    end->sink = runner_.get();
+    end->keeps_foreign_apart = lockstep;
+    end->complain = [this, &actor, lockstep](const std::string& text) {
+      // In lock-step not on /rosout: what comes from outside changes no sample.
+      if (lockstep) return write_to_terminal(LogLevel::warn, "[" + actor.name + "] " + text);
+      log(actor, LogLevel::warn, text);
+    };
+    const auto on_match = [this, end] {
+      // Within a run in lock-step everybody is connected from the beginning.
+      if (outside_) {
+        outside_->has_news();
+      } else {
+        runner_->arrived(*end);
+      }
+    };
+    end->writer =
+        participant_->create_writer(service_options(reply_topic(end->service), end->type.response), on_match);
+    dds::EndpointOptions options = service_options(request_topic(end->service), end->type.request);
+    if (lockstep) options.partitions = {"", participant_->private_partition()};
+    end->reader = participant_->create_reader(options, [this, end] { runner_->arrived(*end); });
+  }
+}
+
+void Host::connect_clients(Actor& actor) {
+  const bool lockstep = options_.clock == ClockMode::lockstep;
+  for (const auto& client : actor.clients) {
+    ClientEnd* end = client.get();
+    end->runner = runner_.get();
+    const std::function<void()> on_arrival = [this, end] { runner_->arrived(*end); };
+    // A request waits until both halves of its server are connected. Within a run in lock-step they are from the beginning.
+    const std::function<void()> on_match = lockstep ? nullptr : on_arrival;
+    end->reader = participant_->create_reader(service_options(reply_topic(end->service), end->type.response),
+                                              on_arrival, on_match);
+    dds::EndpointOptions options = service_options(request_topic(end->service), end->type.request);
+    if (lockstep) options.partitions = {participant_->private_partition()};
+    end->writer = participant_->create_writer(options, on_match);
+  }
+}
+
+void Host::tap_outputs() {
+  std::vector<const OutputEnd*> outputs;
+  for (const Actor* actor : local_) {
+    for (const auto& output : actor->outputs) outputs.push_back(output.get());
+  }
+  options_.tap->connect(outputs);
+  runner_->set_tap(options_.tap.get());
+}
+
+void Host::announce_nodes() {
+  AnnouncementOptions options{.distro = graph_.settings.ros_distro};
+  // In lock-step nobody of outside is to decide anything, not even a line of the log.
+  options.looks_around = options_.clock != ClockMode::lockstep;
+  if (options.looks_around)
+    options.warn = [this](const std::string& text) { log(*local_.front(), LogLevel::warn, text); };
+  announcement_ = std::make_unique<NodeAnnouncement>(*participant_, std::move(options));
+  const auto& parameter_events = *std::ranges::find_if(
+      actors_.front()->outputs, [](const auto& o) { return o->topic == kParameterEvents; });
+  for (const Actor* actor : local_) {
+    NodeEntities node{
+        .node_namespace = actor->node_namespace, .name = actor->name, .readers = {}, .writers = {}};
+    for (const auto& input : actor->inputs) node.readers.push_back(input->reader->guid());
+    for (const auto& output : actor->outputs) node.writers.push_back(output->writer->guid());
+    if (actor->rank > 0) node.writers.push_back(parameter_events->writer->guid());
+    for (const auto& service : actor->services) {
+      node.readers.push_back(service->reader->guid());
+      node.writers.push_back(service->writer->guid());
+    }
+    for (const auto& client : actor->clients) {
+      node.readers.push_back(client->reader->guid());
+      node.writers.push_back(client->writer->guid());
+    }
+    announcement_->add(std::move(node));
+  }
+  announcement_->publish();
+}
+
+void Host::look_at_commands(Time now) {
+  if (!command_guard_) return;
+  Actor& services = *actors_.front();
+  for (const CommandWatch::News& news : command_guard_->look(now)) log(services, news.level, news.text);
+  using Level = DiagnosticReporter::Level;
+  Level level = Level::ok;
+  std::string message = "ok";
+  for (const auto& [topic, state] : command_guard_->states()) {
+    services.set_value(topic, state.text);
+    const Level its = state.level == LogLevel::error  ? Level::error
+                      : state.level == LogLevel::warn ? Level::warn
+                                                      : Level::ok;
+    if (its > level) message = topic + ": " + state.text;
+    level = std::max(level, its);
+  }
+  services.report(level, message);
+}
+
+}  // namespace bw
