@@ -80,7 +80,10 @@ function compareValues(name, { reader, messages }, ours) {
   for (const [id, schema] of reader.schemasById) {
     assert.equal(schema.encoding, "ros2msg", `${name}: ${schema.name}`);
     const definitions = parse(new TextDecoder().decode(schema.data), { ros2: true });
-    decoders.set(id, { definitions, decoder: new MessageReader(definitions) });
+    // Of constants alone, as rcl_interfaces/msg/ParameterType, their reader makes nothing.
+    const root = definitions.find((definition) => definition.name === undefined);
+    const hasFields = root.definitions.length === 0 || root.definitions.some((field) => !field.isConstant);
+    decoders.set(id, { definitions, decoder: hasFields ? new MessageReader(definitions) : undefined });
   }
   assert.equal(messages.length, ours.length, `${name}: messages that we read`);
   let values = 0;
@@ -88,6 +91,7 @@ function compareValues(name, { reader, messages }, ours) {
     const channel = reader.channelsById.get(m.channelId);
     assert.equal(channel.messageEncoding, "cdr");
     const { definitions, decoder } = decoders.get(channel.schemaId);
+    if (decoder === undefined) return;
     const theirs = [`${channel.topic} ${m.logTime} ${m.publishTime}`];
     theirs.push(...leavesOf(definitions, decoder.readMessage(m.data)));
     const own = ours[i].split("\n");
