@@ -52,7 +52,9 @@ std::optional<std::size_t> TwistMux::active(Time now) const {
 }
 
 bool TwistMux::is_within(Time now, std::size_t i, double seconds) const {
-  return heard_[i] && now - *heard_[i] <= Duration::seconds(seconds);
+  if (!heard_[i]) return false;
+  const Duration age = now - *heard_[i];
+  return age >= Duration{} && age <= Duration::seconds(seconds);
 }
 
 bool TwistMux::is_outranked(Time now, std::size_t i) const {

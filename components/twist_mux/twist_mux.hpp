@@ -28,7 +28,7 @@ class TwistMux {
   /// `options` keep their rule.
   explicit TwistMux(const TwistMuxOptions& options);
 
-  /// A command of source i (index in the options), with the stamp if it has one; `now` must not go back. What goes on to
+  /// A command of source i (index in the options), with the stamp if it has one. What was heard after `now`, as before a clock went back, is forgotten. What goes on to
   /// the robot, if anything: the command itself, or zero when the source that drives sends what is no number.
   std::optional<Twist2> command(Time now, std::size_t i, const Twist2& twist,
                                 std::optional<Time> stamp = std::nullopt);

@@ -57,6 +57,15 @@ TEST(TwistMux, TheTimeOutThatCountsIsThatOfTheOneWhoDrives) {
   EXPECT_EQ(m.check(at(2.501)), Twist2{});
 }
 
+// A simulation begins again: what was heard at 60 s is neither fresh at 1 s nor outranks anybody for the next 59 s.
+TEST(TwistMux, AClockThatGoesBackForgetsWhoSpoke) {
+  TwistMux m = mux();
+  m.command(at(60.0), kTeleop, kAhead);
+  EXPECT_EQ(m.active(at(1.0)), std::nullopt);
+  EXPECT_EQ(m.check(at(1.0)), Twist2{});
+  EXPECT_EQ(m.command(at(1.0), kNav, kAhead), kAhead);
+}
+
 TEST(TwistMux, WhatIsNoNumberIsRefusedAndTakesNothingOver) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
