@@ -12,21 +12,10 @@
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/ros/discovery_info.hpp"
 #include "runtime/ros/node_announcement.hpp"
+#include "runtime/ros/service_ends.hpp"
 
 namespace bw {
 namespace {
-
-/// As rmw has it: services and parameters, with a history that outlasts a busy lane. Few samples wait, and there are many
-/// such ends.
-dds::EndpointOptions service_options(const std::string& topic, const MessageType& type) {
-  constexpr int kDepth = 1000;
-  return {.topic = topic,
-          .type = std::string(type.dds_name),
-          .qos = Qos::standard(kDepth),
-          .user_data = user_data_of(std::string(type.type_hash)),
-          .heartbeat = dds::kPromptHeartbeat,
-          .allocated_samples = 1};
-}
 
 dds::EndpointOptions endpoint_options(const std::string& topic, const MessageType& type, const Qos& qos) {
   return {.topic = dds_topic(topic),
@@ -118,8 +107,8 @@ void Host::connect_services(Actor& actor) {
       }
     };
     end->writer =
-        participant_->create_writer(service_options(reply_topic(end->service), end->type.response), on_match);
-    dds::EndpointOptions options = service_options(request_topic(end->service), end->type.request);
+        participant_->create_writer(service_end(reply_topic(end->service), end->type.response), on_match);
+    dds::EndpointOptions options = service_end(request_topic(end->service), end->type.request);
     if (lockstep) options.partitions = {"", participant_->private_partition()};
     end->reader = participant_->create_reader(options, [this, end] { runner_->arrived(*end); });
   }
@@ -133,9 +122,9 @@ void Host::connect_clients(Actor& actor) {
     const std::function<void()> on_arrival = [this, end] { runner_->arrived(*end); };
     // A request waits until both halves of its server are connected. Within a run in lock-step they are from the beginning.
     const std::function<void()> on_match = lockstep ? nullptr : on_arrival;
-    end->reader = participant_->create_reader(service_options(reply_topic(end->service), end->type.response),
+    end->reader = participant_->create_reader(service_end(reply_topic(end->service), end->type.response),
                                               on_arrival, on_match);
-    dds::EndpointOptions options = service_options(request_topic(end->service), end->type.request);
+    dds::EndpointOptions options = service_end(request_topic(end->service), end->type.request);
     if (lockstep) options.partitions = {participant_->private_partition()};
     end->writer = participant_->create_writer(options, on_match);
   }

@@ -3,7 +3,7 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "runtime/ros/dds_names.hpp"
+#include "runtime/ros/service_ends.hpp"
 
 namespace bw {
 namespace {
@@ -32,14 +32,6 @@ class Bell {
   bool rung_ = false;
 };
 
-dds::EndpointOptions options(const std::string& topic, const MessageType& type) {
-  return {.topic = topic,
-          .type = std::string(type.dds_name),
-          .qos = Qos::standard(),
-          .user_data = user_data_of(std::string(type.type_hash)),
-          .heartbeat = dds::kPromptHeartbeat};
-}
-
 }  // namespace
 
 std::optional<std::vector<std::uint8_t>> call_service(dds::Participant& participant, const std::string& name,
@@ -49,8 +41,8 @@ std::optional<std::vector<std::uint8_t>> call_service(dds::Participant& particip
   const Clock::time_point end = Clock::now() + limit;
   Bell bell;
   const auto ring = [&bell] { bell.ring(); };
-  const auto reader = participant.create_reader(options(reply_topic(name), type.response), ring, ring);
-  const auto writer = participant.create_writer(options(request_topic(name), type.request), ring);
+  const auto reader = participant.create_reader(service_end(reply_topic(name), type.response), ring, ring);
+  const auto writer = participant.create_writer(service_end(request_topic(name), type.request), ring);
   while (writer->matched_readers() == 0 || reader->matched_writers() == 0) {
     if (!bell.wait(end)) return std::nullopt;
   }
