@@ -64,6 +64,9 @@ bool ServiceEnd::is_closed() const {
 void ServiceEnd::answer(const Request& request, Time now) {
   if (is_closed()) {
     refuse(request.from, actor->not_active());
+    // Not every response has a place for the reason.
+    if (complain && std::has_single_bit(++refused_))
+      complain(fmt::format("{} is refused: {} ({} such so far)", service, actor->not_active(), refused_));
     return;
   }
   const Duration start = thread_cpu_time();

@@ -76,6 +76,7 @@ class ServiceEnd final : public Inlet, public ServicePort {
   void write(const RequestId& to, std::span<const std::uint8_t> cdr);
 
   std::uint64_t calls_ = 0;
+  std::uint64_t refused_ = 0;  ///< because the component is not active
   dds::Sample sample_;
   std::deque<Request> own_;
   std::vector<Request> foreign_;

@@ -16,12 +16,14 @@
 #include <lifecycle_msgs/srv/get_state.hpp>
 #include <nav2_msgs/srv/manage_lifecycle_nodes.hpp>
 #include <rcl_interfaces/msg/log.hpp>
+#include <std_srvs/srv/empty.hpp>
 #include <std_srvs/srv/trigger.hpp>
 
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/ros/service_call.hpp"
 #include "tests/interop/eventually.hpp"
 #include "tests/runtime/lifecycle/scripted_graph.hpp"
+#include "tests/runtime/scripted.hpp"
 
 namespace bw::test {
 namespace {
@@ -114,6 +116,7 @@ class NavManager {
     }
     return count;
   }
+  bool clear() { return call_service<std_srvs::srv::Empty>(participant_, "/clear", {}, kLimit).has_value(); }
   bool was_logged(const std::string& text) {
     dds::Sample sample;
     rcl_interfaces::msg::Log line;
@@ -138,6 +141,23 @@ class NavManager {
   std::unique_ptr<dds::Reader> bonds_, rosout_;
   std::unique_ptr<dds::Writer> out_;
 };
+
+// An empty response looks like success to its caller.
+TEST(OutsideManager, ARefusalWithoutAPlaceForItsReasonIsLogged) {
+  using std_srvs::srv::Empty;
+  Graph graph;
+  graph.settings.external_lifecycle = true;
+  graph.components.push_back(scripted({.name = "costmap"}, [](bw::Setup& setup) {
+    setup.service<Empty>(
+        "clear", [](const Empty::Request&, const Tick&) { return Empty::Response(); },
+        [](const std::string&) { return Empty::Response(); });
+  }));
+  const RunningHost running(graph);
+  NavManager nav;
+  EXPECT_TRUE(eventually([&] {
+    return nav.clear() && nav.was_logged("/clear is refused: costmap is not active (unconfigured)");
+  }));
+}
 
 TEST(OutsideManager, BringsUpBondsAndBringsDown) {
   const RunningHost graph(two_servers(true));
