@@ -1,7 +1,7 @@
 #include "components/behaviors/look_ahead.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "components/local_planner/footprint_check.hpp"
 
@@ -10,24 +10,28 @@ namespace {
 
 constexpr double kStep = 0.05;    // [m] of travel between tests
 constexpr double kDeeper = 1e-3;  // [m] of gap, and [s] of contact, that rounding does not make
+constexpr double kSoon = 0.5;     // [s]: a mover who touches the robot does not walk on through it
 
-MotionGap gap_over(const std::vector<TrajectoryPoint>& trajectory, double margin, const PlanningProblem& problem) {
-  return gap_along(trajectory, trajectory.back().time, kStep, margin, problem);
+MotionGap gap_over(const std::vector<TrajectoryPoint>& trajectory, double margin, const PlanningProblem& problem,
+                   double horizon) {
+  return gap_along(trajectory, std::min(horizon, trajectory.back().time), kStep, margin, problem);
 }
 
 }  // namespace
 
 bool brings_contact(const std::vector<TrajectoryPoint>& motion, const std::vector<TrajectoryPoint>& stop, double margin,
                     const PlanningProblem& problem) {
-  if (std::isinf(gap_over(motion, margin, problem).contact_time)) return false;
+  const double whole = motion.back().time;
+  if (std::isinf(gap_over(motion, margin, problem, whole).contact_time)) return false;
   // One at a time: beside what is near already, something else may come nearer.
   PlanningProblem alone{.footprint = problem.footprint};
   const auto is_worse = [&] {
-    const MotionGap moving = gap_over(motion, margin, alone);
-    if (std::isinf(moving.contact_time)) return false;
-    const MotionGap standing = gap_over(stop, margin, alone);
-    if (moving.contact_time < standing.contact_time - kDeeper) return true;
-    return moving.contact_time == 0.0 && moving.gap < standing.gap - kDeeper;
+    const double moving_contact = gap_over(motion, margin, alone, whole).contact_time;
+    if (std::isinf(moving_contact)) return false;
+    if (moving_contact < gap_over(stop, margin, alone, whole).contact_time - kDeeper) return true;
+    if (moving_contact > 0.0) return false;
+    const double until = alone.movers.empty() ? whole : kSoon;
+    return gap_over(motion, margin, alone, until).gap < gap_over(stop, margin, alone, until).gap - kDeeper;
   };
   const auto any_of = [&](const auto& all, auto& one) {
     for (const auto& item : all) {

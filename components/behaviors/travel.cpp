@@ -78,9 +78,14 @@ bool Travel::is_stuck(Duration age, const Pose2& X_OB) {
   return goal_.time_allowance <= Duration{} && age - *moved_ > Duration::seconds(options_.movement_time_allowance);
 }
 
+// Of a short way the middle is driven at one rate for as long as the jerk limit needs to turn acceleration into braking.
 double Travel::top_rate(const Limits& limits) const {
   if (goal_.axis == TravelAxis::turn) return std::min(goal_.top_rate, limits.omega_max);
-  return std::min(goal_.top_rate, sign_ > 0.0 ? limits.v_max : limits.v_back_max);
+  const double turnover = 2.0 * acceleration(limits) / limits.jerk_max;
+  const double of_way = safety::speed_within(
+      std::abs(goal_.target),
+      {.reaction_time = options_.command_lead + turnover, .deceleration = acceleration(limits) / 2.0});
+  return std::min({goal_.top_rate, sign_ > 0.0 ? limits.v_max : limits.v_back_max, of_way});
 }
 
 double Travel::acceleration(const Limits& limits) const {
@@ -93,8 +98,9 @@ double Travel::next_rate(double left, double rate, const PlanningProblem& proble
   const double step = acceleration_limit * problem.control_period;
   const double top = top_rate(problem.limits);
   const double slowest = goal_.axis == TravelAxis::turn ? options_.min_rotational_vel : options_.minimum_speed;
+  const double onset = goal_.axis == TravelAxis::turn ? 0.0 : acceleration_limit / (2.0 * problem.limits.jerk_max);
   const double braking = safety::speed_within(
-      left, {.reaction_time = options_.command_lead, .deceleration = acceleration_limit});
+      left, {.reaction_time = options_.command_lead + onset, .deceleration = acceleration_limit});
   const double wanted = std::max(braking, std::min(slowest, left / problem.control_period));
   return std::clamp(std::min(wanted, top), std::max(0.0, rate - step), rate + step);
 }

@@ -124,7 +124,8 @@ TEST(Travel, RandomGoalsKeepTheLimitsAndEndWithinTheirAllowance) {
     }
     if (d.last.state == State::succeeded) {
       ++succeeded;
-      ASSERT_NEAR(d.last.traveled, turns ? size : std::abs(size), 0.02) << trial;
+      // The slowest turn goes on for the lag of the base before it ends.
+      ASSERT_NEAR(d.last.traveled, turns ? size : std::abs(size), 0.01 + 0.1 * d.options.min_rotational_vel) << trial;
     } else {
       ++timed_out;
       ASSERT_EQ(d.last.error, BehaviorError::timeout) << d.last.text;
