@@ -2,9 +2,10 @@
 // it ended.
 #pragma once
 
-#include <memory>
+#include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "components/model/planning.hpp"
 #include "runtime/base/pose2.hpp"
@@ -18,7 +19,8 @@ enum class BehaviorError { none, unknown, timeout, tf_error, collision_ahead, in
 /// What a behavior may look at.
 struct BehaviorSituation {
   PlanningProblem problem;  ///< without a plan; `now` is always there
-  std::string missing;      ///< what is needed to move and is not there, one sentence; empty: the problem is whole
+  std::string
+      missing;  ///< what is needed to move and is not there, one sentence; empty: the problem is whole
 };
 
 struct BehaviorStep {
@@ -26,9 +28,9 @@ struct BehaviorStep {
   State state = State::running;
   BehaviorError error = BehaviorError::none;  ///< of a failure
   std::string text;                           ///< of a failure: one sentence
-  std::optional<Twist2> command;              ///< zero at the end; nothing from a behavior that does not drive
-  double traveled = 0.0;                      ///< [m] or [rad] towards the target; a turn has its sign
-  Duration left;                              ///< of a wait
+  std::optional<Twist2> command;  ///< zero at the end; nothing from a behavior that does not drive
+  double traveled = 0.0;          ///< [m] or [rad] towards the target; a turn has its sign
+  Duration left;                  ///< of a wait
 };
 
 class Behavior {
@@ -37,6 +39,13 @@ class Behavior {
   /// Not called again once it ended.
   virtual BehaviorStep step(const BehaviorSituation& situation) = 0;
 };
+
+/// A motion begins and ends so.
+inline bool is_at_rest(const Twist2& twist) {
+  constexpr double kSpeed = 0.01;     // [m/s]
+  constexpr double kTurnRate = 0.02;  // [rad/s]
+  return std::abs(twist.v) < kSpeed && std::abs(twist.omega) < kTurnRate;
+}
 
 inline BehaviorStep failed(BehaviorError error, std::string text) {
   return {.state = BehaviorStep::State::failed, .error = error, .text = std::move(text)};

@@ -21,7 +21,8 @@ class Refused final : public Behavior {
 std::string fault_of(const DriveGoal& goal, const Limits& limits) {
   if (!goal.target.allFinite() || !std::isfinite(goal.target_z)) return "the target is not finite";
   if (!std::isfinite(goal.speed)) return "the speed is not finite";
-  if (goal.target.y() != 0.0 || goal.target_z != 0.0) return "target.y and target.z must be 0: only x is driven";
+  if (goal.target.y() != 0.0 || goal.target_z != 0.0)
+    return "target.y and target.z must be 0: only x is driven";
   if ((goal.target.x() > 0.0) != (goal.speed > 0.0)) return "target.x and speed must have the same sign";
   if (goal.target.x() != 0.0 && goal.speed == 0.0) return "the speed must not be 0";
   if (goal.target.x() < 0.0 && limits.v_back_max <= 0.0) return "the base does not drive backwards";
@@ -42,8 +43,8 @@ std::unique_ptr<Behavior> make_spin(const SpinGoal& goal, const BehaviorOptions&
   return std::make_unique<Travel>(travel, options, accepted);
 }
 
-std::unique_ptr<Behavior> make_drive_on_heading(const DriveGoal& goal, const BehaviorOptions& options, const Limits& limits,
-                                                Time accepted) {
+std::unique_ptr<Behavior> make_drive_on_heading(const DriveGoal& goal, const BehaviorOptions& options,
+                                                const Limits& limits, Time accepted) {
   if (std::string fault = fault_of(goal, limits); !fault.empty())
     return std::make_unique<Refused>(BehaviorError::invalid_input, std::move(fault));
   const TravelGoal travel{.axis = TravelAxis::straight,
@@ -54,8 +55,8 @@ std::unique_ptr<Behavior> make_drive_on_heading(const DriveGoal& goal, const Beh
   return std::make_unique<Travel>(travel, options, accepted);
 }
 
-std::unique_ptr<Behavior> make_back_up(const DriveGoal& goal, const BehaviorOptions& options, const Limits& limits,
-                                       Time accepted) {
+std::unique_ptr<Behavior> make_back_up(const DriveGoal& goal, const BehaviorOptions& options,
+                                       const Limits& limits, Time accepted) {
   DriveGoal backward = goal;
   backward.target.x() = -std::abs(goal.target.x());
   backward.speed = -std::abs(goal.speed);

@@ -28,10 +28,10 @@ struct DriveGoal {
 /// At most as fast and as hard as `options` and the robot allow.
 std::unique_ptr<Behavior> make_spin(const SpinGoal& goal, const BehaviorOptions& options, Time accepted);
 /// target.x and speed have the same sign; backward is slower where the robot's limits say so.
-std::unique_ptr<Behavior> make_drive_on_heading(const DriveGoal& goal, const BehaviorOptions& options, const Limits& limits,
-                                                Time accepted);
+std::unique_ptr<Behavior> make_drive_on_heading(const DriveGoal& goal, const BehaviorOptions& options,
+                                                const Limits& limits, Time accepted);
 /// Backward whatever the signs of target.x and speed are.
-std::unique_ptr<Behavior> make_back_up(const DriveGoal& goal, const BehaviorOptions& options, const Limits& limits,
-                                       Time accepted);
+std::unique_ptr<Behavior> make_back_up(const DriveGoal& goal, const BehaviorOptions& options,
+                                       const Limits& limits, Time accepted);
 
 }  // namespace bw

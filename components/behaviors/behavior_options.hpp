@@ -40,7 +40,8 @@ struct BehaviorOptions {
       {.unit = "m/s",
        .min = 0,
        .max = 10,
-       .doc = "backup and drive_on_heading drive no slower but for their last step, unless the goal asks for it"});
+       .doc =
+           "backup and drive_on_heading drive no slower but for their last step, unless the goal asks for it"});
     v("collision_margin", collision_margin,
       {.unit = "m", .min = 0, .max = 2, .doc = "gap that the look-ahead asks for around the footprint"});
     v("command_lead", command_lead,
@@ -55,7 +56,8 @@ struct BehaviorOptions {
        .doc = "a goal without an allowance of its own fails when the robot has not moved for so long"});
   }
   std::optional<std::string> violated_rule() const {
-    if (min_rotational_vel > max_rotational_vel) return "min_rotational_vel must be at most max_rotational_vel";
+    if (min_rotational_vel > max_rotational_vel)
+      return "min_rotational_vel must be at most max_rotational_vel";
     if (command_lead * cycle_frequency < 0.5)
       return "command_lead must be at least half of the time between two commands";
     return std::nullopt;

@@ -12,15 +12,15 @@ constexpr double kStep = 0.05;    // [m] of travel between tests
 constexpr double kDeeper = 1e-3;  // [m] of gap, and [s] of contact, that rounding does not make
 constexpr double kSoon = 0.5;     // [s]: a mover who touches the robot does not walk on through it
 
-MotionGap gap_over(const std::vector<TrajectoryPoint>& trajectory, double margin, const PlanningProblem& problem,
-                   double horizon) {
+MotionGap gap_over(const std::vector<TrajectoryPoint>& trajectory, double margin,
+                   const PlanningProblem& problem, double horizon) {
   return gap_along(trajectory, std::min(horizon, trajectory.back().time), kStep, margin, problem);
 }
 
 }  // namespace
 
-bool brings_contact(const std::vector<TrajectoryPoint>& motion, const std::vector<TrajectoryPoint>& stop, double margin,
-                    const PlanningProblem& problem) {
+bool brings_contact(const std::vector<TrajectoryPoint>& motion, const std::vector<TrajectoryPoint>& stop,
+                    double margin, const PlanningProblem& problem) {
   const double whole = motion.back().time;
   if (std::isinf(gap_over(motion, margin, problem, whole).contact_time)) return false;
   // One at a time: beside what is near already, something else may come nearer.

@@ -15,10 +15,6 @@ namespace {
 
 constexpr double kMoved = 0.02;  // [m], [rad] that show that the robot moves
 
-bool is_standing(const Twist2& twist) {
-  return std::abs(twist.v) < Travel::kStandingSpeed && std::abs(twist.omega) < Travel::kStandingTurnRate;
-}
-
 BehaviorStep stopped(BehaviorStep step) {
   step.command = Twist2{};
   return step;
@@ -38,13 +34,14 @@ BehaviorStep Travel::step(const BehaviorSituation& situation) {
     return stopped(step);
   };
   if (!situation.missing.empty()) return end(BehaviorError::tf_error, situation.missing);
-  if (std::string fault = fault_of(problem); !fault.empty()) return end(BehaviorError::tf_error, std::move(fault));
+  if (std::string fault = fault_of(problem); !fault.empty())
+    return end(BehaviorError::tf_error, std::move(fault));
   measure(problem.pose);
   if (goal_.time_allowance > Duration{} && age > goal_.time_allowance)
     return end(BehaviorError::timeout, "the time allowance was over before the target was reached");
   if (is_stuck(age, problem.pose)) return end(BehaviorError::unknown, "the robot does not move");
   BehaviorStep step{.traveled = traveled_ * (goal_.axis == TravelAxis::turn ? sign_ : 1.0)};
-  const bool standing = is_standing(problem.twist);
+  const bool standing = is_at_rest(problem.twist);
   if (!X_OS_ && !standing) return stopped(step);
   if (!X_OS_) X_OS_ = X_OB_before_ = problem.pose;
   const double left = std::abs(goal_.target) - traveled_;
@@ -53,7 +50,8 @@ BehaviorStep Travel::step(const BehaviorSituation& situation) {
     if (standing) step.state = BehaviorStep::State::succeeded;
     return stopped(step);
   }
-  if (goal_.is_watched && is_blocked(problem)) return end(BehaviorError::collision_ahead, "something is in the way");
+  if (goal_.is_watched && is_blocked(problem))
+    return end(BehaviorError::collision_ahead, "something is in the way");
   step.command = along(rate_);
   return step;
 }
@@ -75,7 +73,8 @@ bool Travel::is_stuck(Duration age, const Pose2& X_OB) {
     moved_ = age;
     X_OB_moved_ = X_OB;
   }
-  return goal_.time_allowance <= Duration{} && age - *moved_ > Duration::seconds(options_.movement_time_allowance);
+  return goal_.time_allowance <= Duration{} &&
+         age - *moved_ > Duration::seconds(options_.movement_time_allowance);
 }
 
 // Of a short way the middle is driven at one rate for as long as the jerk limit needs to turn acceleration into braking.
@@ -89,7 +88,8 @@ double Travel::top_rate(const Limits& limits) const {
 }
 
 double Travel::acceleration(const Limits& limits) const {
-  return goal_.axis == TravelAxis::turn ? std::min(options_.rotational_acc_lim, limits.alpha_max) : limits.acc_max;
+  return goal_.axis == TravelAxis::turn ? std::min(options_.rotational_acc_lim, limits.alpha_max)
+                                        : limits.acc_max;
 }
 
 double Travel::next_rate(double left, double rate, const PlanningProblem& problem) const {
@@ -97,8 +97,10 @@ double Travel::next_rate(double left, double rate, const PlanningProblem& proble
   const double acceleration_limit = acceleration(problem.limits);
   const double step = acceleration_limit * problem.control_period;
   const double top = top_rate(problem.limits);
-  const double slowest = goal_.axis == TravelAxis::turn ? options_.min_rotational_vel : options_.minimum_speed;
-  const double onset = goal_.axis == TravelAxis::turn ? 0.0 : acceleration_limit / (2.0 * problem.limits.jerk_max);
+  const double slowest =
+      goal_.axis == TravelAxis::turn ? options_.min_rotational_vel : options_.minimum_speed;
+  const double onset =
+      goal_.axis == TravelAxis::turn ? 0.0 : acceleration_limit / (2.0 * problem.limits.jerk_max);
   const double braking = safety::speed_within(
       left, {.reaction_time = options_.command_lead + onset, .deceleration = acceleration_limit});
   const double wanted = std::max(braking, std::min(slowest, left / problem.control_period));
@@ -111,7 +113,8 @@ Twist2 Travel::along(double rate) const {
 
 bool Travel::is_blocked(const PlanningProblem& problem) const {
   const double period = problem.control_period;
-  const double rate_now = std::max(0.0, sign_ * (goal_.axis == TravelAxis::turn ? problem.twist.omega : problem.twist.v));
+  const double rate_now =
+      std::max(0.0, sign_ * (goal_.axis == TravelAxis::turn ? problem.twist.omega : problem.twist.v));
   const double braking = acceleration(problem.limits) * period;
   const double to_rest = rate_now / acceleration(problem.limits) + options_.command_lead + period;
   const double horizon = std::max(options_.simulate_ahead_time, to_rest);

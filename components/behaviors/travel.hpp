@@ -18,10 +18,10 @@ enum class TravelAxis { turn, straight };
 
 struct TravelGoal {
   TravelAxis axis = TravelAxis::straight;
-  double target = 0.0;          ///< [rad] or [m]; the sign is the direction
-  double top_rate = 0.0;        ///< [rad/s] or [m/s], more than 0
-  Duration time_allowance;      ///< from acceptance; 0 or less: none
-  bool is_watched = true;       ///< the look-ahead may end it
+  double target = 0.0;      ///< [rad] or [m]; the sign is the direction
+  double top_rate = 0.0;    ///< [rad/s] or [m/s], more than 0
+  Duration time_allowance;  ///< from acceptance; 0 or less: none
+  bool is_watched = true;   ///< the look-ahead may end it
 };
 
 class Travel final : public Behavior {
@@ -30,13 +30,10 @@ class Travel final : public Behavior {
 
   BehaviorStep step(const BehaviorSituation& situation) override;
 
-  static constexpr double kStandingSpeed = 0.01;     ///< [m/s] below it the robot is at rest
-  static constexpr double kStandingTurnRate = 0.02;  ///< [rad/s]
-  static constexpr double kTolerance = 0.005;        ///< [rad] or [m] to the target
+  static constexpr double kTolerance = 0.005;  ///< [rad] or [m] to the target
 
  private:
   void measure(const Pose2& X_OB);
-  bool has_timed_out(Duration age) const;
   bool is_stuck(Duration age, const Pose2& X_OB);
   double top_rate(const Limits& limits) const;
   double acceleration(const Limits& limits) const;

@@ -9,7 +9,6 @@
 #include "components/local_planner/back_off.hpp"
 #include "components/local_planner/command_limits.hpp"
 #include "components/messages/geometry.hpp"
-#include "components/messages/obstacles.hpp"
 
 namespace bw {
 namespace {
@@ -39,10 +38,7 @@ void LocalPlannerComponent::configure(Setup& setup) {
   log_ = setup.log();
   diagnostics_ = &setup.diagnostics();
   diagnostics_->set_value("planner", parameters_.algorithm);
-  odometry_ = setup.latest<nav_msgs::msg::Odometry>("odom", Qos::command());
-  tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::command());
-  obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::command());
-  transforms_ = setup.transforms();
+  surroundings_.listen(setup);
   speed_.listen(setup, robot_.limits);
   setup.input<bandwagon_msgs::msg::FollowRequest>(
       "follow_request", Qos::standard(), [this](const auto& request, const Tick&) { on_request(request); });
@@ -82,28 +78,9 @@ PlanningProblem LocalPlannerComponent::make_problem(const Tick& tick, std::strin
   if (pool_) {
     problem.parallel_for = [this](std::size_t count, const auto& body) { pool_->run(count, body); };
   }
-  const auto pose_of = [&](const std::string& frame) -> std::optional<Pose2> {
-    if (frame == odom_frame_) return Pose2{};
-    auto X_OF = transforms_->lookup_planar(odom_frame_, frame);
-    if (!X_OF) missing = "no transform from " + frame + " to " + odom_frame_;
-    return X_OF;
-  };
-  if (!odometry_) {
-    missing = "no odometry yet";
-    return problem;
-  }
-  problem.pose = from_pose(odometry_->pose().pose());
-  problem.twist = from_twist(odometry_->twist().twist());
-  if (obstacles_) {
-    if (const auto X_OF = pose_of(obstacles_->header().frame_id()))
-      problem.obstacles = to_obstacles(*obstacles_, *X_OF);
-  }
-  if (tracks_) {
-    if (const auto X_OF = pose_of(tracks_->header().frame_id()))
-      problem.movers = to_movers(*tracks_, *X_OF, tick.now);
-  }
-  if (request_.mode() != mode::FOLLOW) return problem;
-  const auto X_OM = pose_of(request_.path().header().frame_id());
+  missing = surroundings_.fill(problem);
+  if (!missing.empty() || request_.mode() != mode::FOLLOW) return problem;
+  const auto X_OM = surroundings_.pose_of(request_.path().header().frame_id(), missing);
   if (!X_OM) return problem;
   const PlanWindow& window =
       plan_.window(inverse(*X_OM) * problem.pose, parameters_.max_global_plan_lookahead_dist);

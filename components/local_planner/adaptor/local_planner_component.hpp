@@ -7,20 +7,17 @@
 
 #include <bandwagon_msgs/msg/follow_request.hpp>
 #include <bandwagon_msgs/msg/follow_status.hpp>
-#include <bandwagon_msgs/msg/obstacles.hpp>
-#include <bandwagon_msgs/msg/tracks.hpp>
 #include <geometry_msgs/msg/twist.hpp>
-#include <nav_msgs/msg/odometry.hpp>
 #include <nav_msgs/msg/path.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
 #include "components/local_planner/adaptor/cycle_watch.hpp"
+#include "components/local_planner/adaptor/surroundings.hpp"
 #include "components/local_planner/local_planner_parameters.hpp"
 #include "components/local_planner/plan_window.hpp"
 #include "components/messages/speed_limit.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
-#include "runtime/transforms/transform_tree.hpp"
 #include "runtime/worker_pool.hpp"
 
 namespace bw {
@@ -55,10 +52,7 @@ class LocalPlannerComponent final : public Component {
   bool at_rest_ = true;  ///< STOP was obeyed: nothing more to say
 
   LimitedSpeed speed_;
-  Latest<nav_msgs::msg::Odometry> odometry_;
-  Latest<bandwagon_msgs::msg::Tracks> tracks_;
-  Latest<bandwagon_msgs::msg::Obstacles> obstacles_;
-  std::shared_ptr<const TransformTree> transforms_;
+  Surroundings surroundings_;
   Output<geometry_msgs::msg::Twist> command_;
   Output<bandwagon_msgs::msg::FollowStatus> status_;
   Output<nav_msgs::msg::Path> trajectory_;

@@ -33,7 +33,8 @@ struct BehaviorDrive {
   double time = 0.0;    ///< [s] at the end
   double turned = 0.0;  ///< [rad], whole turns counted
   std::vector<Twist2> commands;
-  double least_gap = 1e9;  ///< [m] of the disc to obstacles and movers, to the instant the base has come to rest
+  double least_gap =
+      1e9;  ///< [m] of the disc to obstacles and movers, to the instant the base has come to rest
 
   static Time begin() { return Time::seconds(1000.0); }
 

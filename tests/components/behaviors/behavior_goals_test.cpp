@@ -18,7 +18,8 @@ BehaviorStep first_step(Behavior& behavior) {
 }
 
 BehaviorStep drive(const Vector2& target, double z, double speed, const Limits& limits = {}) {
-  return first_step(*make_drive_on_heading({.target = target, .target_z = z, .speed = speed}, {}, limits, {}));
+  return first_step(
+      *make_drive_on_heading({.target = target, .target_z = z, .speed = speed}, {}, limits, {}));
 }
 BehaviorStep back_up(const Vector2& target, double z, double speed, const Limits& limits = {}) {
   return first_step(*make_back_up({.target = target, .target_z = z, .speed = speed}, {}, limits, {}));
@@ -66,7 +67,8 @@ TEST(BehaviorGoals, BackupRefusesTheSameButForSigns) {
 
 TEST(BehaviorGoals, SpinRefusesWhatIsNoAngle) {
   for (const double none : {kNan, kInfinity, -kInfinity})
-    expect_refused(first_step(*make_spin({.target_yaw = none}, {}, {})), BehaviorError::unknown, "target_yaw is not finite");
+    expect_refused(first_step(*make_spin({.target_yaw = none}, {}, {})), BehaviorError::unknown,
+                   "target_yaw is not finite");
 }
 
 TEST(BehaviorGoals, NothingToDoIsDoneAtOnce) {

@@ -10,11 +10,13 @@ namespace {
 using State = BehaviorStep::State;
 
 void drive(BehaviorDrive& d, double x, double speed, bool disable_checks = false) {
-  d.run(*make_drive_on_heading({.target = {x, 0.0}, .speed = speed, .disable_collision_checks = disable_checks}, d.options,
-                               d.robot.limits, BehaviorDrive::begin()));
+  d.run(
+      *make_drive_on_heading({.target = {x, 0.0}, .speed = speed, .disable_collision_checks = disable_checks},
+                             d.options, d.robot.limits, BehaviorDrive::begin()));
 }
 void back_up(BehaviorDrive& d, double x, double speed) {
-  d.run(*make_back_up({.target = {x, 0.0}, .speed = speed}, d.options, d.robot.limits, BehaviorDrive::begin()));
+  d.run(
+      *make_back_up({.target = {x, 0.0}, .speed = speed}, d.options, d.robot.limits, BehaviorDrive::begin()));
 }
 Mover walker(Vector2 position, Vector2 velocity) {
   Mover mover;
@@ -74,7 +76,9 @@ TEST(TravelCollision, SomebodyWhoIsExpectedToTurnAwayEndsNothing) {
   Mover mover = walker({1.0, -1.0}, {0.0, 0.5});
   mover.predictions = {{.time = 0.2, .position = {1.0, -0.9}}, {.time = 10.0, .position = {5.0, -3.0}}};
   d.movers = {mover};
-  d.spoil = [](double t, BehaviorSituation& s) { s.problem.movers[0].predictions[1].time = std::max(0.3, 10.0 - t); };
+  d.spoil = [](double t, BehaviorSituation& s) {
+    s.problem.movers[0].predictions[1].time = std::max(0.3, 10.0 - t);
+  };
   drive(d, 0.3, 0.2);
   EXPECT_EQ(d.last.state, State::succeeded) << d.last.text;
 }
