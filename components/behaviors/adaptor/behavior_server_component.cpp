@@ -39,7 +39,7 @@ class BehaviorServerComponent final : public Component {
                 [this](const Tick& tick) { cycle(tick); });
   }
 
-  void activate(const Tick&) override { report("idle"); }
+  void activate(const Tick&) override { diagnostics_->report(DiagnosticReporter::Level::ok, "idle"); }
 
   /// Goals that are open end by the runtime.
   void deactivate(const Tick&) override {
@@ -76,7 +76,7 @@ class BehaviorServerComponent final : public Component {
     name_ = name;
     goal_ = std::move(goal);
     behavior_ = std::move(behavior);
-    report(name);
+    diagnostics_->report(DiagnosticReporter::Level::ok, name);
   }
 
   void cycle(const Tick& tick) {
@@ -84,6 +84,7 @@ class BehaviorServerComponent final : public Component {
     const BehaviorStep step = behavior_->step(situation(tick));
     step.command ? drive(*step.command, tick) : settle(tick);
     goal_->feedback(step);
+    if (step.state == BehaviorStep::State::failed) log_.warn("{}: {}", name_, step.text);
     if (step.state != BehaviorStep::State::running) end(step, tick);
   }
 
@@ -96,13 +97,12 @@ class BehaviorServerComponent final : public Component {
     problem.control_period = 1.0 / options_.cycle_frequency;
     problem.command_lead = options_.command_lead;
     situation.missing = surroundings_.fill(problem);
-    if (situation.missing.empty()) situation.missing = surroundings_.unheard();
+    situation.unseen = surroundings_.unheard();
     if (tick.health == Health::stop) situation.missing = "a needed input is stale";
     return situation;
   }
 
   void end(const BehaviorStep& step, const Tick& tick) {
-    if (step.state == BehaviorStep::State::failed) log_.warn("{}: {}", name_, step.text);
     goal_->end(step, tick.now);
     forget();
   }
@@ -114,7 +114,7 @@ class BehaviorServerComponent final : public Component {
   void forget() {
     goal_.reset();
     behavior_.reset();
-    report("idle");
+    diagnostics_->report(DiagnosticReporter::Level::ok, "idle");
   }
 
   void drive(const Twist2& twist, const Tick& tick) {
@@ -128,8 +128,6 @@ class BehaviorServerComponent final : public Component {
   void settle(const Tick& tick) {
     if (!is_settled_) drive({}, tick);
   }
-
-  void report(const std::string& what) { diagnostics_->report(DiagnosticReporter::Level::ok, what); }
 
   BehaviorOptions options_;
   Robot robot_;
