@@ -132,6 +132,8 @@ TEST(BehaviorDrive, DrivesEndAtTheirDistance) {
   };
   room.run(18.0);
   for (const Attempt* a : {&ahead, &back, &fast}) EXPECT_EQ(a->status, GoalStatus::succeeded) << a->text;
+  RecordProperty("ends", std::to_string(room.at(5.9).x) + " " + std::to_string(room.at(12.9).x) + " " +
+                             std::to_string(room.poses.back().second.x));
   EXPECT_NEAR(room.at(5.9).x, 0.3, 0.01);
   EXPECT_NEAR(room.at(12.9).x, 0.0, 0.02);
   EXPECT_NEAR(room.poses.back().second.x, 1.5, 0.03);
