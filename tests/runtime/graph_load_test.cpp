@@ -313,6 +313,7 @@ std::vector<std::string> bring_up_of(const Graph& graph) {
 TEST(LoadGraph, ReadsLifecycleManagersAndTheOrderOfBringUp) {
   const Folder folder;
   const Graph graph = load_graph(folder.write("g.yaml", R"(
+ros_distro: jazzy
 lifecycle: external
 bring_up: [map_server, amcl]
 components:
@@ -330,6 +331,23 @@ components:
   const Graph plain = load_graph(folder.write("p.yaml", "components: {b: , a: }"));
   EXPECT_FALSE(plain.settings.external_lifecycle);
   EXPECT_THAT(bring_up_of(plain), ElementsAre("b", "a"));
+}
+
+// What waits for a manager starts before the others on the domain, and would guess.
+TEST(LoadGraph, AGraphWithAManagerFromOutsideNamesItsDistro) {
+  const std::string rule =
+      "ros_distro = auto: must be named beside lifecycle: external: humble, jazzy, kilted or lyrical, as the manager's is; "
+      "messages of nav2_msgs differ from each to the next";
+  EXPECT_EQ(refusal("components: {a: }\nros_distro: auto\nlifecycle: external\n"), "g.yaml:2: " + rule);
+  EXPECT_EQ(refusal("components: {a: }\n\nlifecycle: external\n"), "g.yaml:3: " + rule);
+  EXPECT_EQ(refusal("components: {a: }\nros_distro: auto\nlifecycle: own\n"), "accepted");
+  EXPECT_EQ(refusal("components: {a: }\nros_distro: kilted\nlifecycle: external\n"), "accepted");
+  EXPECT_EQ(refusal("components: {a: }\nlifecycle: external\n", {"ros_distro=humble"}), "accepted");
+  EXPECT_THAT(refusal("components: {a: }\n", {"ros_distro=jazy"}),
+              ::testing::HasSubstr("ros_distro = jazy: must be one of auto, humble"));
+  const Folder folder;
+  const auto path = folder.write("set.yaml", "components: {a: }\nros_distro: jazzy\n");
+  EXPECT_EQ(load_graph(path, {"ros_distro=humble"}).settings.ros_distro, RosDistro::humble);
 }
 
 TEST(LoadGraph, RefusesABringUpThatIsNotOfThisGraph) {
