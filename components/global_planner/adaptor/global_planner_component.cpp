@@ -3,15 +3,14 @@
 #include <bandwagon_msgs/msg/plan_result.hpp>
 
 #include "components/global_planner/adaptor/map_planner.hpp"
+#include "components/global_planner/adaptor/path_actions.hpp"
 #include "components/global_planner/adaptor/plan_messages.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/messages/nav2_layouts.hpp"
+#include "components/messages/nav2_results.hpp"
 #include "runtime/component.hpp"
 
-#include <nav2_msgs/srv/is_path_valid.hpp>
-
 namespace bw {
-
-using nav2_msgs::srv::IsPathValid;
 
 class GlobalPlannerComponent final : public Component {
  public:
@@ -22,18 +21,24 @@ class GlobalPlannerComponent final : public Component {
     setup.input<bandwagon_msgs::msg::PlanRequest>(
         "plan_request", Qos::standard(),
         [this](const auto& request, const Tick& tick) { answer(request, tick.now); });
-    setup.service<IsPathValid>("is_path_valid",
-                               [this](const IsPathValid::Request& request, const Tick& tick) {
-                                 return to_response(planner_.check(request.path(), tick.now));
-                               });
+    offer_path_actions(setup, planner_, [this](const nav_msgs::msg::Path& path) { plan_.publish(path); });
+    with_nav2_layout(setup.ros_distro(), [&]<class Nav2>(Nav2) {
+      offer_path_check<typename Nav2::IsPathValid>(setup);
+    });
   }
 
  private:
-  static IsPathValid::Response to_response(const PathCheck& check) {
-    IsPathValid::Response response;
-    response.is_valid(check.valid);
-    response.invalid_pose_indices().assign(check.blocked.begin(), check.blocked.end());
-    return response;
+  template <class IsPathValid>
+  void offer_path_check(Setup& setup) {
+    setup.service<IsPathValid>(
+        "is_path_valid", [this](const typename IsPathValid::Request& request, const Tick& tick) {
+          const PathCheck check = planner_.check(request.path(), tick.now);
+          typename IsPathValid::Response response;
+          set_success(response, true);
+          response.is_valid(check.valid);
+          response.invalid_pose_indices().assign(check.blocked.begin(), check.blocked.end());
+          return response;
+        });
   }
 
   void answer(const bandwagon_msgs::msg::PlanRequest& request, Time now) {

@@ -9,7 +9,7 @@ namespace bw::costmap {
 void offer_services(Setup& setup, const CostmapAnswers& answers) {
   using nav2_msgs::srv::GetCostmap;
   offer_clear_services(
-      setup, "local_costmap",
+      setup, "local_costmap/", "local_costmap",
       {.entirely = [answers] { answers.grid->clear(); },
        .inside = [answers](double edge) { answers.grid->clear_inside(answers.position, edge); },
        .outside = [answers](double edge) { answers.grid->clear_outside(answers.position, edge); }});
