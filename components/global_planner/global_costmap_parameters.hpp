@@ -13,7 +13,10 @@ struct GlobalCostmapParameters {
   template <class Visitor>
   void fields(Visitor& v) {
     v("publish_frequency", publish_frequency,
-      {.unit = "Hz", .min = 0.1, .max = 20, .doc = "of published_footprint; costs are told when they change"});
+      {.unit = "Hz",
+       .min = 0.1,
+       .max = 20,
+       .doc = "of published_footprint; costs are told when they change"});
     planner.cost_fields(v);
   }
 };

@@ -165,8 +165,8 @@ PathResult Planner::plan_legs(const Pose2& start, const std::vector<Pose2>& stop
     whole.expanded += leg.expanded;
     if (leg.status != PathStatus::ok) {
       return {.status = leg.status,
-              .reason = "on the way to pose " + std::to_string(i + 1) + " of " + std::to_string(stops.size()) +
-                        ": " + leg.reason,
+              .reason = "on the way to pose " + std::to_string(i + 1) + " of " +
+                        std::to_string(stops.size()) + ": " + leg.reason,
               .path = {},
               .expanded = whole.expanded};
     }

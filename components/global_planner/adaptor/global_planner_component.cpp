@@ -22,9 +22,8 @@ class GlobalPlannerComponent final : public Component {
         "plan_request", Qos::standard(),
         [this](const auto& request, const Tick& tick) { answer(request, tick.now); });
     offer_path_actions(setup, planner_, [this](const nav_msgs::msg::Path& path) { plan_.publish(path); });
-    with_nav2_layout(setup.ros_distro(), [&]<class Nav2>(Nav2) {
-      offer_path_check<typename Nav2::IsPathValid>(setup);
-    });
+    with_nav2_layout(setup.ros_distro(),
+                     [&]<class Nav2>(Nav2) { offer_path_check<typename Nav2::IsPathValid>(setup); });
   }
 
  private:

@@ -33,8 +33,8 @@ void MapPlanner::configure(Setup& setup) {
   base_frame_ = setup.frame("base_link");
   transforms_ = setup.transforms();
   tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::standard(), Need::optional);
-  setup.input<nav_msgs::msg::OccupancyGrid>(
-      "map", Qos::latched(), [this](const auto& message, const Tick&) { keep_map(message); });
+  setup.input<nav_msgs::msg::OccupancyGrid>("map", Qos::latched(),
+                                            [this](const auto& message, const Tick&) { keep_map(message); });
 }
 
 void MapPlanner::keep_map(const nav_msgs::msg::OccupancyGrid& message) {
@@ -54,9 +54,8 @@ PathResult MapPlanner::plan(const RouteRequest& request, Time now) {
     return PathResult{.status = PathStatus::unplaced, .reason = who + " " + reason};
   };
   std::string reason = fmt::format("is not known: no transform from {} to {}", base_frame_, map_frame_);
-  const std::optional<Pose2> start = request.start
-                                         ? in_map(*request.start, request.at_their_stamps, reason)
-                                         : transforms_->lookup_planar(map_frame_, base_frame_);
+  const std::optional<Pose2> start = request.start ? in_map(*request.start, request.at_their_stamps, reason)
+                                                   : transforms_->lookup_planar(map_frame_, base_frame_);
   if (!start) return unplaced(request.start ? "the start" : "the robot's place", reason);
   std::vector<Pose2> stops;
   for (const auto& pose : request.stops) {
@@ -108,8 +107,7 @@ std::vector<Disc> MapPlanner::standing_people(const Pose2& start, Time now) cons
   for (const auto& track : tracks_->tracks()) {
     if (!(std::hypot(track.velocity().x(), track.velocity().y()) < parameters_.standing_speed)) continue;
     const Disc disc{*X_MF * Vector2{track.position().x(), track.position().y()}, track.radius()};
-    const bool near =
-        (disc.center - start.position()).norm() < parameters_.standing_within;  // false for NaN
+    const bool near = (disc.center - start.position()).norm() < parameters_.standing_within;  // false for NaN
     if (near && std::isfinite(disc.radius)) discs.push_back(disc);
   }
   return discs;

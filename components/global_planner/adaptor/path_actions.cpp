@@ -37,7 +37,8 @@ PathQuestion question_of(const Goal& goal) {
 }
 
 template <class Action>
-void answer(const GoalHandle<Action>& handle, const PathServer& server, std::uint16_t base, const Tick& tick) {
+void answer(const GoalHandle<Action>& handle, const PathServer& server, std::uint16_t base,
+            const Tick& tick) {
   typename Action::Result result;
   set_last_reached_index(result, -1);
   if (handle.is_canceling()) return handle.canceled(result);
@@ -52,7 +53,8 @@ void answer(const GoalHandle<Action>& handle, const PathServer& server, std::uin
   }
   // In lock-step nothing measured on a real clock may enter a sample.
   if (!server.is_lockstep)
-    result.planning_time(to_message(Duration{std::chrono::nanoseconds(std::chrono::steady_clock::now() - began).count()}));
+    result.planning_time(
+        to_message(Duration{std::chrono::nanoseconds(std::chrono::steady_clock::now() - began).count()}));
   server.show(answer.path);
   result.path(answer.path);
   handle.succeed(result);
@@ -79,10 +81,8 @@ void offer(Setup& setup, const std::string& name, const std::shared_ptr<const Pa
 
 void offer_path_actions(Setup& setup, MapPlanner& planner,
                         std::function<void(const nav_msgs::msg::Path&)> show) {
-  const auto server = std::make_shared<const PathServer>(PathServer{.planner = planner,
-                                                                    .show = std::move(show),
-                                                                    .log = setup.log(),
-                                                                    .is_lockstep = setup.is_lockstep()});
+  const auto server = std::make_shared<const PathServer>(PathServer{
+      .planner = planner, .show = std::move(show), .log = setup.log(), .is_lockstep = setup.is_lockstep()});
   with_nav2_layout(setup.ros_distro(), [&]<class Nav2>(Nav2) {
     offer<typename Nav2::ComputePathToPose>(setup, "compute_path_to_pose", server,
                                             compute_path_error::kUnknown);

@@ -52,16 +52,14 @@ PathError error_of(PathStatus status) {
 PathAnswer answer_question(MapPlanner& planner, PathQuestion question, Time now) {
   RouteRequest& route = question.route;
   route.at_their_stamps = true;
-  if (route.stops.empty())
-    return refusal(PathError::no_viapoints_given, "the goal names no pose to go to");
+  if (route.stops.empty()) return refusal(PathError::no_viapoints_given, "the goal names no pose to go to");
   if (route.stops.size() > kMostStops)
     return refusal(PathError::unknown, fmt::format("the goal names {} poses, at most {} are planned through",
                                                    route.stops.size(), kMostStops));
   const std::vector<std::string>& plugins = planner.parameters().planner_plugins;
   if (!is_planner(question.planner_id, plugins))
-    return refusal(PathError::invalid_planner,
-                   fmt::format("planner_id '{}' is none of this server: {}", question.planner_id,
-                               fmt::join(plugins, ", ")));
+    return refusal(PathError::invalid_planner, fmt::format("planner_id '{}' is none of this server: {}",
+                                                           question.planner_id, fmt::join(plugins, ", ")));
   // A pose that is none lies nowhere on the map.
   if (route.start) {
     if (const std::string fault = fault_of(route.start->pose()); !fault.empty())
