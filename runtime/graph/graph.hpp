@@ -7,7 +7,8 @@
 //   transport: localhost            # localhost | lan
 //   plugins: [path.so]              # paths are relative to the file they stand in
 //   robot: ../robots/generic.yaml   # a shared section: a file or a map
-//   lifecycle: own                  # own | external: components stay unconfigured until a manager comes, such as Nav2's
+//   lifecycle: own                  # own | external: components stay unconfigured until a manager comes, such as Nav2's;
+//                                   # ros_distro is named then
 //   bring_up: [map_server, amcl]    # activated first and in this order, as a lifecycle_manager's node_names; the others
 //                                   # follow in rank order
 //   snapshot: {keep: 30s, on: [contact], to: near_misses}    # snapshot_settings.hpp
@@ -107,8 +108,8 @@ struct Graph {
   std::vector<const ComponentNode*> bring_up_order() const;
 };
 
-/// Overrides are `component.param=value`, `component.enabled=true|false` or `section.param=value`. Throws
-/// ConfigError with all violations that were found.
+/// Overrides are `component.param=value`, `component.enabled=true|false`, `section.param=value` or `ros_distro=NAME`.
+/// Throws ConfigError with all violations that were found.
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 /// One more override of a graph that is loaded. Throws ConfigError.

@@ -10,6 +10,7 @@
 #include "runtime/host/command_guard.hpp"
 #include "runtime/host/host_setup.hpp"
 #include "runtime/host/lockstep_runner.hpp"
+#include "runtime/host/namesake_guard.hpp"
 #include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"
@@ -112,7 +113,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
   const bool lockstep = options_.clock == ClockMode::lockstep;
   ProcessServiceOptions service_options{
       .publishes_clock = lockstep, .on_clock = nullptr, .look_around = nullptr, .timings = !lockstep};
-  if (!lockstep) service_options.look_around = [this](Time now) { look_at_commands(now); };
+  if (!lockstep) service_options.look_around = [this](Time now) { look_around(now); };
   if (options_.clock == ClockMode::topic) {
     auto topic_clock = std::make_unique<TopicClock>();
     service_options.on_clock = [clock = topic_clock.get()](Time now) { clock->set(now); };

@@ -100,7 +100,7 @@ class Host {
   void connect_services(Actor& actor);
   void connect_clients(Actor& actor);
   void announce_nodes();
-  void look_at_commands(Time now);
+  void look_around(Time now);
   void tap_outputs();
   void log(const Actor& actor, LogLevel level, const std::string& text);
   void publish_log(const Actor& actor, LogLevel level, const std::string& text);
@@ -118,6 +118,7 @@ class Host {
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
   std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step
+  std::unique_ptr<class NamesakeGuard> namesakes_;      ///< null in lock-step
   std::unique_ptr<class NodeAnnouncement> announcement_;
   class ProcessServices* services_ = nullptr;
   std::optional<Time> started_;

@@ -7,6 +7,7 @@
 #include "runtime/host/led_lifecycle.hpp"
 #include "runtime/host/lifecycle_manager.hpp"
 #include "runtime/host/lifecycle_services.hpp"
+#include "runtime/host/namesake_guard.hpp"
 #include "runtime/host/rebinding.hpp"
 #include "runtime/registry.hpp"
 
@@ -35,6 +36,10 @@ void Host::offer_lifecycle(Actor& actor, HostSetup& setup) {
     if (actor.led) actor.led->configure(setup);
     offer_lifecycle_services(setup, actor);
     means.tell = offer_transition_events(setup);
+    means.rivals = [this, &actor] {
+      const std::string name = full_name({.node_namespace = actor.node_namespace, .name = actor.name});
+      return namesakes_ ? namesakes_->rivals_of(name) : std::string();
+    };
     means.make = [&actor] { return make_component(actor.type); };
     means.configure = [this, &actor](Component& component) {
       Rebinding rebinding(actor);

@@ -313,6 +313,7 @@ std::vector<std::string> bring_up_of(const Graph& graph) {
 TEST(LoadGraph, ReadsLifecycleManagersAndTheOrderOfBringUp) {
   const Folder folder;
   const Graph graph = load_graph(folder.write("g.yaml", R"(
+ros_distro: jazzy
 lifecycle: external
 bring_up: [map_server, amcl]
 components:
@@ -369,6 +370,23 @@ components:
   refuses("g.yaml:7: components.e.follows = aa: unknown component; did you mean 'a'?");
   refuses("g.yaml:8: components.f.follows = a: must be in the same process");
   refuses("g.yaml:10: components.h.follows = g: must be enabled where its follower is");
+}
+
+// What waits for a manager starts before the others on the domain, and would guess.
+TEST(LoadGraph, AGraphWithAManagerFromOutsideNamesItsDistro) {
+  const std::string rule =
+      "ros_distro = auto: must be named beside lifecycle: external: humble, jazzy, kilted or lyrical, as the manager's is; "
+      "messages of nav2_msgs differ from each to the next";
+  EXPECT_EQ(refusal("components: {a: }\nros_distro: auto\nlifecycle: external\n"), "g.yaml:2: " + rule);
+  EXPECT_EQ(refusal("components: {a: }\n\nlifecycle: external\n"), "g.yaml:3: " + rule);
+  EXPECT_EQ(refusal("components: {a: }\nros_distro: auto\nlifecycle: own\n"), "accepted");
+  EXPECT_EQ(refusal("components: {a: }\nros_distro: kilted\nlifecycle: external\n"), "accepted");
+  EXPECT_EQ(refusal("components: {a: }\nlifecycle: external\n", {"ros_distro=humble"}), "accepted");
+  EXPECT_THAT(refusal("components: {a: }\n", {"ros_distro=jazy"}),
+              ::testing::HasSubstr("ros_distro = jazy: must be one of auto, humble"));
+  const Folder folder;
+  const auto path = folder.write("set.yaml", "components: {a: }\nros_distro: jazzy\n");
+  EXPECT_EQ(load_graph(path, {"ros_distro=humble"}).settings.ros_distro, RosDistro::humble);
 }
 
 TEST(LoadGraph, RefusesABringUpThatIsNotOfThisGraph) {
