@@ -26,6 +26,8 @@ class GraphReader {
     throw_if_any(violations_);
     read_top(root);
     for (const std::string& text : overrides) apply(text);
+    check_followers();
+    check_distro();
     throw_if_any(std::move(violations_));
     return std::move(graph_);
   }
@@ -108,6 +110,7 @@ class GraphReader {
     ParameterReader reader(root, "", violations_);
     GraphSettings& settings = graph_.settings;
     reader("ros_distro", settings.ros_distro);
+    if (const ConfigNode* distro = reader.find("ros_distro")) distro_where_ = distro->where;
     read_text(reader, root, "namespace", settings.graph_namespace, namespace_rule);
     read_text(reader, root, "frame_prefix", settings.frame_prefix, frame_prefix_rule);
     reader("transport", settings.transport, {.choices = {"localhost", "lan"}});
@@ -115,6 +118,10 @@ class GraphReader {
     std::string lifecycle = "own";
     reader("lifecycle", lifecycle, {.choices = {"own", "external"}});
     settings.external_lifecycle = lifecycle == "external";
+    if (distro_where_.file.empty()) {
+      const ConfigNode* node = reader.find("lifecycle");
+      distro_where_ = node != nullptr ? node->where : root.where;
+    }
     for (const std::string_view section : kSharedSections) {
       if (const ConfigNode* node = reader.find(section)) {
         graph_.shared[std::string(section)] = read_section(reader, *node, section);
@@ -137,6 +144,14 @@ class GraphReader {
     reader.refuse_unknown_keys();
   }
 
+  /// What waits for a manager from outside starts before the others, and would guess.
+  void check_distro() {
+    if (!graph_.settings.external_lifecycle || graph_.settings.ros_distro != RosDistro::automatic) return;
+    add(distro_where_, "ros_distro", "auto",
+        "must be named beside lifecycle: external: humble, jazzy, kilted or lyrical, as the manager's is; messages of "
+        "nav2_msgs differ from each to the next");
+  }
+
   void read_bring_up(const ConfigNode& names) {
     if (!detail::is_list(names, "bring_up", violations_)) return;
     std::vector<std::string_view> known;
@@ -149,6 +164,29 @@ class GraphReader {
       } else {
         graph_.bring_up.push_back(name.scalar);
       }
+    }
+  }
+
+  /// Whose states are another's has no order, manager or process of its own.
+  void check_followers() {
+    std::vector<std::string_view> known;
+    for (const ComponentNode& node : graph_.components) known.push_back(node.name);
+    for (const ComponentNode& node : graph_.components) {
+      if (node.follows.empty()) continue;
+      const std::string key = joined(joined("components", node.name), "follows");
+      const auto refuse = [&](const std::string& rule) { add(node.where, key, node.follows, rule); };
+      const ComponentNode* leader = graph_.find(node.follows);
+      if (leader == nullptr) {
+        refuse(unknown_rule("component", node.follows, known));
+      } else if (leader == &node || !leader->follows.empty()) {
+        refuse("must be a component that follows none");
+      } else if (leader->process != node.process) {
+        refuse("must be in the same process");
+      } else if (node.enabled && !leader->enabled) {
+        refuse("must be enabled where its follower is");
+      }
+      if (std::ranges::find(graph_.bring_up, node.name) != graph_.bring_up.end())
+        add(node.where, "bring_up", node.name, "must not name who follows: it comes up with its leader");
     }
   }
 
@@ -177,6 +215,9 @@ class GraphReader {
     node.manager = manager == "none"           ? Manager::none
                    : manager == "localization" ? Manager::localization
                                                : Manager::navigation;
+    read_text(reader, map, "follows", node.follows, node_name_rule);
+    if (const ConfigNode* given = map.find("manager"); given != nullptr && !node.follows.empty())
+      reader.refuse(*given, "manager", "must not be given beside follows: it is managed with its leader");
     std::string inner;
     read_text(reader, map, "namespace", inner, namespace_rule);
     node.node_namespace = join_namespaces(graph_.settings.graph_namespace, inner);
@@ -241,6 +282,7 @@ class GraphReader {
 
   Graph graph_;
   std::vector<Violation> violations_;
+  Location distro_where_;  ///< where it is said, or ought to be
 };
 
 /// Switches a component on or off; false when the override means something else.
@@ -250,6 +292,15 @@ bool switch_component(Graph& graph, const Override& change) {
   if (node == graph.components.end()) return false;
   std::vector<Violation> violations;
   detail::read_bool(change.value, change.key(), node->enabled, violations);
+  throw_if_any(std::move(violations));
+  return true;
+}
+
+/// The one setting of the whole graph that a command line may change; false when the override means something else.
+bool set_distro(Graph& graph, const Override& change) {
+  if (change.path != std::vector<std::string>{"ros_distro"}) return false;
+  std::vector<Violation> violations;
+  detail::read_value(change.value, change.key(), {}, graph.settings.ros_distro, violations);
   throw_if_any(std::move(violations));
   return true;
 }
@@ -276,7 +327,8 @@ ConfigNode& section_of(Graph& graph, const Override& change) {
 }  // namespace
 
 void apply_override(Graph& graph, const Override& change) {
-  if (!switch_component(graph, change)) apply_override(section_of(graph, change), change, 1);
+  if (set_distro(graph, change) || switch_component(graph, change)) return;
+  apply_override(section_of(graph, change), change, 1);
 }
 
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
