@@ -21,6 +21,7 @@
 //       enabled: true               # false: left out; --set local_planner.enabled=true brings it back
 //       latency: 20ms
 //       manager: navigation         # navigation | localization | none: which of our lifecycle managers pauses it
+//       follows: controller_server  # goes through its states with that component, managed and bonded by none
 //       namespace: robot1           # below the graph's, unless absolute
 //       parameters: {...}           # or a file
 //       remap: {cmd_vel_nav: cmd_vel}
@@ -66,6 +67,7 @@ struct ComponentNode {
   bool enabled = true;  ///< hosts leave out what is not
   Duration latency;     ///< computing time in lock-step, at least 0
   Manager manager = Manager::navigation;
+  std::string follows;               ///< the component whose states it goes through with; empty: its own
   std::string node_namespace = "/";  ///< absolute
   ConfigNode parameters;             ///< a map or nothing, overrides applied
   std::vector<Remap> remaps;
@@ -99,7 +101,10 @@ struct Graph {
   const ComponentNode* find(std::string_view component) const;
   /// Names of the processes, in the order of their first components.
   std::vector<std::string> processes() const;
-  /// The components in the order in which they are configured and activated; the way down is backwards.
+  /// Those that go through their states with `leader`, in rank order; what is not enabled is left out.
+  std::vector<const ComponentNode*> followers_of(std::string_view leader) const;
+  /// The components in the order in which they are configured and activated; the way down is backwards. Who follows comes
+  /// before its leader.
   std::vector<const ComponentNode*> bring_up_order() const;
 };
 

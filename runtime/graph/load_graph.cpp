@@ -26,6 +26,7 @@ class GraphReader {
     throw_if_any(violations_);
     read_top(root);
     for (const std::string& text : overrides) apply(text);
+    check_followers();
     check_distro();
     throw_if_any(std::move(violations_));
     return std::move(graph_);
@@ -166,6 +167,29 @@ class GraphReader {
     }
   }
 
+  /// Whose states are another's has no order, manager or process of its own.
+  void check_followers() {
+    std::vector<std::string_view> known;
+    for (const ComponentNode& node : graph_.components) known.push_back(node.name);
+    for (const ComponentNode& node : graph_.components) {
+      if (node.follows.empty()) continue;
+      const std::string key = joined(joined("components", node.name), "follows");
+      const auto refuse = [&](const std::string& rule) { add(node.where, key, node.follows, rule); };
+      const ComponentNode* leader = graph_.find(node.follows);
+      if (leader == nullptr) {
+        refuse(unknown_rule("component", node.follows, known));
+      } else if (leader == &node || !leader->follows.empty()) {
+        refuse("must be a component that follows none");
+      } else if (leader->process != node.process) {
+        refuse("must be in the same process");
+      } else if (node.enabled && !leader->enabled) {
+        refuse("must be enabled where its follower is");
+      }
+      if (std::ranges::find(graph_.bring_up, node.name) != graph_.bring_up.end())
+        add(node.where, "bring_up", node.name, "must not name who follows: it comes up with its leader");
+    }
+  }
+
   void read_component(const ConfigEntry& entry) {
     ComponentNode node;
     node.name = node.type = entry.key;
@@ -191,6 +215,9 @@ class GraphReader {
     node.manager = manager == "none"           ? Manager::none
                    : manager == "localization" ? Manager::localization
                                                : Manager::navigation;
+    read_text(reader, map, "follows", node.follows, node_name_rule);
+    if (const ConfigNode* given = map.find("manager"); given != nullptr && !node.follows.empty())
+      reader.refuse(*given, "manager", "must not be given beside follows: it is managed with its leader");
     std::string inner;
     read_text(reader, map, "namespace", inner, namespace_rule);
     node.node_namespace = join_namespaces(graph_.settings.graph_namespace, inner);

@@ -39,7 +39,7 @@ void Bonds::configure(Setup& setup, const std::vector<std::string>& namespaces) 
 
 void Bonds::beat(Time now) {
   for (const Actor* actor : actors_) {
-    if (actor->role == ActorRole::component) beat(*actor, now);
+    if (actor->role == ActorRole::component && !actor->is_led) beat(*actor, now);
   }
 }
 

@@ -68,9 +68,12 @@ ComponentDeclaration declaration_of(const Actor& actor) {
   return d;
 }
 
-std::vector<std::string> node_namespaces(const Graph& graph) {
+/// Of those that have bonds: who follows another has none of its own.
+std::vector<std::string> bond_namespaces(const Graph& graph) {
   std::vector<std::string> names;
-  for (const ComponentNode& node : graph.components) names.push_back(node.node_namespace);
+  for (const ComponentNode& node : graph.components) {
+    if (node.follows.empty()) names.push_back(node.node_namespace);
+  }
   std::ranges::sort(names);
   names.erase(std::ranges::unique(names).begin(), names.end());
   return names;
@@ -125,7 +128,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
         "--accept-inputs");
   }
   if (graph_.settings.external_lifecycle && !lockstep)
-    service_options.bond_namespaces = node_namespaces(graph_);
+    service_options.bond_namespaces = bond_namespaces(graph_);
   auto services = std::make_unique<ProcessServices>(std::move(service_options), local_);
   services_ = services.get();
   const ComponentNode services_node{.name = services_name(only), .lane = "services"};

@@ -85,6 +85,8 @@ class Host {
   void add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here,
                      ActorRole role);
   void offer_lifecycle(Actor& actor, HostSetup& setup);
+  /// Null where nobody follows.
+  std::unique_ptr<class LedLifecycle> led_by(Actor& leader) const;
   /// The two managers, unless one comes from outside.
   void add_managers();
   /// The process's own actors and the program's observers keep their places.

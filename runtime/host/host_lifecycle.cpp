@@ -4,6 +4,7 @@
 
 #include "runtime/host/host.hpp"
 #include "runtime/host/host_setup.hpp"
+#include "runtime/host/led_lifecycle.hpp"
 #include "runtime/host/lifecycle_manager.hpp"
 #include "runtime/host/lifecycle_services.hpp"
 #include "runtime/host/namesake_guard.hpp"
@@ -30,6 +31,9 @@ void Host::offer_lifecycle(Actor& actor, HostSetup& setup) {
   LifecycleMeans means;
   means.log_error = [this, &actor](const std::string& text) { log(actor, LogLevel::error, text); };
   if (actor.role == ActorRole::component) {
+    actor.is_led = !graph_.find(actor.name)->follows.empty();
+    actor.led = led_by(actor);
+    if (actor.led) actor.led->configure(setup);
     offer_lifecycle_services(setup, actor);
     means.tell = offer_transition_events(setup);
     means.rivals = [this, &actor] {
@@ -49,6 +53,20 @@ void Host::offer_lifecycle(Actor& actor, HostSetup& setup) {
   actor.lifecycle = std::make_unique<ActorLifecycle>(actor, std::move(means));
 }
 
+std::unique_ptr<LedLifecycle> Host::led_by(Actor& leader) const {
+  std::vector<LedLifecycle::Follower> followers;
+  for (const ComponentNode* node : graph_.followers_of(leader.name)) {
+    followers.push_back({.name = node->name,
+                         .change_state = node->topic_of("~/change_state"),
+                         .state = [this, name = node->name] {
+                           const auto actor = std::ranges::find(actors_, name, &Actor::name);
+                           return actor == actors_.end() ? State::unknown : (*actor)->state.load();
+                         }});
+  }
+  if (followers.empty()) return nullptr;
+  return std::make_unique<LedLifecycle>(leader, std::move(followers));
+}
+
 void Host::add_managers() {
   if (graph_.settings.external_lifecycle) return;
   for (const Manager which : {Manager::localization, Manager::navigation}) {
@@ -56,6 +74,7 @@ void Host::add_managers() {
     std::string process;
     for (const ComponentNode* node : graph_.bring_up_order()) {
       const auto actor = std::ranges::find(actors_, node->name, &Actor::name);
+      if (!node->follows.empty()) continue;  // its leader takes it along
       if (node->manager != which || actor == actors_.end() || (*actor)->role != ActorRole::component)
         continue;
       const bool is_here = std::ranges::find(local_, actor->get()) != local_.end();
