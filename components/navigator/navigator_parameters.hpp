@@ -80,7 +80,7 @@ struct NavigatorParameters : NavigatorOptions {
   GoalListOptions goal_list() const {
     GoalListOptions list{.delay = goal.delay,
                          .pause = waypoint_pause,
-                         .loops = number_of_loops,
+                         .loops = static_cast<std::uint32_t>(number_of_loops),
                          .stop_on_failure = stop_on_failure};
     if (goal.enabled) list.goals.push_back({goal.x, goal.y, goal.theta});
     for (const ListedGoal& g : goals) list.goals.push_back({g.x, g.y, g.theta});
