@@ -86,10 +86,10 @@ inline Duration time_remaining(double distance, const Twist2& twist) {
   return speed > kSlowest && distance > kShortest ? Duration::seconds(distance / speed) : Duration{};
 }
 
-/// How far the robot is beside the path, and how far it is turned from the path's direction; left is positive.
+/// How far the robot is beside the path, and how far it is turned from the path's direction, with Nav2's signs.
 struct TrackingError {
-  double position = 0.0;  ///< [m]
-  double heading = 0.0;   ///< [rad]
+  double position = 0.0;  ///< left of it is positive [m]
+  double heading = 0.0;   ///< turned to the right of it is positive [rad]
 };
 
 /// Of a robot at `X_MB` on a path that is not empty; a path of one pose has that pose's direction.
@@ -101,7 +101,7 @@ inline TrackingError tracking_error(const std::vector<Pose2>& path, const Pose2&
   if (along.norm() < 1e-9) along = direction(path[from].theta);
   along.normalize();
   return {cross(along, X_MB.position() - path[from].position()),
-          wrap_angle(X_MB.theta - std::atan2(along.y(), along.x()))};
+          wrap_angle(std::atan2(along.y(), along.x()) - X_MB.theta)};
 }
 
 }  // namespace bw

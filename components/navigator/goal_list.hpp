@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -73,9 +74,11 @@ class GoalList {
     return static_cast<std::uint32_t>(std::min(remaining(), kMost));
   }
 
-  /// Somebody else says where to go: what is left of the list is not driven.
-  void give_up() {
-    if (end() == End::none) finish(End::given_up);
+  /// Somebody else says where to go, or nowhere: what is left of the list is not driven.
+  void give_up(const std::string& reason) {
+    if (end() != End::none || end_ != End::none) return;
+    finish(End::given_up);
+    end_reason_ = reason;
   }
 
   /// None as long as a goal of the list is in hand.
@@ -83,6 +86,8 @@ class GoalList {
     if (in_hand_) return End::none;
     return remaining() == 0 && end_ == End::none ? End::completed : end_;
   }
+  /// One sentence; empty for a list that was completed.
+  [[nodiscard]] const std::string& end_reason() const { return end_reason_; }
   /// Index of the goal in hand, or of the last one.
   [[nodiscard]] std::size_t current() const { return current_; }
   /// In the order in which they were missed, loops one after the other.
@@ -91,8 +96,11 @@ class GoalList {
 
  private:
   void miss(const GoalReport& report) {
+    if (end_ != End::none) return;  // given up before it could be reached
     missed_.push_back({current_, report});
-    if (options_.stop_on_failure && end_ == End::none) finish(End::stopped);
+    if (!options_.stop_on_failure) return;
+    finish(End::stopped);
+    end_reason_ = "goal " + std::to_string(current_) + " of the list was missed: " + report.reason;
   }
   void finish(End end) {
     end_ = end;
@@ -109,6 +117,7 @@ class GoalList {
   std::optional<std::uint64_t> in_hand_;
   Time next_at_;
   End end_ = End::none;
+  std::string end_reason_;
   std::vector<MissedGoal> missed_;
 };
 

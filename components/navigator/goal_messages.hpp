@@ -31,7 +31,9 @@ struct NavigationGoal {
 /// Why a goal was not reached, as far as programs care.
 enum class GoalFault : std::uint8_t {
   none,
-  invalid_goal,  ///< no pose, or none at all
+  invalid_goal,   ///< no pose
+  no_poses,       ///< an empty list
+  behavior_tree,  ///< asks for one by name, and there are none here
   unknown_frame,
   lost,  ///< the robot does not know where it is
   start_blocked,
@@ -44,6 +46,7 @@ enum class GoalFault : std::uint8_t {
   controller_failed,
   controller_silent,
   preempted,
+  deactivated,
 };
 
 /// What went wrong, for people and for programs.
@@ -112,8 +115,8 @@ struct GoalReport {
   std::size_t poses_remaining = 1;       ///< the goal and the via poses that are not passed yet
   std::optional<Pose2> X_MB;             ///< where the robot is
   Duration estimated_time_remaining;     ///< at the speed of now; 0 while the robot stands
-  double position_tracking_error = 0.0;  ///< beside the path in use, left of it positive [m]
-  double heading_tracking_error = 0.0;   ///< turned left of it positive [rad]
+  double position_tracking_error = 0.0;  ///< from the path in use, left of it positive [m]
+  double heading_tracking_error = 0.0;   ///< turned to the right of it positive [rad]
 };
 
 /// What the navigator wants sent, in this order.

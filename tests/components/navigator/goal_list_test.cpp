@@ -72,7 +72,7 @@ TEST(GoalList, WhoeverElseSaysWhereToGoEndsTheList) {
   goals.activate(at(0.0));
   goals.taken(1);
   EXPECT_EQ(goals.see(report(7, GoalStatus::accepted), at(3.0)), 0U) << "not of the list";
-  goals.give_up();
+  goals.give_up("a newer goal");
   EXPECT_EQ(goals.see(report(1, GoalStatus::aborted), at(3.0)), 0U);
   EXPECT_FALSE(goals.due(at(1e4)));
 }
@@ -122,6 +122,7 @@ TEST(GoalList, TellsWhatWasMissedAndHowItEnded) {
     EXPECT_EQ(id, stop ? 3U : 4U);
     EXPECT_EQ(goals.end(), stop ? GoalList::End::stopped : GoalList::End::completed);
     ASSERT_EQ(goals.missed().size(), 1U);
+    EXPECT_EQ(goals.end_reason(), stop ? "goal 1 of the list was missed: in a wall" : "");
     EXPECT_EQ(goals.missed()[0].index, 1U);
     EXPECT_EQ(goals.missed()[0].report.reason, "in a wall");
   }
@@ -131,17 +132,19 @@ TEST(GoalList, AListGivenUpEndsWithItsGoalInHandAndInAPauseAtOnce) {
   GoalList goals(three());
   goals.activate(at(0.0));
   goals.taken(1);
-  goals.give_up();
+  goals.give_up("a newer goal");
   EXPECT_EQ(goals.end(), GoalList::End::none);
   goals.see(report(1, GoalStatus::canceled), at(3.0));
   EXPECT_EQ(goals.end(), GoalList::End::given_up);
+  EXPECT_TRUE(goals.missed().empty()) << "it could have been reached";
 
   GoalList pausing(three());
   pausing.activate(at(0.0));
   pausing.taken(1);
   pausing.see(report(1, GoalStatus::succeeded), at(3.0));
-  pausing.give_up();
+  pausing.give_up("canceled");
   EXPECT_EQ(pausing.end(), GoalList::End::given_up);
+  EXPECT_EQ(pausing.end_reason(), "canceled");
 }
 
 TEST(GoalList, WithoutGoalsNothingIsDue) {

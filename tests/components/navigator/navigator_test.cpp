@@ -496,13 +496,13 @@ TEST(Navigator, DistanceRemainingKnowsWhichStretchIsDriven) {
   EXPECT_NEAR(straight_length({0, 0}, {{4, 0, 0}, {4, 3, 0}}, {0, 0, 0}), 4.0 + 3.0 + 5.0, 1e-9);
 }
 
-TEST(Navigator, TracksItsPathWithTheLeftPositive) {
+TEST(Navigator, TracksItsPathWithTheSignsOfNav2) {
   const std::vector<Pose2> path = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   const TrackingError error = tracking_error(path, {1.2, 0.3, 0.1});
   EXPECT_NEAR(error.position, 0.3, 1e-12);
-  EXPECT_NEAR(error.heading, 0.1, 1e-12);
+  EXPECT_NEAR(error.heading, -0.1, 1e-12);
   EXPECT_NEAR(tracking_error(path, {2.5, -0.2, 0.0}).position, -0.2, 1e-12);
-  EXPECT_NEAR(tracking_error({{1, 1, 1.5}}, {1, 1, 1.0}).heading, -0.5, 1e-12);
+  EXPECT_NEAR(tracking_error({{1, 1, 1.5}}, {1, 1, 1.0}).heading, 0.5, 1e-12);
 }
 
 TEST(Navigator, TimeRemainingIsThatOfTheSpeedOfNow) {
