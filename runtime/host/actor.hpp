@@ -104,7 +104,8 @@ struct Actor final : DiagnosticReporter {
   std::atomic<lifecycle::State> state = lifecycle::State::inactive;  ///< changed on its lane only
   std::atomic<std::uint64_t> activations = 0;
   std::unique_ptr<ActorLifecycle> lifecycle;
-  std::string name;
+  std::string name;            ///< in the graph
+  std::string node_name;       ///< on the wire
   std::string node_namespace;  ///< "/" or "/robot1"
   std::string type;
   std::string process;

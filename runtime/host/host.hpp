@@ -49,6 +49,7 @@ struct ExtraComponent {
   std::unique_ptr<Component> component;
   std::string lane = "main";
   bool first = false;  ///< comes before the graph's components, else after them
+  std::string node_namespace = "/";
 };
 
 class Host {
@@ -85,8 +86,9 @@ class Host {
   void add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here,
                      ActorRole role);
   void offer_lifecycle(Actor& actor, HostSetup& setup);
-  /// The two managers, unless one comes from outside.
+  /// Two managers for each robot, unless one comes from outside.
   void add_managers();
+  void add_manager(const std::string& robot, Manager which);
   /// The process's own actors and the program's observers keep their places.
   std::vector<Actor*> bring_up_order() const;
   /// Activates all, or leaves them to a manager from outside; says why when one fails.

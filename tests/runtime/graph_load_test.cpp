@@ -129,7 +129,7 @@ TEST(LoadGraph, RefusesUnknownKeysWithTheNearestKnown) {
             "g.yaml:4: components.world.inputs.odom.maxage: unknown key; did you mean 'max_age'?");
   EXPECT_EQ(refusal("components:\n  world:\n    colour: a\n"),
             "g.yaml:3: components.world.colour: unknown key; known: type, process, lane, enabled, latency, "
-            "manager, namespace, parameters, remap, inputs");
+            "manager, namespace, shared, parameters, remap, inputs");
 }
 
 TEST(LoadGraph, RefusesWrongValues) {
