@@ -20,6 +20,9 @@
 namespace bw {
 namespace {
 
+using bandwagon_msgs::msg::Track;
+using bandwagon_msgs::msg::Tracks;
+
 constexpr std::uint32_t kFirstId = 2'000'000'000;  // far from those of people
 
 RobotReport report_of(const nav_msgs::msg::Odometry& message) {
@@ -46,10 +49,10 @@ class OtherRobotsComponent final : public Component {
                              join_namespaces(join_namespaces("", robot), "odometry/filtered"), Qos::sensor(),
                              Need::optional),
                          .fault = Complaint("nothing was heard of it")});
-    tracks_ = setup.output<bandwagon_msgs::msg::Tracks>("tracks");
-    setup.input<bandwagon_msgs::msg::Tracks>(
-        "people_tracks", Qos::standard(),
-        [this](const auto& message, const Tick& tick) { tracks_.publish(with_robots(message, tick.now)); });
+    tracks_ = setup.output<Tracks>("tracks");
+    setup.input<Tracks>("people_tracks", Qos::standard(), [this](const auto& message, const Tick& tick) {
+      tracks_.publish(with_robots(message, tick.now));
+    });
   }
 
  private:
@@ -59,7 +62,7 @@ class OtherRobotsComponent final : public Component {
     Complaint fault;  ///< why the laser alone tells of it
   };
 
-  bandwagon_msgs::msg::Tracks with_robots(bandwagon_msgs::msg::Tracks message, Time now) {
+  Tracks with_robots(Tracks message, Time now) {
     const auto X_FM = transforms_->lookup_planar(message.header().frame_id(), map_frame_);
     const Time seen = from_stamp(message.header().stamp());
     const double radius = options_.radius > 0.0 ? options_.radius : own_radius_;
@@ -70,13 +73,13 @@ class OtherRobotsComponent final : public Component {
                                    kFirstId + static_cast<std::uint32_t>(i), radius, options_));
     }
     // What the laser shows of a robot that tells of itself is not somebody more.
-    std::erase_if(message.tracks(), [&](const bandwagon_msgs::msg::Track& track) {
+    std::erase_if(message.tracks(), [&](const Track& track) {
       const Vector2 position(track.position().x(), track.position().y());
       return std::ranges::any_of(
           robots, [&](const Mover& robot) { return is_body_of(robot, position, options_.body_margin); });
     });
-    for (auto& track : people::to_tracks(robots, message.header()).tracks())
-      message.tracks().push_back(std::move(track));
+    const Tracks told = people::to_tracks(robots, message.header());
+    message.tracks().insert(message.tracks().end(), told.tracks().begin(), told.tracks().end());
     tell(robots.size());
     return message;
   }
@@ -120,7 +123,7 @@ class OtherRobotsComponent final : public Component {
   std::string map_frame_;
   std::string base_frame_;
   std::shared_ptr<const TransformTree> transforms_;
-  Output<bandwagon_msgs::msg::Tracks> tracks_;
+  Output<Tracks> tracks_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
 };
