@@ -23,6 +23,7 @@ namespace {
 using bandwagon_msgs::msg::Track;
 using bandwagon_msgs::msg::Tracks;
 
+constexpr const char* kSilent = "nothing is heard of it";  // so at the start, which is no news
 constexpr std::uint32_t kFirstId = 2'000'000'000;  // far from those of people
 
 RobotReport report_of(const nav_msgs::msg::Odometry& message) {
@@ -48,7 +49,7 @@ class OtherRobotsComponent final : public Component {
                          .odometry = setup.latest<nav_msgs::msg::Odometry>(
                              join_namespaces(join_namespaces("", robot), "odometry/filtered"), Qos::sensor(),
                              Need::optional),
-                         .fault = Complaint("nothing was heard of it")});
+                         .fault = Complaint(kSilent)});
     tracks_ = setup.output<Tracks>("tracks");
     setup.input<Tracks>("people_tracks", Qos::standard(), [this](const auto& message, const Tick& tick) {
       tracks_.publish(with_robots(message, tick.now));
@@ -87,7 +88,7 @@ class OtherRobotsComponent final : public Component {
   bool is_usable(Other& other, bool is_placed, Time now) {
     std::string fault;
     if (!other.odometry || (now - other.odometry.received()).to_seconds() > options_.timeout) {
-      fault = "nothing is heard of it";
+      fault = kSilent;
     } else if (other.odometry->child_frame_id() == base_frame_) {
       other.fault = Complaint();  // it is this robot itself
       return false;
