@@ -11,8 +11,9 @@ std::string ComponentNode::topic_of(std::string_view declared) const {
 std::string ComponentNode::node_name() const { return name.substr(name.rfind('/') + 1); }
 
 const InputSettings* ComponentNode::input(std::string_view declared) const {
-  const auto found = std::find_if(inputs.begin(), inputs.end(),
-                                  [&](const InputSettings& input) { return input.name == declared; });
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const InputSettings& input) {
+    return input.name == without_action_part(declared);
+  });
   return found == inputs.end() ? nullptr : &*found;
 }
 
