@@ -87,7 +87,8 @@ class Deriver {
 
   void add(const std::string& suffix, std::vector<Member> members) {
     file_.structs.push_back(
-        {{interface_.package, interface_.category, interface_.name + suffix}, std::move(members)});
+        {{interface_.package, interface_.category, interface_.name + suffix, interface_.distro},
+         std::move(members)});
   }
 
   void add_event(const std::string& service) {

@@ -1,5 +1,6 @@
 #include "idl/compiler/emit.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <set>
@@ -20,9 +21,10 @@ std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 std::string traits(const Struct& type) { return "MessageTraits<" + type.cpp_name() + ">"; }
 
 /// The constant that describes a type: k_nav_msgs_msg_Odometry.
-std::string constant(std::string ros_name) {
-  for (char& c : ros_name) c = c == '/' ? '_' : c;
-  return "k_" + ros_name;
+std::string constant(const Struct& type) {
+  std::string name = type.key();
+  for (char& c : name) c = c == '/' ? '_' : c;
+  return "k_" + name;
 }
 
 std::string enumerator(Kind kind) {
@@ -37,11 +39,11 @@ std::string enumerator(Shape shape) {
   return std::string("Shape::") + kNames[static_cast<int>(shape)];
 }
 
-/// .msg texts by ROS name.
+/// .msg texts by key.
 std::map<std::string, std::string> definitions(const std::vector<File>& files) {
   std::map<std::string, std::string> texts;
   for (const File& file : files) {
-    for (const Struct& type : file.structs) texts[type.ros_name()] = msg_text(type, file.constants);
+    for (const Struct& type : file.structs) texts[type.key()] = msg_text(type, file.constants);
   }
   return texts;
 }
@@ -49,25 +51,27 @@ std::map<std::string, std::string> definitions(const std::vector<File>& files) {
 /// A description after those of the types it contains.
 void describe(const Struct& type, const Types& types, const std::map<std::string, std::string>& texts,
               std::set<std::string>& done, std::string& out) {
-  if (!done.insert(type.ros_name()).second) return;
+  if (!done.insert(type.key()).second) return;
   for (const Member& member : type.members) {
-    if (member.kind == Kind::kMessage) describe(types.at(member.message), types, texts, done, out);
+    if (member.kind == Kind::kMessage) describe(nested(types, type, member), types, texts, done, out);
   }
-  const std::string name = constant(type.ros_name());
+  const std::string name = constant(type);
   out += "constexpr FieldDescription " + name + "_fields[] = {\n";
   for (const Member& member : type.members) {
     out += "    {" + quoted(member.name) + ", " + enumerator(member.kind) + ", " + enumerator(member.shape) +
            ", " + std::to_string(member.capacity) + ", " + std::to_string(member.string_capacity) + ", " +
-           (member.kind == Kind::kMessage ? "&" + constant(member.message) : "nullptr") + "},\n";
+           (member.kind == Kind::kMessage ? "&" + constant(nested(types, type, member)) : "nullptr") + "},\n";
   }
   out += "};\nconstexpr TypeDescription " + name + "{" + traits(type) + "::ros_name, " + traits(type) +
          "::dds_name,\n    " + traits(type) + "::type_hash, " + name + "_fields,\n    R\"msg(" +
-         texts.at(type.ros_name()) + ")msg\"};\n";
+         texts.at(type.key()) + ")msg\"};\n";
 }
 
 }  // namespace
 
 std::string header_path(const std::string& idl_path) {
+  constexpr std::string_view kDistros = "distros/";
+  const std::size_t folder = idl_path.starts_with(kDistros) ? kDistros.size() : 0;
   const std::size_t begin = idl_path.rfind('/') + 1;
   const std::string name = idl_path.substr(begin, idl_path.rfind('.') - begin);
   const auto upper = [&](std::size_t i) { return std::isupper(static_cast<unsigned char>(name[i])) != 0; };
@@ -81,7 +85,7 @@ std::string header_path(const std::string& idl_path) {
     if (i > 0 && upper(i) && (!upper(i - 1) || lower(i + 1))) snake += '_';
     snake += static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
   }
-  return idl_path.substr(0, begin) + snake + ".hpp";
+  return idl_path.substr(folder, begin - folder) + snake + ".hpp";
 }
 
 std::string message_header(const File& file, const Types& types) {
@@ -132,19 +136,25 @@ std::string registry_source(const std::vector<File>& files, const Types& types) 
   std::set<std::string> done;
   const std::map<std::string, std::string> texts = definitions(files);
   for (const auto& [name, type] : types) describe(type, types, texts, done, out);
-  out += "\nconstexpr const TypeDescription* kAllTypes[] = {\n";
-  for (const auto& [name, type] : types) out += "    &" + constant(name) + ",\n";
-  out += "};\n\n}  // namespace\n\n";
-  for (const auto& [name, type] : types) {
-    out += "const TypeDescription& " + traits(type) + "::description() { return " + constant(name) + "; }\n";
+  for (const bool is_base : {true, false}) {
+    out += std::string("\nconstexpr std::array<const TypeDescription*, ") +
+           std::to_string(
+               std::count_if(types.begin(), types.end(),
+                             [&](const auto& entry) { return entry.second.distro.empty() == is_base; })) +
+           (is_base ? "> kAllTypes = {\n" : "> kOtherLayouts = {\n");
+    for (const auto& [name, type] : types) {
+      if (type.distro.empty() == is_base) out += "    &" + constant(type) + ",\n";
+    }
+    out += "};\n";
   }
-  out +=
-      "\nstd::span<const TypeDescription* const> all_types() { return kAllTypes; }\n\n"
-      "const TypeDescription* find_type(std::string_view name) {\n"
-      "  for (const TypeDescription* type : kAllTypes) {\n"
-      "    if (type->ros_name == name || type->dds_name == name) return type;\n"
-      "  }\n  return nullptr;\n}\n\n}  // namespace bw\n";
-  return out;
+  out += "\n}  // namespace\n\n";
+  for (const auto& [name, type] : types) {
+    out += "const TypeDescription& " + traits(type) + "::description() { return " + constant(type) + "; }\n";
+  }
+  return out +
+         "\nstd::span<const TypeDescription* const> all_types() { return kAllTypes; }\n"
+         "std::span<const TypeDescription* const> other_layouts() { return kOtherLayouts; }\n\n"
+         "}  // namespace bw\n";
 }
 
 std::string all_messages_header(const std::vector<File>& files) {

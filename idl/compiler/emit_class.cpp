@@ -16,14 +16,14 @@ std::string cpp_type(Kind kind) {
   return kNames[static_cast<int>(kind)];
 }
 
-/// nav_msgs/msg/Odometry -> nav_msgs::msg::Odometry
-std::string cpp_name(std::string ros_name) {
-  for (std::size_t at = 0; (at = ros_name.find('/', at)) != std::string::npos;) ros_name.replace(at, 1, "::");
-  return ros_name;
+/// As a class of `user` names it. Inside humble::nav2_msgs a name that begins with nav2_msgs would not be the base's.
+std::string cpp_name(const Struct& type, const Struct& user) {
+  return (user.distro.empty() ? "" : "::") + type.cpp_name();
 }
 
-std::string cpp_type(const Member& member) {
-  std::string element = member.kind == Kind::kMessage ? cpp_name(member.message) : cpp_type(member.kind);
+std::string cpp_type(const Member& member, const Struct& user, const Types& types) {
+  std::string element =
+      member.kind == Kind::kMessage ? cpp_name(nested(types, user, member), user) : cpp_type(member.kind);
   switch (member.shape) {
     case Shape::kArray:
       return "std::array<" + element + ", " + std::to_string(member.capacity) + ">";
@@ -40,13 +40,12 @@ bool is_number(const Member& member) { return member.shape == Shape::kSingle && 
 bool owns_memory(const Struct& type, const Types& types) {
   return std::any_of(type.members.begin(), type.members.end(), [&](const Member& member) {
     return member.shape == Shape::kSequence || member.kind == Kind::kString ||
-           (member.kind == Kind::kMessage && owns_memory(types.at(member.message), types));
+           (member.kind == Kind::kMessage && owns_memory(nested(types, type, member), types));
   });
 }
 
-std::string accessors(const Member& member) {
+std::string accessors(const Member& member, const std::string& type) {
   const std::string& name = member.name;
-  const std::string type = cpp_type(member);
   const std::string field = name + "_";
   const std::string refer = "  " + type + "& " + name + "() { return " + field + "; }\n";
   if (is_number(member)) {
@@ -58,8 +57,8 @@ std::string accessors(const Member& member) {
          "&& to) { " + field + " = std::move(to); }\n";
 }
 
-std::string open_namespace(const std::string& package, const std::string& category) {
-  return "\nnamespace " + package + "::" + category + " {\n";
+std::string open_namespace(const Interface& interface) {
+  return "\nnamespace " + interface.cpp_scope() + " {\n";
 }
 
 /// struct <name> { the ROS name of `interface`, and `using <part> = <interface>_<part>;` of each part.
@@ -88,8 +87,7 @@ std::string class_includes(const File& file) {
 }
 
 std::string constants_definition(const Constants& constants) {
-  std::string out =
-      open_namespace(constants.package, constants.category) + "namespace " + constants.name + " {\n";
+  std::string out = open_namespace(constants) + "namespace " + constants.name + " {\n";
   for (const Constant& constant : constants.values) {
     out +=
         "inline constexpr " + cpp_type(constant.kind) + " " + constant.name + " = " + constant.value + ";\n";
@@ -99,7 +97,7 @@ std::string constants_definition(const Constants& constants) {
 
 std::string class_definition(const Struct& type, const Types& types) {
   const std::string& name = type.name;
-  std::string out = open_namespace(type.package, type.category) + "\nclass " + name + " {\n public:\n";
+  std::string out = open_namespace(type) + "\nclass " + name + " {\n public:\n";
   if (owns_memory(type, types)) {
     out += "  " + name + "();\n  ~" + name + "();\n  " + name + "(const " + name + "&);\n  " + name + "(" +
            name + "&&) noexcept;\n  " + name + "& operator=(const " + name + "&);\n  " + name +
@@ -109,9 +107,10 @@ std::string class_definition(const Struct& type, const Types& types) {
   std::string visits;
   std::string fields;
   for (const Member& member : type.members) {
-    out += accessors(member);
+    const std::string type_of_member = cpp_type(member, type, types);
+    out += accessors(member, type_of_member);
     visits += " f(" + member.name + "_);";
-    fields += "  " + cpp_type(member) + " " + member.name + "_{};\n";
+    fields += "  " + type_of_member + " " + member.name + "_{};\n";
   }
   for (const char* constness : {"", " const"}) {
     out += std::string("  template <class F>\n  void for_each_field(F&& f)") + constness + " {" + visits +
@@ -121,7 +120,7 @@ std::string class_definition(const Struct& type, const Types& types) {
 }
 
 std::string interface_definition(const Interface& interface) {
-  std::string out = open_namespace(interface.package, interface.category) + "\n";
+  std::string out = open_namespace(interface) + "\n";
   if (interface.category == "srv") {
     out += parts(interface.name, interface, {"Request", "Response", "Event"});
   } else if (interface.category == "action") {
@@ -141,8 +140,8 @@ std::string special_members(const Struct& type, const Types& types) {
   if (!owns_memory(type, types)) return "";
   const std::string& name = type.name;
   const std::string scope = name + "::";
-  return open_namespace(type.package, type.category) + scope + name + "() = default;\n" + scope + "~" + name +
-         "() = default;\n" + scope + name + "(const " + name + "&) = default;\n" + scope + name + "(" + name +
+  return open_namespace(type) + scope + name + "() = default;\n" + scope + "~" + name + "() = default;\n" +
+         scope + name + "(const " + name + "&) = default;\n" + scope + name + "(" + name +
          "&&) noexcept = default;\n" + name + "& " + scope + "operator=(const " + name + "&) = default;\n" +
          name + "& " + scope + "operator=(" + name + "&&) noexcept = default;\n}\n";
 }

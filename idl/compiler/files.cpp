@@ -28,7 +28,8 @@ std::vector<File> read_interfaces(const std::filesystem::path& root, std::vector
 std::vector<std::string> find_interfaces(const std::filesystem::path& root) {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
-    if (entry.path().extension() == ".idl") paths.push_back(entry.path().lexically_relative(root).string());
+    const std::string path = entry.path().lexically_relative(root).string();
+    if (entry.path().extension() == ".idl" && interface_of(path).distro.empty()) paths.push_back(path);
   }
   return paths;
 }

@@ -14,7 +14,7 @@ namespace bw::idl {
 [[nodiscard]] std::vector<File> read_interfaces(const std::filesystem::path& root,
                                                 std::vector<std::string> paths);
 
-/// <package>/<msg|srv|action>/<Name>.idl below `root`.
+/// <package>/<msg|srv|action>/<Name>.idl below `root`; none of distros/<distro>/.
 [[nodiscard]] std::vector<std::string> find_interfaces(const std::filesystem::path& root);
 
 /// A file whose text stays the same is left alone, so that its users are not compiled again.

@@ -15,11 +15,15 @@
 namespace bw::idl {
 namespace {
 
+/// By their folders below OUT: "nav2_msgs", "humble/nav2_msgs".
 using Packages = std::map<std::string, std::vector<File>>;
 
 Packages by_package(const std::vector<File>& files) {
   Packages packages;
-  for (const File& file : files) packages[interface_of(file.path).package].push_back(file);
+  for (const File& file : files) {
+    const Interface interface = interface_of(file.path);
+    packages[(std::filesystem::path(interface.distro) / interface.package).string()].push_back(file);
+  }
   return packages;
 }
 

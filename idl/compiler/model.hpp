@@ -25,12 +25,19 @@ struct Interface {
   std::string package;   ///< "nav_msgs"
   std::string category;  ///< "msg", "srv" or "action"
   std::string name;      ///< "Odometry"
+  std::string distro;    ///< "humble": the layout under this name in that distribution; empty: the base's
 
   [[nodiscard]] std::string ros_name() const { return package + "/" + category + "/" + name; }
-  [[nodiscard]] std::string cpp_name() const { return package + "::" + category + "::" + name; }
+  [[nodiscard]] std::string cpp_name() const { return cpp_scope() + "::" + name; }
+  [[nodiscard]] std::string cpp_scope() const {
+    return (distro.empty() ? "" : distro + "::") + package + "::" + category;
+  }
+  /// "nav_msgs/msg/Odometry", "humble/nav2_msgs/action/Spin": unlike the ROS name, of one layout alone.
+  [[nodiscard]] std::string key() const { return (distro.empty() ? "" : distro + "/") + ros_name(); }
 };
 
-/// "nav_msgs/msg/Odometry.idl" -> its parts; those that a path does not have are empty.
+/// "nav_msgs/msg/Odometry.idl", "distros/humble/nav2_msgs/action/Spin.idl" -> its parts; those that a path does not have
+/// are empty.
 [[nodiscard]] Interface interface_of(const std::string& path);
 
 struct Struct : Interface {
@@ -48,10 +55,7 @@ struct Constant {
 };
 
 /// module <Name>_Constants. Constants do not travel: they exist in C++ alone.
-struct Constants {
-  std::string package;
-  std::string category;
-  std::string name;  ///< "Marker_Constants"
+struct Constants : Interface {  // its name: "Marker_Constants"
   std::vector<Constant> values;
   int line = 0;
 };

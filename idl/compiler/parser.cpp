@@ -32,7 +32,8 @@ bool is_struct_name(std::string_view name) { return is_type_name(name.substr(0, 
 
 class Parser {
  public:
-  Parser(std::string_view text, const std::string& path) : path_(path), tokens_(tokenize(text, path)) {}
+  Parser(std::string_view text, const std::string& path)
+      : path_(path), distro_(interface_of(path).distro), tokens_(tokenize(text, path)) {}
 
   File run() {
     File file;
@@ -97,7 +98,7 @@ class Parser {
   void definition(const std::string& package, const std::string& category, File& file) {
     if (accept("module")) {
       const int line = now().line;
-      Constants result{package, category, word("a module's name"), {}, line};
+      Constants result{{package, category, word("a module's name"), distro_}, {}, line};
       if (!result.name.ends_with("_Constants")) fail("a module named <Name>_Constants before");
       expect("{");
       while (!accept("}")) result.values.push_back(constant());
@@ -105,10 +106,11 @@ class Parser {
     } else {
       expect("struct");
       const int line = now().line;
-      Struct result{{package, category,
-                     name("a struct's name in CamelCase", category == "msg" ? is_type_name : is_struct_name)},
-                    {},
-                    line};
+      Struct result{
+          {package, category,
+           name("a struct's name in CamelCase", category == "msg" ? is_type_name : is_struct_name), distro_},
+          {},
+          line};
       expect("{");
       while (!accept("}")) result.members.push_back(member());
       if (result.members.empty())
@@ -176,16 +178,27 @@ class Parser {
   }
 
   const std::string& path_;
+  std::string distro_;
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
 };
+
+/// The key of what `member` of `user` is, `defined` holding the keys of all types.
+template <class Keys>
+std::string nested_key(const Keys& defined, const Struct& user, const Member& member) {
+  const std::string own = user.distro + "/" + member.message;
+  return defined.contains(own) ? own : member.message;
+}
 
 /// A struct may use what its file defines before it and what the file's includes define, directly or through
 /// theirs.
 class Linker {
  public:
   explicit Linker(const std::vector<File>& files) {
-    for (const File& file : files) files_.emplace(file.path, file);
+    for (const File& file : files) {
+      files_.emplace(file.path, file);
+      for (const Struct& type : file.structs) defined_.insert(type.key());
+    }
   }
 
   Types run() {
@@ -205,20 +218,23 @@ class Linker {
     }
     for (const Struct& type : file.structs) {
       for (const Member& member : type.members) {
-        if (member.kind == Kind::kMessage && !visible.contains(member.message)) {
+        if (member.kind != Kind::kMessage) continue;
+        const std::string key = nested_key(defined_, type, member);
+        if (!visible.contains(key)) {
           throw std::runtime_error(file.path + ": " + type.name + "." + member.name + " has unknown type " +
-                                   member.message + " (missing #include?)");
+                                   key + " (missing #include?)");
         }
       }
-      if (!types_.emplace(type.ros_name(), type).second) {
-        throw std::runtime_error(file.path + ": " + type.ros_name() + " is defined twice");
+      if (!types_.emplace(type.key(), type).second) {
+        throw std::runtime_error(file.path + ": " + type.key() + " is defined twice");
       }
-      visible.insert(type.ros_name());
+      visible.insert(type.key());
     }
     return visible_.emplace(file.path, std::move(visible)).first->second;
   }
 
   std::map<std::string, File> files_;
+  std::set<std::string> defined_;
   std::map<std::string, std::set<std::string>> visible_;
   std::set<std::string> open_;
   Types types_;
@@ -228,8 +244,14 @@ class Linker {
 
 Interface interface_of(const std::string& path) {
   const std::filesystem::path parts(path);
-  return {parts.parent_path().parent_path().string(), parts.parent_path().filename().string(),
-          parts.stem().string()};
+  const std::filesystem::path package = parts.parent_path().parent_path();
+  const bool is_base = package.parent_path().parent_path() != "distros";
+  return {is_base ? package.string() : package.filename().string(), parts.parent_path().filename().string(),
+          parts.stem().string(), is_base ? "" : package.parent_path().filename().string()};
+}
+
+const Struct& nested(const Types& types, const Struct& user, const Member& member) {
+  return types.at(nested_key(types, user, member));
 }
 
 File parse(std::string_view text, const std::string& path) { return Parser(text, path).run(); }

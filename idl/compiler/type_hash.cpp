@@ -1,7 +1,8 @@
 #include "idl/compiler/type_hash.hpp"
 
 #include <array>
-#include <set>
+#include <map>
+#include <stdexcept>
 
 #include <openssl/sha.h>
 
@@ -33,22 +34,27 @@ std::string json(const Struct& type) {
   return R"({"type_name": ")" + type.ros_name() + R"(", "fields": [)" + fields + "]}";
 }
 
-void collect(const Struct& type, const Types& types, std::set<std::string>& reached) {
+/// By ROS name.
+using Reached = std::map<std::string, const Struct*>;
+
+void collect(const Struct& type, const Types& types, Reached& reached) {
   for (const Member& member : type.members) {
-    if (member.kind == Kind::kMessage && reached.insert(member.message).second) {
-      collect(types.at(member.message), types, reached);
-    }
+    if (member.kind != Kind::kMessage) continue;
+    const Struct& message = nested(types, type, member);
+    const auto [before, is_new] = reached.emplace(member.message, &message);
+    if (before->second != &message)
+      throw std::runtime_error(type.key() + " reaches two layouts of " + member.message);
+    if (is_new) collect(message, types, reached);
   }
 }
 
 }  // namespace
 
 std::string type_description_json(const Struct& type, const Types& types) {
-  std::set<std::string> reached;
+  Reached reached;
   collect(type, types, reached);
   std::string referenced;
-  for (const std::string& name : reached)
-    referenced += (referenced.empty() ? "" : ", ") + json(types.at(name));
+  for (const auto& [name, message] : reached) referenced += (referenced.empty() ? "" : ", ") + json(*message);
   return R"({"type_description": )" + json(type) + R"(, "referenced_type_descriptions": [)" + referenced +
          "]}";
 }

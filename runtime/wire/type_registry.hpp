@@ -9,10 +9,17 @@
 
 namespace bw {
 
-/// All types, sorted by ROS name.
+/// All types, each as Jazzy has it, sorted by ROS name.
 [[nodiscard]] std::span<const TypeDescription* const> all_types();
 
-/// By ROS name ("nav_msgs/msg/Odometry") or DDS name ("nav_msgs::msg::dds_::Odometry_"); null if unknown.
+/// What other distributions have under names of all_types() with other fields, sorted by distribution and ROS name.
+[[nodiscard]] std::span<const TypeDescription* const> other_layouts();
+
+/// By ROS name ("nav_msgs/msg/Odometry") or DDS name ("nav_msgs::msg::dds_::Odometry_"), of all_types(); null if unknown.
 [[nodiscard]] const TypeDescription* find_type(std::string_view name);
+
+/// The layout under this name that has this hash, of all_types() or of other_layouts(); null if none has. An empty hash, as
+/// Humble leaves it, asks for nothing: find_type(name).
+[[nodiscard]] const TypeDescription* find_type(std::string_view name, std::string_view type_hash);
 
 }  // namespace bw

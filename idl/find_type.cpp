@@ -1,0 +1,21 @@
+#include "runtime/wire/type_registry.hpp"
+
+namespace bw {
+
+const TypeDescription* find_type(std::string_view name) {
+  for (const TypeDescription* type : all_types()) {
+    if (type->ros_name == name || type->dds_name == name) return type;
+  }
+  return nullptr;
+}
+
+const TypeDescription* find_type(std::string_view name, std::string_view type_hash) {
+  const TypeDescription* base = find_type(name);
+  if (type_hash.empty() || (base != nullptr && base->type_hash == type_hash)) return base;
+  for (const TypeDescription* type : other_layouts()) {
+    if (type->type_hash == type_hash && (type->ros_name == name || type->dds_name == name)) return type;
+  }
+  return nullptr;
+}
+
+}  // namespace bw
