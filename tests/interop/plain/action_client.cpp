@@ -11,6 +11,12 @@ bool is_connected(const dds::DataReader& reader) {
   return writers.current_count > 0;
 }
 
+/// So that no list is missed between two looks; what a writer keeps for late readers is its own affair.
+EndOptions deep(EndOptions end) {
+  end.depth = 1000;
+  return end;
+}
+
 Bytes goal_info(const GoalInfo& which) {
   CdrOut cdr;
   write(cdr, which);
@@ -54,8 +60,8 @@ ActionClient::ActionClient(Node& node, const std::string& action, const ActionTy
       goals_(node, action + "/_action/send_goal", type.send_goal, Client::Identity::reply_reader, 1000),
       cancels_(node, action + "/_action/cancel_goal", type.cancel_goal, Client::Identity::reply_reader, 1000),
       results_(node, action + "/_action/get_result", type.get_result, Client::Identity::reply_reader, 1000),
-      feedback_reader_(node.create_reader(feedback_end(action, type))),
-      status_reader_(node.create_reader(status_end(action, type))) {
+      feedback_reader_(node.create_reader(deep(feedback_end(action, type)))),
+      status_reader_(node.create_reader(deep(status_end(action, type)))) {
   node_.announce();
 }
 
