@@ -28,23 +28,25 @@ NodePtr recovery(int retries, Nodes... nodes) {
 }  // namespace
 
 DefaultTree::DefaultTree(plain::Node& node, Journal& journal, Blackboard& board)
-    : node_(node), journal_(journal), board_(board), root_(recovery(6, navigate_with_replanning(), recover())) {}
+    : node_(node),
+      journal_(journal),
+      board_(board),
+      root_(recovery(6, navigate_with_replanning(), recover())) {}
 
 NodePtr DefaultTree::navigate_with_replanning() {
   auto plan = std::make_unique<RateController>(
-      kReplanning,
-      recovery(1, compute_path(), sequence(planner_recovery_helps(), clear("global_costmap"))));
+      kReplanning, recovery(1, compute_path(), sequence(planner_recovery_helps(), clear("global_costmap"))));
   auto follow = recovery(1, follow_path(), sequence(controller_recovery_helps(), clear("local_costmap")));
   return std::make_unique<PipelineSequence>(children(NodePtr(std::move(plan)), std::move(follow)));
 }
 
 NodePtr DefaultTree::recover() {
   auto helps = std::make_unique<Fallback>(children(controller_recovery_helps(), planner_recovery_helps()));
-  auto in_turn = std::make_unique<RoundRobin>(children(
-      sequence(clear("local_costmap"), clear("global_costmap")),
-      behavior("spin", "nav2_msgs/action/Spin", spin_goal(1.57F, kTimeAllowance)),
-      behavior("wait", "nav2_msgs/action/Wait", wait_goal(5)),
-      behavior("backup", "nav2_msgs/action/BackUp", back_up_goal(0.30, 0.15F, kTimeAllowance))));
+  auto in_turn = std::make_unique<RoundRobin>(
+      children(sequence(clear("local_costmap"), clear("global_costmap")),
+               behavior("spin", "nav2_msgs/action/Spin", spin_goal(1.57F, kTimeAllowance)),
+               behavior("wait", "nav2_msgs/action/Wait", wait_goal(5)),
+               behavior("backup", "nav2_msgs/action/BackUp", back_up_goal(0.30, 0.15F, kTimeAllowance))));
   return sequence(NodePtr(std::move(helps)), NodePtr(std::move(in_turn)));
 }
 
@@ -59,10 +61,11 @@ NodePtr DefaultTree::compute_path() {
                  .type = "nav2_msgs/action/ComputePathToPose",
                  .goal = [this] { return compute_path_goal(board_.goal, board_.selected_planner); },
                  .read = read_compute_path_result,
-                 .on_end = [this](const Outcome& end) {
-                   board_.path = end.status == kSucceeded ? end.path : Path{};
-                   board_.compute_path_error_code = end.status == kAborted ? end.error.code : 0;
-                 }});
+                 .on_end =
+                     [this](const Outcome& end) {
+                       board_.path = end.status == kSucceeded ? end.path : Path{};
+                       board_.compute_path_error_code = end.status == kAborted ? end.error.code : 0;
+                     }});
 }
 
 NodePtr DefaultTree::follow_path() {
@@ -79,18 +82,20 @@ NodePtr DefaultTree::follow_path() {
                    return goal();
                  },
                  .read = read_follow_path_result,
-                 .on_end = [this](const Outcome& end) {
-                   board_.follow_path_error_code = end.status == kAborted ? end.error.code : 0;
-                 }});
+                 .on_end =
+                     [this](const Outcome& end) {
+                       board_.follow_path_error_code = end.status == kAborted ? end.error.code : 0;
+                     }});
 }
 
 NodePtr DefaultTree::behavior(const std::string& name, const std::string& type, const Bytes& goal) {
   return action({.action = name,
                  .type = type,
-                 .goal = [this, goal] {
-                   ++board_.number_recoveries;
-                   return goal;
-                 },
+                 .goal =
+                     [this, goal] {
+                       ++board_.number_recoveries;
+                       return goal;
+                     },
                  .read = read_behavior_result});
 }
 
@@ -102,13 +107,15 @@ NodePtr DefaultTree::clear(const std::string& costmap) {
 }
 
 NodePtr DefaultTree::planner_recovery_helps() {
-  return std::make_unique<Check>(
-      [this] { return is_one_of(board_.compute_path_error_code, {200, 207, 208, 300, 307, 308}); });
+  return std::make_unique<Check>([this] {
+    return is_one_of(board_.compute_path_error_code, {200, 207, 208, 300, 307, 308});
+  });
 }
 
 NodePtr DefaultTree::controller_recovery_helps() {
-  return std::make_unique<Check>(
-      [this] { return is_one_of(board_.follow_path_error_code, {100, 104, 105, 106}); });
+  return std::make_unique<Check>([this] {
+    return is_one_of(board_.follow_path_error_code, {100, 104, 105, 106});
+  });
 }
 
 std::optional<std::string> DefaultTree::missing_server() {

@@ -44,7 +44,7 @@ class DefaultTree {
   plain::Node& node_;
   Journal& journal_;
   Blackboard& board_;
-  std::vector<ActionLeaf*> actions_;      ///< of the tree
+  std::vector<ActionLeaf*> actions_;     ///< of the tree
   std::vector<ClearCostmap*> services_;  ///< of the tree
   NodePtr root_;
 };

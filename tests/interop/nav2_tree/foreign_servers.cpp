@@ -15,7 +15,8 @@ constexpr double kTolerance = 0.25;  // [m] Nav2's xy_goal_tolerance
 plain::ServiceType clear_type() { return {"nav2_msgs/srv/ClearEntireCostmap", "", ""}; }
 
 void answer(plain::Server& clear) {
-  while (const auto request = clear.take()) clear.reply(request->from, CdrOut().number(std::uint8_t{0}).bytes());
+  while (const auto request = clear.take())
+    clear.reply(request->from, CdrOut().number(std::uint8_t{0}).bytes());
 }
 
 void write_error(CdrOut& out, std::uint16_t code, const std::string& text) { out.number(code).text(text); }
@@ -34,8 +35,8 @@ Path straight_path(const Pose& from, const Pose& to, int number) {
   Path path{.header = {.stamp = {.sec = number}}, .poses = {}};
   for (int i = 0; i < steps; ++i) {
     const double share = static_cast<double>(i) / steps;
-    path.poses.push_back({path.header, Pose::of(from.x + share * (to.x - from.x),
-                                                from.y + share * (to.y - from.y), yaw)});
+    path.poses.push_back(
+        {path.header, Pose::of(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y), yaw)});
   }
   path.poses.push_back({path.header, to});
   return path;
@@ -81,8 +82,10 @@ ForeignController::ForeignController(plain::Node& node, Frames& frames, const st
       server_(node, "/follow_path", plain::action_type("nav2_msgs/action/FollowPath"),
               [](CdrOut& out) { write_error(out.number(std::uint8_t{0}), 0, ""); }),
       clear_(node, "/local_costmap/clear_entirely_local_costmap", clear_type()),
-      out_(node.create_writer(
-          {.topic = "rt/" + topic, .type = "geometry_msgs::msg::dds_::Twist_", .type_hash = {}, .depth = 1})) {
+      out_(node.create_writer({.topic = "rt/" + topic,
+                               .type = "geometry_msgs::msg::dds_::Twist_",
+                               .type_hash = {},
+                               .depth = 1})) {
   node.announce();
 }
 
@@ -117,7 +120,8 @@ void ForeignController::control() {
   const auto ahead = std::ranges::find_if(
       path_.poses, [&](const PoseStamped& p) { return distance(*pose, p.pose) >= kLookahead; });
   const Pose aim = ahead == path_.poses.end() ? path_.poses.back().pose : ahead->pose;
-  const double bearing = std::remainder(std::atan2(aim.y - pose->y, aim.x - pose->x) - pose->yaw(), 2.0 * M_PI);
+  const double bearing =
+      std::remainder(std::atan2(aim.y - pose->y, aim.x - pose->x) - pose->yaw(), 2.0 * M_PI);
   const double speed = std::abs(bearing) > 1.0 ? 0.0 : kSpeed;
   command(speed, std::clamp(2.0 * std::sin(bearing) * kSpeed / distance(*pose, aim), -kTurnMost, kTurnMost));
   server_.feedback(*goal_, CdrOut()

@@ -10,9 +10,9 @@ namespace nav2 {
 
 /// A request that a server has to answer within 20 ms.
 struct Exchange {
-  std::string what;       ///< follow_path, follow_path cancel, local_costmap/clear_entirely_local_costmap
-  double at = 0.0;        ///< [s] since the start of the drive
-  double took = -1.0;     ///< [s] until the answer was there; below 0: none came before the tree gave up
+  std::string what;    ///< follow_path, follow_path cancel, local_costmap/clear_entirely_local_costmap
+  double at = 0.0;     ///< [s] since the start of the drive
+  double took = -1.0;  ///< [s] until the answer was there; below 0: none came before the tree gave up
   bool accepted = false;
 };
 

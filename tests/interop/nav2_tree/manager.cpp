@@ -17,10 +17,14 @@ constexpr std::uint8_t kUnconfigured = 1, kInactive = 2, kActive = 3, kFinalized
 std::uint8_t state_after(std::uint8_t transition) {
   switch (transition) {
     case kConfigure:
-    case kDeactivate: return kInactive;
-    case kActivate: return kActive;
-    case kCleanup: return kUnconfigured;
-    default: return kFinalized;
+    case kDeactivate:
+      return kInactive;
+    case kActivate:
+      return kActive;
+    case kCleanup:
+      return kUnconfigured;
+    default:
+      return kFinalized;
   }
 }
 
@@ -71,7 +75,8 @@ bool Manager::change(Managed& node, std::uint8_t transition) {
 
 std::optional<std::string> Manager::startup() {
   for (Managed& node : nodes_) {
-    if (!wait_until(kStartLimit, [&] { return node.get_state->is_ready(); })) return node.name + " is not there";
+    if (!wait_until(kStartLimit, [&] { return node.get_state->is_ready(); }))
+      return node.name + " is not there";
   }
   for (const std::uint8_t transition : {kConfigure, kActivate}) {
     for (Managed& node : nodes_) {

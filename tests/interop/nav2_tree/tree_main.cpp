@@ -129,8 +129,7 @@ int main(int argc, char** argv) {
   }
   std::signal(SIGINT, [](int) { interrupted = 1; });
   const nav2::PoseStamped goal{
-      .header = {},
-      .pose = nav2::Pose::of(std::atof(argv[1]), std::atof(argv[2]), std::atof(argv[3]))};
+      .header = {}, .pose = nav2::Pose::of(std::atof(argv[1]), std::atof(argv[2]), std::atof(argv[3]))};
   Drive drive(goal, std::chrono::seconds(std::atoi(argv[4])), argv[5]);
   const std::string outcome = drive.run();
   std::cout << drive.report(outcome).dump() << std::endl;
