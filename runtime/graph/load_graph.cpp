@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "runtime/graph/graph.hpp"
+#include "runtime/graph/several_robots.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/parameters/overrides.hpp"
 #include "runtime/parameters/read_parameters.hpp"
@@ -17,6 +18,11 @@ constexpr Duration kMaxLatency = Duration::milliseconds(10'000);
 constexpr Duration kMaxAge = Duration::milliseconds(3'600'000);
 constexpr Duration kShortestAge = Duration::milliseconds(1);
 
+/// By its own name, or by that of all robots' nodes.
+bool is_meant(const ComponentNode& node, const std::string& name) {
+  return node.name == name || (!node.robot.empty() && node.node_name() == name);
+}
+
 class GraphReader {
  public:
   Graph read(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
@@ -26,6 +32,8 @@ class GraphReader {
     throw_if_any(violations_);
     read_top(root);
     for (const std::string& text : overrides) apply(text);
+    check_followers();
+    check_distro();
     throw_if_any(std::move(violations_));
     return std::move(graph_);
   }
@@ -108,6 +116,7 @@ class GraphReader {
     ParameterReader reader(root, "", violations_);
     GraphSettings& settings = graph_.settings;
     reader("ros_distro", settings.ros_distro);
+    if (const ConfigNode* distro = reader.find("ros_distro")) distro_where_ = distro->where;
     read_text(reader, root, "namespace", settings.graph_namespace, namespace_rule);
     read_text(reader, root, "frame_prefix", settings.frame_prefix, frame_prefix_rule);
     reader("transport", settings.transport, {.choices = {"localhost", "lan"}});
@@ -115,6 +124,10 @@ class GraphReader {
     std::string lifecycle = "own";
     reader("lifecycle", lifecycle, {.choices = {"own", "external"}});
     settings.external_lifecycle = lifecycle == "external";
+    if (distro_where_.file.empty()) {
+      const ConfigNode* node = reader.find("lifecycle");
+      distro_where_ = node != nullptr ? node->where : root.where;
+    }
     for (const std::string_view section : kSharedSections) {
       if (const ConfigNode* node = reader.find(section)) {
         graph_.shared[std::string(section)] = read_section(reader, *node, section);
@@ -133,8 +146,17 @@ class GraphReader {
     } else {
       add(root.where, "components", "", "must be given");
     }
+    give_to_robots(graph_, reader.find("robots"), shared_, violations_);
     if (const ConfigNode* names = reader.find("bring_up")) read_bring_up(*names);
     reader.refuse_unknown_keys();
+  }
+
+  /// What waits for a manager from outside starts before the others, and would guess.
+  void check_distro() {
+    if (!graph_.settings.external_lifecycle || graph_.settings.ros_distro != RosDistro::automatic) return;
+    add(distro_where_, "ros_distro", "auto",
+        "must be named beside lifecycle: external: humble, jazzy, kilted or lyrical, as the manager's is; messages of "
+        "nav2_msgs differ from each to the next");
   }
 
   void read_bring_up(const ConfigNode& names) {
@@ -142,13 +164,40 @@ class GraphReader {
     std::vector<std::string_view> known;
     for (const ComponentNode& node : graph_.components) known.push_back(node.name);
     for (const ConfigNode& name : names.sequence) {
-      if (!name.is_scalar() || graph_.find(name.scalar) == nullptr) {
-        add(name.where, "bring_up", name.text(), unknown_rule("component", name.text(), known));
-      } else if (std::ranges::find(graph_.bring_up, name.scalar) != graph_.bring_up.end()) {
-        add(name.where, "bring_up", name.text(), "must be named once");
-      } else {
-        graph_.bring_up.push_back(name.scalar);
+      bool is_known = false;
+      for (const ComponentNode& node : graph_.components) {
+        if (!name.is_scalar() || !is_meant(node, name.scalar)) continue;
+        is_known = true;
+        if (std::ranges::find(graph_.bring_up, node.name) == graph_.bring_up.end()) {
+          graph_.bring_up.push_back(node.name);
+        } else {
+          add(name.where, "bring_up", name.text(), "must be named once");
+        }
       }
+      if (!is_known) add(name.where, "bring_up", name.text(), unknown_rule("component", name.text(), known));
+    }
+  }
+
+  /// Whose states are another's has no order, manager or process of its own.
+  void check_followers() {
+    std::vector<std::string_view> known;
+    for (const ComponentNode& node : graph_.components) known.push_back(node.name);
+    for (const ComponentNode& node : graph_.components) {
+      if (node.follows.empty()) continue;
+      const std::string key = joined(joined("components", node.name), "follows");
+      const auto refuse = [&](const std::string& rule) { add(node.where, key, node.follows, rule); };
+      const ComponentNode* leader = graph_.find(node.follows);
+      if (leader == nullptr) {
+        refuse(unknown_rule("component", node.follows, known));
+      } else if (leader == &node || !leader->follows.empty()) {
+        refuse("must be a component that follows none");
+      } else if (leader->process != node.process) {
+        refuse("must be in the same process");
+      } else if (node.enabled && !leader->enabled) {
+        refuse("must be enabled where its follower is");
+      }
+      if (std::ranges::find(graph_.bring_up, node.name) != graph_.bring_up.end())
+        add(node.where, "bring_up", node.name, "must not name who follows: it comes up with its leader");
     }
   }
 
@@ -177,9 +226,15 @@ class GraphReader {
     node.manager = manager == "none"           ? Manager::none
                    : manager == "localization" ? Manager::localization
                                                : Manager::navigation;
+    read_text(reader, map, "follows", node.follows, node_name_rule);
+    if (const ConfigNode* given = map.find("manager"); given != nullptr && !node.follows.empty())
+      reader.refuse(*given, "manager", "must not be given beside follows: it is managed with its leader");
     std::string inner;
     read_text(reader, map, "namespace", inner, namespace_rule);
     node.node_namespace = join_namespaces(graph_.settings.graph_namespace, inner);
+    bool is_shared = false;
+    reader("shared", is_shared);
+    if (is_shared) shared_.push_back(node.name);
     if (const ConfigNode* parameters = reader.find("parameters")) {
       node.parameters = read_section(reader, *parameters, "parameters");
     }
@@ -240,21 +295,30 @@ class GraphReader {
   }
 
   Graph graph_;
+  std::vector<std::string> shared_;  ///< components of which there is one for all robots
   std::vector<Violation> violations_;
+  Location distro_where_;  ///< where it is said, or ought to be
 };
 
-/// Switches a component on or off; false when the override means something else.
-bool switch_component(Graph& graph, const Override& change) {
+/// Switches the component on or off; false when the override means something else.
+bool switch_component(ComponentNode& node, const Override& change) {
   if (change.path.size() != 2 || change.path.back() != "enabled") return false;
-  const auto node = std::ranges::find(graph.components, change.path.front(), &ComponentNode::name);
-  if (node == graph.components.end()) return false;
   std::vector<Violation> violations;
-  detail::read_bool(change.value, change.key(), node->enabled, violations);
+  detail::read_bool(change.value, change.key(), node.enabled, violations);
   throw_if_any(std::move(violations));
   return true;
 }
 
-/// The parameters that the first part of an override names.
+/// The one setting of the whole graph that a command line may change; false when the override means something else.
+bool set_distro(Graph& graph, const Override& change) {
+  if (change.path != std::vector<std::string>{"ros_distro"}) return false;
+  std::vector<Violation> violations;
+  detail::read_value(change.value, change.key(), {}, graph.settings.ros_distro, violations);
+  throw_if_any(std::move(violations));
+  return true;
+}
+
+/// The shared section that the first part of an override names.
 ConfigNode& section_of(Graph& graph, const Override& change) {
   const std::string& name = change.path.front();
   std::vector<std::string_view> known(kSharedSections.begin(), kSharedSections.end());
@@ -264,10 +328,7 @@ ConfigNode& section_of(Graph& graph, const Override& change) {
   } else if (std::find(known.begin(), known.end(), name) != known.end()) {
     return graph.shared[name];
   } else {
-    for (ComponentNode& node : graph.components) {
-      if (node.name == name) return node.parameters;
-      known.push_back(node.name);
-    }
+    for (const ComponentNode& node : graph.components) known.push_back(node.name);
     rule = unknown_rule("component", name, known);
   }
   throw ConfigError(Violation{change.value.where, change.key(), change.value.text(), rule});
@@ -276,7 +337,14 @@ ConfigNode& section_of(Graph& graph, const Override& change) {
 }  // namespace
 
 void apply_override(Graph& graph, const Override& change) {
-  if (!switch_component(graph, change)) apply_override(section_of(graph, change), change, 1);
+  if (set_distro(graph, change)) return;
+  bool is_known = false;
+  for (ComponentNode& node : graph.components) {
+    if (change.path.size() < 2 || !is_meant(node, change.path.front())) continue;
+    is_known = true;
+    if (!switch_component(node, change)) apply_override(node.parameters, change, 1);
+  }
+  if (!is_known) apply_override(section_of(graph, change), change, 1);
 }
 
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides) {

@@ -10,6 +10,7 @@
 #include "runtime/host/command_guard.hpp"
 #include "runtime/host/host_setup.hpp"
 #include "runtime/host/lockstep_runner.hpp"
+#include "runtime/host/namesake_guard.hpp"
 #include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"
@@ -67,9 +68,12 @@ ComponentDeclaration declaration_of(const Actor& actor) {
   return d;
 }
 
-std::vector<std::string> node_namespaces(const Graph& graph) {
+/// Of those that have bonds: who follows another has none of its own.
+std::vector<std::string> bond_namespaces(const Graph& graph) {
   std::vector<std::string> names;
-  for (const ComponentNode& node : graph.components) names.push_back(node.node_namespace);
+  for (const ComponentNode& node : graph.components) {
+    if (node.follows.empty()) names.push_back(node.node_namespace);
+  }
   std::ranges::sort(names);
   names.erase(std::ranges::unique(names).begin(), names.end());
   return names;
@@ -101,15 +105,18 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
   }
   for (const std::string& plugin : graph_.settings.plugins) load_plugin(plugin);
   for (ExtraComponent& e : extra) {
-    graph_.components.insert(
-        e.first ? graph_.components.begin() : graph_.components.end(),
-        {.name = e.name, .type = e.name, .process = only.empty() ? "main" : only, .lane = e.lane});
+    graph_.components.insert(e.first ? graph_.components.begin() : graph_.components.end(),
+                             {.name = e.name,
+                              .type = e.name,
+                              .process = only.empty() ? "main" : only,
+                              .lane = e.lane,
+                              .node_namespace = e.node_namespace});
   }
 
   const bool lockstep = options_.clock == ClockMode::lockstep;
   ProcessServiceOptions service_options{
       .publishes_clock = lockstep, .on_clock = nullptr, .look_around = nullptr, .timings = !lockstep};
-  if (!lockstep) service_options.look_around = [this](Time now) { look_at_commands(now); };
+  if (!lockstep) service_options.look_around = [this](Time now) { look_around(now); };
   if (options_.clock == ClockMode::topic) {
     auto topic_clock = std::make_unique<TopicClock>();
     service_options.on_clock = [clock = topic_clock.get()](Time now) { clock->set(now); };
@@ -124,7 +131,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
         "--accept-inputs");
   }
   if (graph_.settings.external_lifecycle && !lockstep)
-    service_options.bond_namespaces = node_namespaces(graph_);
+    service_options.bond_namespaces = bond_namespaces(graph_);
   auto services = std::make_unique<ProcessServices>(std::move(service_options), local_);
   services_ = services.get();
   const ComponentNode services_node{.name = services_name(only), .lane = "services"};
@@ -181,6 +188,7 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
   auto actor = std::make_unique<Actor>();
   actor->role = role;
   actor->name = node.name;
+  actor->node_name = node.node_name();
   actor->node_namespace = node.node_namespace;
   actor->type = node.type;
   actor->process = node.process;
@@ -210,7 +218,7 @@ void Host::offer_parameters(Setup& setup, Actor& actor) {
   offer_parameter_services(
       setup, actor.live_parameters, [this, &actor](const Tick& tick, const std::vector<NamedValue>& changed) {
         if (actor.state == lifecycle::State::unconfigured) actor.lifecycle->forget_parameters();
-        services_->tell_change(join_namespaces(actor.node_namespace, actor.name), tick.now, changed);
+        services_->tell_change(join_namespaces(actor.node_namespace, actor.node_name), tick.now, changed);
       });
 }
 
@@ -254,7 +262,7 @@ void Host::log(const Actor& actor, LogLevel level, const std::string& text) {
 /// Under the name that rclcpp gives the logger of a node: robot1.base for /robot1/base.
 void Host::publish_log(const Actor& actor, LogLevel level, const std::string& text) {
   std::string name =
-      actor.node_namespace == "/" ? actor.name : actor.node_namespace.substr(1) + "." + actor.name;
+      actor.node_namespace == "/" ? actor.node_name : actor.node_namespace.substr(1) + "." + actor.node_name;
   std::ranges::replace(name, '/', '.');
   services_->log(name, runner_->now(), level, text);
 }

@@ -119,6 +119,73 @@ components:
   EXPECT_EQ(graph.find("base")->parameters.find("port")->scalar, "/dev/ttyUSB0");
 }
 
+TEST(LoadGraph, GivesEachRobotTheComponentsThatAreNotShared) {
+  const Folder folder;
+  const Graph graph = load_graph(
+      folder.write("g.yaml", R"(
+namespace: house
+robots:
+  robot1: {planner: {goal: {x: 9}, speed: 2}}
+  robot2:
+bring_up: [planner]
+components:
+  world: {shared: true, process: world}
+  planner:
+    process: planning
+    lane: slow
+    namespace: inner
+    parameters: {goal: {x: 1, y: 2}, speed: 1}
+    remap: {out: /all}
+  base:
+)"),
+      {"planner.goal.y=3", "robot2/planner.speed=5", "base.enabled=false", "robot1/base.enabled=true"});
+  std::vector<std::string> names;
+  for (const ComponentNode& node : graph.components) names.push_back(node.name);
+  EXPECT_THAT(names, ElementsAre("world", "robot1/planner", "robot2/planner", "robot1/base", "robot2/base"));
+  EXPECT_THAT(graph.robots, ElementsAre("robot1", "robot2"));
+  EXPECT_THAT(graph.processes(),
+              ElementsAre("world", "robot1-planning", "robot2-planning", "robot1", "robot2"));
+  EXPECT_THAT(graph.bring_up, ElementsAre("robot1/planner", "robot2/planner"));
+
+  EXPECT_EQ(graph.find("world")->robot, "");
+  EXPECT_EQ(graph.find("world")->topic_of("scan"), "/house/scan");
+  const ComponentNode& one = *graph.find("robot1/planner");
+  EXPECT_EQ(one.robot, "robot1");
+  EXPECT_EQ(one.type, "planner");
+  EXPECT_EQ(one.node_name(), "planner");
+  EXPECT_EQ(one.node_namespace, "/house/robot1/inner");
+  EXPECT_EQ(one.lane, "robot1-slow");
+  EXPECT_EQ(one.topic_of("~/debug"), "/house/robot1/inner/planner/debug");
+  EXPECT_EQ(one.topic_of("out"), "/all");
+  EXPECT_EQ(find_dotted(one.parameters, "goal.x")->scalar, "9");
+  EXPECT_EQ(find_dotted(one.parameters, "goal.y")->scalar, "3");
+  EXPECT_EQ(find_dotted(one.parameters, "speed")->scalar, "2");
+  const ComponentNode& two = *graph.find("robot2/planner");
+  EXPECT_EQ(find_dotted(two.parameters, "goal.x")->scalar, "1");
+  EXPECT_EQ(find_dotted(two.parameters, "speed")->scalar, "5");
+  EXPECT_TRUE(graph.find("robot1/base")->enabled);
+  EXPECT_FALSE(graph.find("robot2/base")->enabled);
+  EXPECT_EQ(graph.find("robot2/base")->node_namespace, "/house/robot2");
+}
+
+TEST(LoadGraph, RefusesRobotsThatItCannotTellApart) {
+  const std::string components = "components: {world: {shared: true}, base: }\n";
+  EXPECT_EQ(refusal("robots: [a, b]\n" + components),
+            "g.yaml:1: robots = a list: must be a map of parameters");
+  EXPECT_EQ(refusal("robots: {a-b: }\n" + components),
+            "g.yaml:1: robots.a-b: must be a node name: letters, digits and _, no digit first");
+  EXPECT_EQ(refusal("robots: {a: {bases: {x: 1}}}\n" + components),
+            "g.yaml:1: robots.a.bases: unknown component; did you mean 'base'?");
+  EXPECT_EQ(refusal("robots: {a: {world: {x: 1}}}\n" + components),
+            "g.yaml:1: robots.a.world: is one for all robots: its parameters stand with it");
+  EXPECT_EQ(refusal("robots: {a: {base: 3}}\n" + components),
+            "g.yaml:1: robots.a.base = 3: must be a map of parameters");
+  EXPECT_EQ(
+      refusal("robots: {a: , b: }\ncomponents: {base: {namespace: /x}}\n"),
+      "g.yaml:2: components.base.namespace = /x: must be relative where there are robots: each has this "
+      "component");
+}
+
 TEST(LoadGraph, RefusesUnknownKeysWithTheNearestKnown) {
   EXPECT_EQ(
       refusal("component:\n  world:\n"),
@@ -129,7 +196,7 @@ TEST(LoadGraph, RefusesUnknownKeysWithTheNearestKnown) {
             "g.yaml:4: components.world.inputs.odom.maxage: unknown key; did you mean 'max_age'?");
   EXPECT_EQ(refusal("components:\n  world:\n    colour: a\n"),
             "g.yaml:3: components.world.colour: unknown key; known: type, process, lane, enabled, latency, "
-            "manager, namespace, parameters, remap, inputs");
+            "manager, follows, namespace, shared, parameters, remap, inputs");
 }
 
 TEST(LoadGraph, RefusesWrongValues) {
@@ -313,6 +380,7 @@ std::vector<std::string> bring_up_of(const Graph& graph) {
 TEST(LoadGraph, ReadsLifecycleManagersAndTheOrderOfBringUp) {
   const Folder folder;
   const Graph graph = load_graph(folder.write("g.yaml", R"(
+ros_distro: jazzy
 lifecycle: external
 bring_up: [map_server, amcl]
 components:
@@ -330,6 +398,62 @@ components:
   const Graph plain = load_graph(folder.write("p.yaml", "components: {b: , a: }"));
   EXPECT_FALSE(plain.settings.external_lifecycle);
   EXPECT_THAT(bring_up_of(plain), ElementsAre("b", "a"));
+}
+
+TEST(LoadGraph, WhoFollowsComesUpBeforeItsLeader) {
+  const Folder folder;
+  const std::filesystem::path path = folder.write("g.yaml", R"(
+bring_up: [controller]
+components:
+  planner:
+  controller:
+  local_costmap: {follows: controller}
+  people: {follows: controller}
+)");
+  const Graph graph = load_graph(path);
+  EXPECT_EQ(graph.find("people")->follows, "controller");
+  EXPECT_THAT(bring_up_of(graph), ElementsAre("local_costmap", "people", "controller", "planner"));
+  // What is left out is not brought up by its leader.
+  EXPECT_EQ(load_graph(path, {"people.enabled=false"}).followers_of("controller").size(), 1U);
+}
+
+TEST(LoadGraph, RefusesToFollowWhatCannotLead) {
+  const std::string text = refusal(R"(bring_up: [b]
+components:
+  a:
+  b: {follows: a, manager: none}
+  c: {follows: b}
+  d: {follows: d}
+  e: {follows: aa}
+  f: {follows: a, process: other}
+  g: {enabled: false}
+  h: {follows: g}
+)");
+  const auto refuses = [&text](const std::string& part) { EXPECT_THAT(text, ::testing::HasSubstr(part)); };
+  refuses("g.yaml:4: bring_up = b: must not name who follows: it comes up with its leader");
+  refuses("g.yaml:4: components.b.manager = none: must not be given beside follows");
+  refuses("g.yaml:5: components.c.follows = b: must be a component that follows none");
+  refuses("g.yaml:6: components.d.follows = d: must be a component that follows none");
+  refuses("g.yaml:7: components.e.follows = aa: unknown component; did you mean 'a'?");
+  refuses("g.yaml:8: components.f.follows = a: must be in the same process");
+  refuses("g.yaml:10: components.h.follows = g: must be enabled where its follower is");
+}
+
+// What waits for a manager starts before the others on the domain, and would guess.
+TEST(LoadGraph, AGraphWithAManagerFromOutsideNamesItsDistro) {
+  const std::string rule =
+      "ros_distro = auto: must be named beside lifecycle: external: humble, jazzy, kilted or lyrical, as the manager's is; "
+      "messages of nav2_msgs differ from each to the next";
+  EXPECT_EQ(refusal("components: {a: }\nros_distro: auto\nlifecycle: external\n"), "g.yaml:2: " + rule);
+  EXPECT_EQ(refusal("components: {a: }\n\nlifecycle: external\n"), "g.yaml:3: " + rule);
+  EXPECT_EQ(refusal("components: {a: }\nros_distro: auto\nlifecycle: own\n"), "accepted");
+  EXPECT_EQ(refusal("components: {a: }\nros_distro: kilted\nlifecycle: external\n"), "accepted");
+  EXPECT_EQ(refusal("components: {a: }\nlifecycle: external\n", {"ros_distro=humble"}), "accepted");
+  EXPECT_THAT(refusal("components: {a: }\n", {"ros_distro=jazy"}),
+              ::testing::HasSubstr("ros_distro = jazy: must be one of auto, humble"));
+  const Folder folder;
+  const auto path = folder.write("set.yaml", "components: {a: }\nros_distro: jazzy\n");
+  EXPECT_EQ(load_graph(path, {"ros_distro=humble"}).settings.ros_distro, RosDistro::humble);
 }
 
 TEST(LoadGraph, RefusesABringUpThatIsNotOfThisGraph) {

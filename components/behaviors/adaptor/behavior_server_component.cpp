@@ -7,10 +7,9 @@
 
 #include "components/behaviors/adaptor/behavior_goal.hpp"
 #include "components/behaviors/adaptor/behavior_messages.hpp"
-#include "components/local_planner/adaptor/surroundings.hpp"
+#include "components/local_planner/adaptor/planning_inputs.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/nav2_layouts.hpp"
-#include "components/messages/speed_limit.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
 
@@ -25,8 +24,7 @@ class BehaviorServerComponent final : public Component {
     robot_ = setup.shared<Robot>("robot");
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
-    surroundings_.listen(setup);
-    speed_.listen(setup, robot_.limits);
+    inputs_.listen(setup, robot_);
     command_ = setup.command<geometry_msgs::msg::Twist>("cmd_vel_behavior");
     with_nav2_layout(setup.ros_distro(), [&](auto layout) {
       using Nav2 = decltype(layout);
@@ -39,7 +37,7 @@ class BehaviorServerComponent final : public Component {
                 [this](const Tick& tick) { cycle(tick); });
   }
 
-  void activate(const Tick&) override { diagnostics_->report(DiagnosticReporter::Level::ok, "idle"); }
+  void activate(const Tick&) override { report("idle"); }
 
   /// Goals that are open end by the runtime.
   void deactivate(const Tick&) override {
@@ -57,7 +55,7 @@ class BehaviorServerComponent final : public Component {
         name,
         {.on_goal =
              [this, name](const GoalHandle<A>& handle, const Tick& tick) {
-               auto behavior = Messages::behavior(handle.goal(), options_, speed_.limits(), tick.now);
+               auto behavior = Messages::behavior(handle.goal(), options_, inputs_.limits(), tick.now);
                start(name, std::make_unique<Goal>(handle, tick.now), std::move(behavior), tick);
              },
          .on_cancel =
@@ -76,7 +74,7 @@ class BehaviorServerComponent final : public Component {
     name_ = name;
     goal_ = std::move(goal);
     behavior_ = std::move(behavior);
-    diagnostics_->report(DiagnosticReporter::Level::ok, name);
+    report(name);
   }
 
   void cycle(const Tick& tick) {
@@ -90,14 +88,10 @@ class BehaviorServerComponent final : public Component {
 
   BehaviorSituation situation(const Tick& tick) const {
     BehaviorSituation situation;
-    PlanningProblem& problem = situation.problem;
-    problem.now = tick.now;
-    problem.footprint.radius = robot_.radius;
-    problem.limits = speed_.limits();
-    problem.control_period = 1.0 / options_.cycle_frequency;
-    problem.command_lead = options_.command_lead;
-    situation.missing = surroundings_.fill(problem);
-    situation.unseen = surroundings_.unheard();
+    situation.problem = inputs_.problem(tick.now, situation.missing);
+    situation.problem.control_period = 1.0 / options_.cycle_frequency;
+    situation.problem.command_lead = options_.command_lead;
+    situation.unseen = inputs_.unheard();
     if (tick.health == Health::stop) situation.missing = "a needed input is stale";
     return situation;
   }
@@ -114,13 +108,13 @@ class BehaviorServerComponent final : public Component {
   void forget() {
     goal_.reset();
     behavior_.reset();
-    diagnostics_->report(DiagnosticReporter::Level::ok, "idle");
+    report("idle");
   }
 
   void drive(const Twist2& twist, const Tick& tick) {
     command_.publish(to_twist_message(twist));
     if (twist != Twist2{}) drove_at_ = tick.now;
-    const auto measured = surroundings_.twist();
+    const auto measured = inputs_.twist();
     const bool stands = measured && is_at_rest(*measured);
     is_settled_ = twist == Twist2{} && (stands || tick.now - drove_at_ > robot_.time_to_rest());
   }
@@ -129,10 +123,11 @@ class BehaviorServerComponent final : public Component {
     if (!is_settled_) drive({}, tick);
   }
 
+  void report(const std::string& what) { diagnostics_->report(DiagnosticReporter::Level::ok, what); }
+
   BehaviorOptions options_;
   Robot robot_;
-  LimitedSpeed speed_;
-  Surroundings surroundings_;
+  PlanningInputs inputs_;
   std::string name_;  ///< of the action whose goal is in hand
   std::unique_ptr<BehaviorGoal> goal_;
   std::unique_ptr<Behavior> behavior_;
