@@ -43,7 +43,7 @@ class LocalPlannerComponent final : public Component {
   /// From the next cycle on; the planner goes on from where it is.
   void use(const LocalPlannerParameters& parameters);
   void on_request(const bandwagon_msgs::msg::FollowRequest& request);
-  void on_path(const std::string& frame, const std::vector<Pose2>& poses);
+  void on_path(const std::string& frame, std::vector<Pose2> poses);
   void begin(FollowTask task, std::vector<Pose2> plan, std::size_t index = 0);
   void come_to_rest(const Tick& tick);
   void control_cycle(const Tick& tick);
