@@ -11,9 +11,9 @@ namespace {
 Verdict failed(FollowFault fault, std::string reason) { return {true, {fault, std::move(reason)}}; }
 
 /// Since when, the first cycle of it included.
-double seconds_since(std::optional<Time>& since, Time now) {
+Duration time_since(std::optional<Time>& since, Time now) {
   if (!since) since = now;
-  return (now - *since).to_seconds();
+  return now - *since;
 }
 
 }  // namespace
@@ -40,8 +40,8 @@ Verdict DriveJudge::judge(const DriveCycle& cycle, const FollowPathOptions& opti
 
 Verdict DriveJudge::judge_absence(const DriveCycle& cycle, const FollowPathOptions& options) {
   within_since_.reset();
-  const double absent = seconds_since(absent_since_, cycle.now);
-  if (absent < options.costmap_update_timeout) return {};
+  const Duration absent = time_since(absent_since_, cycle.now);
+  if (absent < Duration::seconds(options.costmap_update_timeout)) return {};
   return cycle.missing.empty() ? failed(FollowFault::tf_error, cycle.unknown_place)
                                : failed(FollowFault::controller_timed_out, cycle.missing);
 }
@@ -57,7 +57,7 @@ bool DriveJudge::is_there(const DriveCycle& cycle, const GoalCheckerOptions& opt
   }
   const bool is_standing = std::abs(cycle.twist.v) <= options.trans_stopped_velocity &&
                            std::abs(cycle.twist.omega) <= options.rot_stopped_velocity;
-  return seconds_since(within_since_, cycle.now) >= options.settle_time || is_standing;
+  return time_since(within_since_, cycle.now) >= Duration::seconds(options.settle_time) || is_standing;
 }
 
 Verdict DriveJudge::judge_control(const DriveCycle& cycle, double tolerance) {
@@ -66,8 +66,8 @@ Verdict DriveJudge::judge_control(const DriveCycle& cycle, double tolerance) {
     return {};
   }
   if (tolerance == 0.0) return failed(FollowFault::no_valid_control, cycle.reason);
-  const double without = seconds_since(no_way_since_, cycle.now);
-  if (tolerance < 0.0 || without <= tolerance) return {};
+  const Duration without = time_since(no_way_since_, cycle.now);
+  if (tolerance < 0.0 || without <= Duration::seconds(tolerance)) return {};
   std::ostringstream reason;
   reason << cycle.reason << "; no way for more than " << tolerance << " s";
   return failed(FollowFault::patience_exceeded, reason.str());

@@ -14,6 +14,7 @@
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <geometry_msgs/msg/twist.hpp>
 #include <geometry_msgs/msg/twist_stamped.hpp>
+#include <lifecycle_msgs/srv/change_state.hpp>
 #include <nav2_msgs/action/follow_path.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
@@ -94,6 +95,12 @@ class FollowPathRig {
              }});
   }
   void cancel(const GoalId& id) { client_.cancel(id); }
+  /// Of the planner, by its label.
+  void change(const std::string& transition) {
+    lifecycle_msgs::srv::ChangeState::Request request;
+    request.transition().label(transition);
+    change_state_.call(request, Duration::milliseconds(100), [](const auto*, const Tick&) {});
+  }
   void request(std::uint64_t id, std::uint8_t mode, const std::vector<Pose2>& path = {}) {
     bandwagon_msgs::msg::FollowRequest message;
     message.id(id);
@@ -125,6 +132,7 @@ class FollowPathRig {
     setup.input<bandwagon_msgs::msg::FollowStatus>(
         "follow_status", Qos::standard(50), [this](const auto& m, const Tick&) { statuses.push_back(m); });
     client_ = setup.action_client<A>("follow_path");
+    change_state_ = setup.client<lifecycle_msgs::srv::ChangeState>("/local_planner/change_state");
     request_ = setup.output<bandwagon_msgs::msg::FollowRequest>("follow_request");
     odometry_ = setup.output<nav_msgs::msg::Odometry>("odom");
     obstacles_ = setup.output<bandwagon_msgs::msg::Obstacles>("obstacles");
@@ -155,6 +163,7 @@ class FollowPathRig {
   }
 
   ActionClient<A> client_;
+  Client<lifecycle_msgs::srv::ChangeState> change_state_;
   Output<bandwagon_msgs::msg::FollowRequest> request_;
   Output<nav_msgs::msg::Odometry> odometry_;
   Output<bandwagon_msgs::msg::Obstacles> obstacles_;
