@@ -140,7 +140,7 @@ PathResult Planner::plan_through(const Pose2& start, const std::vector<Pose2>& s
     result.reason = "there is no map yet";
     return result;
   }
-  if (!is_finite(start) || !std::ranges::all_of(stops, is_finite) ||
+  if (!is_finite(start) || !std::ranges::all_of(stops, [](const Pose2& stop) { return is_finite(stop); }) ||
       !std::ranges::all_of(temporary, is_finite_disc)) {
     result.status = PathStatus::bad_request;
     result.reason = "the request holds a number that is not finite";

@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runtime/ros/node_directory.hpp"
 #include "tests/interop/eventually.hpp"
 
 namespace bw {

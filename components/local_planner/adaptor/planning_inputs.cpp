@@ -28,6 +28,15 @@ std::optional<Pose2> PlanningInputs::pose() const {
   return odometry_ ? std::optional(from_pose(odometry_->pose().pose())) : std::nullopt;
 }
 
+std::optional<Twist2> PlanningInputs::twist() const {
+  return odometry_ ? std::optional(from_twist(odometry_->twist().twist())) : std::nullopt;
+}
+
+std::string PlanningInputs::unheard() const {
+  if (!obstacles_) return "no obstacles yet";
+  return tracks_ ? "" : "no people yet";
+}
+
 PlanningProblem PlanningInputs::problem(Time now, std::string& missing) const {
   PlanningProblem problem{.now = now, .footprint = {.radius = robot_.radius}, .limits = speed_.limits()};
   if (!odometry_) {
