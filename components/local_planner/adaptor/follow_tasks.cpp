@@ -82,7 +82,7 @@ void LocalPlannerComponent::report(const Tick& tick, const PlanningProblem& prob
   if (X_OF_) cycle.X_OG = *X_OF_ * plan_.poses().back();
   if (!follow_path_.goes_on(cycle, tick) || !X_OF_) return;
   const Pose2 X_FB = inverse(*X_OF_) * problem.pose;
-  const TrackingError error = tracking_error(plan_.poses(), plan_.index(), X_FB);
+  const PathError error = path_error(plan_.poses(), plan_.index(), X_FB);
   const double to_path = (plan_.poses()[plan_.index()].position() - X_FB.position()).norm();
   PathTracking tracking{.path_index = static_cast<std::uint32_t>(plan_.index()),
                         .distance_to_goal = static_cast<float>(plan_.distance_to_goal()),

@@ -59,10 +59,10 @@ TEST(ReceivedPath, BeginsAtTheFirstPlaceThatIsNear) {
   EXPECT_EQ(first_near(there_and_back, {9.0, 0.0}), 2U);
 }
 
-TEST(ReceivedPath, TrackingErrorsAreThoseOfNav2) {
+TEST(ReceivedPath, PathErrorsAreThoseOfNav2) {
   // In lyrical's TrackingFeedback left of the path is positive, and a path that leads to the robot's left.
   const std::vector<Pose2> north = {{1, 0, kPi / 2}, {1, 1, kPi / 2}};
-  const TrackingError error = tracking_error(north, 0, {0.5, 0.2, 0.0});
+  const PathError error = path_error(north, 0, {0.5, 0.2, 0.0});
   EXPECT_DOUBLE_EQ(error.position, 0.5);
   EXPECT_DOUBLE_EQ(error.heading, kPi / 2);
 }
