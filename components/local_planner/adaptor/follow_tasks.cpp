@@ -70,19 +70,19 @@ void LocalPlannerComponent::come_to_rest(const Tick& tick) {
 void LocalPlannerComponent::report(const Tick& tick, const PlanningProblem& problem,
                                    const PlanningResult& result, const std::string& missing) {
   const bool is_stale = tick.health == Health::stop || !inputs_.pose();
-  DriveCycle cycle{.now = tick.now,
-                   .missing = is_stale ? result.reason : "",
-                   .unknown_place = is_stale ? "" : missing,
-                   .X_OB = problem.pose,
-                   .X_OG = {},
-                   .distance_to_goal = plan_.distance_to_goal(),
-                   .twist = problem.twist,
-                   .status = result.status,
-                   .reason = result.reason};
+  FollowCycle cycle{.now = tick.now,
+                    .missing = is_stale ? result.reason : "",
+                    .unknown_place = is_stale ? "" : missing,
+                    .X_OB = problem.pose,
+                    .X_OG = {},
+                    .distance_to_goal = plan_.distance_to_goal(),
+                    .twist = problem.twist,
+                    .status = result.status,
+                    .reason = result.reason};
   if (X_OF_) cycle.X_OG = *X_OF_ * plan_.poses().back();
   if (!follow_path_.goes_on(cycle, tick) || !X_OF_) return;
   const Pose2 X_FB = inverse(*X_OF_) * problem.pose;
-  const PathError error = path_error(plan_.poses(), plan_.index(), X_FB);
+  const PathOffset error = path_offset(plan_.poses(), plan_.index(), X_FB);
   const double to_path = (plan_.poses()[plan_.index()].position() - X_FB.position()).norm();
   PathTracking tracking{.path_index = static_cast<std::uint32_t>(plan_.index()),
                         .distance_to_goal = static_cast<float>(plan_.distance_to_goal()),

@@ -62,7 +62,7 @@ TEST(ReceivedPath, BeginsAtTheFirstPlaceThatIsNear) {
 TEST(ReceivedPath, PathErrorsAreThoseOfNav2) {
   // In lyrical's TrackingFeedback left of the path is positive, and a path that leads to the robot's left.
   const std::vector<Pose2> north = {{1, 0, kPi / 2}, {1, 1, kPi / 2}};
-  const PathError error = path_error(north, 0, {0.5, 0.2, 0.0});
+  const PathOffset error = path_offset(north, 0, {0.5, 0.2, 0.0});
   EXPECT_DOUBLE_EQ(error.position, 0.5);
   EXPECT_DOUBLE_EQ(error.heading, kPi / 2);
 }

@@ -1,6 +1,6 @@
 // When a goal of follow_path is over. Figures are those of the nav2_params.yaml that Nav2 ships: 0.25 m and 0.25 rad, 0.5 m in
 // 10 s, 0.3 s without a way, 0.3 s without an input.
-#include "components/local_planner/follow_path/drive_judge.hpp"
+#include "components/local_planner/follow_path/follow_judge.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,27 +9,27 @@ namespace {
 
 /// A cycle each 0.1 s from 100 s on, 5 m before the goal and moving, unless a test says otherwise.
 struct Drive {
-  DriveJudge judge;
+  FollowJudge judge;
   FollowPathOptions options;
-  DriveCycle cycle{.now = Time{100'000'000'000},
-                   .missing = "",
-                   .unknown_place = "",
-                   .X_OB = {},
-                   .X_OG = {5.0, 0.0, 0.0},
-                   .distance_to_goal = 5.0,
-                   .twist = {0.5, 0.0},
-                   .status = PlanningStatus::ok,
-                   .reason = ""};
+  FollowCycle cycle{.now = Time{100'000'000'000},
+                    .missing = "",
+                    .unknown_place = "",
+                    .X_OB = {},
+                    .X_OG = {5.0, 0.0, 0.0},
+                    .distance_to_goal = 5.0,
+                    .twist = {0.5, 0.0},
+                    .status = PlanningStatus::ok,
+                    .reason = ""};
 
-  Verdict next() {
-    const Verdict verdict = judge.judge(cycle, options);
+  FollowVerdict next() {
+    const FollowVerdict verdict = judge.judge(cycle, options);
     cycle.now = cycle.now + Duration::milliseconds(100);
     return verdict;
   }
   /// Cycles until it is over, the last one included; 0: it is not within `most`.
-  int cycles_to_end(int most = 1000, Verdict* end = nullptr) {
+  int cycles_to_end(int most = 1000, FollowVerdict* end = nullptr) {
     for (int i = 1; i <= most; ++i) {
-      const Verdict verdict = next();
+      const FollowVerdict verdict = next();
       if (end != nullptr) *end = verdict;
       if (verdict.is_over) return i;
     }
@@ -42,7 +42,7 @@ struct Drive {
   }
 };
 
-TEST(DriveJudge, IsThereWithinBothTolerancesAndStanding) {
+TEST(FollowJudge, IsThereWithinBothTolerancesAndStanding) {
   Drive d;
   EXPECT_FALSE(d.next().is_over);
   d.stand_at(0.26, 0.0);
@@ -55,19 +55,19 @@ TEST(DriveJudge, IsThereWithinBothTolerancesAndStanding) {
   d.cycle.twist = {0.0, 0.11};
   EXPECT_FALSE(d.next().is_over);
   d.cycle.twist = {0.05, -0.1};
-  const Verdict end = d.next();
+  const FollowVerdict end = d.next();
   EXPECT_TRUE(end.is_over);
   EXPECT_EQ(end.failure.fault, FollowFault::none);
 }
 
-TEST(DriveJudge, WhoTremblesAtTheGoalIsThereOnceItSettled) {
+TEST(FollowJudge, WhoTremblesAtTheGoalIsThereOnceItSettled) {
   Drive d;
   d.stand_at(0.1, 0.0);
   d.cycle.twist = {0.2, 0.0};
   EXPECT_EQ(d.cycles_to_end(), 16);  // 1.5 s after the first
 }
 
-TEST(DriveJudge, AWayThatEndsWhereItBeginsIsDriven) {
+TEST(FollowJudge, AWayThatEndsWhereItBeginsIsDriven) {
   Drive d;
   d.stand_at(0.1, 0.0);
   d.cycle.distance_to_goal = 8.0;
@@ -76,9 +76,9 @@ TEST(DriveJudge, AWayThatEndsWhereItBeginsIsDriven) {
   EXPECT_TRUE(d.next().is_over);
 }
 
-TEST(DriveJudge, ProgressIsHalfAMetreInTenSeconds) {
+TEST(FollowJudge, ProgressIsHalfAMetreInTenSeconds) {
   Drive d;
-  Verdict end;
+  FollowVerdict end;
   d.cycle.reason = "somebody is in the way";
   EXPECT_EQ(d.cycles_to_end(1000, &end), 102);  // 10 s after the first is still in time
   EXPECT_EQ(end.failure.fault, FollowFault::failed_to_make_progress);
@@ -94,12 +94,12 @@ TEST(DriveJudge, ProgressIsHalfAMetreInTenSeconds) {
   EXPECT_EQ(unchecked.cycles_to_end(), 0);
 }
 
-TEST(DriveJudge, PatienceWithoutAWay) {
+TEST(FollowJudge, PatienceWithoutAWay) {
   Drive d;
   EXPECT_FALSE(d.next().is_over);
   d.cycle.status = PlanningStatus::infeasible;
   d.cycle.reason = "no free motion";
-  Verdict end;
+  FollowVerdict end;
   EXPECT_EQ(d.cycles_to_end(10, &end), 4);  // 0.1, 0.2, 0.3 s since the last that was free, then more
   EXPECT_EQ(end.failure.fault, FollowFault::patience_exceeded);
   EXPECT_EQ(end.failure.reason, "no free motion; no way for more than 0.3 s");
@@ -123,11 +123,11 @@ TEST(DriveJudge, PatienceWithoutAWay) {
   }
 }
 
-TEST(DriveJudge, WhatIsMissingIsWaitedForAndThenNamed) {
+TEST(FollowJudge, WhatIsMissingIsWaitedForAndThenNamed) {
   Drive d;
   EXPECT_FALSE(d.next().is_over);
   d.cycle.missing = "a needed input is stale";
-  Verdict end;
+  FollowVerdict end;
   EXPECT_EQ(d.cycles_to_end(10, &end), 4);  // 0.3 s after the first without
   EXPECT_EQ(end.failure.fault, FollowFault::controller_timed_out);
   EXPECT_EQ(end.failure.reason, "a needed input is stale");
@@ -145,7 +145,7 @@ TEST(DriveJudge, WhatIsMissingIsWaitedForAndThenNamed) {
   }
 }
 
-TEST(DriveJudge, AClockThatGoesBackBeginsAnew) {
+TEST(FollowJudge, AClockThatGoesBackBeginsAnew) {
   Drive d;
   d.cycles_to_end(95);
   d.cycle.now = Time{1'000'000'000};

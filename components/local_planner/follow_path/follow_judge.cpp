@@ -1,4 +1,4 @@
-#include "components/local_planner/follow_path/drive_judge.hpp"
+#include "components/local_planner/follow_path/follow_judge.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace bw {
 namespace {
 
-Verdict failed(FollowFault fault, std::string reason) { return {true, {fault, std::move(reason)}}; }
+FollowVerdict failed(FollowFault fault, std::string reason) { return {true, {fault, std::move(reason)}}; }
 
 /// Since when, the first cycle of it included.
 Duration time_since(std::optional<Time>& since, Time now) {
@@ -18,9 +18,9 @@ Duration time_since(std::optional<Time>& since, Time now) {
 
 }  // namespace
 
-void DriveJudge::begin() { *this = {}; }
+void FollowJudge::begin() { *this = {}; }
 
-Verdict DriveJudge::judge(const DriveCycle& cycle, const FollowPathOptions& options) {
+FollowVerdict FollowJudge::judge(const FollowCycle& cycle, const FollowPathOptions& options) {
   if (cycle.now < now_) begin();  // the clock went back
   now_ = cycle.now;
   if (!cycle.missing.empty() || !cycle.unknown_place.empty()) return judge_absence(cycle, options);
@@ -38,7 +38,7 @@ Verdict DriveJudge::judge(const DriveCycle& cycle, const FollowPathOptions& opti
   return judge_control(cycle, options.failure_tolerance);
 }
 
-Verdict DriveJudge::judge_absence(const DriveCycle& cycle, const FollowPathOptions& options) {
+FollowVerdict FollowJudge::judge_absence(const FollowCycle& cycle, const FollowPathOptions& options) {
   within_since_.reset();
   const Duration absent = time_since(absent_since_, cycle.now);
   if (absent < Duration::seconds(options.costmap_update_timeout)) return {};
@@ -46,7 +46,7 @@ Verdict DriveJudge::judge_absence(const DriveCycle& cycle, const FollowPathOptio
                                : failed(FollowFault::controller_timed_out, cycle.missing);
 }
 
-bool DriveJudge::is_there(const DriveCycle& cycle, const GoalCheckerOptions& options) {
+bool FollowJudge::is_there(const FollowCycle& cycle, const GoalCheckerOptions& options) {
   const bool is_within =
       (cycle.X_OG.position() - cycle.X_OB.position()).norm() <= options.xy_goal_tolerance &&
       std::abs(wrap_angle(cycle.X_OG.theta - cycle.X_OB.theta)) <= options.yaw_goal_tolerance &&
@@ -60,7 +60,7 @@ bool DriveJudge::is_there(const DriveCycle& cycle, const GoalCheckerOptions& opt
   return time_since(within_since_, cycle.now) >= Duration::seconds(options.settle_time) || is_standing;
 }
 
-Verdict DriveJudge::judge_control(const DriveCycle& cycle, double tolerance) {
+FollowVerdict FollowJudge::judge_control(const FollowCycle& cycle, double tolerance) {
   if (cycle.status == PlanningStatus::ok) {
     no_way_since_ = cycle.now;
     return {};
