@@ -1,6 +1,9 @@
 // Parameters of component `global_planner`.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "components/global_planner/options.hpp"
 #include "runtime/base/field.hpp"
 
@@ -9,6 +12,7 @@ namespace bw {
 struct GlobalPlannerParameters {
   double standing_speed = 0.2;   ///< [m/s]
   double standing_within = 5.0;  ///< [m]
+  std::vector<std::string> planner_plugins{"GridBased"};
   GlobalPlannerOptions planner;
 
   template <class Visitor>
@@ -17,6 +21,8 @@ struct GlobalPlannerParameters {
       {.unit = "m/s", .min = 0, .max = 5, .doc = "tracks slower than this stand in the way; 0: none do"});
     v("standing_within", standing_within,
       {.unit = "m", .min = 0, .max = 100, .doc = "only tracks this near to the start count"});
+    v("planner_plugins", planner_plugins,
+      {.doc = "names that actions may call this planner by; with one of them, none is needed"});
     planner.fields(v);
   }
 };

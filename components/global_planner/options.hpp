@@ -14,8 +14,9 @@ struct GlobalPlannerOptions {
   double goal_tolerance = 0.25;     ///< a goal that cannot be reached moves to a free cell this near [m]
   double spacing = 0.1;             ///< distance between the poses of a path [m]
 
+  /// What the map is prepared with.
   template <class Visitor>
-  void fields(Visitor& v) {
+  void cost_fields(Visitor& v) {
     v("clearance_range", clearance_range,
       {.unit = "m", .min = 0, .max = 10, .doc = "paths keep this far from obstacles where there is room"});
     v("clearance_weight", clearance_weight,
@@ -23,6 +24,11 @@ struct GlobalPlannerOptions {
     v("unknown_is_obstacle", unknown_is_obstacle, {.doc = "never plan through cells nobody has seen"});
     v("occupied_at", occupied_at,
       {.min = 1, .max = 100, .doc = "smallest occupancy of a map cell that is an obstacle"});
+  }
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    cost_fields(v);
     v("start_tolerance", start_tolerance,
       {.unit = "m", .min = 0, .max = 5, .doc = "a start too close to an obstacle may move this far"});
     v("goal_tolerance", goal_tolerance,

@@ -95,6 +95,12 @@ std::string_view to_string(PathStatus status) {
       return "no_map";
     case PathStatus::bad_request:
       return "bad_request";
+    case PathStatus::unplaced:
+      return "unplaced";
+    case PathStatus::start_outside:
+      return "start_outside";
+    case PathStatus::goal_outside:
+      return "goal_outside";
     case PathStatus::start_blocked:
       return "start_blocked";
     case PathStatus::goal_blocked:
@@ -124,21 +130,54 @@ std::string Planner::set_map(const OccupancyGrid& map, double robot_radius) {
 }
 
 PathResult Planner::plan(const Pose2& start, const Pose2& goal, const std::vector<Disc>& temporary) {
+  return plan_through(start, {goal}, temporary);
+}
+
+PathResult Planner::plan_through(const Pose2& start, const std::vector<Pose2>& stops,
+                                 const std::vector<Disc>& temporary) {
   PathResult result;
   if (grid_.empty()) {
     result.reason = "there is no map yet";
     return result;
   }
-  if (!is_finite(start) || !is_finite(goal) ||
-      !std::all_of(temporary.begin(), temporary.end(), is_finite_disc)) {
+  if (!is_finite(start) || !std::ranges::all_of(stops, [](const Pose2& stop) { return is_finite(stop); }) ||
+      !std::ranges::all_of(temporary, is_finite_disc)) {
     result.status = PathStatus::bad_request;
     result.reason = "the request holds a number that is not finite";
     return result;
   }
+  if (stops.empty()) {
+    result.status = PathStatus::bad_request;
+    result.reason = "the request names no pose to go to";
+    return result;
+  }
   grid_.block(temporary);
-  result = plan_unblocked(start, goal, !temporary.empty());
+  result = plan_legs(start, stops, !temporary.empty());
   grid_.unblock();
   return result;
+}
+
+PathResult Planner::plan_legs(const Pose2& start, const std::vector<Pose2>& stops, bool has_temporary) {
+  PathResult whole = plan_unblocked(start, stops.front(), has_temporary);
+  for (std::size_t i = 1; whole.status == PathStatus::ok && i < stops.size(); ++i) {
+    // From where the path before ended: a stop may have moved by the tolerance.
+    const PathResult leg = plan_unblocked(whole.path.back(), stops[i], has_temporary);
+    whole.expanded += leg.expanded;
+    if (leg.status != PathStatus::ok) {
+      return {.status = leg.status,
+              .reason = "on the way to pose " + std::to_string(i + 1) + " of " +
+                        std::to_string(stops.size()) + ": " + leg.reason,
+              .path = {},
+              .expanded = whole.expanded};
+    }
+    // One pose alone is a turn where the path before ended.
+    if (leg.path.size() == 1) whole.path.back() = leg.path.back();
+    whole.path.insert(whole.path.end(), leg.path.begin() + 1, leg.path.end());
+    whole.length += leg.length;
+    whole.cost += leg.cost;
+    whole.goal_offset = leg.goal_offset;
+  }
+  return whole;
 }
 
 PathCheck Planner::check(const std::vector<Pose2>& path, const std::optional<Vector2>& robot,
@@ -158,9 +197,9 @@ PathResult Planner::plan_unblocked(const Pose2& start, const Pose2& goal, bool h
     return result;
   };
   if (!grid_.on_map(start.position()))
-    return fail(PathStatus::start_blocked, describe("start", start, "is off the map"));
+    return fail(PathStatus::start_outside, describe("start", start, "is off the map"));
   if (!grid_.on_map(goal.position()))
-    return fail(PathStatus::goal_blocked, describe("goal", goal, "is off the map"));
+    return fail(PathStatus::goal_outside, describe("goal", goal, "is off the map"));
 
   const std::optional<GridCell> from = nearest_free_start(grid_, start.position(), options_.start_tolerance);
   if (!from) return fail(PathStatus::start_blocked, describe("start", start, "is too close to an obstacle"));

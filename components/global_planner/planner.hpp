@@ -20,8 +20,10 @@ enum class PathStatus {
   ok,
   no_map,         ///< set_map was not called, or refused its map
   bad_request,    ///< a number of the request is not finite
-  start_blocked,  ///< the start is off the map or too close to obstacles, and so is everything within the
-                  ///< tolerance
+  unplaced,       ///< where the start or a stop is on the map is not known
+  start_outside,  ///< the start is off the map
+  goal_outside,   ///< the same for the goal
+  start_blocked,  ///< the start is too close to obstacles, and so is everything within the tolerance
   goal_blocked,   ///< the same for the goal
   disconnected,   ///< start and goal are free, but nothing joins them
 };
@@ -54,6 +56,11 @@ class Planner {
   /// Path from `start` to `goal`, around `temporary` discs (people who stand in the way) as well.
   PathResult plan(const Pose2& start, const Pose2& goal, const std::vector<Disc>& temporary = {});
 
+  /// Path from `start` through all `stops` but the last, in their order, to the last. It is whole or not there: what keeps
+  /// it from a stop is the result. Without stops it is a bad request.
+  PathResult plan_through(const Pose2& start, const std::vector<Pose2>& stops,
+                          const std::vector<Disc>& temporary = {});
+
   /// check_path() with `temporary` discs in the way as well.
   PathCheck check(const std::vector<Pose2>& path, const std::optional<Vector2>& robot,
                   const std::vector<Disc>& temporary = {});
@@ -61,6 +68,7 @@ class Planner {
   const SearchGrid& grid() const { return grid_; }
 
  private:
+  PathResult plan_legs(const Pose2& start, const std::vector<Pose2>& stops, bool has_temporary);
   PathResult plan_unblocked(const Pose2& start, const Pose2& goal, bool has_temporary);
 
   GlobalPlannerOptions options_;

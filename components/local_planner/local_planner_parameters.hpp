@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "components/local_planner/follow_path/follow_path_options.hpp"
 #include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/stamped_choice.hpp"
 
 namespace bw {
 
@@ -18,6 +21,8 @@ struct LocalPlannerParameters {
   double max_cycle_time = 0.0;
   std::int64_t threads = 0;
   double back_off_margin = 0.15;
+  StampedCmdVel enable_stamped_cmd_vel = StampedCmdVel::no;
+  FollowPathOptions follow_path;
   LocalPlannerOptions planners;
 
   template <class Visitor>
@@ -51,8 +56,14 @@ struct LocalPlannerParameters {
               "lock-step"});
     v("back_off_margin", back_off_margin,
       {.unit = "m", .min = 0, .max = 2, .doc = "clearance kept behind the footprint while backing off"});
+    v("enable_stamped_cmd_vel", enable_stamped_cmd_vel,
+      {.doc =
+           "commands are TwistStamped, no Twist; auto: as Nav2 of the graph's ros_distro has it, true from Kilted on"});
+    follow_path.fields(v);
     planners.fields(v);
   }
+
+  std::optional<std::string> violated_rule() const { return follow_path.violated_rule(); }
 };
 
 }  // namespace bw

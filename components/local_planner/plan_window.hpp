@@ -24,10 +24,10 @@ PlanWindow plan_window(const std::vector<Pose2>& plan, const Pose2& robot, doubl
 /// A plan and how far the robot has come on it.
 class FollowedPlan {
  public:
-  /// A new plan; the distance to its goal is known from the next window() on.
-  void start(std::vector<Pose2> plan) {
+  /// A new plan, the robot at `index`; the distance to its goal is known from the next window() on.
+  void start(std::vector<Pose2> plan, std::size_t index = 0) {
     plan_ = std::move(plan);
-    index_ = 0;
+    index_ = index;
   }
   /// The stretch ahead of `robot` (in the plan's frame), about `lookahead` [m] long.
   const PlanWindow& window(const Pose2& robot, double lookahead) {
@@ -35,6 +35,9 @@ class FollowedPlan {
   }
   /// [m], as of the last window.
   double distance_to_goal() const { return window_.distance_to_goal; }
+  const std::vector<Pose2>& poses() const { return plan_; }
+  /// Of the pose nearest to the robot, as of the last window.
+  std::size_t index() const { return index_; }
 
  private:
   std::vector<Pose2> plan_;

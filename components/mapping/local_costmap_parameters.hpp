@@ -14,6 +14,8 @@ struct LocalCostmapParameters {
   double transform_timeout = 0.3;
   double tracks_timeout = 0.5;
   bool use_map = false;
+  bool nav2_names = false;
+  bool track_unknown_space = true;
   GridOptions grid;
   InflationOptions inflation;
   ExtractionOptions obstacles{.tolerance_cells = 0.3};
@@ -27,6 +29,13 @@ struct LocalCostmapParameters {
     v("tracks_timeout", tracks_timeout,
       {.unit = "s", .min = 0, .max = 10, .doc = "older tracks do not say where people are"});
     v("use_map", use_map, {.doc = "cells nobody has seen take what the map says; needs localization"});
+    v("nav2_names", nav2_names,
+      {.doc =
+           "topics and services as those of the costmap inside Nav2's controller_server, for a node in the namespace "
+           "local_costmap: costmap, costmap_raw, published_footprint, get_costmap, clear_..."});
+    v("track_unknown_space", track_unknown_space,
+      {.doc =
+           "false: cells nobody has seen cost nothing, as in the local costmap that Nav2 ships; else they are unknown"});
     grid.fields(v);
     inflation.fields(v);
     v("obstacles", obstacles, {.doc = "shapes for the local planner"});

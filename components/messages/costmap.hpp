@@ -8,11 +8,10 @@
 #include <vector>
 
 #include <nav2_msgs/msg/costmap.hpp>
-#include <nav2_msgs/srv/clear_costmap_around_robot.hpp>
-#include <nav2_msgs/srv/clear_costmap_except_region.hpp>
-#include <nav2_msgs/srv/clear_entire_costmap.hpp>
 
 #include "components/messages/geometry.hpp"
+#include "components/messages/nav2_layouts.hpp"
+#include "components/messages/nav2_results.hpp"
 #include "components/model/occupancy_grid.hpp"
 #include "runtime/component.hpp"
 
@@ -42,39 +41,53 @@ struct CostmapClearing {
   std::function<void(double edge)> outside;
 };
 
-/// Offers NAME/clear_entirely_NAME, clear_around_NAME and clear_except_NAME. Their responses are empty: what they do not
-/// do is told in the log.
-inline void offer_clear_services(Setup& setup, const std::string& name, CostmapClearing clearing) {
-  using nav2_msgs::srv::ClearCostmapAroundRobot;
-  using nav2_msgs::srv::ClearCostmapExceptRegion;
-  using nav2_msgs::srv::ClearEntireCostmap;
-  setup.service<ClearEntireCostmap>(
-      name + "/clear_entirely_" + name,
-      [entirely = std::move(clearing.entirely)](const auto&, const Tick&) {
-        entirely();
-        return ClearEntireCostmap::Response();
-      },
-      [](const std::string&) { return ClearEntireCostmap::Response(); });
-  const auto offer = [&]<class S>(std::type_identity<S>, const std::string& service,
-                                  std::function<void(double)> clear) {
-    setup.service<S>(
-        service,
-        [service, clear = std::move(clear), log = setup.log()](const typename S::Request& request,
-                                                               const Tick&) {
-          const auto edge = static_cast<double>(request.reset_distance());
-          if (std::isfinite(edge) && edge >= 0.0) {
-            clear(edge);
-          } else {
-            log.error("{}: a reset_distance of {} is none: nothing is cleared", service, edge);
-          }
-          return typename S::Response();
-        },
-        [](const std::string&) { return typename S::Response(); });
+/// Offers one of the two services that name an edge.
+template <class S>
+void offer_clearing_by_edge(Setup& setup, const std::string& service, std::function<void(double)> clear) {
+  const auto answer = [](bool is_done) {
+    typename S::Response response;
+    set_success(response, is_done);
+    return response;
   };
-  offer(std::type_identity<ClearCostmapAroundRobot>{}, name + "/clear_around_" + name,
-        std::move(clearing.inside));
-  offer(std::type_identity<ClearCostmapExceptRegion>{}, name + "/clear_except_" + name,
-        std::move(clearing.outside));
+  setup.service<S>(
+      service,
+      [=, log = setup.log()](const typename S::Request& request, const Tick&) {
+        const auto edge = static_cast<double>(request.reset_distance());
+        const bool is_edge = std::isfinite(edge) && edge >= 0.0;
+        if (is_edge) {
+          clear(edge);
+        } else {
+          log.error("{}: a reset_distance of {} is none: nothing is cleared", service, edge);
+        }
+        return answer(is_edge);
+      },
+      [answer](const std::string&) { return answer(false); });
+}
+
+/// Offers FOLDERclear_entirely_NAME, clear_around_NAME and clear_except_NAME in the layout of the graph's ROS 2; FOLDER is
+/// empty for a node in the costmap's own namespace, as Nav2's is, else NAME/. Up to Kilted their responses are empty: what
+/// they do not do is told in the log.
+inline void offer_clear_services(Setup& setup, const std::string& folder, const std::string& name,
+                                 const CostmapClearing& clearing) {
+  with_nav2_layout(setup.ros_distro(), [&]<class Nav2>(Nav2) {
+    using Entirely = typename Nav2::ClearEntireCostmap;
+    const auto answer = [](bool is_done) {
+      typename Entirely::Response response;
+      set_success(response, is_done);
+      return response;
+    };
+    setup.service<Entirely>(
+        folder + "clear_entirely_" + name,
+        [answer, entirely = clearing.entirely](const auto&, const Tick&) {
+          entirely();
+          return answer(true);
+        },
+        [answer](const std::string&) { return answer(false); });
+    offer_clearing_by_edge<typename Nav2::ClearCostmapAroundRobot>(setup, folder + "clear_around_" + name,
+                                                                   clearing.inside);
+    offer_clearing_by_edge<typename Nav2::ClearCostmapExceptRegion>(setup, folder + "clear_except_" + name,
+                                                                    clearing.outside);
+  });
 }
 
 }  // namespace bw

@@ -14,6 +14,7 @@ struct NavigatorOptions {
   double yaw_tolerance = GoalTolerance{}.yaw;
   double stopped_speed = 0.05;
   double stopped_turn_rate = 0.1;
+  double via_radius = 0.7;
   double settle_time = 1.5;
   double replan_period = 1.0;
   double plan_timeout = 2.0;
@@ -43,6 +44,11 @@ struct NavigatorOptions {
       {.unit = "m/s", .min = 0.001, .max = 1, .doc = "slower than this is standing"});
     v("stopped_turn_rate", stopped_turn_rate,
       {.unit = "rad/s", .min = 0.001, .max = 2, .doc = "turning slower than this is standing"});
+    v("via_radius", via_radius,
+      {.unit = "m",
+       .min = 0.05,
+       .max = 10,
+       .doc = "a pose to drive through is passed when nearer than this"});
     v("settle_time", settle_time,
       {.unit = "s",
        .min = 0,

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "components/model/stamped_choice.hpp"
 #include "components/safety/sweep_options.hpp"
 #include "components/safety/zone.hpp"
 #include "runtime/base/field.hpp"
@@ -97,6 +98,7 @@ struct CollisionMonitorOptions {
   double command_timeout = 0.2;
   double clear_after = 0.4;
   Resume resume = Resume::automatic;
+  StampedCmdVel enable_stamped_cmd_vel = StampedCmdVel::no;
   SweepOptions sweep;
   SightOptions sight;
   StoppingOptions stopping;
@@ -118,6 +120,9 @@ struct CollisionMonitorOptions {
        .doc = "a limit or a stop is eased so long after its cause; raise it against stop and go"});
     v("resume", resume,
       {.doc = "after a fault of the laser: by itself, or when collision_monitor/reset says so"});
+    v("enable_stamped_cmd_vel", enable_stamped_cmd_vel,
+      {.doc =
+           "commands in and out are TwistStamped; auto: as Nav2 of the graph's ros_distro has it, true from Kilted on"});
     v("sweep", sweep, {.doc = "what makes a sweep usable"});
     v("sight", sight, {.doc = "where the robot drives it must see"});
     v("stopping", stopping, {.doc = "speed limited by the way that is free"});

@@ -33,13 +33,25 @@ std::vector<std::string> Graph::processes() const {
 
 std::vector<const ComponentNode*> Graph::bring_up_order() const {
   std::vector<const ComponentNode*> order;
+  const auto add = [&](const ComponentNode& node) {
+    if (!node.follows.empty() || std::find(order.begin(), order.end(), &node) != order.end()) return;
+    const std::vector<const ComponentNode*> led = followers_of(node.name);
+    order.insert(order.end(), led.begin(), led.end());
+    order.push_back(&node);
+  };
   for (const std::string& name : bring_up) {
-    if (const ComponentNode* node = find(name)) order.push_back(node);
+    if (const ComponentNode* node = find(name)) add(*node);
   }
-  for (const ComponentNode& node : components) {
-    if (std::find(order.begin(), order.end(), &node) == order.end()) order.push_back(&node);
-  }
+  for (const ComponentNode& node : components) add(node);
   return order;
+}
+
+std::vector<const ComponentNode*> Graph::followers_of(std::string_view leader) const {
+  std::vector<const ComponentNode*> led;
+  for (const ComponentNode& node : components) {
+    if (node.follows == leader && node.enabled) led.push_back(&node);
+  }
+  return led;
 }
 
 }  // namespace bw

@@ -11,7 +11,8 @@
 //   transport: localhost            # localhost | lan
 //   plugins: [path.so]              # paths are relative to the file they stand in
 //   robot: ../robots/generic.yaml   # a shared section: a file or a map
-//   lifecycle: own                  # own | external: components stay unconfigured until a manager comes, such as Nav2's
+//   lifecycle: own                  # own | external: components stay unconfigured until a manager comes, such as Nav2's;
+//                                   # ros_distro is named then
 //   bring_up: [map_server, amcl]    # activated first and in this order, as a lifecycle_manager's node_names; the others
 //                                   # follow in rank order
 //   snapshot: {keep: 30s, on: [contact], to: near_misses}    # snapshot_settings.hpp
@@ -24,6 +25,7 @@
 //       enabled: true               # false: left out; --set local_planner.enabled=true brings it back
 //       latency: 20ms
 //       manager: navigation         # navigation | localization | none: which of our lifecycle managers pauses it
+//       follows: controller_server  # goes through its states with that component, managed and bonded by none
 //       namespace: robot1           # below the graph's, unless absolute
 //       shared: true                # one for all robots
 //       parameters: {...}           # or a file
@@ -63,13 +65,15 @@ struct InputSettings {
 };
 
 struct ComponentNode {
-  std::string name;  ///< unique in the graph: the node's, of one of several robots below the robot's: robot1/people
+  std::string
+      name;  ///< unique in the graph: the node's, of one of several robots below the robot's: robot1/people
   std::string type;
   std::string process = "main";
   std::string lane = "main";
   bool enabled = true;  ///< hosts leave out what is not
   Duration latency;     ///< computing time in lock-step, at least 0
   Manager manager = Manager::navigation;
+  std::string follows;               ///< the component whose states it goes through with; empty: its own
   std::string node_namespace = "/";  ///< absolute
   ConfigNode parameters;             ///< a map or nothing, overrides applied
   std::vector<Remap> remaps;
@@ -107,12 +111,16 @@ struct Graph {
   const ComponentNode* find(std::string_view component) const;
   /// Names of the processes, in the order of their first components.
   std::vector<std::string> processes() const;
-  /// The components in the order in which they are configured and activated; the way down is backwards.
+  /// Those that go through their states with `leader`, in rank order; what is not enabled is left out.
+  std::vector<const ComponentNode*> followers_of(std::string_view leader) const;
+  /// The components in the order in which they are configured and activated; the way down is backwards. Who follows comes
+  /// before its leader.
   std::vector<const ComponentNode*> bring_up_order() const;
 };
 
-/// Overrides are `component.param=value`, `component.enabled=true|false` or `section.param=value`; of several robots each
-/// is meant, one alone by `robot/component.param=value`. Throws ConfigError with all violations that were found.
+/// Overrides are `component.param=value`, `component.enabled=true|false`, `section.param=value` or `ros_distro=NAME`; of
+/// several robots each is meant, one alone by `robot/component.param=value`. Throws ConfigError with all violations that
+/// were found.
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 /// One more override of a graph that is loaded. Throws ConfigError.

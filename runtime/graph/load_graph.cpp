@@ -32,6 +32,8 @@ class GraphReader {
     throw_if_any(violations_);
     read_top(root);
     for (const std::string& text : overrides) apply(text);
+    check_followers();
+    check_distro();
     throw_if_any(std::move(violations_));
     return std::move(graph_);
   }
@@ -114,6 +116,7 @@ class GraphReader {
     ParameterReader reader(root, "", violations_);
     GraphSettings& settings = graph_.settings;
     reader("ros_distro", settings.ros_distro);
+    if (const ConfigNode* distro = reader.find("ros_distro")) distro_where_ = distro->where;
     read_text(reader, root, "namespace", settings.graph_namespace, namespace_rule);
     read_text(reader, root, "frame_prefix", settings.frame_prefix, frame_prefix_rule);
     reader("transport", settings.transport, {.choices = {"localhost", "lan"}});
@@ -121,6 +124,10 @@ class GraphReader {
     std::string lifecycle = "own";
     reader("lifecycle", lifecycle, {.choices = {"own", "external"}});
     settings.external_lifecycle = lifecycle == "external";
+    if (distro_where_.file.empty()) {
+      const ConfigNode* node = reader.find("lifecycle");
+      distro_where_ = node != nullptr ? node->where : root.where;
+    }
     for (const std::string_view section : kSharedSections) {
       if (const ConfigNode* node = reader.find(section)) {
         graph_.shared[std::string(section)] = read_section(reader, *node, section);
@@ -144,6 +151,14 @@ class GraphReader {
     reader.refuse_unknown_keys();
   }
 
+  /// What waits for a manager from outside starts before the others, and would guess.
+  void check_distro() {
+    if (!graph_.settings.external_lifecycle || graph_.settings.ros_distro != RosDistro::automatic) return;
+    add(distro_where_, "ros_distro", "auto",
+        "must be named beside lifecycle: external: humble, jazzy, kilted or lyrical, as the manager's is; messages of "
+        "nav2_msgs differ from each to the next");
+  }
+
   void read_bring_up(const ConfigNode& names) {
     if (!detail::is_list(names, "bring_up", violations_)) return;
     std::vector<std::string_view> known;
@@ -160,6 +175,29 @@ class GraphReader {
         }
       }
       if (!is_known) add(name.where, "bring_up", name.text(), unknown_rule("component", name.text(), known));
+    }
+  }
+
+  /// Whose states are another's has no order, manager or process of its own.
+  void check_followers() {
+    std::vector<std::string_view> known;
+    for (const ComponentNode& node : graph_.components) known.push_back(node.name);
+    for (const ComponentNode& node : graph_.components) {
+      if (node.follows.empty()) continue;
+      const std::string key = joined(joined("components", node.name), "follows");
+      const auto refuse = [&](const std::string& rule) { add(node.where, key, node.follows, rule); };
+      const ComponentNode* leader = graph_.find(node.follows);
+      if (leader == nullptr) {
+        refuse(unknown_rule("component", node.follows, known));
+      } else if (leader == &node || !leader->follows.empty()) {
+        refuse("must be a component that follows none");
+      } else if (leader->process != node.process) {
+        refuse("must be in the same process");
+      } else if (node.enabled && !leader->enabled) {
+        refuse("must be enabled where its follower is");
+      }
+      if (std::ranges::find(graph_.bring_up, node.name) != graph_.bring_up.end())
+        add(node.where, "bring_up", node.name, "must not name who follows: it comes up with its leader");
     }
   }
 
@@ -188,6 +226,9 @@ class GraphReader {
     node.manager = manager == "none"           ? Manager::none
                    : manager == "localization" ? Manager::localization
                                                : Manager::navigation;
+    read_text(reader, map, "follows", node.follows, node_name_rule);
+    if (const ConfigNode* given = map.find("manager"); given != nullptr && !node.follows.empty())
+      reader.refuse(*given, "manager", "must not be given beside follows: it is managed with its leader");
     std::string inner;
     read_text(reader, map, "namespace", inner, namespace_rule);
     node.node_namespace = join_namespaces(graph_.settings.graph_namespace, inner);
@@ -256,6 +297,7 @@ class GraphReader {
   Graph graph_;
   std::vector<std::string> shared_;  ///< components of which there is one for all robots
   std::vector<Violation> violations_;
+  Location distro_where_;  ///< where it is said, or ought to be
 };
 
 /// Switches the component on or off; false when the override means something else.
@@ -263,6 +305,15 @@ bool switch_component(ComponentNode& node, const Override& change) {
   if (change.path.size() != 2 || change.path.back() != "enabled") return false;
   std::vector<Violation> violations;
   detail::read_bool(change.value, change.key(), node.enabled, violations);
+  throw_if_any(std::move(violations));
+  return true;
+}
+
+/// The one setting of the whole graph that a command line may change; false when the override means something else.
+bool set_distro(Graph& graph, const Override& change) {
+  if (change.path != std::vector<std::string>{"ros_distro"}) return false;
+  std::vector<Violation> violations;
+  detail::read_value(change.value, change.key(), {}, graph.settings.ros_distro, violations);
   throw_if_any(std::move(violations));
   return true;
 }
@@ -286,6 +337,7 @@ ConfigNode& section_of(Graph& graph, const Override& change) {
 }  // namespace
 
 void apply_override(Graph& graph, const Override& change) {
+  if (set_distro(graph, change)) return;
   bool is_known = false;
   for (ComponentNode& node : graph.components) {
     if (change.path.size() < 2 || !is_meant(node, change.path.front())) continue;

@@ -38,6 +38,7 @@ ComponentNode of_robot(const ComponentNode& common, const ConfigEntry& robot,
   node.name = robot.key + "/" + common.name;
   node.process = process_of(robot.key, common.process);
   node.lane = robot.key + "-" + common.lane;
+  if (!common.follows.empty()) node.follows = robot.key + "/" + common.follows;
   const std::string inner = common.node_namespace.substr(graph_namespace == "/" ? 0 : graph_namespace.size());
   node.node_namespace =
       join_namespaces(join_namespaces(graph_namespace, robot.key), inner.empty() ? inner : inner.substr(1));

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 
+#include "runtime/host/led_lifecycle.hpp"
+
 namespace bw {
+
+Actor::Actor() = default;
+Actor::~Actor() = default;
 
 bool Input::calls_component() const { return kind == InputKind::callback && (of_node || actor->is_active()); }
 

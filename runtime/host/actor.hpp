@@ -27,6 +27,7 @@
 namespace bw {
 
 struct Actor;
+class LedLifecycle;
 
 class Input final : public Inlet {
  public:
@@ -101,13 +102,17 @@ enum class ActorRole {
 };
 
 struct Actor final : DiagnosticReporter {
+  Actor();
+  ~Actor() override;
   ActorRole role = ActorRole::component;
   std::atomic<lifecycle::State> state = lifecycle::State::inactive;  ///< changed on its lane only
   std::atomic<std::uint64_t> activations = 0;
   std::unique_ptr<ActorLifecycle> lifecycle;
-  std::string name;            ///< in the graph
-  std::string node_name;       ///< on the wire
-  std::string node_namespace;  ///< "/" or "/robot1"
+  std::unique_ptr<LedLifecycle> led;  ///< those that follow this one's states; null: nobody does
+  bool is_led = false;                ///< it follows another's
+  std::string name;                   ///< in the graph
+  std::string node_name;              ///< on the wire
+  std::string node_namespace;         ///< "/" or "/robot1"
   std::string type;
   std::string process;
   std::string lane;

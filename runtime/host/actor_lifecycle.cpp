@@ -1,6 +1,7 @@
 #include "runtime/host/actor_lifecycle.hpp"
 
 #include <exception>
+#include <stdexcept>
 #include <utility>
 
 #include "runtime/host/actor.hpp"
@@ -115,6 +116,10 @@ void ActorLifecycle::configure() {
 }
 
 void ActorLifecycle::activate(Time now) {
+  // What the host brings up at the start comes before anything of the others is known.
+  if (is_running_ && means_.rivals) {
+    if (const std::string rivals = means_.rivals(); !rivals.empty()) throw std::runtime_error(rivals);
+  }
   for (const auto& output : actor_.outputs) output->sink = runner_;
   actor_.component->activate({.now = now});
 }

@@ -26,6 +26,8 @@ struct LifecycleMeans {
   /// Hears of every change.
   std::function<void(const lifecycle::Transition& transition, Time now)> tell;
   std::function<void(const std::string& text)> log_error;
+  /// Who else is there under the node's name or with its servers; empty text: nobody. It is not activated beside one.
+  std::function<std::string()> rivals;
 };
 
 class ActorLifecycle {

@@ -39,7 +39,7 @@ void Bonds::configure(Setup& setup, const std::vector<std::string>& namespaces) 
 
 void Bonds::beat(Time now) {
   for (const Actor* actor : actors_) {
-    if (actor->role == ActorRole::component) beat(*actor, now);
+    if (actor->role == ActorRole::component && !actor->is_led) beat(*actor, now);
   }
 }
 
@@ -77,8 +77,9 @@ void Bonds::part(const Actor& actor, Bond& bond, Time now) {
 }
 
 void Bonds::hear(const std::string& node_namespace, const bond::msg::Status& status, Time now) {
-  const auto actor = std::ranges::find_if(
-      actors_, [&](const Actor* a) { return a->node_name == status.id() && a->node_namespace == node_namespace; });
+  const auto actor = std::ranges::find_if(actors_, [&](const Actor* a) {
+    return a->node_name == status.id() && a->node_namespace == node_namespace;
+  });
   if (actor == actors_.end()) return;
   const auto found = bonds_.find(*actor);
   if (found == bonds_.end() || found->second.is_over || status.instance_id() == found->second.instance)

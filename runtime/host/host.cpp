@@ -10,6 +10,7 @@
 #include "runtime/host/command_guard.hpp"
 #include "runtime/host/host_setup.hpp"
 #include "runtime/host/lockstep_runner.hpp"
+#include "runtime/host/namesake_guard.hpp"
 #include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"
@@ -67,9 +68,12 @@ ComponentDeclaration declaration_of(const Actor& actor) {
   return d;
 }
 
-std::vector<std::string> node_namespaces(const Graph& graph) {
+/// Of those that have bonds: who follows another has none of its own.
+std::vector<std::string> bond_namespaces(const Graph& graph) {
   std::vector<std::string> names;
-  for (const ComponentNode& node : graph.components) names.push_back(node.node_namespace);
+  for (const ComponentNode& node : graph.components) {
+    if (node.follows.empty()) names.push_back(node.node_namespace);
+  }
   std::ranges::sort(names);
   names.erase(std::ranges::unique(names).begin(), names.end());
   return names;
@@ -101,19 +105,18 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
   }
   for (const std::string& plugin : graph_.settings.plugins) load_plugin(plugin);
   for (ExtraComponent& e : extra) {
-    graph_.components.insert(
-        e.first ? graph_.components.begin() : graph_.components.end(),
-        {.name = e.name,
-         .type = e.name,
-         .process = only.empty() ? "main" : only,
-         .lane = e.lane,
-         .node_namespace = e.node_namespace});
+    graph_.components.insert(e.first ? graph_.components.begin() : graph_.components.end(),
+                             {.name = e.name,
+                              .type = e.name,
+                              .process = only.empty() ? "main" : only,
+                              .lane = e.lane,
+                              .node_namespace = e.node_namespace});
   }
 
   const bool lockstep = options_.clock == ClockMode::lockstep;
   ProcessServiceOptions service_options{
       .publishes_clock = lockstep, .on_clock = nullptr, .look_around = nullptr, .timings = !lockstep};
-  if (!lockstep) service_options.look_around = [this](Time now) { look_at_commands(now); };
+  if (!lockstep) service_options.look_around = [this](Time now) { look_around(now); };
   if (options_.clock == ClockMode::topic) {
     auto topic_clock = std::make_unique<TopicClock>();
     service_options.on_clock = [clock = topic_clock.get()](Time now) { clock->set(now); };
@@ -128,7 +131,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
         "--accept-inputs");
   }
   if (graph_.settings.external_lifecycle && !lockstep)
-    service_options.bond_namespaces = node_namespaces(graph_);
+    service_options.bond_namespaces = bond_namespaces(graph_);
   auto services = std::make_unique<ProcessServices>(std::move(service_options), local_);
   services_ = services.get();
   const ComponentNode services_node{.name = services_name(only), .lane = "services"};

@@ -86,6 +86,8 @@ class Host {
   void add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here,
                      ActorRole role);
   void offer_lifecycle(Actor& actor, HostSetup& setup);
+  /// Null where nobody follows.
+  std::unique_ptr<class LedLifecycle> led_by(Actor& leader) const;
   /// Two managers for each robot, unless one comes from outside.
   void add_managers();
   void add_manager(const std::string& robot, Manager which);
@@ -100,7 +102,7 @@ class Host {
   void connect_services(Actor& actor);
   void connect_clients(Actor& actor);
   void announce_nodes();
-  void look_at_commands(Time now);
+  void look_around(Time now);
   void tap_outputs();
   void log(const Actor& actor, LogLevel level, const std::string& text);
   void publish_log(const Actor& actor, LogLevel level, const std::string& text);
@@ -118,6 +120,7 @@ class Host {
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
   std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step
+  std::unique_ptr<class NamesakeGuard> namesakes_;     ///< null in lock-step
   std::unique_ptr<class NodeAnnouncement> announcement_;
   class ProcessServices* services_ = nullptr;
   std::optional<Time> started_;

@@ -6,6 +6,7 @@
 #include "runtime/host/command_guard.hpp"
 #include "runtime/host/host.hpp"
 #include "runtime/host/lockstep_runner.hpp"
+#include "runtime/host/namesake_guard.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"
 #include "runtime/host/wall_runner.hpp"
@@ -28,7 +29,8 @@ dds::EndpointOptions endpoint_options(const std::string& topic, const MessageTyp
 std::vector<std::string> partitions_of(const OutputEnd& output) {
   if (!output.command) return {};
   const Actor& owner = output.owner;
-  return {"", command_partition(full_name({.node_namespace = owner.node_namespace, .name = owner.node_name}))};
+  return {"",
+          command_partition(full_name({.node_namespace = owner.node_namespace, .name = owner.node_name}))};
 }
 
 std::vector<std::string> partitions_of(const Input& input) {
@@ -86,7 +88,9 @@ void Host::connect() {
   }
   for (Actor* actor : local_) connect_clients(*actor);
   if (outside_) outside_->connect(*participant_, heard_outside_, local_);
-  if (!lockstep) command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
+  if (lockstep) return;
+  command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
+  namesakes_ = std::make_unique<NamesakeGuard>(*participant_, find_own_nodes(local_));
 }
 
 // The reply's writer first: a server that takes requests and cannot answer makes every client wait.
@@ -170,21 +174,25 @@ void Host::announce_nodes() {
   announcement_->publish();
 }
 
-void Host::look_at_commands(Time now) {
+/// Says what is news; the rest is on /diagnostics as long as it holds.
+void Host::look_around(Time now) {
   if (!command_guard_) return;
   Actor& services = *actors_.front();
   for (const CommandWatch::News& news : command_guard_->look(now)) log(services, news.level, news.text);
+  for (const NamesakeWatch::News& news : namesakes_->look()) log(services, news.level, news.text);
   using Level = DiagnosticReporter::Level;
   Level level = Level::ok;
   std::string message = "ok";
-  for (const auto& [topic, state] : command_guard_->states()) {
-    services.set_value(topic, state.text);
-    const Level its = state.level == LogLevel::error  ? Level::error
-                      : state.level == LogLevel::warn ? Level::warn
-                                                      : Level::ok;
-    if (its > level) message = topic + ": " + state.text;
+  const auto show = [&](const std::string& about, LogLevel log_level, const std::string& text) {
+    services.set_value(about, text);
+    const Level its = log_level == LogLevel::error  ? Level::error
+                      : log_level == LogLevel::warn ? Level::warn
+                                                    : Level::ok;
+    if (its > level) message = about + ": " + text;
     level = std::max(level, its);
-  }
+  };
+  for (const auto& [topic, state] : command_guard_->states()) show(topic, state.level, state.text);
+  for (const auto& [node, state] : namesakes_->states()) show(node, state.level, state.text);
   services.report(level, message);
 }
 

@@ -4,8 +4,10 @@
 
 #include "runtime/host/host.hpp"
 #include "runtime/host/host_setup.hpp"
+#include "runtime/host/led_lifecycle.hpp"
 #include "runtime/host/lifecycle_manager.hpp"
 #include "runtime/host/lifecycle_services.hpp"
+#include "runtime/host/namesake_guard.hpp"
 #include "runtime/host/rebinding.hpp"
 #include "runtime/registry.hpp"
 
@@ -29,8 +31,15 @@ void Host::offer_lifecycle(Actor& actor, HostSetup& setup) {
   LifecycleMeans means;
   means.log_error = [this, &actor](const std::string& text) { log(actor, LogLevel::error, text); };
   if (actor.role == ActorRole::component) {
+    actor.is_led = !graph_.find(actor.name)->follows.empty();
+    actor.led = led_by(actor);
+    if (actor.led) actor.led->configure(setup);
     offer_lifecycle_services(setup, actor);
     means.tell = offer_transition_events(setup);
+    means.rivals = [this, &actor] {
+      const std::string name = full_name({.node_namespace = actor.node_namespace, .name = actor.node_name});
+      return namesakes_ ? namesakes_->rivals_of(name) : std::string();
+    };
     means.make = [&actor] { return make_component(actor.type); };
     means.configure = [this, &actor](Component& component) {
       Rebinding rebinding(actor);
@@ -42,6 +51,20 @@ void Host::offer_lifecycle(Actor& actor, HostSetup& setup) {
     };
   }
   actor.lifecycle = std::make_unique<ActorLifecycle>(actor, std::move(means));
+}
+
+std::unique_ptr<LedLifecycle> Host::led_by(Actor& leader) const {
+  std::vector<LedLifecycle::Follower> followers;
+  for (const ComponentNode* node : graph_.followers_of(leader.name)) {
+    followers.push_back({.name = node->name,
+                         .change_state = node->topic_of("~/change_state"),
+                         .state = [this, name = node->name] {
+                           const auto actor = std::ranges::find(actors_, name, &Actor::name);
+                           return actor == actors_.end() ? State::unknown : (*actor)->state.load();
+                         }});
+  }
+  if (followers.empty()) return nullptr;
+  return std::make_unique<LedLifecycle>(leader, std::move(followers));
 }
 
 void Host::add_managers() {
@@ -60,6 +83,7 @@ void Host::add_manager(const std::string& robot, Manager which) {
   std::string process;
   for (const ComponentNode* node : graph_.bring_up_order()) {
     const auto actor = std::ranges::find(actors_, node->name, &Actor::name);
+    if (!node->follows.empty()) continue;  // its leader takes it along
     if (node->robot != robot || node->manager != which || actor == actors_.end() ||
         (*actor)->role != ActorRole::component)
       continue;

@@ -7,6 +7,8 @@
 #include <lifecycle_msgs/srv/get_available_transitions.hpp>
 #include <lifecycle_msgs/srv/get_state.hpp>
 
+#include "runtime/host/led_lifecycle.hpp"
+
 namespace bw {
 namespace {
 
@@ -41,20 +43,25 @@ GetAvailableTransitions::Response to_response(const Transitions& transitions) {
   return response;
 }
 
-ChangeState::Response change_state(Actor& actor, const ChangeState::Request& request, const Tick& tick,
-                                   const Logger& log) {
+void change_state(Actor& actor, const ChangeState::Request& request, const Reply<ChangeState>& reply,
+                  const Tick& tick, const Logger& log) {
   const auto& asked = request.transition();
-  ChangeState::Response response;
-  response.success(false);
+  const auto answer = [reply](bool success) {
+    ChangeState::Response response;
+    response.success(success);
+    reply(response);
+  };
   const lifecycle::Transition* transition =
       lifecycle::requested_transition(actor.state, asked.id(), asked.label());
-  if (transition != nullptr) {
-    response.success(actor.lifecycle->change(*transition, tick.now).empty());
-  } else {
+  if (transition == nullptr) {
     log.warn("no transition {} from {}", asked.label().empty() ? std::to_string(asked.id()) : asked.label(),
              lifecycle::label(actor.state));
+    answer(false);
+  } else if (actor.led) {
+    actor.led->change(*transition, tick.now, answer);
+  } else {
+    answer(actor.lifecycle->change(*transition, tick.now).empty());
   }
-  return response;
 }
 
 }  // namespace
@@ -62,9 +69,8 @@ ChangeState::Response change_state(Actor& actor, const ChangeState::Request& req
 void offer_lifecycle_services(Setup& setup, Actor& actor) {
   setup.service<ChangeState>(
       "~/change_state",
-      [&actor, log = setup.log()](const ChangeState::Request& request, const Tick& tick) {
-        return change_state(actor, request, tick, log);
-      },
+      [&actor, log = setup.log()](const ChangeState::Request& request, const Reply<ChangeState>& reply,
+                                  const Tick& tick) { change_state(actor, request, reply, tick, log); },
       [log = setup.log()](const std::string& reason) {
         log.warn("change_state refused: {}", reason);
         ChangeState::Response response;

@@ -34,7 +34,6 @@ NodeAnnouncement::NodeAnnouncement(dds::Participant& participant, AnnouncementOp
   if (!said && !options_.looks_around) said = RosDistro::jazzy;
   if (said) decide(*said);
   if (!options_.looks_around || is_told_everything()) return;
-  directory_ = std::make_unique<NodeDirectory>(participant, [this] { has_news_ = true; });
   thread_ = std::thread([this] { look_around(); });
 }
 
@@ -111,11 +110,7 @@ void NodeAnnouncement::look_around() {
       // Bytes of Humble do no harm to later ones, as theirs do to Humble's processes.
       if (evidence_.humble || is_over) decide(evidence_.humble ? RosDistro::humble : RosDistro::jazzy);
     }
-    if (!options_.warn) continue;
-    warn_of_contradiction(evidence_);
-    if (!has_news_.exchange(false) || !directory_->update()) continue;
-    directory_->forget_the_gone();
-    warn_of_namesakes();
+    if (options_.warn) warn_of_contradiction(evidence_);
   }
 }
 
@@ -129,23 +124,6 @@ void NodeAnnouncement::warn_of_contradiction(const DistroEvidence& evidence) {
                 (is_humble ? "Iron or later" : "Humble or earlier") +
                 ", whose tools will not list our nodes: they are " + "announced as for " +
                 std::string(text_of(*ours)) + " (ros_distro); topics and services work");
-}
-
-void NodeAnnouncement::warn_of_namesakes() {
-  std::set<std::string> ours;
-  {
-    const std::lock_guard lock(mutex_);
-    for (const NodeEntities& node : entities_.nodes) ours.insert(full_name(node));
-  }
-  for (const ParticipantEntities& other : directory_->participants()) {
-    if (other.participant == participant_.guid()) continue;
-    for (const NodeEntities& node : other.nodes) {
-      const std::string name = full_name(node);
-      if (!ours.contains(name) || !told_namesakes_.insert(name).second) continue;
-      options_.warn("another process has a node " + name +
-                    " too: ROS 2's tools and services cannot tell the two apart");
-    }
-  }
 }
 
 }  // namespace bw

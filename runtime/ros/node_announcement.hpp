@@ -5,29 +5,26 @@
 // with the other format is told of, and changes nothing.
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <thread>
 
 #include "runtime/base/ros_distro.hpp"
 #include "runtime/ros/discovery_info.hpp"
 #include "runtime/ros/distro_evidence.hpp"
-#include "runtime/ros/node_directory.hpp"
 
 namespace bw {
 
 struct AnnouncementOptions {
   RosDistro distro = RosDistro::automatic;
   bool looks_around = true;  ///< false: decides at once and hears nobody, as lock-step must
-  /// Is told of the other format on the domain and of others' nodes of our names, once each, on a thread of the
-  /// announcement's own. Empty: nobody is looked for after the decision.
+  /// Is told of the other format on the domain, once, on a thread of the announcement's own. Empty: nobody is looked for
+  /// after the decision.
   std::function<void(const std::string&)> warn = nullptr;
 };
 
@@ -59,18 +56,14 @@ class NodeAnnouncement {
   void decide(RosDistro distro);
   void write();
   void warn_of_contradiction(const DistroEvidence& evidence);
-  void warn_of_namesakes();
   [[nodiscard]] bool is_told_everything() const { return decided_ && !options_.warn; }
 
   dds::Participant& participant_;
   AnnouncementOptions options_;
   Duration began_;  ///< on the monotonic clock
-  std::atomic<bool> has_news_ = false;
-  std::unique_ptr<NodeDirectory> directory_;
   std::uint64_t seen_changes_ = 0;
   DistroEvidence evidence_;
   bool told_contradiction_ = false;
-  std::set<std::string> told_namesakes_;
 
   mutable std::mutex mutex_;  ///< guards what follows
   std::optional<RosDistro> decided_;

@@ -14,8 +14,10 @@ inline std::uint8_t to_code(PathStatus status) {
   switch (status) {
     case PathStatus::ok:
       return codes::SUCCEEDED;
+    case PathStatus::start_outside:
     case PathStatus::start_blocked:
       return codes::START_BLOCKED;
+    case PathStatus::goal_outside:
     case PathStatus::goal_blocked:
       return codes::GOAL_BLOCKED;
     case PathStatus::disconnected:
@@ -23,6 +25,7 @@ inline std::uint8_t to_code(PathStatus status) {
     case PathStatus::no_map:
       return codes::NO_MAP;
     case PathStatus::bad_request:
+    case PathStatus::unplaced:
       break;
   }
   return codes::BAD_REQUEST;

@@ -9,7 +9,6 @@
 #include "components/local_planner/back_off.hpp"
 #include "components/local_planner/command_limits.hpp"
 #include "components/messages/geometry.hpp"
-#include "components/messages/obstacles.hpp"
 
 namespace bw {
 namespace {
@@ -28,28 +27,26 @@ std::size_t thread_count(std::int64_t wanted, bool lockstep) {
 void LocalPlannerComponent::configure(Setup& setup) {
   parameters_ = setup.parameters<LocalPlannerParameters>(
       [this](const LocalPlannerParameters& changed, const Tick&) { use(changed); },
-      {"algorithm", "controller_frequency", "max_iterations", "max_cycle_time", "threads"});
+      {"algorithm", "controller_frequency", "max_iterations", "max_cycle_time", "threads",
+       "enable_stamped_cmd_vel"});
   robot_ = setup.shared<Robot>("robot");
   planner_ = make_planner(parameters_.algorithm, parameters_.planners);
   period_ = 1.0 / parameters_.controller_frequency;
   threads_ = thread_count(parameters_.threads, setup.is_lockstep());
   watch_.emplace(period_, parameters_.max_cycle_time > 0.0 ? parameters_.max_cycle_time : 0.5 * period_,
                  static_cast<int>(parameters_.max_iterations), !setup.is_lockstep());
-  odom_frame_ = setup.frame("odom");
   log_ = setup.log();
   diagnostics_ = &setup.diagnostics();
   diagnostics_->set_value("planner", parameters_.algorithm);
-  odometry_ = setup.latest<nav_msgs::msg::Odometry>("odom", Qos::command());
-  tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::command());
-  obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::command());
-  transforms_ = setup.transforms();
-  speed_.listen(setup, robot_.limits);
+  inputs_.listen(setup, robot_);
   setup.input<bandwagon_msgs::msg::FollowRequest>(
-      "follow_request", Qos::standard(), [this](const auto& request, const Tick&) { on_request(request); });
-  command_ = setup.command<geometry_msgs::msg::Twist>("cmd_vel_nav");
+      "follow_request", Qos::standard(), [this](const auto& request, const Tick&) { on_request(request); },
+      Need::optional);
+  command_.offer(setup, "cmd_vel_nav", is_stamped(parameters_.enable_stamped_cmd_vel, setup.ros_distro()));
   status_ = setup.output<bandwagon_msgs::msg::FollowStatus>("follow_status");
   trajectory_ = setup.output<nav_msgs::msg::Path>("local_plan");
   markers_ = setup.output<visualization_msgs::msg::MarkerArray>("local_planner_markers");
+  offer_follow_path(setup);
   setup.every(Duration::seconds(period_), "control_cycle", [this](const Tick& tick) { control_cycle(tick); });
 }
 
@@ -62,52 +59,25 @@ void LocalPlannerComponent::use(const LocalPlannerParameters& parameters) {
   planner->continue_from(*planner_);
   planner_ = std::move(planner);
   parameters_ = parameters;
-}
-
-void LocalPlannerComponent::on_request(const bandwagon_msgs::msg::FollowRequest& request) {
-  if (request.mode() != request_.mode()) planner_->reset();
-  request_ = request;
-  plan_.start(from_path(request.path()));
-  const std::string complaint = tolerance_complaint(goal_tolerance_of(request), parameters_.planners.driving);
-  if (complaint != std::exchange(told_, complaint) && !complaint.empty()) log_.warn("{}", complaint);
-  if (request.mode() != mode::STOP) at_rest_ = false;
+  follow_path_.set_options(parameters.follow_path);
 }
 
 PlanningProblem LocalPlannerComponent::make_problem(const Tick& tick, std::string& missing) {
-  PlanningProblem problem{.now = tick.now, .footprint = {.radius = robot_.radius}, .limits = speed_.limits()};
+  PlanningProblem problem = inputs_.problem(tick.now, missing);
   problem.control_period = period_;
   problem.command_lead = parameters_.command_lead;
-  problem.goal_tolerance = goal_tolerance_of(request_);
+  problem.goal_tolerance = task_.tolerance;
   problem.budget = watch_->budget();
   if (pool_) {
     problem.parallel_for = [this](std::size_t count, const auto& body) { pool_->run(count, body); };
   }
-  const auto pose_of = [&](const std::string& frame) -> std::optional<Pose2> {
-    if (frame == odom_frame_) return Pose2{};
-    auto X_OF = transforms_->lookup_planar(odom_frame_, frame);
-    if (!X_OF) missing = "no transform from " + frame + " to " + odom_frame_;
-    return X_OF;
-  };
-  if (!odometry_) {
-    missing = "no odometry yet";
-    return problem;
-  }
-  problem.pose = from_pose(odometry_->pose().pose());
-  problem.twist = from_twist(odometry_->twist().twist());
-  if (obstacles_) {
-    if (const auto X_OF = pose_of(obstacles_->header().frame_id()))
-      problem.obstacles = to_obstacles(*obstacles_, *X_OF);
-  }
-  if (tracks_) {
-    if (const auto X_OF = pose_of(tracks_->header().frame_id()))
-      problem.movers = to_movers(*tracks_, *X_OF, tick.now);
-  }
-  if (request_.mode() != mode::FOLLOW) return problem;
-  const auto X_OM = pose_of(request_.path().header().frame_id());
-  if (!X_OM) return problem;
+  X_OF_.reset();
+  if (!inputs_.pose() || task_.mode != mode::FOLLOW) return problem;
+  X_OF_ = inputs_.pose_in_odom(task_.frame, missing);
+  if (!X_OF_) return problem;
   const PlanWindow& window =
-      plan_.window(inverse(*X_OM) * problem.pose, parameters_.max_global_plan_lookahead_dist);
-  for (const Pose2& X_MP : window.poses) problem.plan.push_back(*X_OM * X_MP);
+      plan_.window(inverse(*X_OF_) * problem.pose, parameters_.max_global_plan_lookahead_dist);
+  for (const Pose2& X_FP : window.poses) problem.plan.push_back(*X_OF_ * X_FP);
   problem.goal_is_final = window.goal_is_final;
   return problem;
 }
@@ -122,25 +92,21 @@ void LocalPlannerComponent::control_cycle(const Tick& tick) {
     result.reason = "a needed input is stale";
   } else if (!missing.empty()) {
     result.reason = missing;
-  } else if (request_.mode() == mode::BACK_OFF) {
+  } else if (task_.mode == mode::BACK_OFF) {
     result = back_off(problem, parameters_.command_lead, parameters_.back_off_margin);
-  } else if (request_.mode() == mode::FOLLOW) {
+  } else if (task_.mode == mode::FOLLOW) {
     result = planner_->plan(problem);
   }
+  if (follow_path_.is_driving()) report(tick, problem, result, missing);
   publish(tick, problem, result);
 }
 
 void LocalPlannerComponent::publish(const Tick& tick, const PlanningProblem& problem,
                                     const PlanningResult& result) {
-  const bool idle = request_.mode() == mode::STOP;
-  if (!(idle && at_rest_)) command_.publish(to_twist_message(result.command));
-  at_rest_ = idle && result.command == Twist2{};
-
-  bandwagon_msgs::msg::FollowStatus status = to_follow_status(result, idle);
-  status.header(make_header(odom_frame_, tick.now));
-  status.id(request_.id());
-  status.distance_to_goal(plan_.distance_to_goal());
-  status_.publish(status);
+  const bool idle = task_.mode == mode::STOP;
+  if (!(idle && at_rest_)) command_.publish(result.command, tick.now);
+  at_rest_ = idle && (at_rest_ || result.command == Twist2{});
+  publish_status(tick, result, idle);
   watch_->report(result, idle, *diagnostics_);
   if (idle) return;
   if (result.status != last_status_ && result.status != PlanningStatus::ok) log_.warn("{}", result.reason);
@@ -148,13 +114,29 @@ void LocalPlannerComponent::publish(const Tick& tick, const PlanningProblem& pro
   if (trajectory_.has_readers()) {
     std::vector<Pose2> poses;
     for (const TrajectoryPoint& point : result.trajectory) poses.push_back(point.pose);
-    trajectory_.publish(to_path(odom_frame_, tick.now, poses));
+    trajectory_.publish(to_path(inputs_.odom_frame(), tick.now, poses));
   }
-  if (markers_.has_readers()) markers_.publish(to_markers(problem, result, odom_frame_));
+  if (markers_.has_readers()) markers_.publish(to_markers(problem, result, inputs_.odom_frame()));
   watch_->end(result);
 }
 
-void LocalPlannerComponent::deactivate(const Tick&) { command_.publish({}); }
+void LocalPlannerComponent::publish_status(const Tick& tick, const PlanningResult& result, bool idle) {
+  bandwagon_msgs::msg::FollowStatus status = to_follow_status(result, idle);
+  if (!request_lost_.empty()) {
+    status.status(bandwagon_msgs::msg::FollowStatus_Constants::FAILED);
+    status.reason(request_lost_);
+  }
+  status.header(make_header(inputs_.odom_frame(), tick.now));
+  status.id(request_id_);
+  status.distance_to_goal(plan_.distance_to_goal());
+  status_.publish(status);
+}
+
+void LocalPlannerComponent::deactivate(const Tick& tick) {
+  if (follow_path_.is_driving()) task_ = {};
+  follow_path_.forget();
+  command_.publish({}, tick.now);
+}
 
 void LocalPlannerComponent::cleanup() { pool_.reset(); }
 

@@ -1,29 +1,35 @@
-// Adaptor: odometry, tracks, obstacles and follow requests in; velocity commands out. Topics: README.md.
+// Adaptor: odometry, tracks, obstacles and what is to be followed in; velocity commands out. Topics: README.md.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <bandwagon_msgs/msg/follow_request.hpp>
 #include <bandwagon_msgs/msg/follow_status.hpp>
-#include <bandwagon_msgs/msg/obstacles.hpp>
-#include <bandwagon_msgs/msg/tracks.hpp>
-#include <geometry_msgs/msg/twist.hpp>
-#include <nav_msgs/msg/odometry.hpp>
 #include <nav_msgs/msg/path.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
 #include "components/local_planner/adaptor/cycle_watch.hpp"
+#include "components/local_planner/adaptor/follow_path_server.hpp"
+#include "components/local_planner/adaptor/planning_inputs.hpp"
+#include "components/local_planner/adaptor/velocity_output.hpp"
 #include "components/local_planner/local_planner_parameters.hpp"
 #include "components/local_planner/plan_window.hpp"
-#include "components/messages/speed_limit.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
-#include "runtime/transforms/transform_tree.hpp"
 #include "runtime/worker_pool.hpp"
 
 namespace bw {
+
+/// What is to be done until something else is asked for.
+struct FollowTask {
+  std::uint8_t mode = bandwagon_msgs::msg::FollowRequest_Constants::STOP;
+  std::string frame;  ///< of the plan
+  GoalTolerance tolerance;
+  bool is_of_action = false;  ///< not of follow_request
+};
 
 class LocalPlannerComponent final : public Component {
  public:
@@ -33,13 +39,21 @@ class LocalPlannerComponent final : public Component {
   void cleanup() override;
 
  private:
+  void offer_follow_path(Setup& setup);
   /// From the next cycle on; the planner goes on from where it is.
   void use(const LocalPlannerParameters& parameters);
   void on_request(const bandwagon_msgs::msg::FollowRequest& request);
+  void on_path(const std::string& frame, const std::vector<Pose2>& poses);
+  void begin(FollowTask task, std::vector<Pose2> plan, std::size_t index = 0);
+  void come_to_rest(const Tick& tick);
   void control_cycle(const Tick& tick);
   /// `missing` names what is needed and not there yet.
   PlanningProblem make_problem(const Tick& tick, std::string& missing);
+  /// For the goal of follow_path in hand: how it stands.
+  void report(const Tick& tick, const PlanningProblem& problem, const PlanningResult& result,
+              const std::string& missing);
   void publish(const Tick& tick, const PlanningProblem& problem, const PlanningResult& result);
+  void publish_status(const Tick& tick, const PlanningResult& result, bool idle);
 
   LocalPlannerParameters parameters_;
   Robot robot_;
@@ -47,19 +61,18 @@ class LocalPlannerComponent final : public Component {
   std::size_t threads_ = 1;
   std::optional<WorkerPool> pool_;  ///< none in lock-step
   std::optional<CycleWatch> watch_;
-  std::string odom_frame_;
   std::unique_ptr<LocalPlanner> planner_;
-  bandwagon_msgs::msg::FollowRequest request_;
-  FollowedPlan plan_;    ///< in map
-  std::string told_;     ///< about tolerances that are not used
-  bool at_rest_ = true;  ///< STOP was obeyed: nothing more to say
+  FollowTask task_;
+  FollowedPlan plan_;
+  std::optional<Pose2> X_OF_;     ///< of the plan's frame in odom, as of this cycle
+  std::uint64_t request_id_ = 0;  ///< of the last follow_request
+  std::string request_lost_;  ///< why that is not what is done any more; empty: it is, or was only to stop
+  std::string told_;          ///< about tolerances that are not used
+  bool at_rest_ = true;       ///< a stop was obeyed: nothing more to say
 
-  LimitedSpeed speed_;
-  Latest<nav_msgs::msg::Odometry> odometry_;
-  Latest<bandwagon_msgs::msg::Tracks> tracks_;
-  Latest<bandwagon_msgs::msg::Obstacles> obstacles_;
-  std::shared_ptr<const TransformTree> transforms_;
-  Output<geometry_msgs::msg::Twist> command_;
+  PlanningInputs inputs_;
+  FollowPathServer follow_path_;
+  VelocityOutput command_;
   Output<bandwagon_msgs::msg::FollowStatus> status_;
   Output<nav_msgs::msg::Path> trajectory_;
   Output<visualization_msgs::msg::MarkerArray> markers_;

@@ -6,14 +6,14 @@
 
 namespace bw::costmap {
 
-void offer_services(Setup& setup, const CostmapAnswers& answers) {
+void offer_services(Setup& setup, const std::string& folder, const CostmapAnswers& answers) {
   using nav2_msgs::srv::GetCostmap;
   offer_clear_services(
-      setup, "local_costmap",
+      setup, folder, "local_costmap",
       {.entirely = [answers] { answers.grid->clear(); },
        .inside = [answers](double edge) { answers.grid->clear_inside(answers.position, edge); },
        .outside = [answers](double edge) { answers.grid->clear_outside(answers.position, edge); }});
-  setup.service<GetCostmap>("local_costmap/get_costmap",
+  setup.service<GetCostmap>(folder + "get_costmap",
                             [costs = answers.costs](const GetCostmap::Request&, const Tick& tick) {
                               GetCostmap::Response response;
                               response.map(costs(tick.now));

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include <nav2_msgs/msg/costmap.hpp>
 
@@ -18,6 +19,7 @@ struct CostmapAnswers {
   std::function<nav2_msgs::msg::Costmap(Time now)> costs;
 };
 
-void offer_services(Setup& setup, const CostmapAnswers& answers);
+/// `folder` comes before each name: empty for a node in a namespace of its own.
+void offer_services(Setup& setup, const std::string& folder, const CostmapAnswers& answers);
 
 }  // namespace bw::costmap

@@ -1,18 +1,17 @@
 // Adaptor of the local costmap: sweeps of the laser in; costs, and obstacles for the local planner out.
+#include <algorithm>
 #include <optional>
 #include <string>
 
 #include <bandwagon_msgs/msg/tracks.hpp>
-#include <nav_msgs/msg/occupancy_grid.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
 
 #include "components/mapping/adaptor/costmap_services.hpp"
+#include "components/mapping/adaptor/costmap_topics.hpp"
 #include "components/mapping/adaptor/map_below.hpp"
 #include "components/mapping/costmap/inflation.hpp"
 #include "components/mapping/costmap/local_grid.hpp"
 #include "components/mapping/local_costmap_parameters.hpp"
-#include "components/messages/costmap.hpp"
-#include "components/messages/grid.hpp"
 #include "components/messages/laser.hpp"
 #include "components/messages/obstacles.hpp"
 #include "components/messages/placed.hpp"
@@ -33,7 +32,7 @@ class LocalCostmapComponent final : public Component {
           grid_->set_options(changed.grid);
           inflation_.emplace(changed.inflation, robot_radius_, changed.grid.resolution);
         },
-        {"use_map", "width", "height", "resolution"});
+        {"use_map", "nav2_names", "width", "height", "resolution"});
     robot_radius_ = setup.shared<Robot>("robot").radius;
     grid_.emplace(parameters_.grid);
     inflation_.emplace(parameters_.inflation, robot_radius_, parameters_.grid.resolution);
@@ -42,7 +41,7 @@ class LocalCostmapComponent final : public Component {
     odom_frame_ = setup.frame("odom");
     base_frame_ = setup.frame("base_link");
     transforms_ = setup.transforms();
-    costmap_ = setup.output<nav_msgs::msg::OccupancyGrid>("local_costmap");
+    topics_.offer(setup, parameters_.nav2_names);
     obstacles_ = setup.output<bandwagon_msgs::msg::Obstacles>("obstacles");
     setup.input<sensor_msgs::msg::LaserScan>("scan", Qos::sensor(),
                                              [this](const auto& message, const Tick& tick) {
@@ -52,7 +51,7 @@ class LocalCostmapComponent final : public Component {
     tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::standard(), Need::optional);
     if (parameters_.use_map) map_.listen(setup, transforms_);
     setup.every(Duration::milliseconds(10), "sweeps", [this](const Tick& tick) { take_in(tick.now); });
-    offer_services(setup,
+    offer_services(setup, parameters_.nav2_names ? "" : "local_costmap/",
                    {.grid = grid_, .position = position_, .costs = [this](Time now) { return costs(now); }});
   }
 
@@ -80,6 +79,7 @@ class LocalCostmapComponent final : public Component {
     note(fault == SweepFault::none ? std::string() : to_text(fault));
     if (fault != SweepFault::none) return;
     swept_ = stamp;
+    X_OB_ = X_OB;
     position_ = X_OB.position();
     // A tenth of a period for stamps that tremble.
     if (published_ && stamp - *published_ < Duration::seconds(0.9 / parameters_.rate) && stamp > *published_)
@@ -97,16 +97,21 @@ class LocalCostmapComponent final : public Component {
     obstacles_.publish(to_message(near.obstacles, {}, odom_frame_, stamp));
     diagnostics_->set_value("shapes", std::to_string(near.obstacles.size()));
     diagnostics_->set_value("shapes_dropped", std::to_string(near.dropped));
-    if (!costmap_.has_readers()) return;
-    const std::vector<std::uint8_t>& costs = inflation_->costs(cells_);
-    for (std::size_t i = 0; i < costs.size(); ++i) cells_.cells[i] = occupancy_of(costs[i]);
-    costmap_.publish(to_message(cells_, odom_frame_, stamp));
+    if (!topics_.has_readers()) return;
+    topics_.publish(cells_, costs_of(cells_), X_OB_, robot_radius_, make_header(odom_frame_, stamp));
+  }
+
+  const std::vector<std::uint8_t>& costs_of(const OccupancyGrid& cells) {
+    if (parameters_.track_unknown_space) return inflation_->costs(cells);
+    OccupancyGrid known = cells;
+    std::ranges::replace(known.cells, OccupancyGrid::kUnknown, OccupancyGrid::kFree);
+    return inflation_->costs(known);
   }
 
   nav2_msgs::msg::Costmap costs(Time now) {
     OccupancyGrid cells = grid_->cells();
     map_.fill(cells);
-    return to_costmap(cells, inflation_->costs(cells), odom_frame_, swept_.value_or(now));
+    return to_costmap(cells, costs_of(cells), odom_frame_, swept_.value_or(now));
   }
 
   std::vector<Disc> people_at(Time time) const {
@@ -134,7 +139,8 @@ class LocalCostmapComponent final : public Component {
   MapBelow map_;
   WaitingScans waiting_;
   std::optional<Time> swept_;   ///< stamp of the last sweep that was used
-  Vector2 position_{0.0, 0.0};  ///< of the robot in odom, at that time
+  Pose2 X_OB_;                  ///< at that time
+  Vector2 position_{0.0, 0.0};  ///< of the robot in odom, then
   std::optional<Time> published_;
   Complaint fault_{"none came yet"};
   Logger log_;
@@ -143,7 +149,7 @@ class LocalCostmapComponent final : public Component {
   std::string base_frame_;
   std::shared_ptr<const TransformTree> transforms_;
   Latest<bandwagon_msgs::msg::Tracks> tracks_;
-  Output<nav_msgs::msg::OccupancyGrid> costmap_;
+  CostmapTopics topics_;
   Output<bandwagon_msgs::msg::Obstacles> obstacles_;
 };
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <geometry_msgs/msg/twist.hpp>
 #include <nav2_msgs/msg/collision_monitor_state.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
@@ -13,6 +12,7 @@
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/laser.hpp"
+#include "components/messages/velocity_output.hpp"
 #include "components/safety/adaptor/limited_share.hpp"
 #include "components/safety/adaptor/zone_markers.hpp"
 #include "components/safety/collision_monitor.hpp"
@@ -37,14 +37,15 @@ class CollisionMonitorComponent final : public Component {
   void configure(Setup& setup) override {
     options_ = setup.parameters<safety::CollisionMonitorOptions>(
         [this](const safety::CollisionMonitorOptions& changed, const Tick&) { use(changed); },
-        {"source_timeout", "clear_after", "resume", "sweep"});
+        {"enable_stamped_cmd_vel", "source_timeout", "clear_after", "resume", "sweep"});
     robot_ = setup.shared<Robot>("robot");
     monitor_.emplace(robot_, options_);
     for (SensorMount& mount : robot_.sensors) mount.frame = setup.frame(mount.frame);
     base_frame_ = setup.frame("base_link");
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
-    command_ = setup.command<geometry_msgs::msg::Twist>("cmd_vel");
+    const bool stamped = is_stamped(options_.enable_stamped_cmd_vel, setup.ros_distro());
+    command_.offer(setup, "cmd_vel", stamped);
     state_ = setup.output<nav2_msgs::msg::CollisionMonitorState>("collision_monitor_state");
     markers_ = setup.output<visualization_msgs::msg::MarkerArray>("collision_monitor_markers");
     setup.input<sensor_msgs::msg::LaserScan>(
@@ -53,19 +54,18 @@ class CollisionMonitorComponent final : public Component {
         "odom", Qos::sensor(), [this](const auto& message, const Tick& tick) {
           monitor_->odometry(tick.now, from_pose(message.pose().pose()), from_twist(message.twist().twist()));
         });
-    setup.input<geometry_msgs::msg::Twist>("cmd_vel_nav", Qos::command(),
-                                           [this](const auto& message, const Tick& tick) {
-                                             wanted_ = from_twist(message);
-                                             wanted_at_ = tick.now;
-                                             pass_on(tick);
-                                           });
+    input_velocity(setup, "cmd_vel_nav", stamped, [this](const Twist2& wanted, const Tick& tick) {
+      wanted_ = wanted;
+      wanted_at_ = tick.now;
+      pass_on(tick);
+    });
     const auto reset = [this](const auto&, const Tick&) { monitor_->reset(); };
     setup.input<std_msgs::msg::Empty>("collision_monitor/reset", Qos::standard(), reset, Need::optional);
     setup.every(kCycle, "limit", [this](const Tick& tick) { pass_on(tick); });
   }
 
-  void deactivate(const Tick&) override {
-    command_.publish({});
+  void deactivate(const Tick& tick) override {
+    command_.publish({}, tick.now);
     if (limited_.cycles() > 0) log_.info("limited in {}", limited_.text());
   }
 
@@ -94,7 +94,7 @@ class CollisionMonitorComponent final : public Component {
     if (*wanted_at_ > tick.now) wanted_at_ = tick.now;  // the clock went back
     const Verdict verdict = judge(tick);
     const bool silent = verdict.cause == kCommandSilent && !moves(monitor_->actual());
-    if (!silent || moves(last_.allowed)) publish(verdict);
+    if (!silent || moves(last_.allowed)) publish(verdict, tick.now);
     if (moves(verdict.allowed) && !std::exchange(has_driven_, true) && !monitor_->has_seen())
       log_.warn("the laser has hit nothing since the start: an open place, or it does not work");
     const bool counts = moves(wanted_) && verdict.cause != kCommandSilent;
@@ -112,12 +112,12 @@ class CollisionMonitorComponent final : public Component {
   }
 
   /// The state goes first: motor_control brakes by it.
-  void publish(const Verdict& verdict) {
+  void publish(const Verdict& verdict, Time now) {
     nav2_msgs::msg::CollisionMonitorState state;
     state.action_type(static_cast<std::uint8_t>(verdict.action));
     state.polygon_name(std::string(verdict.cause));
     state_.publish(state);
-    command_.publish(to_twist_message(verdict.allowed));
+    command_.publish(verdict.allowed, now);
   }
 
   void report(const Verdict& verdict, bool silent) {
@@ -149,7 +149,7 @@ class CollisionMonitorComponent final : public Component {
   std::optional<Time> drawn_at_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
-  Output<geometry_msgs::msg::Twist> command_;
+  VelocityOutput command_;
   Output<nav2_msgs::msg::CollisionMonitorState> state_;
   Output<visualization_msgs::msg::MarkerArray> markers_;
 };

@@ -1,21 +1,16 @@
-// The planner's services in lock-step. Map: 10 x 6 m, cells of 0.1 m, a wall one cell thick at x = 5.0 to 5.1 m; the robot, of
-// 0.3 m, stands at (1, 3). Odometry began elsewhere: odom is turned by a right angle.
+// The planner's services in lock-step.
 #include <limits>
-#include <numbers>
 
-#include <bandwagon_msgs/msg/plan_request.hpp>
-#include <bandwagon_msgs/msg/plan_result.hpp>
-#include <bandwagon_msgs/msg/tracks.hpp>
+#include <geometry_msgs/msg/polygon_stamped.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <lyrical/nav2_msgs/srv/clear_entire_costmap.hpp>
 #include <nav2_msgs/srv/get_costmap.hpp>
 #include <nav2_msgs/srv/is_path_valid.hpp>
-#include <nav_msgs/msg/occupancy_grid.hpp>
-#include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/messages/costmap.hpp"
-#include "components/messages/grid.hpp"
 #include "components/model/cell_cost.hpp"
+#include "tests/components/global_planner/planner_rig.hpp"
 #include "tests/components/service_calls.hpp"
 
 namespace bw {
@@ -29,50 +24,19 @@ using nav2_msgs::srv::IsPathValid;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const Pose2 kX_MO{1.0, 3.0, std::numbers::pi / 2.0};
-
-OccupancyGrid floor_with_wall() {
-  OccupancyGrid map{.resolution = 0.1, .width = 100, .height = 60};
-  map.cells.assign(6000, OccupancyGrid::kFree);
-  for (int row = 0; row < map.height; ++row) map.cells[map.index(50, row)] = OccupancyGrid::kOccupied;
-  return map;
-}
-
-struct World {
-  bool has_map = true;
-  bool knows_its_place = true;
-};
-
-void run(const World& world, const std::function<void(Setup&)>& ask) {
-  run_with_script("components: {global_planner: {}}", 3.0, [&](bw::Setup& setup) {
-    setup.output<bandwagon_msgs::msg::PlanRequest>("plan_request");
-    setup.every(Duration::milliseconds(100), "world",
-                [world, map = setup.output<nav_msgs::msg::OccupancyGrid>("map", Qos::latched()),
-                 tf = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf())](const Tick& tick) {
-                  if (tick.sequence == 0 && world.has_map)
-                    map.publish(to_message(floor_with_wall(), "map", tick.now));
-                  if (!world.knows_its_place) return;
-                  tf2_msgs::msg::TFMessage message;
-                  message.transforms().push_back(to_transform("map", "odom", tick.now, kX_MO));
-                  message.transforms().push_back(to_transform("odom", "base_link", tick.now, {}));
-                  tf.publish(message);
-                });
-    ask(setup);
-  });
-}
-
 IsPathValid::Request path_in(const std::string& frame, const std::vector<Pose2>& poses) {
   IsPathValid::Request request;
   request.path(to_path(frame, LockstepRunner::kStart, poses));
   return request;
 }
 
-std::vector<IsPathValid::Response> validity(const World& world,
+std::vector<IsPathValid::Response> validity(const PlannerWorld& world,
                                             const std::vector<IsPathValid::Request>& paths) {
   std::vector<TimedRequest<IsPathValid>> requests;
   for (const auto& path : paths) requests.push_back({0.5, path});
   std::vector<IsPathValid::Response> responses;
-  run(world, [&](bw::Setup& setup) { call_at<IsPathValid>(setup, "is_path_valid", requests, responses); });
+  run_planner(world,
+              [&](bw::Setup& setup) { call_at<IsPathValid>(setup, "is_path_valid", requests, responses); });
   EXPECT_EQ(responses.size(), paths.size());
   return responses;
 }
@@ -119,7 +83,7 @@ TEST(PlannerServices, GlobalCostmapIsShownAndCleared) {
   std::vector<ClearEntireCostmap::Response> entirely;
   std::vector<ClearCostmapAroundRobot::Response> around;
   std::vector<ClearCostmapExceptRegion::Response> except;
-  run({}, [&](bw::Setup& setup) {
+  run_planner({}, [&](bw::Setup& setup) {
     call_at<GetCostmap>(setup, "global_costmap/get_costmap", {{0.5}, {1.5}}, maps);
     call_at<ClearEntireCostmap>(setup, "global_costmap/clear_entirely_global_costmap", {{1.0}}, entirely);
     call_at<ClearCostmapAroundRobot>(setup, "global_costmap/clear_around_global_costmap", {{1.0}}, around);
@@ -137,6 +101,45 @@ TEST(PlannerServices, GlobalCostmapIsShownAndCleared) {
   EXPECT_EQ(map.data()[3046], 217);
   EXPECT_EQ(map.data()[3020], kFreeCost);
   EXPECT_EQ(maps[1].map().data(), map.data());
+}
+
+TEST(PlannerServices, InLyricalWhoClearsIsToldThatItIsDone) {
+  using Clear = lyrical::nav2_msgs::srv::ClearEntireCostmap;
+  std::vector<Clear::Response> entirely;
+  run_planner({.distro = "lyrical"}, [&](bw::Setup& setup) {
+    call_at<Clear>(setup, "global_costmap/clear_entirely_global_costmap", {{1.0}}, entirely);
+  });
+  ASSERT_EQ(entirely.size(), 1U);
+  EXPECT_TRUE(entirely[0].success());
+}
+
+// Nav2's table: 254 is shown as 100, 253 as 99, 0 as 0. The footprint is a 16-gon of 0.3 m around the robot, once a second.
+TEST(GlobalCostmap, IsPublishedAsNav2Does) {
+  std::vector<nav_msgs::msg::OccupancyGrid> grids;
+  std::vector<nav2_msgs::msg::Costmap> raw;
+  std::vector<geometry_msgs::msg::PolygonStamped> footprints;
+  run_planner({}, [&](bw::Setup& setup) {
+    setup.input<nav_msgs::msg::OccupancyGrid>("global_costmap/costmap", Qos::latched(),
+                                              [&](const auto& m, const Tick&) { grids.push_back(m); });
+    setup.input<nav2_msgs::msg::Costmap>("global_costmap/costmap_raw", Qos::latched(),
+                                         [&](const auto& m, const Tick&) { raw.push_back(m); });
+    setup.input<geometry_msgs::msg::PolygonStamped>(
+        "global_costmap/published_footprint", Qos::standard(),
+        [&](const auto& m, const Tick&) { footprints.push_back(m); });
+  });
+  ASSERT_EQ(grids.size(), 1U);
+  ASSERT_EQ(raw.size(), 1U);
+  EXPECT_EQ(grids[0].header().frame_id(), "map");
+  EXPECT_EQ(raw[0].data()[3050], kLethalCost);
+  EXPECT_EQ(grids[0].data()[3050], 100);
+  EXPECT_EQ(grids[0].data()[3047], 99);
+  EXPECT_EQ(grids[0].data()[3020], 0);
+  ASSERT_EQ(footprints.size(), 3U);
+  EXPECT_EQ(footprints[0].header().frame_id(), "map");
+  ASSERT_EQ(footprints[0].polygon().points().size(), 16U);
+  // Ahead of a robot that faces along y of the map.
+  EXPECT_NEAR(footprints[0].polygon().points()[0].x(), 1.0, 1e-6);
+  EXPECT_NEAR(footprints[0].polygon().points()[0].y(), 3.3, 1e-6);
 }
 
 }  // namespace

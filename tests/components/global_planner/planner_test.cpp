@@ -63,15 +63,42 @@ TEST(Planner, SaysWhyThereIsNoPath) {
   const Pose2 in_box{1.5, 4.5, 0.0};
   EXPECT_EQ(planner.plan(in_box, right).status, PathStatus::start_blocked);
   EXPECT_EQ(planner.plan(left, in_box).status, PathStatus::goal_blocked);
-  EXPECT_EQ(planner.plan({-1.0, 1.0, 0.0}, right).status, PathStatus::start_blocked);
-  EXPECT_EQ(planner.plan(left, {9.0, 6.5, 0.0}).status, PathStatus::goal_blocked);
-  EXPECT_EQ(planner.plan({1e300, 1.0, 0.0}, right).status, PathStatus::start_blocked);
+  EXPECT_EQ(planner.plan({-1.0, 1.0, 0.0}, right).status, PathStatus::start_outside);
+  EXPECT_EQ(planner.plan(left, {9.0, 6.5, 0.0}).status, PathStatus::goal_outside);
+  EXPECT_EQ(planner.plan({1e300, 1.0, 0.0}, right).status, PathStatus::start_outside);
   draw_segment(map, {{5.0, 4.0}, {5.0, 5.0}});
   ASSERT_EQ(planner.set_map(map, kRadius), "");
   const PathResult result = planner.plan(left, right);
   EXPECT_EQ(result.status, PathStatus::disconnected);
   EXPECT_EQ(result.expanded, 0u);  // known from the components, without a search
   EXPECT_EQ(result.reason, "goal (9.00, 1.00) is free, but no way leads there from the start");
+}
+
+// Legs of 4 m, 2 m and 4 m on an open floor: straight lines, each pose of the path once, the headings of the stops kept.
+TEST(Planner, PlansThroughStopsInTheirOrder) {
+  Planner planner = planner_on(open_floor(10.0, 6.0));
+  const std::vector<Pose2> stops{{5.0, 2.0, 1.0}, {5.0, 4.0, 2.0}, {1.0, 4.0, 3.0}};
+  const PathResult result = planner.plan_through({1.0, 2.0, 0.0}, stops);
+  ASSERT_EQ(result.status, PathStatus::ok) << result.reason;
+  EXPECT_NEAR(result.length, 10.0, 1e-9);
+  ASSERT_EQ(result.path.size(), 101u);
+  EXPECT_EQ(result.path[40], stops[0]);
+  EXPECT_EQ(result.path[60], stops[1]);
+  EXPECT_EQ(result.path[100], stops[2]);
+  // A stop where the last one was is a turn there.
+  const PathResult turn = planner.plan_through({1.0, 2.0, 0.0}, {{5.0, 2.0, 1.0}, {5.0, 2.0, 2.0}});
+  ASSERT_EQ(turn.path.size(), 41u);
+  EXPECT_EQ(turn.path.back(), (Pose2{5.0, 2.0, 2.0}));
+}
+
+TEST(Planner, APathThroughStopsIsWholeOrNotThere) {
+  Planner planner = planner_on(two_rooms());
+  const Pose2 start{1.0, 1.0, 0.0}, near{3.0, 1.0, 0.0}, in_wall{5.0, 2.0, 0.0};
+  const PathResult result = planner.plan_through(start, {near, in_wall, near});
+  EXPECT_EQ(result.status, PathStatus::goal_blocked);
+  EXPECT_EQ(result.reason, "on the way to pose 2 of 3: goal (5.00, 2.00) is too close to an obstacle");
+  EXPECT_TRUE(result.path.empty());
+  EXPECT_EQ(planner.plan_through(start, {}).status, PathStatus::bad_request);
 }
 
 TEST(Planner, RefusesNumbersThatAreNotFinite) {

@@ -87,6 +87,18 @@ TEST(Manager, PausesAndResumesWhatIsItsOwn) {
                           "activate navigator", "deactivate navigator", "deactivate planner"));
 }
 
+TEST(Manager, WhoFollowsGoesWithItsLeader) {
+  Nav nav;
+  nav.g.add(ComponentNode{.name = "costmap", .follows = "planner"},
+            [&nav] { return talker(nav.events, "costmap"); });
+  EXPECT_THAT(command(nav.g.graph, "/lifecycle_manager_navigation", {kPause, kResume}),
+              ElementsAre("ok, planner is inactive", "ok, yes"));
+  EXPECT_THAT(nav.while_running(),
+              ElementsAre("deactivate navigator", "deactivate planner", "deactivate costmap",
+                          "activate costmap", "activate planner", "activate navigator",
+                          "deactivate navigator", "deactivate planner", "deactivate costmap"));
+}
+
 TEST(Manager, ResetAndStartupMakeNewInstances) {
   Nav nav;
   EXPECT_THAT(command(nav.g.graph, "/lifecycle_manager_localization", {kReset, kStartup, kStartup}),

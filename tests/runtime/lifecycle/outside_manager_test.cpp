@@ -200,6 +200,28 @@ TEST(OutsideManager, BringsUpBondsAndBringsDown) {
   }));
 }
 
+TEST(OutsideManager, WhoFollowsNeedsNoManagerAndHasNoBond) {
+  ScriptedGraph g;
+  g.add("controller_server", [] { return Script{}; });
+  g.add(ComponentNode{.name = "local_costmap", .follows = "controller_server"}, [] { return Script{}; });
+  g.graph.settings.external_lifecycle = true;
+  const RunningHost graph(g.graph);
+  NavManager nav;
+  EXPECT_TRUE(nav.change("controller_server", 1));
+  EXPECT_EQ(nav.state("local_costmap"), "inactive");
+  EXPECT_TRUE(nav.change("controller_server", 3));
+  EXPECT_EQ(nav.state("local_costmap"), "active");
+  std::map<std::string, BondStatus> bonds;
+  int beats = 0;
+  EXPECT_TRUE(eventually([&] {
+    for (auto& [node, status] : nav.look()) bonds[node] = status, ++beats;
+    return beats >= 5;
+  }));
+  EXPECT_THAT(bonds, ElementsAre(testing::Key("controller_server")));
+  EXPECT_TRUE(nav.change("controller_server", 4));
+  EXPECT_EQ(nav.state("local_costmap"), "inactive");
+}
+
 TEST(OutsideManager, WhoseBeatsEndIsMissedAndNotFollowed) {
   const RunningHost graph(two_servers(true));
   NavManager nav;

@@ -1,0 +1,107 @@
+// Adaptor of the global costmap: what the planner pays for each cell of the map, under the names of the costmap inside Nav2's
+// planner_server. A graph puts it into the namespace `global_costmap`.
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <geometry_msgs/msg/polygon_stamped.hpp>
+#include <nav2_msgs/srv/get_costmap.hpp>
+#include <nav_msgs/msg/occupancy_grid.hpp>
+
+#include "components/global_planner/costs.hpp"
+#include "components/global_planner/global_costmap_parameters.hpp"
+#include "components/mapping/costmap/inflation.hpp"
+#include "components/messages/costmap.hpp"
+#include "components/messages/footprint.hpp"
+#include "components/messages/grid.hpp"
+#include "components/model/robot.hpp"
+#include "runtime/component.hpp"
+#include "runtime/transforms/transform_tree.hpp"
+
+namespace bw {
+
+class GlobalCostmapComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    parameters_ = setup.parameters<GlobalCostmapParameters>();
+    robot_radius_ = setup.shared<Robot>("robot").radius;
+    log_ = setup.log();
+    base_frame_ = setup.frame("base_link");
+    transforms_ = setup.transforms();
+    costmap_ = setup.output<nav_msgs::msg::OccupancyGrid>("costmap", Qos::latched());
+    costmap_raw_ = setup.output<nav2_msgs::msg::Costmap>("costmap_raw", Qos::latched());
+    footprint_ = setup.output<geometry_msgs::msg::PolygonStamped>("published_footprint");
+    setup.input<nav_msgs::msg::OccupancyGrid>(
+        "map", Qos::latched(), [this](const auto& message, const Tick& tick) { on_map(message, tick.now); });
+    setup.every(Duration::seconds(1.0 / parameters_.publish_frequency), "footprint",
+                [this](const Tick& tick) { publish_footprint(tick.now); });
+    offer_services(setup);
+  }
+
+ private:
+  void offer_services(Setup& setup) {
+    using nav2_msgs::srv::GetCostmap;
+    setup.service<GetCostmap>("get_costmap", [this](const GetCostmap::Request&, const Tick& tick) {
+      GetCostmap::Response response;
+      response.map(costs(tick.now));
+      return response;
+    });
+    const auto tell = [this] {
+      if (std::exchange(has_told_, true)) return;
+      log_.info("the global costmap holds the map alone: there is nothing to clear");
+    };
+    offer_clear_services(
+        setup, "", "global_costmap",
+        {.entirely = tell, .inside = [tell](double) { tell(); }, .outside = [tell](double) { tell(); }});
+  }
+
+  /// What is no map changes nothing.
+  void on_map(const nav_msgs::msg::OccupancyGrid& message, Time now) {
+    OccupancyGrid map;
+    std::string fault = read_grid(message, map);
+    if (fault.empty() && (map.width > SearchGrid::kMaxSide || map.height > SearchGrid::kMaxSide))
+      fault = "it has more than " + std::to_string(SearchGrid::kMaxSide) + " cells on a side";
+    if (!fault.empty()) {
+      log_.warn("the map is not used: {}", fault);
+      return;
+    }
+    SearchGrid grid;
+    grid.build(map, robot_radius_, parameters_.planner);
+    costs_ = costs_of(grid, map, parameters_.planner.clearance_weight);
+    map_ = std::move(map);
+    map_frame_ = message.header().frame_id();
+    costmap_raw_.publish(costs(now));
+    OccupancyGrid shown = map_;
+    for (std::size_t i = 0; i < costs_.size(); ++i) shown.cells[i] = costmap::occupancy_of(costs_[i]);
+    costmap_.publish(to_message(shown, map_frame_, now));
+  }
+
+  nav2_msgs::msg::Costmap costs(Time now) const {
+    if (map_frame_.empty()) return {};
+    return to_costmap(map_, costs_, map_frame_, now);
+  }
+
+  void publish_footprint(Time now) {
+    if (map_frame_.empty() || !footprint_.has_readers()) return;
+    const std::optional<Pose2> X_MB = transforms_->lookup_planar(map_frame_, base_frame_);
+    if (X_MB) footprint_.publish(to_footprint(*X_MB, robot_radius_, make_header(map_frame_, now)));
+  }
+
+  GlobalCostmapParameters parameters_;
+  double robot_radius_ = 0.0;
+  Logger log_;
+  bool has_told_ = false;
+  OccupancyGrid map_;
+  std::vector<std::uint8_t> costs_;  ///< of its cells
+  std::string map_frame_;            ///< empty until a usable map came
+  std::string base_frame_;
+  std::shared_ptr<const TransformTree> transforms_;
+  Output<nav_msgs::msg::OccupancyGrid> costmap_;
+  Output<nav2_msgs::msg::Costmap> costmap_raw_;
+  Output<geometry_msgs::msg::PolygonStamped> footprint_;
+};
+
+BW_COMPONENT(GlobalCostmapComponent, "global_costmap")
+
+}  // namespace bw

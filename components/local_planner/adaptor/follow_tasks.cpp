@@ -1,0 +1,90 @@
+// What the local planner is asked to do, by topic and by action: the newer wins, and the other is told.
+#include <cmath>
+#include <utility>
+
+#include "components/local_planner/adaptor/local_planner_component.hpp"
+#include "components/local_planner/adaptor/problem_messages.hpp"
+#include "components/messages/geometry.hpp"
+
+namespace bw {
+
+namespace mode = bandwagon_msgs::msg::FollowRequest_Constants;
+
+void LocalPlannerComponent::offer_follow_path(Setup& setup) {
+  follow_path_.offer(
+      setup, parameters_.follow_path,
+      {.fault_of_frame =
+           [this](const std::string& frame) {
+             if (frame.empty()) return std::string("the path names no frame");
+             std::string missing;
+             inputs_.pose_in_odom(frame, missing);
+             return missing;
+           },
+       .drive = [this](const std::string& frame, const std::vector<Pose2>& poses) { on_path(frame, poses); },
+       .stop = [this](const Tick& tick) { come_to_rest(tick); }});
+}
+
+void LocalPlannerComponent::on_request(const bandwagon_msgs::msg::FollowRequest& request) {
+  request_id_ = request.id();
+  request_lost_.clear();
+  // To stop what somebody else has taken over is not its business.
+  if (request.mode() == mode::STOP && follow_path_.is_driving()) return;
+  follow_path_.give_way("a follow_request took over");
+  begin({request.mode(), request.path().header().frame_id(), goal_tolerance_of(request)},
+        from_path(request.path()));
+}
+
+void LocalPlannerComponent::on_path(const std::string& frame, const std::vector<Pose2>& poses) {
+  if (task_.mode != mode::STOP && !task_.is_of_action) request_lost_ = "a goal of follow_path took over";
+  std::string missing;
+  const std::optional<Pose2> X_OF = inputs_.pose_in_odom(frame, missing);
+  const std::optional<Pose2> X_OB = inputs_.pose();
+  begin({mode::FOLLOW, frame, follow_path_.tolerance(), true}, poses,
+        X_OF && X_OB ? first_near(poses, (inverse(*X_OF) * *X_OB).position()) : 0);
+}
+
+void LocalPlannerComponent::begin(FollowTask task, std::vector<Pose2> plan, std::size_t index) {
+  if (task.mode != task_.mode) planner_->reset();
+  task_ = std::move(task);
+  plan_.start(std::move(plan), index);
+  const std::string complaint = tolerance_complaint(task_.tolerance, parameters_.planners.driving);
+  if (complaint != std::exchange(told_, complaint) && !complaint.empty()) log_.warn("{}", complaint);
+  if (task_.mode != mode::STOP) at_rest_ = false;
+}
+
+void LocalPlannerComponent::come_to_rest(const Tick& tick) {
+  task_ = {};
+  planner_->reset();
+  command_.publish({}, tick.now);
+  at_rest_ = true;
+}
+
+void LocalPlannerComponent::report(const Tick& tick, const PlanningProblem& problem,
+                                   const PlanningResult& result, const std::string& missing) {
+  const bool is_stale = tick.health == Health::stop || !inputs_.pose();
+  DriveCycle cycle{.now = tick.now,
+                   .missing = is_stale ? result.reason : "",
+                   .unknown_place = is_stale ? "" : missing,
+                   .X_OB = problem.pose,
+                   .X_OG = {},
+                   .distance_to_goal = plan_.distance_to_goal(),
+                   .twist = problem.twist,
+                   .status = result.status,
+                   .reason = result.reason};
+  if (X_OF_) cycle.X_OG = *X_OF_ * plan_.poses().back();
+  if (!follow_path_.goes_on(cycle, tick) || !X_OF_) return;
+  const Pose2 X_FB = inverse(*X_OF_) * problem.pose;
+  const TrackingError error = tracking_error(plan_.poses(), plan_.index(), X_FB);
+  const double to_path = (plan_.poses()[plan_.index()].position() - X_FB.position()).norm();
+  PathTracking tracking{.path_index = static_cast<std::uint32_t>(plan_.index()),
+                        .distance_to_goal = static_cast<float>(plan_.distance_to_goal()),
+                        .remaining_path_length = static_cast<float>(plan_.distance_to_goal() - to_path),
+                        .speed = static_cast<float>(std::abs(result.command.v)),
+                        .position_error = static_cast<float>(error.position),
+                        .heading_error = static_cast<float>(error.heading)};
+  tracking.robot_pose.header(make_header(task_.frame, tick.now));
+  tracking.robot_pose.pose(to_pose(X_FB));
+  follow_path_.tell(tracking);
+}
+
+}  // namespace bw

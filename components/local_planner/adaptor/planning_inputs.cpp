@@ -1,0 +1,58 @@
+#include "components/local_planner/adaptor/planning_inputs.hpp"
+
+#include "components/local_planner/adaptor/problem_messages.hpp"
+#include "components/messages/geometry.hpp"
+#include "components/messages/obstacles.hpp"
+
+namespace bw {
+
+void PlanningInputs::listen(Setup& setup, const Robot& robot) {
+  robot_ = robot;
+  odom_frame_ = setup.frame("odom");
+  odometry_ = setup.latest<nav_msgs::msg::Odometry>("odom", Qos::command());
+  tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::command());
+  obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::command());
+  transforms_ = setup.transforms();
+  speed_.listen(setup, robot.limits);
+}
+
+std::optional<Pose2> PlanningInputs::pose_in_odom(const std::string& frame, std::string& missing) const {
+  if (frame == odom_frame_) return Pose2{};
+  auto X_OF = transforms_->lookup_planar(odom_frame_, frame);
+  if (!X_OF) missing = "no transform from " + frame + " to " + odom_frame_;
+  return X_OF;
+}
+
+std::optional<Pose2> PlanningInputs::pose() const {
+  return odometry_ ? std::optional(from_pose(odometry_->pose().pose())) : std::nullopt;
+}
+
+std::optional<Twist2> PlanningInputs::twist() const {
+  return odometry_ ? std::optional(from_twist(odometry_->twist().twist())) : std::nullopt;
+}
+
+std::string PlanningInputs::unheard() const {
+  if (!obstacles_) return "no obstacles yet";
+  return tracks_ ? "" : "no people yet";
+}
+
+PlanningProblem PlanningInputs::problem(Time now, std::string& missing) const {
+  PlanningProblem problem{.now = now, .footprint = {.radius = robot_.radius}, .limits = speed_.limits()};
+  if (!odometry_) {
+    missing = "no odometry yet";
+    return problem;
+  }
+  problem.pose = *pose();
+  problem.twist = from_twist(odometry_->twist().twist());
+  if (obstacles_) {
+    if (const auto X_OF = pose_in_odom(obstacles_->header().frame_id(), missing))
+      problem.obstacles = to_obstacles(*obstacles_, *X_OF);
+  }
+  if (tracks_) {
+    if (const auto X_OF = pose_in_odom(tracks_->header().frame_id(), missing))
+      problem.movers = to_movers(*tracks_, *X_OF, now);
+  }
+  return problem;
+}
+
+}  // namespace bw

@@ -1,0 +1,51 @@
+// One drive of follow_path, judged cycle by cycle: it goes on, the robot is there, or it is hopeless. A newer path for the same
+// drive renews nothing but what it changes: progress and patience go on.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "components/local_planner/follow_path/follow_fault.hpp"
+#include "components/local_planner/follow_path/follow_path_options.hpp"
+#include "components/model/planning.hpp"
+
+namespace bw {
+
+/// What a cycle knew and did. Poses are of base_link in odom.
+struct DriveCycle {
+  Time now;
+  std::string missing;        ///< an input that is stale, or was never there; empty: none
+  std::string unknown_place;  ///< the transform that is not known; empty: none
+  Pose2 X_OB;                 ///< of no meaning when something is missing or not known
+  Pose2 X_OG;
+  double distance_to_goal = 0.0;  ///< along the path [m]
+  Twist2 twist;
+  PlanningStatus status = PlanningStatus::ok;
+  std::string reason;  ///< of the planner
+};
+
+struct Verdict {
+  bool is_over = false;
+  FollowFailure failure;  ///< fault `none` when it is over and the robot is there
+};
+
+class DriveJudge {
+ public:
+  /// A drive that begins where there was none.
+  void begin();
+  /// In every cycle of the drive.
+  Verdict judge(const DriveCycle& cycle, const FollowPathOptions& options);
+
+ private:
+  Verdict judge_absence(const DriveCycle& cycle, const FollowPathOptions& options);
+  bool is_there(const DriveCycle& cycle, const GoalCheckerOptions& options);
+  Verdict judge_control(const DriveCycle& cycle, double tolerance);
+
+  Time now_;
+  ProgressChecker progress_;
+  std::optional<Time> absent_since_;  ///< something needed
+  std::optional<Time> within_since_;  ///< the tolerances of the goal
+  std::optional<Time> no_way_since_;  ///< the last cycle that had one
+};
+
+}  // namespace bw
