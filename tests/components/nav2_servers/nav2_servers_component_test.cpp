@@ -250,9 +250,9 @@ TEST(Nav2Servers, ACanceledGoalCancelsTheControllers) {
 
 // Jazzy hands on the code of the server that failed. The default tree clears the global costmap and tries again; so does this.
 TEST(Nav2Servers, AGoalWithoutAPathEndsWithThePlannersCode) {
-  for (const std::uint16_t code : {201, 204, 206, 208}) {
+  for (const int code : {201, 204, 206, 208}) {
     Drive<JazzyNav2> drive;
-    drive.servers.plan_code = code;
+    drive.servers.plan_code = static_cast<std::uint16_t>(code);
     drive.go("jazzy", 20.0, {{1.0, [&] { drive.send(5.0); }}});
     const auto& sent = drive.to_pose.goals[0];
     EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::aborted));
