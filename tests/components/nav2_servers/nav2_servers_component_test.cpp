@@ -45,6 +45,7 @@ struct Servers {
   GoalHandle<FollowPath> following;
   GoalHandle<BackUp> backing;
   double backed_from = 0.0;
+  bool is_following = false, is_backing = false;  ///< at the last look: handles do not outlive the run
 
   void configure(bw::Setup& setup) {
     offer_planner(setup);
@@ -137,6 +138,8 @@ struct Servers {
       following.succeed({});
     }
     if (backing.is_open() && backed_from - x > 0.299) backing.succeed({});
+    is_following = following.is_open();
+    is_backing = backing.is_open();
     nav_msgs::msg::Odometry message;
     message.twist().twist().linear().x(v);
     odom.publish(message);
@@ -199,7 +202,7 @@ void expect_reached(const std::string& distro) {
   EXPECT_NEAR(drive.servers.paths, 5, 1);
   EXPECT_EQ(drive.servers.back_ups, 0);
   EXPECT_EQ(drive.servers.local_clears, 0);
-  EXPECT_FALSE(drive.servers.following.is_open());
+  EXPECT_FALSE(drive.servers.is_following);
 }
 
 TEST(Nav2Servers, AGoalIsReachedWithHumble) { expect_reached<HumbleNav2>("humble"); }
@@ -243,7 +246,7 @@ TEST(Nav2Servers, ACanceledGoalCancelsTheControllers) {
   Drive<JazzyNav2> drive;
   drive.go("jazzy", 6.0, {{1.0, [&] { drive.send(20.0); }}, {3.0, [&] { drive.to_pose.cancel(0); }}});
   EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::canceled));
-  EXPECT_FALSE(drive.servers.following.is_open());
+  EXPECT_FALSE(drive.servers.is_following);
   EXPECT_NEAR(drive.servers.x, 2.0, 0.11);
   EXPECT_NEAR(drive.to_pose.goals[0].ended_at, 3.1, 0.1);
 }
@@ -276,7 +279,7 @@ TEST(Nav2Servers, AControllerThatGivesUpIsRecoveredFromAndTold) {
   EXPECT_EQ(drive.servers.back_ups, 3);
   EXPECT_NEAR(drive.servers.x, -0.9, 0.05);
   EXPECT_GE(drive.servers.local_clears, 7);
-  EXPECT_FALSE(drive.servers.backing.is_open());
+  EXPECT_FALSE(drive.servers.is_backing);
 }
 
 // Stuck for 15 s: the robot makes no progress, waits, drives back, and goes on when it can.
