@@ -43,7 +43,7 @@ class RandomClient {
     auto self = std::make_shared<RandomClient>(setup, action, stories);
     setup.input<GoalStatusArray>(
         action + "/_action/status", Qos{.durability = Durability::transient_local},
-        [self](const GoalStatusArray& message, const Tick&) { self->hear(message); });
+        [self](const GoalStatusArray& message, const Tick&) { self->hear(message); }, Need::optional);
     setup.every(Duration::milliseconds(10), "act", [self, finish = setup.finish_run()](const Tick& tick) {
       self->act(tick.now);
       if (self->is_over()) finish(true, "all goals are over");
