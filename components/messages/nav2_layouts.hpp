@@ -6,8 +6,7 @@
 //     setup.action<typename Nav2::FollowPath>("follow_path", callbacks);
 //   });
 //
-// Humble and Jazzy are proved against golden bytes and Jazzy's hashes; Kilted and Lyrical follow the definitions of
-// navigation2's branches and are unproved.
+// Kilted and Lyrical follow the definitions of navigation2's branches and are unproved: no program of theirs has been met.
 #pragma once
 
 #include <utility>

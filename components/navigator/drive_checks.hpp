@@ -1,8 +1,10 @@
-// Three small judgements of a drive: is it standing, is it there, is it getting anywhere.
+// Small judgements of a drive: is it standing, is it there, how far is it still.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "components/navigator/goal_messages.hpp"
 #include "components/navigator/navigator_options.hpp"
@@ -18,35 +20,23 @@ inline bool is_within_tolerance(const Pose2& X_MB, const Pose2& X_MG, const Navi
          std::abs(wrap_angle(X_MG.theta - X_MB.theta)) <= options.yaw_tolerance;
 }
 
-/// Progress is having moved or turned by the required amount within movement_time.
-class ProgressChecker {
- public:
-  void reset() { anchor_.reset(); }
-
-  /// False when the last progress is longer ago than movement_time.
-  bool update(Time now, const Pose2& X_MB, const NavigatorOptions& options) {
-    if (!anchor_ || (X_MB.position() - anchor_->X_MB.position()).norm() >= options.required_movement ||
-        std::abs(wrap_angle(X_MB.theta - anchor_->X_MB.theta)) >= options.required_turn) {
-      anchor_ = Anchor{now, X_MB};
-    }
-    return (now - anchor_->time).to_seconds() <= options.movement_time;
-  }
-
- private:
-  struct Anchor {
-    Time time;
-    Pose2 X_MB;
-  };
-  std::optional<Anchor> anchor_;
-};
-
-/// Length [m] of `path` from its point nearest to `position` to its end, plus the way to that point.
-inline double remaining_length(const std::vector<Pose2>& path, const Vector2& position) {
-  if (path.empty()) return 0.0;
+/// Index of the pose of `path`, which is not empty, nearest to `position` among those before `end`.
+inline std::size_t nearest_pose(const std::vector<Pose2>& path, const Vector2& position, std::size_t end) {
   std::size_t nearest = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) {
+  for (std::size_t i = 1; i < end; ++i) {
     if ((path[i].position() - position).norm() < (path[nearest].position() - position).norm()) nearest = i;
   }
+  return nearest;
+}
+
+/// Length [m] of `path` from its point nearest to `position` to its end, plus the way to that point. With poses `via` that
+/// are still to be passed the robot is on the stretch before the first of them, however near a later one comes.
+inline double remaining_length(const std::vector<Pose2>& path, const Vector2& position,
+                               const std::vector<Pose2>& via = {}) {
+  if (path.empty()) return 0.0;
+  const std::size_t end =
+      via.empty() ? path.size() : nearest_pose(path, via.front().position(), path.size()) + 1;
+  const std::size_t nearest = nearest_pose(path, position, end);
   // Past the nearest point the way goes on to the next one directly.
   const std::size_t from = nearest + 1 < path.size() ? nearest + 1 : nearest;
   double length = (path[from].position() - position).norm();
@@ -54,6 +44,42 @@ inline double remaining_length(const std::vector<Pose2>& path, const Vector2& po
     length += (path[i].position() - path[i - 1].position()).norm();
   }
   return length;
+}
+
+/// Length [m] of the straight lines from `position` over `via` to the goal.
+inline double straight_length(Vector2 position, const std::vector<Pose2>& via, const Pose2& X_MG) {
+  double length = 0.0;
+  for (const Pose2& X : via) {
+    length += (X.position() - position).norm();
+    position = X.position();
+  }
+  return length + (X_MG.position() - position).norm();
+}
+
+/// What `distance` takes at the speed of now; as in Nav2 0 for a robot that hardly moves, and for the last decimetre.
+inline Duration time_remaining(double distance, const Twist2& twist) {
+  constexpr double kSlowest = 0.01;   // [m/s]
+  constexpr double kShortest = 0.10;  // [m]
+  const double speed = std::abs(twist.v);
+  return speed > kSlowest && distance > kShortest ? Duration::seconds(distance / speed) : Duration{};
+}
+
+/// How far the robot is beside the path, and how far it is turned from the path's direction, with Nav2's signs.
+struct TrackingError {
+  double position = 0.0;  ///< left of it is positive [m]
+  double heading = 0.0;   ///< turned to the right of it is positive [rad]
+};
+
+/// Of a robot at `X_MB` on a path that is not empty; a path of one pose has that pose's direction.
+inline TrackingError tracking_error(const std::vector<Pose2>& path, const Pose2& X_MB) {
+  const std::size_t nearest = nearest_pose(path, X_MB.position(), path.size());
+  const std::size_t from = nearest + 1 < path.size() || nearest == 0 ? nearest : nearest - 1;
+  Vector2 along = direction(path[from].theta);
+  if (from + 1 < path.size()) along = path[from + 1].position() - path[from].position();
+  if (along.norm() < 1e-9) along = direction(path[from].theta);
+  along.normalize();
+  return {cross(along, X_MB.position() - path[from].position()),
+          wrap_angle(std::atan2(along.y(), along.x()) - X_MB.theta)};
 }
 
 }  // namespace bw

@@ -2,6 +2,7 @@
 // base_link in map.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,10 +22,45 @@ struct Situation {
   Twist2 twist;
 };
 
-/// Asks the global planner for a path from the robot to the goal.
+/// Where to go.
+struct NavigationGoal {
+  Pose2 X_MG;
+  std::vector<Pose2> via;  ///< to be passed before, in this order and without a stop
+};
+
+/// Why a goal was not reached, as far as programs care.
+enum class GoalFault : std::uint8_t {
+  none,
+  invalid_goal,   ///< no pose
+  no_poses,       ///< an empty list
+  behavior_tree,  ///< asks for one by name, and there are none here
+  unknown_frame,
+  lost,  ///< the robot does not know where it is
+  start_blocked,
+  goal_blocked,
+  no_path,
+  planner_silent,
+  planner_failed,
+  blocked,
+  no_progress,
+  controller_failed,
+  controller_silent,
+  preempted,
+  deactivated,
+};
+
+/// What went wrong, for people and for programs.
+struct GoalProblem {
+  GoalFault fault = GoalFault::none;
+  std::string reason;            ///< one sentence
+  std::uint16_t error_code = 0;  ///< of the server below that failed, where it gave one of Nav2's
+};
+
+/// Asks the global planner for a path from the robot through the via poses to the goal.
 struct PlanOrder {
   std::uint64_t id = 0;
   Pose2 X_MG;
+  std::vector<Pose2> via;
 };
 
 enum class PlanOutcome : std::uint8_t {
@@ -33,7 +69,8 @@ enum class PlanOutcome : std::uint8_t {
   goal_blocked,
   disconnected,
   no_map,
-  bad_request
+  bad_request,
+  failed  ///< whatever else; the next one may succeed
 };
 
 struct PlanAnswer {
@@ -41,6 +78,7 @@ struct PlanAnswer {
   PlanOutcome outcome = PlanOutcome::succeeded;
   std::string reason;
   std::vector<Pose2> path;
+  std::uint16_t error_code = 0;  ///< Nav2's, where the planner gave one
 };
 
 enum class FollowMode : std::uint8_t { stop, follow, back_off };
@@ -59,6 +97,7 @@ struct FollowReport {
   std::uint64_t id = 0;
   FollowState state = FollowState::idle;
   std::string reason;
+  std::uint16_t error_code = 0;  ///< Nav2's, where the controller gave one
 };
 
 /// How a goal fares, for whoever set it.
@@ -71,6 +110,13 @@ struct GoalReport {
   std::uint32_t recoveries = 0;
   Duration navigation_time;
   GoalTolerance tolerance;  ///< within which the goal counts as reached
+  GoalFault fault = GoalFault::none;
+  std::uint16_t error_code = 0;          ///< of the server below that failed, where it gave one
+  std::size_t poses_remaining = 1;       ///< the goal and the via poses that are not passed yet
+  std::optional<Pose2> X_MB;             ///< where the robot is
+  Duration estimated_time_remaining;     ///< at the speed of now; 0 while the robot stands
+  double position_tracking_error = 0.0;  ///< from the path in use, left of it positive [m]
+  double heading_tracking_error = 0.0;   ///< turned to the right of it positive [rad]
 };
 
 /// What the navigator wants sent, in this order.

@@ -1,5 +1,6 @@
 #include "components/navigator/navigator.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace bw {
@@ -9,6 +10,20 @@ constexpr double kSoonestReplan = 0.2;      // after becoming blocked [s]
 constexpr double kRecoveredDistance = 1.0;  // farther from the last recovery than this is progress [m]
 constexpr double kFailedPatience = 1.0;     // a missing input often comes back [s]
 constexpr double kCancelPatience = 5.0;     // for the robot to come to rest [s]
+
+GoalFault fault_of(PlanOutcome outcome) {
+  switch (outcome) {
+    case PlanOutcome::start_blocked:
+      return GoalFault::start_blocked;
+    case PlanOutcome::goal_blocked:
+      return GoalFault::goal_blocked;
+    case PlanOutcome::disconnected:
+    case PlanOutcome::succeeded:  // and yet no path
+      return GoalFault::no_path;
+    default:
+      return GoalFault::planner_failed;
+  }
+}
 
 }  // namespace
 
@@ -22,19 +37,23 @@ void Navigator::see(Time now) {
   progress_.reset();
 }
 
-std::uint64_t Navigator::accept(const Pose2& X_MG, const Situation& situation) {
+std::uint64_t Navigator::accept(const NavigationGoal& goal, const Situation& situation) {
   see(situation.now);
-  if (!is_finite(X_MG)) return refuse({}, "the goal is not a finite pose");
+  if (!is_finite(goal.X_MG) || !std::ranges::all_of(goal.via, [](const Pose2& X) { return is_finite(X); }))
+    return refuse({}, {GoalFault::invalid_goal, "the goal is not a finite pose"});
   const std::uint64_t id = ++last_goal_id_;
   std::optional<GoalReport> preempted;
   if (has_goal()) {
     preempted = report(situation);
     preempted->status = GoalStatus::aborted;
     preempted->reason = "preempted by goal " + std::to_string(id);
+    preempted->fault = GoalFault::preempted;
     preempted->navigation_time = situation.now - started_;
   }
   goal_id_ = id;
-  X_MG_ = X_MG;
+  X_MG_ = goal.X_MG;
+  via_ = goal.via;
+  problem_ = {};
   started_ = situation.now;
   recoveries_ = 0;
   recoveries_in_row_ = 0;
@@ -47,9 +66,14 @@ std::uint64_t Navigator::accept(const Pose2& X_MG, const Situation& situation) {
   return id;
 }
 
-std::uint64_t Navigator::refuse(const Pose2& X_MG, const std::string& reason) {
-  actions_.reports.push_back(
-      {++last_goal_id_, GoalStatus::aborted, reason, X_MG, 0.0, 0, {}, options_.tolerance()});
+std::uint64_t Navigator::refuse(const Pose2& X_MG, const GoalProblem& problem) {
+  actions_.reports.push_back({.goal_id = ++last_goal_id_,
+                              .status = GoalStatus::aborted,
+                              .reason = problem.reason,
+                              .X_MG = X_MG,
+                              .tolerance = options_.tolerance(),
+                              .fault = problem.fault,
+                              .error_code = problem.error_code});
   return last_goal_id_;
 }
 
@@ -90,13 +114,14 @@ void Navigator::plan_failed(const PlanAnswer& answer, const Situation& situation
       answer.outcome == PlanOutcome::succeeded ? "the plan is empty" : "no plan: " + answer.reason;
   if (phase_ == Phase::following)
     return;  // the path in hand is still good; a drive that gets stuck is seen elsewhere
-  if (answer.outcome == PlanOutcome::bad_request) return finish(GoalStatus::aborted, reason, situation);
+  const GoalProblem problem{fault_of(answer.outcome), reason, answer.error_code};
+  if (answer.outcome == PlanOutcome::bad_request) return abort(problem, situation);
   const bool out_of_reach =
       answer.outcome == PlanOutcome::goal_blocked || answer.outcome == PlanOutcome::disconnected;
   if (out_of_reach && ++plan_failures_in_row_ >= options_.max_plan_failures) {
-    return finish(GoalStatus::aborted, reason, situation);
+    return abort(problem, situation);
   }
-  recover(reason, situation,
+  recover(problem, situation,
           answer.outcome == PlanOutcome::start_blocked ? Cure::back_off_then_wait : Cure::wait);
 }
 
@@ -115,7 +140,8 @@ void Navigator::on_follow(const FollowReport& report, const Situation& situation
   }
   const bool failed = report.state == FollowState::failed;
   stuck_patience_ = failed ? kFailedPatience : options_.blocked_patience;
-  stuck_reason_ = (failed ? "the local planner failed: " : "blocked: ") + report.reason;
+  stuck_ = {failed ? GoalFault::controller_failed : GoalFault::blocked,
+            (failed ? "the local planner failed: " : "blocked: ") + report.reason, report.error_code};
   if (stuck_since_) return;
   stuck_since_ = situation.now;
   if (plan_id_ == 0 && older_than(plan_requested_, kSoonestReplan, situation.now))
@@ -147,7 +173,8 @@ void Navigator::advance(const Situation& situation) {
   }
   if (plan_id_ != 0 && older_than(plan_requested_, options_.plan_timeout, situation.now)) {
     plan_id_ = 0;
-    if (phase_ == Phase::planning) return recover("the global planner does not answer", situation);
+    if (phase_ == Phase::planning)
+      return recover({GoalFault::planner_silent, "the global planner does not answer"}, situation);
   }
   if (phase_ == Phase::following) return advance_following(situation);
   if (phase_ == Phase::waiting || phase_ == Phase::backing_off) advance_recovery(situation);
@@ -155,7 +182,8 @@ void Navigator::advance(const Situation& situation) {
 
 void Navigator::advance_following(const Situation& situation) {
   const Time now = situation.now;
-  if (is_within_tolerance(*situation.X_MB, X_MG_, options_)) {
+  forget_passed(situation.X_MB->position());
+  if (via_.empty() && is_within_tolerance(*situation.X_MB, X_MG_, options_)) {
     if (is_standing(situation.twist, options_)) return finish(GoalStatus::succeeded, "reached", situation);
     if (!within_since_) within_since_ = now;
     if (follow_mode_ == FollowMode::follow && older_than(*within_since_, options_.settle_time, now)) {
@@ -167,13 +195,12 @@ void Navigator::advance_following(const Situation& situation) {
   if (follow_mode_ == FollowMode::stop)
     return begin_planning(situation);  // rolled out of the tolerance again
 
-  if (!progress_.update(now, *situation.X_MB, options_))
-    return recover("no progress towards the goal", situation);
+  if (!progress_.update(now, *situation.X_MB, options_.progress()))
+    return recover({GoalFault::no_progress, "no progress towards the goal"}, situation);
   if (older_than(follow_heard_, options_.follow_timeout, now)) {
-    return recover("the local planner does not answer", situation);
+    return recover({GoalFault::controller_silent, "the local planner does not answer"}, situation);
   }
-  if (stuck_since_ && older_than(*stuck_since_, stuck_patience_, now))
-    return recover(stuck_reason_, situation);
+  if (stuck_since_ && older_than(*stuck_since_, stuck_patience_, now)) return recover(stuck_, situation);
   if (plan_id_ == 0 && (now - plan_requested_).to_seconds() >= options_.replan_period) request_plan(now);
 }
 
@@ -193,7 +220,7 @@ void Navigator::advance_lost(const Situation& situation) {
     phase_since_ = situation.now;
     reason_ = "waiting for a pose in the map";
   } else if (older_than(phase_since_, options_.lost_patience, situation.now)) {
-    finish(GoalStatus::aborted, "the robot does not know where it is", situation);
+    abort({GoalFault::lost, "the robot does not know where it is"}, situation);
   }
 }
 
@@ -207,7 +234,7 @@ void Navigator::begin_planning(const Situation& situation) {
 void Navigator::request_plan(Time now) {
   plan_id_ = ++last_order_id_;
   plan_requested_ = now;
-  actions_.plan = PlanOrder{plan_id_, X_MG_};
+  actions_.plan = PlanOrder{plan_id_, X_MG_, via_};
 }
 
 void Navigator::order(FollowMode mode, Time now, std::vector<Pose2> path) {
@@ -217,11 +244,11 @@ void Navigator::order(FollowMode mode, Time now, std::vector<Pose2> path) {
   actions_.follow = FollowOrder{follow_id_, mode, std::move(path), options_.tolerance()};
 }
 
-void Navigator::recover(const std::string& problem, const Situation& situation, Cure cure) {
+void Navigator::recover(const GoalProblem& problem, const Situation& situation, Cure cure) {
   if (recoveries_in_row_ >= options_.max_recoveries) {
-    return finish(GoalStatus::aborted,
-                  problem + "; gave up after " + std::to_string(recoveries_in_row_) + " recoveries in a row",
-                  situation);
+    GoalProblem last = problem;
+    last.reason += "; gave up after " + std::to_string(recoveries_in_row_) + " recoveries in a row";
+    return abort(last, situation);
   }
   const bool odd = recoveries_in_row_ % 2 == 1;
   const bool back_off = cure == Cure::wait_then_back_off ? odd : cure == Cure::back_off_then_wait && !odd;
@@ -232,7 +259,18 @@ void Navigator::recover(const std::string& problem, const Situation& situation, 
   order(back_off ? FollowMode::back_off : FollowMode::stop, situation.now);
   phase_ = back_off ? Phase::backing_off : Phase::waiting;
   phase_since_ = situation.now;
-  set_status(status_, (back_off ? "backing off: " : "waiting: ") + problem, situation);
+  set_status(status_, (back_off ? "backing off: " : "waiting: ") + problem.reason, situation);
+}
+
+void Navigator::abort(const GoalProblem& problem, const Situation& situation) {
+  problem_ = problem;
+  finish(GoalStatus::aborted, problem.reason, situation);
+}
+
+void Navigator::forget_passed(const Vector2& position) {
+  const auto first_left = std::ranges::find_if(
+      via_, [&](const Pose2& X) { return (X.position() - position).norm() > options_.via_radius; });
+  via_.erase(via_.begin(), first_left);
 }
 
 void Navigator::finish(GoalStatus status, const std::string& reason, const Situation& situation) {
@@ -251,13 +289,28 @@ void Navigator::set_status(GoalStatus status, const std::string& reason, const S
 }
 
 GoalReport Navigator::report(const Situation& situation) const {
-  double distance = 0.0;
-  if (situation.X_MB) {
-    const Vector2 position = situation.X_MB->position();
-    distance = phase_ == Phase::following && !path_.empty() ? remaining_length(path_, position)
-                                                            : (X_MG_.position() - position).norm();
+  GoalReport report{.goal_id = goal_id_,
+                    .status = status_,
+                    .reason = reason_,
+                    .X_MG = X_MG_,
+                    .recoveries = recoveries_,
+                    .navigation_time = navigation_time_,
+                    .tolerance = options_.tolerance(),
+                    .fault = problem_.fault,
+                    .error_code = problem_.error_code,
+                    .poses_remaining = via_.size() + 1,
+                    .X_MB = situation.X_MB};
+  if (!situation.X_MB) return report;
+  const bool on_path = phase_ == Phase::following && !path_.empty();
+  report.distance_remaining = on_path ? remaining_length(path_, situation.X_MB->position(), via_)
+                                      : straight_length(situation.X_MB->position(), via_, X_MG_);
+  report.estimated_time_remaining = time_remaining(report.distance_remaining, situation.twist);
+  if (on_path) {
+    const TrackingError error = tracking_error(path_, *situation.X_MB);
+    report.position_tracking_error = error.position;
+    report.heading_tracking_error = error.heading;
   }
-  return {goal_id_, status_, reason_, X_MG_, distance, recoveries_, navigation_time_, options_.tolerance()};
+  return report;
 }
 
 }  // namespace bw

@@ -7,7 +7,8 @@
 //
 // A newer goal preempts: the older one ends `aborted`, and its path is followed until the first plan of the
 // newer one. After cancel() the goal is `canceling` until the robot stands, then `canceled`. Without a pose
-// the robot stops, and the goal is aborted after lost_patience.
+// the robot stops, and the goal is aborted after lost_patience. A goal may have poses to drive through: each is passed
+// when the robot was near it in its turn, and plans lead through those that are left.
 //
 // Answers and reports count only when they carry the id of the newest order. After every event call step();
 // it is also called at a steady rate, since silence is an event too.
@@ -16,6 +17,7 @@
 #include <string>
 #include <string_view>
 
+#include "components/model/progress_checker.hpp"
 #include "components/navigator/drive_checks.hpp"
 #include "components/navigator/goal_messages.hpp"
 #include "components/navigator/navigator_options.hpp"
@@ -31,9 +33,9 @@ class Navigator {
 
   /// A new goal; preempts the one in hand. Returns its id. A goal that is not finite is aborted at once and
   /// preempts nothing.
-  std::uint64_t accept(const Pose2& X_MG, const Situation& situation);
+  std::uint64_t accept(const NavigationGoal& goal, const Situation& situation);
   /// Reports a goal that cannot be taken (another frame, say) as aborted; the one in hand goes on.
-  std::uint64_t refuse(const Pose2& X_MG, const std::string& reason);
+  std::uint64_t refuse(const Pose2& X_MG, const GoalProblem& problem);
   void cancel(const Situation& situation);
   void on_plan(const PlanAnswer& answer, const Situation& situation);
   void on_follow(const FollowReport& report, const Situation& situation);
@@ -42,6 +44,8 @@ class Navigator {
   NavigatorActions step(const Situation& situation);
 
   bool has_goal() const { return phase_ != Phase::idle; }
+  /// Of the goal in hand, or of the last one.
+  std::uint64_t goal_id() const { return goal_id_; }
   /// The goal in hand, or how the last one ended.
   GoalReport report(const Situation& situation) const;
 
@@ -59,8 +63,10 @@ class Navigator {
   void request_plan(Time now);
   void order(FollowMode mode, Time now, std::vector<Pose2> path = {});
   void plan_failed(const PlanAnswer& answer, const Situation& situation);
-  void recover(const std::string& problem, const Situation& situation, Cure cure = Cure::wait_then_back_off);
+  void recover(const GoalProblem& problem, const Situation& situation, Cure cure = Cure::wait_then_back_off);
+  void abort(const GoalProblem& problem, const Situation& situation);
   void finish(GoalStatus status, const std::string& reason, const Situation& situation);
+  void forget_passed(const Vector2& position);
   void set_status(GoalStatus status, const std::string& reason, const Situation& situation);
   bool older_than(Time since, double seconds, Time now) const { return (now - since).to_seconds() > seconds; }
 
@@ -71,6 +77,8 @@ class Navigator {
   std::uint64_t goal_id_ = 0;
   std::uint64_t last_goal_id_ = 0;  ///< given out, refused ones included
   Pose2 X_MG_;
+  std::vector<Pose2> via_;  ///< still to be passed
+  GoalProblem problem_;     ///< of a goal that was aborted
   GoalStatus status_ = GoalStatus::accepted;
   std::string reason_;
   Time started_;
@@ -88,7 +96,7 @@ class Navigator {
   ProgressChecker progress_;
   std::optional<Time> stuck_since_;
   double stuck_patience_ = 0.0;  ///< [s]
-  std::string stuck_reason_;
+  GoalProblem stuck_;
   std::optional<Time> within_since_;
   Time phase_since_;
   std::optional<Vector2> recovery_position_;  ///< where the last recovery began

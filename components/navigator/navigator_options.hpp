@@ -5,6 +5,7 @@
 #include <string>
 
 #include "components/model/goal_tolerance.hpp"
+#include "components/model/progress_checker.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
@@ -14,6 +15,7 @@ struct NavigatorOptions {
   double yaw_tolerance = GoalTolerance{}.yaw;
   double stopped_speed = 0.05;
   double stopped_turn_rate = 0.1;
+  double via_radius = 0.7;
   double settle_time = 1.5;
   double replan_period = 1.0;
   double plan_timeout = 2.0;
@@ -43,6 +45,11 @@ struct NavigatorOptions {
       {.unit = "m/s", .min = 0.001, .max = 1, .doc = "slower than this is standing"});
     v("stopped_turn_rate", stopped_turn_rate,
       {.unit = "rad/s", .min = 0.001, .max = 2, .doc = "turning slower than this is standing"});
+    v("via_radius", via_radius,
+      {.unit = "m",
+       .min = 0.05,
+       .max = 10,
+       .doc = "a pose to drive through is passed when nearer than this"});
     v("settle_time", settle_time,
       {.unit = "s",
        .min = 0,
@@ -79,6 +86,7 @@ struct NavigatorOptions {
   }
 
   GoalTolerance tolerance() const { return {xy_tolerance, yaw_tolerance}; }
+  ProgressLimits progress() const { return {required_movement, required_turn, movement_time}; }
 
   std::optional<std::string> violated_rule() const {
     if (blocked_patience > movement_time) return "blocked_patience must not exceed movement_time";

@@ -7,6 +7,7 @@
 
 #include "components/navigator/goal_list.hpp"
 #include "components/navigator/navigator_options.hpp"
+#include "runtime/base/choice.hpp"
 
 namespace bw {
 
@@ -41,10 +42,17 @@ struct GoalParameters : ListedGoal {
   }
 };
 
+enum class PoseSource { localization, tf };
+constexpr auto choice_table(PoseSource) {
+  return choices<PoseSource>({{PoseSource::localization, "localization"}, {PoseSource::tf, "tf"}});
+}
+
 struct NavigatorParameters : NavigatorOptions {
   double rate = 20.0;
   double pose_timeout = 0.5;
   double feedback_period = 0.2;
+  PoseSource pose_source = PoseSource::localization;
+  bool follow_waypoints = true;
   GoalParameters goal;
   std::vector<ListedGoal> goals;
   double waypoint_pause = 1.0;
@@ -62,14 +70,24 @@ struct NavigatorParameters : NavigatorOptions {
     v("pose_timeout", pose_timeout, {.unit = "s", .min = 0.05, .max = 10, .doc = "an older pose means lost"});
     v("feedback_period", feedback_period,
       {.unit = "s", .min = 0.02, .max = 60, .doc = "time between two status messages while driving"});
+    v("pose_source", pose_source,
+      {.doc =
+           "localization: odometry/filtered; tf: base_link in map by tf and the speed of odom, as Nav2's servers have it"});
+    v("follow_waypoints", follow_waypoints,
+      {.doc =
+           "offer that action; false where Nav2's waypoint_follower does, which drives by navigate_to_pose"});
     v("goal", goal, {.doc = "a goal of the graph itself"});
     v("goals", goals, {.doc = "several, driven one after the other, the first after goal.delay"});
     v("waypoint_pause", waypoint_pause,
-      {.unit = "s", .min = 0, .max = 3600, .doc = "from the end of one of the goals to the next"});
+      {.unit = "s",
+       .min = 0,
+       .max = 3600,
+       .doc = "from the end of one of several goals to the next, of follow_waypoints too"});
     v("number_of_loops", number_of_loops,
       {.min = 0, .max = 1'000'000, .doc = "how often all the goals are driven again"});
     v("stop_on_failure", stop_on_failure,
-      {.doc = "a goal that is not reached is the last; otherwise the next one is tried"});
+      {.doc = "of several goals one that is not reached is the last, of follow_waypoints too; otherwise "
+              "the next one is tried"});
   }
 
   std::optional<std::string> violated_rule() const {
@@ -80,7 +98,7 @@ struct NavigatorParameters : NavigatorOptions {
   GoalListOptions goal_list() const {
     GoalListOptions list{.delay = goal.delay,
                          .pause = waypoint_pause,
-                         .loops = number_of_loops,
+                         .loops = static_cast<std::uint32_t>(number_of_loops),
                          .stop_on_failure = stop_on_failure};
     if (goal.enabled) list.goals.push_back({goal.x, goal.y, goal.theta});
     for (const ListedGoal& g : goals) list.goals.push_back({g.x, g.y, g.theta});

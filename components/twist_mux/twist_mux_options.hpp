@@ -16,6 +16,7 @@ struct TwistSourceOptions {
   double timeout = 0.2;
   double hold = 0.0;
   bool stamped = false;
+  bool optional = false;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -33,6 +34,7 @@ struct TwistSourceOptions {
        .doc =
            "others of lower priority are heard again when it has been silent for so long, and not before the timeout"});
     v("stamped", stamped, {.doc = "geometry_msgs/TwistStamped instead of geometry_msgs/Twist"});
+    v("optional", optional, {.doc = "a graph in which nobody publishes it is none the worse"});
   }
 };
 
@@ -40,6 +42,7 @@ struct TwistMuxOptions {
   std::vector<TwistSourceOptions> sources = {
       {.topic = "cmd_vel_teleop", .priority = 100, .timeout = 0.2, .hold = 1.0},
       {.topic = "cmd_vel_teleop_stamped", .priority = 90, .timeout = 0.2, .hold = 1.0, .stamped = true},
+      {.topic = "cmd_vel_behavior", .priority = 50, .timeout = 0.25, .optional = true},
       {.topic = "cmd_vel_nav", .priority = 10, .timeout = 0.5},
   };
 

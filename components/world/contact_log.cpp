@@ -6,18 +6,19 @@
 namespace bw {
 
 void ContactLog::step(Duration now, const RobotBody& robot, double speed_before, bool held_by_wall,
-                      double wall_gap, const std::vector<Person>& people) {
+                      double wall_gap, const std::vector<Person>& others) {
   if (held_by_wall && !touching_wall_) contacts_.push_back({now, ContactKind::wall, 0, speed_before});
   touching_wall_ = held_by_wall || (touching_wall_ && wall_gap < kApart);
 
   std::set<std::uint32_t> touched;
-  for (const Person& person : people) {
-    const double gap = (person.position - robot.position).norm() - robot.radius - person.radius;
-    const bool was_touched = touched_people_.count(person.id) > 0;
-    if (gap < 0.0 && !was_touched) contacts_.push_back({now, ContactKind::person, person.id, speed_before});
-    if (gap < 0.0 || (was_touched && gap < kApart)) touched.insert(person.id);
+  for (const Person& other : others) {
+    const double gap = (other.position - robot.position).norm() - robot.radius - other.radius;
+    const ContactKind kind = other.id < kFirstRobotId ? ContactKind::person : ContactKind::robot;
+    const bool was_touched = touched_.count(other.id) > 0;
+    if (gap < 0.0 && !was_touched) contacts_.push_back({now, kind, other.id, speed_before});
+    if (gap < 0.0 || (was_touched && gap < kApart)) touched.insert(other.id);
   }
-  touched_people_ = std::move(touched);
+  touched_ = std::move(touched);
 }
 
 int ContactLog::count(ContactKind kind) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "runtime/base/pose2.hpp"
@@ -15,7 +16,10 @@ struct Person {
   double radius = 0.3;
 };
 
-/// The robot as people see it.
+/// Robots among those who move have ids from here on, in the order of the world.
+inline constexpr std::uint32_t kFirstRobotId = 2'000'000'000;
+
+/// A robot as people see it.
 struct RobotBody {
   Vector2 position{0.0, 0.0};
   Vector2 velocity{0.0, 0.0};
@@ -25,7 +29,7 @@ struct RobotBody {
 /// What a group of people may react to.
 struct Surroundings {
   const std::vector<Person>& others;  ///< people of other groups, already moved
-  const RobotBody* robot = nullptr;   ///< null: the robot is not seen
+  std::span<const RobotBody> robots;  ///< those that are seen
 };
 
 class PeopleModel {

@@ -1,6 +1,7 @@
 // One seed, many independent random streams: a noise that is switched on never shifts the draws of another.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "components/model/random.hpp"
@@ -17,6 +18,11 @@ inline Random random_stream(std::uint64_t seed, RandomPurpose purpose) {
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
   z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
   return Random(z ^ (z >> 31));
+}
+
+/// The seed of the noises of one of several robots; the first has that of the world.
+inline std::uint64_t robot_seed(std::uint64_t seed, std::size_t robot) {
+  return seed + static_cast<std::uint64_t>(robot) * 0xD1B54A32D192ED03ULL;
 }
 
 }  // namespace bw

@@ -46,7 +46,7 @@ Vector2 SocialWalkers::force_on(const Walker& walker, const Surroundings& surrou
     if (&other != &walker) add(other.body.position, other.body.velocity);
   }
   for (const Person& other : surroundings.others) add(other.position, other.velocity);
-  if (surroundings.robot != nullptr) add(surroundings.robot->position, surroundings.robot->velocity);
+  for (const RobotBody& robot : surroundings.robots) add(robot.position, robot.velocity);
 
   if (const auto wall = scene_.nearest_point(me.position, wall_reach_)) {
     force += obstacle_force(options_.forces, me.position - *wall, me.radius);

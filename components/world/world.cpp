@@ -29,18 +29,11 @@ World::World(const WorldOptions& options, const Robot& robot, const WorldFiles& 
       robot_(robot),
       step_(Duration::seconds(options.physics_step)),
       scene_(shapes_in_map(options, files.shapes), files.map),
-      drive_(options.drive, robot, {options.start.x, options.start.y, wrap_angle(options.start.theta)},
-             random_stream(seed, RandomPurpose::wheels)),
       X_base_laser_(robot.mount_of(options.laser.frame)),
-      laser_(options.laser, random_stream(seed, RandomPurpose::laser)),
-      imu_(options.imu, random_stream(seed, RandomPurpose::imu)),
-      gps_(options.gps, random_stream(seed, RandomPurpose::gps)),
       legs_(options.people.legs) {
-  if (scene_.clearance(pose().position(), robot_.radius) < robot_.radius) {
-    throw std::runtime_error(
-        "start (" + std::to_string(options.start.x) + ", " + std::to_string(options.start.y) +
-        ") is nearer to a wall than the robot's radius of " + std::to_string(robot_.radius) + " m");
-  }
+  if (options.robots.empty()) add_robot(options.start, seed);
+  for (const WorldRobotOptions& one : options.robots) add_robot(one.start, seed);
+  samples_.resize(robots_.size());
   const PeopleOptions& people = options_.people;
   std::uint32_t next_id = 1;
   groups_.push_back(std::make_unique<ScriptedPeople>(people.scripted, next_id));
@@ -52,20 +45,52 @@ World::World(const WorldOptions& options, const Robot& robot, const WorldFiles& 
   move_people(0.0);  // everybody is there before the first step
 }
 
-RobotBody World::robot_body() const {
-  return {pose().position(), direction(pose().theta) * twist().v, robot_.radius};
+void World::add_robot(const StartOptions& start, std::uint64_t seed) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::runtime_error("start (" + std::to_string(start.x) + ", " + std::to_string(start.y) +
+                             ") is nearer to " + why);
+  };
+  const Pose2 pose{start.x, start.y, wrap_angle(start.theta)};
+  if (scene_.clearance(pose.position(), robot_.radius) < robot_.radius)
+    refuse("a wall than the robot's radius of " + std::to_string(robot_.radius) + " m");
+  for (const SimulatedRobot& other : robots_) {
+    if ((other.drive.pose().position() - pose.position()).norm() < 2.0 * robot_.radius)
+      refuse("another robot's than two radii of " + std::to_string(robot_.radius) + " m");
+  }
+  const std::uint64_t own_seed = robot_seed(seed, robots_.size());
+  robots_.push_back({DriveModel(options_.drive, robot_, pose, random_stream(own_seed, RandomPurpose::wheels)),
+                     LaserScanner(options_.laser, random_stream(own_seed, RandomPurpose::laser)),
+                     Imu(options_.imu, random_stream(own_seed, RandomPurpose::imu)),
+                     Gps(options_.gps, random_stream(own_seed, RandomPurpose::gps)),
+                     {}});
 }
 
-double World::wall_gap(double limit) const {
-  return scene_.clearance(pose().position(), robot_.radius + limit) - robot_.radius;
+RobotBody World::body(std::size_t robot) const {
+  return {pose(robot).position(), direction(pose(robot).theta) * twist(robot).v, robot_.radius};
+}
+
+double World::wall_gap(double limit, std::size_t robot) const {
+  return scene_.clearance(pose(robot).position(), robot_.radius + limit) - robot_.radius;
+}
+
+std::vector<Person> World::others(std::size_t robot) const {
+  std::vector<Person> others = people_;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const RobotBody other = body(i);
+    if (i != robot)
+      others.push_back(
+          {kFirstRobotId + static_cast<std::uint32_t>(i), other.position, other.velocity, other.radius});
+  }
+  return others;
 }
 
 void World::move_people(double dt) {
-  const RobotBody robot = robot_body();
+  std::vector<RobotBody> seen;
+  for (std::size_t i = 0; options_.people_react && i < robots_.size(); ++i) seen.push_back(body(i));
   std::vector<Person> moved;
   for (const auto& group : groups_) {
     const std::vector<Person> others = moved;
-    group->step(dt, {others, options_.people_react ? &robot : nullptr}, moved);
+    group->step(dt, {others, seen}, moved);
   }
   people_ = std::move(moved);
   legs_.step(dt, people_);
@@ -81,24 +106,38 @@ bool World::due(double rate) const {
   return passed(steps_) > passed(steps_ - 1);
 }
 
-WorldSample World::step() {
+const WorldSample& World::step() {
   ++steps_;
-  const double speed_before = std::abs(twist().v);
-  const bool held_by_wall = drive_.step(options_.physics_step, scene_);
+  std::vector<double> speed_before;
+  std::vector<bool> is_held_by_wall;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    speed_before.push_back(std::abs(twist(i).v));
+    is_held_by_wall.push_back(robots_[i].drive.step(options_.physics_step, scene_));
+  }
   move_people(options_.physics_step);
-  contacts_.step(time(), robot_body(), speed_before, held_by_wall, wall_gap(2.0 * ContactLog::kApart),
-                 people_);
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    robots_[i].contacts.step(time(), body(i), speed_before[i], is_held_by_wall[i],
+                             wall_gap(2.0 * ContactLog::kApart, i), others(i));
+    samples_[i] = {};
+    read_sensors(i, samples_[i]);
+  }
+  return samples_.front();
+}
 
-  WorldSample sample;
+void World::read_sensors(std::size_t robot, WorldSample& sample) {
+  SimulatedRobot& own = robots_[robot];
   sample.time = time();
   sample.truth_due = due(options_.truth_rate);
-  if (due(options_.encoder_rate)) sample.ticks = drive_.ticks();
-  if (due(options_.imu.rate)) sample.imu = imu_.read(pose(), twist());
-  if (due(options_.laser.rate))
-    sample.scan = laser_.scan(scene_, legs_.discs(people_), pose() * X_base_laser_);
-  if (due(options_.gps.rate)) gps_.measure(time(), pose().position());
-  sample.fixes = gps_.arrived(time());
-  return sample;
+  if (due(options_.encoder_rate)) sample.ticks = own.drive.ticks();
+  if (due(options_.imu.rate)) sample.imu = own.imu.read(pose(robot), twist(robot));
+  if (due(options_.laser.rate)) {
+    std::vector<Disc> movers = legs_.discs(people_);
+    for (std::size_t i = 0; i < robots_.size(); ++i)
+      if (i != robot) movers.push_back({pose(i).position(), robot_.radius});
+    sample.scan = own.laser.scan(scene_, movers, pose(robot) * X_base_laser_);
+  }
+  if (due(options_.gps.rate)) own.gps.measure(time(), pose(robot).position());
+  sample.fixes = own.gps.arrived(time());
 }
 
 }  // namespace bw

@@ -1,7 +1,8 @@
-// The world a simulated robot lives in: floor, walls, people, and the sensors and wheels of the robot. It
-// knows no middleware, clock or file: it is stepped, and the same seed and commands give the same bytes.
+// The world simulated robots live in: floor, walls, people, and the sensors and wheels of the robots, one unless the
+// options name several. It knows no middleware, clock or file: it is stepped, and the same seed and commands give the
+// same bytes.
 //
-// One step of physics_step: the wheels follow the held command, the pose its exact arc, people move (each
+// One step of physics_step: the wheels follow the held commands, the poses their exact arcs, people move (each
 // group sees the groups before it), contacts are counted, and the sensors that are due read the new state.
 #pragma once
 
@@ -24,7 +25,7 @@ struct WorldFiles {
   StaticObstacles shapes;            ///< the recording's walls and pillars, in its frame
 };
 
-/// What the step produced. Only what is due is there.
+/// What the step produced for one robot. Only what is due is there.
 struct WorldSample {
   Duration time;  ///< since the start of the world
   std::optional<EncoderTicks> ticks;
@@ -37,44 +38,61 @@ struct WorldSample {
 class World {
  public:
   /// Throws std::runtime_error when the parts do not make a world: a map whose sizes disagree, a person
-  /// without a place, a robot that starts inside a wall.
+  /// without a place, a robot that starts inside a wall or another robot.
   World(const WorldOptions& options, const Robot& robot, const WorldFiles& files, std::uint64_t seed);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   /// Wheel rates held until the next command. False, and the base brakes, when they are not finite.
-  bool command(const WheelCommand& command) { return drive_.command(command); }
+  bool command(const WheelCommand& command, std::size_t robot = 0) {
+    return robots_[robot].drive.command(command);
+  }
 
-  WorldSample step();
+  /// What it produced for the first robot; samples() has it for all. Both until the next step.
+  const WorldSample& step();
+  const std::vector<WorldSample>& samples() const { return samples_; }
 
   Duration time() const { return step_ * steps_; }
   Duration physics_step() const { return step_; }
-  const Pose2& pose() const { return drive_.pose(); }  ///< true, of base_link in map
-  Twist2 twist() const { return drive_.twist(); }      ///< true body velocity
+  std::size_t robot_count() const { return robots_.size(); }
+  const Pose2& pose(std::size_t robot = 0) const {
+    return robots_[robot].drive.pose();
+  }  ///< true, of base_link in map
+  Twist2 twist(std::size_t robot = 0) const { return robots_[robot].drive.twist(); }  ///< true body velocity
   const std::vector<Person>& people() const { return people_; }
-  const ContactLog& contacts() const { return contacts_; }
-  double wall_gap(double limit) const;  ///< from the robot's rim to the nearest wall, at most `limit` [m]
+  /// Everybody a robot may meet: people, then the other robots with ids from kFirstRobotId on.
+  std::vector<Person> others(std::size_t robot) const;
+  const ContactLog& contacts(std::size_t robot = 0) const { return robots_[robot].contacts; }
+  /// From the robot's rim to the nearest wall, at most `limit` [m].
+  double wall_gap(double limit, std::size_t robot = 0) const;
   const StaticScene& scene() const { return scene_; }
 
  private:
+  struct SimulatedRobot {
+    DriveModel drive;
+    LaserScanner laser;
+    Imu imu;
+    Gps gps;
+    ContactLog contacts;
+  };
+
+  void add_robot(const StartOptions& start, std::uint64_t seed);
   bool due(double rate) const;
   void move_people(double dt);
-  RobotBody robot_body() const;
+  RobotBody body(std::size_t robot) const;
+  void read_sensors(std::size_t robot, WorldSample& sample);
 
   WorldOptions options_;
   Robot robot_;
   Duration step_;
   std::int64_t steps_ = 0;
   StaticScene scene_;
-  DriveModel drive_;
   Pose2 X_base_laser_;
-  LaserScanner laser_;
-  Imu imu_;
-  Gps gps_;
+  std::vector<SimulatedRobot> robots_;
+  std::vector<WorldSample> samples_;  ///< of the last step, one for each robot
   Legs legs_;
   std::vector<std::unique_ptr<PeopleModel>> groups_;
   std::vector<Person> people_;
-  ContactLog contacts_;
 };
 
 }  // namespace bw

@@ -32,6 +32,18 @@ struct StartOptions {
   }
 };
 
+/// One of several robots. All are of the kind that section `robot` describes.
+struct WorldRobotOptions {
+  std::string name;
+  StartOptions start;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("name", name, {.doc = "its topics and frames go below it: robot1/scan, robot1/laser"});
+    v("start", start, {.doc = "pose at the start"});
+  }
+};
+
 struct PeopleOptions {
   std::vector<ScriptedPersonOptions> scripted;
   SocialWalkersOptions social;
@@ -53,6 +65,7 @@ struct WorldOptions {
   double encoder_rate = 50.0;
   double truth_rate = 50.0;
   StartOptions start;
+  std::vector<WorldRobotOptions> robots;
   std::string map;
   std::string tracks;
   std::string track_walls;
@@ -75,6 +88,8 @@ struct WorldOptions {
     v("truth_rate", truth_rate,
       {.unit = "Hz", .min = 0.1, .max = 1000, .doc = "ground truth messages per second"});
     v("start", start, {.doc = "pose of the robot at the start"});
+    v("robots", robots,
+      {.doc = "several robots, named as in the graph; none: one without a name, at `start`"});
     v("map", map, {.doc = "map file (YAML beside a PGM or PNG); empty: none"});
     v("tracks", tracks,
       {.doc = "file of recorded people (CSV t_s,frame,ped_id,x_m,y_m,vx_mps,vy_mps); empty: none"});
@@ -85,7 +100,7 @@ struct WorldOptions {
     v("walls", walls, {.doc = "thin walls"});
     v("boxes", boxes, {.doc = "boxes that stand about"});
     v("people_react", people_react,
-      {.doc = "walkers see the robot and keep clear of it; claims on safety only with false"});
+      {.doc = "walkers see the robots and keep clear of them; claims on safety only with false"});
     v("people", people, {.doc = "who walks where"});
     v("drive", drive, {.doc = "wheels and encoders"});
     v("laser", laser, {.doc = "laser scanner"});

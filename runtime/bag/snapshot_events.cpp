@@ -68,12 +68,25 @@ class Resolver {
   void add_declared(const DeclaredEvent& declared, const Location& where) {
     for (const ComponentNode& node : graph_.components) {
       if (node.type != declared.component || !node.enabled) continue;
-      Event event{.name = declared.name, .topic = node.topic_of(declared.topic), .when = declared.when};
-      for (EventCondition& condition : event.when) {
-        if (condition.text == kName) condition.text = node.name;
+      for (std::string& topic : topics_of(node, declared.topic)) {
+        Event event{.name = declared.name, .topic = std::move(topic), .when = declared.when};
+        for (EventCondition& condition : event.when) {
+          if (condition.text == kName) condition.text = node.name;
+        }
+        add_own(event, where);
       }
-      add_own(event, where);
     }
+  }
+
+  /// What is shared may tell each robot apart, below the robot's name.
+  std::vector<std::string> topics_of(const ComponentNode& node, const std::string& declared) const {
+    std::vector<std::string> topics;
+    for (const std::string& robot : graph_.robots) {
+      const std::string topic = node.topic_of(robot + "/" + declared);
+      if (node.robot.empty() && types_.contains(topic)) topics.push_back(topic);
+    }
+    if (topics.empty()) topics.push_back(node.topic_of(declared));
+    return topics;
   }
 
   void add_own(const Event& event, const Location& where) {

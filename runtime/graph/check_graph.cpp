@@ -102,12 +102,13 @@ class Checker {
     for (const auto& output : declaration.outputs) all.push_back(output.name);
     for (const auto& service : declaration.services) all.push_back(without_action_part(service.name));
     std::set<std::string> topics;
-    for (const std::string_view name : all) topics.insert(resolve_name(node.node_namespace, node.name, name));
+    for (const std::string_view name : all)
+      topics.insert(resolve_name(node.node_namespace, node.node_name(), name));
     // Every node has a dozen private services, which nobody means who mistypes a topic.
     std::erase_if(all, [](std::string_view name) { return name.starts_with("~/"); });
     const std::string key = joined("components", node.name);
     for (const Remap& remap : node.remaps) {
-      if (topics.contains(resolve_name(node.node_namespace, node.name, remap.from))) continue;
+      if (topics.contains(resolve_name(node.node_namespace, node.node_name(), remap.from))) continue;
       add(remap.where, joined(joined(key, "remap"), remap.from), "", unknown_rule("name", remap.from, all));
     }
     for (const InputSettings& input : node.inputs) {

@@ -15,7 +15,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string node_id(const ComponentNode& node) {
-  return quoted(join_namespaces(node.node_namespace, node.name));
+  return quoted(join_namespaces(node.node_namespace, node.node_name()));
 }
 
 }  // namespace

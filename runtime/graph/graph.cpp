@@ -5,8 +5,10 @@
 namespace bw {
 
 std::string ComponentNode::topic_of(std::string_view declared) const {
-  return resolve_name(node_namespace, name, declared, remaps);
+  return resolve_name(node_namespace, node_name(), declared, remaps);
 }
+
+std::string ComponentNode::node_name() const { return name.substr(name.rfind('/') + 1); }
 
 const InputSettings* ComponentNode::input(std::string_view declared) const {
   const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const InputSettings& input) {

@@ -3,7 +3,11 @@
 //
 //   ros_distro: auto                # auto | humble | jazzy | kilted | lyrical (runtime/ros/node_announcement.hpp)
 //   namespace: ""                   # relative names go below it
-//   frame_prefix: ""
+//   frame_prefix: ""                # of all frames but map, which robots share
+//   robots:                         # several: each has all components below it that are not shared, its names below
+//                                   # robot1, its frames prefixed robot1/, processes and lanes of its own
+//     robot1: {navigator: {goal: {x: 9.0}}}    # parameters of its own, over those of the component
+//     robot2:
 //   transport: localhost            # localhost | lan
 //   plugins: [path.so]              # paths are relative to the file they stand in
 //   robot: ../robots/generic.yaml   # a shared section: a file or a map
@@ -23,6 +27,7 @@
 //       manager: navigation         # navigation | localization | none: which of our lifecycle managers pauses it
 //       follows: controller_server  # goes through its states with that component, managed and bonded by none
 //       namespace: robot1           # below the graph's, unless absolute
+//       shared: true                # one for all robots
 //       parameters: {...}           # or a file
 //       remap: {cmd_vel_nav: cmd_vel}
 //       inputs: {odom: {max_age: 500ms, on_stale: stop, external: false}}
@@ -60,7 +65,8 @@ struct InputSettings {
 };
 
 struct ComponentNode {
-  std::string name;
+  std::string
+      name;  ///< unique in the graph: the node's, of one of several robots below the robot's: robot1/people
   std::string type;
   std::string process = "main";
   std::string lane = "main";
@@ -73,7 +79,10 @@ struct ComponentNode {
   std::vector<Remap> remaps;
   std::vector<InputSettings> inputs;
   Location where;
+  std::string robot = {};  ///< of a graph with several: whose it is; empty: shared
 
+  /// The name without the robot's.
+  std::string node_name() const;
   /// The absolute topic behind a declared name.
   std::string topic_of(std::string_view declared) const;
   const InputSettings* input(std::string_view declared) const;
@@ -97,6 +106,7 @@ struct Graph {
   std::optional<SnapshotSettings> snapshot;  ///< absent if not given
   std::vector<ComponentNode> components;     ///< in rank order
   std::vector<std::string> bring_up;         ///< names of components that come up first, in this order
+  std::vector<std::string> robots;           ///< empty: one, without a name
 
   const ComponentNode* find(std::string_view component) const;
   /// Names of the processes, in the order of their first components.
@@ -108,8 +118,9 @@ struct Graph {
   std::vector<const ComponentNode*> bring_up_order() const;
 };
 
-/// Overrides are `component.param=value`, `component.enabled=true|false`, `section.param=value` or `ros_distro=NAME`.
-/// Throws ConfigError with all violations that were found.
+/// Overrides are `component.param=value`, `component.enabled=true|false`, `section.param=value` or `ros_distro=NAME`; of
+/// several robots each is meant, one alone by `robot/component.param=value`. Throws ConfigError with all violations that
+/// were found.
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 /// One more override of a graph that is loaded. Throws ConfigError.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "runtime/graph/graph.hpp"
+#include "runtime/graph/several_robots.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/parameters/overrides.hpp"
 #include "runtime/parameters/read_parameters.hpp"
@@ -16,6 +17,11 @@ constexpr std::array<std::string_view, 1> kSharedSections = {"robot"};
 constexpr Duration kMaxLatency = Duration::milliseconds(10'000);
 constexpr Duration kMaxAge = Duration::milliseconds(3'600'000);
 constexpr Duration kShortestAge = Duration::milliseconds(1);
+
+/// By its own name, or by that of all robots' nodes.
+bool is_meant(const ComponentNode& node, const std::string& name) {
+  return node.name == name || (!node.robot.empty() && node.node_name() == name);
+}
 
 class GraphReader {
  public:
@@ -140,6 +146,7 @@ class GraphReader {
     } else {
       add(root.where, "components", "", "must be given");
     }
+    give_to_robots(graph_, reader.find("robots"), shared_, violations_);
     if (const ConfigNode* names = reader.find("bring_up")) read_bring_up(*names);
     reader.refuse_unknown_keys();
   }
@@ -157,13 +164,17 @@ class GraphReader {
     std::vector<std::string_view> known;
     for (const ComponentNode& node : graph_.components) known.push_back(node.name);
     for (const ConfigNode& name : names.sequence) {
-      if (!name.is_scalar() || graph_.find(name.scalar) == nullptr) {
-        add(name.where, "bring_up", name.text(), unknown_rule("component", name.text(), known));
-      } else if (std::ranges::find(graph_.bring_up, name.scalar) != graph_.bring_up.end()) {
-        add(name.where, "bring_up", name.text(), "must be named once");
-      } else {
-        graph_.bring_up.push_back(name.scalar);
+      bool is_known = false;
+      for (const ComponentNode& node : graph_.components) {
+        if (!name.is_scalar() || !is_meant(node, name.scalar)) continue;
+        is_known = true;
+        if (std::ranges::find(graph_.bring_up, node.name) == graph_.bring_up.end()) {
+          graph_.bring_up.push_back(node.name);
+        } else {
+          add(name.where, "bring_up", name.text(), "must be named once");
+        }
       }
+      if (!is_known) add(name.where, "bring_up", name.text(), unknown_rule("component", name.text(), known));
     }
   }
 
@@ -221,6 +232,9 @@ class GraphReader {
     std::string inner;
     read_text(reader, map, "namespace", inner, namespace_rule);
     node.node_namespace = join_namespaces(graph_.settings.graph_namespace, inner);
+    bool is_shared = false;
+    reader("shared", is_shared);
+    if (is_shared) shared_.push_back(node.name);
     if (const ConfigNode* parameters = reader.find("parameters")) {
       node.parameters = read_section(reader, *parameters, "parameters");
     }
@@ -281,17 +295,16 @@ class GraphReader {
   }
 
   Graph graph_;
+  std::vector<std::string> shared_;  ///< components of which there is one for all robots
   std::vector<Violation> violations_;
   Location distro_where_;  ///< where it is said, or ought to be
 };
 
-/// Switches a component on or off; false when the override means something else.
-bool switch_component(Graph& graph, const Override& change) {
+/// Switches the component on or off; false when the override means something else.
+bool switch_component(ComponentNode& node, const Override& change) {
   if (change.path.size() != 2 || change.path.back() != "enabled") return false;
-  const auto node = std::ranges::find(graph.components, change.path.front(), &ComponentNode::name);
-  if (node == graph.components.end()) return false;
   std::vector<Violation> violations;
-  detail::read_bool(change.value, change.key(), node->enabled, violations);
+  detail::read_bool(change.value, change.key(), node.enabled, violations);
   throw_if_any(std::move(violations));
   return true;
 }
@@ -305,7 +318,7 @@ bool set_distro(Graph& graph, const Override& change) {
   return true;
 }
 
-/// The parameters that the first part of an override names.
+/// The shared section that the first part of an override names.
 ConfigNode& section_of(Graph& graph, const Override& change) {
   const std::string& name = change.path.front();
   std::vector<std::string_view> known(kSharedSections.begin(), kSharedSections.end());
@@ -315,10 +328,7 @@ ConfigNode& section_of(Graph& graph, const Override& change) {
   } else if (std::find(known.begin(), known.end(), name) != known.end()) {
     return graph.shared[name];
   } else {
-    for (ComponentNode& node : graph.components) {
-      if (node.name == name) return node.parameters;
-      known.push_back(node.name);
-    }
+    for (const ComponentNode& node : graph.components) known.push_back(node.name);
     rule = unknown_rule("component", name, known);
   }
   throw ConfigError(Violation{change.value.where, change.key(), change.value.text(), rule});
@@ -327,8 +337,14 @@ ConfigNode& section_of(Graph& graph, const Override& change) {
 }  // namespace
 
 void apply_override(Graph& graph, const Override& change) {
-  if (set_distro(graph, change) || switch_component(graph, change)) return;
-  apply_override(section_of(graph, change), change, 1);
+  if (set_distro(graph, change)) return;
+  bool is_known = false;
+  for (ComponentNode& node : graph.components) {
+    if (change.path.size() < 2 || !is_meant(node, change.path.front())) continue;
+    is_known = true;
+    if (!switch_component(node, change)) apply_override(node.parameters, change, 1);
+  }
+  if (!is_known) apply_override(section_of(graph, change), change, 1);
 }
 
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides) {

@@ -77,8 +77,9 @@ void Bonds::part(const Actor& actor, Bond& bond, Time now) {
 }
 
 void Bonds::hear(const std::string& node_namespace, const bond::msg::Status& status, Time now) {
-  const auto actor = std::ranges::find_if(
-      actors_, [&](const Actor* a) { return a->name == status.id() && a->node_namespace == node_namespace; });
+  const auto actor = std::ranges::find_if(actors_, [&](const Actor* a) {
+    return a->node_name == status.id() && a->node_namespace == node_namespace;
+  });
   if (actor == actors_.end()) return;
   const auto found = bonds_.find(*actor);
   if (found == bonds_.end() || found->second.is_over || status.instance_id() == found->second.instance)
@@ -94,7 +95,7 @@ void Bonds::hear(const std::string& node_namespace, const bond::msg::Status& sta
 void Bonds::say(const Actor& actor, const Bond& bond, bool is_active, Time now) {
   bond::msg::Status status;
   status.header().stamp(to_stamp(now));
-  status.id(actor.name);
+  status.id(actor.node_name);
   status.instance_id(bond.instance);
   status.active(is_active);
   status.heartbeat_timeout(static_cast<float>(kTimeout.to_seconds()));

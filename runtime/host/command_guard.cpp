@@ -13,7 +13,8 @@ std::vector<WatchedTopic> find_watched_topics(const std::vector<Actor*>& all,
   for (const Actor* actor : all) {
     for (const auto& output : actor->outputs) {
       if (output->command)
-        commanders[output->topic] = full_name({.node_namespace = actor->node_namespace, .name = actor->name});
+        commanders[output->topic] =
+            full_name({.node_namespace = actor->node_namespace, .name = actor->node_name});
     }
     for (const auto& input : actor->inputs) {
       if (input->is_external) open[input->type.ros_name].push_back(input->topic);

@@ -17,7 +17,7 @@ void offer_container_services(Setup& setup, const std::vector<Actor*>& actors) {
     ListNodes::Response response;
     for (const Actor* actor : actors) {
       if (actor->role != ActorRole::component) continue;
-      response.full_node_names().push_back(resolve_name(actor->node_namespace, actor->name, "~"));
+      response.full_node_names().push_back(resolve_name(actor->node_namespace, actor->node_name, "~"));
       response.unique_ids().push_back(actor->rank);
     }
     return response;

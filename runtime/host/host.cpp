@@ -105,9 +105,12 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
   }
   for (const std::string& plugin : graph_.settings.plugins) load_plugin(plugin);
   for (ExtraComponent& e : extra) {
-    graph_.components.insert(
-        e.first ? graph_.components.begin() : graph_.components.end(),
-        {.name = e.name, .type = e.name, .process = only.empty() ? "main" : only, .lane = e.lane});
+    graph_.components.insert(e.first ? graph_.components.begin() : graph_.components.end(),
+                             {.name = e.name,
+                              .type = e.name,
+                              .process = only.empty() ? "main" : only,
+                              .lane = e.lane,
+                              .node_namespace = e.node_namespace});
   }
 
   const bool lockstep = options_.clock == ClockMode::lockstep;
@@ -185,6 +188,7 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
   auto actor = std::make_unique<Actor>();
   actor->role = role;
   actor->name = node.name;
+  actor->node_name = node.node_name();
   actor->node_namespace = node.node_namespace;
   actor->type = node.type;
   actor->process = node.process;
@@ -214,7 +218,7 @@ void Host::offer_parameters(Setup& setup, Actor& actor) {
   offer_parameter_services(
       setup, actor.live_parameters, [this, &actor](const Tick& tick, const std::vector<NamedValue>& changed) {
         if (actor.state == lifecycle::State::unconfigured) actor.lifecycle->forget_parameters();
-        services_->tell_change(join_namespaces(actor.node_namespace, actor.name), tick.now, changed);
+        services_->tell_change(join_namespaces(actor.node_namespace, actor.node_name), tick.now, changed);
       });
 }
 
@@ -258,7 +262,7 @@ void Host::log(const Actor& actor, LogLevel level, const std::string& text) {
 /// Under the name that rclcpp gives the logger of a node: robot1.base for /robot1/base.
 void Host::publish_log(const Actor& actor, LogLevel level, const std::string& text) {
   std::string name =
-      actor.node_namespace == "/" ? actor.name : actor.node_namespace.substr(1) + "." + actor.name;
+      actor.node_namespace == "/" ? actor.node_name : actor.node_namespace.substr(1) + "." + actor.node_name;
   std::ranges::replace(name, '/', '.');
   services_->log(name, runner_->now(), level, text);
 }

@@ -49,6 +49,7 @@ struct ExtraComponent {
   std::unique_ptr<Component> component;
   std::string lane = "main";
   bool first = false;  ///< comes before the graph's components, else after them
+  std::string node_namespace = "/";
 };
 
 class Host {
@@ -87,8 +88,9 @@ class Host {
   void offer_lifecycle(Actor& actor, HostSetup& setup);
   /// Null where nobody follows.
   std::unique_ptr<class LedLifecycle> led_by(Actor& leader) const;
-  /// The two managers, unless one comes from outside.
+  /// Two managers for each robot, unless one comes from outside.
   void add_managers();
+  void add_manager(const std::string& robot, Manager which);
   /// The process's own actors and the program's observers keep their places.
   std::vector<Actor*> bring_up_order() const;
   /// Activates all, or leaves them to a manager from outside; says why when one fails.
@@ -118,7 +120,7 @@ class Host {
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
   std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step
-  std::unique_ptr<class NamesakeGuard> namesakes_;      ///< null in lock-step
+  std::unique_ptr<class NamesakeGuard> namesakes_;     ///< null in lock-step
   std::unique_ptr<class NodeAnnouncement> announcement_;
   class ProcessServices* services_ = nullptr;
   std::optional<Time> started_;

@@ -29,7 +29,8 @@ dds::EndpointOptions endpoint_options(const std::string& topic, const MessageTyp
 std::vector<std::string> partitions_of(const OutputEnd& output) {
   if (!output.command) return {};
   const Actor& owner = output.owner;
-  return {"", command_partition(full_name({.node_namespace = owner.node_namespace, .name = owner.name}))};
+  return {"",
+          command_partition(full_name({.node_namespace = owner.node_namespace, .name = owner.node_name}))};
 }
 
 std::vector<std::string> partitions_of(const Input& input) {
@@ -156,7 +157,7 @@ void Host::announce_nodes() {
       actors_.front()->outputs, [](const auto& o) { return o->topic == kParameterEvents; });
   for (const Actor* actor : local_) {
     NodeEntities node{
-        .node_namespace = actor->node_namespace, .name = actor->name, .readers = {}, .writers = {}};
+        .node_namespace = actor->node_namespace, .name = actor->node_name, .readers = {}, .writers = {}};
     for (const auto& input : actor->inputs) node.readers.push_back(input->reader->guid());
     for (const auto& output : actor->outputs) node.writers.push_back(output->writer->guid());
     if (actor->rank > 0) node.writers.push_back(parameter_events->writer->guid());

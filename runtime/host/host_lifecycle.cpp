@@ -37,7 +37,7 @@ void Host::offer_lifecycle(Actor& actor, HostSetup& setup) {
     offer_lifecycle_services(setup, actor);
     means.tell = offer_transition_events(setup);
     means.rivals = [this, &actor] {
-      const std::string name = full_name({.node_namespace = actor.node_namespace, .name = actor.name});
+      const std::string name = full_name({.node_namespace = actor.node_namespace, .name = actor.node_name});
       return namesakes_ ? namesakes_->rivals_of(name) : std::string();
     };
     means.make = [&actor] { return make_component(actor.type); };
@@ -69,28 +69,39 @@ std::unique_ptr<LedLifecycle> Host::led_by(Actor& leader) const {
 
 void Host::add_managers() {
   if (graph_.settings.external_lifecycle) return;
-  for (const Manager which : {Manager::localization, Manager::navigation}) {
-    std::vector<LifecycleManager::Node> nodes;
-    std::string process;
-    for (const ComponentNode* node : graph_.bring_up_order()) {
-      const auto actor = std::ranges::find(actors_, node->name, &Actor::name);
-      if (!node->follows.empty()) continue;  // its leader takes it along
-      if (node->manager != which || actor == actors_.end() || (*actor)->role != ActorRole::component)
-        continue;
-      const bool is_here = std::ranges::find(local_, actor->get()) != local_.end();
-      nodes.push_back({.name = node->name,
-                       .change_state = node->topic_of("~/change_state"),
-                       .actor = is_here ? actor->get() : nullptr});
-      process = node->process;
-    }
-    // One manager for all processes: in that of the last component to come up.
-    if (nodes.empty() || (!options_.only_process.empty() && process != options_.only_process)) continue;
-    const ComponentNode node{.name = std::string(manager_name(which)),
-                             .process = process,
-                             .lane = "services",
-                             .node_namespace = join_namespaces("", graph_.settings.graph_namespace)};
-    add_component(node, std::make_unique<LifecycleManager>(std::move(nodes)), true, ActorRole::manager);
+  // A pair for each robot, and one for what they share.
+  std::vector<std::string> robots = graph_.robots;
+  robots.insert(robots.begin(), "");
+  for (const std::string& robot : robots) {
+    add_manager(robot, Manager::localization);
+    add_manager(robot, Manager::navigation);
   }
+}
+
+void Host::add_manager(const std::string& robot, Manager which) {
+  std::vector<LifecycleManager::Node> nodes;
+  std::string process;
+  for (const ComponentNode* node : graph_.bring_up_order()) {
+    const auto actor = std::ranges::find(actors_, node->name, &Actor::name);
+    if (!node->follows.empty()) continue;  // its leader takes it along
+    if (node->robot != robot || node->manager != which || actor == actors_.end() ||
+        (*actor)->role != ActorRole::component)
+      continue;
+    const bool is_here = std::ranges::find(local_, actor->get()) != local_.end();
+    nodes.push_back({.name = node->name,
+                     .change_state = node->topic_of("~/change_state"),
+                     .actor = is_here ? actor->get() : nullptr});
+    process = node->process;
+  }
+  // One manager for all processes: in that of the last component to come up.
+  if (nodes.empty() || (!options_.only_process.empty() && process != options_.only_process)) return;
+  const std::string name(manager_name(which));
+  const ComponentNode node{
+      .name = robot.empty() ? name : robot + "/" + name,
+      .process = process,
+      .lane = "services",
+      .node_namespace = join_namespaces(join_namespaces("", graph_.settings.graph_namespace), robot)};
+  add_component(node, std::make_unique<LifecycleManager>(std::move(nodes)), true, ActorRole::manager);
 }
 
 std::vector<Actor*> Host::bring_up_order() const {

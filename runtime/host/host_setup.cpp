@@ -31,7 +31,9 @@ void HostSetup::every(Duration period, const std::string& name, TickHandler on_t
 }
 
 std::string HostSetup::frame(std::string_view name) const {
-  return host_.graph().settings.frame_prefix + std::string(name);
+  if (name == "map") return "map";
+  const std::string of_robot = node_.robot.empty() ? "" : node_.robot + "/";
+  return host_.graph().settings.frame_prefix + of_robot + std::string(name);
 }
 
 std::uint64_t HostSetup::seed() const {

@@ -7,7 +7,7 @@ namespace bw {
 std::vector<OwnNode> find_own_nodes(const std::vector<Actor*>& local) {
   std::vector<OwnNode> nodes;
   for (const Actor* actor : local) {
-    OwnNode node{.name = full_name({.node_namespace = actor->node_namespace, .name = actor->name}),
+    OwnNode node{.name = full_name({.node_namespace = actor->node_namespace, .name = actor->node_name}),
                  .services = {},
                  .is_server = actor->role != ActorRole::process};
     for (const auto& service : actor->services) node.services.push_back(service->service);

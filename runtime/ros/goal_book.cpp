@@ -48,7 +48,7 @@ CanceledGoals GoalBook::cancel(const CancelRequest& request) {
     goal.status = GoalStatus::canceling;
     answer.goals.push_back({goal.id, goal.accepted});
   }
-  if (!names_one) return answer;
+  if (!names_one || names_time) return answer;
   if (find(request.id) == nullptr) {
     answer.code = kUnknownGoal;
   } else if (std::ranges::find(answer.goals, request.id, &CanceledGoals::Goal::id) == answer.goals.end()) {

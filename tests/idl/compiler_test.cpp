@@ -205,6 +205,67 @@ TEST(IdlCompiler, NamesHeadersAsRos2Does) {
   EXPECT_EQ(header_path("sensor_msgs/msg/NavSatFix.idl"), "sensor_msgs/msg/nav_sat_fix.hpp");
 }
 
+// A layout of another distribution: the same names on the wire, a class and a header of its own.
+TEST(IdlCompiler, KeepsLayoutsOfDistributionsApart) {
+  const std::string path = "distros/humble/a/msg/B.idl";
+  EXPECT_EQ(header_path(path), "humble/a/msg/b.hpp");
+  const File base = parse(in_module("struct B { float x; };"), "a/msg/B.idl");
+  const File user =
+      parse("#include \"a/msg/B.idl\"\n" + in_module("struct C { a::msg::B b; };"), "a/msg/C.idl");
+  const File own = parse(in_module("struct B { double x; };"), path);
+  const File own_user = parse("#include \"" + path + "\"\n" + in_module("struct C { a::msg::B b; };"),
+                              "distros/humble/a/msg/C.idl");
+  EXPECT_EQ(own.structs[0].ros_name(), "a/msg/B");
+  EXPECT_EQ(own.structs[0].dds_name(), "a::msg::dds_::B_");
+  EXPECT_EQ(own.structs[0].cpp_name(), "humble::a::msg::B");
+  const Types types = link({base, user, own, own_user});
+  EXPECT_EQ(&nested(types, types.at("a/msg/C"), user.structs[0].members[0]), &types.at("a/msg/B"));
+  EXPECT_EQ(&nested(types, types.at("humble/a/msg/C"), own_user.structs[0].members[0]),
+            &types.at("humble/a/msg/B"));
+  EXPECT_NE(type_hash(types.at("a/msg/C"), types), type_hash(types.at("humble/a/msg/C"), types));
+  EXPECT_THAT(class_definition(own_user.structs[0], types), HasSubstr("namespace humble::a::msg {"));
+  EXPECT_THAT(class_definition(own_user.structs[0], types), HasSubstr("::humble::a::msg::B b_{};"));
+  EXPECT_THAT(class_definition(user.structs[0], types), HasSubstr("  a::msg::B b_{};"));
+}
+
+// Where a distribution has a layout of its own, its messages mean that one, not the base's.
+TEST(IdlCompiler, RefusesTheBaseWhereADistributionHasItsOwn) {
+  const std::string own = "distros/humble/a/msg/B.idl";
+  const auto user = [&](const std::string& included) {
+    return parse("#include \"" + included + "\"\n" + in_module("struct C { a::msg::B b; };"),
+                 "distros/humble/a/msg/C.idl");
+  };
+  const File base = parse(in_module("struct B { float x; };"), "a/msg/B.idl");
+  const File variant = parse(in_module("struct B { double x; };"), own);
+  EXPECT_NO_THROW(static_cast<void>(link({base, variant, user(own)})));
+  EXPECT_NO_THROW(static_cast<void>(link({base, user("a/msg/B.idl")})));
+  try {
+    static_cast<void>(link({base, variant, user("a/msg/B.idl")}));
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(),
+                 "distros/humble/a/msg/C.idl: C.b has unknown type humble/a/msg/B (missing #include?)");
+  }
+}
+
+// Through a message of the base a message would hold one type in two layouts.
+TEST(IdlCompiler, RefusesTwoLayoutsInOneMessage) {
+  const std::string own = "distros/humble/a/msg/B.idl";
+  const Types types =
+      link({parse(in_module("struct B { float x; };"), "a/msg/B.idl"),
+            parse("#include \"a/msg/B.idl\"\n" + in_module("struct C { a::msg::B b; };"), "a/msg/C.idl"),
+            parse(in_module("struct B { double x; };"), own),
+            parse("#include \"" + own + "\"\n#include \"a/msg/C.idl\"\n" +
+                      in_module("struct D { a::msg::B b; a::msg::C c; };"),
+                  "distros/humble/a/msg/D.idl")});
+  try {
+    static_cast<void>(type_hash(types.at("humble/a/msg/D"), types));
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "humble/a/msg/D reaches two layouts of a/msg/B");
+  }
+}
+
 // The text that ROS 2 hashes, for a type small enough to write down.
 TEST(IdlCompiler, WritesTheHashedTextToTheLetter) {
   const Types types = link({parse(in_module("struct B { sequence<uint8, 3> x; };"), "a/msg/B.idl")});

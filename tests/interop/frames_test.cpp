@@ -1,6 +1,7 @@
 // Every frame that a message names hangs on the tree of transforms, as rviz2 needs it.
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -87,6 +88,34 @@ TEST(Frames, OfTheWholeHallwayAreOneTreeUnderMap) {
   expect_one_tree(frames, "map");
   for (const char* frame : {"map", "odom", "base_link", "laser", "imu", "gps"})
     EXPECT_TRUE(frames.named_by.contains(frame)) << frame;
+}
+
+TEST(Frames, OfTwoRobotsAreOneTreeUnderTheMapTheyShare) {
+  const Frames frames =
+      frames_of_run(std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/two_robots.yaml", "6");
+  expect_one_tree(frames, "map");
+  for (const std::string robot : {"robot1/", "robot2/"}) {
+    for (const char* frame : {"odom", "base_link", "laser", "imu", "gps"})
+      EXPECT_TRUE(frames.named_by.contains(robot + frame)) << robot << frame;
+  }
+  for (const char* frame : {"odom", "base_link", "robot1/map"})
+    EXPECT_FALSE(frames.named_by.contains(frame)) << frame;
+}
+
+// As each of several real robots runs a graph of its own: names below robot1, frames with its prefix, but the map.
+TEST(Frames, OfARobotWithNamespaceAndPrefixHangOnTheMapAllShare) {
+  const std::string folder = std::string(BANDWAGON_SOURCE_DIR) + "/config/";
+  std::ifstream hallway(folder + "graphs/hallway.yaml");
+  std::string text((std::istreambuf_iterator<char>(hallway)), std::istreambuf_iterator<char>());
+  const std::string robot = "../robots/";
+  text.replace(text.find(robot), robot.size(), folder + "robots/");
+  const std::string graph = std::string(BANDWAGON_BINARY_DIR) + "/namespaced.yaml";
+  std::ofstream(graph) << "namespace: robot1\nframe_prefix: robot1/\n" << text;
+  const Frames frames = frames_of_run(graph, "6");
+  expect_one_tree(frames, "map");
+  EXPECT_TRUE(frames.named_by.contains("robot1/laser"));
+  EXPECT_TRUE(frames.named_by.at("map").contains("/robot1/score_card")) << "nobody judges the drive";
+  EXPECT_FALSE(frames.named_by.contains("robot1/map"));
 }
 
 // A graph that says nothing of the robot's sensors: they sit at base_link, and tf says so.

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/interop/eventually.hpp"
+#include "tests/interop/on_the_wire.hpp"
 #include "tests/interop/service_process.hpp"
 
 namespace bw::test {
@@ -14,30 +15,6 @@ namespace {
 
 using plain::to_hex;
 using testing::SizeIs;
-
-/// PID_RELATED_SAMPLE_IDENTITY as eProsima and RTI number it: GUID, then the sequence number, high word first.
-constexpr std::uint16_t kRelatedIdentity = 0x800f;
-
-std::string wire_hex(const std::string& hex) { return to_hex(plain::padded(plain::from_hex(hex))); }
-
-plain::Bytes identity_bytes(const plain::Gid& gid, std::uint32_t high, std::uint32_t low) {
-  plain::Bytes bytes(gid.begin(), gid.end());
-  for (const std::uint32_t word : {high, low}) {
-    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(word >> shift));
-  }
-  return bytes;
-}
-
-/// The end of a topic that is not ours; there must be one alone.
-std::pair<plain::Gid, plain::End> foreign_end(const plain::Node& node, const std::string& topic,
-                                              bool is_writer) {
-  std::vector<std::pair<plain::Gid, plain::End>> found;
-  for (const auto& [gid, end] : node.ends()) {
-    if (!end.is_own && end.topic == topic && end.is_writer == is_writer) found.emplace_back(gid, end);
-  }
-  if (found.size() != 1) throw std::runtime_error(std::to_string(found.size()) + " ends of " + topic);
-  return found.front();
-}
 
 void expect_end(const plain::End& end, const std::string& type, const std::string& hash) {
   EXPECT_EQ(end.type, type);

@@ -79,6 +79,8 @@ TEST(GoalBook, AStampCancelsAllUpToIt) {
 TEST(GoalBook, WhatCannotBeCanceledSaysWhy) {
   GoalBook book = book_of(1);
   EXPECT_EQ(book.cancel({.id = id(9), .stamp = {}}).code, GoalBook::kUnknownGoal);
+  EXPECT_EQ(book.cancel({.id = id(9), .stamp = at(0.5)}).code, GoalBook::kNone)
+      << "beside a stamp an id is one more, and nothing is wrong without it, as in rcl_action";
   book.cancel({.id = id(1), .stamp = {}});
   EXPECT_EQ(book.cancel({.id = id(1), .stamp = {}}).code, GoalBook::kTerminated) << "twice";
   book.finish(id(1), GoalStatus::canceled, {}, at(2.0));

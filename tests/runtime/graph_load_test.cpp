@@ -119,6 +119,73 @@ components:
   EXPECT_EQ(graph.find("base")->parameters.find("port")->scalar, "/dev/ttyUSB0");
 }
 
+TEST(LoadGraph, GivesEachRobotTheComponentsThatAreNotShared) {
+  const Folder folder;
+  const Graph graph = load_graph(
+      folder.write("g.yaml", R"(
+namespace: house
+robots:
+  robot1: {planner: {goal: {x: 9}, speed: 2}}
+  robot2:
+bring_up: [planner]
+components:
+  world: {shared: true, process: world}
+  planner:
+    process: planning
+    lane: slow
+    namespace: inner
+    parameters: {goal: {x: 1, y: 2}, speed: 1}
+    remap: {out: /all}
+  base:
+)"),
+      {"planner.goal.y=3", "robot2/planner.speed=5", "base.enabled=false", "robot1/base.enabled=true"});
+  std::vector<std::string> names;
+  for (const ComponentNode& node : graph.components) names.push_back(node.name);
+  EXPECT_THAT(names, ElementsAre("world", "robot1/planner", "robot2/planner", "robot1/base", "robot2/base"));
+  EXPECT_THAT(graph.robots, ElementsAre("robot1", "robot2"));
+  EXPECT_THAT(graph.processes(),
+              ElementsAre("world", "robot1-planning", "robot2-planning", "robot1", "robot2"));
+  EXPECT_THAT(graph.bring_up, ElementsAre("robot1/planner", "robot2/planner"));
+
+  EXPECT_EQ(graph.find("world")->robot, "");
+  EXPECT_EQ(graph.find("world")->topic_of("scan"), "/house/scan");
+  const ComponentNode& one = *graph.find("robot1/planner");
+  EXPECT_EQ(one.robot, "robot1");
+  EXPECT_EQ(one.type, "planner");
+  EXPECT_EQ(one.node_name(), "planner");
+  EXPECT_EQ(one.node_namespace, "/house/robot1/inner");
+  EXPECT_EQ(one.lane, "robot1-slow");
+  EXPECT_EQ(one.topic_of("~/debug"), "/house/robot1/inner/planner/debug");
+  EXPECT_EQ(one.topic_of("out"), "/all");
+  EXPECT_EQ(find_dotted(one.parameters, "goal.x")->scalar, "9");
+  EXPECT_EQ(find_dotted(one.parameters, "goal.y")->scalar, "3");
+  EXPECT_EQ(find_dotted(one.parameters, "speed")->scalar, "2");
+  const ComponentNode& two = *graph.find("robot2/planner");
+  EXPECT_EQ(find_dotted(two.parameters, "goal.x")->scalar, "1");
+  EXPECT_EQ(find_dotted(two.parameters, "speed")->scalar, "5");
+  EXPECT_TRUE(graph.find("robot1/base")->enabled);
+  EXPECT_FALSE(graph.find("robot2/base")->enabled);
+  EXPECT_EQ(graph.find("robot2/base")->node_namespace, "/house/robot2");
+}
+
+TEST(LoadGraph, RefusesRobotsThatItCannotTellApart) {
+  const std::string components = "components: {world: {shared: true}, base: }\n";
+  EXPECT_EQ(refusal("robots: [a, b]\n" + components),
+            "g.yaml:1: robots = a list: must be a map of parameters");
+  EXPECT_EQ(refusal("robots: {a-b: }\n" + components),
+            "g.yaml:1: robots.a-b: must be a node name: letters, digits and _, no digit first");
+  EXPECT_EQ(refusal("robots: {a: {bases: {x: 1}}}\n" + components),
+            "g.yaml:1: robots.a.bases: unknown component; did you mean 'base'?");
+  EXPECT_EQ(refusal("robots: {a: {world: {x: 1}}}\n" + components),
+            "g.yaml:1: robots.a.world: is one for all robots: its parameters stand with it");
+  EXPECT_EQ(refusal("robots: {a: {base: 3}}\n" + components),
+            "g.yaml:1: robots.a.base = 3: must be a map of parameters");
+  EXPECT_EQ(
+      refusal("robots: {a: , b: }\ncomponents: {base: {namespace: /x}}\n"),
+      "g.yaml:2: components.base.namespace = /x: must be relative where there are robots: each has this "
+      "component");
+}
+
 TEST(LoadGraph, RefusesUnknownKeysWithTheNearestKnown) {
   EXPECT_EQ(
       refusal("component:\n  world:\n"),
@@ -129,7 +196,7 @@ TEST(LoadGraph, RefusesUnknownKeysWithTheNearestKnown) {
             "g.yaml:4: components.world.inputs.odom.maxage: unknown key; did you mean 'max_age'?");
   EXPECT_EQ(refusal("components:\n  world:\n    colour: a\n"),
             "g.yaml:3: components.world.colour: unknown key; known: type, process, lane, enabled, latency, "
-            "manager, follows, namespace, parameters, remap, inputs");
+            "manager, follows, namespace, shared, parameters, remap, inputs");
 }
 
 TEST(LoadGraph, RefusesWrongValues) {

@@ -9,6 +9,7 @@ namespace bw {
 void PlanningInputs::listen(Setup& setup, const Robot& robot) {
   robot_ = robot;
   odom_frame_ = setup.frame("odom");
+  map_frame_ = setup.frame("map");
   odometry_ = setup.latest<nav_msgs::msg::Odometry>("odom", Qos::command());
   tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::command());
   obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::command());
@@ -25,6 +26,15 @@ std::optional<Pose2> PlanningInputs::pose_in_odom(const std::string& frame, std:
 
 std::optional<Pose2> PlanningInputs::pose() const {
   return odometry_ ? std::optional(from_pose(odometry_->pose().pose())) : std::nullopt;
+}
+
+std::optional<Twist2> PlanningInputs::twist() const {
+  return odometry_ ? std::optional(from_twist(odometry_->twist().twist())) : std::nullopt;
+}
+
+std::string PlanningInputs::unheard() const {
+  if (!obstacles_) return "no obstacles yet";
+  return tracks_ ? "" : "no people yet";
 }
 
 PlanningProblem PlanningInputs::problem(Time now, std::string& missing) const {

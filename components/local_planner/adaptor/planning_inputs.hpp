@@ -1,4 +1,4 @@
-// What the planner knows of robot and surroundings, from topics. For adaptors only.
+// What a planner of motions, or who watches one, knows of robot and surroundings, from topics. For adaptors only.
 #pragma once
 
 #include <memory>
@@ -25,15 +25,22 @@ class PlanningInputs {
   /// A problem without plan, goal and means. `missing` names what is needed and not there yet; without odometry the rest is not
   /// in it either.
   PlanningProblem problem(Time now, std::string& missing) const;
+  /// One sentence when people or obstacles were never heard of since activation: then nothing seems to be in the way.
+  std::string unheard() const;
+  /// Measured last, if ever.
+  std::optional<Twist2> twist() const;
+  const Limits& limits() const { return speed_.limits(); }
   /// Of base_link in odom.
   std::optional<Pose2> pose() const;
   /// The pose of `frame` in odom; otherwise `missing` says that there is none.
   std::optional<Pose2> pose_in_odom(const std::string& frame, std::string& missing) const;
   const std::string& odom_frame() const { return odom_frame_; }
+  const std::string& map_frame() const { return map_frame_; }
 
  private:
   Robot robot_;
   std::string odom_frame_;
+  std::string map_frame_;
   LimitedSpeed speed_;
   Latest<nav_msgs::msg::Odometry> odometry_;
   Latest<bandwagon_msgs::msg::Tracks> tracks_;

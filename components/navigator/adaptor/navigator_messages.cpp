@@ -12,6 +12,11 @@ bandwagon_msgs::msg::PlanRequest to_message(const PlanOrder& order, const std_ms
   message.id(order.id);
   message.goal().header(header);
   message.goal().pose(to_pose(order.X_MG));
+  for (const Pose2& X_MV : order.via) {
+    auto& via = message.via_poses().emplace_back();
+    via.header(header);
+    via.pose(to_pose(X_MV));
+  }
   return message;
 }
 
@@ -44,20 +49,21 @@ bandwagon_msgs::msg::NavigationStatus to_message(const GoalReport& report,
 }
 
 PlanAnswer from_message(const bandwagon_msgs::msg::PlanResult& message) {
-  constexpr auto kLast = static_cast<std::uint8_t>(PlanOutcome::bad_request);
+  constexpr auto kLast = static_cast<std::uint8_t>(PlanOutcome::failed);
   return {message.id(), static_cast<PlanOutcome>(std::min(message.status(), kLast)), message.reason(),
-          from_path(message.path())};
+          from_path(message.path()), message.error_code()};
 }
 
 FollowReport from_message(const bandwagon_msgs::msg::FollowStatus& message) {
   constexpr auto kLast = static_cast<std::uint8_t>(FollowState::failed);
-  return {message.id(), static_cast<FollowState>(std::min(message.status(), kLast)), message.reason()};
+  return {message.id(), static_cast<FollowState>(std::min(message.status(), kLast)), message.reason(),
+          message.error_code()};
 }
 
 void log(const GoalReport& report, const Logger& log) {
   if (report.status == GoalStatus::succeeded) {
     log.info("goal {}: {} in {:.1f} s", report.goal_id, report.reason, report.navigation_time.to_seconds());
-  } else if (report.status == GoalStatus::accepted) {
+  } else if (report.status == GoalStatus::accepted && report.reason.empty()) {
     log.info("goal {}: to ({:.2f}, {:.2f}, {:.2f})", report.goal_id, report.X_MG.x, report.X_MG.y,
              report.X_MG.theta);
   } else if (report.status == GoalStatus::canceling) {

@@ -100,7 +100,9 @@ Graph graph_of(const Suite& suite, const Job& job, const std::vector<std::string
     throw std::runtime_error(suite.graph.string() + ": has no evaluation, nothing would be judged");
   }
   if (!job.planner.empty()) {
-    apply_override(graph, parse_override(planner->name + ".algorithm=" + job.planner));
+    for (const ComponentNode& node : graph.components)
+      if (node.type == "local_planner")
+        apply_override(graph, parse_override(node.name + ".algorithm=" + job.planner));
   }
   return graph;
 }

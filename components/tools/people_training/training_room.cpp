@@ -176,7 +176,7 @@ const RoomSweep& TrainingRoom::next() {
     present.clear();
     for (const auto& group : groups_) {
       const std::vector<Person> before = present;
-      group->step(kStep, {before, &robot}, present);
+      group->step(kStep, {before, {&robot, 1}}, present);
     }
     legs_->step(kStep, present);
   }

@@ -1,8 +1,10 @@
 #include "components/tools/program/drive.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <string_view>
 #include <thread>
@@ -125,45 +127,103 @@ const ComponentNode* find_type(const Graph& graph, const std::string& type, cons
   return nullptr;
 }
 
+namespace {
+
+/// A parameter that the command line decides.
+void set_parameter(Graph& graph, const ComponentNode& node, const char* parameter, const std::string& text,
+                   bool is_text = false) {
+  ConfigNode value;
+  value.kind = ConfigNode::Kind::kScalar;
+  value.scalar = text;
+  value.quoted = is_text;
+  apply_override(graph, Override{.path = {node.name, parameter}, .value = std::move(value)});
+}
+
+/// One picture for each robot: drive.svg, drive_robot2.svg.
+std::filesystem::path picture_of(const std::filesystem::path& svg, const std::string& robot) {
+  if (robot.empty()) return svg;
+  return svg.parent_path() / (svg.stem().string() + "_" + robot + svg.extension().string());
+}
+
+/// The first of this type of each robot, or of the only one.
+std::vector<const ComponentNode*> find_each(const Graph& graph, const std::string& type,
+                                            const std::string& process) {
+  std::vector<const ComponentNode*> found;
+  for (const ComponentNode& node : graph.components) {
+    const bool is_meant =
+        node.enabled && node.type == type && (process.empty() || node.process == process) &&
+        std::ranges::none_of(found, [&](const ComponentNode* other) { return other->robot == node.robot; });
+    if (is_meant) found.push_back(&node);
+  }
+  return found;
+}
+
+void set_up_evaluation(Graph& graph, const DriveOptions& options) {
+  for (const ComponentNode* node : find_each(graph, "evaluation", options.host.only_process)) {
+    if (!options.svg.empty())
+      set_parameter(graph, *node, "svg",
+                    std::filesystem::absolute(picture_of(options.svg, node->robot)).string(), true);
+    if (options.longest)
+      set_parameter(graph, *node, "time_limit", std::to_string(options.longest->to_seconds()));
+    if (options.stays && find_dotted(node->parameters, "scored") == nullptr)
+      set_parameter(graph, *node, "scored", std::string(text_of(Scored::drives)));
+  }
+}
+
+/// All robots of the graph, whichever process judges them.
+std::vector<RobotObservation> observed(const Graph& graph) {
+  std::vector<RobotObservation> robots;
+  for (const ComponentNode* node : find_each(graph, "evaluation", "")) {
+    robots.push_back({.robot = node->robot,
+                      .card_topic = node->topic_of("score_card"),
+                      .truth_topic = node->topic_of("sim/ground_truth")});
+  }
+  return robots;
+}
+
+/// Facts of each robot whose planner runs here, by robot; of the run as a whole those of the slowest planner.
+RunFacts facts_of(RunFacts facts, const Host& host, const std::string& planner) {
+  facts.planner_component = planner;
+  facts.planner_name = planner.empty() ? "" : parameter_of(host, planner, "algorithm", planner);
+  return facts;
+}
+
+std::string slowest(const Host& host, const std::map<std::string, std::string>& planners) {
+  std::string found;
+  double longest = -1.0;
+  for (const auto& [robot, planner] : planners) {
+    const double p95 = planner_cycle(host.statistics(), planner).run.quantile_ms(0.95);
+    if (p95 > longest) found = planner;
+    longest = std::max(longest, p95);
+  }
+  return found;
+}
+
+}  // namespace
+
 DriveResult drive(Graph graph, const DriveOptions& options) {
   const ComponentNode* evaluation = find_type(graph, "evaluation", options.host.only_process);
-  const ComponentNode* planner = find_type(graph, "local_planner", options.host.only_process);
-  const std::string planner_name = planner == nullptr ? "" : planner->name;
   const std::string evaluation_name = evaluation == nullptr ? "" : evaluation->name;
+  std::map<std::string, std::string> planners;  // by robot
+  for (const ComponentNode* node : find_each(graph, "local_planner", options.host.only_process))
+    planners[node->robot] = node->name;
   const std::string graph_file = graph.path.string();
-  if (evaluation != nullptr && !options.svg.empty()) {
-    ConfigNode file;
-    file.kind = ConfigNode::Kind::kScalar;
-    file.scalar = std::filesystem::absolute(options.svg).string();
-    file.quoted = true;
-    apply_override(graph, Override{.path = {evaluation->name, "svg"}, .value = std::move(file)});
-  }
-
-  if (evaluation != nullptr && options.longest) {
-    ConfigNode limit;
-    limit.kind = ConfigNode::Kind::kScalar;
-    limit.scalar = std::to_string(options.longest->to_seconds());
-    apply_override(graph, Override{.path = {evaluation->name, "time_limit"}, .value = std::move(limit)});
-  }
-
-  if (evaluation != nullptr && options.stays && find_dotted(evaluation->parameters, "scored") == nullptr) {
-    ConfigNode scored;
-    scored.kind = ConfigNode::Kind::kScalar;
-    scored.scalar = text_of(Scored::drives);
-    apply_override(graph, Override{.path = {evaluation->name, "scored"}, .value = std::move(scored)});
-  }
+  set_up_evaluation(graph, options);
 
   DriveResult result{.judged = evaluation != nullptr};
   auto seen = std::make_shared<Observation>();
   Host* running = nullptr;
   std::vector<ExtraComponent> extra;
   if (result.judged) {
+    seen->robots = observed(graph);
+    const auto planner_ms = [&running, &planners] {
+      if (running == nullptr || planners.empty()) return 0.0;
+      return planner_cycle(running->statistics(), planners.begin()->second).run.quantile_ms(0.5);
+    };
     extra.push_back(
-        {"run_observer",
-         std::make_unique<RunObserver>(seen, options.show_progress, options.stays, [&running, planner_name] {
-           if (running == nullptr || planner_name.empty()) return 0.0;
-           return planner_cycle(running->statistics(), planner_name).run.quantile_ms(0.5);
-         })});
+        {.name = "run_observer",
+         .component = std::make_unique<RunObserver>(seen, options.show_progress, options.stays, planner_ms),
+         .node_namespace = join_namespaces("", graph.settings.graph_namespace)});
   }
   HostOptions host_options = options.host;
   Bags bags(graph, options);
@@ -172,8 +232,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   bags.open(host);
   result.has_goal = !result.judged || parameter_of(host, evaluation_name, "scored", "drive") != "run";
   running = &host;
-  if (!planner_name.empty())
-    planner_cycle(host.statistics(), planner_name);  // else: an error before the drive
+  slowest(host, planners);  // throws before the drive, not after it
   cli::catch_interrupts();
   const InterruptWatch watch(host);
   const Duration started = steady_time();
@@ -181,24 +240,28 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
   const double real_s = (steady_time() - started).to_seconds();
   bags.finish(host);
 
-  const RunFacts facts{
-      .graph = graph_file,
-      .seed = options.host.seed,
-      .planner_component = planner_name,
-      .planner_name = planner_name.empty() ? "" : parameter_of(host, planner_name, "algorithm", planner_name),
-      .realtime_factor = host.elapsed_seconds() / real_s,
-      .samples_sha256 = host.samples_sha256(),
-      .end_reason = result.end.reason,
-      .has_goal = result.has_goal,
-      .stays = options.stays};
-  result.card = seen->card;
-  result.json = to_json(seen->card, facts, host.statistics());
+  const RunFacts facts{.graph = graph_file,
+                       .seed = options.host.seed,
+                       .realtime_factor = host.elapsed_seconds() / real_s,
+                       .samples_sha256 = host.samples_sha256(),
+                       .end_reason = result.end.reason,
+                       .has_goal = result.has_goal,
+                       .stays = options.stays};
+  result.card = seen->card();
+  result.json = to_json(result.card, facts_of(facts, host, slowest(host, planners)), host.statistics());
   bags.add_to(result.json);
   if (options.host.clock == ClockMode::lockstep)
     result.json["inputs"] = host.was_changed_from_outside() ? "outside" : "graph";
   result.json["real_time_s"] = real_s;
   result.json["process"] = process_json();
-  if (seen->card) result.json["robot_path"] = path_json(seen->path, *seen->card);
+  for (const RobotObservation& one : seen->robots) {
+    if (!one.robot.empty()) {
+      result.json["robots"][one.robot] =
+          robot_json(one, facts_of(facts, host, planners[one.robot]), host.statistics());
+    } else if (one.card) {
+      result.json["robot_path"] = path_json(one.path, *one.card);
+    }
+  }
   return result;
 }
 

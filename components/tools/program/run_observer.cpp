@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "components/messages/geometry.hpp"
+#include "components/tools/program/several_cards.hpp"
 
 namespace bw {
 namespace {
@@ -14,22 +15,34 @@ constexpr std::size_t kBeforeDrive = 10;  // looks at the truth: the first score
 
 }  // namespace
 
+std::optional<bandwagon_msgs::msg::ScoreCard> Observation::card() const {
+  std::vector<RobotCard> cards;
+  for (const RobotObservation& robot : robots) cards.emplace_back(robot.robot, robot.card);
+  return card_of_all(cards);
+}
+
 void RunObserver::configure(Setup& setup) {
   finish_run_ = setup.finish_run();
+  for (RobotObservation& robot : seen_->robots) listen(setup, robot);
+}
+
+void RunObserver::listen(Setup& setup, RobotObservation& robot) {
   setup.input<bandwagon_msgs::msg::ScoreCard>(
-      "score_card", Qos::standard(), [this](const bandwagon_msgs::msg::ScoreCard& card, const Tick& tick) {
+      robot.card_topic, Qos::standard(),
+      [this, &robot](const bandwagon_msgs::msg::ScoreCard& card, const Tick& tick) {
         if (!started_) started_ = tick.now;
-        seen_->card = card;
-        if (show_progress_) show(card, tick.now);
-        if (card.finished() && !stays_) finish_run_(card.reached(), card.reason());
+        robot.card = card;
+        const auto all = seen_->card();
+        if (show_progress_) show(*all, tick.now);
+        if (all->finished() && !stays_) finish_run_(all->reached(), all->reason());
       });
   setup.input<bandwagon_msgs::msg::GroundTruth>(
-      "sim/ground_truth", Qos::standard(),
-      [this](const auto& truth, const Tick&) {
+      robot.truth_topic, Qos::standard(),
+      [&robot](const auto& truth, const Tick&) {
         const Time time = from_stamp(truth.header().stamp());
-        if (!seen_->path.empty() && time - seen_->path.back().time < kPathPeriod) return;
-        seen_->path.push_back({time, from_pose(truth.pose())});
-        if (!seen_->card && seen_->path.size() > kBeforeDrive) seen_->path.erase(seen_->path.begin());
+        if (!robot.path.empty() && time - robot.path.back().time < kPathPeriod) return;
+        robot.path.push_back({time, from_pose(truth.pose())});
+        if (!robot.card && robot.path.size() > kBeforeDrive) robot.path.erase(robot.path.begin());
       },
       Need::optional);
 }

@@ -1,5 +1,5 @@
-// The run verb's own component: follows the score card and the robot's true way, shows progress on one line, ends the run when the
-// goal is decided.
+// The run verb's own component: follows the score card and the true way of each robot, shows progress on one line, ends the run
+// when the goals are decided.
 #pragma once
 
 #include <functional>
@@ -21,11 +21,22 @@ struct PathPoint {
   Pose2 X_MB;
 };
 
-/// What the observer has seen; shared with the verb, read after the run.
+/// What the observer has seen of one robot.
+struct RobotObservation {
+  std::string robot;        ///< empty: the only one
+  std::string card_topic;   ///< where it is judged
+  std::string truth_topic;  ///< where the judge has it from
+  std::optional<bandwagon_msgs::msg::ScoreCard> card = std::nullopt;
+  std::vector<PathPoint> path =
+      {};  ///< by rising time, at least kPathPeriod apart; before a drive the last second
+};
+
+/// Shared with the verb, read after the run.
 struct Observation {
-  std::optional<bandwagon_msgs::msg::ScoreCard> card;
-  std::vector<PathPoint>
-      path;  ///< by rising time, at least kPathPeriod apart; before a drive the last second
+  std::vector<RobotObservation> robots;
+
+  /// Of all robots together.
+  std::optional<bandwagon_msgs::msg::ScoreCard> card() const;
 };
 
 constexpr Duration kPathPeriod = Duration::milliseconds(100);
@@ -44,6 +55,7 @@ class RunObserver final : public Component {
   void configure(Setup& setup) override;
 
  private:
+  void listen(Setup& setup, RobotObservation& robot);
   void show(const bandwagon_msgs::msg::ScoreCard& card, Time now);
 
   std::shared_ptr<Observation> seen_;

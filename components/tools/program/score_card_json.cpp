@@ -170,10 +170,21 @@ nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card
   return json;
 }
 
+nlohmann::json robot_json(const RobotObservation& seen, const RunFacts& facts,
+                          const std::vector<CallbackStatistics>& statistics) {
+  nlohmann::json json = {{"reached", false}, {"reason", facts.end_reason}};
+  if (seen.card) json = card_json(*seen.card);
+  json["planner"] = planner_json(facts, statistics);
+  if (seen.card) json["robot_path"] = path_json(seen.path, *seen.card);
+  return json;
+}
+
 std::string in_words(const nlohmann::json& card) {
   if (!card.value("has_goal", true)) return run_in_words(card);
   std::string text = outcome_in_words(card);
   if (!card.contains("collisions")) return text + ".\n";
+  if (card.contains("robots"))
+    text = fmt::format("{} robots, the worst of each figure. {}", card["robots"].size(), text);
   text += fmt::format(" over {}, {} contacts ({} while the robot moved).\n", meters(card["path_length_m"]),
                       card["collisions"].get<int>(), card["collisions_at_speed"].get<int>());
   text += company_in_words(card);

@@ -41,6 +41,10 @@ nlohmann::json card_json(const bandwagon_msgs::msg::ScoreCard& card);
 nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card, const RunFacts& facts,
                        const std::vector<CallbackStatistics>& statistics);
 
+/// One of several robots: its card, its planner and its way.
+nlohmann::json robot_json(const RobotObservation& seen, const RunFacts& facts,
+                          const std::vector<CallbackStatistics>& statistics);
+
 /// The same for people, a few lines.
 std::string in_words(const nlohmann::json& score_card);
 

@@ -28,15 +28,21 @@ class TwistMuxComponent final : public Component {
     out_ = setup.command<Twist>("cmd_vel_mux");
     for (std::size_t i = 0; i < options_.sources.size(); ++i) {
       const TwistSourceOptions& source = options_.sources[i];
+      const Need need = source.optional ? Need::optional : Need::required;
       if (source.stamped) {
         setup.input<TwistStamped>(
-            source.topic, Qos::command(), [this, i](const auto& message, const Tick& tick) {
+            source.topic, Qos::command(),
+            [this, i](const auto& message, const Tick& tick) {
               on_command(i, from_twist(message.twist()), from_stamp(message.header().stamp()), tick);
-            });
+            },
+            need);
       } else {
-        setup.input<Twist>(source.topic, Qos::command(), [this, i](const auto& message, const Tick& tick) {
-          on_command(i, from_twist(message), std::nullopt, tick);
-        });
+        setup.input<Twist>(
+            source.topic, Qos::command(),
+            [this, i](const auto& message, const Tick& tick) {
+              on_command(i, from_twist(message), std::nullopt, tick);
+            },
+            need);
       }
     }
     setup.every(kCheckPeriod, "check", [this](const Tick& tick) { check(tick); });

@@ -63,16 +63,16 @@ bandwagon_msgs::msg::WheelTicks to_message(const EncoderTicks& ticks, Time stamp
   return message;
 }
 
-bandwagon_msgs::msg::GroundTruth ground_truth(const World& world, Time stamp) {
+bandwagon_msgs::msg::GroundTruth ground_truth(const World& world, std::size_t robot, Time stamp) {
   bandwagon_msgs::msg::GroundTruth message;
   message.header().stamp(to_stamp(stamp));
-  message.pose().position().x(world.pose().x);
-  message.pose().position().y(world.pose().y);
-  message.pose().orientation(to_quaternion(world.pose().theta));
-  message.twist().linear().x(world.twist().v);
-  message.twist().angular().z(world.twist().omega);
+  message.pose().position().x(world.pose(robot).x);
+  message.pose().position().y(world.pose(robot).y);
+  message.pose().orientation(to_quaternion(world.pose(robot).theta));
+  message.twist().linear().x(world.twist(robot).v);
+  message.twist().angular().z(world.twist(robot).omega);
   std::vector<bandwagon_msgs::msg::GroundTruthPerson> people;
-  for (const Person& person : world.people()) {
+  for (const Person& person : world.others(robot)) {
     bandwagon_msgs::msg::GroundTruthPerson entry;
     entry.id(person.id);
     entry.position().x(person.position.x());
@@ -83,9 +83,9 @@ bandwagon_msgs::msg::GroundTruth ground_truth(const World& world, Time stamp) {
     people.push_back(entry);
   }
   message.people(std::move(people));
-  const double gap = world.wall_gap(kWallReach);
+  const double gap = world.wall_gap(kWallReach, robot);
   message.wall_clearance(gap < kWallReach ? gap : std::numeric_limits<double>::infinity());
-  message.contacts(static_cast<std::uint32_t>(world.contacts().contacts().size()));
+  message.contacts(static_cast<std::uint32_t>(world.contacts(robot).contacts().size()));
   return message;
 }
 

@@ -1,92 +1,18 @@
 #include <array>
-#include <cmath>
 #include <limits>
 
-#include <bandwagon_msgs/msg/follow_request.hpp>
-#include <bandwagon_msgs/msg/follow_status.hpp>
-#include <bandwagon_msgs/msg/navigation_status.hpp>
-#include <bandwagon_msgs/msg/plan_request.hpp>
-#include <bandwagon_msgs/msg/plan_result.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nav_msgs/msg/odometry.hpp>
-#include <rcl_interfaces/msg/log.hpp>
 #include <std_msgs/msg/empty.hpp>
 
-#include "components/messages/geometry.hpp"
-#include "tests/components/component_rig.hpp"
+#include "tests/components/navigator/navigator_world.hpp"
 
 namespace bw {
 namespace {
 
-using namespace bandwagon_msgs::msg;
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-/// Planners and a robot that runs along the x axis at 1 m/s while it is told to follow.
-struct World {
-  double x = 0.0;
-  double goal_x = 0.0;
-  std::uint8_t mode = FollowRequest_Constants::STOP;
-  std::uint64_t follow_id = 0;
-  int plans = 0;
-  FollowRequest last_follow;  ///< the last request
-  std::vector<NavigationStatus> statuses;
-  std::vector<std::string> log;  ///< of the navigator
-
-  void configure(bw::Setup& setup) {
-    setup.input<PlanRequest>("plan_request", Qos::standard(),
-                             [this, out = setup.output<PlanResult>("plan_result")](const PlanRequest& request,
-                                                                                   const Tick& tick) mutable {
-                               ++plans;
-                               PlanResult result;
-                               result.id(request.id());
-                               const Pose2 goal = from_pose(request.goal().pose());
-                               goal_x = goal.x;
-                               result.path(to_path("map", tick.now, {{x, 0, 0}, goal}));
-                               out.publish(result);
-                             });
-    setup.input<FollowRequest>("follow_request", Qos::standard(),
-                               [this](const FollowRequest& message, const Tick&) {
-                                 last_follow = message;
-                                 mode = message.mode();
-                                 follow_id = message.id();
-                               });
-    setup.input<NavigationStatus>("navigation_status", Qos::standard(50),
-                                  [this](const auto& status, const Tick&) { statuses.push_back(status); });
-    setup.input<rcl_interfaces::msg::Log>(
-        "/rosout", Qos::rosout(),
-        [this](const auto& line, const Tick&) {
-          if (line.name() == "navigator") log.push_back(line.msg());
-        },
-        Need::optional);
-    setup.every(Duration::milliseconds(50), "move",
-                [this, odometry = setup.output<nav_msgs::msg::Odometry>("odometry/filtered"),
-                 follow = setup.output<FollowStatus>("follow_status")](const Tick&) mutable {
-                  const double left = goal_x - x;
-                  const double v = mode == FollowRequest_Constants::FOLLOW && std::abs(left) > 1e-9
-                                       ? std::copysign(1.0, left)
-                                       : 0.0;
-                  x = std::abs(left) < 0.05 && v != 0.0 ? goal_x : x + 0.05 * v;
-                  nav_msgs::msg::Odometry message;
-                  message.pose().pose(to_pose({x, 0, 0}));
-                  message.twist().twist().linear().x(v);
-                  odometry.publish(message);
-                  FollowStatus status;
-                  status.id(follow_id);
-                  status.status(FollowStatus_Constants::FOLLOWING);
-                  follow.publish(status);
-                });
-  }
-};
-
-geometry_msgs::msg::PoseStamped goal(double x, const std::string& frame = "map") {
-  geometry_msgs::msg::PoseStamped message;
-  message.header().frame_id(frame);
-  message.pose(to_pose({x, 0, 0}));
-  return message;
-}
 
 TEST(NavigatorComponent, DrivesToTheGoalOfTheGraph) {
   World world;

@@ -48,6 +48,14 @@ class Drive {
     return {{x, 0, 0}, X_MG};
   }
 
+  std::uint64_t go_through(std::vector<Pose2> via, double goal) {
+    goal_x = goal;
+    const std::uint64_t id = navigator.accept({{goal, 0, 0}, std::move(via)}, situation());
+    exchange();
+    return id;
+  }
+  std::size_t poses_remaining() const { return navigator.report(situation()).poses_remaining; }
+
   void run(double seconds) {
     const Time end = now + Duration::seconds(seconds);
     while (now < end) {
@@ -59,7 +67,8 @@ class Drive {
         v = 0.0;
       }
       if (report_follow && !orders.empty()) {
-        navigator.on_follow({orders.back().id, follow_state, "two people in the way"}, situation());
+        navigator.on_follow({orders.back().id, follow_state, "two people in the way", error_code},
+                            situation());
       }
       exchange();
     }
@@ -91,6 +100,7 @@ class Drive {
   PlanOutcome outcome = PlanOutcome::succeeded;
   std::string outcome_reason;
   FollowState follow_state = FollowState::following;
+  std::uint16_t error_code = 0;  ///< of the reports
   std::vector<GoalReport> reports;
   std::vector<FollowOrder> orders;
   std::vector<PlanOrder> plans;
@@ -429,6 +439,116 @@ TEST(Navigator, AGoalThatIsNotFiniteIsAbortedAndPreemptsNothing) {
   EXPECT_EQ(drive.last().status, GoalStatus::succeeded);
 }
 
+// Via poses at 3 and 6 m on the way to 10 m, at 1 m/s: passed at 2.3 and 5.3 m, 0.7 m before them.
+TEST(Navigator, DrivesThroughPosesWithoutAStop) {
+  Drive drive;
+  drive.go_through({{3, 0, 0}, {6, 0, 0}}, 10.0);
+  EXPECT_EQ(drive.plans.front().via.size(), 2U);
+  std::vector<double> passed_at;
+  std::size_t remaining = 3;
+  while (drive.navigator.has_goal() && drive.x < 9.9) {
+    drive.run(0.05);
+    if (drive.poses_remaining() == remaining) continue;
+    remaining = drive.poses_remaining();
+    passed_at.push_back(drive.x);
+  }
+  EXPECT_THAT(passed_at,
+              ::testing::ElementsAre(::testing::DoubleNear(2.3, 0.051), ::testing::DoubleNear(5.3, 0.051)));
+  EXPECT_EQ(drive.count(FollowMode::stop), 0);
+  EXPECT_THAT(drive.plans.back().via, ::testing::IsEmpty());
+  drive.run(1.0);
+  EXPECT_EQ(drive.last().status, GoalStatus::succeeded);
+  EXPECT_NEAR(drive.last().navigation_time.to_seconds(), 10.0, 0.11);
+}
+
+TEST(Navigator, PosesArePassedInTheirOrder) {
+  Drive drive;
+  drive.go_through({{8, 0, 0}, {2, 0, 0}}, 10.0);
+  drive.run(4.0);  // past the second, whose turn it is not
+  EXPECT_EQ(drive.poses_remaining(), 3U);
+  drive.run(4.0);
+  EXPECT_EQ(drive.poses_remaining(), 2U);
+}
+
+TEST(Navigator, AGoalWhereTheRobotStandsIsReachedOnlyThroughItsPoses) {
+  Drive drive;
+  const std::uint64_t id = drive.go_through({{5, 0, 0}}, 0.0);
+  drive.goal_x.reset();
+  drive.run(3.0);
+  EXPECT_TRUE(drive.navigator.has_goal());
+  drive.run(1.5);
+  EXPECT_EQ(drive.poses_remaining(), 1U);
+  drive.speed = -1.0;
+  while (drive.x > 0.2) drive.run(0.05);
+  drive.v = drive.speed = 0.0;
+  drive.run(0.05);
+  EXPECT_EQ(drive.last().goal_id, id);
+  EXPECT_EQ(drive.last().status, GoalStatus::succeeded);
+}
+
+// 4 m out and back again: at 1 m on the way out 3 m and 4 m are left, on the way back 1 m.
+TEST(Navigator, DistanceRemainingKnowsWhichStretchIsDriven) {
+  std::vector<Pose2> path;
+  for (int i = 0; i <= 40; ++i) path.push_back({0.1 * i, 0, 0});
+  for (int i = 39; i >= 0; --i) path.push_back({0.1 * i, 0, 0});
+  EXPECT_NEAR(remaining_length(path, {1.0, 0.0}, {{4, 0, 0}}), 7.0, 1e-9);
+  EXPECT_NEAR(remaining_length({path.begin() + 40, path.end()}, {1.0, 0.0}), 1.0, 1e-9);
+  EXPECT_NEAR(straight_length({0, 0}, {{4, 0, 0}, {4, 3, 0}}, {0, 0, 0}), 4.0 + 3.0 + 5.0, 1e-9);
+}
+
+TEST(Navigator, TracksItsPathWithTheSignsOfNav2) {
+  const std::vector<Pose2> path = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  const TrackingError error = tracking_error(path, {1.2, 0.3, 0.1});
+  EXPECT_NEAR(error.position, 0.3, 1e-12);
+  EXPECT_NEAR(error.heading, -0.1, 1e-12);
+  EXPECT_NEAR(tracking_error(path, {2.5, -0.2, 0.0}).position, -0.2, 1e-12);
+  EXPECT_NEAR(tracking_error({{1, 1, 1.5}}, {1, 1, 1.0}).heading, 0.5, 1e-12);
+}
+
+TEST(Navigator, TimeRemainingIsThatOfTheSpeedOfNow) {
+  EXPECT_NEAR(time_remaining(3.0, {0.5, 0.0}).to_seconds(), 6.0, 1e-9);
+  EXPECT_EQ(time_remaining(3.0, {0.009, 0.0}), Duration{});
+  EXPECT_EQ(time_remaining(0.09, {0.5, 0.0}), Duration{});
+}
+
+TEST(Navigator, TellsProgramsWhyAGoalWasNotReached) {
+  const std::pair<PlanOutcome, GoalFault> outcomes[] = {
+      {PlanOutcome::start_blocked, GoalFault::start_blocked},
+      {PlanOutcome::goal_blocked, GoalFault::goal_blocked},
+      {PlanOutcome::disconnected, GoalFault::no_path},
+      {PlanOutcome::no_map, GoalFault::planner_failed},
+      {PlanOutcome::bad_request, GoalFault::planner_failed},
+      {PlanOutcome::failed, GoalFault::planner_failed}};
+  for (const auto& [outcome, fault] : outcomes) {
+    Drive drive;
+    drive.outcome = outcome;
+    drive.go_to(10.0);
+    drive.run(60.0);
+    EXPECT_EQ(drive.last().status, GoalStatus::aborted);
+    EXPECT_EQ(drive.last().fault, fault);
+  }
+  const std::pair<FollowState, GoalFault> states[] = {{FollowState::blocked, GoalFault::blocked},
+                                                      {FollowState::failed, GoalFault::controller_failed}};
+  for (const auto& [state, fault] : states) {
+    Drive drive;
+    drive.speed = 0.0;
+    drive.go_to(10.0);
+    drive.follow_state = state;
+    drive.error_code = 104;
+    drive.run(120.0);
+    EXPECT_EQ(drive.last().status, GoalStatus::aborted);
+    EXPECT_EQ(drive.last().fault, fault);
+    EXPECT_EQ(drive.last().error_code, 104) << "the code of the server below comes along";
+  }
+  Drive preempted;
+  preempted.go_to(10.0);
+  preempted.go_to(5.0);
+  EXPECT_THAT(preempted.reports, ::testing::Contains(::testing::AllOf(
+                                     ::testing::Field(&GoalReport::status, GoalStatus::aborted),
+                                     ::testing::Field(&GoalReport::fault, GoalFault::preempted))));
+  EXPECT_EQ(preempted.navigator.report(preempted.situation()).fault, GoalFault::none);
+}
+
 TEST(Navigator, EveryGoalEndsExactlyOnceWhateverHappens) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Random random(seed);
@@ -436,8 +556,11 @@ TEST(Navigator, EveryGoalEndsExactlyOnceWhateverHappens) {
     std::uint64_t goals = 0;
     for (int event = 0; event < 60; ++event) {
       const double dice = random.uniform();
-      if (dice < 0.2) {
+      if (dice < 0.15) {
         drive.go_to(random.uniform(-5.0, 20.0));
+        ++goals;
+      } else if (dice < 0.2) {
+        drive.go_through({{random.uniform(-5.0, 20.0), 0, 0}}, random.uniform(-5.0, 20.0));
         ++goals;
       } else if (dice < 0.3) {
         drive.navigator.cancel(drive.situation());
@@ -445,7 +568,7 @@ TEST(Navigator, EveryGoalEndsExactlyOnceWhateverHappens) {
       } else if (dice < 0.5) {
         drive.follow_state = static_cast<FollowState>(static_cast<int>(random.uniform(0.0, 5.0)));
       } else if (dice < 0.6) {
-        drive.outcome = static_cast<PlanOutcome>(static_cast<int>(random.uniform(0.0, 6.0)));
+        drive.outcome = static_cast<PlanOutcome>(static_cast<int>(random.uniform(0.0, 7.0)));
       } else if (dice < 0.65) {
         drive.lost = !drive.lost;
       } else if (dice < 0.7) {

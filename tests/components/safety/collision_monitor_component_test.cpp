@@ -66,9 +66,9 @@ struct Drive {
 /// `wish` at 10 Hz, `laser` at 10 Hz, odometry at 50 Hz that says `speed`.
 Drive run(double seconds, double speed, const std::function<std::optional<Twist2>(double t)>& wish,
           const std::function<std::optional<LaserScan>(double t, const Tick&)>& laser,
-          const std::string& parameters = "", double reset_at = -1.0) {
+          const std::string& parameters = "", double reset_at = -1.0, const std::string& head = "") {
   Drive drive;
-  run_with_script("components: {collision_monitor: {" + parameters + "}}", seconds, [&](Setup& setup) {
+  run_with_script(head + "components: {collision_monitor: {" + parameters + "}}", seconds, [&](Setup& setup) {
     setup.input<geometry_msgs::msg::Twist>(
         "cmd_vel", Qos::standard(50), [&](const auto& m, const Tick& tick) {
           drive.commands.push_back({seconds_since_start(tick.now), from_twist(m)});
@@ -115,6 +115,25 @@ TEST(CollisionMonitorComponent, PassesCommandsOnAtOnceAndKeepsThemFreshBetween) 
   ASSERT_EQ(drive.states.size(), drive.commands.size());
   EXPECT_EQ(drive.states.back().first, 0);
   EXPECT_GT(drive.markers, 5U);
+}
+
+// The laser looks back: what is near ahead of it is behind the robot, also of one whose frames have a prefix.
+TEST(CollisionMonitorComponent, KnowsWhereTheLaserSitsOfARobotWithAPrefix) {
+  const auto wall_behind_the_robot = [](const std::string& frame) {
+    return [frame](double, const Tick& tick) -> std::optional<LaserScan> {
+      LaserScan scan = scan_at(tick, 5.0F);
+      scan.header().frame_id(frame);
+      for (std::size_t i = kBeams / 2 - 20; i <= kBeams / 2 + 20; ++i) scan.ranges()[i] = 0.45F;
+      return scan;
+    };
+  };
+  const std::string back = "robot: {sensors: [{frame: laser, x: 0.0, y: 0.0, theta: 3.14159265}]}\n";
+  const auto straight = [](double) { return Twist2{0.5, 0.0}; };
+  const Drive plain = run(2.0, 0.5, straight, wall_behind_the_robot("laser"), "", -1.0, back);
+  const Drive prefixed = run(2.0, 0.5, straight, wall_behind_the_robot("robot1/laser"), "", -1.0,
+                             back + "frame_prefix: robot1/\n");
+  EXPECT_EQ(plain.at(1.0).twist.v, 0.5);  // what is near is behind the robot
+  EXPECT_EQ(prefixed.at(1.0).twist.v, 0.5);
 }
 
 TEST(CollisionMonitorComponent, StopsWhenCommandsStopAndThenIsQuiet) {

@@ -13,11 +13,11 @@ namespace {
 const std::vector<Person> kNobody;
 const StaticScene kOpenFloor({}, std::nullopt);
 
-std::vector<Person> after(PeopleModel& model, double seconds, const RobotBody* robot = nullptr) {
+std::vector<Person> after(PeopleModel& model, double seconds, std::span<const RobotBody> robots = {}) {
   std::vector<Person> people;
   for (int i = 0; i < std::lround(seconds / 0.01); ++i) {
     people.clear();
-    model.step(0.01, {kNobody, robot}, people);
+    model.step(0.01, {kNobody, robots}, people);
   }
   return people;
 }
@@ -146,7 +146,7 @@ TEST(SocialWalkers, TwoHeadOnPassSymmetrically) {
 
 TEST(SocialWalkers, GiveWayToTheRobotOnlyIfTheySeeIt) {
   const RobotBody robot{{5.0, 0.0}, {0.0, 0.0}, 0.3};
-  const auto nearest_pass = [&](const RobotBody* seen) {
+  const auto nearest_pass = [&](std::span<const RobotBody> seen) {
     SocialWalkersOptions options = one_walker();
     options.forces.social_factor = 5.1;
     SocialWalkers walkers(options, kOpenFloor, 1, Random(1));
@@ -156,8 +156,8 @@ TEST(SocialWalkers, GiveWayToTheRobotOnlyIfTheySeeIt) {
     }
     return nearest;
   };
-  EXPECT_LT(nearest_pass(nullptr), 0.01);
-  EXPECT_GT(nearest_pass(&robot), 0.6);
+  EXPECT_LT(nearest_pass({}), 0.01);
+  EXPECT_GT(nearest_pass({&robot, 1}), 0.6);
 }
 
 TEST(ReplayedPeople, MoveLinearlyBetweenSamplesAndOnlyThen) {

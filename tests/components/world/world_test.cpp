@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -38,6 +39,66 @@ TEST(World, CountsAPersonOncePerMeeting) {
   run(world, 10.0);
   EXPECT_EQ(world.contacts().count(ContactKind::person), 2);
   EXPECT_EQ(world.contacts().count(ContactKind::wall), 0);
+}
+
+/// The first at (0, 0), the second 4 m ahead of it and facing it.
+WorldOptions two_robots() {
+  WorldOptions options;
+  options.robots = {{.name = "robot1", .start = {0.0, 0.0, 0.0}},
+                    {.name = "robot2", .start = {4.0, 0.0, std::numbers::pi}}};
+  options.laser.range_noise = 0.0;
+  return options;
+}
+
+TEST(World, RobotsAreInEachOthersWayAndInTheirLasers) {
+  World world(two_robots(), Robot(), {}, 1);
+  ASSERT_EQ(world.robot_count(), 2U);
+  ASSERT_TRUE(world.command({5.0, 5.0}, 1));  // 5 rad/s of 0.0762 m: 0.381 m/s, the first one stands
+  std::optional<LaserScan> scan;
+  while (!scan) scan = world.step().scan;
+  const auto ahead = static_cast<std::size_t>(std::lround(-scan->angle_min / scan->angle_increment));
+  EXPECT_NEAR(scan->ranges.at(ahead), world.pose(1).x - world.pose(0).x - 0.3, 0.005);  // its rim
+  run(world, 12.0);  // 4.5 m: through the first one and beyond it
+  for (const std::size_t robot : {std::size_t{0}, std::size_t{1}}) {
+    ASSERT_EQ(world.contacts(robot).contacts().size(), 1U) << robot;
+    const Contact& contact = world.contacts(robot).contacts().front();
+    EXPECT_EQ(contact.kind, ContactKind::robot);
+    EXPECT_EQ(contact.person, kFirstRobotId + (robot == 0 ? 1 : 0));
+    EXPECT_NEAR(contact.robot_speed, robot == 0 ? 0.0 : 0.381, 1e-6);
+    EXPECT_NEAR(contact.time.to_seconds(), 3.4 / 0.381, 0.1);  // it starts with 4 m/s^2
+  }
+  EXPECT_EQ(world.pose(0).x, 0.0);
+  EXPECT_TRUE(world.people().empty());
+  ASSERT_EQ(world.others(0).size(), 1U);
+  EXPECT_NEAR(world.others(0).front().velocity.x(), -0.381, 1e-6);
+}
+
+TEST(World, TheFirstOfSeveralRobotsIsAsTheOnlyOne) {
+  WorldOptions alone = hallway();
+  WorldOptions both = hallway();
+  both.people_react = false;
+  alone.people_react = false;
+  both.robots = {{.name = "a", .start = alone.start}, {.name = "b", .start = {17.0, -2.0, 0.0}}};
+  World one(alone, Robot(), {}, 5);
+  World two(both, Robot(), {}, 5);
+  for (int i = 0; i < 300; ++i) {
+    const WorldSample a = one.step();
+    const WorldSample b = two.step();
+    ASSERT_EQ(a.imu.has_value(), b.imu.has_value());
+    if (a.imu) {
+      ASSERT_EQ(a.imu->heading, b.imu->heading);
+      ASSERT_NE(a.imu->heading, two.samples()[1].imu->heading);  // noises of its own
+    }
+    ASSERT_EQ(one.people().back().position, two.people().back().position);
+  }
+}
+
+TEST(World, RefusesRobotsThatStartInEachOther) {
+  WorldOptions options = two_robots();
+  options.robots[1].start.x = 0.59;
+  EXPECT_THROW(World(options, Robot(), {}, 1), std::runtime_error);
+  options.robots[1].start.x = 0.61;
+  EXPECT_NO_THROW(World(options, Robot(), {}, 1));
 }
 
 TEST(World, CountsAWallOncePerTouch) {

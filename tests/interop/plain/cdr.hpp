@@ -23,7 +23,7 @@ class CdrOut {
     while ((bytes_.size() - kEncapsulation) % sizeof(T) != 0) bytes_.push_back(0);
     std::uint8_t raw[sizeof(T)];
     std::memcpy(raw, &value, sizeof(T));
-    bytes_.insert(bytes_.end(), raw, raw + sizeof(T));
+    for (const std::uint8_t byte : raw) bytes_.push_back(byte);
     return *this;
   }
   /// Length with the NUL, characters, NUL.
@@ -35,7 +35,7 @@ class CdrOut {
   }
   template <class Range>
   CdrOut& octets(const Range& values) {
-    bytes_.insert(bytes_.end(), std::begin(values), std::end(values));
+    for (const std::uint8_t value : values) bytes_.push_back(value);
     return *this;
   }
   const Bytes& bytes() const { return bytes_; }

@@ -62,7 +62,8 @@ dds::DomainParticipantQos participant_qos(std::shared_ptr<Wire> wire) {
 template <class Qos>
 void set_service_qos(const EndOptions& options, Qos& qos) {
   qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
-  qos.durability().kind = dds::VOLATILE_DURABILITY_QOS;
+  qos.durability().kind =
+      options.is_latched ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
   qos.history().kind = dds::KEEP_LAST_HISTORY_QOS;
   qos.history().depth = options.depth;
   qos.data_sharing().off();
@@ -75,8 +76,7 @@ void set_service_qos(const EndOptions& options, Qos& qos) {
 
 template <class Qos>
 void set_graph_qos(Qos& qos) {
-  set_service_qos({.topic = {}, .type = {}, .type_hash = kGraphHash, .depth = 1}, qos);
-  qos.durability().kind = dds::TRANSIENT_LOCAL_DURABILITY_QOS;
+  set_service_qos({.topic = {}, .type = {}, .type_hash = kGraphHash, .depth = 1, .is_latched = true}, qos);
 }
 
 template <class ProxyData>
@@ -143,8 +143,8 @@ class Node::Listener final : public dds::DomainParticipantListener {
   std::map<Gid, End> ends_;
 };
 
-Node::Node(std::string name, std::shared_ptr<Wire> wire)
-    : name_(std::move(name)), listener_(std::make_unique<Listener>()) {
+Node::Node(std::string name, std::shared_ptr<Wire> wire, GidSize gid_size)
+    : name_(std::move(name)), gid_size_(gid_size), listener_(std::make_unique<Listener>()) {
   dds::Log::SetVerbosity(dds::Log::Kind::Error);
   participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
       static_cast<dds::DomainId_t>(domain_id()), participant_qos(std::move(wire)), listener_.get(),
@@ -220,10 +220,16 @@ void Node::remove(dds::DataReader* reader) {
 
 void Node::announce() {
   CdrOut cdr;
-  cdr.octets(to_gid(participant_->guid())).number(std::uint32_t{1}).text("/").text(name_);
+  const auto octets = [&](const Gid& gid) {
+    Bytes bytes(gid.begin(), gid.end());
+    bytes.resize(static_cast<std::size_t>(gid_size_));
+    cdr.octets(bytes);
+  };
+  octets(to_gid(participant_->guid()));
+  cdr.number(std::uint32_t{1}).text("/").text(name_);
   for (const std::set<Gid>* gids : {&readers_, &writers_}) {
     cdr.number(static_cast<std::uint32_t>(gids->size()));
-    for (const Gid& gid : *gids) cdr.octets(gid);
+    for (const Gid& gid : *gids) octets(gid);
   }
   Bytes bytes = cdr.bytes();
   graph_writer_->write(&bytes);
@@ -243,9 +249,9 @@ std::vector<NodeInfo> Node::nodes() {
   while (graph_reader_->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
     if (!info.valid_data) continue;
     CdrIn cdr(bytes);
-    const auto gid = [&cdr] {
+    const auto gid = [&] {
       Gid value{};
-      std::copy_n(cdr.take(16), 16, value.begin());
+      std::copy_n(cdr.take(static_cast<std::size_t>(gid_size_)), value.size(), value.begin());
       return value;
     };
     const Gid participant = gid();

@@ -35,6 +35,9 @@ struct End {
   bool is_own = false;
 };
 
+/// Bytes of an id in ros_discovery_info.
+enum class GidSize : std::size_t { iron_and_later = 16, humble = 24 };
+
 /// A node of another participant, as it lists its ends itself.
 struct NodeInfo {
   std::string name;  ///< with its namespace: /robot1/planner
@@ -47,18 +50,20 @@ struct EndOptions {
   std::string type;
   std::string type_hash;  ///< RIHS01_...; empty: none is told, as Humble
   int depth = 10;
-  int entity_id = -1;  ///< -1: the next free one
+  int entity_id = -1;       ///< -1: the next free one
+  bool is_latched = false;  ///< transient local
 };
 
 class Node {
  public:
   /// With `wire` every datagram received is kept there.
-  explicit Node(std::string name, std::shared_ptr<Wire> wire = nullptr);
+  explicit Node(std::string name, std::shared_ptr<Wire> wire = nullptr,
+                GidSize gid_size = GidSize::iron_and_later);
   ~Node();
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
 
-  /// Reliable and volatile, as rmw's services. Deleted with remove(), or with the node.
+  /// Reliable, and volatile unless latched, as rmw's services. Deleted with remove(), or with the node.
   dds::DataWriter* create_writer(const EndOptions& options, dds::DataWriterListener* listener = nullptr);
   dds::DataReader* create_reader(const EndOptions& options);
   void remove(dds::DataWriter* writer);
@@ -69,7 +74,7 @@ class Node {
   std::map<Gid, End> ends() const;
   /// Of a topic in the whole graph, own ones too.
   int count(const std::string& topic, bool is_writer) const;
-  /// Nodes of other participants, by the newest message of each; 16-byte GIDs.
+  /// Nodes of other participants, by the newest message of each; their GIDs have the size of our own.
   std::vector<NodeInfo> nodes();
   rtps::GUID_t guid() const;
 
@@ -79,6 +84,7 @@ class Node {
   End described(const EndOptions& options, bool is_writer) const;
 
   std::string name_;
+  GidSize gid_size_;
   std::unique_ptr<Listener> listener_;
   dds::DomainParticipant* participant_ = nullptr;
   dds::Publisher* publisher_ = nullptr;

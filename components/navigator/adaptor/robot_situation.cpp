@@ -1,0 +1,37 @@
+#include "components/navigator/adaptor/robot_situation.hpp"
+
+#include <cmath>
+
+#include "components/messages/geometry.hpp"
+#include "components/navigator/goal_messages.hpp"
+#include "runtime/transforms/transform_tree.hpp"
+
+namespace bw {
+
+void RobotSituation::listen(Setup& setup, const NavigatorParameters& parameters) {
+  by_tf_ = parameters.pose_source == PoseSource::tf;
+  set_timeout(parameters.pose_timeout);
+  map_frame_ = setup.frame("map");
+  base_frame_ = setup.frame("base_link");
+  transforms_ = setup.transforms();
+  odometry_ = setup.latest<nav_msgs::msg::Odometry>(by_tf_ ? "odom" : "odometry/filtered", Qos::command());
+}
+
+std::optional<Pose2> RobotSituation::pose(Time now) const {
+  if (!by_tf_) return from_pose(odometry_->pose().pose());
+  // A transform that is known at the oldest time allowed is not older than that.
+  if (!transforms_->lookup(map_frame_, base_frame_, now - timeout_)) return std::nullopt;
+  return transforms_->lookup_planar(map_frame_, base_frame_);
+}
+
+Situation RobotSituation::at(const Tick& tick) const {
+  Situation s{tick.now, std::nullopt, {}};
+  if (!odometry_) return s;
+  s.twist = from_twist(odometry_->twist().twist());
+  const bool fresh = tick.now - odometry_.received() <= timeout_;
+  const std::optional<Pose2> X_MB = pose(tick.now);
+  if (fresh && tick.health != Health::stop && X_MB && is_finite(*X_MB) && is_finite(s.twist)) s.X_MB = X_MB;
+  return s;
+}
+
+}  // namespace bw

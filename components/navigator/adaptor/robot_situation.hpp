@@ -1,0 +1,37 @@
+// Where the robot is and how it moves, by the localization or as Nav2's servers go by it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <nav_msgs/msg/odometry.hpp>
+
+#include "components/navigator/goal_messages.hpp"
+#include "components/navigator/navigator_parameters.hpp"
+#include "runtime/component.hpp"
+
+namespace bw {
+
+class RobotSituation {
+ public:
+  void listen(Setup& setup, const NavigatorParameters& parameters);
+  void set_timeout(double seconds) { timeout_ = Duration::seconds(seconds); }
+
+  /// Without a pose when it is older than the timeout, or not finite.
+  Situation at(const Tick& tick) const;
+  /// What a robot without a pose is told to wait for.
+  std::string source() const { return by_tf_ ? "tf and odom" : "odometry/filtered"; }
+
+ private:
+  std::optional<Pose2> pose(Time now) const;
+
+  bool by_tf_ = false;
+  Duration timeout_;
+  std::string map_frame_;
+  std::string base_frame_;
+  std::shared_ptr<const TransformTree> transforms_;
+  Latest<nav_msgs::msg::Odometry> odometry_;
+};
+
+}  // namespace bw

@@ -1,0 +1,59 @@
+// Parameters of the component other_robots.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/base/field.hpp"
+
+namespace bw {
+
+struct OtherRobotsOptions {
+  std::vector<std::string> robots;
+  double radius = 0.0;
+  double timeout = 0.5;
+  double max_deviation = 0.5;
+  double body_margin = 0.15;
+  double acceleration = 0.2;
+  double prediction_horizon = 4.0;
+  double prediction_step = 0.5;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("robots", robots,
+      {.doc =
+           "namespaces of the robots about, such as /robot2; the robot's own may be among them and is left out"});
+    v("radius", radius, {.unit = "m", .min = 0, .max = 5, .doc = "of their bodies; 0: as this robot's"});
+    v("timeout", timeout,
+      {.unit = "s",
+       .min = 0.05,
+       .max = 10,
+       .doc = "a robot that is silent for longer is what the laser sees of it"});
+    v("max_deviation", max_deviation,
+      {.unit = "m",
+       .min = 0.01,
+       .max = 10,
+       .doc =
+           "a robot less sure of its place than this is what the laser sees of it: standard deviation, the larger axis"});
+    v("body_margin", body_margin,
+      {.unit = "m",
+       .min = 0,
+       .max = 2,
+       .doc = "a track with its centre in a robot's body or this near to it is that robot"});
+    v("acceleration", acceleration,
+      {.unit = "m/s^2", .min = 0, .max = 5, .doc = "by which they may deviate from keeping their velocity"});
+    v("prediction_horizon", prediction_horizon,
+      {.unit = "s", .min = 0, .max = 20, .doc = "how far ahead positions are predicted"});
+    v("prediction_step", prediction_step,
+      {.unit = "s", .min = 0.05, .max = 5, .doc = "time between predicted positions"});
+  }
+
+  std::optional<std::string> violated_rule() const {
+    if (prediction_horizon / prediction_step > 200.0)
+      return "prediction_horizon must not exceed 200 prediction_step";
+    return std::nullopt;
+  }
+};
+
+}  // namespace bw

@@ -1,0 +1,43 @@
+// The topics of one robot of the world: wheel commands in, its sensors and its truth out.
+#pragma once
+
+#include <string>
+
+#include <sensor_msgs/msg/joint_state.hpp>
+
+#include "components/world/adaptor/world_messages.hpp"
+#include "components/world/world.hpp"
+#include "runtime/component.hpp"
+
+namespace bw {
+
+class RobotEnds {
+ public:
+  /// `name`: of one of several, below which its topics and frames are; empty: the only one. `world` must outlive it.
+  RobotEnds(Setup& setup, World& world, std::size_t robot, const std::string& name,
+            const WorldOptions& options);
+
+  const std::string& base_frame() const { return base_frame_; }
+  /// What the last step of the world produced. `start`: time of the world's beginning.
+  void publish(const WorldOptions& options, Time start);
+
+ private:
+  void command(const sensor_msgs::msg::JointState& message);
+
+  World* world_;
+  std::size_t robot_;
+  bool was_usable_ = true;
+  Logger log_;
+  std::string map_frame_;
+  std::string base_frame_;
+  std::string imu_frame_;
+  std::string gps_frame_;
+  sensor_msgs::msg::LaserScan scan_message_;
+  Output<bandwagon_msgs::msg::WheelTicks> ticks_;
+  Output<bandwagon_msgs::msg::GroundTruth> truth_;
+  Output<sensor_msgs::msg::LaserScan> scan_;
+  Output<sensor_msgs::msg::Imu> imu_;
+  Output<sensor_msgs::msg::NavSatFix> fix_;
+};
+
+}  // namespace bw
