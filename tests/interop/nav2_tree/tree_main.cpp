@@ -17,8 +17,8 @@ namespace {
 using nav2::Clock;
 using nlohmann::json;
 
-constexpr std::chrono::milliseconds kLoop{10};         // bt_loop_duration
-constexpr std::chrono::milliseconds kPoseLimit{2000};  // for the first transforms to come
+constexpr std::chrono::milliseconds kLoop{10};  // bt_loop_duration
+constexpr std::chrono::seconds kPoseLimit{30};  // nobody sends a goal before the robot knows where it is
 
 volatile std::sig_atomic_t interrupted = 0;
 
