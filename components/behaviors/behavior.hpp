@@ -20,7 +20,8 @@ enum class BehaviorError { none, unknown, timeout, tf_error, collision_ahead, in
 struct BehaviorSituation {
   PlanningProblem problem;  ///< without a plan; `now` is always there
   std::string
-      missing;  ///< what is needed to move and is not there, one sentence; empty: the problem is whole
+      missing;         ///< what is needed to move and is not there, one sentence; empty: the problem is whole
+  std::string unseen;  ///< what is needed to look ahead and is not there, one sentence
 };
 
 struct BehaviorStep {

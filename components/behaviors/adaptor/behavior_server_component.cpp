@@ -82,6 +82,7 @@ class BehaviorServerComponent final : public Component {
     const BehaviorStep step = behavior_->step(situation(tick));
     step.command ? drive(*step.command, tick) : settle(tick);
     goal_->feedback(step);
+    if (step.state == BehaviorStep::State::failed) log_.warn("{}: {}", name_, step.text);
     if (step.state != BehaviorStep::State::running) end(step, tick);
   }
 
@@ -90,13 +91,12 @@ class BehaviorServerComponent final : public Component {
     situation.problem = inputs_.problem(tick.now, situation.missing);
     situation.problem.control_period = 1.0 / options_.cycle_frequency;
     situation.problem.command_lead = options_.command_lead;
-    if (situation.missing.empty()) situation.missing = inputs_.unheard();
+    situation.unseen = inputs_.unheard();
     if (tick.health == Health::stop) situation.missing = "a needed input is stale";
     return situation;
   }
 
   void end(const BehaviorStep& step, const Tick& tick) {
-    if (step.state == BehaviorStep::State::failed) log_.warn("{}: {}", name_, step.text);
     goal_->end(step, tick.now);
     forget();
   }

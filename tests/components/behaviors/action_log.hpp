@@ -38,26 +38,25 @@ double value_of(const Feedback& feedback) {
 /// `attempt` must outlive the run.
 template <class A>
 GoalId send_goal(const ActionClient<A>& client, const typename A::Goal& goal, Attempt& attempt) {
-  return client.send(
-      goal, Duration::milliseconds(100),
-      {.on_acknowledged =
-           [&attempt](bool accepted, const Tick&) {
-             ++attempt.acknowledged;
-             attempt.accepted = accepted;
-           },
-       .on_feedback = [&attempt](const typename A::Feedback& f,
-                                 const Tick&) { attempt.feedback.push_back(value_of(f)); },
-       .on_result =
-           [&attempt](GoalStatus status, const typename A::Result* result, const Tick& tick) {
-             ++attempt.ends;
-             attempt.status = status;
-             attempt.ended_at = seconds_since_start(tick.now);
-             if (result == nullptr) return;
-             attempt.code = error_code_of(*result);
-             attempt.text = error_text_of(*result);
-             attempt.elapsed =
-                 result->total_elapsed_time().sec() + 1e-9 * result->total_elapsed_time().nanosec();
-           }});
+  return client.send(goal, Duration::milliseconds(100),
+                     {.on_acknowledged =
+                          [&attempt](bool accepted, const Tick&) {
+                            ++attempt.acknowledged;
+                            attempt.accepted = accepted;
+                          },
+                      .on_feedback = [&attempt](const typename A::Feedback& f,
+                                                const Tick&) { attempt.feedback.push_back(value_of(f)); },
+                      .on_result =
+                          [&attempt](GoalStatus status, const typename A::Result* result, const Tick& tick) {
+                            ++attempt.ends;
+                            attempt.status = status;
+                            attempt.ended_at = seconds_since_start(tick.now);
+                            if (result == nullptr) return;
+                            attempt.code = error_code_of(*result);
+                            attempt.text = error_text_of(*result);
+                            attempt.elapsed = result->total_elapsed_time().sec() +
+                                              1e-9 * result->total_elapsed_time().nanosec();
+                          }});
 }
 
 template <class Spin>

@@ -37,8 +37,8 @@ struct Rig {
   Twist2 start;                                             ///< the robot's velocity until the first command
   bandwagon_msgs::msg::Obstacles obstacles;
   bandwagon_msgs::msg::Tracks tracks;
-  double odometry_ends = 1e9;         ///< [s]
-  double obstacles_begin = 0.0;       ///< [s]
+  double odometry_ends = 1e9;    ///< [s]
+  double obstacles_begin = 0.0;  ///< [s]
   std::function<void(bw::Setup&)> more = [](bw::Setup&) {};
   // What is seen.
   Pose2 pose;
@@ -48,10 +48,11 @@ struct Rig {
   void run(double seconds, const std::string& settings = "") {
     twist = start;
     run_with_script("components: {behavior_server: {" + settings + "}}", seconds, [this](bw::Setup& setup) {
-      setup.input<geometry_msgs::msg::Twist>("cmd_vel_behavior", Qos::command(), [this](const auto& m, const Tick& tick) {
-        twist = from_twist(m);
-        commands.emplace_back(seconds_since_start(tick.now), twist);
-      });
+      setup.input<geometry_msgs::msg::Twist>("cmd_vel_behavior", Qos::command(),
+                                             [this](const auto& m, const Tick& tick) {
+                                               twist = from_twist(m);
+                                               commands.emplace_back(seconds_since_start(tick.now), twist);
+                                             });
       setup.every(Duration::seconds(kStep), "robot",
                   [this, odometry = setup.output<nav_msgs::msg::Odometry>("odom"),
                    obstacles_out = setup.output<bandwagon_msgs::msg::Obstacles>("obstacles"),
@@ -75,7 +76,8 @@ struct Rig {
  private:
   static Clients declare(bw::Setup& setup) {
     return {setup.action_client<Nav2::Spin>("spin"), setup.action_client<Nav2::BackUp>("backup"),
-            setup.action_client<Nav2::DriveOnHeading>("drive_on_heading"), setup.action_client<Nav2::Wait>("wait")};
+            setup.action_client<Nav2::DriveOnHeading>("drive_on_heading"),
+            setup.action_client<Nav2::Wait>("wait")};
   }
   nav_msgs::msg::Odometry odom(Time now) const {
     nav_msgs::msg::Odometry message;
@@ -99,8 +101,12 @@ TEST(BehaviorServer, SpinDriveBackUpAndWaitSucceedOneAfterTheOther) {
   Attempt spin, drive, back_up, wait;
   Rig rig;
   rig.acts[105] = [&](const Clients& c) { send_goal(c.spin, spin_goal<Nav2::Spin>(1.57), spin); };
-  rig.acts[600] = [&](const Clients& c) { send_goal(c.drive, drive_goal<Nav2::DriveOnHeading>(0.5, 0.25), drive); };
-  rig.acts[1200] = [&](const Clients& c) { send_goal(c.back_up, drive_goal<Nav2::BackUp>(0.3, 0.15), back_up); };
+  rig.acts[600] = [&](const Clients& c) {
+    send_goal(c.drive, drive_goal<Nav2::DriveOnHeading>(0.5, 0.25), drive);
+  };
+  rig.acts[1200] = [&](const Clients& c) {
+    send_goal(c.back_up, drive_goal<Nav2::BackUp>(0.3, 0.15), back_up);
+  };
   rig.acts[1800] = [&](const Clients& c) { send_goal(c.wait, wait_goal<Nav2::Wait>(1.5), wait); };
   rig.run(21.0);
   for (const Attempt* a : {&spin, &drive, &back_up, &wait}) expect_end(*a, GoalStatus::succeeded, 0, "");
@@ -127,7 +133,9 @@ TEST(BehaviorServer, ANewerGoalOfAnyActionEndsTheOneInHand) {
   Attempt spin, drive, wait;
   Rig rig;
   rig.acts[100] = [&](const Clients& c) { send_goal(c.spin, spin_goal<Nav2::Spin>(6.0), spin); };
-  rig.acts[300] = [&](const Clients& c) { send_goal(c.drive, drive_goal<Nav2::DriveOnHeading>(3.0, 0.5), drive); };
+  rig.acts[300] = [&](const Clients& c) {
+    send_goal(c.drive, drive_goal<Nav2::DriveOnHeading>(3.0, 0.5), drive);
+  };
   rig.acts[500] = [&](const Clients& c) { send_goal(c.wait, wait_goal<Nav2::Wait>(1.0), wait); };
   rig.run(8.0);
   expect_end(spin, GoalStatus::aborted, 700, "a newer goal came: drive_on_heading");
@@ -148,13 +156,17 @@ TEST(BehaviorServer, ACanceledGoalStopsAtOnce) {
   Attempt drive, again;
   GoalId id{};
   Rig rig;
-  rig.acts[100] = [&](const Clients& c) { id = send_goal(c.drive, drive_goal<Nav2::DriveOnHeading>(3.0, 0.5), drive); };
+  rig.acts[100] = [&](const Clients& c) {
+    id = send_goal(c.drive, drive_goal<Nav2::DriveOnHeading>(3.0, 0.5), drive);
+  };
   rig.acts[250] = [&](const Clients& c) {
     c.drive.cancel(id);
     c.drive.cancel(id);
     c.spin.cancel(id);  // of another action: unknown there
   };
-  rig.acts[400] = [&](const Clients& c) { send_goal(c.drive, drive_goal<Nav2::DriveOnHeading>(0.2, 0.2), again); };
+  rig.acts[400] = [&](const Clients& c) {
+    send_goal(c.drive, drive_goal<Nav2::DriveOnHeading>(0.2, 0.2), again);
+  };
   rig.run(8.0);
   expect_end(drive, GoalStatus::canceled, 0, "");
   EXPECT_NEAR(drive.ended_at, 2.5, 1e-6);
@@ -260,7 +272,9 @@ TEST(BehaviorServer, DeactivationEndsTheGoalAndTheMotion) {
   Attempt drive, late;
   Rig rig;
   Client<ChangeState> change_state;
-  rig.more = [&](bw::Setup& setup) { change_state = setup.client<ChangeState>("behavior_server/change_state"); };
+  rig.more = [&](bw::Setup& setup) {
+    change_state = setup.client<ChangeState>("behavior_server/change_state");
+  };
   rig.acts[100] = [&](const Clients& c) {
     send_goal(c.drive, drive_goal<Nav2::DriveOnHeading>(3.0, 0.5), drive);
   };

@@ -182,6 +182,14 @@ TEST(Travel, WhatIsMissingOrNoNumberEndsItWithTfError) {
   EXPECT_EQ(missing.last.error, BehaviorError::tf_error);
   EXPECT_EQ(missing.last.text, "no odometry yet");
   EXPECT_EQ(missing.last.command, Twist2{});
+  BehaviorDrive blind;
+  blind.spoil = [](double, BehaviorSituation& s) { s.unseen = "no obstacles yet"; };
+  blind.run(*spin(blind, 3.0));
+  EXPECT_EQ(blind.last.error, BehaviorError::tf_error);
+  EXPECT_EQ(blind.last.text, "no obstacles yet");
+  blind.run(*make_spin({.target_yaw = 3.0, .disable_collision_checks = true}, blind.options,
+                       BehaviorDrive::begin()));
+  EXPECT_EQ(blind.last.state, State::succeeded) << "who does not look need not see";
   BehaviorDrive nan;
   nan.spoil = [](double t, BehaviorSituation& s) {
     if (t > 1.0) s.problem.pose.theta = kNan;

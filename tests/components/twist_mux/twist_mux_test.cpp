@@ -1,4 +1,4 @@
-// Sources with the priorities 100 (time-out 0.2 s, hold 1 s), 90 (the same, stamped) and 10 (time-out 0.5 s).
+// Sources with the priorities 100 (time-out 0.2 s, hold 1 s), 90 (the same, stamped), 50 (time-out 0.25 s) and 10 (time-out 0.5 s).
 #include "components/twist_mux/twist_mux.hpp"
 
 #include <limits>
@@ -8,7 +8,7 @@
 namespace bw {
 namespace {
 
-constexpr std::size_t kTeleop = 0, kStamped = 1, kNav = 2;
+constexpr std::size_t kTeleop = 0, kStamped = 1, kBehavior = 2, kNav = 3;
 const Twist2 kAhead{0.5, 0.1}, kBack{-0.2, 0.0}, kTurn{0.0, 1.0};
 
 Time at(double seconds) { return Time::seconds(1000.0 + seconds); }
@@ -30,6 +30,21 @@ TEST(TwistMux, AHigherOneTakesOverAtOnceAndALowerOneIsNotHeardUntilItsHoldIsOver
   EXPECT_EQ(m.command(at(1.06), kNav, kAhead), kAhead);
   EXPECT_EQ(m.count(kNav).outranked, 20U);
   EXPECT_EQ(m.count(kNav).passed, 2U);
+}
+
+// A behavior ends with zero, and then says nothing: the planner's next command counts once its time-out is over, and no zero is added.
+TEST(TwistMux, ABehaviorGoesBeforeThePlannerAndLeavesItTheRobotAQuarterOfASecondAfterItsEnd) {
+  TwistMux m = mux();
+  m.command(at(0.0), kNav, kAhead);
+  EXPECT_EQ(m.command(at(0.05), kBehavior, kTurn), kTurn);
+  EXPECT_EQ(m.command(at(0.1), kNav, kAhead), std::nullopt);
+  EXPECT_EQ(m.command(at(0.15), kBehavior, Twist2{}), Twist2{});
+  EXPECT_EQ(m.command(at(0.4), kNav, kAhead), std::nullopt);
+  EXPECT_EQ(m.check(at(0.41)), std::nullopt);
+  EXPECT_EQ(m.command(at(0.41), kNav, kAhead), kAhead);
+  // A hand goes before both.
+  EXPECT_EQ(m.command(at(0.5), kTeleop, kBack), kBack);
+  EXPECT_EQ(m.command(at(0.55), kBehavior, kTurn), std::nullopt);
 }
 
 TEST(TwistMux, SilenceIsAZeroOnceAfterTheTimeOut) {
