@@ -8,7 +8,7 @@
 
 #include "components/local_planner/follow_path/follow_path_options.hpp"
 #include "components/local_planner/planner_factory.hpp"
-#include "components/local_planner/stamped_choice.hpp"
+#include "components/model/stamped_choice.hpp"
 
 namespace bw {
 

@@ -6,6 +6,12 @@
 namespace bw {
 namespace {
 
+/// Longer than controller_server tries before it gives up (failure_tolerance, 0.3 s as shipped).
+constexpr Duration kTrial = Duration::milliseconds(500);
+
+/// A robot that should stand and is still driven: so often its server is asked again.
+constexpr Duration kCancelAgain = Duration::milliseconds(1000);
+
 std::string name_of(FollowMode mode) {
   return mode == FollowMode::back_off ? "behavior_server" : "controller_server";
 }
@@ -22,8 +28,11 @@ std::string failure_sentence(const std::string& server, const ServerEnd& end) {
 
 void DriveRelay::order(std::uint64_t id, FollowMode mode) {
   order_id_ = id;
+  is_doubted_ = mode == FollowMode::follow && mode_ == mode && state_ == FollowState::failed;
   mode_ = mode;
   current_ = 0;
+  is_asked_ = false;
+  if (is_doubted_) return;
   state_ = mode == FollowMode::stop ? FollowState::idle : FollowState::following;
   reason_.clear();
   error_code_ = 0;
@@ -47,6 +56,8 @@ void DriveRelay::ended(std::uint64_t number, const ServerEnd& end) {
   if (number != current_) return;
   if (end.status == GoalStatus::succeeded) {
     state_ = FollowState::reached;
+    reason_.clear();
+    error_code_ = 0;
     return;
   }
   clear_costmap_ = mode == FollowMode::follow && end.status == GoalStatus::aborted;
@@ -63,23 +74,31 @@ bool DriveRelay::is_other_server_busy() const {
   return std::ranges::any_of(open_, [this](const auto& goal) { return goal.second.mode != mode_; });
 }
 
-RelayActions DriveRelay::step(const ServersReady& ready) {
+RelayActions DriveRelay::step(const ServersReady& ready, Time now) {
   RelayActions actions;
   actions.clear_costmap = std::exchange(clear_costmap_, false);
   for (auto& [number, goal] : open_) {
     // A server may not know yet of a goal that it did not acknowledge, and would let it begin afterwards.
-    if (goal.mode == mode_ || !goal.acknowledged || goal.cancel_sent) continue;
-    goal.cancel_sent = true;
+    if (goal.mode == mode_ || !goal.acknowledged) continue;
+    if (goal.canceled && now >= *goal.canceled && now - *goal.canceled < kCancelAgain) continue;
+    goal.canceled = now;
     actions.cancel.push_back(number);
   }
-  const bool is_due = mode_ != FollowMode::stop && current_ == 0 && state_ == FollowState::following;
-  if (!is_due || is_other_server_busy()) return actions;
+  if (const auto goal = open_.find(current_);
+      is_doubted_ && goal != open_.end() && now - goal->second.sent >= kTrial) {
+    is_doubted_ = false;
+    state_ = FollowState::following;
+    reason_.clear();
+    error_code_ = 0;
+  }
+  if (mode_ == FollowMode::stop || is_asked_ || is_other_server_busy()) return actions;
+  is_asked_ = true;
   if (!(mode_ == FollowMode::follow ? ready.follow_path : ready.back_up)) {
     fail("there is no " + name_of(mode_));
     return actions;
   }
   current_ = ++last_number_;
-  open_[current_] = {.mode = mode_};
+  open_[current_] = {.mode = mode_, .sent = now};
   actions.send = RelayGoal{current_, mode_};
   return actions;
 }

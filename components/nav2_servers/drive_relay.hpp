@@ -1,9 +1,10 @@
 // What the navigator orders, as goals of Nav2's servers: which goal is to be sent, which canceled, and how the order fares. One
 // server drives the robot at a time: a goal of the other one is sent when all of this one have ended. A path that replaces another
-// one is sent at once, since the server preempts without a stop.
+// one is sent at once, since the server preempts without a stop. One that replaces a failed one counts as failed too until it has
+// been driven for a while: whoever renews the path of a controller that always gives up would never hear of it.
 //
 //   relay.order(7, FollowMode::follow);
-//   const RelayActions actions = relay.step(ready);
+//   const RelayActions actions = relay.step(ready, now);
 //   ... relay.acknowledged(actions.send->number, true); ... relay.ended(number, end);
 #pragma once
 
@@ -51,15 +52,16 @@ class DriveRelay {
   RelayActions stop();
 
   /// What is to be done since the last call.
-  RelayActions step(const ServersReady& ready);
+  RelayActions step(const ServersReady& ready, Time now);
   /// Of the newest order.
   FollowReport report() const { return {order_id_, state_, reason_, error_code_}; }
 
  private:
   struct Open {
     FollowMode mode;
+    Time sent;
     bool acknowledged = false;
-    bool cancel_sent = false;
+    std::optional<Time> canceled = std::nullopt;  ///< when it was last asked for
   };
 
   void fail(const std::string& reason, std::uint16_t error_code = 0);
@@ -70,6 +72,8 @@ class DriveRelay {
   FollowState state_ = FollowState::idle;
   std::string reason_;
   std::uint16_t error_code_ = 0;
+  bool is_asked_ = true;     ///< the newest order was sent to its server, if there is one
+  bool is_doubted_ = false;  ///< its predecessor failed
 
   std::uint64_t last_number_ = 0;
   std::uint64_t current_ = 0;  ///< the goal of the newest order; 0: not sent

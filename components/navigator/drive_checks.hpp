@@ -1,4 +1,4 @@
-// Small judgements of a drive: is it standing, is it there, is it getting anywhere, how far is it still.
+// Small judgements of a drive: is it standing, is it there, how far is it still.
 #pragma once
 
 #include <cmath>
@@ -19,28 +19,6 @@ inline bool is_within_tolerance(const Pose2& X_MB, const Pose2& X_MG, const Navi
   return (X_MG.position() - X_MB.position()).norm() <= options.xy_tolerance &&
          std::abs(wrap_angle(X_MG.theta - X_MB.theta)) <= options.yaw_tolerance;
 }
-
-/// Progress is having moved or turned by the required amount within movement_time.
-class ProgressChecker {
- public:
-  void reset() { anchor_.reset(); }
-
-  /// False when the last progress is longer ago than movement_time.
-  bool update(Time now, const Pose2& X_MB, const NavigatorOptions& options) {
-    if (!anchor_ || (X_MB.position() - anchor_->X_MB.position()).norm() >= options.required_movement ||
-        std::abs(wrap_angle(X_MB.theta - anchor_->X_MB.theta)) >= options.required_turn) {
-      anchor_ = Anchor{now, X_MB};
-    }
-    return (now - anchor_->time).to_seconds() <= options.movement_time;
-  }
-
- private:
-  struct Anchor {
-    Time time;
-    Pose2 X_MB;
-  };
-  std::optional<Anchor> anchor_;
-};
 
 /// Index of the pose of `path`, which is not empty, nearest to `position` among those before `end`.
 inline std::size_t nearest_pose(const std::vector<Pose2>& path, const Vector2& position, std::size_t end) {

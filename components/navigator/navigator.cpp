@@ -195,7 +195,7 @@ void Navigator::advance_following(const Situation& situation) {
   if (follow_mode_ == FollowMode::stop)
     return begin_planning(situation);  // rolled out of the tolerance again
 
-  if (!progress_.update(now, *situation.X_MB, options_))
+  if (!progress_.update(now, *situation.X_MB, options_.progress()))
     return recover({GoalFault::no_progress, "no progress towards the goal"}, situation);
   if (older_than(follow_heard_, options_.follow_timeout, now)) {
     return recover({GoalFault::controller_silent, "the local planner does not answer"}, situation);

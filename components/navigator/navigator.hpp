@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 
+#include "components/model/progress_checker.hpp"
 #include "components/navigator/drive_checks.hpp"
 #include "components/navigator/goal_messages.hpp"
 #include "components/navigator/navigator_options.hpp"

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "components/model/goal_tolerance.hpp"
+#include "components/model/progress_checker.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
@@ -85,6 +86,7 @@ struct NavigatorOptions {
   }
 
   GoalTolerance tolerance() const { return {xy_tolerance, yaw_tolerance}; }
+  ProgressLimits progress() const { return {required_movement, required_turn, movement_time}; }
 
   std::optional<std::string> violated_rule() const {
     if (blocked_patience > movement_time) return "blocked_patience must not exceed movement_time";

@@ -147,13 +147,18 @@ std::string registry_source(const std::vector<File>& files, const Types& types) 
     }
     out += "};\n";
   }
-  out += "\n}  // namespace\n\n";
+  out += "constexpr std::array<RosDistro, kOtherLayouts.size()> kOtherDistros = {\n";
+  for (const auto& [name, type] : types) {
+    if (!type.distro.empty()) out += "    RosDistro::" + type.distro + ",\n";
+  }
+  out += "};\n\n}  // namespace\n\n";
   for (const auto& [name, type] : types) {
     out += "const TypeDescription& " + traits(type) + "::description() { return " + constant(type) + "; }\n";
   }
   return out +
          "\nstd::span<const TypeDescription* const> all_types() { return kAllTypes; }\n"
-         "std::span<const TypeDescription* const> other_layouts() { return kOtherLayouts; }\n\n"
+         "std::span<const TypeDescription* const> other_layouts() { return kOtherLayouts; }\n"
+         "std::span<const RosDistro> distros_of_other_layouts() { return kOtherDistros; }\n\n"
          "}  // namespace bw\n";
 }
 

@@ -46,7 +46,7 @@ FlightRecorder::~FlightRecorder() { close(); }
 
 void FlightRecorder::connect(const std::vector<const OutputEnd*>& outputs) {
   for (const OutputEnd* output : outputs) {
-    const TypeDescription* type = find_type(output->type.ros_name);
+    const TypeDescription* type = find_type(output->type.ros_name, output->type.type_hash);
     topics_.push_back(topic_of(*output));
     watch_.add_topic(output->topic, type);
     numbers_[output] = {ring_.add_topic(latched_depth({output->qos})),

@@ -7,7 +7,7 @@
 namespace bw::bag {
 
 BagTopic topic_of(const OutputEnd& output) {
-  const TypeDescription* type = find_type(output.type.ros_name);
+  const TypeDescription* type = find_type(output.type.ros_name, output.type.type_hash);
   BagTopic topic{.name = output.topic,
                  .type = std::string(output.type.ros_name),
                  .writer = output.owner.name,

@@ -8,7 +8,7 @@ namespace bw::bag {
 
 void RunRecorder::connect(const std::vector<const OutputEnd*>& outputs) {
   for (const OutputEnd* output : outputs) {
-    const TypeDescription* type = find_type(output->type.ros_name);
+    const TypeDescription* type = find_type(output->type.ros_name, output->type.type_hash);
     topics_[output] = {recorder_.add_topic(topic_of(*output)), type != nullptr && begins_with_stamp(*type)};
   }
 }

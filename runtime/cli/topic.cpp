@@ -99,6 +99,7 @@ class Subscription {
       qos.durability = std::min(qos.durability, end.qos.durability);
     }
     type_ = ends.front().type;
+    type_hash_ = type_hash_in(ends.front().user_data);
     reader_ = outside_.participant().create_reader(
         {.topic = ends.front().topic, .type = type_, .qos = qos, .user_data = {}}, [this] {
           const std::lock_guard lock(mutex_);
@@ -107,6 +108,8 @@ class Subscription {
         });
   }
   const std::string& dds_type() const { return type_; }
+  /// Empty where the publisher announces none.
+  const std::string& type_hash() const { return type_hash_; }
   /// False when interrupted or `end` has passed.
   bool next(dds::Sample& sample, std::chrono::steady_clock::time_point end) {
     while (!interrupted() && std::chrono::steady_clock::now() < end) {
@@ -121,6 +124,7 @@ class Subscription {
  private:
   Outside outside_;
   std::string type_;
+  std::string type_hash_;
   std::mutex mutex_;
   std::condition_variable wake_;
   bool arrived_ = false;
@@ -136,7 +140,7 @@ std::chrono::steady_clock::time_point end_of(const TopicOptions& options) {
 int echo(const TopicOptions& options) {
   catch_interrupts();
   Subscription subscription(options.topic);
-  const TypeDescription* type = find_type(subscription.dds_type());
+  const TypeDescription* type = find_type(subscription.dds_type(), subscription.type_hash());
   if (type == nullptr)
     throw std::runtime_error("no description of " + ros_type(subscription.dds_type()) + " is built in");
   dds::Sample sample;

@@ -9,6 +9,8 @@
 namespace bw {
 namespace {
 
+constexpr std::size_t kMostComponents = 10'000;
+
 /// Maps are merged, everything else is replaced.
 void put_over(ConfigNode& base, const ConfigNode& own) {
   if (!base.is_map() || !own.is_map()) {
@@ -80,6 +82,9 @@ void give_to_robots(Graph& graph, const ConfigNode* robots, const std::vector<st
     }
     graph.robots.push_back(robot.key);
   }
+  if (graph.robots.size() * names.size() > kMostComponents)
+    violations.push_back({robots->where, "robots", "",
+                          "must not make more than " + std::to_string(kMostComponents) + " components"});
   if (!violations.empty() || graph.robots.empty()) return;
   std::vector<ComponentNode> all;
   for (const ComponentNode& node : graph.components) {

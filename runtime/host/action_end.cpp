@@ -50,7 +50,8 @@ CanceledGoals ActionEnd::cancel(const CancelRequest& request, Time now) {
       news_.push_back({.id = goal.id, .is_cancel = true});
     if (!canceled.goals.empty()) publish_status(now);
   }
-  if (!canceled.goals.empty()) runner->arrived(*this);
+  // In lock-step each arrival is one turn of the component.
+  for (std::size_t i = 0; i < canceled.goals.size(); ++i) runner->arrived(*this);
   return canceled;
 }
 

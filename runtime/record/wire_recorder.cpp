@@ -174,8 +174,8 @@ WireRecorder::Source WireRecorder::make_source(const std::string& topic, const s
       .topic = topic, .type = type, .type_hash = type_hash, .offer = offer, .seen = steady_clock::now()};
   source.offer.depth = 0;  // discovery does not tell it
   // Packages change from one distribution to the next: a type of another hash is not ours, whatever its name.
-  const TypeDescription* ours = find_type(type);
-  if (ours == nullptr || (!type_hash.empty() && type_hash != ours->type_hash)) return source;
+  const TypeDescription* ours = find_type(type, type_hash);
+  if (ours == nullptr) return source;
   source.description = ours;
   source.has_stamp = bag::begins_with_stamp(*ours);
   source.type_hash = ours->type_hash;

@@ -74,9 +74,8 @@ void TopicPlayer::open_writers() {
   for (const auto& topic : played_) {
     Voice& voice = voices_.emplace_back();
     if (!topic) continue;
-    const TypeDescription* ours = find_type(topic->type);
-    // A type of another hash is another distribution's, and not for us to judge.
-    if (ours != nullptr && topic->type_hash == ours->type_hash) voice.type = ours;
+    // A type of a hash that nobody here knows is not for us to judge, nor is one without.
+    if (!topic->type_hash.empty()) voice.type = find_type(topic->type, topic->type_hash);
     voice.writer = participant_.create_writer({.topic = dds_topic(topic->name),
                                                .type = dds_type(topic->type),
                                                .qos = topic->qos,

@@ -1,60 +1,51 @@
 #include "runtime/ros/service_call.hpp"
 
-#include <condition_variable>
-#include <mutex>
+#include <utility>
 
+#include "runtime/ros/bell.hpp"
 #include "runtime/ros/service_ends.hpp"
 
 namespace bw {
-namespace {
 
-using Clock = std::chrono::steady_clock;
+ServiceCaller::ServiceCaller(dds::Participant& participant, const std::string& name, const ServiceType& type,
+                             const std::function<void()>& on_news)
+    : reader_(participant.create_reader(service_end(reply_topic(name), type.response), on_news, on_news)),
+      writer_(participant.create_writer(service_end(request_topic(name), type.request), on_news)) {}
 
-/// Wakes one thread from DDS threads.
-class Bell {
- public:
-  void ring() {
-    const std::lock_guard lock(mutex_);
-    rung_ = true;
-    wake_.notify_one();
+bool ServiceCaller::is_ready() const {
+  return writer_->matched_readers() > 0 && reader_->matched_writers() > 0;
+}
+
+std::optional<std::int64_t> ServiceCaller::send(std::span<const std::uint8_t> request) {
+  const auto asked = writer_->write_related(request, {reader_->guid(), 0});
+  return asked ? std::optional(asked->sequence) : std::nullopt;
+}
+
+std::optional<std::vector<std::uint8_t>> ServiceCaller::take(std::int64_t request) {
+  dds::Sample sample;
+  while (reader_->take(sample)) {
+    const dds::Guid& to = sample.related.guid;
+    if (to == reader_->guid() || to == writer_->guid())
+      replies_[sample.related.sequence] = std::move(sample.cdr);
   }
-  /// False at `end`.
-  bool wait(Clock::time_point end) {
-    std::unique_lock lock(mutex_);
-    const bool rung = wake_.wait_until(lock, end, [this] { return rung_; });
-    rung_ = false;
-    return rung;
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool rung_ = false;
-};
-
-}  // namespace
+  const auto reply = replies_.extract(request);
+  return reply.empty() ? std::nullopt : std::optional(std::move(reply.mapped()));
+}
 
 std::optional<std::vector<std::uint8_t>> call_service(dds::Participant& participant, const std::string& name,
                                                       const ServiceType& type,
                                                       std::span<const std::uint8_t> request,
                                                       std::chrono::milliseconds limit) {
-  const Clock::time_point end = Clock::now() + limit;
+  const auto end = std::chrono::steady_clock::now() + limit;
   Bell bell;
-  const auto ring = [&bell] { bell.ring(); };
-  const auto reader = participant.create_reader(service_end(reply_topic(name), type.response), ring, ring);
-  const auto writer = participant.create_writer(service_end(request_topic(name), type.request), ring);
-  while (writer->matched_readers() == 0 || reader->matched_writers() == 0) {
+  ServiceCaller caller(participant, name, type, [&bell] { bell.ring(); });
+  while (!caller.is_ready()) {
     if (!bell.wait(end)) return std::nullopt;
   }
-  const auto asked = writer->write_related(request, {reader->guid(), 0});
+  const auto asked = caller.send(request);
   if (!asked) return std::nullopt;
-  dds::Sample sample;
   do {
-    while (reader->take(sample)) {
-      const dds::Guid& to = sample.related.guid;
-      if ((to == reader->guid() || to == writer->guid()) && sample.related.sequence == asked->sequence)
-        return std::move(sample.cdr);
-    }
+    if (auto reply = caller.take(*asked)) return reply;
   } while (bell.wait(end));
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "runtime/base/ros_distro.hpp"
 #include "runtime/wire/type_description.hpp"
 
 namespace bw {
@@ -14,6 +15,8 @@ namespace bw {
 
 /// What other distributions have under names of all_types() with other fields, sorted by distribution and ROS name.
 [[nodiscard]] std::span<const TypeDescription* const> other_layouts();
+/// Whose each of them is.
+[[nodiscard]] std::span<const RosDistro> distros_of_other_layouts();
 
 /// By ROS name ("nav_msgs/msg/Odometry") or DDS name ("nav_msgs::msg::dds_::Odometry_"), of all_types(); null if unknown.
 [[nodiscard]] const TypeDescription* find_type(std::string_view name);
@@ -21,5 +24,8 @@ namespace bw {
 /// The layout under this name that has this hash, of all_types() or of other_layouts(); null if none has. An empty hash, as
 /// Humble leaves it, asks for nothing: find_type(name).
 [[nodiscard]] const TypeDescription* find_type(std::string_view name, std::string_view type_hash);
+
+/// The layout under this name in a distribution; `automatic` is Jazzy's. Null if the name is unknown.
+[[nodiscard]] const TypeDescription* find_type(std::string_view name, RosDistro distro);
 
 }  // namespace bw

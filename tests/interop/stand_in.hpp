@@ -51,16 +51,16 @@ class Outsider {
  public:
   plain::Node& node() { return node_; }
 
-  std::optional<plain::Bytes> call(
-      const std::string& service, const std::string& type,
-      const plain::Bytes& request = plain::CdrOut().number(std::uint8_t{0}).bytes()) {
+  std::optional<plain::Bytes> call(const std::string& service, const std::string& type,
+                                   const plain::Bytes& request = plain::from_hex("0001000000")) {
     plain::Client client(node_, service, {.name = type, .request_hash = {}, .response_hash = {}});
     return client.call(request, std::chrono::seconds(20));
   }
   /// Whether the transition was made.
   bool change(const std::string& node, TransitionId id) {
+    // Transition: the id and an empty label, at 4.
     const auto reply = call(node + "/change_state", "lifecycle_msgs/srv/ChangeState",
-                            plain::CdrOut().number(static_cast<std::uint8_t>(id)).text("").bytes());
+                            plain::from_hex("00010000 0" + std::to_string(id) + " 000000 01000000 00"));
     return reply && plain::CdrIn(*reply).number<std::uint8_t>() == 1;
   }
   /// 0 when nobody answers.

@@ -136,9 +136,12 @@ TEST(StandIns, PlannerServerAndTheCostmapInIt) {
   pose(header(goal, "map"), 1.0, 1.0);
   goal.text("GridBased").number(std::uint8_t{1});
   const std::string part = "/compute_path_to_pose/_action/", type = "nav2_msgs/action/ComputePathToPose";
-  // The planner may hear of the map after its manager.
+  // CostmapMetaData: two stamps, layer, resolution, sizes, origin. The costmap has heard of the map, and so has the planner soon.
+  CdrOut specs;
+  zeros(specs, 2).text("").number(0.0F).number(std::uint32_t{0}).number(std::uint32_t{0});
+  pose(specs, 0.0, 0.0);
   ASSERT_TRUE(eventually([&] {
-    const auto reply = outside.call("/global_costmap/get_costmap", "nav2_msgs/srv/GetCostmap");
+    const auto reply = outside.call("/global_costmap/get_costmap", "nav2_msgs/srv/GetCostmap", specs.bytes());
     return reply && reply->size() > 80U * 40U;
   }));
   const auto accepted = outside.call(part + "send_goal", type + "_SendGoal", goal.bytes());

@@ -157,6 +157,27 @@ TEST(Action, AnIdIsAcceptedOnceAndAGoalIsPreemptedByItsComponent) {
   EXPECT_THAT(second, ElementsAre("20 yes"));
 }
 
+TEST(Action, ACancelOfSeveralGoalsReachesTheComponentForEach) {
+  Drive run;
+  run.server = [](bw::Setup& setup) {
+    setup.action<NavigateToPose>(
+        "go", callbacks([](const Handle&, const Tick&) {},
+                        [](const Handle& goal, const Tick&) { goal.canceled(result(5)); }));
+    const auto cancel = setup.client<action_msgs::srv::CancelGoal>("go/_action/cancel_goal");
+    setup.every(Duration::milliseconds(20), "cancel", [cancel](const Tick&) {
+      cancel.call({}, kDeadline, [](const action_msgs::srv::CancelGoal::Response*, const Tick&) {});
+    });
+  };
+  Drive::Log first, second;
+  run.acts = {{10, [&](const auto& client) {
+                 client.send({}, kDeadline, noting(first));
+                 client.send({}, kDeadline, noting(second));
+               }}};
+  run.go(30);
+  EXPECT_THAT(first, ElementsAre("10 yes", "20 status 5 code 5"));
+  EXPECT_THAT(second, ElementsAre("10 yes", "20 status 5 code 5"));
+}
+
 TEST(Action, WhoIsDeactivatedAbortsItsGoalsAndTakesNone) {
   Drive run;
   std::function<void(std::uint8_t)> change;

@@ -27,8 +27,12 @@ frame_prefix: robot1/
 transport: localhost
 plugins: [lib/own.so]
 robot: robot.yaml
+robots:
+  one: {planner: {goal: {x: 3.0}}}
+  two:
 components:
   world: &world
+    shared: true
     process: world+base
     parameters:
       seed: 7

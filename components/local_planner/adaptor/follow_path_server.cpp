@@ -104,8 +104,8 @@ void FollowPathServer::cancel(const GoalId& id, const Tick& tick) {
   goal.cancel();
 }
 
-bool FollowPathServer::goes_on(const DriveCycle& cycle, const Tick& tick) {
-  const Verdict verdict = judge_.judge(cycle, options_);
+bool FollowPathServer::goes_on(const FollowCycle& cycle, const Tick& tick) {
+  const FollowVerdict verdict = judge_.judge(cycle, options_);
   if (!verdict.is_over) return true;
   const Goal goal = *std::exchange(goal_, std::nullopt);
   uses_.stop(tick);

@@ -8,7 +8,7 @@
 
 #include <nav_msgs/msg/path.hpp>
 
-#include "components/local_planner/follow_path/drive_judge.hpp"
+#include "components/local_planner/follow_path/follow_judge.hpp"
 #include "components/local_planner/follow_path/plugin_choice.hpp"
 #include "components/local_planner/follow_path/received_path.hpp"
 #include "components/messages/nav2_results.hpp"
@@ -41,7 +41,7 @@ class FollowPathServer {
   bool is_driving() const { return goal_.has_value(); }
   GoalTolerance tolerance() const { return options_.goal_checker.tolerance(); }
   /// In every cycle while it drives. False when that was the last: then it has stopped.
-  bool goes_on(const DriveCycle& cycle, const Tick& tick);
+  bool goes_on(const FollowCycle& cycle, const Tick& tick);
   /// `tracking.path_index` is that of the path in use.
   void tell(PathTracking tracking) const;
   /// Somebody else says where to go: the goal in hand ends aborted, and nothing is stopped.
@@ -59,7 +59,7 @@ class FollowPathServer {
   Logger log_;
   std::optional<Goal> goal_;  ///< in hand
   ReceivedPath path_;
-  DriveJudge judge_;
+  FollowJudge judge_;
 };
 
 }  // namespace bw

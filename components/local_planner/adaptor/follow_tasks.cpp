@@ -34,13 +34,21 @@ void LocalPlannerComponent::on_request(const bandwagon_msgs::msg::FollowRequest&
         from_path(request.path()));
 }
 
-void LocalPlannerComponent::on_path(const std::string& frame, const std::vector<Pose2>& poses) {
+// A plan in map stays there and moves with the localization; one in any other frame, which may move with the robot, is
+// carried to odom once.
+void LocalPlannerComponent::on_path(const std::string& frame, std::vector<Pose2> poses) {
   if (task_.mode != mode::STOP && !task_.is_of_action) request_lost_ = "a goal of follow_path took over";
   std::string missing;
-  const std::optional<Pose2> X_OF = inputs_.pose_in_odom(frame, missing);
+  std::optional<Pose2> X_OF = inputs_.pose_in_odom(frame, missing);
+  const bool is_kept = frame == inputs_.map_frame() || !X_OF;
+  if (!is_kept) {
+    for (Pose2& X : poses) X = *X_OF * X;
+    X_OF = Pose2{};
+  }
   const std::optional<Pose2> X_OB = inputs_.pose();
-  begin({mode::FOLLOW, frame, follow_path_.tolerance(), true}, poses,
-        X_OF && X_OB ? first_near(poses, (inverse(*X_OF) * *X_OB).position()) : 0);
+  const std::size_t index = X_OF && X_OB ? first_near(poses, (inverse(*X_OF) * *X_OB).position()) : 0;
+  begin({mode::FOLLOW, is_kept ? frame : inputs_.odom_frame(), follow_path_.tolerance(), true},
+        std::move(poses), index);
 }
 
 void LocalPlannerComponent::begin(FollowTask task, std::vector<Pose2> plan, std::size_t index) {
@@ -62,19 +70,19 @@ void LocalPlannerComponent::come_to_rest(const Tick& tick) {
 void LocalPlannerComponent::report(const Tick& tick, const PlanningProblem& problem,
                                    const PlanningResult& result, const std::string& missing) {
   const bool is_stale = tick.health == Health::stop || !inputs_.pose();
-  DriveCycle cycle{.now = tick.now,
-                   .missing = is_stale ? result.reason : "",
-                   .unknown_place = is_stale ? "" : missing,
-                   .X_OB = problem.pose,
-                   .X_OG = {},
-                   .distance_to_goal = plan_.distance_to_goal(),
-                   .twist = problem.twist,
-                   .status = result.status,
-                   .reason = result.reason};
+  FollowCycle cycle{.now = tick.now,
+                    .missing = is_stale ? result.reason : "",
+                    .unknown_place = is_stale ? "" : missing,
+                    .X_OB = problem.pose,
+                    .X_OG = {},
+                    .distance_to_goal = plan_.distance_to_goal(),
+                    .twist = problem.twist,
+                    .status = result.status,
+                    .reason = result.reason};
   if (X_OF_) cycle.X_OG = *X_OF_ * plan_.poses().back();
   if (!follow_path_.goes_on(cycle, tick) || !X_OF_) return;
   const Pose2 X_FB = inverse(*X_OF_) * problem.pose;
-  const TrackingError error = tracking_error(plan_.poses(), plan_.index(), X_FB);
+  const PathOffset error = path_offset(plan_.poses(), plan_.index(), X_FB);
   const double to_path = (plan_.poses()[plan_.index()].position() - X_FB.position()).norm();
   PathTracking tracking{.path_index = static_cast<std::uint32_t>(plan_.index()),
                         .distance_to_goal = static_cast<float>(plan_.distance_to_goal()),

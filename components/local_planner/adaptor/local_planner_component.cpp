@@ -133,7 +133,10 @@ void LocalPlannerComponent::publish_status(const Tick& tick, const PlanningResul
 }
 
 void LocalPlannerComponent::deactivate(const Tick& tick) {
-  if (follow_path_.is_driving()) task_ = {};
+  if (follow_path_.is_driving()) {
+    task_ = {};
+    at_rest_ = true;
+  }
   follow_path_.forget();
   command_.publish({}, tick.now);
 }

@@ -14,9 +14,9 @@
 #include "components/local_planner/adaptor/cycle_watch.hpp"
 #include "components/local_planner/adaptor/follow_path_server.hpp"
 #include "components/local_planner/adaptor/planning_inputs.hpp"
-#include "components/local_planner/adaptor/velocity_output.hpp"
 #include "components/local_planner/local_planner_parameters.hpp"
 #include "components/local_planner/plan_window.hpp"
+#include "components/messages/velocity_output.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
 #include "runtime/worker_pool.hpp"
@@ -43,7 +43,7 @@ class LocalPlannerComponent final : public Component {
   /// From the next cycle on; the planner goes on from where it is.
   void use(const LocalPlannerParameters& parameters);
   void on_request(const bandwagon_msgs::msg::FollowRequest& request);
-  void on_path(const std::string& frame, const std::vector<Pose2>& poses);
+  void on_path(const std::string& frame, std::vector<Pose2> poses);
   void begin(FollowTask task, std::vector<Pose2> plan, std::size_t index = 0);
   void come_to_rest(const Tick& tick);
   void control_cycle(const Tick& tick);

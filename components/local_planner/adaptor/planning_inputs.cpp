@@ -9,6 +9,7 @@ namespace bw {
 void PlanningInputs::listen(Setup& setup, const Robot& robot) {
   robot_ = robot;
   odom_frame_ = setup.frame("odom");
+  map_frame_ = setup.frame("map");
   odometry_ = setup.latest<nav_msgs::msg::Odometry>("odom", Qos::command());
   tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::command());
   obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::command());

@@ -35,10 +35,12 @@ class PlanningInputs {
   /// The pose of `frame` in odom; otherwise `missing` says that there is none.
   std::optional<Pose2> pose_in_odom(const std::string& frame, std::string& missing) const;
   const std::string& odom_frame() const { return odom_frame_; }
+  const std::string& map_frame() const { return map_frame_; }
 
  private:
   Robot robot_;
   std::string odom_frame_;
+  std::string map_frame_;
   LimitedSpeed speed_;
   Latest<nav_msgs::msg::Odometry> odometry_;
   Latest<bandwagon_msgs::msg::Tracks> tracks_;

@@ -52,7 +52,7 @@ std::size_t first_near(const std::vector<Pose2>& poses, const Vector2& position)
   return first;
 }
 
-TrackingError tracking_error(const std::vector<Pose2>& poses, std::size_t index, const Pose2& X_PB) {
+PathOffset path_offset(const std::vector<Pose2>& poses, std::size_t index, const Pose2& X_PB) {
   const Vector2 beside = rotate(inverse(poses[index]), X_PB.position() - poses[index].position());
   return {beside.y(), wrap_angle(poses[index].theta - X_PB.theta)};
 }

@@ -26,10 +26,10 @@ std::size_t first_near(const std::vector<Pose2>& poses, const Vector2& position)
 
 /// How a robot at `X_PB` in the path's frame stands to the pose `index` of a path: beside it (left is positive) [m], and by how
 /// much the path's direction there is to the left of the robot's [rad].
-struct TrackingError {
+struct PathOffset {
   double position = 0.0;
   double heading = 0.0;
 };
-TrackingError tracking_error(const std::vector<Pose2>& poses, std::size_t index, const Pose2& X_PB);
+PathOffset path_offset(const std::vector<Pose2>& poses, std::size_t index, const Pose2& X_PB);
 
 }  // namespace bw

@@ -57,8 +57,8 @@ class Nav2ServersComponent final : public Component {
   };
 
   void advance(const Tick& tick) {
-    const RelayActions actions =
-        relay_.step({.follow_path = servers_.follow_path.is_ready(), .back_up = servers_.back_up.is_ready()});
+    const RelayActions actions = relay_.step(
+        {.follow_path = servers_.follow_path.is_ready(), .back_up = servers_.back_up.is_ready()}, tick.now);
     cancel(actions);
     if (actions.clear_costmap) servers_.clear_local_costmap();
     if (actions.send) send(*actions.send);

@@ -63,7 +63,7 @@ FollowReport from_message(const bandwagon_msgs::msg::FollowStatus& message) {
 void log(const GoalReport& report, const Logger& log) {
   if (report.status == GoalStatus::succeeded) {
     log.info("goal {}: {} in {:.1f} s", report.goal_id, report.reason, report.navigation_time.to_seconds());
-  } else if (report.status == GoalStatus::accepted) {
+  } else if (report.status == GoalStatus::accepted && report.reason.empty()) {
     log.info("goal {}: to ({:.2f}, {:.2f}, {:.2f})", report.goal_id, report.X_MG.x, report.X_MG.y,
              report.X_MG.theta);
   } else if (report.status == GoalStatus::canceling) {

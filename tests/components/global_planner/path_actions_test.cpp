@@ -140,7 +140,7 @@ TEST(PathActions, WhatIsNoGoalEndsAbortedWithACodeAndASentence) {
       {to(pose(11.0, 3.0)), 204, "goal (11.00, 3.00) is off the map"},
       {to(pose(kNan, 3.0)), 204, "pose 1 of 1 is none: the position is not finite"},
       {to(no_rotation), 204, "pose 1 of 1 is none: the quaternion has length 0"},
-      {from_to(pose(5.05, 3.0), pose(2.0, 3.0)), 205, "start (5.05, 3.00) is too close to an obstacle"},
+      {from_to(pose(9.0, 5.0), pose(2.0, 3.0)), 205, "start (9.00, 5.00) is too close to an obstacle"},
       {to(pose(5.05, 3.0)), 206, "goal (5.05, 3.00) is too close to an obstacle"},
       {to(pose(9.0, 3.0)), 208, "goal (9.00, 3.00) is free, but no way leads there"},
       // Where a map stamps a pose does not matter.

@@ -1,4 +1,5 @@
-// The planner in lock-step, in a world of its own. Map: 10 x 6 m, cells of 0.1 m, a wall one cell thick at x = 5.0 to 5.1 m; the
+// The planner in lock-step, in a world of its own. Map: 10 x 6 m, cells of 0.1 m, a wall one cell thick at x = 5.0 to 5.1 m,
+// a block of 2 x 2 m in the corner at (10, 6); the
 // robot, of 0.3 m, stands at (1, 3). Odometry began elsewhere: odom is turned by a right angle.
 #pragma once
 
@@ -23,6 +24,10 @@ inline OccupancyGrid floor_with_wall() {
   OccupancyGrid map{.resolution = 0.1, .width = 100, .height = 60};
   map.cells.assign(6000, OccupancyGrid::kFree);
   for (int row = 0; row < map.height; ++row) map.cells[map.index(50, row)] = OccupancyGrid::kOccupied;
+  for (int row = 40; row < 60; ++row) {
+    for (int column = 80; column < 100; ++column)
+      map.cells[map.index(column, row)] = OccupancyGrid::kOccupied;
+  }
   return map;
 }
 

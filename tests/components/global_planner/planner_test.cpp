@@ -233,7 +233,7 @@ TEST(Planner, TakesAnotherMap) {
   moved.origin = {100.0, -50.0};
   moved.resolution = 0.1;
   EXPECT_EQ(planner.set_map(moved, kRadius), "");
-  EXPECT_EQ(planner.plan({1.0, 1.0, 0.3}, {9.0, 1.0, 2.0}).status, PathStatus::start_blocked);
+  EXPECT_EQ(planner.plan({1.0, 1.0, 0.3}, {9.0, 1.0, 2.0}).status, PathStatus::start_outside);
   EXPECT_EQ(planner.plan({101.0, -49.0, 0.0}, {103.0, -47.0, 0.0}).status, PathStatus::ok);
 }
 

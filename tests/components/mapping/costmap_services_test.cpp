@@ -4,8 +4,10 @@
 
 #include <bandwagon_msgs/msg/obstacles.hpp>
 #include <bandwagon_msgs/msg/tracks.hpp>
+#include <geometry_msgs/msg/polygon_stamped.hpp>
 #include <gtest/gtest.h>
 #include <nav2_msgs/srv/get_costmap.hpp>
+#include <nav_msgs/msg/occupancy_grid.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
@@ -142,6 +144,53 @@ TEST(LocalCostmapServices, DistancesThatAreNoneClearNothing) {
   EXPECT_EQ(except.size(), 4U);
   ASSERT_EQ(maps.size(), 2U);
   EXPECT_EQ(maps[1].data(), maps[0].data());
+}
+
+// As the costmap inside of Nav2's controller_server: in a namespace of its own, latched, and what nobody has seen costs nothing.
+TEST(LocalCostmapServices, HasNav2sNamesInItsOwnNamespace) {
+  nav_msgs::msg::OccupancyGrid shown;
+  nav2_msgs::msg::Costmap raw;
+  geometry_msgs::msg::PolygonStamped footprint;
+  std::vector<GetCostmap::Response> responses;
+  std::vector<ClearEntireCostmap::Response> cleared;
+  run_with_script(
+      "components: {local_costmap: {namespace: local_costmap, remap: {scan: /scan, tracks: /tracks, obstacles: /obstacles},"
+      " parameters: {nav2_names: true, track_unknown_space: false, decay_time: 100.0}}}",
+      2.0, [&](bw::Setup& setup) {
+        setup.input<bandwagon_msgs::msg::Obstacles>("/obstacles", Qos::standard(),
+                                                    [](const auto&, const Tick&) {});
+        setup.input<nav_msgs::msg::OccupancyGrid>("/local_costmap/costmap", Qos::latched(),
+                                                  [&](const auto& m, const Tick&) { shown = m; });
+        setup.input<nav2_msgs::msg::Costmap>("/local_costmap/costmap_raw", Qos::latched(),
+                                             [&](const auto& m, const Tick&) { raw = m; });
+        setup.input<geometry_msgs::msg::PolygonStamped>("/local_costmap/published_footprint", Qos::standard(),
+                                                        [&](const auto& m, const Tick&) { footprint = m; });
+        setup.every(Duration::milliseconds(50), "robot",
+                    [scan = setup.output<sensor_msgs::msg::LaserScan>("/scan", Qos::sensor()),
+                     tf = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf())](const Tick& tick) {
+                      tf2_msgs::msg::TFMessage message;
+                      message.transforms().push_back(to_transform("odom", "base_link", tick.now, kX_OB));
+                      tf.publish(message);
+                      if (tick.sequence % 2 == 0 && seconds_since_start(tick.now) < 1.0)
+                        scan.publish(sweep(tick.now));
+                    });
+        call_at<ClearEntireCostmap>(setup, "/local_costmap/clear_entirely_local_costmap", {{1.2}}, cleared);
+        call_at<GetCostmap>(setup, "/local_costmap/get_costmap", {{1.1}, {1.3}}, responses);
+      });
+  ASSERT_EQ(raw.data().size(), 40'000U);
+  EXPECT_EQ(raw.header().frame_id(), "odom");
+  EXPECT_EQ(cost_at(raw, {1.43, 0.0}), kLethalCost);
+  EXPECT_EQ(cost_at(raw, {2.5, 0.0}), kFreeCost) << "behind the wall, where nobody has looked";
+  EXPECT_EQ(shown.data().size(), 40'000U);
+  ASSERT_EQ(footprint.polygon().points().size(), 16U);
+  for (const auto& corner : footprint.polygon().points()) {
+    const Vector2 at(static_cast<double>(corner.x()), static_cast<double>(corner.y()));
+    EXPECT_NEAR((at - kX_OB.position()).norm(), 0.3, 1e-5);
+  }
+  ASSERT_EQ(responses.size(), 2U);
+  EXPECT_EQ(cost_at(responses[0].map(), {1.43, 0.0}), kLethalCost);
+  EXPECT_EQ(cleared.size(), 1U);
+  EXPECT_EQ(cost_at(responses[1].map(), {1.43, 0.0}), kFreeCost);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "components/messages/nav2_error_codes.hpp"
 #include "components/messages/nav2_goals.hpp"
 #include "components/messages/nav2_results.hpp"
+#include "runtime/wire/type_registry.hpp"
 #include "tests/components/messages/every_nav2_type.hpp"
 
 namespace bw::test {
@@ -40,6 +41,19 @@ TYPED_TEST(Nav2Layout, HasTheNamesOfJazzy) {
     EXPECT_EQ(MessageTraits<Own>::ros_name, MessageTraits<Jazzys>::ros_name);
     EXPECT_EQ(MessageTraits<Own>::dds_name, MessageTraits<Jazzys>::dds_name);
   });
+}
+
+TYPED_TEST(Nav2Layout, ToolsFindItByItsHashAndByItsDistribution) {
+  constexpr RosDistro kDistro = !kHasCodes<TypeParam>         ? RosDistro::humble
+                                : kIsLyrical<TypeParam>       ? RosDistro::lyrical
+                                : kIsKiltedOrLater<TypeParam> ? RosDistro::kilted
+                                                              : RosDistro::jazzy;
+  every_nav2_type<TypeParam, JazzyNav2>([]<class Own, class Jazzys>() {
+    const TypeDescription& own = MessageTraits<Own>::description();
+    EXPECT_EQ(find_type(own.ros_name, kDistro), &own) << own.ros_name;
+    EXPECT_EQ(find_type(own.ros_name, own.type_hash), &own) << own.ros_name;
+  });
+  EXPECT_EQ(find_type("nav2_msgs/action/Nothing", kDistro), nullptr);
 }
 
 TYPED_TEST(Nav2Layout, EveryResultTellsItsError) {

@@ -13,11 +13,12 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+const Time kNow = Time::seconds(100.0);
 constexpr ServersReady kAll{.follow_path = true, .back_up = true};
 
 /// Sends what is due and returns its number.
 std::uint64_t sent(DriveRelay& relay) {
-  const RelayActions actions = relay.step(kAll);
+  const RelayActions actions = relay.step(kAll, kNow);
   EXPECT_TRUE(actions.send);
   return actions.send ? actions.send->number : 0;
 }
@@ -34,7 +35,7 @@ TEST(DriveRelay, APathIsFollowedUntilTheServerSaysReached) {
   relay.acknowledged(number, true);
   EXPECT_EQ(relay.report().id, 7U);
   EXPECT_EQ(relay.report().state, FollowState::following);
-  EXPECT_FALSE(relay.step(kAll).send) << "it was sent";
+  EXPECT_FALSE(relay.step(kAll, kNow).send) << "it was sent";
   relay.ended(number, end(GoalStatus::succeeded));
   EXPECT_EQ(relay.report().state, FollowState::reached);
 }
@@ -46,12 +47,12 @@ TEST(DriveRelay, ANewerPathIsSentAtOnceAndNothingIsCanceled) {
   const std::uint64_t first = sent(relay);
   relay.acknowledged(first, true);
   relay.order(2, FollowMode::follow);
-  const RelayActions actions = relay.step(kAll);
+  const RelayActions actions = relay.step(kAll, kNow);
   ASSERT_TRUE(actions.send);
   EXPECT_THAT(actions.cancel, IsEmpty());
   relay.ended(first, end(GoalStatus::aborted));
   EXPECT_EQ(relay.report().state, FollowState::following);
-  EXPECT_FALSE(relay.step(kAll).clear_costmap);
+  EXPECT_FALSE(relay.step(kAll, kNow).clear_costmap);
 }
 
 TEST(DriveRelay, AStopCancelsWhatWasAcknowledgedAndTheRestOnceItIs) {
@@ -63,10 +64,15 @@ TEST(DriveRelay, AStopCancelsWhatWasAcknowledgedAndTheRestOnceItIs) {
   const std::uint64_t second = sent(relay);
   relay.order(3, FollowMode::stop);
   EXPECT_EQ(relay.report().state, FollowState::idle);
-  EXPECT_THAT(relay.step(kAll).cancel, ElementsAre(first));
+  EXPECT_THAT(relay.step(kAll, kNow).cancel, ElementsAre(first));
   relay.acknowledged(second, true);
-  EXPECT_THAT(relay.step(kAll).cancel, ElementsAre(second));
-  EXPECT_THAT(relay.step(kAll).cancel, IsEmpty()) << "once is enough";
+  EXPECT_THAT(relay.step(kAll, kNow).cancel, ElementsAre(second));
+  relay.ended(first, end(GoalStatus::canceled));
+  EXPECT_THAT(relay.step(kAll, kNow + Duration::milliseconds(990)).cancel, IsEmpty());
+  EXPECT_THAT(relay.step(kAll, kNow + Duration::milliseconds(1000)).cancel, ElementsAre(second))
+      << "it drives on: the server may not have heard";
+  relay.ended(second, end(GoalStatus::canceled));
+  EXPECT_THAT(relay.step(kAll, kNow + Duration::milliseconds(5000)).cancel, IsEmpty());
 }
 
 TEST(DriveRelay, ItDrivesBackOnlyWhenTheControllerHasEnded) {
@@ -75,16 +81,16 @@ TEST(DriveRelay, ItDrivesBackOnlyWhenTheControllerHasEnded) {
   const std::uint64_t path = sent(relay);
   relay.acknowledged(path, true);
   relay.order(2, FollowMode::back_off);
-  RelayActions actions = relay.step(kAll);
+  RelayActions actions = relay.step(kAll, kNow);
   EXPECT_THAT(actions.cancel, ElementsAre(path));
   EXPECT_FALSE(actions.send);
   relay.ended(path, end(GoalStatus::canceled));
-  actions = relay.step(kAll);
+  actions = relay.step(kAll, kNow);
   ASSERT_TRUE(actions.send);
   EXPECT_EQ(actions.send->mode, FollowMode::back_off);
   relay.acknowledged(actions.send->number, true);
   relay.order(3, FollowMode::follow);
-  EXPECT_THAT(relay.step(kAll).cancel, ElementsAre(actions.send->number));
+  EXPECT_THAT(relay.step(kAll, kNow).cancel, ElementsAre(actions.send->number));
 }
 
 TEST(DriveRelay, SaysWhyItFailed) {
@@ -108,19 +114,40 @@ TEST(DriveRelay, SaysWhyItFailed) {
     EXPECT_EQ(relay.report().state, FollowState::failed);
     EXPECT_EQ(relay.report().reason, c.reason);
     EXPECT_EQ(relay.report().error_code, c.how.error_code);
-    EXPECT_EQ(relay.step(kAll).clear_costmap, c.clears);
-    EXPECT_FALSE(relay.step(kAll).send) << "what failed is not tried again unasked";
+    EXPECT_EQ(relay.step(kAll, kNow).clear_costmap, c.clears);
+    EXPECT_FALSE(relay.step(kAll, kNow).send) << "what failed is not tried again unasked";
   }
+}
+
+// The controller gives up each path within 0.1 s, and each is renewed: it has failed all the time, until one lasts for 0.5 s.
+TEST(DriveRelay, APathAfterAFailedOneIsDoubtedUntilItLasts) {
+  DriveRelay relay;
+  relay.order(1, FollowMode::follow);
+  relay.ended(sent(relay), end(GoalStatus::aborted, 106, "no way"));
+  relay.order(2, FollowMode::follow);
+  const std::uint64_t second = sent(relay);
+  EXPECT_EQ(relay.report().id, 2U);
+  EXPECT_EQ(relay.report().state, FollowState::failed);
+  EXPECT_EQ(relay.report().error_code, 106);
+  relay.step(kAll, kNow + Duration::milliseconds(490));
+  EXPECT_EQ(relay.report().state, FollowState::failed);
+  relay.step(kAll, kNow + Duration::milliseconds(500));
+  EXPECT_EQ(relay.report().state, FollowState::following);
+  EXPECT_EQ(relay.report().error_code, 0);
+  relay.ended(second, end(GoalStatus::aborted, 106));
+  relay.order(3, FollowMode::stop);
+  relay.order(4, FollowMode::follow);
+  EXPECT_EQ(relay.report().state, FollowState::following) << "after a rest it begins anew";
 }
 
 TEST(DriveRelay, AServerThatIsNotThereOrSaysNoIsAFailure) {
   DriveRelay relay;
   relay.order(1, FollowMode::follow);
-  EXPECT_FALSE(relay.step({}).send);
+  EXPECT_FALSE(relay.step({}, kNow).send);
   EXPECT_EQ(relay.report().state, FollowState::failed);
   EXPECT_EQ(relay.report().reason, "there is no controller_server");
   relay.order(2, FollowMode::back_off);
-  EXPECT_FALSE(relay.step({.follow_path = true}).send);
+  EXPECT_FALSE(relay.step({.follow_path = true}, kNow).send);
   EXPECT_EQ(relay.report().reason, "there is no behavior_server");
   relay.order(3, FollowMode::follow);
   relay.acknowledged(sent(relay), false);
@@ -128,7 +155,7 @@ TEST(DriveRelay, AServerThatIsNotThereOrSaysNoIsAFailure) {
 }
 
 TEST(DriveRelay, CodesOfBothPlanningActionsMeanTheSame) {
-  for (const std::uint16_t base : {200, 300}) {
+  for (const int base : {200, 300}) {
     const auto outcome = [base](int offset) { return outcome_of(static_cast<std::uint16_t>(base + offset)); };
     EXPECT_EQ(outcome(1), PlanOutcome::bad_request);
     EXPECT_EQ(outcome(3), PlanOutcome::start_blocked);
@@ -149,7 +176,7 @@ TEST(DriveRelay, OneServerDrivesAtATime) {
     std::map<std::uint64_t, FollowMode> running;  // as the servers see it
     std::map<std::uint64_t, bool> canceled;
     const auto step = [&] {
-      const RelayActions actions = relay.step(kAll);
+      const RelayActions actions = relay.step(kAll, kNow);
       for (const std::uint64_t number : actions.cancel) canceled[number] = true;
       if (!actions.send) return;
       for (const auto& [number, mode] : running) ASSERT_EQ(mode, actions.send->mode) << "seed " << seed;

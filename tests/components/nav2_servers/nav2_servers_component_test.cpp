@@ -45,6 +45,7 @@ struct Servers {
   GoalHandle<FollowPath> following;
   GoalHandle<BackUp> backing;
   double backed_from = 0.0;
+  bool is_following = false, is_backing = false;  ///< at the last look: handles do not outlive the run
 
   void configure(bw::Setup& setup) {
     offer_planner(setup);
@@ -137,6 +138,8 @@ struct Servers {
       following.succeed({});
     }
     if (backing.is_open() && backed_from - x > 0.299) backing.succeed({});
+    is_following = following.is_open();
+    is_backing = backing.is_open();
     nav_msgs::msg::Odometry message;
     message.twist().twist().linear().x(v);
     odom.publish(message);
@@ -154,7 +157,7 @@ components:
 )";
 
 template <class Nav2>
-struct Run {
+struct Drive {
   Servers<Nav2> servers;
   SentGoals<typename Nav2::NavigateToPose> to_pose;
   SentGoals<typename Nav2::NavigateThroughPoses> through_poses;
@@ -187,124 +190,124 @@ struct Run {
 // 5 m at 1 m/s: a path at once and one each second, each of which preempts the one before.
 template <class Nav2>
 void expect_reached(const std::string& distro) {
-  Run<Nav2> run;
-  run.go(distro, 12.0, {{1.0, [&] { run.send(5.0); }}});
-  const auto& sent = run.to_pose.goals[0];
+  Drive<Nav2> drive;
+  drive.go(distro, 12.0, {{1.0, [&] { drive.send(5.0); }}});
+  const auto& sent = drive.to_pose.goals[0];
   EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::succeeded));
   EXPECT_EQ(error_code_of(sent.result), 0);
-  EXPECT_NEAR(run.servers.x, 5.0, 0.21);
+  EXPECT_NEAR(drive.servers.x, 5.0, 0.21);
   EXPECT_NEAR(sent.ended_at, 6.0, 0.5);
-  EXPECT_EQ(run.servers.planner_id, "GridBased");
-  EXPECT_EQ(run.servers.controller_id, "FollowPath");
-  EXPECT_NEAR(run.servers.paths, 5, 1);
-  EXPECT_EQ(run.servers.back_ups, 0);
-  EXPECT_EQ(run.servers.local_clears, 0);
-  EXPECT_FALSE(run.servers.following.is_open());
+  EXPECT_EQ(drive.servers.planner_id, "GridBased");
+  EXPECT_EQ(drive.servers.controller_id, "FollowPath");
+  EXPECT_NEAR(drive.servers.paths, 5, 1);
+  EXPECT_EQ(drive.servers.back_ups, 0);
+  EXPECT_EQ(drive.servers.local_clears, 0);
+  EXPECT_FALSE(drive.servers.is_following);
 }
 
 TEST(Nav2Servers, AGoalIsReachedWithHumble) { expect_reached<HumbleNav2>("humble"); }
 TEST(Nav2Servers, AGoalIsReachedWithJazzy) { expect_reached<JazzyNav2>("jazzy"); }
 
 TEST(Nav2Servers, PosesArePlannedThrough) {
-  Run<JazzyNav2> run;
-  run.go("jazzy", 14.0, {{1.0, [&] {
-                            JazzyNav2::NavigateThroughPoses::Goal goal;
-                            for (const double x : {3.0, 8.0}) {
-                              auto& pose = goal.poses().emplace_back();
-                              pose.header().frame_id("map");
-                              pose.pose(to_pose({x, 0, 0}));
-                            }
-                            run.through_poses.send(goal);
-                          }}});
-  EXPECT_THAT(run.through_poses.goals[0].ends, ElementsAre(GoalStatus::succeeded));
-  EXPECT_EQ(run.servers.planned_poses.front(), 2U);
-  EXPECT_EQ(run.servers.planned_poses.back(), 1U);
+  Drive<JazzyNav2> drive;
+  drive.go("jazzy", 14.0, {{1.0, [&] {
+                              JazzyNav2::NavigateThroughPoses::Goal goal;
+                              for (const double x : {3.0, 8.0}) {
+                                auto& pose = goal.poses().emplace_back();
+                                pose.header().frame_id("map");
+                                pose.pose(to_pose({x, 0, 0}));
+                              }
+                              drive.through_poses.send(goal);
+                            }}});
+  EXPECT_THAT(drive.through_poses.goals[0].ends, ElementsAre(GoalStatus::succeeded));
+  EXPECT_EQ(drive.servers.planned_poses.front(), 2U);
+  EXPECT_EQ(drive.servers.planned_poses.back(), 1U);
 }
 
 // The controller is given the newer path while it drives: the robot never stands between.
 TEST(Nav2Servers, ANewerGoalPreemptsWithoutAStop) {
-  Run<JazzyNav2> run;
+  Drive<JazzyNav2> drive;
   std::vector<double> way;
-  run.go("jazzy", 12.0,
-         {{1.0, [&] { run.send(20.0); }},
-          {3.0,
-           [&] {
-             way.push_back(run.servers.x);
-             run.send(8.0);
-           }},
-          {4.0, [&] { way.push_back(run.servers.x); }}});
-  EXPECT_THAT(run.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
-  EXPECT_EQ(run.to_pose.goals[0].result.error_msg(), "preempted by goal 2");
-  EXPECT_THAT(run.to_pose.goals[1].ends, ElementsAre(GoalStatus::succeeded));
+  drive.go("jazzy", 12.0,
+           {{1.0, [&] { drive.send(20.0); }},
+            {3.0,
+             [&] {
+               way.push_back(drive.servers.x);
+               drive.send(8.0);
+             }},
+            {4.0, [&] { way.push_back(drive.servers.x); }}});
+  EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_EQ(drive.to_pose.goals[0].result.error_msg(), "preempted by goal 2");
+  EXPECT_THAT(drive.to_pose.goals[1].ends, ElementsAre(GoalStatus::succeeded));
   EXPECT_NEAR(way[1] - way[0], 1.0, 0.051);
 }
 
 TEST(Nav2Servers, ACanceledGoalCancelsTheControllers) {
-  Run<JazzyNav2> run;
-  run.go("jazzy", 6.0, {{1.0, [&] { run.send(20.0); }}, {3.0, [&] { run.to_pose.cancel(0); }}});
-  EXPECT_THAT(run.to_pose.goals[0].ends, ElementsAre(GoalStatus::canceled));
-  EXPECT_FALSE(run.servers.following.is_open());
-  EXPECT_NEAR(run.servers.x, 2.0, 0.11);
-  EXPECT_NEAR(run.to_pose.goals[0].ended_at, 3.1, 0.1);
+  Drive<JazzyNav2> drive;
+  drive.go("jazzy", 6.0, {{1.0, [&] { drive.send(20.0); }}, {3.0, [&] { drive.to_pose.cancel(0); }}});
+  EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::canceled));
+  EXPECT_FALSE(drive.servers.is_following);
+  EXPECT_NEAR(drive.servers.x, 2.0, 0.11);
+  EXPECT_NEAR(drive.to_pose.goals[0].ended_at, 3.1, 0.1);
 }
 
 // Jazzy hands on the code of the server that failed. The default tree clears the global costmap and tries again; so does this.
 TEST(Nav2Servers, AGoalWithoutAPathEndsWithThePlannersCode) {
-  for (const std::uint16_t code : {201, 204, 206, 208}) {
-    Run<JazzyNav2> run;
-    run.servers.plan_code = code;
-    run.go("jazzy", 20.0, {{1.0, [&] { run.send(5.0); }}});
-    const auto& sent = run.to_pose.goals[0];
+  for (const int code : {201, 204, 206, 208}) {
+    Drive<JazzyNav2> drive;
+    drive.servers.plan_code = static_cast<std::uint16_t>(code);
+    drive.go("jazzy", 20.0, {{1.0, [&] { drive.send(5.0); }}});
+    const auto& sent = drive.to_pose.goals[0];
     EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::aborted));
     EXPECT_EQ(sent.result.error_code(), code);
     EXPECT_EQ(sent.result.error_msg(), "no plan: planner_server: no way there");
-    EXPECT_EQ(run.servers.global_clears, code == 201 ? 1 : 3)
+    EXPECT_EQ(drive.servers.global_clears, code == 201 ? 1 : 3)
         << "no planner of that name will come; the rest is tried thrice";
-    EXPECT_EQ(run.servers.x, 0.0);
+    EXPECT_EQ(drive.servers.x, 0.0);
   }
 }
 
 // It gives up at once, for good: after six recoveries, every second one driving back by 0.3 m, the goal ends with its code.
 TEST(Nav2Servers, AControllerThatGivesUpIsRecoveredFromAndTold) {
-  Run<JazzyNav2> run;
-  run.servers.follow_code = 106;
-  run.go("jazzy", 60.0, {{1.0, [&] { run.send(5.0); }}});
-  const auto& sent = run.to_pose.goals[0];
+  Drive<JazzyNav2> drive;
+  drive.servers.follow_code = 106;
+  drive.go("jazzy", 60.0, {{1.0, [&] { drive.send(5.0); }}});
+  const auto& sent = drive.to_pose.goals[0];
   EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::aborted));
   EXPECT_EQ(sent.result.error_code(), 106);
   EXPECT_THAT(sent.result.error_msg(), HasSubstr("controller_server: no valid trajectory"));
-  EXPECT_EQ(run.servers.back_ups, 3);
-  EXPECT_NEAR(run.servers.x, -0.9, 0.05);
-  EXPECT_GE(run.servers.local_clears, 7);
-  EXPECT_FALSE(run.servers.backing.is_open());
+  EXPECT_EQ(drive.servers.back_ups, 3);
+  EXPECT_NEAR(drive.servers.x, -0.9, 0.05);
+  EXPECT_GE(drive.servers.local_clears, 7);
+  EXPECT_FALSE(drive.servers.is_backing);
 }
 
 // Stuck for 15 s: the robot makes no progress, waits, drives back, and goes on when it can.
 TEST(Nav2Servers, AStuckRobotGoesOnWhenItCan) {
-  Run<JazzyNav2> run;
-  run.go("jazzy", 60.0,
-         {{1.0, [&] { run.send(5.0); }},
-          {2.0, [&] { run.servers.is_stuck = true; }},
-          {27.0, [&] { run.servers.is_stuck = false; }}});
-  EXPECT_THAT(run.to_pose.goals[0].ends, ElementsAre(GoalStatus::succeeded));
-  EXPECT_EQ(run.servers.back_ups, 1);
-  EXPECT_GE(run.to_pose.goals[0].feedback.back().number_of_recoveries(), 2);
+  Drive<JazzyNav2> drive;
+  drive.go("jazzy", 60.0,
+           {{1.0, [&] { drive.send(5.0); }},
+            {2.0, [&] { drive.servers.is_stuck = true; }},
+            {27.0, [&] { drive.servers.is_stuck = false; }}});
+  EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::succeeded));
+  EXPECT_EQ(drive.servers.back_ups, 1);
+  EXPECT_GE(drive.to_pose.goals[0].feedback.back().number_of_recoveries(), 2);
 }
 
 TEST(Nav2Servers, WithoutABehaviorServerItOnlyWaits) {
-  Run<JazzyNav2> run;
-  run.servers.has_behaviors = false;
-  run.servers.follow_code = 106;
-  run.go("jazzy", 60.0, {{1.0, [&] { run.send(5.0); }}});
-  EXPECT_THAT(run.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
-  EXPECT_EQ(run.servers.x, 0.0);
+  Drive<JazzyNav2> drive;
+  drive.servers.has_behaviors = false;
+  drive.servers.follow_code = 106;
+  drive.go("jazzy", 60.0, {{1.0, [&] { drive.send(5.0); }}});
+  EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_EQ(drive.servers.x, 0.0);
 }
 
 TEST(Nav2Servers, WithoutServersTheGoalEndsWithThatReason) {
-  Run<JazzyNav2> run;
-  run.go("jazzy", 40.0, {{1.0, [&] { run.send(5.0); }}}, false);
-  EXPECT_THAT(run.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
-  EXPECT_THAT(run.to_pose.goals[0].result.error_msg(), HasSubstr("there is no planner_server"));
+  Drive<JazzyNav2> drive;
+  drive.go("jazzy", 40.0, {{1.0, [&] { drive.send(5.0); }}}, false);
+  EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_THAT(drive.to_pose.goals[0].result.error_msg(), HasSubstr("there is no planner_server"));
 }
 
 }  // namespace

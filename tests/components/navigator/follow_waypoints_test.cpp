@@ -35,7 +35,7 @@ ToPose::Goal to_pose_goal(double x) {
   return message;
 }
 
-struct Run {
+struct Drive {
   World world;
   SentGoals<Waypoints> waypoints;
   SentGoals<ToPose> to_pose;
@@ -66,42 +66,42 @@ std::vector<std::uint32_t> visited(const Goal& sent) {
 
 // 2 m, 1 m and 2 m at 1 m/s with a pause of 1 s after each but the last: 7 s, and a stop at each.
 TEST(FollowWaypoints, EachIsStoppedAt) {
-  Run run;
-  run.go(12.0, {{1.0, [&] { run.waypoints.send(over({2.0, 3.0, 1.0})); }}});
-  const auto& sent = run.waypoints.goals[0];
+  Drive drive;
+  drive.go(12.0, {{1.0, [&] { drive.waypoints.send(over({2.0, 3.0, 1.0})); }}});
+  const auto& sent = drive.waypoints.goals[0];
   EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::succeeded));
   EXPECT_THAT(sent.result.missed_waypoints(), IsEmpty());
   EXPECT_EQ(sent.result.error_code(), 0);
   EXPECT_NEAR(sent.ended_at, 8.0, 0.5);
   EXPECT_THAT(visited(sent), ElementsAre(0, 1, 2));
   EXPECT_NEAR(static_cast<double>(sent.feedback.size()), 7.0 / 0.2, 7.0);
-  EXPECT_EQ(run.world.stops, 3);
-  EXPECT_NEAR(run.world.x, 1.0, 1e-9);
+  EXPECT_EQ(drive.world.stops, 3);
+  EXPECT_NEAR(drive.world.x, 1.0, 1e-9);
 }
 
 // It begins with the third of three and drives all of them twice more.
 TEST(FollowWaypoints, FirstIndexAndLoopsAreJazzys) {
-  Run run;
+  Drive drive;
   auto goal = over({2.0, 3.0, 1.0});
   goal.goal_index(2);
   goal.number_of_loops(2);
-  run.go(30.0, {{1.0, [&] { run.waypoints.send(goal); }}}, "waypoint_pause: 0.2");
-  EXPECT_THAT(run.waypoints.goals[0].ends, ElementsAre(GoalStatus::succeeded));
-  EXPECT_THAT(visited(run.waypoints.goals[0]), ElementsAre(2, 0, 1, 2, 0, 1, 2));
+  drive.go(30.0, {{1.0, [&] { drive.waypoints.send(goal); }}}, "waypoint_pause: 0.2");
+  EXPECT_THAT(drive.waypoints.goals[0].ends, ElementsAre(GoalStatus::succeeded));
+  EXPECT_THAT(visited(drive.waypoints.goals[0]), ElementsAre(2, 0, 1, 2, 0, 1, 2));
 }
 
 // The second lies in a wall, code 206 of Nav2. Humble's result has its index alone.
 TEST(FollowWaypoints, OneThatIsMissedIsTheLastOrNot) {
   for (const bool stop : {true, false}) {
-    Run run;
-    run.world.wall = 10.0;
-    run.go(20.0,
-           {{1.0,
-             [&] {
-               run.waypoints.send(over({2.0, 11.0, 1.0}));
-             }}},
-           std::string("stop_on_failure: ") + (stop ? "true" : "false"));
-    const auto& sent = run.waypoints.goals[0];
+    Drive drive;
+    drive.world.wall = 10.0;
+    drive.go(20.0,
+             {{1.0,
+               [&] {
+                 drive.waypoints.send(over({2.0, 11.0, 1.0}));
+               }}},
+             std::string("stop_on_failure: ") + (stop ? "true" : "false"));
+    const auto& sent = drive.waypoints.goals[0];
     EXPECT_THAT(sent.ends, ElementsAre(stop ? GoalStatus::aborted : GoalStatus::succeeded));
     EXPECT_EQ(sent.result.error_code(), stop ? 600 : 0);
     EXPECT_THAT(sent.result.error_msg(), HasSubstr(stop ? "goal 1 of the list was missed: no plan" : ""));
@@ -109,7 +109,7 @@ TEST(FollowWaypoints, OneThatIsMissedIsTheLastOrNot) {
     EXPECT_EQ(sent.result.missed_waypoints()[0].index(), 1U);
     EXPECT_EQ(sent.result.missed_waypoints()[0].error_code(), 206);
     EXPECT_EQ(sent.result.missed_waypoints()[0].goal().pose().position().x(), 11.0);
-    EXPECT_NEAR(run.world.x, stop ? 2.0 : 1.0, 1e-9);
+    EXPECT_NEAR(drive.world.x, stop ? 2.0 : 1.0, 1e-9);
   }
 }
 
@@ -139,89 +139,89 @@ TEST(FollowWaypoints, OtherDistributionsAreToldInTheirWords) {
 }
 
 TEST(FollowWaypoints, ListsThatCannotBeDrivenAreRefusedAtOnce) {
-  Run run;
+  Drive drive;
   auto mars = over({1.0, 2.0});
   mars.poses()[1].header().frame_id("mars");
   auto beyond = over({1.0, 2.0});
   beyond.goal_index(2);
-  run.go(8.0, {{1.0, [&] { run.to_pose.send({}); }},  // no pose: frame ''
-               {1.5, [&] {
-                  run.waypoints.send({});
-                  run.waypoints.send(mars);
-                  run.waypoints.send(beyond);
-                }}});
+  drive.go(8.0, {{1.0, [&] { drive.to_pose.send({}); }},  // no pose: frame ''
+                 {1.5, [&] {
+                    drive.waypoints.send({});
+                    drive.waypoints.send(mars);
+                    drive.waypoints.send(beyond);
+                  }}});
   const std::string sentences[] = {"the list of poses is empty", "pose 1 of 2: the goal is in frame 'mars'",
                                    "goal_index 2 is none of 2 poses"};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto& sent = run.waypoints.goals[i];
+    const auto& sent = drive.waypoints.goals[i];
     EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::aborted));
     EXPECT_EQ(sent.result.error_code(), 600);
     EXPECT_THAT(sent.result.error_msg(), HasSubstr(sentences[i]));
     EXPECT_NEAR(sent.ended_at, 1.5, 0.011);
   }
-  EXPECT_EQ(run.world.x, 0.0);
+  EXPECT_EQ(drive.world.x, 0.0);
 }
 
 TEST(FollowWaypoints, CanceledItEndsWhenTheRobotStandsAndInAPauseAtOnce) {
   for (const double when : {2.0, 3.5}) {  // on the way to the first, and in the pause after it
-    Run run;
-    run.go(8.0,
-           {{1.0,
-             [&] {
-               run.waypoints.send(over({2.0, 9.0}));
-             }},
-            {when, [&] { run.waypoints.cancel(0); }}},
-           "waypoint_pause: 2.0");
-    const auto& sent = run.waypoints.goals[0];
+    Drive drive;
+    drive.go(8.0,
+             {{1.0,
+               [&] {
+                 drive.waypoints.send(over({2.0, 9.0}));
+               }},
+              {when, [&] { drive.waypoints.cancel(0); }}},
+             "waypoint_pause: 2.0");
+    const auto& sent = drive.waypoints.goals[0];
     EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::canceled));
     EXPECT_EQ(sent.result.error_msg(), "canceled by request");
     EXPECT_THAT(sent.result.missed_waypoints(), IsEmpty());
     EXPECT_NEAR(sent.ended_at, when == 2.0 ? 2.1 : 3.5, 0.06);
-    EXPECT_NEAR(run.world.x, when == 2.0 ? 1.0 : 2.0, 0.11);
+    EXPECT_NEAR(drive.world.x, when == 2.0 ? 1.0 : 2.0, 0.11);
   }
 }
 
 TEST(FollowWaypoints, AnyNewerGoalPreemptsTheList) {
   for (const double when : {2.0, 3.5}) {
-    Run run;
-    run.go(16.0,
-           {{1.0,
-             [&] {
-               run.waypoints.send(over({2.0, 9.0}));
-             }},
-            {when,
-             [&] {
-               run.waypoints.send(over({4.0, 5.0}));
-             }},
-            {8.0, [&] { run.to_pose.send(to_pose_goal(6.0)); }}},
-           "waypoint_pause: 2.0");
-    EXPECT_THAT(run.waypoints.goals[0].ends, ElementsAre(GoalStatus::aborted));
-    EXPECT_EQ(run.waypoints.goals[0].result.error_msg(), "preempted by a newer goal");
-    EXPECT_NEAR(run.waypoints.goals[0].ended_at, when, 0.011);
-    EXPECT_NEAR(run.waypoints.goals[1].ended_at, 8.0, 0.011);
-    EXPECT_THAT(run.to_pose.goals[0].ends, ElementsAre(GoalStatus::succeeded));
-    EXPECT_NEAR(run.world.x, 6.0, 1e-9);
+    Drive drive;
+    drive.go(16.0,
+             {{1.0,
+               [&] {
+                 drive.waypoints.send(over({2.0, 9.0}));
+               }},
+              {when,
+               [&] {
+                 drive.waypoints.send(over({4.0, 5.0}));
+               }},
+              {8.0, [&] { drive.to_pose.send(to_pose_goal(6.0)); }}},
+             "waypoint_pause: 2.0");
+    EXPECT_THAT(drive.waypoints.goals[0].ends, ElementsAre(GoalStatus::aborted));
+    EXPECT_EQ(drive.waypoints.goals[0].result.error_msg(), "preempted by a newer goal");
+    EXPECT_NEAR(drive.waypoints.goals[0].ended_at, when, 0.011);
+    EXPECT_NEAR(drive.waypoints.goals[1].ended_at, 8.0, 0.011);
+    EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::succeeded));
+    EXPECT_NEAR(drive.world.x, 6.0, 1e-9);
   }
 }
 
 TEST(FollowWaypoints, WhatSomebodyElseCancelsEndsAborted) {
-  Run run;
-  run.go(5.0, {{1.0,
-                [&] {
-                  run.waypoints.send(over({9.0, 1.0}));
-                }},
-               {2.0, [&] { run.cancel_goal.publish({}); }}});
-  EXPECT_THAT(run.waypoints.goals[0].ends, ElementsAre(GoalStatus::aborted));
-  EXPECT_EQ(run.waypoints.goals[0].result.error_msg(), "canceled by request");
+  Drive drive;
+  drive.go(5.0, {{1.0,
+                  [&] {
+                    drive.waypoints.send(over({9.0, 1.0}));
+                  }},
+                 {2.0, [&] { drive.cancel_goal.publish({}); }}});
+  EXPECT_THAT(drive.waypoints.goals[0].ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_EQ(drive.waypoints.goals[0].result.error_msg(), "canceled by request");
 }
 
 // A client is told within lost_patience of each of its goals, where a goal of the graph would wait.
 TEST(FollowWaypoints, AListOfARobotThatIsLostEnds) {
-  Run run;
-  run.world.is_lost = true;
-  run.go(15.0, {{1.0, [&] { run.waypoints.send(over({9.0, 1.0})); }}});
-  EXPECT_THAT(run.waypoints.goals[0].ends, ElementsAre(GoalStatus::aborted));
-  EXPECT_EQ(run.waypoints.goals[0].result.missed_waypoints().at(0).error_code(), 202);
+  Drive drive;
+  drive.world.is_lost = true;
+  drive.go(15.0, {{1.0, [&] { drive.waypoints.send(over({9.0, 1.0})); }}});
+  EXPECT_THAT(drive.waypoints.goals[0].ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_EQ(drive.waypoints.goals[0].result.missed_waypoints().at(0).error_code(), 202);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ typename Action::Goal through(const std::vector<double>& xs) {
 }
 
 /// Runs the navigator in the world with clients of its actions.
-struct Run {
+struct Drive {
   World world;
   SentGoals<ToPose> to_pose;
   SentGoals<ThroughPoses> through_poses;
@@ -64,9 +64,9 @@ struct Run {
 
 // 3 m at 1 m/s: feedback each 0.2 s and at each change of the status; the tolerance of 0.2 m is entered and left standing at 3 s.
 TEST(NavigateActions, APoseIsReachedWithFeedbackOnTheWay) {
-  Run run;
-  run.go(8.0, {{1.0, [&] { run.to_pose.send(to(3.0)); }}});
-  const auto& sent = run.to_pose.goals.at(0);
+  Drive drive;
+  drive.go(8.0, {{1.0, [&] { drive.to_pose.send(to(3.0)); }}});
+  const auto& sent = drive.to_pose.goals.at(0);
   EXPECT_TRUE(sent.accepted);
   EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::succeeded));
   EXPECT_EQ(sent.result.error_code(), 0);
@@ -93,73 +93,73 @@ TEST(NavigateActions, APoseIsReachedWithFeedbackOnTheWay) {
 
 // Each front end preempts the one before, and the robot drives on: the only request to stand is that of the arrival.
 TEST(NavigateActions, EveryFrontEndPreemptsEveryOther) {
-  Run run;
+  Drive drive;
   Output<geometry_msgs::msg::PoseStamped> topic;
-  run.more = [&](bw::Setup& setup) { topic = setup.output<geometry_msgs::msg::PoseStamped>("goal_pose"); };
-  run.go(20.0,
-         {{2.0, [&] { run.to_pose.send(to(20.0)); }},  // after the graph's own goal
-          {3.0,
-           [&] {
-             run.through_poses.send(through<ThroughPoses>({10.0, 20.0}));
-           }},
-          {4.0, [&] { run.to_pose.send(to(20.0)); }},
-          {5.0, [&] { run.to_pose.send(to(21.0)); }},
-          {6.0, [&] { topic.publish(goal(8.0)); }}},
-         "goal: {enabled: true, x: 30.0}");
-  EXPECT_THAT(run.to_pose.goals[0].result.error_msg(), "preempted by goal 3");
-  EXPECT_THAT(run.through_poses.goals[0].result.error_msg(), "preempted by goal 4");
-  EXPECT_THAT(run.to_pose.goals[1].result.error_msg(), "preempted by goal 5");
-  EXPECT_THAT(run.to_pose.goals[2].result.error_msg(), "preempted by goal 6");
-  for (const auto& sent : run.to_pose.goals) EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::aborted));
-  EXPECT_THAT(run.through_poses.goals[0].ends, ElementsAre(GoalStatus::aborted));
-  EXPECT_NEAR(run.to_pose.goals[2].ended_at, 6.0, 0.011);
-  EXPECT_EQ(run.world.statuses.back().status(), NavigationStatus_Constants::SUCCEEDED);
-  EXPECT_NEAR(run.world.x, 8.0, 1e-9);
-  EXPECT_EQ(run.world.stops, 1);
+  drive.more = [&](bw::Setup& setup) { topic = setup.output<geometry_msgs::msg::PoseStamped>("goal_pose"); };
+  drive.go(20.0,
+           {{2.0, [&] { drive.to_pose.send(to(20.0)); }},  // after the graph's own goal
+            {3.0,
+             [&] {
+               drive.through_poses.send(through<ThroughPoses>({10.0, 20.0}));
+             }},
+            {4.0, [&] { drive.to_pose.send(to(20.0)); }},
+            {5.0, [&] { drive.to_pose.send(to(21.0)); }},
+            {6.0, [&] { topic.publish(goal(8.0)); }}},
+           "goal: {enabled: true, x: 30.0}");
+  EXPECT_THAT(drive.to_pose.goals[0].result.error_msg(), "preempted by goal 3");
+  EXPECT_THAT(drive.through_poses.goals[0].result.error_msg(), "preempted by goal 4");
+  EXPECT_THAT(drive.to_pose.goals[1].result.error_msg(), "preempted by goal 5");
+  EXPECT_THAT(drive.to_pose.goals[2].result.error_msg(), "preempted by goal 6");
+  for (const auto& sent : drive.to_pose.goals) EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_THAT(drive.through_poses.goals[0].ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_NEAR(drive.to_pose.goals[2].ended_at, 6.0, 0.011);
+  EXPECT_EQ(drive.world.statuses.back().status(), NavigationStatus_Constants::SUCCEEDED);
+  EXPECT_NEAR(drive.world.x, 8.0, 1e-9);
+  EXPECT_EQ(drive.world.stops, 1);
 }
 
 TEST(NavigateActions, CanceledTwiceItEndsOnceWhenTheRobotStands) {
-  Run run;
+  Drive drive;
   double x = 0.0;
-  run.go(6.0, {{1.0, [&] { run.to_pose.send(to(30.0)); }},
-               {3.0,
-                [&] {
-                  x = run.world.x;
-                  run.to_pose.cancel(0);
-                  run.to_pose.cancel(0);
-                }},
-               {4.0, [&] { run.to_pose.cancel(0); }}});
-  const auto& sent = run.to_pose.goals[0];
+  drive.go(6.0, {{1.0, [&] { drive.to_pose.send(to(30.0)); }},
+                 {3.0,
+                  [&] {
+                    x = drive.world.x;
+                    drive.to_pose.cancel(0);
+                    drive.to_pose.cancel(0);
+                  }},
+                 {4.0, [&] { drive.to_pose.cancel(0); }}});
+  const auto& sent = drive.to_pose.goals[0];
   EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::canceled));
   EXPECT_EQ(sent.result.error_msg(), "canceled by request");
   EXPECT_EQ(sent.result.error_code(), 0);
   EXPECT_NEAR(sent.ended_at, 3.1,
               0.06);  // it stands with the next odometry, which comes within 50 ms, and is looked at as late
-  EXPECT_NEAR(run.world.x, x, 0.051);
+  EXPECT_NEAR(drive.world.x, x, 0.051);
 }
 
 // Somebody cancels by the topic: the client did not ask for it, and its goal may not end canceled.
 TEST(NavigateActions, WhatSomebodyElseCancelsEndsAborted) {
-  Run run;
+  Drive drive;
   Output<std_msgs::msg::Empty> topic;
-  run.more = [&](bw::Setup& setup) { topic = setup.output<std_msgs::msg::Empty>("cancel_goal"); };
-  run.go(4.0, {{1.0, [&] { run.to_pose.send(to(30.0)); }}, {2.0, [&] { topic.publish({}); }}});
-  EXPECT_THAT(run.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
-  EXPECT_EQ(run.to_pose.goals[0].result.error_msg(), "canceled by request");
+  drive.more = [&](bw::Setup& setup) { topic = setup.output<std_msgs::msg::Empty>("cancel_goal"); };
+  drive.go(4.0, {{1.0, [&] { drive.to_pose.send(to(30.0)); }}, {2.0, [&] { topic.publish({}); }}});
+  EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_EQ(drive.to_pose.goals[0].result.error_msg(), "canceled by request");
 }
 
 TEST(NavigateActions, OfFiftyGoalsAtOnceTheLastIsDriven) {
-  Run run;
-  run.go(9.0, {{1.0, [&] {
-                  for (int i = 0; i < 50; ++i) run.to_pose.send(to(5.0));
-                }}});
-  ASSERT_EQ(run.to_pose.goals.size(), 50U);
+  Drive drive;
+  drive.go(9.0, {{1.0, [&] {
+                    for (int i = 0; i < 50; ++i) drive.to_pose.send(to(5.0));
+                  }}});
+  ASSERT_EQ(drive.to_pose.goals.size(), 50U);
   for (std::size_t i = 0; i < 50; ++i) {
-    const auto& sent = run.to_pose.goals[i];
+    const auto& sent = drive.to_pose.goals[i];
     EXPECT_TRUE(sent.accepted);
     EXPECT_THAT(sent.ends, ElementsAre(i < 49 ? GoalStatus::aborted : GoalStatus::succeeded)) << i;
   }
-  EXPECT_NEAR(run.world.x, 5.0, 1e-9);
+  EXPECT_NEAR(drive.world.x, 5.0, 1e-9);
 }
 
 /// A goal that cannot be driven to, its code in Jazzy and from Kilted on, and a part of the sentence.
@@ -238,66 +238,66 @@ TEST(NavigateActions, BadGoalsAreRefusedWithKiltedsCodes) {
 
 // A stamp in map says nothing, as in tf2; in odom a stamp that is a little ahead of the newest transform is taken.
 TEST(NavigateActions, AStampThatCanBeMetIsNoFault) {
-  Run run;
-  run.more = publish_tf;
+  Drive drive;
+  drive.more = publish_tf;
   auto in_map = to(2.0), in_odom = to(3.0, "odom");
   in_map.pose().header().stamp().sec(1);
   in_odom.pose().header().stamp(to_stamp(LockstepRunner::kStart + Duration::seconds(5.05)));
-  run.go(8.0, {{1.0, [&] { run.to_pose.send(in_map); }}, {5.0, [&] { run.to_pose.send(in_odom); }}});
-  for (const auto& sent : run.to_pose.goals) EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::succeeded));
-  EXPECT_NEAR(run.world.x, 3.0, 1e-9);
+  drive.go(8.0, {{1.0, [&] { drive.to_pose.send(in_map); }}, {5.0, [&] { drive.to_pose.send(in_odom); }}});
+  for (const auto& sent : drive.to_pose.goals) EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::succeeded));
+  EXPECT_NEAR(drive.world.x, 3.0, 1e-9);
 }
 
 // Three answers in a row, 2 s apart, that the goal is in a wall: 206 is Nav2's code of an occupied goal.
 TEST(NavigateActions, AGoalInAWallEndsWithThePlannersReason) {
-  Run run;
-  run.world.wall = 10.0;
-  run.go(9.0, {{1.0, [&] { run.to_pose.send(to(11.0)); }}});
-  EXPECT_THAT(run.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
-  EXPECT_EQ(run.to_pose.goals[0].result.error_code(), 206);
-  EXPECT_THAT(run.to_pose.goals[0].result.error_msg(), HasSubstr("the goal lies in a wall"));
-  EXPECT_EQ(run.world.x, 0.0);
+  Drive drive;
+  drive.world.wall = 10.0;
+  drive.go(9.0, {{1.0, [&] { drive.to_pose.send(to(11.0)); }}});
+  EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_EQ(drive.to_pose.goals[0].result.error_code(), 206);
+  EXPECT_THAT(drive.to_pose.goals[0].result.error_msg(), HasSubstr("the goal lies in a wall"));
+  EXPECT_EQ(drive.world.x, 0.0);
 }
 
 TEST(NavigateActions, ARobotThatIsLostStopsAndItsGoalEnds) {
-  Run run;
-  run.go(20.0, {{1.0, [&] { run.to_pose.send(to(30.0)); }}, {3.0, [&] { run.world.is_lost = true; }}});
-  EXPECT_THAT(run.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
-  EXPECT_EQ(run.to_pose.goals[0].result.error_code(), 202);
-  EXPECT_THAT(run.to_pose.goals[0].result.error_msg(), HasSubstr("does not know where it is"));
-  EXPECT_EQ(run.world.mode, FollowRequest_Constants::STOP);
+  Drive drive;
+  drive.go(20.0, {{1.0, [&] { drive.to_pose.send(to(30.0)); }}, {3.0, [&] { drive.world.is_lost = true; }}});
+  EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_EQ(drive.to_pose.goals[0].result.error_code(), 202);
+  EXPECT_THAT(drive.to_pose.goals[0].result.error_msg(), HasSubstr("does not know where it is"));
+  EXPECT_EQ(drive.world.mode, FollowRequest_Constants::STOP);
 }
 
 TEST(NavigateActions, GoalsOfADeactivatedNavigatorEndAborted) {
   using lifecycle_msgs::srv::ChangeState;
   constexpr std::uint8_t kDeactivate = 4;
-  Run run;
+  Drive drive;
   Client<ChangeState> transition;
-  run.more = [&](bw::Setup& setup) { transition = setup.client<ChangeState>("navigator/change_state"); };
-  run.go(5.0, {{1.0, [&] { run.to_pose.send(to(30.0)); }},
-               {2.0,
-                [&] {
-                  ChangeState::Request request;
-                  request.transition().id(kDeactivate);
-                  transition.call(request, Duration::milliseconds(500),
-                                  [](const ChangeState::Response*, const Tick&) {});
-                }},
-               {3.0, [&] { run.to_pose.send(to(30.0)); }}});
-  EXPECT_THAT(run.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
-  EXPECT_EQ(run.to_pose.goals[0].result.error_code(), 200);
-  EXPECT_THAT(run.to_pose.goals[0].result.error_msg(), HasSubstr("navigator"));
-  EXPECT_EQ(run.world.mode, FollowRequest_Constants::STOP);
-  EXPECT_EQ(run.to_pose.goals[1].acknowledged, 1);
-  EXPECT_FALSE(run.to_pose.goals[1].accepted);
+  drive.more = [&](bw::Setup& setup) { transition = setup.client<ChangeState>("navigator/change_state"); };
+  drive.go(5.0, {{1.0, [&] { drive.to_pose.send(to(30.0)); }},
+                 {2.0,
+                  [&] {
+                    ChangeState::Request request;
+                    request.transition().id(kDeactivate);
+                    transition.call(request, Duration::milliseconds(500),
+                                    [](const ChangeState::Response*, const Tick&) {});
+                  }},
+                 {3.0, [&] { drive.to_pose.send(to(30.0)); }}});
+  EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_EQ(drive.to_pose.goals[0].result.error_code(), 200);
+  EXPECT_THAT(drive.to_pose.goals[0].result.error_msg(), HasSubstr("navigator"));
+  EXPECT_EQ(drive.world.mode, FollowRequest_Constants::STOP);
+  EXPECT_EQ(drive.to_pose.goals[1].acknowledged, 1);
+  EXPECT_FALSE(drive.to_pose.goals[1].accepted);
 }
 
 // Poses at 3, 6 and 10 m: the first two are passed 0.7 m before them, without a stop.
 TEST(NavigateActions, PosesAreDrivenThrough) {
-  Run run;
-  run.go(14.0, {{1.0, [&] { run.through_poses.send(through<ThroughPoses>({3.0, 6.0, 10.0})); }}});
-  const auto& sent = run.through_poses.goals[0];
+  Drive drive;
+  drive.go(14.0, {{1.0, [&] { drive.through_poses.send(through<ThroughPoses>({3.0, 6.0, 10.0})); }}});
+  const auto& sent = drive.through_poses.goals[0];
   EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::succeeded));
-  EXPECT_EQ(run.world.stops, 1);
+  EXPECT_EQ(drive.world.stops, 1);
   EXPECT_NEAR(sent.ended_at, 11.0, 0.15);
   for (const auto& feedback : sent.feedback) {
     const double x = feedback.current_pose().pose().position().x();
@@ -307,20 +307,20 @@ TEST(NavigateActions, PosesAreDrivenThrough) {
                                                  : feedback.number_of_poses_remaining();
     EXPECT_EQ(feedback.number_of_poses_remaining(), remaining) << "at " << x;
   }
-  EXPECT_EQ(run.world.via_counts.front(), 2U);
-  EXPECT_EQ(run.world.via_counts.back(), 0U);
+  EXPECT_EQ(drive.world.via_counts.front(), 2U);
+  EXPECT_EQ(drive.world.via_counts.back(), 0U);
 }
 
 TEST(NavigateActions, ListsThatCannotBeDrivenThroughAreRefused) {
-  Run run;
+  Drive drive;
   auto mars = through<ThroughPoses>({1.0, 2.0, 3.0});
   mars.poses()[1].header().frame_id("mars");
-  run.go(3.0, {{1.0, [&] {
-                  run.through_poses.send({});
-                  run.through_poses.send(mars);
-                  run.through_poses.send(through<ThroughPoses>(std::vector<double>(1001, 1.0)));
-                }}});
-  const auto& goals = run.through_poses.goals;
+  drive.go(3.0, {{1.0, [&] {
+                    drive.through_poses.send({});
+                    drive.through_poses.send(mars);
+                    drive.through_poses.send(through<ThroughPoses>(std::vector<double>(1001, 1.0)));
+                  }}});
+  const auto& goals = drive.through_poses.goals;
   for (const auto& sent : goals) EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::aborted));
   EXPECT_EQ(goals[0].result.error_code(), 309);
   EXPECT_EQ(goals[0].result.error_msg(), "the list of poses is empty");
@@ -328,7 +328,7 @@ TEST(NavigateActions, ListsThatCannotBeDrivenThroughAreRefused) {
   EXPECT_THAT(goals[1].result.error_msg(), HasSubstr("pose 1 of 3: the goal is in frame 'mars'"));
   EXPECT_EQ(goals[2].result.error_code(), 300);
   EXPECT_EQ(goals[2].result.error_msg(), "1001 poses to drive through are more than 1000");
-  EXPECT_EQ(run.world.x, 0.0);
+  EXPECT_EQ(drive.world.x, 0.0);
 }
 
 // From Kilted on feedback and result say of each pose: pending 0, completed 1, failed 3.

@@ -24,6 +24,24 @@ TEST(KnownType, EveryTypeOfTheBuildIsItself) {
   }
 }
 
+// A recording from a robot of another distribution, known by its schema or by its hash alone.
+TEST(KnownType, LayoutsOfOtherDistributionsAreThemselves) {
+  int by_text = 0;
+  for (const TypeDescription* layout : other_layouts()) {
+    const std::string name(layout->ros_name);
+    const KnownType known = known_type(topic(name, schema_text(*layout)));
+    ASSERT_NE(known.type, nullptr) << name << ": " << known.why;
+    EXPECT_EQ(known.type->type_hash, layout->type_hash) << name;
+    by_text += known.type == layout ? 1 : 0;
+    const BagTopic hashed{.name = "/a", .type = name, .type_hash = std::string(layout->type_hash)};
+    ASSERT_NE(known_type(hashed).type, nullptr) << name;
+    EXPECT_EQ(known_type(hashed).type->type_hash, layout->type_hash) << name;
+  }
+  EXPECT_GT(by_text, 0);
+  const BagTopic stranger{.name = "/a", .type = "nav2_msgs/action/Spin_Goal", .type_hash = "RIHS01_0"};
+  EXPECT_EQ(known_type(stranger).type, nullptr);
+}
+
 TEST(KnownType, CommentsDefaultsConstantsAndShortNamesDoNotMatter) {
   const std::string text =
       "# This is a sweep.\r\n"

@@ -12,7 +12,7 @@
 namespace bw {
 
 /// What a cycle knew and did. Poses are of base_link in odom.
-struct DriveCycle {
+struct FollowCycle {
   Time now;
   std::string missing;        ///< an input that is stale, or was never there; empty: none
   std::string unknown_place;  ///< the transform that is not known; empty: none
@@ -24,22 +24,22 @@ struct DriveCycle {
   std::string reason;  ///< of the planner
 };
 
-struct Verdict {
+struct FollowVerdict {
   bool is_over = false;
   FollowFailure failure;  ///< fault `none` when it is over and the robot is there
 };
 
-class DriveJudge {
+class FollowJudge {
  public:
   /// A drive that begins where there was none.
   void begin();
   /// In every cycle of the drive.
-  Verdict judge(const DriveCycle& cycle, const FollowPathOptions& options);
+  FollowVerdict judge(const FollowCycle& cycle, const FollowPathOptions& options);
 
  private:
-  Verdict judge_absence(const DriveCycle& cycle, const FollowPathOptions& options);
-  bool is_there(const DriveCycle& cycle, const GoalCheckerOptions& options);
-  Verdict judge_control(const DriveCycle& cycle, double tolerance);
+  FollowVerdict judge_absence(const FollowCycle& cycle, const FollowPathOptions& options);
+  bool is_there(const FollowCycle& cycle, const GoalCheckerOptions& options);
+  FollowVerdict judge_control(const FollowCycle& cycle, double tolerance);
 
   Time now_;
   ProgressChecker progress_;

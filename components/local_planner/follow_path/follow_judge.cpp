@@ -1,4 +1,4 @@
-#include "components/local_planner/follow_path/drive_judge.hpp"
+#include "components/local_planner/follow_path/follow_judge.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,19 +8,19 @@
 namespace bw {
 namespace {
 
-Verdict failed(FollowFault fault, std::string reason) { return {true, {fault, std::move(reason)}}; }
+FollowVerdict failed(FollowFault fault, std::string reason) { return {true, {fault, std::move(reason)}}; }
 
 /// Since when, the first cycle of it included.
-double seconds_since(std::optional<Time>& since, Time now) {
+Duration time_since(std::optional<Time>& since, Time now) {
   if (!since) since = now;
-  return (now - *since).to_seconds();
+  return now - *since;
 }
 
 }  // namespace
 
-void DriveJudge::begin() { *this = {}; }
+void FollowJudge::begin() { *this = {}; }
 
-Verdict DriveJudge::judge(const DriveCycle& cycle, const FollowPathOptions& options) {
+FollowVerdict FollowJudge::judge(const FollowCycle& cycle, const FollowPathOptions& options) {
   if (cycle.now < now_) begin();  // the clock went back
   now_ = cycle.now;
   if (!cycle.missing.empty() || !cycle.unknown_place.empty()) return judge_absence(cycle, options);
@@ -38,15 +38,15 @@ Verdict DriveJudge::judge(const DriveCycle& cycle, const FollowPathOptions& opti
   return judge_control(cycle, options.failure_tolerance);
 }
 
-Verdict DriveJudge::judge_absence(const DriveCycle& cycle, const FollowPathOptions& options) {
+FollowVerdict FollowJudge::judge_absence(const FollowCycle& cycle, const FollowPathOptions& options) {
   within_since_.reset();
-  const double absent = seconds_since(absent_since_, cycle.now);
-  if (absent < options.costmap_update_timeout) return {};
+  const Duration absent = time_since(absent_since_, cycle.now);
+  if (absent < Duration::seconds(options.costmap_update_timeout)) return {};
   return cycle.missing.empty() ? failed(FollowFault::tf_error, cycle.unknown_place)
                                : failed(FollowFault::controller_timed_out, cycle.missing);
 }
 
-bool DriveJudge::is_there(const DriveCycle& cycle, const GoalCheckerOptions& options) {
+bool FollowJudge::is_there(const FollowCycle& cycle, const GoalCheckerOptions& options) {
   const bool is_within =
       (cycle.X_OG.position() - cycle.X_OB.position()).norm() <= options.xy_goal_tolerance &&
       std::abs(wrap_angle(cycle.X_OG.theta - cycle.X_OB.theta)) <= options.yaw_goal_tolerance &&
@@ -57,17 +57,17 @@ bool DriveJudge::is_there(const DriveCycle& cycle, const GoalCheckerOptions& opt
   }
   const bool is_standing = std::abs(cycle.twist.v) <= options.trans_stopped_velocity &&
                            std::abs(cycle.twist.omega) <= options.rot_stopped_velocity;
-  return seconds_since(within_since_, cycle.now) >= options.settle_time || is_standing;
+  return time_since(within_since_, cycle.now) >= Duration::seconds(options.settle_time) || is_standing;
 }
 
-Verdict DriveJudge::judge_control(const DriveCycle& cycle, double tolerance) {
+FollowVerdict FollowJudge::judge_control(const FollowCycle& cycle, double tolerance) {
   if (cycle.status == PlanningStatus::ok) {
     no_way_since_ = cycle.now;
     return {};
   }
   if (tolerance == 0.0) return failed(FollowFault::no_valid_control, cycle.reason);
-  const double without = seconds_since(no_way_since_, cycle.now);
-  if (tolerance < 0.0 || without <= tolerance) return {};
+  const Duration without = time_since(no_way_since_, cycle.now);
+  if (tolerance < 0.0 || without <= Duration::seconds(tolerance)) return {};
   std::ostringstream reason;
   reason << cycle.reason << "; no way for more than " << tolerance << " s";
   return failed(FollowFault::patience_exceeded, reason.str());
