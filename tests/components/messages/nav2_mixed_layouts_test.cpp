@@ -61,6 +61,13 @@ char expected(std::string_view ros_name, std::size_t pair) {
   return row == std::end(kTaken) ? 'y' : row->cells[pair + pair / 3];
 }
 
+/// `read`, as its reader writes it, is what was sent, but for padding of its own, which is zero.
+bool is_within(const std::vector<std::uint8_t>& read, const std::vector<std::uint8_t>& sent) {
+  return read.size() <= sent.size() &&
+         std::equal(read.begin(), read.end(), sent.begin(),
+                    [](std::uint8_t mine, std::uint8_t theirs) { return mine == theirs || mine == 0; });
+}
+
 /// y, . or ?. What a reader takes it must have understood as a message of its own, in the bytes that were sent; what it refuses it must
 /// give a reason for.
 template <class From, class To>
@@ -78,8 +85,7 @@ char taken() {
     }
     ++count;
     serialize(message, bytes);
-    EXPECT_TRUE(bytes.size() <= sent.size() && std::equal(bytes.begin(), bytes.end(), sent.begin()))
-        << MessageTraits<To>::ros_name << ", payload " << i;
+    EXPECT_TRUE(is_within(bytes, sent)) << MessageTraits<To>::ros_name << ", payload " << i;
   }
   return count == kPayloads ? 'y' : count == 0 ? '.' : '?';
 }
@@ -144,17 +150,19 @@ TEST(Nav2MixedLayouts, JazzysWaypointsAreNoneForHumble) {
   EXPECT_FALSE(read_as(sent, read, reason));
 }
 
-// Without via points Lyrical's planner id stands where Jazzy expects an id's length, and its length where Jazzy expects a boolean.
+// The number of via points, none, stands where Jazzy expects the planner id's length, and the id's length where it expects a boolean.
 TEST(Nav2MixedLayouts, LyricalsPlanIsRefusedByJazzyWithByteAndRule) {
   LyricalNav2::ComputePathToPose::SendGoal::Request sent;
   sent.goal().planner_id("GridBased");
   JazzyNav2::ComputePathToPose::SendGoal::Request read;
   std::string reason;
   EXPECT_FALSE(read_as(sent, read, reason));
-  EXPECT_EQ(reason, "");
+  EXPECT_EQ(
+      reason,
+      "nav2_msgs/action/ComputePathToPose_Goal.use_start: boolean is neither 0 nor 1 (byte 169 of 183)");
 }
 
-// Humble's client has no field for an error and reads none; Jazzy's client, told by Humble's server, finds no error where it looks.
+// Humble's client has no field for an error; Jazzy's misses it in a result of Humble's server.
 TEST(Nav2MixedLayouts, OfAResultWithErrorHumbleReadsTheStatus) {
   JazzyNav2::NavigateToPose::GetResult::Response jazzys;
   jazzys.status(6);
@@ -164,7 +172,7 @@ TEST(Nav2MixedLayouts, OfAResultWithErrorHumbleReadsTheStatus) {
   ASSERT_TRUE(read_as(jazzys, humbles, reason)) << reason;
   EXPECT_EQ(humbles.status(), 6);
   EXPECT_FALSE(read_as(humbles, jazzys, reason));
-  EXPECT_EQ(reason, "");
+  EXPECT_EQ(reason, "nav2_msgs/action/NavigateToPose_Result.error_code: runs past the end (byte 6 of 6)");
 }
 
 }  // namespace
