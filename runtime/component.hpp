@@ -22,6 +22,9 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/action.hpp"
+#include "runtime/action_client.hpp"
+#include "runtime/base/ros_distro.hpp"
 #include "runtime/base/time.hpp"
 #include "runtime/graph/qos.hpp"
 #include "runtime/live_parameters.hpp"
@@ -187,6 +190,17 @@ class Setup {
     return Client<S>(add_client(name, service_type<S>(), need));
   }
 
+  /// Serves action A.
+  template <class A>
+  void action(const std::string& name, ActionCallbacks<A> callbacks) {
+    ActionPort& port = add_action(name, action_type<A>());
+    set_action(port, action_handler<A>(port, std::move(callbacks)));
+  }
+  template <class A>
+  ActionClient<A> action_client(const std::string& name, Need need = Need::required) {
+    return ActionClient<A>::declare(*this, name, need);
+  }
+
   /// A transform tree fed from /tf and /tf_static.
   std::shared_ptr<const TransformTree> transforms();
   /// `name` with the graph's frame prefix.
@@ -195,6 +209,8 @@ class Setup {
   virtual std::uint64_t seed() const = 0;
   /// Time is virtual: no thread of one's own, and nothing measured on a real clock decides anything.
   virtual bool is_lockstep() const = 0;
+  /// Whose bytes nav2_msgs has on the wire; never `automatic`: where nobody says, Jazzy's.
+  virtual RosDistro ros_distro() const = 0;
   virtual Logger log() = 0;
   virtual DiagnosticReporter& diagnostics() = 0;
   /// Ends the run; scripts see exit status 0 when `ok`, 1 otherwise. Callable from callbacks.
@@ -218,6 +234,8 @@ class Setup {
                          Need need, SampleHandler handler) = 0;
   virtual ServicePort& add_service(const std::string& name, const ServiceType& type, ServiceScope scope) = 0;
   virtual void set_handler(ServicePort& port, RequestHandler handler) = 0;
+  virtual ActionPort& add_action(const std::string& name, const ActionType& type) = 0;
+  virtual void set_action(ActionPort& port, ActionHandler handler) = 0;
   virtual ClientPort* add_client(const std::string& name, const ServiceType& type, Need need) = 0;
   virtual const ConfigNode& parameter_section() const = 0;
   virtual std::string parameter_path() const = 0;

@@ -1,16 +1,18 @@
-// The type-erased ends of topics and services: what the templates of component.hpp hand to the host, which alone knows
+// The type-erased ends of topics, services and actions: what the templates of component.hpp hand to the host, which alone knows
 // lanes, clocks and DDS.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "runtime/base/goal_status.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw {
@@ -93,6 +95,69 @@ enum class ServiceScope { component, node };
 
 /// The reply, or nothing when none came in time.
 using ReplyHandler = std::function<void(std::optional<std::span<const std::uint8_t>> cdr, const Tick& tick)>;
+
+/// Which goal of an action it is: a UUID that its client makes up.
+using GoalId = std::array<std::uint8_t, 16>;
+
+/// Names of an action type as the wire knows them.
+struct ActionType {
+  std::string_view ros_name;  ///< nav2_msgs/action/NavigateToPose
+  ServiceType send_goal;
+  ServiceType cancel_goal;
+  ServiceType get_result;
+  MessageType feedback;
+  MessageType status;
+};
+
+/// Which goals a request to cancel means, and what became of it: action_msgs/srv/CancelGoal.
+struct CancelRequest {
+  GoalId id{};
+  Time stamp;
+};
+struct CanceledGoals {
+  struct Goal {
+    GoalId id{};
+    Time accepted;
+  };
+  std::uint8_t code = 0;
+  std::vector<Goal> goals;
+};
+
+/// The goals of one action server. What the wire asks comes on a lane of its own, so that a busy component delays no answer;
+/// what the component says counts when its callback is over.
+class ActionPort {
+ public:
+  virtual ~ActionPort() = default;
+
+  // The wire's side.
+  virtual ServicePort& send_goal_port() = 0;
+  virtual ServicePort& cancel_goal_port() = 0;
+  virtual ServicePort& get_result_port() = 0;
+  /// Whether the goal is accepted: then the component hears of it, and `goal` is kept until it ends.
+  virtual bool offer(const GoalId& id, std::shared_ptr<const void> goal, Time now) = 0;
+  virtual CanceledGoals cancel(const CancelRequest& request, Time now) = 0;
+  /// The response to get_result, as soon as the goal has ended.
+  virtual void send_result(const GoalId& id, const RequestId& to, Time now) = 0;
+
+  // The component's side.
+  virtual bool is_open(const GoalId& id) const = 0;
+  virtual bool is_canceling(const GoalId& id) const = 0;
+  virtual void execute(const GoalId& id) = 0;
+  virtual void feedback(const GoalId& id, std::span<const std::uint8_t> cdr) = 0;
+  /// `result` is the whole response to get_result.
+  virtual void finish(const GoalId& id, GoalStatus end, std::vector<std::uint8_t> result) = 0;
+};
+
+/// What an action server does. The first four outlive the component: nothing of it is captured in them.
+struct ActionHandler {
+  RequestHandler send_goal;
+  RequestHandler cancel_goal;
+  RequestHandler get_result;
+  /// The whole response to get_result about a goal that the component did not end; about none with status unknown.
+  std::function<std::vector<std::uint8_t>(GoalStatus status, const std::string& reason)> abandoned;
+  std::function<void(const GoalId& id, std::shared_ptr<const void> goal, const Tick& tick)> on_goal;
+  std::function<void(const GoalId& id, std::shared_ptr<const void> goal, const Tick& tick)> on_cancel;
+};
 
 class ClientPort {
  public:

@@ -8,22 +8,11 @@
 #include <vector>
 
 #include "components/model/goal_tolerance.hpp"
+#include "runtime/base/goal_status.hpp"
 #include "runtime/base/pose2.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw {
-
-/// Values of action_msgs/GoalStatus.
-enum class GoalStatus : std::uint8_t {
-  accepted = 1,
-  executing = 2,
-  canceling = 3,
-  succeeded = 4,
-  canceled = 5,
-  aborted = 6
-};
-
-constexpr bool is_final(GoalStatus status) { return status >= GoalStatus::succeeded; }
 
 /// What the robot knows of itself at a moment; no pose while localization is lost.
 struct Situation {

@@ -96,11 +96,11 @@ class Checker {
   /// Every remap and every entry of inputs must speak of a name that the component has.
   void check_names(const ComponentDeclaration& declaration, const ComponentNode& node) {
     std::vector<std::string_view> inputs, all;
-    for (const auto& input : declaration.inputs) inputs.push_back(input.name);
-    for (const auto& client : declaration.clients) inputs.push_back(client.name);
+    for (const auto& input : declaration.inputs) inputs.push_back(without_action_part(input.name));
+    for (const auto& client : declaration.clients) inputs.push_back(without_action_part(client.name));
     all = inputs;
     for (const auto& output : declaration.outputs) all.push_back(output.name);
-    for (const auto& service : declaration.services) all.push_back(service.name);
+    for (const auto& service : declaration.services) all.push_back(without_action_part(service.name));
     std::set<std::string> topics;
     for (const std::string_view name : all) topics.insert(resolve_name(node.node_namespace, node.name, name));
     // Every node has a dozen private services, which nobody means who mistypes a topic.

@@ -9,8 +9,9 @@ std::string ComponentNode::topic_of(std::string_view declared) const {
 }
 
 const InputSettings* ComponentNode::input(std::string_view declared) const {
-  const auto found = std::find_if(inputs.begin(), inputs.end(),
-                                  [&](const InputSettings& input) { return input.name == declared; });
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const InputSettings& input) {
+    return input.name == without_action_part(declared);
+  });
   return found == inputs.end() ? nullptr : &*found;
 }
 

@@ -81,8 +81,13 @@ std::string join_namespaces(std::string_view outer, std::string_view inner) {
   return joined;
 }
 
+std::string_view without_action_part(std::string_view name) { return name.substr(0, name.find("/_action/")); }
+
 std::string resolve_name(std::string_view node_namespace, std::string_view node, std::string_view name,
                          const std::vector<Remap>& remaps) {
+  const std::string_view action = without_action_part(name);
+  if (action != name)
+    return resolve_name(node_namespace, node, action, remaps) + std::string(name.substr(action.size()));
   std::string topic = expand(node_namespace, node, name);
   for (const Remap& remap : remaps) {
     if (expand(node_namespace, node, remap.from) == topic) return expand(node_namespace, node, remap.to);

@@ -30,8 +30,12 @@ std::optional<std::string> namespace_rule(std::string_view name);
 /// the root "/".
 std::string join_namespaces(std::string_view outer, std::string_view inner);
 
+/// The action whose service or topic it is, or else `name` itself.
+std::string_view without_action_part(std::string_view name);
+
 /// The topic that a node means by `name`: /absolute, relative (below its namespace) or ~/private (below the
-/// node). A remap applies if its `from` means the same topic; the first one wins, and it applies once.
+/// node). A remap applies if its `from` means the same topic; the first one wins, and it applies once. The
+/// services and topics of an action go where the action goes.
 std::string resolve_name(std::string_view node_namespace, std::string_view node, std::string_view name,
                          const std::vector<Remap>& remaps = {});
 

@@ -15,6 +15,7 @@
 #include "runtime/component.hpp"
 #include "runtime/dds/participant.hpp"
 #include "runtime/graph/graph.hpp"
+#include "runtime/host/action_end.hpp"
 #include "runtime/host/actor_lifecycle.hpp"
 #include "runtime/host/client_end.hpp"
 #include "runtime/host/inlet.hpp"
@@ -117,6 +118,7 @@ struct Actor final : DiagnosticReporter {
   std::vector<std::unique_ptr<OutputEnd>> outputs;
   std::vector<std::unique_ptr<Timer>> timers;
   std::vector<std::unique_ptr<ServiceEnd>> services;
+  std::vector<std::unique_ptr<ActionEnd>> actions;
   std::vector<std::unique_ptr<ClientEnd>> clients;
   ParameterReport parameters;
   LiveParameters live_parameters;

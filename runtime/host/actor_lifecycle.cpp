@@ -142,6 +142,9 @@ void ActorLifecycle::cleanup() {
 
 /// Who has no lifecycle of its own speaks to the end.
 void ActorLifecycle::mute() {
+  for (const auto& action : actor_.actions) {
+    if (action->runner != nullptr) action->abandon(actor_.not_active(), runner_->now());
+  }
   if (!means_.make) return;
   for (const auto& output : actor_.outputs) {
     if (!output->of_node) output->sink = nullptr;
@@ -178,6 +181,10 @@ void ActorLifecycle::destroy() {
   }
   for (const auto& service : actor_.services) {
     if (!service->of_node) service->handler.handle = nullptr;
+  }
+  for (const auto& action : actor_.actions) {
+    action->handler.on_goal = nullptr;
+    action->handler.on_cancel = nullptr;
   }
   actor_.component.reset();
 }

@@ -170,6 +170,7 @@ Host::~Host() {
     actor->watched.clear();
     actor->inputs.clear();
     actor->outputs.clear();
+    actor->actions.clear();
     actor->services.clear();
     actor->clients.clear();
   }

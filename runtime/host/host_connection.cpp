@@ -80,7 +80,10 @@ void Host::connect() {
           participant_->create_reader(options, [this, end = input.get()] { runner_->arrived(*end); });
     }
   }
-  for (Actor* actor : local_) connect_services(*actor);
+  for (Actor* actor : local_) {
+    for (const auto& action : actor->actions) action->runner = runner_.get();
+    connect_services(*actor);
+  }
   for (Actor* actor : local_) connect_clients(*actor);
   if (outside_) outside_->connect(*participant_, heard_outside_, local_);
   if (!lockstep) command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);

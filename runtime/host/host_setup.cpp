@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "runtime/host/host.hpp"
 #include "runtime/host/rebinding.hpp"
@@ -41,6 +42,11 @@ std::uint64_t HostSetup::seed() const {
 }
 
 bool HostSetup::is_lockstep() const { return host_.options_.clock == ClockMode::lockstep; }
+
+RosDistro HostSetup::ros_distro() const {
+  const RosDistro distro = host_.graph().settings.ros_distro;
+  return distro == RosDistro::automatic ? RosDistro::jazzy : distro;
+}
 
 Logger HostSetup::log() {
   return Logger([&host = host_, &actor = actor_](LogLevel level, const std::string& text) {
@@ -121,6 +127,39 @@ void HostSetup::set_handler(ServicePort& port, RequestHandler handler) {
               return true;
             });
   actor_.inputs.back()->of_node = true;  // answered in every state, if only by a refusal
+}
+
+// Its ends are the node's: they answer in every state of the component.
+ActionPort& HostSetup::add_action(const std::string& name, const ActionType& type) {
+  if (rebinding_ != nullptr) return rebinding_->action(name, type);
+  const bool of_node = std::exchange(of_node_, true);
+  const std::string part = name + "/_action/";
+  const auto service = [&](const char* which, const ServiceType& its_type) {
+    auto& end = static_cast<ServiceEnd&>(add_service(part + which, its_type, ServiceScope::node));
+    end.off_lane = true;
+    return &end;
+  };
+  const auto output = [&](const char* which, const MessageType& its_type, const Qos& qos) {
+    return static_cast<OutputEnd*>(add_output(part + which, its_type, qos, false));
+  };
+  const ActionEnd::Ends ends{.send_goal = service("send_goal", type.send_goal),
+                             .cancel_goal = service("cancel_goal", type.cancel_goal),
+                             .get_result = service("get_result", type.get_result),
+                             .feedback = output("feedback", type.feedback, Qos::standard()),
+                             .status = output("status", type.status, Qos::latched())};
+  of_node_ = of_node;
+  actor_.actions.push_back(std::make_unique<ActionEnd>(actor_, name, node_.topic_of(name), type, ends,
+                                                       ActionEnd::result_timeout(ros_distro())));
+  return *actor_.actions.back();
+}
+
+void HostSetup::set_action(ActionPort& port, ActionHandler handler) {
+  auto& end = static_cast<ActionEnd&>(port);
+  if (rebinding_ != nullptr) return rebinding_->action_handler(end, std::move(handler));
+  set_handler(*end.ends.send_goal, std::move(handler.send_goal));
+  set_handler(*end.ends.cancel_goal, std::move(handler.cancel_goal));
+  set_handler(*end.ends.get_result, std::move(handler.get_result));
+  end.handler = std::move(handler);
 }
 
 ClientPort* HostSetup::add_client(const std::string& name, const ServiceType& type, Need need) {

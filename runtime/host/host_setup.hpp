@@ -25,6 +25,7 @@ class HostSetup final : public Setup {
   std::string frame(std::string_view name) const override;
   std::uint64_t seed() const override;
   bool is_lockstep() const override;
+  RosDistro ros_distro() const override;
   Logger log() override;
   DiagnosticReporter& diagnostics() override { return actor_; }
   std::function<void(bool, const std::string&)> finish_run() override;
@@ -36,6 +37,8 @@ class HostSetup final : public Setup {
                  SampleHandler handler) override;
   ServicePort& add_service(const std::string& name, const ServiceType& type, ServiceScope scope) override;
   void set_handler(ServicePort& port, RequestHandler handler) override;
+  ActionPort& add_action(const std::string& name, const ActionType& type) override;
+  void set_action(ActionPort& port, ActionHandler handler) override;
   ClientPort* add_client(const std::string& name, const ServiceType& type, Need need) override;
   const ConfigNode& parameter_section() const override { return node_.parameters; }
   std::string parameter_path() const override { return node_.name; }

@@ -24,6 +24,8 @@ class Inlet {
   virtual const std::string& label() const = 0;
   /// Taking runs code of the component, so that it waits for a busy one.
   virtual bool calls_component() const { return true; }
+  /// Its actor's lane need not be free: taking touches nothing of the component.
+  virtual bool is_off_lane() const { return false; }
   /// In lock-step, taking makes the component busy for its declared latency.
   virtual bool takes_latency() const { return true; }
   /// Takes the oldest and gives it to the component; false when nothing was waiting. `waited` is for the statistics.

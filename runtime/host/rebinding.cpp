@@ -55,6 +55,18 @@ void Rebinding::request_handler(ServiceEnd& end, RequestHandler handler) {
   changes_.emplace_back([&end, handler = std::move(handler)]() mutable { end.handler = std::move(handler); });
 }
 
+ActionEnd& Rebinding::action(const std::string& name, const ActionType& type) {
+  return take(actor_.actions, name, [&](const ActionEnd& end) { return end.type.ros_name == type.ros_name; });
+}
+
+/// What the wire asks is answered as before: nothing of an instance is in it.
+void Rebinding::action_handler(ActionEnd& end, ActionHandler handler) {
+  changes_.emplace_back([&end, handler = std::move(handler)]() mutable {
+    end.handler.on_goal = std::move(handler.on_goal);
+    end.handler.on_cancel = std::move(handler.on_cancel);
+  });
+}
+
 ClientPort* Rebinding::client(const std::string& name, const ServiceType& type) {
   return &take(actor_.clients, name,
                [&](const ClientEnd& end) { return end.type.ros_name == type.ros_name; });
@@ -70,6 +82,7 @@ void Rebinding::commit() {
   look_for_left_out(actor_.inputs);
   look_for_left_out(actor_.timers);
   look_for_left_out(actor_.services);
+  look_for_left_out(actor_.actions);
   look_for_left_out(actor_.clients);
   for (const auto& change : changes_) change();
 }

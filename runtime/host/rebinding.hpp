@@ -23,6 +23,8 @@ class Rebinding {
   void timer(const std::string& name, Duration period, TickHandler handler);
   ServiceEnd& service(const std::string& name, const ServiceType& type);
   void request_handler(ServiceEnd& end, RequestHandler handler);
+  ActionEnd& action(const std::string& name, const ActionType& type);
+  void action_handler(ActionEnd& end, ActionHandler handler);
   ClientPort* client(const std::string& name, const ServiceType& type);
 
   /// From now on the ends call the new instance. Throws std::runtime_error when one was not declared again.

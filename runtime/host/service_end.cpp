@@ -70,8 +70,9 @@ void ServiceEnd::answer(const Request& request, Time now) {
     return;
   }
   const Duration start = thread_cpu_time();
-  const bool accepted = handler.handle(request.cdr, request.from,
-                                       Tick{.now = now, .health = actor->health(now), .sequence = calls_});
+  const Health health = off_lane ? Health::ok : actor->health(now);
+  const bool accepted =
+      handler.handle(request.cdr, request.from, Tick{.now = now, .health = health, .sequence = calls_});
   if (accepted) {
     ++calls_;
   } else if (handler.refuse) {

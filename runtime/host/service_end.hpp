@@ -33,6 +33,8 @@ class ServiceEnd final : public Inlet, public ServicePort {
              ServiceScope service_scope);
 
   const std::string& label() const override { return service; }
+  bool calls_component() const override { return !off_lane; }
+  bool is_off_lane() const override { return off_lane; }
   /// A request to the node waits while its component is busy, and does not make it so.
   bool takes_latency() const override { return scope == ServiceScope::component; }
   bool take_one(Time now, std::optional<Duration> waited) override;
@@ -55,8 +57,9 @@ class ServiceEnd final : public Inlet, public ServicePort {
   ServiceType type;
   ServiceScope scope;
   RequestHandler handler;
-  bool keeps_foreign_apart = false;                       ///< lock-step
-  bool of_node = false;                                   ///< declared by the runtime, not by the component
+  bool keeps_foreign_apart = false;  ///< lock-step
+  bool off_lane = false;             ///< answered without the component, however busy it is
+  bool of_node = false;              ///< declared by the runtime, not by the component
   std::function<void(const std::string& text)> complain;  ///< of requests that cannot be read
   std::unique_ptr<dds::Reader> reader;
   std::unique_ptr<dds::Writer> writer;

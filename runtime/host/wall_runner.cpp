@@ -19,6 +19,12 @@ WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock)
     lane_of_[actor] = lane.get();
     for (const auto& timer : actor->timers) lane->timers.push_back(timer.get());
     for (const auto& client : actor->clients) lane->timers.push_back(&client->deadline_timer);
+    if (!actor->actions.empty() && acknowledgments_ == nullptr) {
+      auto& off_lane = lanes_["acknowledge"];
+      if (!off_lane) off_lane = std::make_unique<Lane>();
+      off_lane->name = "acknowledge";
+      acknowledgments_ = off_lane.get();
+    }
   }
   clock_.on_step([this] {
     for (const auto& [name, lane] : lanes_) {
@@ -46,6 +52,7 @@ void WallRunner::publish(OutputEnd& output, std::span<const std::uint8_t> cdr) {
 }
 
 void WallRunner::run_and_wake(const std::function<void()>& write) {
+  if (t_writer == this) return write();
   thread_local std::vector<Inlet*> reached;
   t_reached = &reached;
   t_writer = this;
@@ -67,7 +74,7 @@ void WallRunner::arrived(Inlet& inlet) {
 }
 
 void WallRunner::enqueue(Inlet& inlet) {
-  Lane& lane = *lane_of_.at(inlet.actor);
+  Lane& lane = inlet.is_off_lane() ? *acknowledgments_ : *lane_of_.at(inlet.actor);
   {
     const std::lock_guard lock(lane.mutex);
     lane.queue.push_back(&inlet);

@@ -49,6 +49,7 @@ class WallRunner final : public Runner {
   ComponentClock& clock_;
   std::map<std::string, std::unique_ptr<Lane>> lanes_;
   std::map<const Actor*, Lane*> lane_of_;
+  Lane* acknowledgments_ = nullptr;  ///< of what is taken off the actors' lanes; null where nobody has such
 
   std::mutex end_mutex_;
   std::condition_variable end_wake_;

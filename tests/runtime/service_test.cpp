@@ -3,7 +3,6 @@
 #include "runtime/service.hpp"
 
 #include <functional>
-#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +14,7 @@
 #include "runtime/host/lockstep_runner.hpp"
 #include "runtime/registry.hpp"
 #include "runtime/ros/service_call.hpp"
+#include "tests/runtime/from_outside.hpp"
 #include "tests/runtime/scripted.hpp"
 
 namespace bw {
@@ -147,21 +147,6 @@ TEST(Service, TwoServersOfOneNameAreRefused) {
     EXPECT_THAT(error.what(), HasSubstr("/ask is a service and has a server already: server"));
   }
 }
-
-/// Calls from another participant while a run is going on.
-class FromOutside {
- public:
-  explicit FromOutside(std::function<void(dds::Participant&)> calls)
-      : thread_([calls = std::move(calls)] {
-          dds::Participant participant(
-              {.network = dds::Network::from_environment(dds::Transport::localhost)});
-          calls(participant);
-        }) {}
-  ~FromOutside() { thread_.join(); }
-
- private:
-  std::thread thread_;
-};
 
 constexpr std::chrono::seconds kLong{10};
 
