@@ -1,12 +1,13 @@
-// Every generated class behind one interface: what walks all of them is compiled once, not once for each.
+// Generated classes behind one interface: what walks many of them is compiled once, not once for each.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "all_messages.hpp"
+#include "runtime/wire/serialization.hpp"
 #include "runtime/wire/type_description.hpp"
 
 namespace bw::test {
@@ -39,12 +40,5 @@ class MessageOf : public AnyMessage {
  private:
   M message_;
 };
-
-/// One of each type of the build, in every layout.
-inline std::vector<std::unique_ptr<AnyMessage>> every_message() {
-  std::vector<std::unique_ptr<AnyMessage>> messages;
-  for_each_message([&]<class M>() { messages.push_back(std::make_unique<MessageOf<M>>()); });
-  return messages;
-}
 
 }  // namespace bw::test

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "runtime/wire/yaml.hpp"
-#include "tests/idl/any_message.hpp"
 #include "tests/idl/cdr_writer.hpp"
+#include "tests/idl/every_message.hpp"
 
 namespace {
 std::size_t largest_allocation = 0;  // of this thread's program, which has one thread

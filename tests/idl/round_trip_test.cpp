@@ -4,8 +4,8 @@
 
 #include "runtime/wire/type_registry.hpp"
 #include "runtime/wire/validate.hpp"
-#include "tests/idl/any_message.hpp"
 #include "tests/idl/cdr_writer.hpp"
+#include "tests/idl/every_message.hpp"
 
 namespace bw::test {
 namespace {

@@ -9,7 +9,7 @@
 #include "components/messages/nav2_error_codes.hpp"
 #include "components/messages/nav2_goals.hpp"
 #include "components/messages/nav2_results.hpp"
-#include "tests/components/messages/every_nav2_type.hpp"
+#include "tests/components/messages/every_nav2_message.hpp"
 
 namespace bw::test {
 namespace {
@@ -36,10 +36,13 @@ template <class Layout>
 constexpr bool kIsKiltedOrLater = kIsLyrical<Layout> || std::is_same_v<Layout, KiltedNav2>;
 
 TYPED_TEST(Nav2Layout, HasTheNamesOfJazzy) {
-  every_nav2_type<TypeParam, JazzyNav2>([]<class Own, class Jazzys>() {
-    EXPECT_EQ(MessageTraits<Own>::ros_name, MessageTraits<Jazzys>::ros_name);
-    EXPECT_EQ(MessageTraits<Own>::dds_name, MessageTraits<Jazzys>::dds_name);
-  });
+  const Messages own = every_nav2_message<TypeParam>();
+  const Messages jazzys = every_nav2_message<JazzyNav2>();
+  ASSERT_EQ(own.size(), jazzys.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    EXPECT_EQ(own[i]->type().ros_name, jazzys[i]->type().ros_name);
+    EXPECT_EQ(own[i]->type().dds_name, jazzys[i]->type().dds_name);
+  }
 }
 
 TYPED_TEST(Nav2Layout, EveryResultTellsItsError) {
