@@ -62,7 +62,9 @@ TEST(LaserFollower, FollowsWhoComesNearerAndTurnsOff) {
     const auto disc = follower.follow(rim(centre, random), kRadius, at(0.1 * i));
     ASSERT_TRUE(disc) << i;
     if (i > 10) worst = std::max(worst, (disc->position - centre).norm());
-    if (i > 20) EXPECT_LT((disc->velocity - 0.8 * direction(heading)).norm(), 0.4) << i;
+    if (i > 20) {
+      EXPECT_LT((disc->velocity - 0.8 * direction(heading)).norm(), 0.4) << i;
+    }
     EXPECT_NEAR(disc->deviation, 0.1, 1e-9);
   }
   EXPECT_LT(worst, 0.15);  // half of its radius
