@@ -40,10 +40,10 @@ std::vector<std::string> body_options(int seed, std::vector<std::string> options
 
 std::string own_folder() { return std::string(BANDWAGON_SOURCE_DIR) + "/tests/interop/nav2_tree"; }
 
-Run::Run(const std::string& graph, const std::vector<std::string>& options)
+GraphRun::GraphRun(const std::string& graph, const std::vector<std::string>& options)
     : process_(run_command(graph, options)) {}
 
-int Run::stop() { return stop_process(process_); }
+int GraphRun::stop() { return stop_process(process_); }
 
 bool Player::says(const std::string& line) {
   eventually([&] { return process_.out().find(line + "\n") != std::string::npos || !process_.running(); });
@@ -61,16 +61,25 @@ nlohmann::json Body::stop() {
   return nlohmann::json::parse(file, nullptr, false);
 }
 
+std::vector<std::unique_ptr<GraphRun>> start(const StandIns& servers) {
+  std::vector<std::unique_ptr<GraphRun>> runs;
+  for (const std::string& graph : servers.graphs)
+    runs.push_back(std::make_unique<GraphRun>(std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/nav2/" +
+                                              graph + ".yaml"));
+  return runs;
+}
+
+Player manage(const std::vector<std::string>& nodes) {
+  std::vector<std::string> command = {NAV2_MANAGER};
+  command.insert(command.end(), nodes.begin(), nodes.end());
+  return Player(command);
+}
+
 DriveReport drive_hallway(int seed, const StandIns& servers) {
   DriveReport report;
   Body body(seed);
-  std::vector<std::unique_ptr<Run>> runs;
-  for (const std::string& graph : servers.graphs)
-    runs.push_back(
-        std::make_unique<Run>(std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/nav2/" + graph + ".yaml"));
-  std::vector<std::string> manage = {NAV2_MANAGER};
-  manage.insert(manage.end(), servers.nodes.begin(), servers.nodes.end());
-  Player manager(manage);
+  const std::vector<std::unique_ptr<GraphRun>> runs = start(servers);
+  Player manager = manage(servers.nodes);
   if (manager.says("active")) {
     Process tree({NAV2_TREE, std::to_string(kGoalX), std::to_string(kGoalY), "0",
                   std::to_string(kDriveLimit.count()), "cmd_vel_nav"});

@@ -16,9 +16,9 @@ namespace bw::test {
 std::string own_folder();
 
 /// `bandwagon run`, until it is interrupted.
-class Run {
+class GraphRun {
  public:
-  Run(const std::string& graph, const std::vector<std::string>& options = {});
+  GraphRun(const std::string& graph, const std::vector<std::string>& options = {});
   Process& process() { return process_; }
   /// Ctrl-C; the exit status.
   int stop();
@@ -49,7 +49,7 @@ class Body {
 
  private:
   std::string card_;
-  Run run_;
+  GraphRun run_;
 };
 
 /// Our stand-ins, a process each, and their nodes in the manager's order.
@@ -57,6 +57,11 @@ struct StandIns {
   std::vector<std::string> graphs;  ///< in config/graphs/nav2, without .yaml
   std::vector<std::string> nodes;
 };
+
+/// Each of them, unconfigured.
+std::vector<std::unique_ptr<GraphRun>> start(const StandIns& servers);
+/// nav2_manager of these nodes.
+Player manage(const std::vector<std::string>& nodes);
 
 struct DriveReport {
   nlohmann::json tree;  ///< of nav2_tree

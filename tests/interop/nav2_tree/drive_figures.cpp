@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,12 @@ double quantile(std::vector<double> values, double share) {
   std::ranges::sort(values);
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
   return values[std::min(values.size() - 1, rank == 0 ? 0 : rank - 1)];
+}
+
+double mean(const std::vector<double>& values) {
+  return values.empty()
+             ? 0.0
+             : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 std::string quantiles(const std::string& what, const std::vector<double>& values, double scale,
@@ -61,12 +68,15 @@ std::string DriveFigures::add(int seed, const DriveReport& report) {
       tree["preemptions"].size(), 1e3 * slowest, tree["troubles"].dump());
 }
 
+double DriveFigures::added_dip() const { return mean(dips_) - mean(dips_in_between_); }
+
 std::string DriveFigures::summary() const {
   return quantiles("acknowledgements", acknowledgements_, 1e3, "ms") +
          quantiles("clear services", clears_, 1e3, "ms") +
          fmt::format("without an answer in 20 ms: {}\n", unanswered_) +
          quantiles("dips at a new path", dips_, 1.0, "m/s") +
          quantiles("dips half a second later", dips_in_between_, 1.0, "m/s") +
+         fmt::format("what a new path adds: {:.4f} m/s on average\n", added_dip()) +
          quantiles("oldest pose of a drive", pose_ages_, 1e3, "ms") + quantiles("times", times_, 1.0, "s") +
          fmt::format("recoveries {}, contacts {}\n", recoveries_, contacts_);
 }

@@ -15,6 +15,8 @@ class DriveFigures {
   /// A few lines about all.
   std::string summary() const;
 
+  /// By how much dips after new paths are deeper than those half a second later, on average [m/s].
+  double added_dip() const;
   std::size_t preemptions() const { return dips_.size(); }
   int replaced_that_ended_otherwise() const { return replaced_otherwise_; }
 

@@ -14,7 +14,7 @@ constexpr double kTolerance = 0.25;  // [m] Nav2's xy_goal_tolerance
 
 plain::ServiceType clear_type() { return {"nav2_msgs/srv/ClearEntireCostmap", "", ""}; }
 
-void answer(plain::Server& clear) {
+void answer_clear(plain::Server& clear) {
   while (const auto request = clear.take())
     clear.reply(request->from, CdrOut().number(std::uint8_t{0}).bytes());
 }
@@ -54,20 +54,32 @@ double distance(const Pose& a, const Pose& b) { return std::hypot(a.x - b.x, a.y
 
 ForeignPlanner::ForeignPlanner(plain::Node& node, Frames& frames)
     : frames_(frames),
-      server_(node, "/compute_path_to_pose", plain::action_type("nav2_msgs/action/ComputePathToPose"),
-              [](CdrOut& out) { write_plan(out, {}, 0, ""); }),
+      to_pose_(node, "/compute_path_to_pose", plain::action_type("nav2_msgs/action/ComputePathToPose"),
+               [](CdrOut& out) { write_plan(out, {}, 0, ""); }),
+      through_poses_(node, "/compute_path_through_poses",
+                     plain::action_type("nav2_msgs/action/ComputePathThroughPoses"),
+                     [](CdrOut& out) { write_plan(out, {}, 0, ""); }),
       clear_(node, "/global_costmap/clear_entirely_global_costmap", clear_type()) {}
 
 void ForeignPlanner::poll() {
-  answer(clear_);
-  server_.answer();
-  for (; seen_ < server_.goals().size(); ++seen_) {
-    const plain::GoalId id = server_.goals()[seen_].state.info.id;
-    CdrIn in = behind_id(server_.goals()[seen_].bytes);
-    const Pose to = read_pose_stamped(in).pose;
+  answer_clear(clear_);
+  answer(to_pose_, seen_to_pose_, [](CdrIn& in) { return read_pose_stamped(in).pose; });
+  answer(through_poses_, seen_through_poses_, [](CdrIn& in) {
+    Pose last;
+    for (auto left = in.number<std::uint32_t>(); left > 0; --left) last = read_pose_stamped(in).pose;
+    return last;
+  });
+}
+
+void ForeignPlanner::answer(plain::ActionServer& server, std::size_t& seen, Pose (*last_of)(CdrIn&)) {
+  server.answer();
+  for (; seen < server.goals().size(); ++seen) {
+    const plain::GoalId id = server.goals()[seen].state.info.id;
+    CdrIn in = behind_id(server.goals()[seen].bytes);
+    const Pose to = last_of(in);
     const auto from = frames_.pose();
-    server_.execute(id);
-    server_.finish(id, from ? plain::GoalStatus::succeeded : plain::GoalStatus::aborted, [&](CdrOut& out) {
+    server.execute(id);
+    server.finish(id, from ? plain::GoalStatus::succeeded : plain::GoalStatus::aborted, [&](CdrOut& out) {
       if (from) {
         write_plan(out, straight_path(*from, to, ++plans_), 0, "");
       } else {
@@ -90,7 +102,7 @@ ForeignController::ForeignController(plain::Node& node, Frames& frames, const st
 }
 
 void ForeignController::poll() {
-  answer(clear_);
+  answer_clear(clear_);
   server_.answer();
   for (; seen_ < server_.goals().size(); ++seen_) {
     const plain::GoalId id = server_.goals()[seen_].state.info.id;

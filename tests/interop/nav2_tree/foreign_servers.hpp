@@ -1,5 +1,5 @@
 // A planner_server and a controller_server of somebody else: straight paths, followed by pure pursuit (Coulter 1992) without
-// a look at what is in the way. They behave towards a navigator as Nav2's: a new goal of follow_path takes over at once and
+// a look at what is in the way, to the last of several poses. They behave towards a navigator as Nav2's: a new goal of follow_path takes over at once and
 // the old one ends aborted, zero is commanded at the end.
 #pragma once
 
@@ -17,10 +17,12 @@ class ForeignPlanner {
   int plans() const { return plans_; }
 
  private:
+  void answer(plain::ActionServer& server, std::size_t& seen, Pose (*last_of)(CdrIn&));
+
   Frames& frames_;
-  plain::ActionServer server_;
+  plain::ActionServer to_pose_, through_poses_;
   plain::Server clear_;
-  std::size_t seen_ = 0;
+  std::size_t seen_to_pose_ = 0, seen_through_poses_ = 0;
   int plans_ = 0;
 };
 

@@ -1,15 +1,18 @@
 // Nav2 without Nav2: its behaviour tree and its lifecycle manager, played by programs that share nothing with this project,
 // drive our robot through the hallway full of people by our stand-ins for its servers; and the navigator that stands in for its
 // bt_navigator drives by a controller and a planner that are not ours.
-#include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
+#include <optional>
 
 #include <gtest/gtest.h>
 
+#include "tests/interop/eventually.hpp"
 #include "tests/interop/nav2_tree/drive.hpp"
 #include "tests/interop/nav2_tree/drive_figures.hpp"
+#include "tests/interop/nav2_tree/frames.hpp"
+#include "tests/interop/plain/action_client.hpp"
 
 namespace bw::test {
 namespace {
@@ -38,8 +41,59 @@ TEST(Nav2Tree, DrivesTheHallwayByOurServers) {
     good += is_good ? 1 : 0;
   }
   std::printf("%d of %d drives\n%s", good, drives(), figures.summary().c_str());
+  EXPECT_LE(figures.added_dip(), 0.02) << "[m/s] on average, beyond what the planner does anyway";
   EXPECT_GT(figures.preemptions(), 5U * static_cast<unsigned>(drives())) << "a new path each second";
   EXPECT_EQ(figures.replaced_that_ended_otherwise(), 0) << "a goal that is replaced ends aborted";
+}
+
+TEST(Nav2Tree, ALostServerTakesTheOthersDown) {
+  Body body(1);
+  std::vector<std::unique_ptr<GraphRun>> runs = start(kServers);
+  Player manager = manage(kServers.nodes);
+  ASSERT_TRUE(manager.says("active")) << manager.process().out();
+  runs[1]->process().signal(SIGKILL);
+  EXPECT_TRUE(manager.says("lost planner_server")) << manager.process().out();
+  EXPECT_EQ(manager.process().wait(std::chrono::seconds(20)), 1);
+  runs.erase(runs.begin() + 1);
+  for (const auto& run : runs) EXPECT_EQ(run->stop(), 0) << run->process().err();
+}
+
+TEST(Nav2Tree, OurNavigatorDrivesByForeignServers) {
+  const StandIns navigator{.graphs = {"bt_navigator"}, .nodes = {"bt_navigator"}};
+  constexpr double kGoal = 4.0;  // [m] three ahead
+  Body body(1, {"--set", "world.people.social.walkers=[]"});
+  Player servers({NAV2_FOREIGN_SERVERS, "cmd_vel_nav"});
+  const std::vector<std::unique_ptr<GraphRun>> runs = start(navigator);
+  Player manager = manage(navigator.nodes);
+  ASSERT_TRUE(manager.says("active")) << manager.process().out();
+
+  plain::Node node("client");
+  nav2::Frames frames(node);
+  plain::ActionClient client(node, "/navigate_to_pose",
+                             plain::action_type("nav2_msgs/action/NavigateToPose"));
+  ASSERT_TRUE(eventually([&] {
+    frames.poll();
+    return frames.pose().has_value() && client.is_ready();
+  }));
+  plain::CdrOut goal;
+  nav2::write(goal, nav2::PoseStamped{.header = {}, .pose = nav2::Pose::of(kGoal, 0.0, 0.0)});
+  const plain::GoalId id = plain::goal_id(1);
+  const auto accepted = client.send(id, goal.text("").bytes());
+  ASSERT_TRUE(accepted && accepted->is_accepted);
+  const std::int64_t asked = client.ask_result(id);
+  std::optional<plain::Result> result;
+  EXPECT_TRUE(eventually([&] {
+    frames.poll();
+    result = client.take_result(asked);
+    return result.has_value();
+  })) << runs[0]->process().err();
+  ASSERT_TRUE(result.has_value());
+  EXPECT_EQ(result->status, plain::GoalStatus::succeeded) << runs[0]->process().err();
+  EXPECT_NEAR(frames.pose()->x, kGoal, kArrived);
+  EXPECT_EQ(manager.stop(), 0) << manager.process().out();
+  EXPECT_EQ(runs[0]->stop(), 0) << runs[0]->process().err();
+  EXPECT_EQ(servers.stop(), 0);
+  EXPECT_EQ(servers.process().out().find("ready\n0 plans"), std::string::npos) << "none was asked for";
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ namespace {
 using nav2::Clock;
 using nlohmann::json;
 
-constexpr std::chrono::milliseconds kLoop{10};         // bt_loop_duration
-constexpr std::chrono::milliseconds kPoseLimit{2000};  // for the first transforms to come
+constexpr std::chrono::milliseconds kLoop{10};  // bt_loop_duration
+constexpr std::chrono::seconds kPoseLimit{30};  // nobody sends a goal before the robot knows where it is
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -56,13 +56,14 @@ class Drive {
   Drive(nav2::PoseStamped goal, std::chrono::seconds limit, const std::string& topic)
       : limit_(limit), node_("bt_navigator"), frames_(node_), commands_(node_, topic) {
     board_.goal = std::move(goal);
-    tree_ = std::make_unique<nav2::DefaultTree>(node_, journal_, board_);
   }
 
   std::string run() {
-    if (const auto missing = tree_->missing_server()) return "missing " + *missing;
     sleep_until(Clock::now() + kPoseLimit, [this] { return frames_.pose().has_value(); });
     if (!frames_.pose()) return "missing pose of base_link in map";
+    // The node has been there for a while when its tree is loaded, as bt_navigator has when it is activated.
+    tree_ = std::make_unique<nav2::DefaultTree>(node_, journal_, board_);
+    if (const auto missing = tree_->missing_server()) return "missing " + *missing;
     journal_.start = Clock::now();
     commands_.commands.clear();
     nav2::Status status = nav2::Status::running;
@@ -105,7 +106,7 @@ class Drive {
     while (Clock::now() < end && !seen()) {
       frames_.poll();
       commands_.poll(journal_);
-      tree_->poll();
+      if (tree_) tree_->poll();
       std::this_thread::sleep_for(std::chrono::microseconds(500));
     }
   }
