@@ -9,6 +9,9 @@ namespace {
 /// Longer than controller_server tries before it gives up (failure_tolerance, 0.3 s as shipped).
 constexpr Duration kTrial = Duration::milliseconds(500);
 
+/// A robot that should stand and is still driven: so often its server is asked again.
+constexpr Duration kCancelAgain = Duration::milliseconds(1000);
+
 std::string name_of(FollowMode mode) {
   return mode == FollowMode::back_off ? "behavior_server" : "controller_server";
 }
@@ -76,8 +79,9 @@ RelayActions DriveRelay::step(const ServersReady& ready, Time now) {
   actions.clear_costmap = std::exchange(clear_costmap_, false);
   for (auto& [number, goal] : open_) {
     // A server may not know yet of a goal that it did not acknowledge, and would let it begin afterwards.
-    if (goal.mode == mode_ || !goal.acknowledged || goal.cancel_sent) continue;
-    goal.cancel_sent = true;
+    if (goal.mode == mode_ || !goal.acknowledged) continue;
+    if (goal.canceled && now >= *goal.canceled && now - *goal.canceled < kCancelAgain) continue;
+    goal.canceled = now;
     actions.cancel.push_back(number);
   }
   if (const auto goal = open_.find(current_);

@@ -61,7 +61,7 @@ class DriveRelay {
     FollowMode mode;
     Time sent;
     bool acknowledged = false;
-    bool cancel_sent = false;
+    std::optional<Time> canceled = std::nullopt;  ///< when it was last asked for
   };
 
   void fail(const std::string& reason, std::uint16_t error_code = 0);

@@ -43,7 +43,8 @@ void collect(const Struct& type, const Types& types, Reached& reached) {
     const Struct& message = nested(types, type, member);
     const auto [before, is_new] = reached.emplace(member.message, &message);
     if (before->second != &message)
-      throw std::runtime_error(type.key() + " reaches two layouts of " + member.message);
+      throw std::runtime_error("two layouts of " + member.message + " in one message, one of them by " +
+                               type.key());
     if (is_new) collect(message, types, reached);
   }
 }

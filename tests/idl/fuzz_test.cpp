@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "all_messages.hpp"
 #include "runtime/wire/yaml.hpp"
 #include "tests/idl/cdr_writer.hpp"
+#include "tests/idl/every_message.hpp"
 
 namespace {
 std::size_t largest_allocation = 0;  // of this thread's program, which has one thread
@@ -79,8 +79,8 @@ class Mutator {
 TEST(Fuzz, HundredThousandMutatedPayloadsOfEveryType) {
   constexpr int kRounds = 100000;
   constexpr std::uint64_t kSeed = 4711;
-  for_each_message([&]<class M>() {
-    const TypeDescription& type = MessageTraits<M>::description();
+  for (const auto& prototype : every_message()) {
+    const TypeDescription& type = prototype->type();
     RandomPayload payload(kSeed, 3);
     Mutator mutate(kSeed);
     std::vector<std::uint8_t> original;
@@ -92,10 +92,10 @@ TEST(Fuzz, HundredThousandMutatedPayloadsOfEveryType) {
       if (round % 50 == 0) original = payload(type);
       bytes = original;
       mutate(bytes);
-      M message;
+      const auto message = prototype->fresh();
       largest_allocation = 0;
       bool ok = false;
-      ASSERT_NO_THROW(ok = deserialize(bytes, message, &reason))
+      ASSERT_NO_THROW(ok = message->read(bytes, &reason))
           << type.ros_name << ", seed " << kSeed << ", round " << round;
       // A null string costs 4 bytes on the wire and 32 in memory, the worst ratio; the reason is short.
       ASSERT_LE(largest_allocation, 16 * bytes.size() + 512)
@@ -106,13 +106,13 @@ TEST(Fuzz, HundredThousandMutatedPayloadsOfEveryType) {
       if (round % 20 == 0) {
         ASSERT_FALSE(to_yaml(type, bytes).starts_with('#'));
       }
-      serialize(message, again);
-      M back;
-      ASSERT_TRUE(deserialize(again, back)) << type.ros_name << ", seed " << kSeed << ", round " << round;
+      message->write(again);
+      ASSERT_TRUE(prototype->fresh()->read(again, nullptr))
+          << type.ros_name << ", seed " << kSeed << ", round " << round;
     }
     EXPECT_GT(accepted, 0) << type.ros_name;
     EXPECT_LT(accepted, kRounds) << type.ros_name;
-  });
+  }
 }
 
 }  // namespace

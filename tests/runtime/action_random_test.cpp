@@ -44,7 +44,7 @@ class RandomClient {
     setup.input<GoalStatusArray>(
         action + "/_action/status", Qos{.durability = Durability::transient_local},
         [self](const GoalStatusArray& message, const Tick&) { self->hear(message); }, Need::optional);
-    setup.every(Duration::milliseconds(10), "act", [self, finish = setup.finish_run()](const Tick& tick) {
+    setup.every(Duration::milliseconds(20), "act", [self, finish = setup.finish_run()](const Tick& tick) {
       self->act(tick.now);
       if (self->is_over()) finish(true, "all goals are over");
     });
@@ -184,7 +184,7 @@ class RandomGoals : public testing::TestWithParam<Policy> {};
 TEST_P(RandomGoals, EndOnceAndNeverGoBackWhateverTheSeed) {
   std::set<GoalStatus> ends;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const Outcome run = drive(seed, GetParam(), Duration::milliseconds(seed % 2 == 0 ? 25 : 0));
+    const Outcome run = drive(seed, GetParam(), Duration::milliseconds(seed % 2 == 0 ? 3 : 0));
     EXPECT_EQ(run.stories.size(), kGoals);
     for (const auto& [id, story] : run.stories) {
       expect_sound(story, GetParam());
@@ -195,9 +195,9 @@ TEST_P(RandomGoals, EndOnceAndNeverGoBackWhateverTheSeed) {
 }
 
 TEST_P(RandomGoals, SayTheSameBytesWithTheSameSeed) {
-  const Outcome first = drive(7, GetParam(), Duration::milliseconds(25));
-  EXPECT_EQ(drive(7, GetParam(), Duration::milliseconds(25)).hash, first.hash);
-  EXPECT_NE(drive(8, GetParam(), Duration::milliseconds(25)).hash, first.hash);
+  const Outcome first = drive(7, GetParam(), Duration::milliseconds(3));
+  EXPECT_EQ(drive(7, GetParam(), Duration::milliseconds(3)).hash, first.hash);
+  EXPECT_NE(drive(8, GetParam(), Duration::milliseconds(3)).hash, first.hash);
 }
 
 INSTANTIATE_TEST_SUITE_P(Policies, RandomGoals, testing::Values(Policy::together, Policy::preempting),

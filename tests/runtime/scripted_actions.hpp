@@ -74,7 +74,7 @@ class ScriptedActions {
     }
     Goal goal{.handle = handle};
     std::istringstream(text_of(handle.goal())) >> goal.word >> goal.left;
-    if (goal.left == 0) goal.left = -1;
+    if (goal.word == "hold" || goal.left == 0) goal.left = -1;
     if (goal.word == "succeed") return handle.succeed(result(Ending::as_told, ""));
     if (goal.word == "abort") return handle.abort(result(Ending::told_to_abort, "told to"));
     if (goal.word != "wait") handle.execute();

@@ -11,9 +11,9 @@
 
 namespace bw {
 
-void GoalFrames::listen(Setup& setup) {
+void GoalFrames::listen(Setup& setup, std::shared_ptr<const TransformTree> transforms) {
   map_frame_ = setup.frame("map");
-  transforms_ = setup.transforms();
+  transforms_ = std::move(transforms);
 }
 
 PlacedGoal GoalFrames::place(const geometry_msgs::msg::PoseStamped& pose, Time now) const {

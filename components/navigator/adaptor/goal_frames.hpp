@@ -21,7 +21,7 @@ struct PlacedGoal {
 
 class GoalFrames {
  public:
-  void listen(Setup& setup);
+  void listen(Setup& setup, std::shared_ptr<const TransformTree> transforms);
 
   /// In a frame that moves in map the stamp says when: 0 now; what lies out of the transforms at hand by more than a second is
   /// refused. In map it says nothing.

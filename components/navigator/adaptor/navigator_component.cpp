@@ -23,8 +23,9 @@ void NavigatorComponent::configure(Setup& setup) {
   navigator_.emplace(parameters_);
   goals_.emplace(parameters_.goal_list());
   log_ = setup.log();
-  frames_.listen(setup);
-  situation_.listen(setup, parameters_);
+  const auto transforms = setup.transforms();
+  frames_.listen(setup, transforms);
+  situation_.listen(setup, parameters_, transforms);
   plan_request_ = setup.output<PlanRequest>("plan_request");
   follow_request_ = setup.output<FollowRequest>("follow_request");
   status_ = setup.output<NavigationStatus>("navigation_status", Qos::latched());

@@ -1,6 +1,6 @@
 #include "components/navigator/adaptor/robot_situation.hpp"
 
-#include <cmath>
+#include <utility>
 
 #include "components/messages/geometry.hpp"
 #include "components/navigator/goal_messages.hpp"
@@ -8,12 +8,13 @@
 
 namespace bw {
 
-void RobotSituation::listen(Setup& setup, const NavigatorParameters& parameters) {
+void RobotSituation::listen(Setup& setup, const NavigatorParameters& parameters,
+                            std::shared_ptr<const TransformTree> transforms) {
   by_tf_ = parameters.pose_source == PoseSource::tf;
   set_timeout(parameters.pose_timeout);
   map_frame_ = setup.frame("map");
   base_frame_ = setup.frame("base_link");
-  transforms_ = setup.transforms();
+  transforms_ = std::move(transforms);
   odometry_ = setup.latest<nav_msgs::msg::Odometry>(by_tf_ ? "odom" : "odometry/filtered", Qos::command());
 }
 

@@ -15,7 +15,8 @@ namespace bw {
 
 class RobotSituation {
  public:
-  void listen(Setup& setup, const NavigatorParameters& parameters);
+  void listen(Setup& setup, const NavigatorParameters& parameters,
+              std::shared_ptr<const TransformTree> transforms);
   void set_timeout(double seconds) { timeout_ = Duration::seconds(seconds); }
 
   /// Without a pose when it is older than the timeout, or not finite.

@@ -223,7 +223,7 @@ DriveResult drive(Graph graph, const DriveOptions& options) {
     extra.push_back(
         {.name = "run_observer",
          .component = std::make_unique<RunObserver>(seen, options.show_progress, options.stays, planner_ms),
-         .node_namespace = join_namespaces("", graph.settings.graph_namespace)});
+         .node_namespace = evaluation->node_namespace});
   }
   HostOptions host_options = options.host;
   Bags bags(graph, options);

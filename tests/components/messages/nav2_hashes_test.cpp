@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/wire/type_registry.hpp"
-#include "tests/components/messages/every_nav2_type.hpp"
+#include "tests/components/messages/every_nav2_message.hpp"
 #include "tests/idl/jazzy_hashes.hpp"
 
 namespace bw::test {
@@ -27,13 +27,12 @@ std::string expected_hash(RosDistro distro, std::string_view ros_name) {
 
 template <class Nav2>
 void expect_hashes(RosDistro distro) {
-  int types = 0;
-  every_nav2_type<Nav2, Nav2>([&]<class M, class>() {
-    ++types;
-    EXPECT_EQ(MessageTraits<M>::type_hash, expected_hash(distro, MessageTraits<M>::ros_name))
-        << MessageTraits<M>::ros_name;
-  });
-  EXPECT_EQ(types, 10 * 5 + 4 * 2);
+  const Messages messages = every_nav2_message<Nav2>();
+  EXPECT_EQ(messages.size(), 10U * 5U + 4U * 2U);
+  for (const auto& message : messages) {
+    const TypeDescription& type = message->type();
+    EXPECT_EQ(type.type_hash, expected_hash(distro, type.ros_name)) << type.ros_name;
+  }
 }
 
 TEST(Nav2Hashes, OfHumble) { expect_hashes<HumbleNav2>(RosDistro::humble); }
@@ -55,27 +54,28 @@ TEST(Nav2HashesUnproved, OfYoungerMessages) {
 }
 
 TEST(Nav2Registry, ANameAloneIsJazzys) {
-  every_nav2_type<LyricalNav2, JazzyNav2>([]<class Lyrical, class Jazzy>() {
-    EXPECT_EQ(find_type(MessageTraits<Lyrical>::ros_name), &MessageTraits<Jazzy>::description());
-    EXPECT_EQ(find_type(MessageTraits<Lyrical>::dds_name, ""), &MessageTraits<Jazzy>::description());
-  });
+  for (const auto& jazzys : every_nav2_message<JazzyNav2>()) {
+    EXPECT_EQ(find_type(jazzys->type().ros_name), &jazzys->type());
+    EXPECT_EQ(find_type(jazzys->type().dds_name, ""), &jazzys->type());
+  }
 }
 
 TEST(Nav2Registry, AHashFindsItsLayout) {
-  const auto check = []<class M, class>() {
-    for (const std::string_view name : {MessageTraits<M>::ros_name, MessageTraits<M>::dds_name}) {
-      const TypeDescription* type = find_type(name, MessageTraits<M>::type_hash);
-      ASSERT_NE(type, nullptr) << name;
-      EXPECT_EQ(type->type_hash, MessageTraits<M>::type_hash) << name;
-      EXPECT_EQ(type->ros_name, MessageTraits<M>::ros_name);
+  const Messages layouts[] = {every_nav2_message<HumbleNav2>(), every_nav2_message<JazzyNav2>(),
+                              every_nav2_message<KiltedNav2>(), every_nav2_message<LyricalNav2>()};
+  for (const Messages& messages : layouts) {
+    for (const auto& message : messages) {
+      const TypeDescription& type = message->type();
+      for (const std::string_view name : {type.ros_name, type.dds_name}) {
+        const TypeDescription* found = find_type(name, type.type_hash);
+        ASSERT_NE(found, nullptr) << name;
+        EXPECT_EQ(found->type_hash, type.type_hash) << name;
+        EXPECT_EQ(found->ros_name, type.ros_name);
+      }
     }
-  };
-  every_nav2_type<HumbleNav2, HumbleNav2>(check);
-  every_nav2_type<JazzyNav2, JazzyNav2>(check);
-  every_nav2_type<KiltedNav2, KiltedNav2>(check);
-  every_nav2_type<LyricalNav2, LyricalNav2>(check);
-  const auto lyricals = MessageTraits<LyricalNav2::Spin::Goal>::type_hash;
-  EXPECT_EQ(find_type("nav2_msgs/action/BackUp_Goal", lyricals), nullptr);
+  }
+  const std::string_view younger = MessageTraits<LyricalNav2::Spin::Goal>::type_hash;
+  EXPECT_EQ(find_type("nav2_msgs/action/BackUp_Goal", younger), nullptr);
   EXPECT_EQ(find_type("nav2_msgs/action/Spin_Goal", "RIHS01_0"), nullptr);
 }
 

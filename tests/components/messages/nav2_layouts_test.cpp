@@ -10,7 +10,7 @@
 #include "components/messages/nav2_goals.hpp"
 #include "components/messages/nav2_results.hpp"
 #include "runtime/wire/type_registry.hpp"
-#include "tests/components/messages/every_nav2_type.hpp"
+#include "tests/components/messages/every_nav2_message.hpp"
 
 namespace bw::test {
 namespace {
@@ -37,10 +37,13 @@ template <class Layout>
 constexpr bool kIsKiltedOrLater = kIsLyrical<Layout> || std::is_same_v<Layout, KiltedNav2>;
 
 TYPED_TEST(Nav2Layout, HasTheNamesOfJazzy) {
-  every_nav2_type<TypeParam, JazzyNav2>([]<class Own, class Jazzys>() {
-    EXPECT_EQ(MessageTraits<Own>::ros_name, MessageTraits<Jazzys>::ros_name);
-    EXPECT_EQ(MessageTraits<Own>::dds_name, MessageTraits<Jazzys>::dds_name);
-  });
+  const Messages own = every_nav2_message<TypeParam>();
+  const Messages jazzys = every_nav2_message<JazzyNav2>();
+  ASSERT_EQ(own.size(), jazzys.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    EXPECT_EQ(own[i]->type().ros_name, jazzys[i]->type().ros_name);
+    EXPECT_EQ(own[i]->type().dds_name, jazzys[i]->type().dds_name);
+  }
 }
 
 TYPED_TEST(Nav2Layout, ToolsFindItByItsHashAndByItsDistribution) {
@@ -48,11 +51,11 @@ TYPED_TEST(Nav2Layout, ToolsFindItByItsHashAndByItsDistribution) {
                                 : kIsLyrical<TypeParam>       ? RosDistro::lyrical
                                 : kIsKiltedOrLater<TypeParam> ? RosDistro::kilted
                                                               : RosDistro::jazzy;
-  every_nav2_type<TypeParam, JazzyNav2>([]<class Own, class Jazzys>() {
-    const TypeDescription& own = MessageTraits<Own>::description();
+  for (const auto& message : every_nav2_message<TypeParam>()) {
+    const TypeDescription& own = message->type();
     EXPECT_EQ(find_type(own.ros_name, kDistro), &own) << own.ros_name;
     EXPECT_EQ(find_type(own.ros_name, own.type_hash), &own) << own.ros_name;
-  });
+  }
   EXPECT_EQ(find_type("nav2_msgs/action/Nothing", kDistro), nullptr);
 }
 

@@ -67,7 +67,12 @@ TEST(DriveRelay, AStopCancelsWhatWasAcknowledgedAndTheRestOnceItIs) {
   EXPECT_THAT(relay.step(kAll, kNow).cancel, ElementsAre(first));
   relay.acknowledged(second, true);
   EXPECT_THAT(relay.step(kAll, kNow).cancel, ElementsAre(second));
-  EXPECT_THAT(relay.step(kAll, kNow).cancel, IsEmpty()) << "once is enough";
+  relay.ended(first, end(GoalStatus::canceled));
+  EXPECT_THAT(relay.step(kAll, kNow + Duration::milliseconds(990)).cancel, IsEmpty());
+  EXPECT_THAT(relay.step(kAll, kNow + Duration::milliseconds(1000)).cancel, ElementsAre(second))
+      << "it drives on: the server may not have heard";
+  relay.ended(second, end(GoalStatus::canceled));
+  EXPECT_THAT(relay.step(kAll, kNow + Duration::milliseconds(5000)).cancel, IsEmpty());
 }
 
 TEST(DriveRelay, ItDrivesBackOnlyWhenTheControllerHasEnded) {

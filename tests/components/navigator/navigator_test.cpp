@@ -265,7 +265,7 @@ TEST(Navigator, TurningOnTheSpotIsProgress) {
   ProgressChecker checker;
   for (int i = 0; i < 300; ++i) {
     const Time now = Time::seconds(0.1 * i);
-    EXPECT_TRUE(checker.update(now, {0.0, 0.0, wrap_angle(0.06 * 0.1 * i * 10.0)}, options));
+    EXPECT_TRUE(checker.update(now, {0.0, 0.0, wrap_angle(0.06 * 0.1 * i * 10.0)}, options.progress()));
   }
 }
 
