@@ -28,7 +28,7 @@ transport: localhost
 plugins: [lib/own.so]
 robot: robot.yaml
 robots:
-  one: {planner: {goal: {x: 3.0}}}
+  one: {planner: {resolution: 0.1}}
   two:
 components:
   world: &world

@@ -127,6 +127,36 @@ TEST(Lockstep, TicksMissedWhileBusyBecomeOne) {
   EXPECT_EQ(graph.statistics("slow", "tick").missed, 2U + 2U);
 }
 
+// The worker is busy from 10 to 30 ms. What waited since 10 comes before what is said at 30, whether that is said before or
+// after the worker is free again: a replay, which says everything at the beginning of an instant, has the same order.
+TEST(Lockstep, WhatWaitedComesBeforeWhatArrives) {
+  for (const bool speaks_first : {true, false}) {
+    std::vector<double> heard;
+    const auto worker = [&heard](bw::Setup& setup) {
+      setup.input<Float64>("said", Qos::standard(),
+                           [&heard](const Float64& m, const Tick&) { heard.push_back(m.data()); });
+      setup.input<Float64>("said_later", Qos::standard(),
+                           [&heard](const Float64& m, const Tick&) { heard.push_back(m.data()); });
+    };
+    const auto speaker = [](bw::Setup& setup) {
+      const auto said = setup.output<Float64>("said");
+      const auto later = setup.output<Float64>("said_later");
+      setup.every(Duration::milliseconds(10), "speak", [said, later](const Tick& tick) {
+        if (tick.sequence == 0) said.publish(value(1.0));
+        if (tick.sequence == 0) said.publish(value(2.0));
+        if (tick.sequence == 2) later.publish(value(3.0));
+      });
+    };
+    const ComponentNode busy{.name = "worker", .latency = Duration::milliseconds(20)};
+    TestGraph graph;
+    if (speaks_first) graph.add({.name = "speaker"}, speaker);
+    graph.add(busy, worker);
+    if (!speaks_first) graph.add({.name = "speaker"}, speaker);
+    graph.run(0.1);
+    EXPECT_THAT(heard, ElementsAre(1.0, 2.0, 3.0)) << (speaks_first ? "said before" : "said after");
+  }
+}
+
 TEST(Lockstep, LatestInputsCostNoLatencyAndAreFreshEvenWhileBusy) {
   std::vector<double> seen;
   TestGraph graph;
