@@ -29,12 +29,17 @@ TrackedPerson robot_track(const RobotReport& report, const Pose2& X_FM, Time tim
   const Vector2 velocity = direction(report.X_MR.theta) * report.twist.v;
   const double age = (time - report.time).to_seconds();
   const Eigen::Matrix2d R = Eigen::Rotation2Dd(X_FM.theta).toRotationMatrix();
-  const Eigen::Matrix2d covariance = R * report.covariance * R.transpose();
+  return robot_track(X_FM * Vector2(report.X_MR.position() + velocity * age), rotate(X_FM, velocity),
+                     R * report.covariance * R.transpose(), time, id, radius, options);
+}
+
+TrackedPerson robot_track(const Vector2& position, const Vector2& velocity, const Eigen::Matrix2d& covariance,
+                          Time time, std::uint32_t id, double radius, const OtherRobotsOptions& options) {
   TrackedPerson track;
   track.id = id;
   track.radius = radius;
-  track.position = X_FM * Vector2(report.X_MR.position() + velocity * age);
-  track.velocity = rotate(X_FM, velocity);
+  track.position = position;
+  track.velocity = velocity;
   track.covariance.topLeftCorner<2, 2>() = covariance;
   track.born = track.confirmed = track.last_seen = time;
   const int steps = static_cast<int>(std::floor(options.prediction_horizon / options.prediction_step + 1e-9));
@@ -42,7 +47,7 @@ TrackedPerson robot_track(const RobotReport& report, const Pose2& X_FM, Time tim
     const double t = i * options.prediction_step;
     const double turn = options.acceleration * t * t / 2.0;
     track.predictions.push_back({.time = t,
-                                 .position = track.position + track.velocity * t,
+                                 .position = position + velocity * t,
                                  .covariance = covariance + turn * turn * Eigen::Matrix2d::Identity()});
   }
   return track;

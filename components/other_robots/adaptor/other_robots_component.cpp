@@ -1,4 +1,5 @@
-// Adaptor: tracks of people and the other robots' odometry in map in; the tracks of both out. Topics: README.md.
+// Adaptor: tracks of people, the other robots' odometry in map and scans in; the tracks of people and robots out. Topics:
+// README.md.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -7,10 +8,12 @@
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <fmt/format.h>
 #include <nav_msgs/msg/odometry.hpp>
+#include <sensor_msgs/msg/laser_scan.hpp>
 
-#include "components/messages/geometry.hpp"
 #include "components/messages/people.hpp"
 #include "components/model/robot.hpp"
+#include "components/other_robots/adaptor/other_robots_messages.hpp"
+#include "components/other_robots/laser_follower.hpp"
 #include "components/other_robots/robot_tracks.hpp"
 #include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
@@ -24,14 +27,7 @@ using bandwagon_msgs::msg::Track;
 using bandwagon_msgs::msg::Tracks;
 
 constexpr const char* kSilent = "nothing is heard of it";  // so at the start, which is no news
-constexpr std::uint32_t kFirstId = 2'000'000'000;  // far from those of people
-
-RobotReport report_of(const nav_msgs::msg::Odometry& message) {
-  return {.time = from_stamp(message.header().stamp()),
-          .X_MR = from_pose(message.pose().pose()),
-          .twist = from_twist(message.twist().twist()),
-          .covariance = planar_covariance(message.pose().covariance()).topLeftCorner<2, 2>()};
-}
+constexpr std::uint32_t kFirstId = 2'000'000'000;          // far from those of people
 
 class OtherRobotsComponent final : public Component {
  public:
@@ -50,6 +46,7 @@ class OtherRobotsComponent final : public Component {
                              join_namespaces(join_namespaces("", robot), "odometry/filtered"), Qos::sensor(),
                              Need::optional),
                          .fault = Complaint(kSilent)});
+    scan_ = setup.latest<sensor_msgs::msg::LaserScan>("scan", Qos::sensor(), Need::optional);
     tracks_ = setup.output<Tracks>("tracks");
     setup.input<Tracks>("people_tracks", Qos::standard(), [this](const auto& message, const Tick& tick) {
       tracks_.publish(with_robots(message, tick.now));
@@ -60,29 +57,45 @@ class OtherRobotsComponent final : public Component {
   struct Other {
     std::string name;
     Latest<nav_msgs::msg::Odometry> odometry;
-    Complaint fault;  ///< why the laser alone tells of it
+    Complaint fault;              ///< why the laser alone tells of it
+    LaserFollower follower = {};  ///< from its last word on
   };
 
   Tracks with_robots(Tracks message, Time now) {
-    const auto X_FM = transforms_->lookup_planar(message.header().frame_id(), map_frame_);
+    const std::string& frame = message.header().frame_id();
+    const auto X_FM = transforms_->lookup_planar(frame, map_frame_);
     const Time seen = from_stamp(message.header().stamp());
     const double radius = options_.radius > 0.0 ? options_.radius : own_radius_;
     std::vector<TrackedPerson> robots;
     for (std::size_t i = 0; i < others_.size(); ++i) {
-      if (!is_usable(others_[i], X_FM.has_value(), now)) continue;
-      robots.push_back(robot_track(report_of(*others_[i].odometry), *X_FM, seen,
-                                   kFirstId + static_cast<std::uint32_t>(i), radius, options_));
+      Other& other = others_[i];
+      const std::uint32_t id = kFirstId + static_cast<std::uint32_t>(i);
+      if (is_usable(other, X_FM.has_value(), now)) {
+        robots.push_back(robot_track(report_of(*other.odometry), *X_FM, seen, id, radius, options_));
+        other.follower.start({seen, robots.back().position, robots.back().velocity});
+      } else if (const auto disc = other.follower.follow(hits_at(seen, frame), radius, seen)) {
+        robots.push_back(robot_track(disc->position, disc->velocity,
+                                     disc->deviation * disc->deviation * Eigen::Matrix2d::Identity(), seen,
+                                     id, radius, options_));
+      }
     }
-    // What the laser shows of a robot that tells of itself is not somebody more.
+    // What the laser shows of such a robot is not somebody more.
     std::erase_if(message.tracks(), [&](const Track& track) {
       const Vector2 position(track.position().x(), track.position().y());
       return std::ranges::any_of(
           robots, [&](const Mover& robot) { return is_body_of(robot, position, options_.body_margin); });
     });
-    const Tracks told = people::to_tracks(robots, message.header());
-    message.tracks().insert(message.tracks().end(), told.tracks().begin(), told.tracks().end());
+    const Tracks known = people::to_tracks(robots, message.header());
+    message.tracks().insert(message.tracks().end(), known.tracks().begin(), known.tracks().end());
     tell(robots.size());
     return message;
+  }
+
+  /// Of the sweep that showed the people.
+  std::vector<Vector2> hits_at(Time time, const std::string& frame) const {
+    if (!scan_ || from_stamp(scan_->header().stamp()) != time) return {};
+    const auto X_FL = transforms_->lookup_planar(frame, scan_->header().frame_id(), time);
+    return X_FL ? hits_of(*scan_, *X_FL) : std::vector<Vector2>{};
   }
 
   bool is_usable(Other& other, bool is_placed, Time now) {
@@ -124,6 +137,7 @@ class OtherRobotsComponent final : public Component {
   std::string map_frame_;
   std::string base_frame_;
   std::shared_ptr<const TransformTree> transforms_;
+  Latest<sensor_msgs::msg::LaserScan> scan_;
   Output<Tracks> tracks_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;

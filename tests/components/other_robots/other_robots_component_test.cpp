@@ -1,12 +1,15 @@
 // The other robots on their topics: a script plays the people tracker, the transforms and the other robot.
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <gtest/gtest.h>
 #include <nav_msgs/msg/odometry.hpp>
+#include <sensor_msgs/msg/laser_scan.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/messages/geometry.hpp"
@@ -18,6 +21,7 @@ namespace {
 using bandwagon_msgs::msg::Track;
 using bandwagon_msgs::msg::Tracks;
 using nav_msgs::msg::Odometry;
+using sensor_msgs::msg::LaserScan;
 
 constexpr std::uint32_t kFirstRobot = 2'000'000'000;
 
@@ -44,10 +48,32 @@ Track track_at(std::uint32_t id, double x, double y) {
   return track;
 }
 
+/// A disc of 0.3 m straight ahead, and nothing else.
+LaserScan scan_of_disc_at(double x, Time now) {
+  constexpr int kBeams = 721;
+  LaserScan scan;
+  scan.header(make_header("robot1/laser", now));
+  scan.angle_min(-1.5F);
+  scan.angle_max(1.5F);
+  scan.angle_increment(3.0F / (kBeams - 1));
+  scan.range_min(0.05F);
+  scan.range_max(20.0F);
+  std::vector<float> ranges;
+  for (int i = 0; i < kBeams; ++i) {
+    const double angle = -1.5 + 3.0 * i / (kBeams - 1);
+    const double across = x * std::sin(angle);
+    const bool is_hit = std::abs(across) < 0.3 && std::cos(angle) > 0.0;
+    ranges.push_back(is_hit ? static_cast<float>(x * std::cos(angle) - std::sqrt(0.09 - across * across))
+                            : std::numeric_limits<float>::infinity());
+  }
+  scan.ranges(std::move(ranges));
+  return scan;
+}
+
 /// odom lies at (1, 0) of map. In odom the other robot drives at (4 + 0.5 t, 0); the laser takes it for somebody (3) 0.2 m before its
 /// middle, and sees a person (4) who touches it from the side. 50 Hz, tracks at 10 Hz.
 Seen run(const std::string& parameters, const std::function<void(double t, Odometry&)>& change = {},
-         double silent_from = 1e9) {
+         double silent_from = 1e9, bool with_laser = false) {
   Seen seen;
   const std::string graph =
       "frame_prefix: robot1/\ncomponents: {other_robots: {parameters: " + parameters + "}}";
@@ -60,8 +86,9 @@ Seen run(const std::string& parameters, const std::function<void(double t, Odome
                  out = setup.output<Odometry>("/robot2/odometry/filtered")](const Tick& tick) {
                   const double t = seconds_since_start(tick.now);
                   tf2_msgs::msg::TFMessage transforms;
-                  transforms.transforms().push_back(
-                      to_transform("map", "robot1/odom", tick.now, Pose2{1.0, 0.0, 0.0}));
+                  transforms.transforms() = {
+                      to_transform("map", "robot1/odom", tick.now, Pose2{1.0, 0.0, 0.0}),
+                      to_transform("robot1/odom", "robot1/laser", tick.now, Pose2{})};
                   tf.publish(transforms);
                   if (t > silent_from) return;
                   Odometry odometry;
@@ -73,8 +100,10 @@ Seen run(const std::string& parameters, const std::function<void(double t, Odome
                   out.publish(odometry);
                 });
     setup.every(Duration::milliseconds(100), "people",
-                [out = setup.output<Tracks>("people_tracks")](const Tick& tick) {
+                [=, out = setup.output<Tracks>("people_tracks"),
+                 scans = setup.output<LaserScan>("scan")](const Tick& tick) {
                   const double x = 4.0 + 0.5 * seconds_since_start(tick.now);
+                  if (with_laser) scans.publish(scan_of_disc_at(x, tick.now));
                   Tracks people;
                   people.header(make_header("robot1/odom", tick.now));
                   people.tracks() = {track_at(3, x - 0.2, 0.05), track_at(4, x, 0.6)};
@@ -104,6 +133,15 @@ TEST(OtherRobots, OfASilentOneTheLaserTellsAgain) {
   const Seen seen = run("{robots: [/robot2], timeout: 0.5}", {}, 1.0);
   EXPECT_EQ(seen.ids_at(1.4), (Ids{4, kFirstRobot}));
   EXPECT_EQ(seen.ids_at(1.7), (Ids{3, 4}));
+}
+
+TEST(OtherRobots, ASilentOneIsFollowedByTheLaserFromItsLastWordOn) {
+  const Seen seen = run("{robots: [/robot2], timeout: 0.5}", {}, 1.0, true);
+  EXPECT_EQ(seen.ids_at(2.8), (Ids{4, kFirstRobot}));
+  const auto& [t, message] = seen.tracks.back();
+  const Track& robot = message.tracks().back();
+  EXPECT_NEAR(robot.position().x(), 4.0 + 0.5 * t, 0.1);
+  EXPECT_NEAR(robot.velocity().x(), 0.5, 0.1);
 }
 
 TEST(OtherRobots, ABadWordIsNoneAndASoundOneCountsAgain) {
