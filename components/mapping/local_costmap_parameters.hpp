@@ -15,7 +15,6 @@ struct LocalCostmapParameters {
   double tracks_timeout = 0.5;
   bool use_map = false;
   bool nav2_names = false;
-  bool track_unknown_space = true;
   GridOptions grid;
   InflationOptions inflation;
   ExtractionOptions obstacles{.tolerance_cells = 0.3};
@@ -33,9 +32,6 @@ struct LocalCostmapParameters {
       {.doc =
            "topics and services as those of the costmap inside Nav2's controller_server, for a node in the namespace "
            "local_costmap: costmap, costmap_raw, published_footprint, get_costmap, clear_..."});
-    v("track_unknown_space", track_unknown_space,
-      {.doc =
-           "false: cells nobody has seen cost nothing, as in the local costmap that Nav2 ships; else they are unknown"});
     grid.fields(v);
     inflation.fields(v);
     v("obstacles", obstacles, {.doc = "shapes for the local planner"});

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$1"
 
-files=$(ls tests/interop/plain/*.[ch]pp tests/interop/{service_process,service_golden,action_process,on_the_wire}.hpp \
+files=$(ls tests/interop/{plain,nav2_tree}/*.[ch]pp tests/interop/{service_process,service_golden,action_process,on_the_wire}.hpp \
   tests/interop/{service_wire,service_faults,node_services,action_wire,action_faults}_test.cpp)
 # shellcheck disable=SC2086
 if grep -nE '#[ \t]*include[ \t]*["<]((runtime|components|idl)/|[a-z0-9_]+/(msg|srv|action)/)' $files; then

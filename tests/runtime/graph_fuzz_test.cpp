@@ -226,12 +226,16 @@ std::string mutated(std::string text, const std::string& other, Random& random) 
 
 std::vector<ComponentDeclaration> declarations() {
   const std::string twist = "geometry_msgs/msg/Twist", odometry = "nav_msgs/msg/Odometry";
-  return {
-      {"world", {}, {{"odom", odometry, Qos::standard()}}},
-      {"planner",
-       {{"odom", odometry, Qos::sensor()}, {"goal_pose", "geometry_msgs/msg/PoseStamped", Qos::standard()}},
-       {{"cmd_vel_nav", twist, Qos::command(), true}, {"~/debug", twist, Qos::standard()}}},
-      {"motor", {{"cmd_vel", twist, Qos::command()}}, {}}};
+  std::vector<ComponentDeclaration> all = {
+      {"world", {}, {{"one/odom", odometry, Qos::standard()}, {"two/odom", odometry, Qos::standard()}}}};
+  for (const std::string robot : {"one", "two"}) {
+    all.push_back(
+        {robot + "/planner",
+         {{"odom", odometry, Qos::sensor()}, {"goal_pose", "geometry_msgs/msg/PoseStamped", Qos::standard()}},
+         {{"cmd_vel_nav", twist, Qos::command(), true}, {"~/debug", twist, Qos::standard()}}});
+    all.push_back({robot + "/motor", {{"cmd_vel", twist, Qos::command()}}, {}});
+  }
+  return all;
 }
 
 /// What is wrong with a document as a whole, or with the key itself, has no key.
@@ -344,9 +348,9 @@ TEST(FuzzSeeds, TheUnchangedGraphIsAccepted) {
   std::ofstream(folder / "parameters.yaml") << kParameterText;
   std::ofstream(folder / "robot.yaml") << "radius: 0.3\n";
   const Graph graph = load_graph(folder / "graph.yaml");
-  EXPECT_EQ(graph.components.size(), 3U);
+  EXPECT_EQ(graph.components.size(), 5U) << "a world, and two components of each robot";
   EXPECT_TRUE(check_graph(declarations(), graph).empty());
-  EXPECT_EQ(read_parameters<Parameters>(graph.find("planner")->parameters, "planner").walls.size(), 3U);
+  EXPECT_EQ(read_parameters<Parameters>(graph.find("one/planner")->parameters, "planner").walls.size(), 3U);
   std::filesystem::remove_all(folder);
 }
 

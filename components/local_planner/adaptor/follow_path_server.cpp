@@ -48,9 +48,9 @@ template <class A>
 void offer_as(Setup& setup, FollowPathServer& server) {
   setup.action<A>("follow_path",
                   {.on_goal =
-                       [&server](const GoalHandle<A>& handle, const Tick&) {
+                       [&server](const GoalHandle<A>& handle, const Tick& tick) {
                          handle.execute();
-                         server.take(to_goal(handle), ids_of(handle.goal()), handle.goal().path());
+                         server.take(to_goal(handle), ids_of(handle.goal()), handle.goal().path(), tick);
                        },
                    .on_cancel = [&server](const GoalHandle<A>& handle,
                                           const Tick& tick) { server.cancel(handle.id(), tick); },
@@ -70,8 +70,10 @@ void FollowPathServer::offer(Setup& setup, const FollowPathOptions& options, Use
                    [&](auto layout) { offer_as<typename decltype(layout)::FollowPath>(setup, *this); });
 }
 
-// What cannot be followed preempts nothing.
-void FollowPathServer::take(Goal goal, const PluginIds& ids, const nav_msgs::msg::Path& path) {
+// What cannot be followed preempts as well: its client has the new goal in hand and no way to cancel the one before, which would
+// drive on with nobody above it.
+void FollowPathServer::take(Goal goal, const PluginIds& ids, const nav_msgs::msg::Path& path,
+                            const Tick& tick) {
   const std::string& frame = path.header().frame_id();
   FollowFailure failure = unknown_plugin(ids, options_);
   ReceivedPath received;
@@ -85,6 +87,10 @@ void FollowPathServer::take(Goal goal, const PluginIds& ids, const nav_msgs::msg
   }
   if (failure.fault != FollowFault::none) {
     log_.warn("a goal of follow_path is not taken: {}", failure.reason);
+    if (goal_) {
+      give_way("preempted by a goal that cannot be followed");
+      uses_.stop(tick);
+    }
     return goal.abort(failure);
   }
   if (goal_) {

@@ -50,7 +50,7 @@ class FollowPathServer {
   void forget() { goal_.reset(); }
 
   // Called for goals of the action.
-  void take(Goal goal, const PluginIds& ids, const nav_msgs::msg::Path& path);
+  void take(Goal goal, const PluginIds& ids, const nav_msgs::msg::Path& path, const Tick& tick);
   void cancel(const GoalId& id, const Tick& tick);
 
  private:

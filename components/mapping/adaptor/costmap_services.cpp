@@ -11,8 +11,8 @@ void offer_services(Setup& setup, const std::string& folder, const CostmapAnswer
   offer_clear_services(
       setup, folder, "local_costmap",
       {.entirely = [answers] { answers.grid->clear(); },
-       .inside = [answers](double edge) { answers.grid->clear_inside(answers.position, edge); },
-       .outside = [answers](double edge) { answers.grid->clear_outside(answers.position, edge); }});
+       .inside = [answers](double edge) { answers.grid->clear_inside(answers.X_OB.position(), edge); },
+       .outside = [answers](double edge) { answers.grid->clear_outside(answers.X_OB.position(), edge); }});
   setup.service<GetCostmap>(folder + "get_costmap",
                             [costs = answers.costs](const GetCostmap::Request&, const Tick& tick) {
                               GetCostmap::Response response;

@@ -15,7 +15,7 @@ namespace bw::costmap {
 /// What the services look at: members of the component.
 struct CostmapAnswers {
   std::optional<LocalGrid>& grid;
-  const Vector2& position;  ///< of the robot in odom
+  const Pose2& X_OB;  ///< of base_link
   std::function<nav2_msgs::msg::Costmap(Time now)> costs;
 };
 

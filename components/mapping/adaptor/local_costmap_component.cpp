@@ -1,5 +1,4 @@
 // Adaptor of the local costmap: sweeps of the laser in; costs, and obstacles for the local planner out.
-#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -52,7 +51,7 @@ class LocalCostmapComponent final : public Component {
     if (parameters_.use_map) map_.listen(setup, transforms_);
     setup.every(Duration::milliseconds(10), "sweeps", [this](const Tick& tick) { take_in(tick.now); });
     offer_services(setup, parameters_.nav2_names ? "" : "local_costmap/",
-                   {.grid = grid_, .position = position_, .costs = [this](Time now) { return costs(now); }});
+                   {.grid = grid_, .X_OB = X_OB_, .costs = [this](Time now) { return costs(now); }});
   }
 
  private:
@@ -80,7 +79,6 @@ class LocalCostmapComponent final : public Component {
     if (fault != SweepFault::none) return;
     swept_ = stamp;
     X_OB_ = X_OB;
-    position_ = X_OB.position();
     // A tenth of a period for stamps that tremble.
     if (published_ && stamp - *published_ < Duration::seconds(0.9 / parameters_.rate) && stamp > *published_)
       return;
@@ -93,25 +91,18 @@ class LocalCostmapComponent final : public Component {
     cells_ = grid_->cells();
     map_.fill(cells_);
     const ExtractionResult near =
-        extract_obstacles(cells_, position_, parameters_.obstacles, grid_->surface());
+        extract_obstacles(cells_, X_OB_.position(), parameters_.obstacles, grid_->surface());
     obstacles_.publish(to_message(near.obstacles, {}, odom_frame_, stamp));
     diagnostics_->set_value("shapes", std::to_string(near.obstacles.size()));
     diagnostics_->set_value("shapes_dropped", std::to_string(near.dropped));
     if (!topics_.has_readers()) return;
-    topics_.publish(cells_, costs_of(cells_), X_OB_, robot_radius_, make_header(odom_frame_, stamp));
-  }
-
-  const std::vector<std::uint8_t>& costs_of(const OccupancyGrid& cells) {
-    if (parameters_.track_unknown_space) return inflation_->costs(cells);
-    OccupancyGrid known = cells;
-    std::ranges::replace(known.cells, OccupancyGrid::kUnknown, OccupancyGrid::kFree);
-    return inflation_->costs(known);
+    topics_.publish(cells_, inflation_->costs(cells_), X_OB_, robot_radius_, make_header(odom_frame_, stamp));
   }
 
   nav2_msgs::msg::Costmap costs(Time now) {
     OccupancyGrid cells = grid_->cells();
     map_.fill(cells);
-    return to_costmap(cells, costs_of(cells), odom_frame_, swept_.value_or(now));
+    return to_costmap(cells, inflation_->costs(cells), odom_frame_, swept_.value_or(now));
   }
 
   std::vector<Disc> people_at(Time time) const {
@@ -138,9 +129,8 @@ class LocalCostmapComponent final : public Component {
   OccupancyGrid cells_;
   MapBelow map_;
   WaitingScans waiting_;
-  std::optional<Time> swept_;   ///< stamp of the last sweep that was used
-  Pose2 X_OB_;                  ///< at that time
-  Vector2 position_{0.0, 0.0};  ///< of the robot in odom, then
+  std::optional<Time> swept_;  ///< stamp of the last sweep that was used
+  Pose2 X_OB_;                 ///< at that time
   std::optional<Time> published_;
   Complaint fault_{"none came yet"};
   Logger log_;

@@ -71,6 +71,7 @@ struct InflationOptions {
   double inflation_radius = 0.55;
   double cost_scaling_factor = 3.0;
   bool inflate_unknown = false;
+  bool track_unknown_space = true;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -79,6 +80,9 @@ struct InflationOptions {
     v("cost_scaling_factor", cost_scaling_factor,
       {.unit = "1/m", .min = 0, .max = 1000, .doc = "how fast the cost falls; raise it to pass closer"});
     v("inflate_unknown", inflate_unknown, {.doc = "unknown cells near obstacles take costs too"});
+    v("track_unknown_space", track_unknown_space,
+      {.doc =
+           "false: cells nobody has seen cost what free ones do, as in the local costmap that Nav2 ships"});
   }
 };
 

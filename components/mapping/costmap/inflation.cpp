@@ -42,7 +42,8 @@ const std::vector<std::uint8_t>& Inflation::costs(const OccupancyGrid& grid) {
   for (std::size_t i = 0; i < squared.size(); ++i) {
     const std::uint8_t cost = squared[i] < count ? table_[static_cast<std::size_t>(squared[i])] : kFreeCost;
     const std::uint8_t least = options_.inflate_unknown ? kFreeCost + 1 : kInscribedCost;
-    costs_[i] = grid.cells[i] < 0 && cost < least ? kUnknownCost : cost;
+    const bool is_unknown = options_.track_unknown_space && grid.cells[i] < 0;
+    costs_[i] = is_unknown && cost < least ? kUnknownCost : cost;
   }
   return costs_;
 }

@@ -107,7 +107,8 @@ class BadGoal : public testing::TestWithParam<Bad> {};
 INSTANTIATE_TEST_SUITE_P(FollowPath, BadGoal, testing::ValuesIn(bad_goals()),
                          [](const auto& bad) { return bad.param.name; });
 
-TEST_P(BadGoal, EndsAtOnceAndTheDriveInHandGoesOn) {
+// As Nav2's controller_server: its client has the bad goal in hand, and could not cancel the one before.
+TEST_P(BadGoal, EndsAtOnceAndTheDriveInHandWithIt) {
   Goal bad = Rig::to_goal(Rig::straight(0, 3));
   GetParam().spoil(bad);
   Rig alone;
@@ -122,7 +123,9 @@ TEST_P(BadGoal, EndsAtOnceAndTheDriveInHandGoesOn) {
   rig.at[100] = [&] { rig.send(bad); };
   rig.run(12.0);
   expect_end(rig.goals[1], GoalStatus::aborted, GetParam().code, GetParam().text);
-  expect_end(rig.goals[0], GoalStatus::succeeded, 0, "");
+  expect_end(rig.goals[0], GoalStatus::aborted, 100, "preempted by a goal that cannot be followed");
+  EXPECT_EQ(rig.commands.back().second, Twist2{});
+  EXPECT_NEAR(rig.commands.back().first, 2.02, 0.03) << "at once, and for good";
 }
 
 TEST(FollowPath, OddPathsAreDriven) {

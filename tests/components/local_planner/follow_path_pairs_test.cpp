@@ -95,6 +95,7 @@ TEST(FollowPathPairs, DriveTheHallwayAsWellAsTheNativeWay) {
     }
   }
   ASSERT_GE(time.count, 2);
+  EXPECT_GT(FollowPathRelay::goals_taken, 15 * pairs) << "a path each second of 20 s was a goal";
   std::cout << fmt::format(
       "{} pairs: success {} native, {} follow_path; follow_path minus native: {:+.2f} +- {:.2f} s, {:+.3f} +- {:.3f} "
       "m/s^3 (standard errors)\n",

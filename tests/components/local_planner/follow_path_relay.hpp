@@ -16,6 +16,8 @@ namespace bw {
 
 class FollowPathRelay final : public Component {
  public:
+  static inline int goals_taken = 0;  ///< by the action, of all relays
+
   void configure(Setup& setup) override {
     namespace mode = bandwagon_msgs::msg::FollowRequest_Constants;
     client_ = setup.action_client<Action>("follow_path");
@@ -51,13 +53,14 @@ class FollowPathRelay final : public Component {
     is_followed_ = true;
     goal_ =
         client_.send(goal, Duration::milliseconds(500),
-                     {.on_acknowledged = nullptr,
+                     {.on_acknowledged = [](bool accepted, const Tick&) { goals_taken += accepted ? 1 : 0; },
                       .on_feedback = nullptr,
-                      .on_result = [this, id](GoalStatus status, const Action::Result* result, const Tick&) {
-                        if (own_.id() != id || status == GoalStatus::succeeded) return;
-                        own_.status(follow::BLOCKED);
-                        own_.reason(result == nullptr ? "the server is gone" : result->error_msg());
-                      }});
+                      .on_result =
+                          [this, id](GoalStatus status, const Action::Result* result, const Tick&) {
+                            if (own_.id() != id || status == GoalStatus::succeeded) return;
+                            own_.status(follow::BLOCKED);
+                            own_.reason(result == nullptr ? "the server is gone" : result->error_msg());
+                          }});
   }
 
   ActionClient<Action> client_;

@@ -75,16 +75,20 @@ Player manage(const std::vector<std::string>& nodes) {
   return Player(command);
 }
 
+nlohmann::json play_tree(double x, double y) {
+  Process tree({NAV2_TREE, std::to_string(x), std::to_string(y), "0", std::to_string(kDriveLimit.count()),
+                "cmd_vel_nav"});
+  tree.wait(kDriveLimit + kStopLimit);
+  return nlohmann::json::parse(tree.out(), nullptr, false);
+}
+
 DriveReport drive_hallway(int seed, const StandIns& servers) {
   DriveReport report;
   Body body(seed);
   const std::vector<std::unique_ptr<GraphRun>> runs = start(servers);
   Player manager = manage(servers.nodes);
   if (manager.says("active")) {
-    Process tree({NAV2_TREE, std::to_string(kGoalX), std::to_string(kGoalY), "0",
-                  std::to_string(kDriveLimit.count()), "cmd_vel_nav"});
-    tree.wait(kDriveLimit + kStopLimit);
-    report.tree = nlohmann::json::parse(tree.out(), nullptr, false);
+    report.tree = play_tree(kGoalX, kGoalY);
   } else {
     report.trouble = "the manager says: " + manager.process().out();
   }

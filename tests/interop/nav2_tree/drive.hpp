@@ -63,6 +63,9 @@ std::vector<std::unique_ptr<GraphRun>> start(const StandIns& servers);
 /// nav2_manager of these nodes.
 Player manage(const std::vector<std::string>& nodes);
 
+/// What nav2_tree tells of a goal in map, when it has ended.
+nlohmann::json play_tree(double x, double y);
+
 struct DriveReport {
   nlohmann::json tree;  ///< of nav2_tree
   nlohmann::json card;  ///< of evaluation

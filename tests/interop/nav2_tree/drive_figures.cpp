@@ -27,7 +27,7 @@ double mean(const std::vector<double>& values) {
 
 std::string quantiles(const std::string& what, const std::vector<double>& values, double scale,
                       const std::string& unit) {
-  return fmt::format("{}: {} of them, p50 {:.2f}, p95 {:.2f}, p99.9 {:.2f}, largest {:.2f} {}\n", what,
+  return fmt::format("{}: {} of them, p50 {:.3f}, p95 {:.3f}, p99.9 {:.3f}, largest {:.3f} {}\n", what,
                      values.size(), scale * quantile(values, 0.5), scale * quantile(values, 0.95),
                      scale * quantile(values, 0.999), scale * quantile(values, 1.0), unit);
 }
@@ -60,7 +60,8 @@ std::string DriveFigures::add(int seed, const DriveReport& report) {
   recoveries_ += tree["recoveries"].get<int>();
   contacts_ += report.card["collisions"].get<int>();
   return fmt::format(
-      "seed {}: {} after {:.1f} s, {:.2f} m from the goal, {} recoveries, {} contacts ({} at speed), nearest person {:.2f} m, "
+      "seed {}: {} after {:.1f} s, {:.2f} m from the goal, {} recoveries, {} contacts ({} at speed), "
+      "nearest person {:.2f} m, "
       "{} preemptions, slowest answer {:.1f} ms {}",
       seed, tree["outcome"].get<std::string>(), times_.back(), report.left, tree["recoveries"].get<int>(),
       report.card["collisions"].get<int>(), report.card["collisions_at_speed"].get<int>(),
