@@ -181,8 +181,8 @@ TEST(LoadGraph, RefusesRobotsThatItCannotTellApart) {
   EXPECT_EQ(refusal("robots: {a: {base: 3}}\n" + components),
             "g.yaml:1: robots.a.base = 3: must be a map of parameters");
   EXPECT_EQ(
-      refusal("robots: {a: , b: }\ncomponents: {base: {namespace: /x}}\n"),
-      "g.yaml:2: components.base.namespace = /x: must be relative where there are robots: each has this "
+      refusal("namespace: house\nrobots: {a: , b: }\ncomponents: {base: {namespace: /x}}\n"),
+      "g.yaml:3: components.base.namespace = /x: must be relative where there are robots: each has this "
       "component");
 }
 
