@@ -52,11 +52,16 @@ TEST_F(ActionVerb, ListNamesOneALineAndTellsTypes) {
 TEST_F(ActionVerb, InfoNamesServersAndClients) {
   plain::Node node("client_of_goals");
   plain::ActionClient client(node, "/together", Jazzy::navigate_to_pose());
-  const Outcome info = run_action({"info", "/together"});
-  EXPECT_EQ(info.status, 0) << info.err;
-  EXPECT_EQ(info.out,
-            "Action: /together\nType: nav2_msgs/action/NavigateToPose\nAction clients: 1\n"
-            "    /client_of_goals\nAction servers: 1\n    /server\n");
+  // Discovery of one newcomer by another takes its time.
+  Outcome info;
+  EXPECT_TRUE(eventually([&] {
+    info = run_action({"info", "/together"});
+    return info.out ==
+           "Action: /together\nType: nav2_msgs/action/NavigateToPose\nAction clients: 1\n"
+           "    /client_of_goals\nAction servers: 1\n    /server\n";
+  })) << info.out
+      << info.err;
+  EXPECT_EQ(info.status, 0);
   const Outcome none = run_action({"info", "/togethr"});
   EXPECT_EQ(none.status, 2);
   EXPECT_THAT(none.err, HasSubstr("/togethr: unknown action; did you mean '/together'?"));
