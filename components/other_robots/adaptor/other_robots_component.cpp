@@ -1,5 +1,4 @@
-// Adaptor: tracks of people, the other robots' odometry in map and scans in; the tracks of people and robots out. Topics:
-// README.md.
+// Adaptor: tracks of people, other robots' odometry and scans in; tracks of people and robots out. Topics: README.md.
 #include <algorithm>
 #include <memory>
 #include <string>
