@@ -1,5 +1,4 @@
-// Adaptor: tracks of people, the other robots' odometry in map and scans in; the tracks of people and robots out. Topics:
-// README.md.
+// Adaptor: tracks of people, other robots' odometry and scans in; tracks of people and robots out. Topics: README.md.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -91,10 +90,11 @@ class OtherRobotsComponent final : public Component {
     return message;
   }
 
-  /// Of the sweep that showed the people.
   std::vector<Vector2> hits_at(Time time, const std::string& frame) const {
     if (!scan_ || from_stamp(scan_->header().stamp()) != time) return {};
-    const auto X_FL = transforms_->lookup_planar(frame, scan_->header().frame_id(), time);
+    const std::string& laser = scan_->header().frame_id();
+    auto X_FL = transforms_->lookup_planar(frame, laser, time);
+    if (!X_FL) X_FL = transforms_->lookup_planar(frame, laser);  // the newest is 20 ms older: 2 cm
     return X_FL ? hits_of(*scan_, *X_FL) : std::vector<Vector2>{};
   }
 
