@@ -20,7 +20,7 @@ using nlohmann::json;
 constexpr std::chrono::milliseconds kLoop{10};  // bt_loop_duration
 constexpr std::chrono::seconds kPoseLimit{30};  // nobody sends a goal before the robot knows where it is
 
-constexpr std::chrono::seconds kSettling{1};
+constexpr std::chrono::seconds kSettling{3};
 
 volatile std::sig_atomic_t interrupted = 0;
 
