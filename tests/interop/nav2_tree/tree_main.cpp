@@ -20,6 +20,8 @@ using nlohmann::json;
 constexpr std::chrono::milliseconds kLoop{10};  // bt_loop_duration
 constexpr std::chrono::seconds kPoseLimit{30};  // nobody sends a goal before the robot knows where it is
 
+constexpr std::chrono::seconds kSettling{3};
+
 volatile std::sig_atomic_t interrupted = 0;
 
 double seconds_since_epoch() {
@@ -64,6 +66,8 @@ class Drive {
     // The node has been there for a while when its tree is loaded, as bt_navigator has when it is activated.
     tree_ = std::make_unique<nav2::DefaultTree>(node_, journal_, board_);
     if (const auto missing = tree_->missing_server()) return "missing " + *missing;
+    // Servers may still be getting to know its clients; nobody sends a goal in that very moment.
+    sleep_until(Clock::now() + kSettling, [] { return false; });
     journal_.start = Clock::now();
     commands_.commands.clear();
     nav2::Status status = nav2::Status::running;
