@@ -34,6 +34,10 @@ std::string too_long(std::size_t longest) {
 std::string expand(std::string_view node_namespace, std::string_view node, std::string_view name) {
   if (name == "~") return join_namespaces(node_namespace, node);
   if (name.starts_with("~/")) return join_namespaces(join_namespaces(node_namespace, node), name.substr(2));
+  if (name.starts_with("../")) {
+    const std::size_t last = node_namespace.rfind('/');
+    return join_namespaces(node_namespace.substr(0, std::max<std::size_t>(last, 1)), name.substr(3));
+  }
   return join_namespaces(node_namespace, name);
 }
 
@@ -50,6 +54,8 @@ std::optional<std::string> topic_name_rule(std::string_view name) {
   std::string_view path = name;
   if (path.starts_with("~/")) {
     path.remove_prefix(2);
+  } else if (path.starts_with("../")) {
+    path.remove_prefix(3);
   } else if (path.starts_with('/')) {
     path.remove_prefix(1);
   }

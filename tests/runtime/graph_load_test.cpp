@@ -284,6 +284,9 @@ TEST(ResolveName, FollowsTheRulesOfRos) {
   EXPECT_EQ(resolve_name("/r1", "node", "a/b"), "/r1/a/b");
   EXPECT_EQ(resolve_name("/r1", "node", "/odom"), "/odom");
   EXPECT_EQ(resolve_name("/r1", "node", "~/debug"), "/r1/node/debug");
+  EXPECT_EQ(resolve_name("/r1/costmap", "node", "../map"), "/r1/map");
+  EXPECT_EQ(resolve_name("/costmap", "node", "../map"), "/map");
+  EXPECT_EQ(resolve_name("/", "node", "../map"), "/map");
   EXPECT_EQ(resolve_name("/r1", "node", "odom", {{"odom", "pose/odom", {}}}), "/r1/pose/odom");
   EXPECT_EQ(resolve_name("/r1", "node", "odom", {{"/r1/odom", "/odom", {}}}), "/odom");
   EXPECT_EQ(resolve_name("/r1", "node", "a", {{"a", "b", {}}, {"b", "c", {}}}), "/r1/b");

@@ -54,7 +54,11 @@ TYPED_TEST(Nav2Layout, ToolsFindItByItsHashAndByItsDistribution) {
   for (const auto& message : every_nav2_message<TypeParam>()) {
     const TypeDescription& own = message->type();
     EXPECT_EQ(find_type(own.ros_name, kDistro), &own) << own.ros_name;
-    EXPECT_EQ(find_type(own.ros_name, own.type_hash), &own) << own.ros_name;
+    // What two distributions have alike has one hash.
+    const TypeDescription* by_hash = find_type(own.ros_name, own.type_hash);
+    ASSERT_NE(by_hash, nullptr) << own.ros_name;
+    EXPECT_EQ(by_hash->type_hash, own.type_hash);
+    EXPECT_EQ(by_hash->ros_name, own.ros_name);
   }
   EXPECT_EQ(find_type("nav2_msgs/action/Nothing", kDistro), nullptr);
 }

@@ -117,23 +117,30 @@ TEST(CollisionMonitorComponent, PassesCommandsOnAtOnceAndKeepsThemFreshBetween) 
   EXPECT_GT(drive.markers, 5U);
 }
 
-// The laser looks back: what is near ahead of it is behind the robot, also of one whose frames have a prefix.
+// The laser looks back over 270 degrees: backward the way is seen and free, forward nothing is seen. Who takes it for one that
+// looks ahead lets the robot creep backward and drive forward.
 TEST(CollisionMonitorComponent, KnowsWhereTheLaserSitsOfARobotWithAPrefix) {
-  const auto wall_behind_the_robot = [](const std::string& frame) {
-    return [frame](double, const Tick& tick) -> std::optional<LaserScan> {
+  const std::string back = "robot: {sensors: [{frame: laser, x: 0.0, y: 0.0, theta: 3.14159265}]}\n";
+  for (const std::string prefix : {"", "robot1/"}) {
+    const auto free_room = [&prefix](double, const Tick& tick) -> std::optional<LaserScan> {
       LaserScan scan = scan_at(tick, 5.0F);
-      scan.header().frame_id(frame);
-      for (std::size_t i = kBeams / 2 - 20; i <= kBeams / 2 + 20; ++i) scan.ranges()[i] = 0.45F;
+      scan.header().frame_id(prefix + "laser");
       return scan;
     };
-  };
-  const std::string back = "robot: {sensors: [{frame: laser, x: 0.0, y: 0.0, theta: 3.14159265}]}\n";
-  const auto straight = [](double) { return Twist2{0.5, 0.0}; };
-  const Drive plain = run(2.0, 0.5, straight, wall_behind_the_robot("laser"), "", -1.0, back);
-  const Drive prefixed = run(2.0, 0.5, straight, wall_behind_the_robot("robot1/laser"), "", -1.0,
-                             back + "frame_prefix: robot1/\n");
-  EXPECT_EQ(plain.at(1.0).twist.v, 0.5);  // what is near is behind the robot
-  EXPECT_EQ(prefixed.at(1.0).twist.v, 0.5);
+    const std::string head = back + (prefix.empty() ? "" : "frame_prefix: " + prefix + "\n");
+    const auto v_of = [&](double v) {
+      return run(
+                 2.0, v,
+                 [v](double) {
+                   return Twist2{v, 0.0};
+                 },
+                 free_room, "", -1.0, head)
+          .at(1.0)
+          .twist.v;
+    };
+    EXPECT_EQ(v_of(-0.5), -0.5) << prefix;
+    EXPECT_LT(v_of(0.5), 0.5) << prefix;
+  }
 }
 
 TEST(CollisionMonitorComponent, StopsWhenCommandsStopAndThenIsQuiet) {
