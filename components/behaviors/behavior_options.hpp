@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "components/model/stamped_choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
@@ -18,6 +19,7 @@ struct BehaviorOptions {
   double collision_margin = 0.02;
   double command_lead = 0.2;
   double movement_time_allowance = 10.0;
+  StampedCmdVel enable_stamped_cmd_vel = StampedCmdVel::no;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -54,6 +56,9 @@ struct BehaviorOptions {
        .min = 0.5,
        .max = 600,
        .doc = "a goal without an allowance of its own fails when the robot has not moved for so long"});
+    v("enable_stamped_cmd_vel", enable_stamped_cmd_vel,
+      {.doc =
+           "commands are TwistStamped, no Twist; auto: as Nav2 of the graph's ros_distro has it, true from Kilted on"});
   }
   std::optional<std::string> violated_rule() const {
     if (min_rotational_vel > max_rotational_vel)

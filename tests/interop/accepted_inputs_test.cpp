@@ -1,12 +1,14 @@
-// A run in lock-step that takes twenty changes from another program: parameters, transitions, services, goals, limits. They
+// A run in lock-step that takes 22 changes from another program: parameters, transitions, services, goals, limits. They
 // are part of its record, and every component that runs again on the record says the same bytes.
 #include <filesystem>
 #include <fstream>
 #include <memory>
 
+#include <action_msgs/srv/cancel_goal.hpp>
 #include <geometry_msgs/msg/pose_stamped.hpp>
 #include <gmock/gmock.h>
 #include <lifecycle_msgs/srv/change_state.hpp>
+#include <nav2_msgs/action/navigate_to_pose.hpp>
 #include <nav2_msgs/msg/speed_limit.hpp>
 #include <nav2_msgs/srv/clear_entire_costmap.hpp>
 #include <nlohmann/json.hpp>
@@ -22,7 +24,9 @@
 namespace bw::test {
 namespace {
 
+using action_msgs::srv::CancelGoal;
 using lifecycle_msgs::srv::ChangeState;
+using nav2_msgs::action::NavigateToPose;
 using nav2_msgs::srv::ClearEntireCostmap;
 using rcl_interfaces::srv::SetParameters;
 using rcl_interfaces::srv::SetParametersAtomically;
@@ -88,6 +92,22 @@ class Operator {
     message.pose().orientation().w(1.0);
     return publish(*goals_, message);
   }
+  /// The same by the action.
+  bool ask_to_go_to(double x) {
+    NavigateToPose::SendGoal::Request request;
+    request.goal_id().uuid({1});
+    request.goal().pose().header().frame_id("map");
+    request.goal().pose().pose().position().x(x);
+    request.goal().pose().pose().orientation().w(1.0);
+    const auto response = call_service<NavigateToPose::SendGoal>(
+        participant_, "/navigate_to_pose/_action/send_goal", request, kLong);
+    return response && response->accepted();
+  }
+  bool cancel_all() {
+    const auto response =
+        call_service<CancelGoal>(participant_, "/navigate_to_pose/_action/cancel_goal", {}, kLong);
+    return response && response->goals_canceling().size() == 1;
+  }
   /// Waits for this instant of the run [s since its beginning].
   bool wait_until(double seconds) {
     return eventually([&] {
@@ -149,9 +169,11 @@ TEST(AcceptedInputs, AReplayOfTheRecordSaysTheSameBytes) {
   at(10.0, [&] { return hand.limit(0.0); });
   at(10.5, [&] { return hand.change("/local_planner", "deactivate"); });
   at(11.0, [&] { return hand.change("/local_planner", "activate"); });
+  at(11.2, [&] { return hand.ask_to_go_to(15.0); });
+  at(11.7, [&] { return hand.cancel_all(); });
   at(12.0, [&] { return hand.go_to(19.0); });
   at(13.0, [&] { return hand.clear(); });
-  EXPECT_EQ(changes, 20) << run.err();
+  EXPECT_EQ(changes, 22) << run.err();
   ASSERT_EQ(run.wait(std::chrono::seconds(60)), 0) << run.err();
 
   std::ifstream card(kFolder / "card.json");

@@ -3,13 +3,11 @@
 #include <string>
 #include <utility>
 
-#include <geometry_msgs/msg/twist.hpp>
-
 #include "components/behaviors/adaptor/behavior_goal.hpp"
 #include "components/behaviors/adaptor/behavior_messages.hpp"
 #include "components/local_planner/adaptor/planning_inputs.hpp"
-#include "components/messages/geometry.hpp"
 #include "components/messages/nav2_layouts.hpp"
+#include "components/messages/velocity_output.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
 
@@ -20,12 +18,14 @@ class BehaviorServerComponent final : public Component {
  public:
   void configure(Setup& setup) override {
     options_ = setup.parameters<BehaviorOptions>(
-        [this](const BehaviorOptions& changed, const Tick&) { options_ = changed; }, {"cycle_frequency"});
+        [this](const BehaviorOptions& changed, const Tick&) { options_ = changed; },
+        {"cycle_frequency", "enable_stamped_cmd_vel"});
     robot_ = setup.shared<Robot>("robot");
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
     inputs_.listen(setup, robot_);
-    command_ = setup.command<geometry_msgs::msg::Twist>("cmd_vel_behavior");
+    command_.offer(setup, "cmd_vel_behavior",
+                   is_stamped(options_.enable_stamped_cmd_vel, setup.ros_distro()));
     with_nav2_layout(setup.ros_distro(), [&](auto layout) {
       using Nav2 = decltype(layout);
       offer<typename Nav2::Spin, SpinMessages>(setup, "spin");
@@ -40,8 +40,8 @@ class BehaviorServerComponent final : public Component {
   void activate(const Tick&) override { report("idle"); }
 
   /// Goals that are open end by the runtime.
-  void deactivate(const Tick&) override {
-    command_.publish({});
+  void deactivate(const Tick& tick) override {
+    command_.publish({}, tick.now);
     goal_.reset();
     behavior_.reset();
     is_settled_ = true;
@@ -112,7 +112,7 @@ class BehaviorServerComponent final : public Component {
   }
 
   void drive(const Twist2& twist, const Tick& tick) {
-    command_.publish(to_twist_message(twist));
+    command_.publish(twist, tick.now);
     if (twist != Twist2{}) drove_at_ = tick.now;
     const auto measured = inputs_.twist();
     const bool stands = measured && is_at_rest(*measured);
@@ -135,7 +135,7 @@ class BehaviorServerComponent final : public Component {
   Time drove_at_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
-  Output<geometry_msgs::msg::Twist> command_;
+  VelocityOutput command_;
 };
 
 }  // namespace

@@ -113,7 +113,7 @@ std::string planner_of(const nlohmann::json& card, const Job& job) {
 }
 
 EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, const Job& job) {
-  DriveOptions drive_options;
+  DriveSettings drive_options;
   drive_options.host.clock = ClockMode::lockstep;
   drive_options.host.seed = static_cast<std::uint64_t>(job.seed);
   drive_options.longest = Duration::seconds(suite.options.time_limit);

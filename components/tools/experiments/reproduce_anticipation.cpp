@@ -90,7 +90,7 @@ std::vector<HallwayDrive> drive_hallway(const std::vector<CrossingEntry>& entrie
   std::vector<HallwayDrive> drives;
   cli::catch_interrupts();
   for (const HallwayJob& job : jobs) {
-    const DriveOptions options{
+    const DriveSettings options{
         .host = {.clock = ClockMode::lockstep, .seed = static_cast<std::uint64_t>(job.seed)},
         .longest = Duration::seconds(suite.options.time_limit)};
     const DriveResult result = drive(hallway_graph(suite, job), options);

@@ -76,7 +76,7 @@ class InterruptWatch {
 /// The recording and the snapshots of one drive, whichever of them are asked for.
 class Bags {
  public:
-  Bags(const Graph& graph, const DriveOptions& options)
+  Bags(const Graph& graph, const DriveSettings& options)
       : graph_(graph), options_(options), lockstep_(options.host.clock == ClockMode::lockstep) {
     if (!options.record.empty()) recording_.emplace();
     if (graph.snapshot && options.snapshots) snapshots_.emplace();
@@ -111,7 +111,7 @@ class Bags {
 
  private:
   const Graph graph_;  ///< with the components that are left out
-  const DriveOptions& options_;
+  const DriveSettings& options_;
   bool lockstep_;
   std::shared_ptr<Taps> taps_ = std::make_shared<Taps>();
   std::optional<Recording> recording_;
@@ -158,7 +158,7 @@ std::vector<const ComponentNode*> find_each(const Graph& graph, const std::strin
   return found;
 }
 
-void set_up_evaluation(Graph& graph, const DriveOptions& options) {
+void set_up_evaluation(Graph& graph, const DriveSettings& options) {
   for (const ComponentNode* node : find_each(graph, "evaluation", options.host.only_process)) {
     if (!options.svg.empty())
       set_parameter(graph, *node, "svg",
@@ -201,7 +201,7 @@ std::string slowest(const Host& host, const std::map<std::string, std::string>& 
 
 }  // namespace
 
-DriveResult drive(Graph graph, const DriveOptions& options) {
+DriveResult drive(Graph graph, const DriveSettings& options) {
   const ComponentNode* evaluation = find_type(graph, "evaluation", options.host.only_process);
   const std::string evaluation_name = evaluation == nullptr ? "" : evaluation->name;
   std::map<std::string, std::string> planners;  // by robot

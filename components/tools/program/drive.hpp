@@ -15,7 +15,7 @@
 
 namespace bw {
 
-struct DriveOptions {
+struct DriveSettings {
   HostOptions host;
   std::optional<Duration> longest;  ///< ends then, on the component clock
   std::filesystem::path svg;        ///< picture of the drive; empty: none
@@ -39,6 +39,6 @@ const ComponentNode* find_type(const Graph& graph, const std::string& type, cons
 
 /// Runs until the goal is decided (unless it stays), `longest` is over, or a person interrupts. Throws ConfigError or
 /// std::runtime_error on a wrong configuration.
-DriveResult drive(Graph graph, const DriveOptions& options);
+DriveResult drive(Graph graph, const DriveSettings& options);
 
 }  // namespace bw

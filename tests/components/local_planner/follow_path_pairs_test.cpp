@@ -45,7 +45,7 @@ void put_relay_into(Graph& graph) {
 Drive drive_once(const Suite& suite, std::size_t episode, int seed, bool by_action) {
   Graph graph = suite.graph_of(episode);
   if (by_action) put_relay_into(graph);
-  DriveOptions options;
+  DriveSettings options;
   options.host.clock = ClockMode::lockstep;
   options.host.seed = static_cast<std::uint64_t>(seed);
   options.longest = Duration::seconds(suite.options.time_limit);
