@@ -36,13 +36,13 @@ struct ActionOptions {
   double timeout_s = 5.0;
 };
 
-std::map<std::string, SeenAction> seen(Outside& outside) {
-  outside.settle();
-  return actions_among(outside.endpoints(true));
-}
-
 /// Throws with the nearest name.
-const SeenAction& known(const std::map<std::string, SeenAction>& actions, const std::string& name) {
+SeenAction known(Outside& outside, const std::string& name) {
+  std::map<std::string, SeenAction> actions;
+  outside.settle([&] {
+    actions = actions_among(outside.endpoints(true));
+    return actions.contains(name);
+  });
   const auto found = actions.find(name);
   if (found != actions.end()) return found->second;
   std::vector<std::string_view> names;
@@ -52,7 +52,8 @@ const SeenAction& known(const std::map<std::string, SeenAction>& actions, const 
 
 void list(const ActionOptions& options) {
   Outside outside;
-  const auto actions = seen(outside);
+  outside.settle();
+  const auto actions = actions_among(outside.endpoints(true));
   if (options.json) {
     nlohmann::json json = nlohmann::json::object();
     for (const auto& [name, action] : actions) json[name] = action.type;
@@ -65,8 +66,7 @@ void list(const ActionOptions& options) {
 
 void info(const ActionOptions& options) {
   Outside outside;
-  const auto actions = seen(outside);
-  const SeenAction& action = known(actions, options.name);
+  const SeenAction action = known(outside, options.name);
   std::cout << fmt::format("Action: {}\nType: {}\n", options.name, action.type);
   const auto print = [&](const char* what, const std::vector<dds::Guid>& ends) {
     std::cout << fmt::format("{}: {}\n", what, ends.size());
@@ -200,8 +200,7 @@ int send(ActionOptions options) {
   const RosDistro distro = distro_of(options);
   catch_interrupts();
   Outside outside;
-  const auto actions = seen(outside);
-  const SeenAction& action = known(actions, options.name);
+  const SeenAction action = known(outside, options.name);
   if (action.servers.empty()) throw std::runtime_error(options.name + " has clients and no server");
   // One argument behind the name is the goal where it is no type's name.
   if (options.type.find('{') != std::string::npos) options.goal = std::exchange(options.type, "");

@@ -37,8 +37,7 @@ struct LifecycleOptions {
 };
 
 /// Nodes that have a lifecycle: they offer get_state of that type.
-std::vector<std::string> managed_nodes(Outside& outside) {
-  outside.settle();
+std::vector<std::string> managed_nodes(const Outside& outside) {
   std::vector<std::string> nodes;
   for (const dds::Endpoint& end : outside.endpoints(true)) {
     const std::string service = service_of_request(end.topic);
@@ -52,8 +51,13 @@ std::vector<std::string> managed_nodes(Outside& outside) {
 }
 
 /// The full name behind what was typed; throws when there is no such node.
-std::string known_node(const std::vector<std::string>& nodes, const std::string& typed) {
+std::string managed_node(Outside& outside, const std::string& typed) {
   const std::string name = typed.starts_with('/') ? typed : "/" + typed;
+  std::vector<std::string> nodes;
+  outside.settle([&] {
+    nodes = managed_nodes(outside);
+    return std::ranges::find(nodes, name) != nodes.end();
+  });
   if (std::ranges::find(nodes, name) != nodes.end()) return name;
   const std::vector<std::string_view> known(nodes.begin(), nodes.end());
   throw std::runtime_error(name + ": " + unknown_rule("node with a lifecycle", name, known));
@@ -76,17 +80,19 @@ std::string state_of(Outside& outside, const std::string& node) {
 
 void nodes() {
   Outside outside;
+  outside.settle();
   for (const std::string& node : managed_nodes(outside)) std::cout << node << "\n";
 }
 
 void get(const LifecycleOptions& options) {
   Outside outside;
-  const std::vector<std::string> nodes = managed_nodes(outside);
   if (!options.node.empty()) {
-    std::cout << state_of(outside, known_node(nodes, options.node)) << "\n";
+    std::cout << state_of(outside, managed_node(outside, options.node)) << "\n";
     return;
   }
-  for (const std::string& node : nodes) std::cout << node << ": " << state_of(outside, node) << "\n";
+  outside.settle();
+  for (const std::string& node : managed_nodes(outside))
+    std::cout << node << ": " << state_of(outside, node) << "\n";
 }
 
 Transitions transitions(Outside& outside, const std::string& node, bool all) {
@@ -96,7 +102,7 @@ Transitions transitions(Outside& outside, const std::string& node, bool all) {
 
 void list(const LifecycleOptions& options) {
   Outside outside;
-  const std::string node = known_node(managed_nodes(outside), options.node);
+  const std::string node = managed_node(outside, options.node);
   for (const auto& t : transitions(outside, node, options.all)) {
     std::cout << fmt::format("- {} [{}]\n\tStart: {}\n\tGoal: {}\n", t.transition().label(),
                              t.transition().id(), t.start_state().label(), t.goal_state().label());
@@ -105,7 +111,7 @@ void list(const LifecycleOptions& options) {
 
 int set(const LifecycleOptions& options) {
   Outside outside;
-  const std::string node = known_node(managed_nodes(outside), options.node);
+  const std::string node = managed_node(outside, options.node);
   const Transitions available = transitions(outside, node, false);
   const auto wanted = std::ranges::find_if(available, [&](const auto& t) {
     return t.transition().label() == options.transition ||

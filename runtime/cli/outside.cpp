@@ -1,5 +1,6 @@
 #include "runtime/cli/outside.hpp"
 
+#include <chrono>
 #include <thread>
 
 namespace bw::cli {
@@ -8,21 +9,19 @@ Outside::Outside()
     : participant_({.network = dds::Network::from_environment(dds::Transport::localhost)}),
       directory_(participant_) {}
 
-void Outside::settle(std::chrono::milliseconds limit) {
+void Outside::settle(const std::function<bool()>& found) {
   using namespace std::chrono_literals;
-  const auto end = std::chrono::steady_clock::now() + limit;
-  const auto earliest = std::chrono::steady_clock::now() + 1300ms;  // one announcement period and a little
-  std::size_t known = 0;
-  auto last_change = std::chrono::steady_clock::now();
-  while (std::chrono::steady_clock::now() < end) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto earliest = start + 1300ms;  // one announcement period and a little
+  auto last_change = start;
+  for (std::size_t known = 0; std::chrono::steady_clock::now() < start + 3s;) {
     std::this_thread::sleep_for(50ms);
     const auto now = std::chrono::steady_clock::now();
-    const std::size_t count = participant_.endpoints().size();
-    if (count != known) {
+    if (const std::size_t count = endpoints(true).size(); count != known) {
       known = count;
       last_change = now;
     }
-    if (now > earliest && now - last_change > 500ms) return;
+    if (now > earliest && now - last_change > 500ms && (found ? found() : known > 0)) return;
   }
 }
 

@@ -1,7 +1,7 @@
 // A look at a running system from outside: discovery, node names, and raw subscriptions by name.
 #pragma once
 
-#include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,8 +16,9 @@ class Outside {
   /// Joins the domain of the environment (ROS_DOMAIN_ID, discovery range).
   Outside();
 
-  /// Waits until discovery has settled: nothing new for a moment, at most `limit`.
-  void settle(std::chrono::milliseconds limit = std::chrono::milliseconds(3000));
+  /// Waits until discovery has settled: somebody is there, nothing new came for a moment, and `found`, if given, holds.
+  /// On a busy machine others are heard of late; after 3 s nothing is waited for any more.
+  void settle(const std::function<bool()>& found = nullptr);
   /// Remote endpoints of ROS topics; with `all` also services and the graph topic.
   std::vector<dds::Endpoint> endpoints(bool all = false) const;
   const std::vector<ParticipantEntities>& nodes();

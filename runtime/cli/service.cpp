@@ -61,8 +61,11 @@ void list(const ServiceOptions& options) {
 
 int call(ServiceOptions options) {
   Outside outside;
-  outside.settle();
-  const auto found = services(outside);
+  std::map<std::string, std::string> found;
+  outside.settle([&] {
+    found = services(outside);
+    return found.contains(options.name);
+  });
   const auto offered = found.find(options.name);
   if (offered == found.end()) {
     std::vector<std::string_view> names;

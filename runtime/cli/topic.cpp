@@ -63,10 +63,14 @@ std::vector<dds::Endpoint> endpoints_of(Outside& outside, const std::string& top
   return found;
 }
 
+std::vector<dds::Endpoint> settled_endpoints_of(Outside& outside, const std::string& topic) {
+  outside.settle([&] { return !endpoints_of(outside, topic).empty(); });
+  return endpoints_of(outside, topic);
+}
+
 int info(const TopicOptions& options) {
   Outside outside;
-  outside.settle();
-  const auto ends = endpoints_of(outside, options.topic);
+  const auto ends = settled_endpoints_of(outside, options.topic);
   if (ends.empty()) {
     std::cerr << "Unknown topic '" << options.topic << "'\n";
     return 1;
@@ -88,8 +92,7 @@ int info(const TopicOptions& options) {
 class Subscription {
  public:
   explicit Subscription(const std::string& topic) {
-    outside_.settle();
-    const auto ends = endpoints_of(outside_, topic);
+    const auto ends = settled_endpoints_of(outside_, topic);
     if (ends.empty()) throw std::runtime_error("nobody publishes " + topic);
     Qos qos = Qos::standard();
     qos.durability = Durability::transient_local;

@@ -159,6 +159,10 @@ class PlainServerInHumble : public testing::Test {
   template <class Each>
   Outcome serve(const std::vector<std::string>& arguments, Each each) {
     Process verb(action(arguments));
+    return answer(verb, each);
+  }
+  template <class Each>
+  Outcome answer(Process& verb, Each each) {
     std::size_t known = 0;
     EXPECT_TRUE(eventually([&] {
       if (server_) server_->answer();
@@ -186,6 +190,20 @@ TEST_F(PlainServerInHumble, IsSpokenToInTheLayoutOfTheDistributionNamed) {
   EXPECT_THAT(
       taken_for_jazzy.err,
       AllOf(HasSubstr("is no nav2_msgs/action/NavigateToPose_GetResult_Response"), HasSubstr("--distro")));
+}
+
+TEST_F(PlainServerInHumble, IsWaitedForWhereDiscoveryIsLate) {
+  server_.reset();
+  Process verb(action({"send", "/plain", "{}", "--distro", "humble"}));
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_TRUE(eventually([&] {
+    const bool is_late = std::chrono::steady_clock::now() - start > std::chrono::milliseconds(1'900);
+    return is_late || !verb.running();
+  }));
+  server_ =
+      std::make_unique<plain::ActionServer>(node_, "/plain", Humble::navigate_to_pose(), Humble::no_result);
+  const Outcome send = answer(verb, [this](const plain::GoalId& id) { succeed(id); });
+  EXPECT_EQ(send.status, 0) << send.err;
 }
 
 TEST_F(PlainServerInHumble, ARejectedGoalIsExitStatusOne) {
