@@ -19,7 +19,7 @@
 #include "runtime/logger.hpp"
 #include "runtime/web/connection.hpp"
 #include "runtime/web/server_options.hpp"
-#include "runtime/web/site.hpp"
+#include "runtime/web/site_file.hpp"
 
 namespace bw::web {
 

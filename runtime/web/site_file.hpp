@@ -4,14 +4,17 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bw::web {
 
+/// What it refers to lives as long as the server.
 struct SiteFile {
-  std::string path;                    ///< /, /app.js
-  std::string content_type;            ///< text/html; charset=utf-8
-  std::span<const std::uint8_t> gzip;  ///< the file, compressed; lives as long as the server
+  std::string_view path;               ///< /, /app.js
+  std::string_view content_type;       ///< text/html; charset=utf-8
+  std::span<const std::uint8_t> gzip;  ///< the file, compressed
+  std::string_view etag;               ///< of these bytes, with its quotes
 };
 
 struct Site {
