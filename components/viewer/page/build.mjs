@@ -1,7 +1,7 @@
 // node build.mjs MODULES OUT: bundles the page with esbuild and makes of it what is linked into the program.
 //
 //   MODULES   folder whose node_modules holds the packages of package.json
-//   OUT       index.html, app.js and app.css, each compressed beside it (.gz); page_data.S, which takes those in; page_files.cpp, which
+//   OUT       index.html, icon.svg, app.js and app.css, each compressed beside it (.gz); page_data.S, which takes those in; page_files.cpp, which
 //             names them; page.d, what the page was made of, for the build tool
 //
 // Nothing here asks the network, and equal sources give equal bytes.
@@ -18,7 +18,7 @@ if (out === undefined) {
   console.error("usage: node build.mjs MODULES OUT");
   process.exit(2);
 }
-const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8" };
+const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".svg": "image/svg+xml" };
 const esbuild = createRequire(path.join(modules, "of_this_folder.js"))("esbuild");
 
 /** Writes app.js and app.css; returns the files that went into them. */
@@ -79,10 +79,10 @@ function names(files) {
 
 mkdirSync(out, { recursive: true });
 const { inputs, outputs } = await bundle();
-const index = path.join(here, "index.html");
-writeFileSync(path.join(out, "index.html"), readFileSync(index));
+const copied = ["index.html", "icon.svg"];
+for (const name of copied) writeFileSync(path.join(out, name), readFileSync(path.join(here, name)));
 
-const files = ["index.html", ...outputs.sort()].map((name) => {
+const files = [...copied, ...outputs.sort()].map((name) => {
   const bytes = readFileSync(path.join(out, name));
   const gz = path.join(out, `${name}.gz`);
   writeFileSync(gz, compressed(bytes));
@@ -92,5 +92,5 @@ const files = ["index.html", ...outputs.sort()].map((name) => {
 });
 writeFileSync(path.join(out, "page_data.S"), assembly(files));
 writeFileSync(path.join(out, "page_files.cpp"), names(files));
-const sources = [...inputs, index].map((file) => realpathSync(file).replaceAll(" ", "\\ "));
+const sources = [...inputs, ...copied.map((name) => path.join(here, name))].map((file) => realpathSync(file).replaceAll(" ", "\\ "));
 writeFileSync(path.join(out, "page.d"), `${path.join(out, "page_files.cpp")}: ${sources.join(" ")}\n`);
