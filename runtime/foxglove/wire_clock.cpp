@@ -17,7 +17,7 @@ using Clock = rosgraph_msgs::msg::Clock;
 constexpr const char* kTopic = "rt/clock";
 constexpr int kDepth = 1000;  // that many steps may come between two looks
 constexpr std::size_t kMostSteps = 1000;
-constexpr std::chrono::milliseconds kPatience{1000};  // with a /clock that says nothing
+constexpr std::chrono::milliseconds kPatience{1000};    // with a /clock that says nothing
 constexpr Duration kStep = Duration::milliseconds(10);  // of the system clock, when it is told
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "runtime/base/ros_distro.hpp"
 #include "runtime/dds/participant.hpp"
@@ -54,8 +55,8 @@ class Errand {
 
 /// Of the server's thread, but for `participant` and `announcement`.
 struct WireLink {
-  WireLink(const dds::Network& network, const std::string& node, AnnouncementOptions announcing, Post to_server,
-           std::function<void()> on_names)
+  WireLink(const dds::Network& network, const std::string& node, AnnouncementOptions announcing,
+           Post to_server, std::function<void()> on_names)
       : post(std::move(to_server)),
         participant({.network = network, .receive_buffer = kReceiveBuffer}),
         directory(participant, std::move(on_names)),
@@ -65,17 +66,21 @@ struct WireLink {
   }
 
   bool is_own(const dds::Guid& end) const { return dds::same_participant(end, participant.guid()); }
+  /// Kept for who listens later.
   void say(int level, const std::string& message) {
+    if (said.size() < kMostSaid) said.emplace_back(level, message);
     if (listener != nullptr) listener->on_status(level, message);
   }
 
   static constexpr std::uint32_t kReceiveBuffer = 4 << 20;  // [bytes]
+  static constexpr std::size_t kMostSaid = 100;
 
   Post post;
   dds::Participant participant;
   NodeDirectory directory;
   NodeAnnouncement announcement;
   RobotListener* listener = nullptr;  ///< null: nobody listens
+  std::vector<std::pair<int, std::string>> said;
 };
 
 }  // namespace bw::foxglove

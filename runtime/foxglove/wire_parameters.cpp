@@ -102,18 +102,17 @@ void WireParameters::list(const std::string& node) {
 void WireParameters::fetch(const std::string& node, const std::vector<std::string>& names) {
   GetParameters::Request request;
   request.names(names);
-  call<GetParameters>(
-      node, kGet, request,
-      [this, node, names](const GetParameters::Response* response, const std::string& error) {
-        if (response == nullptr) return end_knowing(node, error);
-        if (response->values().size() != names.size())
-          return end_knowing(node, node + " does not tell the parameters that it lists");
-        Node& known = nodes_[node];
-        for (std::size_t i = 0; i < names.size(); ++i)
-          known.values[names[i]] = from_message(response->values()[i]);
-        known.is_known = true;
-        end_knowing(node, "");
-      });
+  call<GetParameters>(node, kGet, request,
+                      [this, node, names](const GetParameters::Response* response, const std::string& error) {
+                        if (response == nullptr) return end_knowing(node, error);
+                        if (response->values().size() != names.size())
+                          return end_knowing(node, node + " does not tell the parameters that it lists");
+                        Node& known = nodes_[node];
+                        for (std::size_t i = 0; i < names.size(); ++i)
+                          known.values[names[i]] = from_message(response->values()[i]);
+                        known.is_known = true;
+                        end_knowing(node, "");
+                      });
 }
 
 void WireParameters::end_knowing(const std::string& node, const std::string& error) {
@@ -236,7 +235,8 @@ void WireParameters::read_back(const std::string& node, const std::vector<std::s
         const bool is_whole = response != nullptr && response->values().size() == names.size();
         for (std::size_t i = 0; is_whole && i < names.size(); ++i) {
           const ParameterValue value = from_message(response->values()[i]);
-          if (const auto known = nodes_.find(node); known != nodes_.end()) known->second.values[names[i]] = value;
+          if (const auto known = nodes_.find(node); known != nodes_.end())
+            known->second.values[names[i]] = value;
           answer->values.push_back({node + "." + names[i], value});
         }
         answer->end_one();

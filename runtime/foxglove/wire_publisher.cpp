@@ -76,7 +76,8 @@ std::optional<std::string> WirePublisher::open(const std::string& topic, const s
   return std::nullopt;
 }
 
-std::optional<std::string> WirePublisher::publish(const std::string& name, std::span<const std::uint8_t> cdr) {
+std::optional<std::string> WirePublisher::publish(const std::string& name,
+                                                  std::span<const std::uint8_t> cdr) {
   const std::string topic = join_namespaces("/", name);
   if (!refusal_.empty()) return topic + ": " + refusal_;
   const auto known = topics_.find(topic);
@@ -135,9 +136,8 @@ void WirePublisher::tick(steady_clock::time_point now) {
 }
 
 bool WirePublisher::is_busy() const {
-  return std::ranges::any_of(topics_, [](const auto& item) {
-    return item.second.advertised == 0 || !item.second.waiting.empty();
-  });
+  return std::ranges::any_of(
+      topics_, [](const auto& item) { return item.second.advertised == 0 || !item.second.waiting.empty(); });
 }
 
 }  // namespace bw::foxglove

@@ -58,7 +58,8 @@ void WireServices::look(const std::vector<dds::Endpoint>& endpoints) {
 }
 
 /// Nothing for a type that is not known, which is said once.
-std::optional<WireServices::Offer> WireServices::offer_of(const std::string& name, const dds::Endpoint& server,
+std::optional<WireServices::Offer> WireServices::offer_of(const std::string& name,
+                                                          const dds::Endpoint& server,
                                                           const std::vector<dds::Endpoint>& endpoints) {
   const std::string asked = ros_type(server.type);
   if (!asked.ends_with(kRequest)) return std::nullopt;
@@ -131,14 +132,14 @@ void WireServices::call(std::uint32_t service, std::span<const std::uint8_t> req
 WireServices::Caller& WireServices::caller_of(const Offer& offer) {
   const auto known = callers_.find(offer.service.id);
   if (known != callers_.end()) return known->second;
-  Caller caller{.service = offer.service.name, .response = offer.response, .ends = {}, .calls = {}, .used = {}};
-  caller.ends = std::make_unique<ServiceCaller>(
-      link_.participant, offer.service.name,
-      ServiceType{.ros_name = offer.service.type,
-                  .request = names_of(*offer.request),
-                  .response = names_of(*offer.response),
-                  .event = {}},
-      hearing_.bell());
+  Caller caller{
+      .service = offer.service.name, .response = offer.response, .ends = {}, .calls = {}, .used = {}};
+  caller.ends = std::make_unique<ServiceCaller>(link_.participant, offer.service.name,
+                                                ServiceType{.ros_name = offer.service.type,
+                                                            .request = names_of(*offer.request),
+                                                            .response = names_of(*offer.response),
+                                                            .event = {}},
+                                                hearing_.bell());
   return callers_.emplace(offer.service.id, std::move(caller)).first->second;
 }
 
@@ -156,8 +157,9 @@ void WireServices::hear() {
         reply->resize(*size);  // DDS pads
         answers.emplace_back(std::exchange(call.on_reply, nullptr), std::move(*reply));
       } else {
-        answers.emplace_back(std::exchange(call.on_reply, nullptr),
-                             "the reply of " + caller.service + " is no " + std::string(caller.response->ros_name));
+        answers.emplace_back(
+            std::exchange(call.on_reply, nullptr),
+            "the reply of " + caller.service + " is no " + std::string(caller.response->ros_name));
       }
     }
     std::erase_if(caller.calls, [](const Call& call) { return !call.on_reply; });

@@ -135,8 +135,8 @@ std::vector<std::pair<Time, SharedBytes>> WireTopics::latched(std::uint32_t chan
 void WireTopics::open_ears(Topic& topic) {
   for (const auto& [guid, source] : sources_) {
     if (source.channel != topic.channel.id) continue;
-    const bool is_open =
-        std::ranges::any_of(topic.ears, [&](const auto& ear) { return is_same_kind(ear->offer, source.offer); });
+    const bool is_open = std::ranges::any_of(
+        topic.ears, [&](const auto& ear) { return is_same_kind(ear->offer, source.offer); });
     if (!is_open) open_ear(topic, source.offer);
   }
 }
@@ -148,20 +148,20 @@ void WireTopics::open_ear(Topic& topic, const Qos& offer) {
   const Qos qos{.reliability = offer.reliability, .durability = offer.durability, .depth = kDepth};
   clock_.want(true);
   try {
-    ear->reader = link_.participant.create_reader(
-        {.topic = dds_topic(topic.channel.topic),
-         .type = topic.dds_type,
-         .qos = qos,
-         .user_data = topic.user_data},
-        [queue = queue_, one = std::weak_ptr(ear), ring = taking_.bell()] {
-          const auto alive = one.lock();
-          if (!alive || alive->is_queued.exchange(true)) return;
-          {
-            const std::lock_guard lock(queue->mutex);
-            queue->ears.push_back(one);
-          }
-          ring();
-        });
+    ear->reader =
+        link_.participant.create_reader({.topic = dds_topic(topic.channel.topic),
+                                         .type = topic.dds_type,
+                                         .qos = qos,
+                                         .user_data = topic.user_data},
+                                        [queue = queue_, one = std::weak_ptr(ear), ring = taking_.bell()] {
+                                          const auto alive = one.lock();
+                                          if (!alive || alive->is_queued.exchange(true)) return;
+                                          {
+                                            const std::lock_guard lock(queue->mutex);
+                                            queue->ears.push_back(one);
+                                          }
+                                          ring();
+                                        });
   } catch (const std::runtime_error& error) {
     link_.say(2, topic.channel.topic + " cannot be heard: " + error.what());
   }
@@ -236,7 +236,9 @@ bool WireTopics::take_some(Ear& ear) {
 void WireTopics::take(const Ear& ear, const dds::Sample& sample) {
   // A writer that discovery has not told of yet, or that came and went, is one as the ear is made for.
   Source& source =
-      sources_.try_emplace(sample.writer, Source{.channel = ear.channel, .offer = ear.offer, .intake = {}, .last = {}})
+      sources_
+          .try_emplace(sample.writer,
+                       Source{.channel = ear.channel, .offer = ear.offer, .intake = {}, .last = {}})
           .first->second;
   if (!source.intake.accept(sample.sequence, is_same_kind(ear.offer, source.offer))) return;
   const auto found = topics_.find(source.channel);
@@ -245,7 +247,8 @@ void WireTopics::take(const Ear& ear, const dds::Sample& sample) {
   const auto size = message_size(*topic.type, sample.cdr);
   if (!size) {
     if (!std::exchange(topic.is_malformed, true))
-      link_.say(1, topic.channel.topic + ": a message that is no " + topic.channel.schema_name + " is left out");
+      link_.say(1,
+                topic.channel.topic + ": a message that is no " + topic.channel.schema_name + " is left out");
     return;
   }
   const bool is_latched = source.offer.durability == Durability::transient_local;
