@@ -124,7 +124,7 @@ TEST(Http, RefusesBadRequestsWithAReason) {
       {"GET / HTTP/1.1\r\nHost: localhost\r\n" + host, 400, "Host"},
       {"\r\n\r\n", 400, "no HTTP"},
       {std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11) + "\r\n\r\n", 400, "no HTTP"},  // TLS
-      {"GET / HTTP/3.7\r\n" + host, 505, "1.1"},
+      {"GET / HTTP/3.7\r\n" + host, 400, "bad version"},
       {"GET / HTTP/1.1\r\nbad header\r\n" + host, 400, "no HTTP"},
       {request_text("GET", "/", "X: " + std::string(20000, 'x') + "\r\n"), 431, "header"},
       {request_text("POST", "/login", "", std::string(5000, 'x')), 413, "body"},

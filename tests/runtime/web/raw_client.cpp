@@ -50,6 +50,8 @@ RawClient::~RawClient() {
   if (socket_ >= 0) close(socket_);
 }
 
+void RawClient::end_sending() { shutdown(socket_, SHUT_WR); }
+
 void RawClient::reset() {
   const linger now{.l_onoff = 1, .l_linger = 0};
   setsockopt(socket_, SOL_SOCKET, SO_LINGER, &now, sizeof(now));

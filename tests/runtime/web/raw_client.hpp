@@ -40,6 +40,8 @@ class RawClient {
   bool ends();
   /// What has come may not be read: the kernel's buffer is as small as it can be from the start.
   static RawClient that_reads_little(std::uint16_t port);
+  /// What was sent is all; answers still come.
+  void end_sending();
   /// Closes so that the port is free at once (RST).
   void reset();
 

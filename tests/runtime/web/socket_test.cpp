@@ -78,7 +78,9 @@ TEST(Socket, RefusesHandshakesWithAReason) {
 }
 
 TEST(Socket, HandsOnWhatItHears) {
-  RunningServer run;
+  web::ServerOptions options;
+  options.limits.close_time = 0.05;
+  RunningServer run(options);
   RawClient client = open_socket(run.server.port());
   client.send(frame_text(kText, "{\"op\":1}"));
   client.send(frame_text(kBinary, std::string(70000, 'b')));
@@ -120,6 +122,7 @@ TEST(Socket, SendsHeadAndBodyAsOneFrame) {
 TEST(Socket, ClosesWhoBreaksTheProtocol) {
   web::ServerOptions options;
   options.limits.message_bytes = 10000;
+  options.limits.close_time = 0.05;
   RunningServer run(options);
   const std::string large_claim("\x82\xff\x00\x00\x00\x00\x40\x00\x00\x00mask", 14);  // 1 GB
   const std::string huge_claim("\x82\xff\x7f\xff\xff\xff\xff\xff\xff\xffmask", 14);
@@ -173,7 +176,9 @@ TEST(Socket, DropsWhoAnswersNoPing) {
 }
 
 TEST(Socket, ClosesWithCodeAndReasonAfterWhatIsQueued) {
-  RunningServer run;
+  web::ServerOptions options;
+  options.limits.close_time = 0.2;
+  RunningServer run(options);
   RawClient client = open_socket(run.server.port());
   const auto id = run.handler.last();
   run.server.send(id, web::text_frame("last words"), {});
@@ -195,7 +200,6 @@ TEST(Socket, ClosesWithCodeAndReasonAfterWhatIsQueued) {
 TEST(Socket, DoesNotWaitForAClosingHandshake) {
   web::ServerOptions options;
   options.limits.close_time = 0.05;
-  options.limits.idle_time = 1;
   RunningServer run(options);
   RawClient client = open_socket(run.server.port());
   run.server.close(run.handler.last(), 1000, "");
@@ -241,7 +245,6 @@ TEST(Socket, WhoDoesNotReadAnswersIsClosed) {
   web::ServerOptions options;
   options.limits.control_bytes = 1 << 20;
   options.limits.close_time = 0.05;
-  options.limits.idle_time = 1;
   RunningServer run(options);
   RawClient client = RawClient::that_reads_little(run.server.port());
   client.send(handshake_text());
