@@ -72,13 +72,15 @@ std::variant<BinaryOp, ProtocolError> read_playback(Front& front) {
   if (had_seek) op.seek = seek;
   op.request = front.text();
   if (command > 1)
-    return ProtocolError{Kind::bad_field, fmt::format("playback command {}: must be 0 (play) or 1 (pause)", command)};
+    return ProtocolError{Kind::bad_field,
+                         fmt::format("playback command {}: must be 0 (play) or 1 (pause)", command)};
   return BinaryOp{op};
 }
 
 }  // namespace
 
-std::variant<BinaryOp, ProtocolError> decode_binary(std::span<const std::uint8_t> bytes, Subprotocol subprotocol) {
+std::variant<BinaryOp, ProtocolError> decode_binary(std::span<const std::uint8_t> bytes,
+                                                    Subprotocol subprotocol) {
   if (bytes.empty()) return ProtocolError{Kind::truncated, "an empty binary message"};
   const std::uint8_t opcode = bytes.front();
   Front front(bytes.subspan(1));
@@ -88,8 +90,8 @@ std::variant<BinaryOp, ProtocolError> decode_binary(std::span<const std::uint8_t
   if (opcode == 2) op = BinaryOp{read_call(front)};
   if (opcode == 3 && subprotocol == Subprotocol::sdk_v1) op = read_playback(front);
   if (front.is_truncated())
-    return ProtocolError{Kind::truncated,
-                         fmt::format("binary opcode {}: {} bytes end within its fields", opcode, bytes.size())};
+    return ProtocolError{Kind::truncated, fmt::format("binary opcode {}: {} bytes end within its fields",
+                                                      opcode, bytes.size())};
   return op;
 }
 

@@ -97,6 +97,7 @@ struct PlaybackControl {
 using BinaryOp = std::variant<Publish, CallService, PlaybackControl>;
 
 /// What it gives are views of `bytes`. All numbers are little-endian.
-std::variant<BinaryOp, ProtocolError> decode_binary(std::span<const std::uint8_t> bytes, Subprotocol subprotocol);
+std::variant<BinaryOp, ProtocolError> decode_binary(std::span<const std::uint8_t> bytes,
+                                                    Subprotocol subprotocol);
 
 }  // namespace bw::foxglove

@@ -61,14 +61,15 @@ class Fields {
   /// Calls on(fields) for each object of the array.
   template <class On>
   void objects(const char* name, On on) const {
-    for_each(name, [&](const json& value, std::string where) { on(Fields(value, std::move(where), error_)); });
+    for_each(name,
+             [&](const json& value, std::string where) { on(Fields(value, std::move(where), error_)); });
   }
 
   ParameterValue parameter_value() const {
     if (error_ || !object_.contains("value") || object_.at("value").is_null()) return {};
     auto value = parameter_value_of(object_.at("value"), optional_text("type"));
-    if (const auto* rule = std::get_if<std::string>(&value)) {
-      refuse(path("value"), object_.at("value"), *rule);
+    if (const auto* rule = std::get_if<BrokenRule>(&value)) {
+      refuse(path("value"), object_.at("value"), rule->text);
       return {};
     }
     return std::get<ParameterValue>(std::move(value));
@@ -152,7 +153,9 @@ constexpr std::array<Reader, 11> kReaders = {{
     {"advertise", advertise},
     {"unadvertise", [](const Fields& f) -> TextOp { return Unadvertise{f.numbers("channelIds")}; }},
     {"getParameters",
-     [](const Fields& f) -> TextOp { return GetParameters{f.texts("parameterNames"), f.optional_text("id")}; }},
+     [](const Fields& f) -> TextOp {
+       return GetParameters{f.texts("parameterNames"), f.optional_text("id")};
+     }},
     {"setParameters", set_parameters},
     {"subscribeParameterUpdates",
      [](const Fields& f) -> TextOp { return SubscribeParameterUpdates{f.texts("parameterNames")}; }},
@@ -160,7 +163,10 @@ constexpr std::array<Reader, 11> kReaders = {{
      [](const Fields& f) -> TextOp { return UnsubscribeParameterUpdates{f.texts("parameterNames")}; }},
     {"subscribeConnectionGraph", [](const Fields&) -> TextOp { return SubscribeConnectionGraph{}; }},
     {"unsubscribeConnectionGraph", [](const Fields&) -> TextOp { return UnsubscribeConnectionGraph{}; }},
-    {"fetchAsset", [](const Fields& f) -> TextOp { return FetchAsset{f.text("uri"), f.number("requestId")}; }},
+    {"fetchAsset",
+     [](const Fields& f) -> TextOp {
+       return FetchAsset{f.text("uri"), f.number("requestId")};
+     }},
 }};
 
 /// What lies too deep is not kept: a text of brackets alone would take a hundred times its own size.

@@ -27,7 +27,8 @@ GraphDifference difference(const ConnectionGraph& before, const ConnectionGraph&
                    changed_entries(before.subscribed, after.subscribed),
                    changed_entries(before.services, after.services)};
   std::set<std::string> removed;
-  const auto look = [&removed](const NodesOf& old, const NodesOf& now, const NodesOf& other_end, NodesOf& changed) {
+  const auto look = [&removed](const NodesOf& old, const NodesOf& now, const NodesOf& other_end,
+                               NodesOf& changed) {
     for (const auto& [topic, nodes] : old) {
       if (now.contains(topic)) continue;
       if (other_end.contains(topic))

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
-using Read = std::variant<ParameterValue, std::string>;
+using Read = std::variant<ParameterValue, BrokenRule>;
 
 ordered_json number_json(double value) {
   if (std::isfinite(value)) return value;
@@ -60,20 +60,22 @@ Read list_of(const json& values) {
 Read read_list(const json& values, bool is_floating) {
   const auto all = [&values](auto is) { return std::all_of(values.begin(), values.end(), is); };
   const bool is_all_numbers = all([](const json& v) { return v.is_number(); });
-  if (is_floating && !is_all_numbers) return "must be an array of numbers, as its type float64_array says";
+  if (is_floating && !is_all_numbers)
+    return BrokenRule{"must be an array of numbers, as its type float64_array says"};
   if (is_floating) return list_of<double>(values);
   if (all([](const json& v) { return v.is_string(); })) return list_of<std::string>(values);
   if (all([](const json& v) { return v.is_boolean(); })) return list_of<bool>(values);
   if (all(is_integer)) return list_of<std::int64_t>(values);
   if (is_all_numbers) return list_of<double>(values);
-  return "must be an array of one kind: numbers, booleans or strings";
+  return BrokenRule{"must be an array of one kind: numbers, booleans or strings"};
 }
 
 Read read_bytes(const json& value) {
   if (value.is_string()) {
-    if (auto bytes = from_base64(value.get_ref<const std::string&>())) return ParameterValue{std::move(*bytes)};
+    if (auto bytes = from_base64(value.get_ref<const std::string&>()))
+      return ParameterValue{std::move(*bytes)};
   }
-  return "must be a string in base64, as its type byte_array says";
+  return BrokenRule{"must be a string in base64, as its type byte_array says"};
 }
 
 }  // namespace
@@ -87,15 +89,16 @@ ordered_json parameter_json(const NamedValue& parameter) {
 Read parameter_value_of(const json& value, const std::optional<std::string>& type) {
   const bool is_list = type == "float64_array";
   if (type == "byte_array") return read_bytes(value);
-  if (type && type != "float64" && !is_list) return "has a type that is none of byte_array, float64, float64_array";
+  if (type && type != "float64" && !is_list)
+    return BrokenRule{"has a type that is none of byte_array, float64, float64_array"};
   if (value.is_array() && (is_list || !type)) return read_list(value, is_list);
-  if (is_list) return "must be an array of numbers, as its type float64_array says";
-  if (type && !value.is_number()) return "must be a number, as its type float64 says";
+  if (is_list) return BrokenRule{"must be an array of numbers, as its type float64_array says"};
+  if (type && !value.is_number()) return BrokenRule{"must be a number, as its type float64 says"};
   if (value.is_boolean()) return ParameterValue{value.get<bool>()};
   if (value.is_string()) return ParameterValue{value.get<std::string>()};
   if (is_integer(value) && !type) return ParameterValue{value.get<std::int64_t>()};
   if (value.is_number()) return ParameterValue{value.get<double>()};
-  return "must be a number, boolean, string or an array of these";
+  return BrokenRule{"must be a number, boolean, string or an array of these"};
 }
 
 }  // namespace bw::foxglove

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,9 +16,14 @@ namespace bw::foxglove {
 /// {name, value?, type?}. A value that is not set has none; infinities and NaN, which JSON does not have, are strings.
 nlohmann::ordered_json parameter_json(const NamedValue& parameter);
 
+/// A sentence that follows the value: "must be ...".
+struct BrokenRule {
+  std::string_view text;
+};
+
 /// The value, or the rule that it breaks. Numbers with a point are doubles, whole ones integers unless `type` says otherwise or others of
 /// the same list have a point; an empty list is one of strings.
-std::variant<ParameterValue, std::string> parameter_value_of(const nlohmann::json& value,
-                                                             const std::optional<std::string>& type);
+std::variant<ParameterValue, BrokenRule> parameter_value_of(const nlohmann::json& value,
+                                                            const std::optional<std::string>& type);
 
 }  // namespace bw::foxglove

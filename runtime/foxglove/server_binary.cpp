@@ -65,6 +65,8 @@ Bytes asset_bytes(std::uint32_t request, std::span<const std::uint8_t> data) {
   return bytes;
 }
 
-Bytes asset_error_bytes(std::uint32_t request, std::string_view error) { return asset_head(request, 1, error); }
+Bytes asset_error_bytes(std::uint32_t request, std::string_view error) {
+  return asset_head(request, 1, error);
+}
 
 }  // namespace bw::foxglove

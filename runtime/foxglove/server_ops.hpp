@@ -35,7 +35,8 @@ std::string unadvertise_op(const std::vector<std::uint32_t>& channels);
 std::string advertise_services_op(std::span<const Service> services);
 std::string unadvertise_services_op(const std::vector<std::uint32_t>& services);
 
-std::string parameter_values_op(const std::vector<NamedValue>& parameters, const std::optional<std::string>& request);
+std::string parameter_values_op(const std::vector<NamedValue>& parameters,
+                                const std::optional<std::string>& request);
 std::string graph_update_op(const GraphDifference& difference);
 std::string service_failure_op(std::uint32_t service, std::uint32_t call, const std::string& message);
 
