@@ -37,6 +37,7 @@ export interface BagIndex {
   pieces: Piece[]; // by start
   topics: Map<string, Topic>;
   channels: Map<number, string>[]; // of each file: topic by channel id
+  metadata: Record<string, string>; // of the record `bandwagon`: version, clock, seed and more
   notes: string[]; // what is missing, and why
 }
 
@@ -101,6 +102,7 @@ async function bySummary(index: BagIndex, number: number): Promise<boolean> {
       topics: ids.length === 0 ? undefined : new Set(ids.map((id) => reader.channelsById.get(id)?.topic ?? "")),
     });
   }
+  for await (const { metadata } of reader.readMetadata({ name: "bandwagon" })) Object.assign(index.metadata, Object.fromEntries(metadata));
   return true;
 }
 
@@ -217,7 +219,7 @@ async function byWalk(index: BagIndex, number: number, why: string): Promise<voi
 
 /** The files of one bag. Throws with the reason for what is no bag, or holds no message. */
 export async function indexBag(files: FileBytes[]): Promise<BagIndex> {
-  const index: BagIndex = { files, pieces: [], topics: new Map(), channels: files.map(() => new Map()), notes: [] };
+  const index: BagIndex = { files, pieces: [], topics: new Map(), channels: files.map(() => new Map()), metadata: {}, notes: [] };
   for (let number = 0; number < files.length; ++number) {
     await checkMagic(files[number]);
     const before = index.pieces.length;

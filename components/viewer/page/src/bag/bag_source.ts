@@ -5,7 +5,6 @@ import { indexBag } from "./bag_index";
 import { BagTimeline, type BagHooks } from "./bag_timeline";
 import type { FileBytes } from "./file_bytes";
 
-/** A source that brings its own timeline: all of the bag. */
 export interface BagSource extends Source {
   readonly kind: "bag";
   readonly timeline: BagTimeline;
@@ -26,6 +25,7 @@ export async function openBag(files: FileBytes[], hooks: BagHooks): Promise<BagS
     kind: "bag",
     name: files.map((file) => file.name).join(", "),
     timeline,
+    metadata: index.metadata,
     channels: () => channels,
     // Nothing is read before it is looked at.
     want: () => {},

@@ -13,6 +13,11 @@ export interface BagHooks {
   say(level: "info" | "warning" | "error", text: string): void;
 }
 
+export interface Span {
+  from: Seconds;
+  to: Seconds;
+}
+
 const MEMORY = 128 * 2 ** 20; // [bytes] of opened pieces and decoded values
 const AHEAD: Seconds = 3; // loaded before the cursor gets there
 const STAND_IN: Seconds = 0.5; // so old may be what is shown while the right piece is loading
@@ -124,21 +129,23 @@ export class BagTimeline implements Timeline {
     return this.#framesAt(time).root();
   }
 
-  /** All messages of these topics from first to last, one piece in memory at a time; `each` false ends it. */
-  async walk(topics: readonly string[], each: (message: Message) => void, isOver: () => boolean): Promise<void> {
-    for (let number = 0; number < this.index.pieces.length; ++number) {
-      const held = this.index.pieces[number].topics;
-      if (held && !topics.some((topic) => held.has(topic))) continue;
+  /** Messages of these topics in the order of their times, one piece in memory at a time. */
+  async walk(topics: readonly string[], span: Span, each: (message: Message) => void, isOver: () => boolean): Promise<void> {
+    const shown = topics.filter((topic) => this.#canDecode(topic));
+    for (const [number, piece] of this.index.pieces.entries()) {
+      if (piece.end < span.from || piece.start > span.to) continue;
+      if (piece.topics && !shown.some((topic) => piece.topics!.has(topic))) continue;
       const pieces = await this.#store.read(number).catch(() => undefined);
       if (isOver()) return;
-      for (const topic of topics) {
+      const found: Message[] = [];
+      for (const topic of shown) {
         const messages = pieces?.get(topic);
-        if (!messages || !this.#canDecode(topic)) continue;
-        for (let i = 0; i < messages.times.length; ++i) {
-          const value = messages.values[i] ?? this.#decode(topic, messages.bytes[i]);
-          if (value !== undefined) each({ topic, type: this.#typeOf(topic), time: messages.times[i], value });
+        for (let i = 0; messages && i < messages.times.length; ++i) {
+          const value = messages.values[i] ?? this.#decode(topic, messages.bytes[i]!);
+          if (value !== undefined) found.push({ topic, type: this.#typeOf(topic), time: messages.times[i]!, value });
         }
       }
+      found.sort((a, b) => a.time - b.time).forEach(each);
       // A long walk leaves the page time to draw.
       await new Promise((resolve) => setTimeout(resolve, 0));
     }
