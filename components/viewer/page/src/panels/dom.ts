@@ -4,7 +4,7 @@ type Child = Node | string | undefined;
 type Attributes = Record<string, string | number | boolean | undefined | ((event: any) => void)>;
 
 /** `on...` adds a listener; true sets an attribute without a value, false and undefined leave it out. */
-export function element<K extends keyof HTMLElementTagNameMap>(
+export function create<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes: Attributes = {},
   ...children: Child[]
@@ -23,16 +23,6 @@ export function svg<K extends keyof SVGElementTagNameMap>(
 /** Leaves the document alone where nothing changed: screen readers and selections stay. */
 export function setText(node: Element, text: string): void {
   if (node.textContent !== text) node.textContent = text;
-}
-
-/** Calls once when `root` can be seen for the first time: a panel that nobody opens asks the robot for nothing. */
-export function whenFirstSeen(root: Element, seen: () => void): void {
-  const observer = new IntersectionObserver((entries) => {
-    if (!entries.some((entry) => entry.isIntersecting)) return;
-    observer.disconnect();
-    seen();
-  });
-  observer.observe(root);
 }
 
 function filled<T extends Element>(node: T, attributes: Attributes, children: Child[]): T {

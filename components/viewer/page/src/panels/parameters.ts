@@ -1,13 +1,13 @@
 // Parameters: every one of every node, with what is known of it, changed while the robot drives.
 import type { App } from "../app";
-import { element, setText, whenFirstSeen } from "./dom";
+import { Wants } from "../page/wants";
+import { create, setText } from "./dom";
 import { Follower } from "./follower";
 import { Changes } from "./parameters/changes";
 import { matcher } from "./parameters/search";
 import { Sections } from "./parameters/sections";
 import { ParameterStore, type Entry, type ParameterEvent } from "./parameters/store";
 import { graphYaml } from "./parameters/yaml";
-import { robotsOf } from "./robots";
 import "./panels.css";
 
 const LIST = "rcl_interfaces/srv/ListParameters";
@@ -30,11 +30,11 @@ export function mountParameters(root: HTMLElement, app: App): void {
     say: (text) => app.say("info", text),
   });
 
-  const search = element("input", { type: "search", placeholder: "Search: name, unit, what it does", "aria-label": "Search parameters", "data-test": "parameter-search", oninput: () => list() });
-  const reload = element("button", { type: "button", title: "Ask all nodes again", onclick: () => void load(nodes()) }, "Reload");
-  const state = element("p", { class: "hint", role: "status", "data-test": "parameter-state" });
+  const search = create("input", { type: "search", placeholder: "Search: name, unit, what it does", "aria-label": "Search parameters", "data-test": "parameter-search", oninput: () => list() });
+  const reload = create("button", { type: "button", title: "Ask all nodes again", onclick: () => void load(nodes()) }, "Reload");
+  const state = create("p", { class: "hint", role: "status", "data-test": "parameter-state" });
   root.classList.add("parameters-panel");
-  root.append(element("div", { class: "row search" }, search, reload), state, changes.root, sections.root);
+  root.append(create("div", { class: "row search" }, search, reload), state, changes.root, sections.root);
 
   const list = () => {
     const query = search.value.trim();
@@ -87,28 +87,23 @@ export function mountParameters(root: HTMLElement, app: App): void {
   const follow = () => {
     for (const { value } of events.take(app.timeline).messages) store.follow(value);
   };
-  whenFirstSeen(root, () => {
-    const start = () => {
-      asked.clear();
-      events.forget();
-      app.source?.want(EVENTS);
-      loadNew();
-    };
-    start();
-    app.on("source", start);
-    app.on("services", loadNew);
-    app.on("message", follow);
-    app.on("status", () => {
-      sections.showRows();
-      changes.enable(app.hands.canCommand);
-      showState();
-    });
+  new Wants(app).set([EVENTS]);
+  app.on("source", () => {
+    asked.clear();
+    loadNew();
   });
+  app.on("services", loadNew);
+  app.on("message", follow);
+  app.on("status", () => {
+    sections.showRows();
+    changes.enable(app.hands.canCommand);
+    showState();
+  });
+  loadNew();
 }
 
 function graphYamlOf(store: ParameterStore, app: App): string {
-  const services = app.hands.services().map(({ name }) => name);
-  return graphYaml(store.changed(), (node) => store.of(node), robotsOf([], services).length > 1);
+  return graphYaml(store.changed(), (node) => store.of(node), app.robots.length > 1);
 }
 
 function oncePerFrame(work: () => void): () => void {

@@ -1,6 +1,6 @@
 // The same commands without a mouse: a pose in numbers.
 import type { Pose2 } from "../../app";
-import { element } from "../dom";
+import { create } from "../dom";
 
 export type PoseCommand = (pose: Pose2) => void;
 
@@ -12,22 +12,22 @@ export function byNumbers(commands: Record<string, PoseCommand>): HTMLElement {
     return { x: values[0], y: values[1], theta: (values[2] * Math.PI) / 180 };
   };
   const buttons = Object.entries(commands).map(([label, command]) =>
-    element("button", { type: "button", "data-test": `numbers-${label.toLowerCase().replace(" ", "-")}`, onclick: () => {
+    create("button", { type: "button", "data-test": `numbers-${label.toLowerCase().replace(" ", "-")}`, onclick: () => {
       const wanted = pose();
       if (wanted === undefined) [x, y, degrees].find(({ input }) => !Number.isFinite(input.valueAsNumber))?.input.focus();
       else command(wanted);
     } }, label),
   );
-  return element(
+  return create(
     "details",
     { class: "by-numbers" },
-    element("summary", {}, "By numbers"),
-    element("div", { class: "row" }, x.root, y.root, degrees.root),
-    element("div", { class: "row" }, ...buttons),
+    create("summary", {}, "By numbers"),
+    create("div", { class: "row" }, x.root, y.root, degrees.root),
+    create("div", { class: "row" }, ...buttons),
   );
 }
 
 function field(label: string) {
-  const input = element("input", { type: "number", step: "any", value: 0, "data-test": `numbers-${label[0]}` });
-  return { input, root: element("label", {}, element("span", {}, label), input) };
+  const input = create("input", { type: "number", step: "any", value: 0, "data-test": `numbers-${label[0]}` });
+  return { input, root: create("label", {}, create("span", {}, label), input) };
 }

@@ -1,11 +1,9 @@
 // What the tools of the hands share.
 import type { App, Pose2 } from "../../app";
-import { frameOf } from "../robots";
+import { framePrefix } from "../../page/robots";
 
 export interface HandsContext {
   readonly app: App;
-  /** Prefix of the robot that is commanded: "" or "/robot1". */
-  robot(): string;
   /** Does it and says what came of it; a refusal is shown with its reason. True: done. */
   run(what: string, command: () => Promise<unknown>): Promise<boolean>;
   /** Says something about a command that needs no answer. */
@@ -25,7 +23,7 @@ export function groundFrame(app: App): string {
 
 export function robotPose(context: HandsContext): Pose2 | undefined {
   const { timeline } = context.app;
-  return timeline.transform(groundFrame(context.app), frameOf(context.robot(), "base_link"), timeline.end);
+  return timeline.transform(groundFrame(context.app), `${framePrefix(context.app.robot)}base_link`, timeline.end);
 }
 
 export function offers(app: App, service: string): boolean {

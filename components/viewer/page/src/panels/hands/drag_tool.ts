@@ -1,6 +1,6 @@
 // A button that gives the mouse a tool: pressed, the next drag on the ground belongs to it; Escape or a second press puts it back.
 import type { App, Pose2 } from "../../app";
-import { element } from "../dom";
+import { create } from "../dom";
 import type { Point } from "./poses";
 
 export interface DragTool {
@@ -24,7 +24,7 @@ export class DragToolButton {
     private readonly tool: DragTool,
     private readonly changed: () => void,
   ) {
-    this.button = element(
+    this.button = create(
       "button",
       { type: "button", class: "tool", title: tool.hint, "data-test": tool.test, "aria-pressed": "false", onclick: () => this.toggle() },
       tool.label,

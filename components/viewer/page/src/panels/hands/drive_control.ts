@@ -1,5 +1,6 @@
 // Cancel, pause, resume, and how the goal in hand is getting on.
-import { element, setText } from "../dom";
+import { Wants } from "../../page/wants";
+import { create, setText } from "../dom";
 import { expectSuccess, offers, type Hand, type HandsContext } from "./context";
 import { statusText, type NavigationStatus } from "./navigation_status";
 import type { ActionGoal } from "./waypoints";
@@ -16,27 +17,29 @@ export async function cancel(context: HandsContext, sent: ActionGoal | undefined
     const { return_code } = await hands.call<{ return_code: number }>(sent.service, request);
     if (return_code === 0) return;
   }
-  await hands.publish(`${context.robot()}/cancel_goal`, "std_msgs/msg/Empty", {});
+  await hands.publish(`${context.app.robot}/cancel_goal`, "std_msgs/msg/Empty", {});
 }
 
 export class DriveControl implements Hand {
   private readonly cancelButton = this.button("Cancel goal", "cancel", () => this.cancel());
   private readonly pauseButton = this.button("Pause", "pause-robot", () => this.manage("Pause", PAUSE));
   private readonly resumeButton = this.button("Resume", "resume-robot", () => this.manage("Resume", RESUME));
-  private readonly status = element("p", { class: "navigation", role: "status", "data-test": "navigation-status" });
-  readonly root = element(
+  private readonly status = create("p", { class: "navigation", role: "status", "data-test": "navigation-status" });
+  readonly root = create(
     "div",
     {},
-    element("div", { class: "row" }, this.cancelButton, this.pauseButton, this.resumeButton),
+    create("div", { class: "row" }, this.cancelButton, this.pauseButton, this.resumeButton),
     this.status,
   );
-  private wanted: string | undefined;
+  private readonly wants: Wants;
 
   constructor(
     private readonly context: HandsContext,
     private readonly sent: () => ActionGoal | undefined,
     private readonly forgetSent: () => void,
-  ) {}
+  ) {
+    this.wants = new Wants(context.app);
+  }
 
   update(): void {
     const manager = offers(this.context.app, this.manager());
@@ -48,18 +51,10 @@ export class DriveControl implements Hand {
   /** Cheap: with every message. */
   showStatus(): void {
     const { app } = this.context;
-    const topic = `${this.context.robot()}/navigation_status`;
-    if (this.wanted !== topic && app.source !== undefined) {
-      if (this.wanted !== undefined) app.source.unwant(this.wanted);
-      app.source.want(topic);
-      this.wanted = topic;
-    }
+    const topic = `${this.context.app.robot}/navigation_status`;
+    this.wants.set([topic]);
     const message = app.timeline.at<NavigationStatus>(topic, app.cursor.time);
     setText(this.status, message === undefined ? "No goal yet" : statusText(message.value));
-  }
-
-  sourceChanged(): void {
-    this.wanted = undefined;
   }
 
   private cancel(): void {
@@ -73,10 +68,10 @@ export class DriveControl implements Hand {
   }
 
   private manager(): string {
-    return `${this.context.robot()}/lifecycle_manager_navigation/manage_nodes`;
+    return `${this.context.app.robot}/lifecycle_manager_navigation/manage_nodes`;
   }
 
   private button(label: string, test: string, onclick: () => void): HTMLButtonElement {
-    return element("button", { type: "button", "data-test": test, onclick }, label);
+    return create("button", { type: "button", "data-test": test, onclick }, label);
   }
 }

@@ -7,7 +7,7 @@ import { poseOfDrag, poseStamped } from "./poses";
 export function sendGoal(context: HandsContext, pose: Pose2): Promise<boolean> {
   const message = poseStamped(groundFrame(context.app), pose);
   return context.run(`Goal ${text(pose)}`, () =>
-    context.app.hands.publish(`${context.robot()}/goal_pose`, "geometry_msgs/msg/PoseStamped", message),
+    context.app.hands.publish(`${context.app.robot}/goal_pose`, "geometry_msgs/msg/PoseStamped", message),
   );
 }
 

@@ -9,7 +9,7 @@ export function sendInitialPose(context: HandsContext, pose: Pose2): Promise<boo
   const { app } = context;
   return context.run(`Initial pose ${text(pose)}`, () =>
     app.hands.publish(
-      `${context.robot()}/initialpose`,
+      `${context.app.robot}/initialpose`,
       "geometry_msgs/msg/PoseWithCovarianceStamped",
       initialPose(groundFrame(app), pose, app.timeline.end),
     ),

@@ -1,4 +1,5 @@
 // In simulation: somebody who walks where the drag says, and a push for one who is there.
+import { Wants } from "../../page/wants";
 import { serviceOfType, expectSuccess, type HandsContext } from "./context";
 import { DragToolButton } from "./drag_tool";
 import { nearest, velocityOfDrag, type Point } from "./poses";
@@ -19,12 +20,13 @@ interface Answer {
 export class PeopleTools {
   readonly add: DragToolButton;
   readonly push: DragToolButton;
-  private wanted: string | undefined;
+  private readonly wants: Wants;
 
   constructor(
     private readonly context: HandsContext,
     changed: () => void,
   ) {
+    this.wants = new Wants(context.app);
     this.add = new DragToolButton(
       context.app,
       {
@@ -41,8 +43,8 @@ export class PeopleTools {
         label: "Push person",
         hint: "Press on somebody and drag the way they are pushed: 1 m is 1 m/s",
         test: "push",
-        onTaken: () => this.wantTruth(),
-        onPut: () => this.unwantTruth(),
+        onTaken: () => this.wants.set([this.truth()]),
+        onPut: () => this.wants.set([]),
         onRelease: (from, to) => void this.pushPerson(from, to),
       },
       changed,
@@ -64,7 +66,7 @@ export class PeopleTools {
 
   private async pushPerson(from: Point, to: Point): Promise<void> {
     const { app } = this.context;
-    const truth = app.timeline.at<Truth>(`${this.context.robot()}/sim/ground_truth`, app.timeline.end);
+    const truth = app.timeline.at<Truth>(this.truth(), app.timeline.end);
     const person = nearest(truth?.value.people ?? [], from);
     if (person === undefined) return this.context.say("Nobody is there to be pushed: press on a person", true);
     const request = { id: person.id, velocity_change: velocityOfDrag(from, to) };
@@ -78,14 +80,7 @@ export class PeopleTools {
     expectSuccess(await app.hands.call<Answer>(service, request));
   }
 
-  private wantTruth(): void {
-    this.unwantTruth();
-    this.wanted = `${this.context.robot()}/sim/ground_truth`;
-    this.context.app.source?.want(this.wanted);
-  }
-
-  private unwantTruth(): void {
-    if (this.wanted !== undefined) this.context.app.source?.unwant(this.wanted);
-    this.wanted = undefined;
+  private truth(): string {
+    return `${this.context.app.robot}/sim/ground_truth`;
   }
 }

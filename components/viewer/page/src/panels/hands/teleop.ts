@@ -1,6 +1,6 @@
 // Driving by hand: keys and buttons that are held. Whatever takes the page out of hand (another window, a hidden tab, a lost connection, a
 // field that is typed into) lets go of all of them.
-import { element, setText } from "../dom";
+import { create, setText } from "../dom";
 import type { Hand, HandsContext } from "./context";
 import { DIRECTION_OF_KEY, Driver, type Direction } from "./driver";
 
@@ -14,8 +14,10 @@ const PAD: readonly [Direction, string, string][] = [
 export class Teleop implements Hand {
   private readonly driver: Driver;
   private isArmed = false;
+  /** Whom the first press was for: the last zero goes there too. */
+  private driven = "";
 
-  private readonly arm = element(
+  private readonly arm = create(
     "button",
     { type: "button", class: "tool", "aria-pressed": "false", "data-test": "teleop", onclick: () => this.setArmed(!this.isArmed) },
     "Drive by hand",
@@ -23,18 +25,18 @@ export class Teleop implements Hand {
   private readonly buttons = PAD.map(([direction, sign, keys]) => this.padButton(direction, sign, keys));
   private readonly linear = slider("speed", "m/s", 0.05, 1.5, 0.4);
   private readonly angular = slider("turn", "rad/s", 0.1, 2.5, 0.8);
-  private readonly hint = element("p", { class: "hint", role: "status" });
-  private readonly pad = element(
+  private readonly hint = create("p", { class: "hint", role: "status" });
+  private readonly pad = create(
     "div",
     { class: "teleop-body" },
-    element("div", { class: "pad", role: "group", "aria-label": "Hold to drive" }, ...this.buttons),
-    element("div", { class: "speeds" }, this.linear.root, this.angular.root),
+    create("div", { class: "pad", role: "group", "aria-label": "Hold to drive" }, ...this.buttons),
+    create("div", { class: "speeds" }, this.linear.root, this.angular.root),
   );
-  readonly root = element("div", { class: "teleop" }, element("div", { class: "row" }, this.arm), this.pad, this.hint);
+  readonly root = create("div", { class: "teleop" }, create("div", { class: "row" }, this.arm), this.pad, this.hint);
 
   constructor(private readonly context: HandsContext) {
     this.driver = new Driver(
-      (twist) => context.app.hands.publish(`${context.robot()}/cmd_vel_teleop`, "geometry_msgs/msg/Twist", twist),
+      (twist) => context.app.hands.publish(`${this.driven}/cmd_vel_teleop`, "geometry_msgs/msg/Twist", twist),
       () => ({ linear: this.linear.value(), angular: this.angular.value() }),
       { every: (ms, tick) => every(ms, tick) },
       (reason) => {
@@ -55,7 +57,6 @@ export class Teleop implements Hand {
     this.show();
   }
 
-  /** Another robot must not go on with what this one was told. */
   letGo(): void {
     this.driver.releaseAll();
     this.show();
@@ -74,6 +75,12 @@ export class Teleop implements Hand {
     setText(this.hint, this.driver.isDriving ? "driving" : "Hold W A S D, the arrows or a button; Escape ends");
   }
 
+  private press(what: string, direction: Direction): void {
+    if (!this.driver.isDriving) this.driven = this.context.app.robot;
+    this.driver.press(what, direction);
+    this.show();
+  }
+
   private keyDown(event: KeyboardEvent): void {
     if (!this.isArmed) return;
     if (event.key === "Escape") return this.setArmed(false);
@@ -83,8 +90,7 @@ export class Teleop implements Hand {
     if (direction === undefined || isTyping(event.target)) return;
     event.preventDefault();
     event.stopImmediatePropagation();
-    if (!event.repeat) this.driver.press(event.code, direction);
-    this.show();
+    if (!event.repeat) this.press(event.code, direction);
   }
 
   private keyUp(event: KeyboardEvent): void {
@@ -94,16 +100,13 @@ export class Teleop implements Hand {
 
   private padButton(direction: Direction, sign: string, keys: string): HTMLButtonElement {
     const what = `button ${direction}`;
-    const press = () => {
-      this.driver.press(what, direction);
-      this.show();
-    };
+    const press = () => this.press(what, direction);
     const release = () => {
       this.driver.release(what);
       this.show();
     };
     const isPress = (event: KeyboardEvent) => event.key === " " || event.key === "Enter";
-    return element(
+    return create(
       "button",
       {
         type: "button",
@@ -143,8 +146,8 @@ function isTyping(target: EventTarget | null): boolean {
 }
 
 function slider(name: string, unit: string, min: number, max: number, initial: number) {
-  const input = element("input", { type: "range", min, max, step: 0.05, value: initial, "aria-label": `${name} [${unit}]` });
-  const output = element("output", {}, `${initial} ${unit}`);
+  const input = create("input", { type: "range", min, max, step: 0.05, value: initial, "aria-label": `${name} [${unit}]` });
+  const output = create("output", {}, `${initial} ${unit}`);
   input.addEventListener("input", () => setText(output, `${input.value} ${unit}`));
-  return { root: element("label", {}, element("span", {}, name), input, output), value: () => Number(input.value) };
+  return { root: create("label", {}, create("span", {}, name), input, output), value: () => Number(input.value) };
 }

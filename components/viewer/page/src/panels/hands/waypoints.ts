@@ -1,6 +1,6 @@
 // Several poses, then go: through all of them without a stop, or standing still at each. Nav2's actions by their services.
 import type { Pose2 } from "../../app";
-import { element, setText } from "../dom";
+import { create, setText } from "../dom";
 import { groundFrame, offers, robotPose, type Hand, type HandsContext } from "./context";
 import { DragToolButton } from "./drag_tool";
 import { newGoalId } from "./goal_id";
@@ -19,7 +19,7 @@ export interface ActionGoal {
 /** Sends the poses; fails with a sentence when the goal is not taken. */
 export async function sendWaypoints(context: HandsContext, action: Action, poses: readonly Pose2[]): Promise<ActionGoal> {
   const { app } = context;
-  const name = `${context.robot()}/${action}/_action`;
+  const name = `${context.app.robot}/${action}/_action`;
   const id = newGoalId();
   const frame = groundFrame(app);
   const goal = { poses: poses.map((pose) => poseStamped(frame, pose)) };
@@ -35,8 +35,8 @@ export class Waypoints implements Hand {
   sent: ActionGoal | undefined;
 
   private poses: Pose2[] = [];
-  private readonly count = element("span", { class: "count" });
-  private readonly choice = element("select", { "aria-label": "What to do at waypoints" });
+  private readonly count = create("span", { class: "count" });
+  private readonly choice = create("select", { "aria-label": "What to do at waypoints" });
   private readonly go = this.button("Go", "waypoints-go", () => void this.send());
   private readonly undo = this.button("Undo", "waypoints-undo", () => this.keep(this.poses.slice(0, -1)));
   private readonly clear = this.button("Clear", "waypoints-clear", () => this.keep([]));
@@ -57,7 +57,7 @@ export class Waypoints implements Hand {
       },
       changed,
     );
-    this.root = element("div", { class: "row waypoints" }, this.count, this.choice, this.go, this.undo, this.clear);
+    this.root = create("div", { class: "row waypoints" }, this.count, this.choice, this.go, this.undo, this.clear);
   }
 
   add(pose: Pose2): void {
@@ -75,10 +75,10 @@ export class Waypoints implements Hand {
 
   private offerActions(): void {
     const offered = Object.keys(ACTIONS).filter((action) =>
-      offers(this.context.app, `${this.context.robot()}/${action}/_action/send_goal`),
+      offers(this.context.app, `${this.context.app.robot}/${action}/_action/send_goal`),
     ) as Action[];
     if (offered.join() === [...this.choice.options].map((option) => option.value).join()) return;
-    this.choice.replaceChildren(...offered.map((action) => element("option", { value: action }, ACTIONS[action])));
+    this.choice.replaceChildren(...offered.map((action) => create("option", { value: action }, ACTIONS[action])));
   }
 
   private keep(poses: Pose2[]): void {
@@ -97,6 +97,6 @@ export class Waypoints implements Hand {
   }
 
   private button(label: string, test: string, onclick: () => void): HTMLButtonElement {
-    return element("button", { type: "button", "data-test": test, onclick }, label);
+    return create("button", { type: "button", "data-test": test, onclick }, label);
   }
 }

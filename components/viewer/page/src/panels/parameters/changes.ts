@@ -1,5 +1,5 @@
 // What is different from when the page saw it first: listed, taken back, and as YAML for the graph.
-import { element, setText } from "../dom";
+import { create, setText } from "../dom";
 import type { Entry } from "./store";
 import { textOf } from "./values";
 
@@ -10,18 +10,18 @@ export interface ChangesActions {
 }
 
 export class Changes {
-  private readonly title = element("h3", {});
-  private readonly list = element("ul", {});
-  private readonly text = element("pre", { class: "yaml", tabindex: 0, "aria-label": "Changes as YAML", "data-test": "yaml" });
+  private readonly title = create("h3", {});
+  private readonly list = create("ul", {});
+  private readonly text = create("pre", { class: "yaml", tabindex: 0, "aria-label": "Changes as YAML", "data-test": "yaml" });
   private entries: readonly Entry[] = [];
-  private readonly buttons = element(
+  private readonly buttons = create(
     "div",
     { class: "row" },
     this.button("Undo all", "undo-all", () => this.actions.undo(this.entries)),
     this.button("Copy YAML", "copy-yaml", () => void this.copy()),
     this.button("Download", "download-yaml", () => this.download()),
   );
-  readonly root = element("section", { class: "changes", "aria-label": "Changed parameters" }, this.title, this.list, this.buttons, this.text);
+  readonly root = create("section", { class: "changes", "aria-label": "Changed parameters" }, this.title, this.list, this.buttons, this.text);
 
   constructor(private readonly actions: ChangesActions) {
     this.root.hidden = true;
@@ -41,12 +41,12 @@ export class Changes {
 
   private item(entry: Entry): HTMLElement {
     const { parameter, first, value } = entry;
-    return element(
+    return create(
       "li",
       {},
-      element("span", { class: "name", title: parameter.node }, `${parameter.node.slice(1)} ${parameter.name}`),
-      element("span", { class: "values" }, `${textOf(first)} → ${textOf(value)} ${parameter.unit}`),
-      element("button", { type: "button", class: "undo", title: "Undo", "aria-label": `Undo ${parameter.name}`, onclick: () => this.actions.undo([entry]) }, "↶"),
+      create("span", { class: "name", title: parameter.node }, `${parameter.node.slice(1)} ${parameter.name}`),
+      create("span", { class: "values" }, `${textOf(first)} → ${textOf(value)} ${parameter.unit}`),
+      create("button", { type: "button", class: "undo", title: "Undo", "aria-label": `Undo ${parameter.name}`, onclick: () => this.actions.undo([entry]) }, "↶"),
     );
   }
 
@@ -63,11 +63,11 @@ export class Changes {
 
   private download(): void {
     const url = URL.createObjectURL(new Blob([this.actions.yaml()], { type: "application/yaml" }));
-    element("a", { href: url, download: "parameters.yaml" }).click();
+    create("a", { href: url, download: "parameters.yaml" }).click();
     setTimeout(() => URL.revokeObjectURL(url), 1000);
   }
 
   private button(label: string, test: string, onclick: () => void): HTMLButtonElement {
-    return element("button", { type: "button", "data-test": test, "data-command": test === "undo-all", onclick }, label);
+    return create("button", { type: "button", "data-test": test, "data-command": test === "undo-all", onclick }, label);
   }
 }

@@ -1,5 +1,5 @@
 // What a parameter is changed with: a box to tick, a choice, a slider with its number, a text.
-import { element } from "../dom";
+import { create } from "../dom";
 import type { Parameter } from "./descriptor";
 import { isUsable, PLACES, placeOf, valueAt, type Scale } from "./slider_scale";
 import { parse, textOf, Type, type Value } from "./values";
@@ -40,13 +40,13 @@ function labels({ node, name, unit, isReadOnly }: Parameter) {
 }
 
 function checkbox(parameter: Parameter, wishes: Wishes): Control {
-  const input = element("input", { type: "checkbox", ...labels(parameter), onchange: () => wishes.set(input.checked) });
+  const input = create("input", { type: "checkbox", ...labels(parameter), onchange: () => wishes.set(input.checked) });
   return { root: input, show: (value) => void (input.checked = value === true) };
 }
 
 function choice(parameter: Parameter, wishes: Wishes): Control {
-  const options = parameter.choices.map((text) => element("option", { value: text }, text));
-  const select = element("select", { ...labels(parameter), onchange: () => wishes.set(select.value) }, ...options);
+  const options = parameter.choices.map((text) => create("option", { value: text }, text));
+  const select = create("select", { ...labels(parameter), onchange: () => wishes.set(select.value) }, ...options);
   return { root: select, show: (value) => void (select.value = String(value)) };
 }
 
@@ -59,7 +59,7 @@ function field(parameter: Parameter, wishes: Wishes): Control {
     else wishes.set(value);
   };
   const isNumber = parameter.type === Type.double || parameter.type === Type.integer;
-  const input = element("input", {
+  const input = create("input", {
     type: "text",
     inputmode: isNumber ? "decimal" : undefined,
     class: isNumber ? "number" : "text",
@@ -84,7 +84,7 @@ function field(parameter: Parameter, wishes: Wishes): Control {
 function slider(parameter: Parameter, scale: Scale, text: Control, wishes: Wishes): Control {
   let isHeld = false;
   const value = () => valueAt(scale, input.valueAsNumber);
-  const input = element("input", {
+  const input = create("input", {
     type: "range",
     min: 0,
     max: PLACES,
@@ -119,7 +119,7 @@ function slider(parameter: Parameter, scale: Scale, text: Control, wishes: Wishe
     wishes.set(value());
   };
   return {
-    root: element("span", { class: "slider" }, input, text.root),
+    root: create("span", { class: "slider" }, input, text.root),
     show(shown) {
       text.show(shown);
       if (isHeld) return;

@@ -1,5 +1,5 @@
 // One parameter: its name, what it is, what it is changed with, and why it was not.
-import { element, setText } from "../dom";
+import { create, setText } from "../dom";
 import { controlOf } from "./control";
 import { sectionOf } from "./descriptor";
 import type { Entry } from "./store";
@@ -19,7 +19,7 @@ export const browserTimer: Timer = { now: () => performance.now(), after: (ms, t
 export class Row {
   readonly root: HTMLElement;
   private readonly control;
-  private readonly error = element("p", { class: "refused", role: "alert" });
+  private readonly error = create("p", { class: "refused", role: "alert" });
   private readonly undo: HTMLButtonElement;
   private readonly throttle: Throttle<Value>;
 
@@ -32,19 +32,19 @@ export class Row {
     this.throttle = new Throttle((value) => this.ask(value), PERIOD_MS, browserTimer);
     const give = (value: Value) => this.throttle.give(value);
     this.control = controlOf(parameter, { slide: give, set: give, refuse: (reason) => this.refuse(reason) });
-    this.undo = element(
+    this.undo = create(
       "button",
       { type: "button", class: "undo", title: `Back to ${textOf(first)}`, "aria-label": `${parameter.name}: back to ${textOf(first)}`, onclick: () => give(first) },
       "↶",
     );
     this.error.hidden = true;
     const name = isFullName ? parameter.name : sectionOf(parameter.name).leaf;
-    this.root = element(
+    this.root = create(
       "div",
       { class: parameter.isReadOnly ? "parameter fixed" : "parameter" },
-      element("span", { class: "name", title: parameter.name }, name),
-      element("span", { class: "control" }, this.control.root, element("span", { class: "unit" }, parameter.unit), this.undo),
-      element("p", { class: "doc" }, parameter.doc, ...this.facts()),
+      create("span", { class: "name", title: parameter.name }, name),
+      create("span", { class: "control" }, this.control.root, create("span", { class: "unit" }, parameter.unit), this.undo),
+      create("p", { class: "doc" }, parameter.doc, ...this.facts()),
       this.error,
     );
     this.show();
@@ -84,6 +84,6 @@ export class Row {
     if (rule !== "") facts.push(rule);
     if (defaultValue !== undefined) facts.push(`default ${textOf(defaultValue)}`);
     if (isReadOnly) facts.push("fixed while the component is active");
-    return facts.map((fact) => element("span", { class: "fact" }, fact));
+    return facts.map((fact) => create("span", { class: "fact" }, fact));
   }
 }

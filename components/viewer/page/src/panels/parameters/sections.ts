@@ -1,5 +1,5 @@
 // The list of all parameters: a component opens to its sections. Rows are made when they are seen: a graph has a thousand of them.
-import { element } from "../dom";
+import { create } from "../dom";
 import { sectionOf } from "./descriptor";
 import { Row, type RowActions } from "./row";
 import type { Entry } from "./store";
@@ -8,7 +8,7 @@ import type { Entry } from "./store";
 const MOST_FOUND = 200;
 
 export class Sections {
-  readonly root = element("div", { class: "sections" });
+  readonly root = create("div", { class: "sections" });
   private rows = new Map<Entry, Row>();
 
   constructor(private readonly actions: RowActions) {}
@@ -30,10 +30,10 @@ export class Sections {
       const entries = of(node).slice(0, MOST_FOUND - count);
       if (entries.length === 0) continue;
       count += entries.length;
-      groups.push(element("h3", {}, node), ...entries.map((entry) => this.row(entry, true)));
+      groups.push(create("h3", {}, node), ...entries.map((entry) => this.row(entry, true)));
     }
     const last = count === 0 ? "Nothing is called that" : count === MOST_FOUND ? `The first ${MOST_FOUND} are shown` : undefined;
-    this.root.replaceChildren(...groups, ...(last === undefined ? [] : [element("p", { class: "hint" }, last)]));
+    this.root.replaceChildren(...groups, ...(last === undefined ? [] : [create("p", { class: "hint" }, last)]));
   }
 
   show(entry: Entry): void {
@@ -48,8 +48,8 @@ export class Sections {
     const own = entries.filter(({ parameter }) => parameter.name !== "use_sim_time");
     if (own.length === 0) return undefined;
     const changeable = own.filter(({ parameter }) => !parameter.isReadOnly).length;
-    const count = element("span", { class: "count", title: `${changeable} of ${own.length} can be changed now` }, `${changeable} / ${own.length}`);
-    const details = element("details", { class: "component", "data-node": node }, element("summary", {}, node.slice(1), count));
+    const count = create("span", { class: "count", title: `${changeable} of ${own.length} can be changed now` }, `${changeable} / ${own.length}`);
+    const details = create("details", { class: "component", "data-node": node }, create("summary", {}, node.slice(1), count));
     details.addEventListener("toggle", () => details.childElementCount === 1 && details.append(...this.body(own)), { once: true });
     return details;
   }
@@ -59,7 +59,7 @@ export class Sections {
     let current = "";
     for (const entry of entries) {
       const { section } = sectionOf(entry.parameter.name);
-      if (section !== current) elements.push(element("h3", {}, (current = section).replaceAll(".", " › ")));
+      if (section !== current) elements.push(create("h3", {}, (current = section).replaceAll(".", " › ")));
       elements.push(this.row(entry, false));
     }
     return elements;
