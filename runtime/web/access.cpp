@@ -102,10 +102,6 @@ bool is_own_page(const Caller& caller) {
   return authority && *authority == *caller.host && name_of(*authority);
 }
 
-bool is_named_origin(const AccessRules& rules, std::string_view origin) {
-  return contains(rules.allow_origins, origin);
-}
-
 bool may_command(const AccessRules& rules) { return rules.is_loopback || rules.allow_commands; }
 
 }  // namespace bw::web

@@ -59,8 +59,8 @@ class Core {
   std::unordered_map<ConnectionId, std::shared_ptr<SocketSession>> sessions_;
 
  public:
-  boost::asio::io_context io{
-      1};  ///< goes first: connections that still wait for something go with it, and count down above
+  /// Goes first: connections that still wait for something go with it, and count down above.
+  boost::asio::io_context io{1};
 };
 
 /// One more of `count` as long as it lives.
