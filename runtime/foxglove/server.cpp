@@ -139,10 +139,8 @@ void Server::on_channels(const std::vector<Channel>& added, const std::vector<st
 }
 
 void Server::forget_subscriptions(const Heard& heard) {
-  for (const auto& [id, subscription] : heard.subscriptions) {
+  for (const auto& [id, subscription] : heard.subscriptions)
     clients_.at(id).subscriptions.erase(subscription);
-    robot_.unsubscribe(heard.channel.id);
-  }
 }
 
 void Server::on_services(const std::vector<Service>& added, const std::vector<std::uint32_t>& removed) {

@@ -125,7 +125,6 @@ class Server final : public web::SocketHandler, public RobotListener {
   bool begin_parameter_request(Client& client);
   Robot::Values answer_parameters(const Client& client, const std::optional<std::string>& request,
                                   bool is_asked);
-  std::vector<NamedValue> with_known_types(std::vector<NamedValue> parameters) const;
 
   web::SocketSender& sender_;
   Robot& robot_;
@@ -142,9 +141,8 @@ class Server final : public web::SocketHandler, public RobotListener {
   PublishedTopics published_topics_;
   Commander commander_;
   std::optional<web::ConnectionId> told_commander_;
-  std::map<std::string, ParameterType, std::less<>> parameter_types_;  ///< of those that went by
-  std::shared_ptr<const ConnectionGraph> graph_;                       ///< null while nobody asked
-  std::optional<Time> time_;                                           ///< the robot's
+  std::shared_ptr<const ConnectionGraph> graph_;  ///< null while nobody asked
+  std::optional<Time> time_;                      ///< the robot's
   std::deque<Notice> notices_;
 };
 

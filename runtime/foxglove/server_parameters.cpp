@@ -24,7 +24,6 @@ Robot::Values Server::answer_parameters(const Client& client, const std::optiona
                                                            const std::vector<std::string>& errors) {
     Server* server = *self;
     if (server == nullptr) return;
-    for (const NamedValue& value : values) server->parameter_types_[value.name] = type_of(value.value);
     Client* asker = server->find(id);
     if (asker == nullptr) return;
     --asker->parameter_requests;
@@ -48,23 +47,7 @@ void Server::handle(Client& client, const SetParameters& op) {
     if (names.empty()) return static_cast<void>(--client.parameter_requests);
     return robot_.get_parameters(names, answer_parameters(client, op.request, true));
   }
-  robot_.set_parameters(with_known_types(op.parameters),
-                        answer_parameters(client, op.request, op.request.has_value()));
-}
-
-/// JSON has one kind of number: a whole one is a double where the parameter was one when it last went by.
-std::vector<NamedValue> Server::with_known_types(std::vector<NamedValue> parameters) const {
-  for (NamedValue& parameter : parameters) {
-    const auto known = parameter_types_.find(parameter.name);
-    if (known == parameter_types_.end()) continue;
-    if (const auto* number = std::get_if<std::int64_t>(&parameter.value);
-        number != nullptr && known->second == ParameterType::floating_point)
-      parameter.value = static_cast<double>(*number);
-    if (const auto* list = std::get_if<std::vector<std::int64_t>>(&parameter.value);
-        list != nullptr && known->second == ParameterType::double_list)
-      parameter.value = std::vector<double>(list->begin(), list->end());
-  }
-  return parameters;
+  robot_.set_parameters(op.parameters, answer_parameters(client, op.request, op.request.has_value()));
 }
 
 void Server::handle(Client& client, const SubscribeParameterUpdates& op) {
@@ -80,7 +63,6 @@ void Server::handle(Client& client, const UnsubscribeParameterUpdates& op) {
 }
 
 void Server::on_parameters(const std::vector<NamedValue>& changed) {
-  for (const NamedValue& value : changed) parameter_types_[value.name] = type_of(value.value);
   std::optional<web::Frame> all;
   for (const auto& [id, client] : clients_) {
     if (client.interest.wants_all()) {
