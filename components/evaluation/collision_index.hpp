@@ -14,6 +14,10 @@
 
 namespace bw {
 
+inline constexpr double kJudgingSigma = 0.6;  ///< [m]
+inline constexpr double kComfortLimit = 0.14;
+inline constexpr double kPhysicalLimit = 0.54;
+
 inline double collision_index(const Vector2& robot, const std::vector<TruePerson>& people, double sigma) {
   double index = 0.0;
   for (const TruePerson& person : people) {

@@ -11,18 +11,8 @@ namespace {
 constexpr std::int64_t kWall = -1;
 constexpr double kApart = 0.02;       // bodies farther apart are no longer in contact [m]
 constexpr double kMovingSpeed = 0.1;  // a contact slower than this is the other's doing [m/s]
-constexpr double kSigma = 0.6;
 constexpr double kSigmaNarrow = 0.45;
-constexpr double kPhysicalLimit = 0.54;
-constexpr double kComfortLimit = 0.14;
 constexpr const char* kFalseClaim = "the robot claims the goal but is not there";
-
-bool is_sound(const TruthSample& sample) {
-  return sample.X_MB.position().allFinite() && !std::isnan(sample.wall_gap) &&
-         std::all_of(sample.people.begin(), sample.people.end(), [](const TruePerson& person) {
-           return person.position.allFinite() && std::isfinite(person.radius);
-         });
-}
 
 }  // namespace
 
@@ -38,7 +28,7 @@ void ScoreKeeper::start(Time now, const Vector2& goal, const GoalTolerance& tole
 void ScoreKeeper::add(const TruthSample& sample) {
   if (!running_ || !is_sound(sample) || (last_ && sample.time <= last_->time)) return;
   const double elapsed = (sample.time - started_).to_seconds();
-  const double index = collision_index(sample.X_MB.position(), sample.people, kSigma);
+  const double index = collision_index(sample.X_MB.position(), sample.people, kJudgingSigma);
   card_.max_collision_index = std::max(card_.max_collision_index, index);
   card_.max_collision_index_045 = std::max(
       card_.max_collision_index_045, collision_index(sample.X_MB.position(), sample.people, kSigmaNarrow));

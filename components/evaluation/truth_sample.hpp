@@ -1,6 +1,8 @@
 // One look at the world's truth. Poses and velocities in map.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -26,5 +28,13 @@ struct TruthSample {
       std::numeric_limits<double>::infinity();  ///< from the robot's rim to the nearest wall [m]
   std::uint32_t contacts = 0;                   ///< counted by the world since its start
 };
+
+/// Whether the places of everybody can be reckoned with.
+inline bool is_sound(const TruthSample& sample) {
+  return sample.X_MB.position().allFinite() && !std::isnan(sample.wall_gap) &&
+         std::all_of(sample.people.begin(), sample.people.end(), [](const TruePerson& person) {
+           return person.position.allFinite() && std::isfinite(person.radius);
+         });
+}
 
 }  // namespace bw

@@ -82,6 +82,7 @@ struct PlanningResult {
   std::vector<VelocityCone> velocity_cones;  ///< those the planner looked at
   std::optional<Vector2> velocity_wanted;    ///< the best velocity outside them
   int iterations = 0;                        ///< spent of the budget
+  bool class_switched = false;               ///< drives another class than until now
 };
 
 class LocalPlanner {

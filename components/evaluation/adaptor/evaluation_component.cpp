@@ -1,5 +1,5 @@
 // Adaptor of evaluation: keeps score of the drive that the navigator reports, from the world's truth, and
-// draws it when it is over.
+// draws it when it is over. What it tells of comfort meanwhile: comfort_output.hpp.
 #include <exception>
 #include <filesystem>
 #include <optional>
@@ -12,6 +12,7 @@
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 
+#include "components/evaluation/adaptor/comfort_output.hpp"
 #include "components/evaluation/adaptor/truth_messages.hpp"
 #include "components/evaluation/drive_judge.hpp"
 #include "components/evaluation/evaluation_parameters.hpp"
@@ -37,6 +38,7 @@ class EvaluationComponent final : public Component {
     judge_.emplace(parameters_, robot.radius, robot.limits.v_max,
                    parameters_.scored == Scored::drives ? DriveJudge::Lasts::until_end_of_run
                                                         : DriveJudge::Lasts::until_goal);
+    comfort_.offer(setup, robot.radius);
     log_ = setup.log();
     map_frame_ = setup.frame("map");
     card_ = setup.output<bandwagon_msgs::msg::ScoreCard>("score_card");
@@ -44,13 +46,16 @@ class EvaluationComponent final : public Component {
         "sim/ground_truth", Qos::standard(),
         [this](const auto& message, const Tick& tick) {
           if (is_run_ && !judge_->running()) judge_->begin_run(tick.now);
-          judge_->on_truth(to_truth(message));
+          const TruthSample sample = to_truth(message);
+          judge_->on_truth(sample);
+          comfort_.on_truth(sample);
         },
         is_run_ ? Need::optional : Need::required);  // a recording may have none
     setup.input<nav_msgs::msg::Odometry>(
         "odometry/filtered", Qos::standard(50),
         [this](const auto& message, const Tick&) {
           judge_->on_pose(from_stamp(message.header().stamp()), from_pose(message.pose().pose()));
+          comfort_.on_pose(message);
         },
         Need::optional);
     if (!is_run_) {
@@ -79,6 +84,8 @@ class EvaluationComponent final : public Component {
     setup.every(Duration::seconds(1.0 / parameters_.rate), "score_card", [this](const Tick& tick) {
       if (judge_->running()) publish(tick);
     });
+    setup.every(Duration::milliseconds(100), "comfort",
+                [this](const Tick&) { comfort_.tell(judge_->card().collisions); });
   }
 
   void activate(const Tick& tick) override { activated_ = tick.now; }
@@ -123,6 +130,7 @@ class EvaluationComponent final : public Component {
   EvaluationParameters parameters_;
   std::filesystem::path svg_path_;
   std::optional<DriveJudge> judge_;
+  ComfortOutput comfort_;
   bool is_run_ = false;
   Time activated_;
   Logger log_;

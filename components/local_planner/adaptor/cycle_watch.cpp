@@ -1,11 +1,32 @@
 #include "components/local_planner/adaptor/cycle_watch.hpp"
 
+#include <limits>
+
 #include <fmt/format.h>
 
 namespace bw {
+namespace {
+
+std::uint8_t status_of(PlanningStatus status) {
+  namespace value = bandwagon_msgs::msg::PlannerCycle_Constants;
+  switch (status) {
+    case PlanningStatus::ok:
+      return value::OK;
+    case PlanningStatus::no_plan:
+      return value::NO_PLAN;
+    case PlanningStatus::bad_input:
+      return value::BAD_INPUT;
+    case PlanningStatus::infeasible:
+      break;
+  }
+  return value::INFEASIBLE;
+}
+
+}  // namespace
 
 CycleWatch::CycleWatch(double period, double time_allowed, int max_iterations, bool real_time)
     : period_(period),
+      time_allowed_(time_allowed),
       max_iterations_(max_iterations),
       real_time_(real_time),
       iteration_budget_(time_allowed, max_iterations) {}
@@ -15,7 +36,30 @@ Budget CycleWatch::budget() const {
 }
 
 void CycleWatch::begin() {
-  if (real_time_) began_ = steady_time();
+  if (!real_time_) return;
+  began_ = steady_time();
+  cpu_began_ = thread_cpu_time();
+}
+
+bandwagon_msgs::msg::PlannerCycle CycleWatch::message(const PlanningResult& result, bool idle) const {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  bandwagon_msgs::msg::PlannerCycle cycle;
+  cycle.status(idle ? bandwagon_msgs::msg::PlannerCycle_Constants::IDLE : status_of(result.status));
+  cycle.reason(idle ? "" : result.reason);
+  cycle.chosen_cost(kUnknown);
+  for (const Candidate& candidate : result.candidates) {
+    if (!candidate.chosen) continue;
+    cycle.chosen_label(candidate.label);
+    cycle.chosen_cost(candidate.cost);
+  }
+  cycle.class_switched(result.class_switched);
+  cycle.number_of_candidates(static_cast<std::uint32_t>(result.candidates.size()));
+  cycle.iterations(static_cast<std::uint32_t>(result.iterations));
+  cycle.iteration_budget(static_cast<std::uint32_t>(budget().max_iterations));
+  cycle.duration_ms(real_time_ ? (thread_cpu_time() - cpu_began_).to_seconds() * 1e3 : kUnknown);
+  cycle.budget_ms(time_allowed_ * 1e3);
+  cycle.period_ms(period_ * 1e3);
+  return cycle;
 }
 
 void CycleWatch::end(const PlanningResult& result) {

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include <bandwagon_msgs/msg/planner_cycle.hpp>
+
 #include "components/local_planner/iteration_budget.hpp"
 #include "components/model/planning.hpp"
 #include "runtime/component.hpp"
@@ -19,6 +21,8 @@ class CycleWatch {
   /// For the cycle that begins.
   Budget budget() const;
   void begin();
+  /// The cycle as a message, with what it took until now; header and planner are the caller's.
+  bandwagon_msgs::msg::PlannerCycle message(const PlanningResult& result, bool idle) const;
   /// Not called for a cycle that had nothing to plan.
   void end(const PlanningResult& result);
   /// The state of the planner and its figures, those of time up to the last cycle that ended.
@@ -26,10 +30,12 @@ class CycleWatch {
 
  private:
   double period_;
+  double time_allowed_;
   int max_iterations_;
   bool real_time_;
   IterationBudget iteration_budget_;
   Duration began_;
+  Duration cpu_began_;
   DurationHistogram times_;  ///< of the whole run, by the steady clock: workers and waiting included
   std::uint64_t overruns_ = 0;
 };

@@ -4,7 +4,6 @@
 #include <thread>
 #include <utility>
 
-#include "components/local_planner/adaptor/planner_markers.hpp"
 #include "components/local_planner/adaptor/problem_messages.hpp"
 #include "components/local_planner/back_off.hpp"
 #include "components/local_planner/command_limits.hpp"
@@ -44,6 +43,7 @@ void LocalPlannerComponent::configure(Setup& setup) {
       Need::optional);
   command_.offer(setup, "cmd_vel_nav", is_stamped(parameters_.enable_stamped_cmd_vel, setup.ros_distro()));
   status_ = setup.output<bandwagon_msgs::msg::FollowStatus>("follow_status");
+  cycle_ = setup.output<bandwagon_msgs::msg::PlannerCycle>("local_planner_cycle");
   trajectory_ = setup.output<nav_msgs::msg::Path>("local_plan");
   markers_ = setup.output<visualization_msgs::msg::MarkerArray>("local_planner_markers");
   offer_follow_path(setup);
@@ -99,37 +99,6 @@ void LocalPlannerComponent::control_cycle(const Tick& tick) {
   }
   if (follow_path_.is_driving()) report(tick, problem, result, missing);
   publish(tick, problem, result);
-}
-
-void LocalPlannerComponent::publish(const Tick& tick, const PlanningProblem& problem,
-                                    const PlanningResult& result) {
-  const bool idle = task_.mode == mode::STOP;
-  if (!(idle && at_rest_)) command_.publish(result.command, tick.now);
-  at_rest_ = idle && (at_rest_ || result.command == Twist2{});
-  publish_status(tick, result, idle);
-  watch_->report(result, idle, *diagnostics_);
-  if (idle) return;
-  if (result.status != last_status_ && result.status != PlanningStatus::ok) log_.warn("{}", result.reason);
-  last_status_ = result.status;
-  if (trajectory_.has_readers()) {
-    std::vector<Pose2> poses;
-    for (const TrajectoryPoint& point : result.trajectory) poses.push_back(point.pose);
-    trajectory_.publish(to_path(inputs_.odom_frame(), tick.now, poses));
-  }
-  if (markers_.has_readers()) markers_.publish(to_markers(problem, result, inputs_.odom_frame()));
-  watch_->end(result);
-}
-
-void LocalPlannerComponent::publish_status(const Tick& tick, const PlanningResult& result, bool idle) {
-  bandwagon_msgs::msg::FollowStatus status = to_follow_status(result, idle);
-  if (!request_lost_.empty()) {
-    status.status(bandwagon_msgs::msg::FollowStatus_Constants::FAILED);
-    status.reason(request_lost_);
-  }
-  status.header(make_header(inputs_.odom_frame(), tick.now));
-  status.id(request_id_);
-  status.distance_to_goal(plan_.distance_to_goal());
-  status_.publish(status);
 }
 
 void LocalPlannerComponent::deactivate(const Tick& tick) {

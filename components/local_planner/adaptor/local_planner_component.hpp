@@ -8,6 +8,7 @@
 
 #include <bandwagon_msgs/msg/follow_request.hpp>
 #include <bandwagon_msgs/msg/follow_status.hpp>
+#include <bandwagon_msgs/msg/planner_cycle.hpp>
 #include <nav_msgs/msg/path.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
@@ -54,6 +55,7 @@ class LocalPlannerComponent final : public Component {
               const std::string& missing);
   void publish(const Tick& tick, const PlanningProblem& problem, const PlanningResult& result);
   void publish_status(const Tick& tick, const PlanningResult& result, bool idle);
+  void publish_cycle(const Tick& tick, const PlanningResult& result, bool idle);
 
   LocalPlannerParameters parameters_;
   Robot robot_;
@@ -74,6 +76,7 @@ class LocalPlannerComponent final : public Component {
   FollowPathServer follow_path_;
   VelocityOutput command_;
   Output<bandwagon_msgs::msg::FollowStatus> status_;
+  Output<bandwagon_msgs::msg::PlannerCycle> cycle_;
   Output<nav_msgs::msg::Path> trajectory_;
   Output<visualization_msgs::msg::MarkerArray> markers_;
   Logger log_;

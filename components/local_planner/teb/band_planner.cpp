@@ -104,7 +104,9 @@ PlanningResult BandPlanner::drive(const PlanningProblem& problem) {
   PlanningResult result = report(cycle.candidates, cycle.chosen, cycle.term);
   result.iterations = cycle.iterations;
   command(cycle, result);
-  keep(cycle);
+  result.class_switched = !bands_.empty() && !cycle.candidates[cycle.chosen].driven;
+  if (result.class_switched) switched_at_ = planned_at_;
+  bands_ = worth_keeping(std::move(cycle.candidates), cycle.chosen, options_.selection);
   return result;
 }
 
@@ -221,11 +223,6 @@ void BandPlanner::command(Cycle& cycle, PlanningResult& result) {
   }
   acceleration_ = std::clamp((result.command.v - problem.twist.v) / problem.command_lead,
                              -problem.limits.acc_max, problem.limits.acc_max);
-}
-
-void BandPlanner::keep(Cycle& cycle) {
-  if (!bands_.empty() && !cycle.candidates[cycle.chosen].driven) switched_at_ = planned_at_;
-  bands_ = worth_keeping(std::move(cycle.candidates), cycle.chosen, options_.selection);
 }
 
 }  // namespace bw::teb

@@ -59,7 +59,6 @@ class BandPlanner final : public CheckedPlanner {
   bool is_comfortable(const BandCandidate& candidate) const;
   /// Drives the chosen band, or evades. The next cycle goes on from an evasive move.
   void command(Cycle& cycle, PlanningResult& result);
-  void keep(Cycle& cycle);
 
   BandPlannerOptions options_;
   std::vector<BandCandidate> bands_;  ///< of the last cycle; the driven one first

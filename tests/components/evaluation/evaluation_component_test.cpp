@@ -5,10 +5,12 @@
 #include <limits>
 #include <sstream>
 
+#include <bandwagon_msgs/msg/comfort.hpp>
 #include <bandwagon_msgs/msg/ground_truth.hpp>
 #include <bandwagon_msgs/msg/navigation_status.hpp>
 #include <bandwagon_msgs/msg/obstacles.hpp>
 #include <bandwagon_msgs/msg/score_card.hpp>
+#include <bandwagon_msgs/msg/tracks.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/msg/occupancy_grid.hpp>
@@ -183,6 +185,128 @@ TEST(Evaluation, ScoresAWholeRunAgainstAReferenceWithoutHeading) {
   const std::string picture = text_of(svg);
   EXPECT_THAT(picture, HasSubstr("<svg"));
   EXPECT_THAT(picture, testing::Not(HasSubstr("nan")));
+}
+
+/// What is told of comfort while `publish` is called every 20 ms with the seconds since the start.
+template <class Neighbours>
+std::vector<Comfort> comforts(Neighbours neighbours, double seconds) {
+  std::vector<Comfort> list;
+  run_with_script("components: {evaluation: {parameters: {scored: run}}}", seconds, [&](bw::Setup& setup) {
+    setup.input<Comfort>("comfort", Qos::standard(50),
+                         [&](const auto& message, const Tick&) { list.push_back(message); });
+    setup.every(Duration::milliseconds(20), "neighbours",
+                [publish = neighbours(setup)](const Tick& tick) mutable { publish(tick.now); });
+  });
+  return list;
+}
+
+// Past somebody who stands 1.0 m aside of the line, at 1 m/s: of 10 samples a second the one abreast is at a gap of
+// 1.0 - 0.3 - 0.3. The world counts a contact from 2 s on.
+TEST(Evaluation, TellsComfortByTheTruth) {
+  const auto list = comforts(
+      [](bw::Setup& setup) {
+        return [truth = setup.output<GroundTruth>("sim/ground_truth")](Time now) {
+          const double t = seconds_since_start(now);
+          GroundTruth message;
+          message.header(make_header("map", now));
+          message.pose(to_pose({t, 0.0, 0.0}));
+          message.twist().linear().x(-1.0);
+          message.wall_clearance(std::numeric_limits<double>::infinity());
+          message.contacts(t > 2.0 ? 1 : 0);
+          GroundTruthPerson person;
+          person.radius(0.3);
+          person.id(8);
+          person.position(to_point({20.0, 0.0}));
+          message.people().push_back(person);
+          person.id(3);
+          person.position(to_point({2.0, 1.0}));
+          message.people().push_back(person);
+          truth.publish(message);
+        };
+      },
+      4.0);
+  EXPECT_NEAR(static_cast<double>(list.size()), 39.0, 2.0);
+  double closest = 9.0;
+  for (const Comfort& comfort : list) {
+    const double t = seconds_since_start(from_stamp(comfort.header().stamp()));
+    const double d = std::hypot(2.0 - t, 1.0);
+    EXPECT_EQ(comfort.header().frame_id(), "map");
+    EXPECT_EQ(comfort.source(), Comfort_Constants::TRUTH);
+    EXPECT_EQ(comfort.closest_person_id(), 3U);
+    EXPECT_NEAR(comfort.closest_person_m(), d - 0.6, 1e-9);
+    EXPECT_NEAR(comfort.collision_index(), std::exp(-d * d / 0.72), 1e-9);
+    EXPECT_EQ(comfort.comfort_limit(), 0.14);
+    EXPECT_EQ(comfort.physical_limit(), 0.54);
+    EXPECT_EQ(comfort.speed_mps(), 1.0);
+    EXPECT_EQ(comfort.contacts(), t > 2.01 ? 1U : 0U) << t;
+    closest = std::min(closest, comfort.closest_person_m());
+  }
+  EXPECT_NEAR(closest, 0.4, 1e-3);  // at most 20 ms from abreast
+}
+
+// No truth, as on a real robot: tracks in odom, and odometry in odom and in map. Somebody walks at 1 m/s across, told 0.2 s
+// late; the gap is that of now. Tracks that end at 2 s count for half a second.
+TEST(Evaluation, TellsComfortByTracksWhereThereIsNoTruth) {
+  const auto list = comforts(
+      [](bw::Setup& setup) {
+        return [odometry = setup.output<nav_msgs::msg::Odometry>("odom"),
+                filtered = setup.output<nav_msgs::msg::Odometry>("odometry/filtered"),
+                tracks = setup.output<Tracks>("tracks")](Time now) {
+          const double t = seconds_since_start(now);
+          nav_msgs::msg::Odometry robot;
+          robot.header(make_header("odom", now));
+          robot.pose().pose(to_pose({1.0, 0.0, 0.0}));
+          robot.twist().twist().linear().x(0.25);
+          odometry.publish(robot);
+          robot.header(make_header("map", now));
+          robot.pose().pose(to_pose({50.0, 0.0, 0.0}));
+          filtered.publish(robot);
+          if (t > 2.0) return;
+          Tracks people;
+          people.header(make_header("odom", now - Duration::milliseconds(200)));
+          Track track;
+          track.id(5);
+          track.radius(0.25);
+          track.position(to_point({1.0, 2.0 + t - 0.2}));
+          track.velocity(to_vector3({0.0, 1.0}));
+          people.tracks().push_back(track);
+          tracks.publish(people);
+        };
+      },
+      4.0);
+  ASSERT_GE(list.size(), 18U);
+  for (const Comfort& comfort : list) {
+    const double t = seconds_since_start(from_stamp(comfort.header().stamp()));
+    EXPECT_EQ(comfort.header().frame_id(), "odom");
+    EXPECT_EQ(comfort.source(), Comfort_Constants::TRACKS);
+    EXPECT_EQ(comfort.closest_person_id(), 5U);
+    EXPECT_NEAR(comfort.closest_person_m(), 2.0 + t - 0.3 - 0.25, 0.021) << t;  // one step of 20 ms at 1 m/s
+    EXPECT_EQ(comfort.speed_mps(), 0.25);
+    EXPECT_EQ(comfort.contacts(), 0U);
+    EXPECT_LT(t, 2.35);  // 2 s, less 0.2 s, and 0.5 s
+  }
+}
+
+// Nobody around: infinitely far. A place that is no number is not told of.
+TEST(Evaluation, TellsNothingOfATruthThatIsNone) {
+  const auto list = comforts(
+      [](bw::Setup& setup) {
+        return [truth = setup.output<GroundTruth>("sim/ground_truth")](Time now) {
+          GroundTruth message;
+          message.header(make_header("map", now));
+          message.pose().orientation().w(1.0);
+          message.pose().position().x(seconds_since_start(now) < 1.0 ? std::nan("") : 0.0);
+          truth.publish(message);
+        };
+      },
+      2.0);
+  ASSERT_FALSE(list.empty());
+  EXPECT_GE(seconds_since_start(from_stamp(list.front().header().stamp())), 0.99);
+  for (const Comfort& comfort : list) {
+    EXPECT_EQ(comfort.closest_person_m(), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(comfort.closest_person_id(), 0U);
+    EXPECT_EQ(comfort.collision_index(), 0.0);
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "components/local_planner/adaptor/cycle_watch.hpp"
 
+#include <cmath>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -40,6 +41,40 @@ TEST(CycleWatch, InLockstepTheBudgetIsThatOfTheParameters) {
   const std::map<std::string, std::string> expected = {
       {"candidates", "2"}, {"iterations", "20"}, {"iteration_budget", "100"}};
   EXPECT_EQ(reported.values, expected);
+}
+
+// What is driven is told, not what is cheapest; a planner without candidates has neither class nor cost.
+TEST(CycleWatch, TheMessageTellsWhatIsDriven) {
+  namespace value = bandwagon_msgs::msg::PlannerCycle_Constants;
+  CycleWatch watch(0.1, 0.04, 100, false);
+  PlanningResult result = cycle(PlanningStatus::ok, 20);
+  result.candidates[0] = {"L", 3.0, false, {}};
+  result.candidates[1] = {"R", 4.0, true, {}};
+  result.class_switched = true;
+  const auto told = watch.message(result, false);
+  EXPECT_EQ(told.status(), value::OK);
+  EXPECT_EQ(told.chosen_label(), "R");
+  EXPECT_EQ(told.chosen_cost(), 4.0);
+  EXPECT_TRUE(told.class_switched());
+  EXPECT_EQ(told.number_of_candidates(), 2U);
+  EXPECT_EQ(told.iterations(), 20U);
+  EXPECT_EQ(told.iteration_budget(), 100U);
+  EXPECT_TRUE(std::isnan(told.duration_ms()));
+  EXPECT_EQ(told.budget_ms(), 40.0);
+  EXPECT_EQ(told.period_ms(), 100.0);
+
+  PlanningResult nothing = cycle(PlanningStatus::infeasible, 0, "boxed in");
+  nothing.candidates.clear();
+  const auto stopped = watch.message(nothing, false);
+  EXPECT_EQ(stopped.status(), value::INFEASIBLE);
+  EXPECT_EQ(stopped.reason(), "boxed in");
+  EXPECT_EQ(stopped.chosen_label(), "");
+  EXPECT_TRUE(std::isnan(stopped.chosen_cost()));
+  const auto idle = watch.message(nothing, true);
+  EXPECT_EQ(idle.status(), value::IDLE);
+  EXPECT_EQ(idle.reason(), "");
+  EXPECT_EQ(watch.message(cycle(PlanningStatus::no_plan, 0), false).status(), value::NO_PLAN);
+  EXPECT_EQ(watch.message(cycle(PlanningStatus::bad_input, 0), false).status(), value::BAD_INPUT);
 }
 
 // A period of a picosecond is overrun by any cycle, one of a thousand years by none; a nanosecond has room

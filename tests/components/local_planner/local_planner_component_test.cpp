@@ -7,6 +7,7 @@
 #include <bandwagon_msgs/msg/follow_request.hpp>
 #include <bandwagon_msgs/msg/follow_status.hpp>
 #include <bandwagon_msgs/msg/obstacles.hpp>
+#include <bandwagon_msgs/msg/planner_cycle.hpp>
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <diagnostic_msgs/msg/diagnostic_array.hpp>
 #include <geometry_msgs/msg/twist.hpp>
@@ -53,6 +54,7 @@ struct Neighbours {
   Twist2 twist;
   std::vector<std::pair<double, Twist2>> commands;  ///< [s] since the start
   std::vector<FollowStatus> statuses;
+  std::vector<PlannerCycle> cycles;
   nav_msgs::msg::Path plan;
   visualization_msgs::msg::MarkerArray markers;
   std::map<std::string, std::string> diagnostics;
@@ -67,6 +69,8 @@ struct Neighbours {
                                            });
     setup.input<FollowStatus>("follow_status", Qos::standard(50),
                               [this](const auto& m, const Tick&) { statuses.push_back(m); });
+    setup.input<PlannerCycle>("local_planner_cycle", Qos::standard(50),
+                              [this](const auto& m, const Tick&) { cycles.push_back(m); });
     setup.input<nav_msgs::msg::Path>("local_plan", Qos::standard(),
                                      [this](const auto& m, const Tick&) { plan = m; });
     setup.input<visualization_msgs::msg::MarkerArray>("local_planner_markers", Qos::standard(),
@@ -329,6 +333,33 @@ TEST(LocalPlannerComponent, DiagnosticsTellPlannerAndWork) {
   EXPECT_FALSE(n.diagnostics.contains("overruns"));
 }
 
+// One message a cycle, at 10 Hz: idle until it is told at 1 s, following until 2 s, braking and idle from there on. What
+// only a real clock could tell is left open; half of the period is what the parameters leave to a cycle.
+TEST(LocalPlannerComponent, TellsOfEveryCycle) {
+  Neighbours n;
+  n.requests = {{50, FollowRequest_Constants::FOLLOW}, {100, FollowRequest_Constants::STOP}};
+  n.run(3.0, "parameters: {algorithm: eteb, max_iterations: 77}");
+  EXPECT_NEAR(static_cast<double>(n.cycles.size()), 30.0, 1.0);
+  for (const PlannerCycle& cycle : n.cycles) {
+    const double t = seconds_since_start(from_stamp(cycle.header().stamp()));
+    const bool follows = t > 1.05 && t < 2.0;
+    EXPECT_EQ(cycle.header().frame_id(), "odom");
+    EXPECT_EQ(cycle.planner(), "eteb");
+    EXPECT_EQ(cycle.iteration_budget(), 77U);
+    EXPECT_TRUE(std::isnan(cycle.duration_ms()));
+    EXPECT_EQ(cycle.budget_ms(), 50.0);
+    EXPECT_EQ(cycle.period_ms(), 100.0);
+    EXPECT_FALSE(cycle.class_switched());
+    if (follows || t < 0.95 || t > 2.05) {
+      EXPECT_EQ(cycle.status(), follows ? PlannerCycle_Constants::OK : PlannerCycle_Constants::IDLE) << t;
+      EXPECT_EQ(cycle.number_of_candidates(), follows ? 1U : 0U) << t;
+      EXPECT_EQ(std::isnan(cycle.chosen_cost()), !follows) << t;
+      EXPECT_EQ(cycle.chosen_label().empty(), !follows) << t;
+      EXPECT_EQ(cycle.iterations() > 0, follows) << t;
+    }
+  }
+}
+
 // On the wall clock the same component has workers and a budget in time. The run ends when its figures came.
 TEST(LocalPlannerComponent, OnTheWallClockDiagnosticsTellTimesToo) {
   Neighbours n;
@@ -350,6 +381,9 @@ TEST(LocalPlannerComponent, OnTheWallClockDiagnosticsTellTimesToo) {
   const RunEnd end = host.run(Duration::seconds(60));
   EXPECT_EQ(end.reason, "seen");
   EXPECT_GT(std::stod(n.diagnostics["cycle_p95_ms"]), 0.0);
+  ASSERT_FALSE(n.cycles.empty());
+  EXPECT_GT(n.cycles.back().duration_ms(), 0.0);
+  EXPECT_EQ(n.cycles.back().budget_ms(), 0.001);
   // A microsecond has room for no iteration: the floor of the budget.
   EXPECT_EQ(n.diagnostics["iteration_budget"], "10");
 }

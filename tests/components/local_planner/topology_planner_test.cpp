@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -71,6 +72,26 @@ TEST(TopologyPlanner, KeepsItsSideUntilTheOtherIsClearlyCheaper) {
     problem.now = problem.now + Duration::seconds(0.1);
   }
   for (const double side : sides) EXPECT_GT(side * sides.front(), 0.0);
+}
+
+// The disc moves from the left of the line to its right after six cycles: the planner changes sides once, and says so in
+// the cycle in which it does.
+TEST(TopologyPlanner, TellsThatItSwitchedTheClass) {
+  PlanningProblem problem = six_metres_ahead();
+  const auto planner = make_planner("teb_homotopy", {});
+  problem.obstacles.discs = {{{3.0, 0.4}, 0.4}};
+  planner->plan(problem);  // first plans are not converged, and nothing binds the robot to them
+  double side = side_of(chosen(planner->plan(problem)), 3.0);
+  int switches = 0;
+  for (int i = 0; i < 12; ++i) {
+    problem.obstacles.discs = {{{3.0, i < 6 ? 0.4 : -0.4}, 0.4}};
+    const PlanningResult result = planner->plan(problem);
+    const double before = std::exchange(side, side_of(chosen(result), 3.0));
+    EXPECT_EQ(result.class_switched, before * side < 0.0) << i;
+    if (result.class_switched) ++switches;
+    problem.now = problem.now + Duration::seconds(0.1);
+  }
+  EXPECT_EQ(switches, 1);
 }
 
 TEST(TopologyPlanner, BudgetIsSharedAndKept) {

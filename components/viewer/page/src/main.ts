@@ -1,6 +1,7 @@
 // The page: its parts, and the robot whose server it came from.
 import "./style/page.css";
 import "./style/statuses.css";
+import { mountBag } from "./bag/mount";
 import { element } from "./page/dom";
 import { PageApp } from "./page/page_app";
 import { mountStatusLines } from "./page/status_lines";
@@ -8,9 +9,17 @@ import { mountTabs, type Tab } from "./page/tabs";
 import { mountToolbar } from "./page/toolbar";
 import { exposeHook } from "./scene/hook";
 import { SceneOnPage } from "./scene/scene";
+import { mountStrip } from "./panels/strip";
+import { mountHands } from "./panels/hands";
+import { mountHealth } from "./panels/health";
+import { mountParameters } from "./panels/parameters";
 import { LiveSource } from "./source/live";
 
-const TABS: Tab[] = [];
+const TABS: Tab[] = [
+  { name: "Drive", mount: mountHands },
+  { name: "Parameters", mount: mountParameters },
+  { name: "Health", mount: mountHealth },
+];
 
 const app = new PageApp();
 mountToolbar(app);
@@ -18,5 +27,7 @@ mountStatusLines(element("statuses"), app);
 exposeHook(app, new SceneOnPage(element("scene"), app));
 mountTabs(app, TABS);
 
+mountStrip(element("strip"), app);
+
 const scheme = location.protocol === "https:" ? "wss" : "ws";
-app.open(new LiveSource(`${scheme}://${location.host}`, app));
+if (!mountBag(app)) app.open(new LiveSource(`${scheme}://${location.host}`, app));

@@ -1,0 +1,50 @@
+// What the local planner tells of a control cycle: the command, and what people and other components want to know of it.
+#include <vector>
+
+#include "components/local_planner/adaptor/local_planner_component.hpp"
+#include "components/local_planner/adaptor/planner_markers.hpp"
+#include "components/local_planner/adaptor/problem_messages.hpp"
+#include "components/messages/geometry.hpp"
+
+namespace bw {
+
+void LocalPlannerComponent::publish(const Tick& tick, const PlanningProblem& problem,
+                                    const PlanningResult& result) {
+  const bool idle = task_.mode == bandwagon_msgs::msg::FollowRequest_Constants::STOP;
+  if (!(idle && at_rest_)) command_.publish(result.command, tick.now);
+  at_rest_ = idle && (at_rest_ || result.command == Twist2{});
+  publish_status(tick, result, idle);
+  watch_->report(result, idle, *diagnostics_);
+  if (idle) return publish_cycle(tick, result, idle);
+  if (result.status != last_status_ && result.status != PlanningStatus::ok) log_.warn("{}", result.reason);
+  last_status_ = result.status;
+  if (trajectory_.has_readers()) {
+    std::vector<Pose2> poses;
+    for (const TrajectoryPoint& point : result.trajectory) poses.push_back(point.pose);
+    trajectory_.publish(to_path(inputs_.odom_frame(), tick.now, poses));
+  }
+  if (markers_.has_readers()) markers_.publish(to_markers(problem, result, inputs_.odom_frame()));
+  publish_cycle(tick, result, idle);
+  watch_->end(result);
+}
+
+void LocalPlannerComponent::publish_status(const Tick& tick, const PlanningResult& result, bool idle) {
+  bandwagon_msgs::msg::FollowStatus status = to_follow_status(result, idle);
+  if (!request_lost_.empty()) {
+    status.status(bandwagon_msgs::msg::FollowStatus_Constants::FAILED);
+    status.reason(request_lost_);
+  }
+  status.header(make_header(inputs_.odom_frame(), tick.now));
+  status.id(request_id_);
+  status.distance_to_goal(plan_.distance_to_goal());
+  status_.publish(status);
+}
+
+void LocalPlannerComponent::publish_cycle(const Tick& tick, const PlanningResult& result, bool idle) {
+  bandwagon_msgs::msg::PlannerCycle cycle = watch_->message(result, idle);
+  cycle.header(make_header(inputs_.odom_frame(), tick.now));
+  cycle.planner(parameters_.algorithm);
+  cycle_.publish(cycle);
+}
+
+}  // namespace bw
