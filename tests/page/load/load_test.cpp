@@ -25,7 +25,7 @@ std::uint16_t port_of(const Process& robot) {
   std::string said;
   eventually([&] {
     said = robot.out() + robot.err();
-    return std::regex_search(said, found, std::regex("http://127\\.0\\.0\\.1:([0-9]+)"));
+    return std::regex_search(said, found, std::regex("(?:http|ws)://127\\.0\\.0\\.1:([0-9]+)"));
   });
   return found.empty() ? 0 : static_cast<std::uint16_t>(std::stoi(found[1]));
 }

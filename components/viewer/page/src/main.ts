@@ -8,9 +8,16 @@ import { mountStatusLines } from "./page/status_lines";
 import { mountTabs, type Tab } from "./page/tabs";
 import { mountToolbar } from "./page/toolbar";
 import { mountStrip } from "./panels/strip";
+import { mountHands } from "./panels/hands";
+import { mountHealth } from "./panels/health";
+import { mountParameters } from "./panels/parameters";
 import { LiveSource } from "./source/live";
 
-const TABS: Tab[] = [];
+const TABS: Tab[] = [
+  { name: "Drive", mount: mountHands },
+  { name: "Parameters", mount: mountParameters },
+  { name: "Health", mount: mountHealth },
+];
 
 const app = new PageApp();
 mountToolbar(app);
