@@ -10,7 +10,7 @@ packages=(
   g++ cmake ninja-build
   libfastrtps-dev libfastcdr-dev
   libeigen3-dev libceres-dev libyaml-cpp-dev libpng-dev liblz4-dev libsqlite3-dev libzstd-dev zlib1g-dev libssl-dev
-  libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+  libboost-dev libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
 )
 case $what in
   program) ;;

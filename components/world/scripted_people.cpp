@@ -61,7 +61,17 @@ ScriptedPeople::ScriptedPeople(std::vector<ScriptedPersonOptions> people, std::u
 void ScriptedPeople::step(double dt, const Surroundings&, std::vector<Person>& people) {
   time_ += dt;
   std::uint32_t id = first_id_;
-  for (const ScriptedPersonOptions& script : people_) people.push_back(locate(script, id++, time_));
+  for (const ScriptedPersonOptions& script : people_) {
+    people.push_back(locate(script, id++, time_));
+    if (const auto aside = aside_.find(people.back().id); aside != aside_.end())
+      people.back().position += aside->second;
+  }
+}
+
+bool ScriptedPeople::displace(std::uint32_t id, const Vector2& by) {
+  if (id < first_id_ || id - first_id_ >= people_.size()) return false;
+  aside_.try_emplace(id, 0.0, 0.0).first->second += by;
+  return true;
 }
 
 }  // namespace bw

@@ -2,6 +2,7 @@
 // stands.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,9 +53,12 @@ class ScriptedPeople final : public PeopleModel {
   /// Ids count up from `first_id`. Throws std::runtime_error when somebody breaks their rule.
   ScriptedPeople(std::vector<ScriptedPersonOptions> people, std::uint32_t first_id);
   void step(double dt, const Surroundings& surroundings, std::vector<Person>& people) override;
+  /// They walk on beside their line.
+  bool displace(std::uint32_t id, const Vector2& by) override;
 
  private:
   std::vector<ScriptedPersonOptions> people_;
+  std::map<std::uint32_t, Vector2> aside_;  ///< of their line, by id, of those who were displaced
   std::uint32_t first_id_;
   double time_ = 0.0;
 };

@@ -8,6 +8,7 @@
 
 #include "components/model/random.hpp"
 #include "components/model/social_force.hpp"
+#include "components/world/admission.hpp"
 #include "components/world/person.hpp"
 #include "components/world/static_scene.hpp"
 
@@ -69,6 +70,9 @@ class SocialWalkers final : public PeopleModel {
   SocialWalkers(const SocialWalkersOptions& options, const StaticScene& scene, std::uint32_t first_id,
                 Random random);
   void step(double dt, const Surroundings& surroundings, std::vector<Person>& people) override;
+  bool displace(std::uint32_t id, const Vector2& by) override;
+  /// One more. Who has a goal walks there, and on as the others do (turn_round); who has none keeps to the velocity.
+  void add(std::uint32_t id, const NewPerson& person);
 
  private:
   struct Walker {
@@ -77,6 +81,7 @@ class SocialWalkers final : public PeopleModel {
     Vector2 next_goal;
     double desired_speed;
     bool arrived = false;
+    std::optional<Vector2> course = std::nullopt;  ///< the velocity that somebody without a goal wants
   };
 
   Vector2 force_on(const Walker& walker, const Surroundings& surroundings) const;
@@ -84,7 +89,7 @@ class SocialWalkers final : public PeopleModel {
 
   SocialWalkersOptions options_;
   const StaticScene& scene_;
-  double wall_reach_;  ///< beyond this distance [m] a wall's push is below kNegligible
+  double wall_reach_;  ///< farther than this from their rim [m] a wall's push is below kNegligible
   std::vector<Walker> walkers_;
   std::vector<Vector2> forces_;
 };

@@ -1,5 +1,6 @@
 #include "components/world/world.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -40,8 +41,11 @@ World::World(const WorldOptions& options, const Robot& robot, const WorldFiles& 
   next_id += static_cast<std::uint32_t>(people.scripted.size());
   groups_.push_back(std::make_unique<ReplayedPeople>(
       people.replay, files.tracks, next_id - 1 + static_cast<std::uint32_t>(people.social.walkers.size())));
-  groups_.push_back(std::make_unique<SocialWalkers>(people.social, scene_, next_id,
-                                                    random_stream(seed, RandomPurpose::walkers)));
+  auto walkers = std::make_unique<SocialWalkers>(people.social, scene_, next_id,
+                                                 random_stream(seed, RandomPurpose::walkers));
+  walkers_ = walkers.get();
+  groups_.push_back(std::move(walkers));
+  next_id_ = first_free_id(files.tracks);
   move_people(0.0);  // everybody is there before the first step
 }
 
@@ -65,6 +69,40 @@ void World::add_robot(const StartOptions& start, std::uint64_t seed) {
                      {}});
 }
 
+/// Behind everybody who is there or will be.
+std::uint32_t World::first_free_id(const std::vector<Track>& tracks) const {
+  const std::size_t others = options_.people.scripted.size() + options_.people.social.walkers.size();
+  auto last = static_cast<std::uint32_t>(others);
+  for (const Track& track : tracks) last = std::max(last, track.id + static_cast<std::uint32_t>(others));
+  return last + 1;
+}
+
+World::Admission World::add_person(const NewPerson& person) {
+  std::vector<RobotBody> robots;
+  for (std::size_t i = 0; i < robots_.size(); ++i) robots.push_back(body(i));
+  if (std::string refusal = refusal_of(person, scene_, robots, people_); !refusal.empty())
+    return {.refusal = std::move(refusal)};
+  if (next_id_ == 0 || next_id_ >= kFirstRobotId) return {.refusal = "no id of a person is left"};
+  walkers_->add(next_id_, person);
+  people_.push_back(
+      {next_id_, person.position, person.goal ? Vector2(0.0, 0.0) : person.velocity, person.radius});
+  return {.id = next_id_++};
+}
+
+std::string World::push_person(std::uint32_t id, const Vector2& velocity_change) {
+  if (!velocity_change.allFinite()) return "a number of the request is not finite";
+  if (std::ranges::find(people_, id, &Person::id) == people_.end())
+    return "there is no person " + std::to_string(id);
+  const bool has_own_way = std::ranges::any_of(groups_, [id](const auto& group) {
+    return group->displace(id, {0.0, 0.0});
+  });
+  if (!has_own_way) return "person " + std::to_string(id) + " walks as recorded";
+  Push& push = pushes_.try_emplace(id, options_.people.social.forces.relaxation_time).first->second;
+  if (std::string fault = fault_of_speed(push.velocity() + velocity_change); !fault.empty()) return fault;
+  push.add(velocity_change);
+  return {};
+}
+
 RobotBody World::body(std::size_t robot) const {
   return {pose(robot).position(), direction(pose(robot).theta) * twist(robot).v, robot_.radius};
 }
@@ -84,7 +122,26 @@ std::vector<Person> World::others(std::size_t robot) const {
   return others;
 }
 
+/// Nobody is pushed into a wall: the push ends there.
+void World::move_pushed(double dt) {
+  for (auto& [id, push] : pushes_) {
+    const auto person = std::ranges::find(people_, id, &Person::id);
+    if (person == people_.end()) continue;
+    const Vector2 by = push.step(dt);
+    const double reach = 2.0 * person->radius;
+    const double now = scene_.clearance(person->position, reach);
+    const double then = scene_.clearance(person->position + by, reach);
+    if (then < person->radius && then < now) {
+      push.stop();
+      continue;
+    }
+    for (const auto& group : groups_) group->displace(id, by);
+  }
+  std::erase_if(pushes_, [](const auto& pushed) { return pushed.second.is_over(); });
+}
+
 void World::move_people(double dt) {
+  move_pushed(dt);
   std::vector<RobotBody> seen;
   for (std::size_t i = 0; options_.people_react && i < robots_.size(); ++i) seen.push_back(body(i));
   std::vector<Person> moved;
@@ -93,6 +150,10 @@ void World::move_people(double dt) {
     group->step(dt, {others, seen}, moved);
   }
   people_ = std::move(moved);
+  for (const auto& [id, push] : pushes_) {
+    const auto person = std::ranges::find(people_, id, &Person::id);
+    if (person != people_.end()) person->velocity += push.velocity();
+  }
   legs_.step(dt, people_);
 }
 

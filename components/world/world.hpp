@@ -7,13 +7,17 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "components/model/occupancy_grid.hpp"
 #include "components/model/robot.hpp"
+#include "components/world/admission.hpp"
 #include "components/world/contact_log.hpp"
+#include "components/world/push.hpp"
 #include "components/world/world_options.hpp"
 
 namespace bw {
@@ -48,6 +52,17 @@ class World {
     return robots_[robot].drive.command(command);
   }
 
+  /// Who they are from now on, or why they may not come.
+  struct Admission {
+    std::uint32_t id = 0;
+    std::string refusal;  ///< one sentence; empty: they are there
+  };
+  /// One more person, who walks by the social force model, as of this instant.
+  Admission add_person(const NewPerson& person);
+  /// Changes the velocity of a walker or scripted person at once; what was added decays, and ends at a wall. One sentence when
+  /// it may not be.
+  std::string push_person(std::uint32_t id, const Vector2& velocity_change);
+
   /// What it produced for the first robot; samples() has it for all. Both until the next step.
   const WorldSample& step();
   const std::vector<WorldSample>& samples() const { return samples_; }
@@ -78,7 +93,9 @@ class World {
 
   void add_robot(const StartOptions& start, std::uint64_t seed);
   bool due(double rate) const;
+  std::uint32_t first_free_id(const std::vector<Track>& tracks) const;
   void move_people(double dt);
+  void move_pushed(double dt);
   RobotBody body(std::size_t robot) const;
   void read_sensors(std::size_t robot, WorldSample& sample);
 
@@ -92,6 +109,9 @@ class World {
   std::vector<WorldSample> samples_;  ///< of the last step, one for each robot
   Legs legs_;
   std::vector<std::unique_ptr<PeopleModel>> groups_;
+  SocialWalkers* walkers_ = nullptr;  ///< the group that others may join
+  std::uint32_t next_id_ = 1;         ///< of who joins
+  std::map<std::uint32_t, Push> pushes_;
   std::vector<Person> people_;
 };
 

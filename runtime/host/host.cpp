@@ -215,11 +215,13 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
 void Host::offer_parameters(Setup& setup, Actor& actor) {
   actor.live_parameters.declare_read_only("", ParameterSet(NodeParameters{options_.clock != ClockMode::wall}),
                                           "--clock decides it for the whole run");
-  offer_parameter_services(
-      setup, actor.live_parameters, [this, &actor](const Tick& tick, const std::vector<NamedValue>& changed) {
-        if (actor.state == lifecycle::State::unconfigured) actor.lifecycle->forget_parameters();
-        services_->tell_change(join_namespaces(actor.node_namespace, actor.node_name), tick.now, changed);
-      });
+  offer_parameter_services(setup, actor.live_parameters, actor.parameters.rows,
+                           [this, &actor](const Tick& tick, const std::vector<NamedValue>& changed) {
+                             if (actor.state == lifecycle::State::unconfigured)
+                               actor.lifecycle->forget_parameters();
+                             services_->tell_change(join_namespaces(actor.node_namespace, actor.node_name),
+                                                    tick.now, changed);
+                           });
 }
 
 RunEnd Host::run(std::optional<Duration> duration) {

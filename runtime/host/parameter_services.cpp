@@ -1,5 +1,6 @@
 #include "runtime/host/parameter_services.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,7 +39,16 @@ rcl_interfaces::msg::SetParametersResult result_of(const std::string& refusal) {
   return result;
 }
 
-void offer_reading(Setup& setup, const LiveParameters& parameters) {
+/// rcl_interfaces has no place for a default: it goes behind what a range cannot say.
+void add_default(rcl_interfaces::msg::ParameterDescriptor& descriptor,
+                 const std::vector<ParameterRow>& rows) {
+  const auto row = std::ranges::find(rows, descriptor.name(), &ParameterRow::name);
+  if (row == rows.end() || row->default_value.empty()) return;
+  std::string& constraints = descriptor.additional_constraints();
+  constraints += (constraints.empty() ? "default " : "; default ") + row->default_value;
+}
+
+void offer_reading(Setup& setup, const LiveParameters& parameters, const std::vector<ParameterRow>& rows) {
   const auto offer = [&setup]<class S>(const char* name, auto handle) {
     setup.service<S>(name, std::move(handle), nullptr, ServiceScope::node);
   };
@@ -57,11 +67,12 @@ void offer_reading(Setup& setup, const LiveParameters& parameters) {
         return response;
       });
   offer.operator()<DescribeParameters>(
-      "~/describe_parameters", [&parameters](const auto& request, const Tick&) {
+      "~/describe_parameters", [&parameters, &rows](const auto& request, const Tick&) {
         DescribeParameters::Response response;
         response.descriptors(each_or_none(parameters, request.names(), [](const auto& parameter) {
           return to_message(parameter.name, parameter.descriptor);
         }));
+        for (auto& descriptor : response.descriptors()) add_default(descriptor, rows);
         return response;
       });
   offer.operator()<ListParameters>("~/list_parameters", [&parameters](const auto& request, const Tick&) {
@@ -73,8 +84,9 @@ void offer_reading(Setup& setup, const LiveParameters& parameters) {
 
 }  // namespace
 
-void offer_parameter_services(Setup& setup, LiveParameters& parameters, OnParameterEvent on_event) {
-  offer_reading(setup, parameters);
+void offer_parameter_services(Setup& setup, LiveParameters& parameters, const std::vector<ParameterRow>& rows,
+                              OnParameterEvent on_event) {
+  offer_reading(setup, parameters, rows);
   const auto tell = [on_event = std::move(on_event)](const Tick& tick,
                                                      const std::vector<NamedValue>& changed) {
     if (!changed.empty()) on_event(tick, changed);

@@ -14,7 +14,9 @@ using OnParameterEvent = std::function<void(const Tick& tick, const std::vector<
 
 /// Declares ~/get_parameters, ~/get_parameter_types, ~/describe_parameters, ~/list_parameters, ~/set_parameters and
 /// ~/set_parameters_atomically. As rclcpp answers: a question that names an unknown parameter gets an empty list.
-/// `parameters` must outlive the services.
-void offer_parameter_services(Setup& setup, LiveParameters& parameters, OnParameterEvent on_event);
+/// A descriptor's additional constraints end with "default VALUE" where `rows` knows one. `parameters` and `rows` must
+/// outlive the services.
+void offer_parameter_services(Setup& setup, LiveParameters& parameters, const std::vector<ParameterRow>& rows,
+                              OnParameterEvent on_event);
 
 }  // namespace bw

@@ -1,44 +1,10 @@
 #include "runtime/host/process_services.hpp"
 
-#include <algorithm>
-
-#include <fmt/format.h>
-
 #include "runtime/host/container_services.hpp"
 #include "runtime/ros/parameter_messages.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {
-namespace {
-
-void add_value(diagnostic_msgs::msg::DiagnosticStatus& status, std::string key, std::string value) {
-  diagnostic_msgs::msg::KeyValue pair;
-  pair.key(std::move(key));
-  pair.value(std::move(value));
-  status.values().push_back(std::move(pair));
-}
-
-void add_statistics(diagnostic_msgs::msg::DiagnosticStatus& status, const CallbackStatistics& s) {
-  add_value(status, s.callback,
-            fmt::format("calls {} missed {} run p50 {:.3f} p99 {:.3f} max {:.3f} ms wait p50 {:.3f} p99 "
-                        "{:.3f} max {:.3f} ms",
-                        s.run.count(), s.missed, s.run.quantile_ms(0.5), s.run.quantile_ms(0.99),
-                        s.run.max().to_seconds() * 1e3, s.wait.quantile_ms(0.5), s.wait.quantile_ms(0.99),
-                        s.wait.max().to_seconds() * 1e3));
-}
-
-void add_callbacks(diagnostic_msgs::msg::DiagnosticStatus& status, const Actor& actor, bool timings) {
-  for (const auto& input : actor.inputs) {
-    if (input->statistics.rejected > 0) {
-      add_value(status, input->name, fmt::format("{} samples rejected", input->statistics.rejected));
-    }
-    if (timings && input->kind == InputKind::callback) add_statistics(status, input->statistics);
-  }
-  if (!timings) return;
-  for (const auto& timer : actor.timers) add_statistics(status, timer->statistics);
-}
-
-}  // namespace
 
 void ProcessServices::configure(Setup& setup) {
   rosout_ = setup.output<rcl_interfaces::msg::Log>("/rosout", Qos::rosout());
@@ -91,28 +57,9 @@ void ProcessServices::publish_diagnostics(Time now) {
   diagnostic_msgs::msg::DiagnosticArray message;
   message.header().stamp(to_stamp(now));
   for (const Actor* actor : watched_) {
-    if (actor->role == ActorRole::manager) continue;
     // In lock-step a run is the same whoever looks on.
-    if (!options_.timings && actor->is_onlooker()) continue;
-    const std::lock_guard lock(actor->mutex);
-    diagnostic_msgs::msg::DiagnosticStatus status;
-    status.name(actor->name);
-    status.level(static_cast<std::uint8_t>(actor->diagnostic_level));
-    status.message(actor->diagnostic_message);
-    if (!actor->is_active()) {
-      status.level(std::max(status.level(), static_cast<std::uint8_t>(DiagnosticReporter::Level::warn)));
-      status.message(std::string(lifecycle::label(actor->state)));
-      message.status().push_back(std::move(status));
-      continue;
-    }
-    for (const auto& [key, value] : actor->diagnostic_values) add_value(status, key, value);
-    for (const std::string& input : actor->stale_inputs(now)) {
-      add_value(status, input, "stale");
-      status.level(static_cast<std::uint8_t>(DiagnosticReporter::Level::error));
-      status.message("input " + input + " is stale");
-    }
-    add_callbacks(status, *actor, options_.timings);
-    message.status().push_back(std::move(status));
+    const bool is_left_out = actor->role == ActorRole::manager || (!options_.timings && actor->is_onlooker());
+    if (!is_left_out) message.status().push_back(statuses_.of(*actor, now));
   }
   diagnostics_.publish(message);
 }

@@ -15,6 +15,7 @@
 #include "runtime/component.hpp"
 #include "runtime/host/actor.hpp"
 #include "runtime/host/bonds.hpp"
+#include "runtime/host/diagnostic_status.hpp"
 
 namespace bw {
 
@@ -33,7 +34,7 @@ struct ProcessServiceOptions {
 class ProcessServices final : public Component {
  public:
   ProcessServices(ProcessServiceOptions options, const std::vector<Actor*>& watched)
-      : options_(std::move(options)), watched_(watched), bonds_(watched) {}
+      : options_(std::move(options)), watched_(watched), statuses_(options_.timings), bonds_(watched) {}
 
   void configure(Setup& setup) override;
   /// From any thread.
@@ -46,6 +47,7 @@ class ProcessServices final : public Component {
 
   ProcessServiceOptions options_;
   const std::vector<Actor*>& watched_;
+  DiagnosticStatuses statuses_;
   Bonds bonds_;
   Output<rosgraph_msgs::msg::Clock> clock_;
   Output<diagnostic_msgs::msg::DiagnosticArray> diagnostics_;

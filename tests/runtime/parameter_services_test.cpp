@@ -194,6 +194,9 @@ TEST(ParameterServices, DescribeWhatMayChange) {
   ASSERT_EQ(described.size(), 5U);
   EXPECT_EQ(described[0].description(), "what is published [1/s]");
   EXPECT_EQ(described[0].floating_point_range().at(0).to_value(), 5.0);
+  std::vector<std::string> constraints;
+  for (const auto& descriptor : described) constraints.push_back(descriptor.additional_constraints());
+  EXPECT_THAT(constraints, ElementsAre("default 1.0", "default 10.0", "default [0.5]", "", ""));
   std::vector<bool> read_only;
   for (const auto& descriptor : described) read_only.push_back(descriptor.read_only());
   EXPECT_THAT(read_only, ElementsAre(false, true, false, true, true));

@@ -13,6 +13,7 @@
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
 #include "components/messages/obstacles.hpp"
+#include "components/world/adaptor/people_services.hpp"
 #include "components/world/adaptor/robot_ends.hpp"
 #include "components/world/files/track_file.hpp"
 #include "components/world/world.hpp"
@@ -54,6 +55,7 @@ class WorldComponent final : public Component {
     if (map_) true_map_ = setup.output<nav_msgs::msg::OccupancyGrid>("sim/map", Qos::latched());
     for (const std::string& name : names) place_unlisted_sensors(setup, robot, name);
     if (!unlisted_.empty()) mounts_ = setup.output<tf2_msgs::msg::TFMessage>("/tf_static", Qos::latched());
+    offer_people_services(setup, *world_, options_.people.social.radius);
     setup.every(world_->physics_step(), "physics", [this](const Tick& tick) { catch_up(tick.now); });
   }
 
