@@ -203,7 +203,7 @@ class Setup {
 
   /// A transform tree fed from /tf and /tf_static.
   std::shared_ptr<const TransformTree> transforms();
-  /// `name` with the graph's frame prefix.
+  /// `name` with the prefix of the robot's frames; `map`, which robots share, has none.
   virtual std::string frame(std::string_view name) const = 0;
   /// A seed for this component's random numbers: the run's seed mixed with the instance name.
   virtual std::uint64_t seed() const = 0;
