@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing: setup.sh for the program, `setup.sh tests` for its tests and checks too, and the packages
-# that tests/interop/mcap_core runs on Node.js. Says what it does; sudo only when not root and something is missing.
+# Installs what is missing: setup.sh for the program, `setup.sh tests` for its tests and checks too. Debian packages, and into build/node the packages of
+# components/viewer/page, which the page is built from. Says what it does; sudo only when not root and something is missing.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -10,16 +10,11 @@ packages=(
   g++ cmake ninja-build
   libfastrtps-dev libfastcdr-dev
   libeigen3-dev libceres-dev libyaml-cpp-dev libpng-dev liblz4-dev libsqlite3-dev libzstd-dev zlib1g-dev libssl-dev
-  libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+  libboost-dev libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
 )
 case $what in
   program) ;;
-  tests)
-    packages+=(libgtest-dev libgmock-dev libbenchmark-dev cyclonedds-dev cyclonedds-tools procps git ccache shellcheck)
-    # Not by the names of the packages: a nodejs from elsewhere brings npm with it, and Debian's npm would not go beside it.
-    command -v node >/dev/null || packages+=(nodejs)
-    command -v npm >/dev/null || packages+=(npm)
-    ;;
+  tests) packages+=(libgtest-dev libgmock-dev libbenchmark-dev cyclonedds-dev cyclonedds-tools procps git ccache shellcheck) ;;
   *)
     echo "usage: $0 [program|tests]" >&2
     exit 2
@@ -28,43 +23,60 @@ esac
 
 install_debian_packages() {
   local package status missing=() as_root=()
-  for package in "${packages[@]}"; do
+  for package in "$@"; do
     status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
     [[ $status == installed ]] || missing+=("$package")
   done
-  if ((${#missing[@]} == 0)); then
-    echo "All ${#packages[@]} Debian packages are there."
-    return
-  fi
+  ((${#missing[@]} > 0)) || return 0
   if ((EUID != 0)); then
     if ! command -v sudo >/dev/null; then
       echo "These Debian packages are missing and sudo is not installed; install them as root: ${missing[*]}" >&2
-      exit 1
+      return 1
     fi
     as_root=(sudo)
   fi
   echo "Installing from Debian: ${missing[*]}"
   as_root+=(env DEBIAN_FRONTEND=noninteractive)
-  "${as_root[@]}" apt-get update -q
-  "${as_root[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"
+  "${as_root[@]}" apt-get update -q &&
+    "${as_root[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"
 }
 
-# Into build/node, as the lock file says. Without them everything else is tested all the same: a failure is told, and the test skips itself.
+# install_programs WITHOUT PROGRAM[=PACKAGE]...: what the robot drives without; WITHOUT says what will be lacking. Asked for by the programs and not by
+# the packages: a nodejs from elsewhere brings npm with it, and Debian's npm would not go beside it.
+install_programs() {
+  local without=$1 program missing=()
+  shift
+  for program in "$@"; do
+    command -v "${program%=*}" >/dev/null || missing+=("${program#*=}")
+  done
+  ((${#missing[@]} == 0)) || install_debian_packages "${missing[@]}" || echo "${missing[*]} could not be installed: $without." >&2
+}
+
+# As the lock file says; once. `tests` takes more of them than the program does, and what the tests have is enough for the program.
 install_node_packages() {
-  local from=$root/tests/interop/mcap_core to=$root/build/node
-  if [[ -f $to/node_modules/.package-lock.json ]] && cmp -s "$from/package-lock.json" "$to/package-lock.json"; then
+  local from=$root/components/viewer/page to=$root/build/node without=$1 options=(--ignore-scripts --no-audit --no-fund --fetch-retries=1 --loglevel=error)
+  if cmp -s "$from/package-lock.json" "$to/package-lock.json" && grep -qsE "^($what|tests)\$" "$to/installed_for"; then
     echo "The packages for Node.js are there."
     return
   fi
+  [[ $what == tests ]] || options+=(--omit=dev)
+  rm -rf "$to"
   mkdir -p "$to"
-  rm -rf "$to/node_modules" "$to/package-lock.json"
-  cp "$from/package.json" "$from/package-lock.json" "$to"
+  cp "$from/package.json" "$to"
+  cp "$from/package-lock.json" "$to"
   echo "Installing packages for Node.js into build/node"
-  if ! (cd "$to" && npm ci --ignore-scripts --no-audit --no-fund --fetch-retries=1 --loglevel=error); then
+  if command -v npm >/dev/null && (cd "$to" && npm ci "${options[@]}"); then
+    echo "$what" >"$to/installed_for"
+  else
     rm -rf "$to"
-    echo "The packages for Node.js could not be installed: the test mcap_core will be skipped." >&2
+    echo "The packages for Node.js could not be installed: $without." >&2
   fi
 }
 
-install_debian_packages
-[[ $what == program ]] || install_node_packages
+install_debian_packages "${packages[@]}"
+echo "All ${#packages[@]} Debian packages are there."
+without="the program is built without its page"
+[[ $what == program ]] || without+=", and tests on Node.js are skipped"
+install_programs "$without" node=nodejs npm
+[[ $what == program ]] || install_programs "tests in a browser are skipped" chromium
+install_node_packages "$without"

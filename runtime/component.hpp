@@ -38,6 +38,9 @@
 namespace bw {
 
 class TransformTree;
+namespace dds {
+struct Network;
+}
 
 /// Writes messages to a topic. A copyable handle; valid from configure() on, writes only while the component
 /// is active.
@@ -203,12 +206,16 @@ class Setup {
 
   /// A transform tree fed from /tf and /tf_static.
   std::shared_ptr<const TransformTree> transforms();
-  /// `name` with the prefix of the robot's frames; `map`, which robots share, has none.
+  /// `name` with the frame prefix of the robot; `map` has none.
   virtual std::string frame(std::string_view name) const = 0;
   /// A seed for this component's random numbers: the run's seed mixed with the instance name.
   virtual std::uint64_t seed() const = 0;
   /// Time is virtual: no thread of one's own, and nothing measured on a real clock decides anything.
   virtual bool is_lockstep() const = 0;
+  /// Lock-step: what changes something may come from outside (--accept-inputs). True on every other clock.
+  virtual bool accepts_inputs() const = 0;
+  /// For a component that looks at the run as other programs do: the network to join (runtime/dds/participant.hpp).
+  virtual dds::Network network() const = 0;
   /// Whose bytes nav2_msgs has on the wire; never `automatic`: where nobody says, Jazzy's.
   virtual RosDistro ros_distro() const = 0;
   virtual Logger log() = 0;

@@ -51,12 +51,14 @@ struct ConnectionGraph {
   std::map<std::string, std::set<std::string>> published;
   std::map<std::string, std::set<std::string>> subscribed;
   std::map<std::string, std::set<std::string>> services;
+  bool operator==(const ConnectionGraph&) const = default;
 };
 
 /// Hears what changes. `on_time` comes before the messages it belongs to; it may go back.
 class RobotListener {
  public:
   virtual ~RobotListener() = default;
+  /// A channel that is removed has no subscriptions any more; it may come back, with the same id.
   virtual void on_channels(const std::vector<Channel>& added, const std::vector<std::uint32_t>& removed) = 0;
   virtual void on_services(const std::vector<Service>& added, const std::vector<std::uint32_t>& removed) = 0;
   virtual void on_message(std::uint32_t channel, Time received, const SharedBytes& cdr) = 0;
@@ -88,7 +90,7 @@ class Robot {
   virtual std::optional<std::string> publish_json(const std::string& topic, std::string_view json) = 0;
 
   using Answer = std::function<void(const std::variant<Bytes, std::string>& reply_or_error)>;
-  /// Answered once, at the latest when the deadline is over.
+  /// Answered once, at the latest when the deadline is over (10 s; an hour for the result of a goal).
   virtual void call(std::uint32_t service, std::span<const std::uint8_t> cdr, Answer answer) = 0;
   virtual void call_json(std::uint32_t service, std::string_view json,
                          Answer answer) = 0;  ///< the reply as JSON text

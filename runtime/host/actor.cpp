@@ -31,6 +31,13 @@ Health Actor::health(Time now) const {
   return worst;
 }
 
+bool Actor::is_onlooker() const {
+  const auto is_nodes = [](const auto& end) { return end->of_node; };
+  return std::ranges::all_of(inputs, is_nodes) && std::ranges::all_of(outputs, is_nodes) &&
+         std::ranges::all_of(timers, is_nodes) && std::ranges::all_of(services, is_nodes) &&
+         std::ranges::all_of(actions, is_nodes) && std::ranges::all_of(clients, is_nodes);
+}
+
 std::string Actor::not_active() const {
   return name + " is not active (" + std::string(lifecycle::label(state)) + ")";
 }

@@ -153,6 +153,8 @@ struct Actor final : DiagnosticReporter {
   std::vector<std::string> stale_inputs(Time now) const;
 
   bool is_in_graph() const { return role == ActorRole::component || role == ActorRole::observer; }
+  /// The component declared no end: it looks on from outside, as the viewer does.
+  bool is_onlooker() const;
   bool is_active() const { return state == lifecycle::State::active; }
   bool runs(const Timer& timer) const { return timer.of_node || is_active(); }
   /// "planner is not active (unconfigured)"

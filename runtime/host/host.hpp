@@ -85,6 +85,8 @@ class Host {
 
   void add_component(const ComponentNode& node, std::unique_ptr<Component> component, bool here,
                      ActorRole role);
+  /// As the graph and the environment say.
+  dds::Network network() const;
   void offer_lifecycle(Actor& actor, HostSetup& setup);
   /// Null where nobody follows.
   std::unique_ptr<class LedLifecycle> led_by(Actor& leader) const;

@@ -40,13 +40,16 @@ std::vector<std::string> partitions_of(const Input& input) {
 
 }  // namespace
 
+dds::Network Host::network() const {
+  return dds::Network::from_environment(graph_.settings.transport == "lan" ? dds::Transport::lan
+                                                                           : dds::Transport::localhost);
+}
+
 void Host::connect() {
   const bool lockstep = options_.clock == ClockMode::lockstep;
-  const dds::Transport transport =
-      graph_.settings.transport == "lan" ? dds::Transport::lan : dds::Transport::localhost;
   const std::string private_partition = lockstep ? "lockstep" + std::to_string(getpid()) : "";
-  participant_ = std::make_unique<dds::Participant>(dds::ParticipantOptions{
-      .network = dds::Network::from_environment(transport), .private_partition = private_partition});
+  participant_ = std::make_unique<dds::Participant>(
+      dds::ParticipantOptions{.network = network(), .private_partition = private_partition});
   if (lockstep) {
     runner_ = std::make_unique<LockstepRunner>(
         local_, LockstepOptions{.pace = options_.pace,

@@ -45,6 +45,10 @@ std::uint64_t HostSetup::seed() const {
 
 bool HostSetup::is_lockstep() const { return host_.options_.clock == ClockMode::lockstep; }
 
+bool HostSetup::accepts_inputs() const { return !is_lockstep() || host_.options_.accept_inputs; }
+
+dds::Network HostSetup::network() const { return host_.network(); }
+
 RosDistro HostSetup::ros_distro() const {
   const RosDistro distro = host_.graph().settings.ros_distro;
   return distro == RosDistro::automatic ? RosDistro::jazzy : distro;

@@ -25,6 +25,8 @@ class HostSetup final : public Setup {
   std::string frame(std::string_view name) const override;
   std::uint64_t seed() const override;
   bool is_lockstep() const override;
+  bool accepts_inputs() const override;
+  dds::Network network() const override;
   RosDistro ros_distro() const override;
   Logger log() override;
   DiagnosticReporter& diagnostics() override { return actor_; }

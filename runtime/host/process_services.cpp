@@ -57,7 +57,9 @@ void ProcessServices::publish_diagnostics(Time now) {
   diagnostic_msgs::msg::DiagnosticArray message;
   message.header().stamp(to_stamp(now));
   for (const Actor* actor : watched_) {
-    if (actor->role != ActorRole::manager) message.status().push_back(statuses_.of(*actor, now));
+    // In lock-step a run is the same whoever looks on.
+    const bool is_left_out = actor->role == ActorRole::manager || (!options_.timings && actor->is_onlooker());
+    if (!is_left_out) message.status().push_back(statuses_.of(*actor, now));
   }
   diagnostics_.publish(message);
 }

@@ -66,6 +66,16 @@ void NodeAnnouncement::add(const dds::Writer& writer) {
   entities_.nodes.back().writers.push_back(writer.guid());
 }
 
+void NodeAnnouncement::remove(const dds::Reader& reader) {
+  const std::lock_guard lock(mutex_);
+  std::erase(entities_.nodes.back().readers, reader.guid());
+}
+
+void NodeAnnouncement::remove(const dds::Writer& writer) {
+  const std::lock_guard lock(mutex_);
+  std::erase(entities_.nodes.back().writers, writer.guid());
+}
+
 void NodeAnnouncement::publish() {
   const std::lock_guard lock(mutex_);
   is_published_ = true;

@@ -45,7 +45,10 @@ class NodeAnnouncement {
   /// Ends of the last node.
   void add(const dds::Reader& reader);
   void add(const dds::Writer& writer);
-  /// Tells all nodes and ends added so far, once the format is decided.
+  /// Ends of the last node that are about to go.
+  void remove(const dds::Reader& reader);
+  void remove(const dds::Writer& writer);
+  /// Tells all nodes and ends there are, once the format is decided.
   void publish();
 
   /// Nothing until it is decided.

@@ -16,14 +16,15 @@ std::string full_name(const NodeEntities& node) {
   return (node.node_namespace == "/" ? "" : node.node_namespace) + "/" + node.name;
 }
 
-NodeDirectory::NodeDirectory(dds::Participant& participant) : participant_(participant) {
+NodeDirectory::NodeDirectory(dds::Participant& participant, std::function<void()> on_news)
+    : participant_(participant) {
   Qos qos = Qos::latched();
   qos.depth = 1000;  // one sample of every participant
   reader_ = participant.create_reader({.topic = kDiscoveryTopic,
                                        .type = kDiscoveryType,
                                        .qos = qos,
                                        .user_data = discovery_reader_user_data()},
-                                      [] {});
+                                      std::move(on_news));
 }
 
 bool NodeDirectory::update() {

@@ -1,6 +1,7 @@
 // Which node owns an endpoint: what all participants of the domain say on ros_discovery_info.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -13,8 +14,8 @@ namespace bw {
 /// Not for several threads at once.
 class NodeDirectory {
  public:
-  /// The participant must outlive this.
-  explicit NodeDirectory(dds::Participant& participant);
+  /// The participant must outlive this. `on_news` runs on a DDS thread when there is something to read: it may only enqueue.
+  explicit NodeDirectory(dds::Participant& participant, std::function<void()> on_news = [] {});
 
   /// Reads what came; true when something did.
   bool update();

@@ -1,16 +1,30 @@
 // The program `bandwagon`: every verb that is linked into it.
 #include <iostream>
+#include <string>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <fmt/format.h>
 
+#include "components/viewer/adaptor/site.hpp"
 #include "runtime/cli/verb.hpp"
+
+namespace {
+
+std::string version() {
+  std::size_t bytes = 0;
+  for (const bw::web::SiteFile& file : bw::viewer::page_files()) bytes += file.gzip.size();
+  return bytes == 0 ? BANDWAGON_VERSION " without page"
+                    : fmt::format(BANDWAGON_VERSION " with page, {} kB compressed", (bytes + 999) / 1000);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Drives wheeled robots among people", "bandwagon");
   app.require_subcommand(1);
-  app.set_version_flag("--version", BANDWAGON_VERSION);
+  app.set_version_flag("--version", version);
   int status = 0;
   bw::cli::add_verbs(app, status);
   try {

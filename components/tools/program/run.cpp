@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "components/tools/program/drive.hpp"
+#include "components/tools/program/page_options.hpp"
 #include "components/tools/program/record_options.hpp"
 #include "components/tools/program/score_card_json.hpp"
 #include "runtime/atomic_file.hpp"
@@ -25,6 +26,7 @@ struct RunOptions {
   std::string json;
   std::string svg;
   RecordOptions record;
+  PageOptions page;
   bool progress = false;
   bool fail_on_contact = false;
   bool accept_inputs = false;
@@ -48,6 +50,7 @@ bool is_success(const RunOptions& options, const DriveResult& result) {
 int run(const RunOptions& options) {
   Graph graph = load_graph(options.graph, options.set);
   options.record.apply_to(graph.snapshot);
+  options.page.apply_to(graph);
   const DriveResult result =
       drive(std::move(graph),
             {.host = {.clock = clock_mode(options.clock),
@@ -92,6 +95,7 @@ CLI::App* add_run(CLI::App& app, int& status) {
   verb->add_option("--json", options->json, "Writes the score card here");
   verb->add_option("--svg", options->svg, "Writes a picture of the run here");
   options->record.add_to(*verb);
+  options->page.add_to(*verb);
   verb->add_flag("--progress", options->progress, "Progress line even when stderr is no terminal");
   verb->add_flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 after any contact");
   verb->callback([options, &status] { status = run(*options); });

@@ -8,7 +8,7 @@ modules=$3
 graph=$4
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
-if ! command -v node >/dev/null || [[ ! -f $modules/node_modules/.package-lock.json ]]; then
+if ! command -v node >/dev/null || [[ ! -d $modules/node_modules/@foxglove/crc ]]; then
   echo "skipped: Node.js or the packages in $modules are missing; launch_scripts/setup.sh tests installs them"
   exit 77
 fi

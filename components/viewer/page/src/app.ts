@@ -11,7 +11,7 @@ export interface Channel {
   latched: boolean;
 }
 
-/** A decoded message of a topic. `value` has the fields of the ROS 2 message; header stamps are {sec, nanosec}. */
+/** A decoded message of a topic. `value` has the fields of the ROS 2 message; stamps and durations are {sec, nanosec}. */
 export interface Message<T = any> {
   topic: string;
   type: string;
@@ -20,25 +20,42 @@ export interface Message<T = any> {
   value: T;
 }
 
-/** Where messages come from: a live connection, or a bag. */
+/** Where messages come from: a live connection, or a bag. It tells of changes by `App.emit`, of trouble by `App.say`. */
 export interface Source {
   readonly kind: "live" | "bag";
   /** ws://127.0.0.1:8765, or the name of the file. */
   readonly name: string;
+  readonly timeline: Timeline;
+  /** serverInfo.metadata: ROS_DISTRO, clock (wall, lockstep, topic), accept_inputs. Of a bag: its own. */
+  readonly metadata: Record<string, string>;
+  /** Of a live source alone. */
+  readonly hands?: Hands;
   channels(): Channel[];
-  /** A panel says which topics it shows, as often as it likes; what nobody wants is not asked for. */
+  /** Counted: each `want` has its `unwant`; what nobody wants is not asked for. `Wants` (page/wants.ts) does it for a panel. */
   want(topic: string): void;
   unwant(topic: string): void;
+  /** Who publishes, hears and serves what; asked for at the first call, then kept up to date (event "graph"). */
+  graph?(): ConnectionGraph | undefined;
   close(): void;
+}
+
+/** Full names of nodes, by topic or service. */
+export interface ConnectionGraph {
+  published: Record<string, string[]>;
+  subscribed: Record<string, string[]>;
+  services: Record<string, string[]>;
 }
 
 /** The messages: the last 60 s of a live source, all of a bag. Times are those of the robot's clock, simulated or not. */
 export interface Timeline {
-  /** The newest message at or before `time`; undefined when there is none (or it is not loaded yet). */
+  /**
+   * The newest message at or before `time`; undefined when there is none (or it is not loaded yet).
+   * Of a latched topic that was heard later than `time`: its first message.
+   */
   at<T = any>(topic: string, time: Seconds): Message<T> | undefined;
   /** Messages with from < time <= to, oldest first. */
   between<T = any>(topic: string, from: Seconds, to: Seconds): Message<T>[];
-  /** What can be looked at; for a live source `end` is now on the robot's clock. */
+  /** What can be looked at; for a live source `end` is now on the robot's clock. Both are 0 while there is nothing. */
   readonly begin: Seconds;
   readonly end: Seconds;
   /** Pose of `source` in `target`, both frames of /tf; undefined when they are not connected then. */
@@ -73,12 +90,14 @@ export interface Hands {
   /** False: a bag, no connection, another one commands, or the server does not allow it. */
   readonly canCommand: boolean;
   readonly whyNot: string;
+  /** Fields that are left out are zero. */
   publish(topic: string, type: string, value: object): Promise<void>;
   call<Response = any>(service: string, request: object): Promise<Response>;
   services(): { name: string; type: string }[];
 }
 
-export type Event = "source" | "channels" | "services" | "message" | "cursor" | "status" | "parameters" | "graph";
+/** "message" and "cursor" come at most once per frame of the screen, the others at once. */
+export type Event = "source" | "channels" | "services" | "message" | "cursor" | "status" | "parameters" | "graph" | "robot";
 
 export interface Status {
   level: "info" | "warning" | "error";
@@ -87,17 +106,22 @@ export interface Status {
 }
 
 export interface App {
-  source: Source | undefined;
+  readonly source: Source | undefined;
   readonly timeline: Timeline;
   readonly cursor: Cursor;
   readonly hands: Hands;
-  /** serverInfo.metadata: ROS_DISTRO, clock (wall, lockstep, topic), accept_inputs. */
   readonly metadata: Record<string, string>;
+  /** Namespaces of the robots there are, "" or /robot1; and the one that is looked at and commanded. */
+  readonly robots: string[];
+  robot: string;
   /** Replaces what was shown. */
   open(source: Source): void;
   /** A line for people; errors stay until they are clicked away. */
   say(level: Status["level"], text: string): void;
+  readonly statuses: readonly Status[];
   on(event: Event, listener: () => void): () => void;
+  emit(event: Event): void;
+  graph(): ConnectionGraph | undefined;
   /** What the scene draws instead of answering by itself: tools of the mouse (a goal, a pose, a person). */
   tool: Tool | undefined;
 }
@@ -105,6 +129,8 @@ export interface App {
 /** A press, drag and release on the ground of the scene, in the root frame. */
 export interface Tool {
   name: string;
+  /** Arrows that are drawn as long as the tool is set: waypoints that were dragged so far. */
+  readonly placed?: readonly Pose2[];
   onDrag(from: { x: number; y: number }, to: { x: number; y: number }, isReleased: boolean): void;
   onCancel(): void;
 }

@@ -1,0 +1,28 @@
+// What the command line says of the page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "runtime/graph/graph.hpp"
+
+namespace bw {
+
+struct PageOptions {
+  std::string page;  ///< empty: as the graph says; else a port, or the word that --page stands for alone
+  std::string bags;
+  std::string listen;
+  std::string token_file;
+  std::vector<std::string> allow_origins;
+  bool allow_commands = false;
+
+  /// --page and where it listens.
+  void add_to(CLI::App& verb);
+  /// Enables the viewer of the graph, or adds one, and puts what was given over its parameters. Does nothing where nothing was
+  /// given. Throws std::runtime_error naming option, value and rule.
+  void apply_to(Graph& graph) const;
+};
+
+}  // namespace bw

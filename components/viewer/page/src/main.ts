@@ -1,0 +1,30 @@
+// The page: its parts, and the robot whose server it came from.
+import "./style/page.css";
+import "./style/statuses.css";
+import { mountBag } from "./bag/mount";
+import { element } from "./page/dom";
+import { PageApp } from "./page/page_app";
+import { mountStatusLines } from "./page/status_lines";
+import { mountTabs, type Tab } from "./page/tabs";
+import { mountToolbar } from "./page/toolbar";
+import { mountStrip } from "./panels/strip";
+import { mountHands } from "./panels/hands";
+import { mountHealth } from "./panels/health";
+import { mountParameters } from "./panels/parameters";
+import { LiveSource } from "./source/live";
+
+const TABS: Tab[] = [
+  { name: "Drive", mount: mountHands },
+  { name: "Parameters", mount: mountParameters },
+  { name: "Health", mount: mountHealth },
+];
+
+const app = new PageApp();
+mountToolbar(app);
+mountStatusLines(element("statuses"), app);
+mountTabs(app, TABS);
+
+mountStrip(element("strip"), app);
+
+const scheme = location.protocol === "https:" ? "wss" : "ws";
+if (!mountBag(app)) app.open(new LiveSource(`${scheme}://${location.host}`, app));

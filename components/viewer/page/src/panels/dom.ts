@@ -1,0 +1,36 @@
+// Elements in one expression. Texts are texts, never markup: what a robot says cannot become part of the page.
+
+type Child = Node | string | undefined;
+type Attributes = Record<string, string | number | boolean | undefined | ((event: any) => void)>;
+
+/** `on...` adds a listener; true sets an attribute without a value, false and undefined leave it out. */
+export function create<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  return filled(document.createElement(tag), attributes, children);
+}
+
+export function svg<K extends keyof SVGElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): SVGElementTagNameMap[K] {
+  return filled(document.createElementNS("http://www.w3.org/2000/svg", tag), attributes, children);
+}
+
+/** Leaves the document alone where nothing changed: screen readers and selections stay. */
+export function setText(node: Element, text: string): void {
+  if (node.textContent !== text) node.textContent = text;
+}
+
+function filled<T extends Element>(node: T, attributes: Attributes, children: Child[]): T {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === "function") node.addEventListener(name.slice(2), value);
+    else if (value === true) node.setAttribute(name, "");
+    else if (value !== undefined && value !== false) node.setAttribute(name, String(value));
+  }
+  for (const child of children) if (child !== undefined) node.append(child);
+  return node;
+}

@@ -1,0 +1,73 @@
+// The list of all parameters: a component opens to its sections. Rows are made when they are seen: a graph has a thousand of them.
+import { create } from "../dom";
+import { sectionOf } from "./descriptor";
+import { Row, type RowActions } from "./row";
+import type { Entry } from "./store";
+
+/** More rows than this help nobody who searches. */
+const MOST_FOUND = 200;
+
+export class Sections {
+  readonly root = create("div", { class: "sections" });
+  private rows = new Map<Entry, Row>();
+
+  constructor(private readonly actions: RowActions) {}
+
+  /** Everything, closed but for the components that were open. */
+  showAll(nodes: readonly string[], of: (node: string) => readonly Entry[]): void {
+    const open = new Set([...this.root.querySelectorAll<HTMLElement>("details.component[open]")].map((each) => each.dataset.node));
+    this.rows = new Map();
+    const components = nodes.map((node) => this.component(node, of(node))).filter((each) => each !== undefined);
+    this.root.replaceChildren(...components);
+    for (const component of components) if (open.has(component.dataset.node)) component.open = true;
+  }
+
+  showFound(nodes: readonly string[], of: (node: string) => readonly Entry[]): void {
+    this.rows = new Map();
+    let count = 0;
+    const groups: HTMLElement[] = [];
+    for (const node of nodes) {
+      const entries = of(node).slice(0, MOST_FOUND - count);
+      if (entries.length === 0) continue;
+      count += entries.length;
+      groups.push(create("h3", {}, node), ...entries.map((entry) => this.row(entry, true)));
+    }
+    const last = count === 0 ? "Nothing is called that" : count === MOST_FOUND ? `The first ${MOST_FOUND} are shown` : undefined;
+    this.root.replaceChildren(...groups, ...(last === undefined ? [] : [create("p", { class: "hint" }, last)]));
+  }
+
+  show(entry: Entry): void {
+    this.rows.get(entry)?.show();
+  }
+
+  showRows(): void {
+    for (const row of this.rows.values()) row.show();
+  }
+
+  private component(node: string, entries: readonly Entry[]): HTMLDetailsElement | undefined {
+    const own = entries.filter(({ parameter }) => parameter.name !== "use_sim_time");
+    if (own.length === 0) return undefined;
+    const changeable = own.filter(({ parameter }) => !parameter.isReadOnly).length;
+    const count = create("span", { class: "count", title: `${changeable} of ${own.length} can be changed now` }, `${changeable} / ${own.length}`);
+    const details = create("details", { class: "component", "data-node": node }, create("summary", {}, node.slice(1), count));
+    details.addEventListener("toggle", () => details.childElementCount === 1 && details.append(...this.body(own)), { once: true });
+    return details;
+  }
+
+  private body(entries: readonly Entry[]): HTMLElement[] {
+    const elements: HTMLElement[] = [];
+    let current = "";
+    for (const entry of entries) {
+      const { section } = sectionOf(entry.parameter.name);
+      if (section !== current) elements.push(create("h3", {}, (current = section).replaceAll(".", " › ")));
+      elements.push(this.row(entry, false));
+    }
+    return elements;
+  }
+
+  private row(entry: Entry, isFullName: boolean): HTMLElement {
+    const row = new Row(entry, this.actions, isFullName);
+    this.rows.set(entry, row);
+    return row.root;
+  }
+}

@@ -1,0 +1,48 @@
+// What is answered to a request: the site, the folder of bags, logging in, or why not.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "runtime/web/gate.hpp"
+#include "runtime/web/rate.hpp"
+#include "runtime/web/request.hpp"
+#include "runtime/web/request_target.hpp"
+#include "runtime/web/server_options.hpp"
+#include "runtime/web/site_file.hpp"
+
+namespace bw::web {
+
+/// A socket that may be opened.
+struct Admission {
+  std::string subprotocol;
+  std::string origin;
+  bool may_command = true;
+};
+
+class Router {
+ public:
+  /// Reads the token and looks for the folder of bags: throws as they do.
+  Router(const ServerOptions& options, bool is_loopback, Site site, std::vector<std::string> subprotocols);
+  void set_port(std::uint16_t port) { gate_.set_port(port); }
+
+  Reply answer(const Request& request);
+  /// Of an upgrade to WebSocket.
+  std::variant<Admission, Reply> admit(const Request& request);
+
+ private:
+  Reply answer_let_in(const Request& request, const RequestTarget& target);
+  Reply site_reply(const Request& request, const RequestTarget& target) const;
+  Reply bag_reply(const Request& request, const RequestTarget& target) const;
+  std::string agreed_subprotocol(const Request& request) const;
+
+  Gate gate_;
+  Site site_;
+  std::unique_ptr<BagFolder> bags_;
+  std::vector<std::string> subprotocols_;
+  Rate handshakes_;
+};
+
+}  // namespace bw::web

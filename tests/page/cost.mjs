@@ -1,0 +1,142 @@
+// What the page and its server cost; no test. One robot drives through the hallway on this machine, in real time.
+//
+//   BANDWAGON_NODE_MODULES=build/node node tests/page/cost.mjs build/release/bin/bandwagon [SECONDS [MINUTES]]
+//
+// SECONDS (20) are what each share of a core is taken over, MINUTES (1) how long the page is looked at for its heap. Shares are those of the threads named
+// `viewer` and of the whole process, by the kernel's count of their time on a core. Set ROS_DOMAIN_ID to one that nobody uses.
+import { execFileSync } from "node:child_process";
+import { readFileSync, readdirSync } from "node:fs";
+import { loadavg } from "node:os";
+import { Browser } from "./browser.mjs";
+import { require } from "./modules.mjs";
+import { eventually } from "./process.mjs";
+import { program, Robot } from "./robot.mjs";
+
+const WebSocket = require("ws");
+const seconds = Number(process.argv[3] ?? 20);
+const minutes = Number(process.argv[4] ?? 1);
+const people = 20;
+const later = (s) => new Promise((done) => setTimeout(done, s * 1000));
+const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
+
+/** Time on a core so far [s], of all threads and of those named `viewer`. */
+function used(pid) {
+  const sum = { process: 0, viewer: 0 };
+  for (const thread of readdirSync(`/proc/${pid}/task`)) {
+    const of = (file) => readFileSync(`/proc/${pid}/task/${thread}/${file}`, "utf8");
+    const time = Number(of("schedstat").split(" ")[0]) * 1e-9;
+    sum.process += time;
+    if (of("comm").trim() === "viewer") sum.viewer += time;
+  }
+  return sum;
+}
+
+/** Shares of a core while `seconds` pass. */
+async function share(pid) {
+  const [before, start] = [used(pid), process.hrtime.bigint()];
+  await later(seconds);
+  const [after, took] = [used(pid), Number(process.hrtime.bigint() - start) * 1e-9];
+  return Object.fromEntries(Object.keys(before).map((key) => [key, (((after[key] - before[key]) / took) * 100).toFixed(2)]));
+}
+
+/** A client that subscribes to every channel and decodes nothing. */
+function subscribeToEverything(port) {
+  const socket = new WebSocket(`ws://127.0.0.1:${port}`, "foxglove.websocket.v1");
+  socket.counted = { messages: 0, bytes: 0 };
+  socket.on("message", (data, isBinary) => {
+    if (isBinary) {
+      socket.counted.messages += 1;
+      socket.counted.bytes += data.length;
+      return;
+    }
+    const message = JSON.parse(data);
+    if (message.op !== "advertise") return;
+    socket.send(JSON.stringify({ op: "subscribe", subscriptions: message.channels.map(({ id }) => ({ id, channelId: id })) }));
+  });
+  return socket;
+}
+
+/** As many people as there are to be, those of the hallway included; they stand and walk along it. */
+function addPeople() {
+  for (let i = 8; i < people; ++i) {
+    const request = `{position: {x: ${3 + i}, y: ${i % 2 ? -2.4 : 2.4}}, velocity: {x: ${i % 3 ? 0 : 0.3}}}`;
+    execFileSync(program, ["service", "call", "/add_person", "bandwagon_msgs/srv/AddPerson", request], { stdio: "pipe" });
+  }
+}
+
+function memory(pid) {
+  return Number(readFileSync(`/proc/${pid}/status`, "utf8").match(/VmRSS:\s+(\d+)/)[1]) / 1024;
+}
+
+async function framesPerSecond(view) {
+  const rates = [];
+  for (let i = 0; i < 10; ++i) {
+    const [frames, start] = [(await view.hook()).drawn.frames, performance.now()];
+    await later(1);
+    rates.push(((await view.hook()).drawn.frames - frames) / ((performance.now() - start) / 1000));
+  }
+  return median(rates);
+}
+
+/** Bytes of the page's heap after its garbage was collected, one sample in ten seconds; the line through them per minute. */
+async function heapGrowth(view) {
+  const session = await view.page.createCDPSession();
+  const samples = [];
+  for (let i = 0; i <= minutes * 6; ++i) {
+    await session.send("HeapProfiler.collectGarbage");
+    samples.push((await session.send("Runtime.getHeapUsage")).usedSize / 1e6);
+    await later(10);
+  }
+  const mean = (values) => values.reduce((a, b) => a + b, 0) / values.length;
+  // The timeline holds a minute: until then it fills.
+  const full = samples.map((y, i) => [i / 6, y]).filter(([x]) => x >= Math.min(1.5, minutes / 2));
+  const [mx, my] = [mean(full.map(([x]) => x)), mean(full.map(([, y]) => y))];
+  const slope = full.reduce((sum, [x, y]) => sum + (x - mx) * (y - my), 0) / full.reduce((sum, [x]) => sum + (x - mx) ** 2, 0);
+  return { first: samples[0], last: samples.at(-1), slope };
+}
+
+const options = ["--set", "robot.limits.v_max=0.3", "--set", "people.enabled=false", "--set", "ideal_people.enabled=true"];
+const say = (what, value) => console.log(`${what.padEnd(44)} ${value}`);
+say("load average before", loadavg().map((l) => l.toFixed(2)).join(" "));
+const robot = await Robot.start({ options });
+const { pid } = robot.process;
+try {
+  await later(3); // discovery settles
+  const idle = await share(pid);
+  say("no client: viewer / process [% of a core]", `${idle.viewer} / ${idle.process}`);
+
+  const client = subscribeToEverything(robot.port);
+  await eventually("messages of every kind", () => client.counted.messages > 100);
+  client.counted = { messages: 0, bytes: 0 };
+  const busy = await share(pid);
+  say("one client, everything: viewer / process [%]", `${busy.viewer} / ${busy.process}`);
+  say("  messages/s, kB/s", `${(client.counted.messages / seconds).toFixed(0)}, ${(client.counted.bytes / seconds / 1000).toFixed(0)}`);
+  client.close();
+
+  addPeople();
+  const browser = await Browser.start();
+  try {
+    const view = await browser.open(robot.address);
+    await view.eventually("robot and people drawn", (hook) => hook.drawn.robot && hook.drawn.people.length > 0);
+    const { bytes, painted, drawn } = await view.page.evaluate(() => ({
+      bytes: [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")].reduce((sum, e) => sum + e.encodedBodySize, 0),
+      painted: performance.getEntriesByName("first-contentful-paint")[0]?.startTime,
+      drawn: window.bandwagon.drawn.firstAt,
+    }));
+    say("page, compressed [bytes]", bytes);
+    say("first contentful paint [ms]", painted?.toFixed(0));
+    say("first picture of the scene [ms]", drawn?.toFixed(0));
+    say("people drawn", (await view.hook()).drawn.people.length);
+    say("frames/s at 1280x720, median of 10 s", (await framesPerSecond(view)).toFixed(1));
+    const before = memory(pid);
+    const heap = await heapGrowth(view);
+    say("heap of the page, first and last [MB]", `${heap.first.toFixed(1)}, ${heap.last.toFixed(1)}`);
+    say("  after it has filled, growth [MB/minute]", heap.slope.toFixed(3));
+    say("memory of the robot, before and after [MB]", `${before.toFixed(1)}, ${memory(pid).toFixed(1)}`);
+  } finally {
+    await browser.end();
+  }
+} finally {
+  await robot.end();
+}
+say("load average after", loadavg().map((l) => l.toFixed(2)).join(" "));
