@@ -21,6 +21,7 @@ class WebClient {
 
   int descriptor() const { return socket_; }
   void send_text(std::string_view text);
+  void send_binary(std::span<const std::uint8_t> bytes);
   /// The next close sends a reset instead of an orderly end.
   void end_by_reset();
 
