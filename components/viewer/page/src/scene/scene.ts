@@ -18,7 +18,7 @@ import { SceneView } from "./view";
 import { ViewButtons, type Mode } from "./view_buttons";
 
 const LIFT = 0.8; // [m/s] of time shown upward
-const LEGEND_WIDTH = 250; // [px] that a fitted map leaves free
+const LEGEND_WIDTH = 300; // [px] that a fitted map leaves free
 const AROUND = 12; // [m] about the robot where there is no map
 
 export class SceneOnPage {

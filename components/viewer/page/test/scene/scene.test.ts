@@ -1,11 +1,21 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { smaller } from "../../src/scene/gl/grid";
 import { ellipseOf } from "../../src/scene/gl/discs";
 import { timedPoints } from "../../src/scene/layers/band";
 import { classColor } from "../../src/scene/layers/candidates";
 import { roundStep } from "../../src/scene/layers/ground";
 import { expectedOf } from "../../src/scene/layers/predictions";
 import { along, hex, paletteFor, toHex } from "../../src/scene/palette";
+
+test("from afar the highest cost of four cells counts, and unknown only where all are", () => {
+  const levels = smaller(new Uint8Array([0, 100, 255, 255, 0, 0, 255, 255, 255, 7, 0, 0]), 4, 3);
+  assert.deepEqual(levels.map(({ width, height, data }) => [width, height, ...data]), [
+    [4, 3, 0, 100, 255, 255, 0, 0, 255, 255, 255, 7, 0, 0],
+    [2, 1, 100, 0],
+    [1, 1, 100],
+  ]);
+});
 
 function pathOf(points: [x: number, seconds: number][]) {
   const header = (seconds: number) => ({ stamp: { sec: 100 + Math.floor(seconds), nanosec: Math.round((seconds % 1) * 1e9) }, frame_id: "odom" });
