@@ -14,13 +14,19 @@ const LIST = "rcl_interfaces/srv/ListParameters";
 const EVENTS = "/parameter_events";
 
 export function mountParameters(root: HTMLElement, app: App): void {
+  /** Nodes that were asked, and those whose answers are not shown yet. */
+  const asked = new Set<string>();
+  const anew = new Set<string>();
   const store = new ParameterStore(
     (service, request) => app.hands.call(service, request),
     (entry) => {
       sections.show(entry);
       changesSoon();
     },
-    () => listSoon(),
+    (node) => {
+      anew.add(node);
+      listSoon();
+    },
   );
   const actions = { canCommand: () => app.hands.canCommand, set: (entry: Entry, value: Entry["value"]) => store.set(entry, value) };
   const sections = new Sections(actions);
@@ -38,7 +44,9 @@ export function mountParameters(root: HTMLElement, app: App): void {
 
   const list = () => {
     const query = search.value.trim();
-    if (query === "") return sections.showAll(store.nodes(), (node) => store.of(node));
+    if (query === "") sections.showAll(store.nodes(), (node) => store.of(node), anew);
+    anew.clear();
+    if (query === "") return;
     const matches = matcher(query);
     sections.showFound(store.nodes(), (node) => store.of(node).filter(({ parameter }) => matches(parameter)));
   };
@@ -81,7 +89,6 @@ export function mountParameters(root: HTMLElement, app: App): void {
     else setText(state, count === 0 ? "No node has been found yet" : `${count} parameters; ${app.hands.canCommand ? "changes are live" : app.hands.whyNot}`);
   };
 
-  const asked = new Set<string>();
   const events = new Follower<ParameterEvent>(EVENTS);
   const loadNew = () => void load(nodes().filter((node) => !asked.has(node)));
   const follow = () => {

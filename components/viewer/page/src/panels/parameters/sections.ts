@@ -10,19 +10,33 @@ const MOST_FOUND = 200;
 export class Sections {
   readonly root = create("div", { class: "sections" });
   private rows = new Map<Entry, Row>();
+  private components = new Map<string, HTMLDetailsElement>();
 
   constructor(private readonly actions: RowActions) {}
 
-  /** Everything, closed but for the components that were open. */
-  showAll(nodes: readonly string[], of: (node: string) => readonly Entry[]): void {
-    const open = new Set([...this.root.querySelectorAll<HTMLElement>("details.component[open]")].map((each) => each.dataset.node));
-    this.rows = new Map();
-    const components = nodes.map((node) => this.component(node, of(node))).filter((each) => each !== undefined);
-    this.root.replaceChildren(...components);
-    for (const component of components) if (open.has(component.dataset.node)) component.open = true;
+  /** Everything, closed; of nodes that were there before only what is in `anew` is made again. */
+  showAll(nodes: readonly string[], of: (node: string) => readonly Entry[], anew: ReadonlySet<string>): void {
+    const before = this.components;
+    for (const entry of this.rows.keys()) {
+      const { node } = entry.parameter;
+      if (!before.has(node) || anew.has(node)) this.rows.delete(entry);
+    }
+    this.components = new Map();
+    for (const node of nodes) {
+      const old = before.get(node);
+      const component = old === undefined || anew.has(node) ? this.component(node, of(node)) : old;
+      if (component === undefined) continue;
+      component.open = old?.open ?? false;
+      this.components.set(node, component);
+    }
+    const wanted = [...this.components.values()];
+    for (const child of [...this.root.children]) if (!wanted.includes(child as HTMLDetailsElement)) child.remove();
+    // What stands where it belongs is not touched: somebody may be writing there.
+    wanted.forEach((component, i) => this.root.children[i] !== component && this.root.insertBefore(component, this.root.children[i] ?? null));
   }
 
   showFound(nodes: readonly string[], of: (node: string) => readonly Entry[]): void {
+    this.components = new Map();
     this.rows = new Map();
     let count = 0;
     const groups: HTMLElement[] = [];
