@@ -2,7 +2,7 @@
 import { create, setText, svg } from "../dom";
 import { arrowPath } from "./arrow";
 import { LEVEL_NAMES, missed, oldest, slowest, type Component } from "./diagnostics";
-import { layoutOf, type Group, type Layout, type Rectangle } from "./layout";
+import { BOX, layoutOf, type Group, type Layout, type Rectangle } from "./layout";
 import type { Link } from "./links";
 
 export class GraphView {
@@ -39,7 +39,7 @@ export class GraphView {
       svg(
         "svg",
         { viewBox: `0 0 ${width} ${height}`, width, height, role: "group", "aria-label": "Components and topics" },
-        arrowHeads(),
+        definitions(),
         ...layout.groups.map(groupOf),
         this.links,
         ...[...this.boxes.values()].map(({ root }) => root),
@@ -52,7 +52,7 @@ export class GraphView {
 class Box {
   readonly root: SVGElement;
   private readonly title = svg("title", {});
-  private readonly facts = [0, 1, 2].map((i) => svg("text", { x: 12, y: 31 + 13 * i, class: "fact" }));
+  private readonly facts = [0, 1, 2].map((i) => svg("text", { x: 12, y: 31 + 13 * i, class: "fact", "clip-path": "url(#inside)" }));
 
   constructor(name: string, { x, y, width, height }: Rectangle, choose: () => void) {
     const onkeydown = (event: KeyboardEvent) => {
@@ -66,7 +66,7 @@ class Box {
       this.title,
       svg("rect", { width, height, rx: 5, class: "back" }),
       svg("rect", { width: 4, height, rx: 2, class: "level" }),
-      svg("text", { x: 12, y: 17, class: "name" }, shortened(name, 21)),
+      svg("text", { x: 12, y: 17, class: "name", "clip-path": "url(#inside)" }, name),
       ...this.facts,
     );
   }
@@ -78,7 +78,7 @@ class Box {
     this.root.setAttribute("aria-label", `${component.name}: ${level}, ${component.message}`);
     setText(this.title, `${component.name}: ${component.message}`);
     const lines = linesOf(component);
-    this.facts.forEach((fact, i) => setText(fact, shortened(lines[i] ?? "", 24)));
+    this.facts.forEach((fact, i) => setText(fact, lines[i] ?? ""));
   }
 }
 
@@ -117,16 +117,14 @@ function arrow(link: Link, layout: Layout, chosen: string | undefined): SVGEleme
   );
 }
 
-function arrowHeads(): SVGElement {
+/** Heads of arrows, and what of a text is within its box. */
+function definitions(): SVGElement {
   const head = (side: string) =>
     svg(
       "marker",
       { id: `head${side}`, class: `head${side}`, viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 6, markerHeight: 6, orient: "auto" },
       svg("path", { d: "M0,0.5 L8,4 L0,7.5 z" }),
     );
-  return svg("defs", {}, head(""), head("-in"), head("-out"));
-}
-
-function shortened(text: string, most: number): string {
-  return text.length <= most ? text : `${text.slice(0, most - 1)}…`;
+  const inside = svg("clipPath", { id: "inside" }, svg("rect", { width: BOX.width - 5, height: BOX.height }));
+  return svg("defs", {}, inside, head(""), head("-in"), head("-out"));
 }

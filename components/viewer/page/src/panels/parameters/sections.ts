@@ -1,5 +1,5 @@
 // The list of all parameters: a component opens to its sections. Rows are made when they are seen: a graph has a thousand of them.
-import { create } from "../dom";
+import { arrange, create } from "../dom";
 import { sectionOf } from "./descriptor";
 import { Row, type RowActions } from "./row";
 import type { Entry } from "./store";
@@ -29,25 +29,29 @@ export class Sections {
       component.open = old?.open ?? false;
       this.components.set(node, component);
     }
-    const wanted = [...this.components.values()];
-    for (const child of [...this.root.children]) if (!wanted.includes(child as HTMLDetailsElement)) child.remove();
-    // What stands where it belongs is not touched: somebody may be writing there.
-    wanted.forEach((component, i) => this.root.children[i] !== component && this.root.insertBefore(component, this.root.children[i] ?? null));
+    arrange(this.root, [...this.components.values()]);
   }
 
+  /** What was found before stays, with whoever is writing there. */
   showFound(nodes: readonly string[], of: (node: string) => readonly Entry[]): void {
+    const before = this.components.size === 0 ? this.rows : new Map<Entry, Row>();
+    const headings = new Map([...this.root.querySelectorAll(":scope > h3")].map((each) => [each.textContent!, each]));
     this.components = new Map();
     this.rows = new Map();
-    let count = 0;
-    const groups: HTMLElement[] = [];
+    const elements: Element[] = [];
     for (const node of nodes) {
-      const entries = of(node).slice(0, MOST_FOUND - count);
+      const entries = of(node).slice(0, MOST_FOUND - this.rows.size);
       if (entries.length === 0) continue;
-      count += entries.length;
-      groups.push(create("h3", {}, node), ...entries.map((entry) => this.row(entry, true)));
+      elements.push(headings.get(node) ?? create("h3", {}, node));
+      for (const entry of entries) {
+        const row = before.get(entry) ?? new Row(entry, this.actions, true);
+        this.rows.set(entry, row);
+        elements.push(row.root);
+      }
     }
+    const count = this.rows.size;
     const last = count === 0 ? "Nothing is called that" : count === MOST_FOUND ? `The first ${MOST_FOUND} are shown` : undefined;
-    this.root.replaceChildren(...groups, ...(last === undefined ? [] : [create("p", { class: "hint" }, last)]));
+    arrange(this.root, last === undefined ? elements : [...elements, create("p", { class: "hint" }, last)]);
   }
 
   show(entry: Entry): void {
@@ -74,14 +78,10 @@ export class Sections {
     for (const entry of entries) {
       const { section } = sectionOf(entry.parameter.name);
       if (section !== current) elements.push(create("h3", {}, (current = section).replaceAll(".", " › ")));
-      elements.push(this.row(entry, false));
+      const row = new Row(entry, this.actions);
+      this.rows.set(entry, row);
+      elements.push(row.root);
     }
     return elements;
-  }
-
-  private row(entry: Entry, isFullName: boolean): HTMLElement {
-    const row = new Row(entry, this.actions, isFullName);
-    this.rows.set(entry, row);
-    return row.root;
   }
 }
