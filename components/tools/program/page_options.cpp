@@ -50,8 +50,9 @@ void PageOptions::add_to(CLI::App& verb) {
   verb.add_option("--bags", bags, "Folder of recordings that the page may open");
   verb.add_option("--listen", listen, "Address for others than this machine; needs --token-file");
   verb.add_option("--token-file", token_file, "File with the token that the page asks for");
-  verb.add_option("--allow-origin", allow_origins,
-                  "A page of elsewhere that may connect, such as https://app.foxglove.dev; as often as needed")
+  verb.add_option(
+          "--allow-origin", allow_origins,
+          "A page of elsewhere that may connect, such as https://app.foxglove.dev; as often as needed")
       ->allow_extra_args(false);
   verb.add_flag("--allow-commands", allow_commands, "With --listen: others may command, one at a time");
 }

@@ -1,6 +1,10 @@
 #include "components/viewer/adaptor/page_server.hpp"
 
 #include <chrono>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,6 +12,7 @@
 #include <unistd.h>
 
 #include "components/viewer/adaptor/site.hpp"
+#include "runtime/foxglove/protocol.hpp"
 #include "runtime/foxglove/server.hpp"
 #include "runtime/web/server.hpp"
 
@@ -24,9 +29,7 @@ web::Site site() {
   return {.files = {files.begin(), files.end()}};
 }
 
-Time steady_now() {
-  return {std::chrono::nanoseconds(steady_clock::now().time_since_epoch()).count()};
-}
+Time steady_now() { return {std::chrono::nanoseconds(steady_clock::now().time_since_epoch()).count()}; }
 
 foxglove::ServerOptions protocol_options(const web::ServerOptions& options) {
   const bool is_open = !options.address.starts_with("127.") && options.address != "::1";
@@ -39,7 +42,8 @@ foxglove::ServerOptions protocol_options(const web::ServerOptions& options) {
 /// In this order: each is used by those after it.
 struct PageServer::Parts {
   Parts(const web::ServerOptions& options, foxglove::WireRobotOptions robot_options, Logger log)
-      : web(options, site(), {"foxglove.sdk.v1", "foxglove.websocket.v1"}, std::move(log)),
+      : web(options, site(), {foxglove::kSubprotocols.begin(), foxglove::kSubprotocols.end()},
+            std::move(log)),
         robot(std::move(robot_options), [this](std::function<void()> work) { web.post(std::move(work)); }),
         protocol(web, robot, protocol_options(options), steady_now) {
     web.post([] { static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness)); });
@@ -66,6 +70,40 @@ PageServer::PageServer(const web::ServerOptions& options, foxglove::WireRobotOpt
 PageServer::~PageServer() = default;
 
 std::string PageServer::address() const { return parts_->web.address(); }
+
+/// There is nobody to talk to.
+struct NoRobot final : web::SocketHandler {
+  explicit NoRobot(web::SocketSender& to) : sender(to) {}
+  void on_open(web::ConnectionId id, const web::Opening&) override {
+    constexpr std::uint16_t kPolicy = 1008;
+    sender.close(id, kPolicy, "a recording is shown here, no robot");
+  }
+  void on_text(web::ConnectionId, std::string_view) override {}
+  void on_binary(web::ConnectionId, std::span<const std::uint8_t>) override {}
+  void on_close(web::ConnectionId) override {}
+
+  web::SocketSender& sender;
+};
+
+struct RecordingServer::Parts {
+  Parts(const web::ServerOptions& options, Logger log)
+      : web(options, site(), {foxglove::kSubprotocols.begin(), foxglove::kSubprotocols.end()},
+            std::move(log)),
+        nobody(web) {
+    web.start(nobody);
+  }
+  ~Parts() { web.stop(); }
+
+  web::Server web;
+  NoRobot nobody;
+};
+
+RecordingServer::RecordingServer(const web::ServerOptions& options, Logger log)
+    : parts_(std::make_unique<Parts>(options, std::move(log))) {}
+
+RecordingServer::~RecordingServer() = default;
+
+std::string RecordingServer::address() const { return parts_->web.address(); }
 
 std::string invitation(const std::string& address) {
   if (!page_files().empty()) return "Page: " + address;

@@ -28,6 +28,22 @@ class PageServer {
   std::unique_ptr<Parts> parts_;
 };
 
+/// The page and a folder of recordings, without a robot.
+class RecordingServer {
+ public:
+  /// Throws as web::Server does.
+  RecordingServer(const web::ServerOptions& options, Logger log);
+  ~RecordingServer();
+  RecordingServer(const RecordingServer&) = delete;
+  RecordingServer& operator=(const RecordingServer&) = delete;
+
+  std::string address() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
 /// What people are told: the address of the page, or where Foxglove finds what this program has of it. One or two lines without an
 /// end of line.
 std::string invitation(const std::string& address);
