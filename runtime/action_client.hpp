@@ -2,7 +2,6 @@
 // topic, so that it needs nothing of the host.
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "runtime/action.hpp"
+#include "runtime/goal_id.hpp"
 #include "runtime/graph/qos.hpp"
 
 namespace bw {
@@ -93,13 +93,8 @@ class ActionClient {
     std::mt19937_64 random;
     std::map<GoalId, GoalCallbacks<A>> goals;  ///< whose results are awaited
 
-    /// A random UUID (RFC 4122, version 4).
     GoalId new_id() {
-      GoalId id;
-      std::ranges::generate(id, [this] { return static_cast<std::uint8_t>(random() >> 56U); });
-      id[6] = static_cast<std::uint8_t>((id[6] & 0x0FU) | 0x40U);
-      id[8] = static_cast<std::uint8_t>((id[8] & 0x3FU) | 0x80U);
-      return id;
+      return new_goal_id([this] { return static_cast<std::uint8_t>(random() >> 56U); });
     }
     void hear(const typename A::FeedbackMessage& message, const Tick& tick) {
       const auto goal = goals.find(message.goal_id().uuid());

@@ -29,8 +29,8 @@ class LaserFollower {
   }
   void forget() { disc_.reset(); }
 
-  /// The disc at `time`, seen again or for less than a second not; nothing when it is lost or was never known, or without any point. `points`:
-  /// hits of a sweep at `time`, in the frame of the disc; `radius` [m].
+  /// The disc at `time`, seen again or for less than a second not; nothing when it is lost or was never known, or without
+  /// any point. `points`: hits of a sweep at `time`, in the frame of the disc; `radius` [m].
   std::optional<FollowedDisc> follow(const std::vector<Vector2>& points, double radius, Time time);
 
  private:

@@ -8,6 +8,7 @@
 #include <action_msgs/srv/cancel_goal.hpp>
 #include <fmt/format.h>
 
+#include "runtime/goal_id.hpp"
 #include "runtime/ros/dds_names.hpp"
 
 namespace bw::cli {
@@ -17,14 +18,9 @@ using action_msgs::srv::CancelGoal;
 
 constexpr std::size_t kEncapsulation = 4;
 
-/// Version 4 of RFC 4122.
 GoalId random_id() {
   std::random_device random;
-  GoalId id;
-  std::ranges::generate(id, [&random] { return static_cast<std::uint8_t>(random()); });
-  id[6] = static_cast<std::uint8_t>((id[6] & 0x0FU) | 0x40U);
-  id[8] = static_cast<std::uint8_t>((id[8] & 0x3FU) | 0x80U);
-  return id;
+  return new_goal_id([&random] { return static_cast<std::uint8_t>(random()); });
 }
 
 /// Requests and feedback begin with the id of their goal.

@@ -11,10 +11,12 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/atomic_file.hpp"
+#include "runtime/cli/page_writer.hpp"
 #include "runtime/cli/replay_topics.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/replay/replay_run.hpp"
 #include "runtime/replay/updated_bag.hpp"
+#include "runtime/temporary_folder.hpp"
 
 namespace bw::cli {
 namespace {
@@ -27,6 +29,7 @@ struct ReplayArguments {
   std::vector<std::string> run;
   std::string json;
   std::string text;
+  std::string html;
   bool update = false;
   ReplayTopicsOptions as_topics;
 };
@@ -89,7 +92,12 @@ void print(const replay::ReplayResult& result, Time start) {
 
 int run_replay(const ReplayArguments& arguments) {
   const auto recording = bag::open_bag(arguments.paths.front());
-  const std::filesystem::path update = arguments.update ? replay::beside(arguments.paths.front()) : "";
+  std::filesystem::path update = arguments.update ? replay::beside(arguments.paths.front()) : "";
+  std::optional<TemporaryFolder> aside;  // of what only the page is made of
+  if (!arguments.html.empty()) {
+    page_writer().require("--html " + arguments.html);
+    if (!arguments.update) update = aside.emplace().path() / "replayed.mcap";
+  }
   const replay::ReplayResult result =
       replay::replay(*recording, load_graph(arguments.graph, arguments.set),
                      {.run = arguments.run, .update = update, .with_text = !arguments.text.empty()});
@@ -97,6 +105,10 @@ int run_replay(const ReplayArguments& arguments) {
   if (arguments.update) std::cout << "new outputs: " << update.string() << "\n";
   if (!arguments.text.empty()) write_file_atomically(arguments.text, result.text);
   if (!arguments.json.empty()) write_file_atomically(arguments.json, to_json(result).dump(2) + "\n");
+  if (!arguments.html.empty()) {
+    const std::string name = std::filesystem::path(arguments.paths.front()).stem().string() + " replayed";
+    page_writer().write(update, name, arguments.html);
+  }
   return result.is_equal() ? 0 : 1;
 }
 
@@ -109,7 +121,7 @@ void refuse_mixture(const CLI::App& verb, const ReplayArguments& arguments, bool
     throw std::runtime_error("--graph and --run go together; without both the bag is played as topics");
   if (as_truth && arguments.paths.size() != 1)
     throw std::runtime_error("with --graph the bag is one: " + arguments.paths.at(1) + " is too many");
-  for (const char* name : {"--set", "--json", "--text", "--update"}) {
+  for (const char* name : {"--set", "--json", "--text", "--html", "--update"}) {
     if (!as_truth && verb.count(name) > 0)
       throw std::runtime_error(std::string(name) + " is for a replay as the truth, with --graph and --run");
   }
@@ -150,6 +162,10 @@ CLI::App* add_replay(CLI::App& app, int& status) {
       ->group(kTruth);
   verb->add_option("--json", arguments->json, "Writes the verdict here")->group(kTruth);
   verb->add_option("--text", arguments->text, "Writes the outputs here as text to review, rounded")
+      ->group(kTruth);
+  verb->add_option(
+          "--html", arguments->html,
+          "Writes one page here that plays the recording with the new outputs: a file that needs no server")
       ->group(kTruth);
   verb->add_flag("--update", arguments->update,
                  "Writes a new bag beside the old one, with the new outputs: drive.replayed.mcap")

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "runtime/graph/names.hpp"
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/ros/node_directory.hpp"
 
@@ -28,9 +29,18 @@ std::string place_of(const dds::Guid& theirs, const dds::Guid& ours) {
 
 /// What a server is known by: an action by its own name, and once.
 std::string served_name(const std::string& service) {
-  const std::size_t action = service.find("/_action/");
-  if (action == std::string::npos) return service;
-  return service.ends_with("/send_goal") ? service.substr(0, action) : std::string();
+  const std::string_view name = without_action_part(service);
+  return name == service || service.ends_with("/send_goal") ? std::string(name) : std::string();
+}
+
+/// Another process of this program: its node serves what that of ours does.
+bool is_alike(const OwnNode& ours, const dds::Guid& theirs, const DomainView& view) {
+  const auto is_served = [&](const std::string& service) {
+    return std::ranges::any_of(view.endpoints, [&](const dds::Endpoint& end) {
+      return !end.is_writer && prefix_of(end.guid) == theirs && service_of_request(end.topic) == service;
+    });
+  };
+  return !ours.services.empty() && std::ranges::all_of(ours.services, is_served);
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -71,6 +81,10 @@ NamesakeWatch::Rivals NamesakeWatch::rivals_in(const DomainView& view) const {
         rival.services.push_back(name);
     }
   }
+  std::erase_if(rivals, [&](const auto& item) {
+    const auto& [ours, theirs] = item.first;
+    return !ours->is_server && is_alike(*ours, theirs, view);
+  });
   return rivals;
 }
 

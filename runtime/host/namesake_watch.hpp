@@ -18,7 +18,7 @@ namespace bw {
 struct OwnNode {
   std::string name;                   ///< full, /planner_server
   std::vector<std::string> services;  ///< absolute; those of actions too
-  bool is_server = true;              ///< false: of the process itself, of which others may well have one too
+  bool is_server = true;  ///< false: of the process itself, of which others of this program have one too
 };
 
 /// What is on the domain at one moment.

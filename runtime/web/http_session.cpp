@@ -98,12 +98,7 @@ void HttpSession::on_header(Error error) {
 
 void HttpSession::on_body(Error error) {
   if (refuse_malformed(error)) return;
-  const auto& message = parser_->get();
-  if (message.version() < 10 || message.version() > 11) {
-    reply(plain_reply(505, "HTTP 1.0 and 1.1 are spoken here"), false);
-    return;
-  }
-  reply(core_.router.answer(request()), message.keep_alive());
+  reply(core_.router.answer(request()), parser_->get().keep_alive());
 }
 
 Request HttpSession::request() const {

@@ -187,7 +187,8 @@ void Server::Impl::on_accepted(Error error, tcp::socket socket) {
 }
 
 void Server::Impl::look_after() {
-  care_timer_.expires_after(to_chrono(std::clamp(core_.limits.idle_time / 8, 0.01, 1.0)));
+  const double shortest = std::min(core_.limits.idle_time / 8, core_.limits.close_time / 2);
+  care_timer_.expires_after(to_chrono(std::clamp(shortest, 0.01, 1.0)));
   care_timer_.async_wait([this](Error stopped) {
     if (stopped || core_.is_stopping) return;
     const double now = now_in_seconds();

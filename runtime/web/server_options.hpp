@@ -17,7 +17,7 @@ struct Limits {
       100;  ///< of WebSockets, after a burst of twice as many; more are refused with 503
   double header_time =
       10;                 ///< from the connection, or the answer before, to the end of a request's header [s]
-  double idle_time = 30;  ///< a socket from which nothing comes, not even the answer to a ping, is closed [s]
+  double idle_time = 90;  ///< a socket from which nothing comes, not even the answer to a ping, is closed [s]
   double stalled_time = 300;     ///< the same while it takes none of what is sent to it [s]
   double close_time = 2;         ///< for a socket's closing words and what is queued before them [s]
   int header_bytes = 16 << 10;   ///< of a request: more is 431

@@ -178,6 +178,8 @@ void SocketSession::look_after(double now) {
   std::optional<double> closing_since;
   {
     const std::lock_guard lock(mutex_);
+    // The client said goodbye, or broke the protocol and was told so: neither waits for it to close.
+    if (!stream_.is_open() && !closing_since_) closing_since_ = now;
     closing_since = closing_since_;
   }
   const Limits& limits = core_.limits;

@@ -1,10 +1,12 @@
-// A run in lock-step that takes 22 changes from another program: parameters, transitions, services, goals, limits. They
+// A run in lock-step that takes 24 changes from another program: parameters, transitions, services, goals, limits, people. They
 // are part of its record, and every component that runs again on the record says the same bytes.
 #include <filesystem>
 #include <fstream>
 #include <memory>
 
 #include <action_msgs/srv/cancel_goal.hpp>
+#include <bandwagon_msgs/srv/add_person.hpp>
+#include <bandwagon_msgs/srv/push_person.hpp>
 #include <geometry_msgs/msg/pose_stamped.hpp>
 #include <gmock/gmock.h>
 #include <lifecycle_msgs/srv/change_state.hpp>
@@ -25,6 +27,8 @@ namespace bw::test {
 namespace {
 
 using action_msgs::srv::CancelGoal;
+using bandwagon_msgs::srv::AddPerson;
+using bandwagon_msgs::srv::PushPerson;
 using lifecycle_msgs::srv::ChangeState;
 using nav2_msgs::action::NavigateToPose;
 using nav2_msgs::srv::ClearEntireCostmap;
@@ -79,6 +83,21 @@ class Operator {
     return call_service<ClearEntireCostmap>(participant_, "/local_costmap/clear_entirely_local_costmap", {},
                                             kLong)
         .has_value();
+  }
+  /// Somebody who walks from (x, y) against the robot. Nothing when the world does not answer.
+  std::optional<AddPerson::Response> add_person(double x, double y) {
+    AddPerson::Request request;
+    request.position().x(x);
+    request.position().y(y);
+    request.velocity().x(-0.5);
+    return call_service<AddPerson>(participant_, "/add_person", request, kLong);
+  }
+  bool push_person(std::uint32_t id) {
+    PushPerson::Request request;
+    request.id(id);
+    request.velocity_change().y(0.5);
+    const auto response = call_service<PushPerson>(participant_, "/push_person", request, kLong);
+    return response && response->success();
   }
   bool limit(double speed) {
     nav2_msgs::msg::SpeedLimit message;
@@ -163,8 +182,16 @@ TEST(AcceptedInputs, AReplayOfTheRecordSaysTheSameBytes) {
   at(7.8, [&] { return hand.set("/motor_control", "command_timeout", 0.3); });
   at(8.0, [&] { return hand.limit(0.5); });
   at(8.3, [&] { return hand.clear(); });
+  std::uint32_t person = 0;
+  at(8.4, [&] {
+    const auto response = hand.add_person(18.0, -2.0);
+    if (response) person = response->id();
+    return response && response->success();
+  });
+  EXPECT_EQ(person, 9U);  // behind the hallway's eight
   at(8.6, [&] { return hand.change("/people", "deactivate"); });
   at(8.9, [&] { return hand.change("/people", "activate"); });
+  at(9.2, [&] { return hand.push_person(person); });
   at(9.5, [&] { return hand.go_to(12.0); });
   at(10.0, [&] { return hand.limit(0.0); });
   at(10.5, [&] { return hand.change("/local_planner", "deactivate"); });
@@ -173,18 +200,44 @@ TEST(AcceptedInputs, AReplayOfTheRecordSaysTheSameBytes) {
   at(11.7, [&] { return hand.cancel_all(); });
   at(12.0, [&] { return hand.go_to(19.0); });
   at(13.0, [&] { return hand.clear(); });
-  EXPECT_EQ(changes, 22) << run.err();
+  EXPECT_EQ(changes, 24) << run.err();
   ASSERT_EQ(run.wait(std::chrono::seconds(60)), 0) << run.err();
 
   std::ifstream card(kFolder / "card.json");
   EXPECT_EQ(nlohmann::json::parse(card)["inputs"], "outside");
-  for (const char* component : {"localization", "people", "local_costmap", "global_planner", "local_planner",
-                                "twist_mux", "collision_monitor", "motor_control", "navigator"}) {
+  for (const char* component :
+       {"world", "localization", "people", "local_costmap", "global_planner", "local_planner", "twist_mux",
+        "collision_monitor", "motor_control", "navigator"}) {
     const Outcome replay = run_to_end({BANDWAGON_PROGRAM, "replay", kFolder / "drive", "--graph", kGraph,
                                        "--clock", "lockstep", "--run", component},
                                       std::chrono::seconds(120));
     EXPECT_EQ(replay.status, 0) << component << ": " << replay.out << replay.err;
   }
+  std::filesystem::remove_all(kFolder);
+}
+
+// Without --accept-inputs nobody comes: the answer says why, and the run says the bytes it says alone.
+TEST(AcceptedInputs, WithoutThemNobodyJoins) {
+  std::filesystem::create_directories(kFolder);
+  const auto command = [](const char* card, const char* pace) {
+    return std::vector<std::string>{
+        BANDWAGON_PROGRAM, "run", kGraph,   "--clock", "lockstep", "--seed",      "7",
+        "--for",           "6",   "--pace", pace,      "--json",   kFolder / card};
+  };
+  const auto sha256 = [](const char* card) {
+    std::ifstream in(kFolder / card);
+    return nlohmann::json::parse(in)["samples_sha256"].get<std::string>();
+  };
+  Process asked(command("asked.json", "2"));
+  Operator hand;
+  EXPECT_TRUE(hand.wait_until(1.0)) << asked.err();
+  const auto response = hand.add_person(18.0, -2.0);
+  ASSERT_TRUE(response.has_value()) << asked.err();
+  EXPECT_FALSE(response->success());
+  EXPECT_THAT(response->message(), testing::HasSubstr("--accept-inputs"));
+  ASSERT_TRUE(asked.wait(std::chrono::seconds(60))) << asked.err();
+  run_to_end(command("alone.json", "0"), std::chrono::seconds(60));
+  EXPECT_EQ(sha256("asked.json"), sha256("alone.json"));
   std::filesystem::remove_all(kFolder);
 }
 

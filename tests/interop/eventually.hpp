@@ -6,15 +6,21 @@
 
 namespace bw::test {
 
+/// Polls `seen` every `pause` until it holds, at least once, and not beyond `end`.
+template <class Condition>
+bool poll_until(std::chrono::steady_clock::time_point end, std::chrono::microseconds pause, Condition seen) {
+  for (;;) {
+    if (seen()) return true;
+    if (std::chrono::steady_clock::now() >= end) return false;
+    std::this_thread::sleep_for(pause);
+  }
+}
+
 /// Polls `seen` until it holds, for at most 30 s.
 template <class Condition>
 bool eventually(Condition seen) {
-  for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-       std::chrono::steady_clock::now() < end;) {
-    if (seen()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return false;
+  return poll_until(std::chrono::steady_clock::now() + std::chrono::seconds(30),
+                    std::chrono::milliseconds(20), seen);
 }
 
 }  // namespace bw::test

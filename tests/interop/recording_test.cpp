@@ -146,7 +146,8 @@ TEST_F(Recording, TolerancesOfTheGraphHold) {
   std::ofstream(folder_ / "tolerant.yaml")
       << graph << "\ntolerances:\n  /cmd_vel_nav: {linear: 5, angular: 5}\n  /follow_status: {command: 5}\n"
       << "  /local_plan: {poses: left_out}\n  /local_planner_markers: {markers: left_out}\n"
-      << "  /local_planner_cycle: {chosen_cost: left_out, iterations: left_out}\n";
+      << "  /local_planner_cycle: {chosen_cost: left_out, chosen_label: left_out, class_switched: left_out, "
+         "iterations: left_out, number_of_candidates: left_out}\n";
   const std::vector<std::string> change = {"--set", "local_planner.teb.band.weights.time=1.01"};
   const Outcome strict = replay({"local_planner"}, change);
   EXPECT_EQ(strict.status, 1) << strict.out << strict.err;

@@ -112,11 +112,14 @@ TEST(NamesakeWatch, SaysWhenItIsNotOfThisMachine) {
               ElementsAre(HasSubstr("01.0f.09.09.03.00.00.00.00.00.00.00 of another machine or vendor")));
 }
 
-// Two graphs of ours run side by side.
+// Two processes of ours run side by side, and their nodes serve the same. Somebody else's node of that name does not.
 TEST(NamesakeWatch, TheNodeOfAProcessMayHaveNamesakes) {
   Domain domain;
   domain.add_node(kOther, "bandwagon");
   domain.add_server(kOther, "/bandwagon/get_state");
+  domain.look();
+  EXPECT_THAT(domain.look(), IsEmpty());
+  domain.add_node(kTheirs, "bandwagon");
   domain.look();
   const auto news = domain.watch.look(domain.view());
   ASSERT_EQ(news.size(), 1U);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "components/tools/drive_page/drive_page.hpp"
 #include "components/tools/evaluate/suite.hpp"
 #include "components/tools/evaluate/suite_report.hpp"
 #include "components/tools/program/drive.hpp"
@@ -26,6 +27,7 @@ struct EvaluateOptions {
   std::string shard;
   std::string json;
   std::string svg_dir;
+  std::string html_dir;
   double at_least = 0.0;
 };
 
@@ -112,23 +114,40 @@ std::string planner_of(const nlohmann::json& card, const Job& job) {
   return planner.is_object() ? planner.value("name", job.planner) : job.planner;
 }
 
+/// Of the files of one drive. Names of episodes are unique in a suite.
+std::string file_stem(const EvaluateOptions& options, const Suite& suite, const Job& job) {
+  const std::string before = options.suites.size() == 1
+                                 ? ""
+                                 : std::filesystem::path(options.suites[job.suite]).stem().string() + "_";
+  const std::string planner = job.planner.empty() ? "" : "_" + job.planner;
+  return fmt::format("{}{}{}_seed{}", before, suite.options.episodes[job.episode].name, planner, job.seed);
+}
+
+/// A drive that failed once more, the same to the byte, and recorded: few fail, so that this costs less than to record them all.
+std::string page_of(const EvaluateOptions& options, const Suite& suite, const Job& job,
+                    DriveSettings settings, const std::string& samples_sha256) {
+  settings.svg.clear();
+  settings.html = std::filesystem::path(options.html_dir) / (file_stem(options, suite, job) + ".html");
+  const DriveResult again = drive(graph_of(suite, job, options.set), settings);
+  if (cli::interrupted()) return "";
+  if (!again.page_fault.empty()) std::cerr << "--html: " << again.page_fault << "\n";
+  if (again.json.value("samples_sha256", "") != samples_sha256)
+    std::cerr << settings.html.string() << ": driven again it was not the same drive\n";
+  return std::filesystem::exists(settings.html) ? settings.html.string() : "";
+}
+
 EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, const Job& job) {
-  DriveSettings drive_options;
-  drive_options.host.clock = ClockMode::lockstep;
-  drive_options.host.seed = static_cast<std::uint64_t>(job.seed);
-  drive_options.longest = Duration::seconds(suite.options.time_limit);
-  const std::string& name = suite.options.episodes[job.episode].name;
-  if (!options.svg_dir.empty()) {
-    // Names of episodes are unique in a suite.
-    const std::string before = options.suites.size() == 1
-                                   ? ""
-                                   : std::filesystem::path(options.suites[job.suite]).stem().string() + "_";
-    const std::string planner = job.planner.empty() ? "" : "_" + job.planner;
-    drive_options.svg = std::filesystem::path(options.svg_dir) /
-                        fmt::format("{}{}{}_seed{}.svg", before, name, planner, job.seed);
-  }
-  const nlohmann::json card = drive(graph_of(suite, job, options.set), drive_options).json;
-  return {name, job.seed, planner_of(card, job), card};
+  DriveSettings settings;
+  settings.host.clock = ClockMode::lockstep;
+  settings.host.seed = static_cast<std::uint64_t>(job.seed);
+  settings.longest = Duration::seconds(suite.options.time_limit);
+  if (!options.svg_dir.empty())
+    settings.svg = std::filesystem::path(options.svg_dir) / (file_stem(options, suite, job) + ".svg");
+  const nlohmann::json card = drive(graph_of(suite, job, options.set), settings).json;
+  EpisodeResult result{suite.options.episodes[job.episode].name, job.seed, planner_of(card, job), card};
+  if (!options.html_dir.empty() && !result.succeeded() && !cli::interrupted())
+    result.page = page_of(options, suite, job, settings, card.value("samples_sha256", ""));
+  return result;
 }
 
 /// One suite as an object, several as {suites: [...]}; how many drives were planned and done stands in either.
@@ -154,6 +173,7 @@ bool enough_succeeded(const SuiteResult& result, double share) {
 }
 
 int evaluate(const EvaluateOptions& options) {
+  if (!options.html_dir.empty()) require_page("--html " + options.html_dir);
   std::vector<Suite> suites;
   std::vector<SuiteResult> results;
   for (const std::string& file : options.suites) {
@@ -200,6 +220,9 @@ CLI::App* add_evaluate(CLI::App& app, int& status) {
       "--json", options->json,
       "Writes summary and score cards here, after every drive; `complete` tells whether all are in it");
   verb->add_option("--svg-dir", options->svg_dir, "Writes a picture of every drive into this folder");
+  verb->add_option(
+      "--html", options->html_dir,
+      "Writes a page of every drive that failed into this folder: it plays the drive, and needs no server");
   verb->add_option("--at-least", options->at_least,
                    "Exit status 1 when a planner's share of successes is lower")
       ->check(CLI::Range(0.0, 1.0));

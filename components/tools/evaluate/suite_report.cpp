@@ -123,6 +123,7 @@ nlohmann::json to_json(const SuiteResult& result) {
     episode["seed"] = drive.seed;
     episode["planner"] = drive.planner;
     episode["success"] = drive.succeeded();
+    if (!drive.page.empty()) episode["page"] = drive.page;
     episode.erase("callbacks");
     if (drive.succeeded())
       episode.erase("robot_path");  // hundreds of drives in a file; failures are looked at
@@ -171,7 +172,8 @@ std::string in_a_line(const EpisodeResult& result) {
                      result.seed, result.planner, outcome, card.value("collisions", 0),
                      card.value("collisions_at_speed", 0),
                      text(card.value("min_distance_m", nlohmann::json()), 2),
-                     text(card.value("max_collision_index", nlohmann::json()), 2));
+                     text(card.value("max_collision_index", nlohmann::json()), 2)) +
+         (result.page.empty() ? "" : ", " + result.page);
 }
 
 }  // namespace bw

@@ -16,6 +16,7 @@ struct EpisodeResult {
   std::int64_t seed = 0;
   std::string planner;
   nlohmann::json card;
+  std::string page = {};  ///< file that plays the drive; empty: none
 
   bool succeeded() const;
 };
@@ -31,7 +32,7 @@ struct SuiteResult {
 /// min_distance_m, closest_person_m, max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3,
 /// localization: {mean_rms_m, max_m}, planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner,
 /// success, ... score card}]}. Times and jerk are means over reached goals and over all drives; p95 of the
-/// planner's time is that of the worst drive. The robot's way is told of drives that failed.
+/// planner's time is that of the worst drive. The robot's way is told of drives that failed, and their `page` where there is one.
 nlohmann::json to_json(const SuiteResult& result);
 
 /// The drives that failed, and one table: a row for each suite and planner, planners in the order they were

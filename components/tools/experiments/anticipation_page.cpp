@@ -73,6 +73,17 @@ std::string hallway_rows_table(const std::vector<HallwayRow>& rows) {
   return html + "</table>\n";
 }
 
+std::string failed_drives(const std::vector<HallwayDrive>& drives) {
+  std::string html;
+  for (const HallwayDrive& drive : drives) {
+    if (drive.page.empty()) continue;
+    html += "<li><a href=\"" + xml_text(drive.page) + "\">" + xml_text(drive.planner) + ", " + drive.episode +
+            ", " + drive.senses() + " senses, people " + (drive.people_react ? "react" : "do not react") +
+            ", seed " + std::to_string(drive.seed) + "</a></li>\n";
+  }
+  return html.empty() ? "" : "<p>Drives that failed, to be played:</p>\n<ul>\n" + html + "</ul>\n";
+}
+
 }  // namespace
 
 std::string anticipation_page(const AnticipationResults& results) {
@@ -85,7 +96,8 @@ std::string anticipation_page(const AnticipationResults& results) {
             crossing_picture(results.crossing, results.geometry, 0);
   }
   html += "<h3>At the places first proposed</h3>\n" + crossing_rows(results.proposed);
-  html += std::string(kHallway) + hallway_rows_table(hallway_rows(results.hallway));
+  html += std::string(kHallway) + hallway_rows_table(hallway_rows(results.hallway)) +
+          failed_drives(results.hallway);
   for (const bool react : {true, false}) {
     for (const char* episode : {"light", "full"}) {
       html += std::string("<h3>Largest collision index of every seed, ideal senses: ") + episode +

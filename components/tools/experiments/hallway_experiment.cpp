@@ -158,6 +158,7 @@ nlohmann::ordered_json hallway_json(const std::vector<HallwayDrive>& drives) {
                     {"share_of_time_above_0_14", drive.share_above_0_14},
                     {"time_s", drive.time},
                     {"path_length_m", drive.path_length}});
+    if (!drive.page.empty()) list.back()["page"] = drive.page;
   }
   return {{"rows", std::move(rows)}, {"drives", std::move(list)}};
 }

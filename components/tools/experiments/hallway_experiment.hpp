@@ -29,6 +29,7 @@ struct HallwayDrive {
   double share_above_0_14 = 0.0;
   double time = 0.0;         ///< [s] of the drive
   double path_length = 0.0;  ///< [m]
+  std::string page = {};     ///< that plays the drive, beside the results; empty: none
 
   const char* senses() const { return own_senses ? "own" : "ideal"; }
   /// As a suite counts it: reached, and nobody was touched while the robot moved.

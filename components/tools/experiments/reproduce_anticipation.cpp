@@ -1,4 +1,6 @@
 // bandwagon reproduce pteb|eteb: E5 in process, then E6 as drives of the hallway suite, by ideal senses and by own.
+#include <cctype>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 
@@ -10,6 +12,7 @@
 #include "components/tools/experiments/project_file.hpp"
 #include "components/tools/experiments/reproduce.hpp"
 #include "components/tools/program/drive.hpp"
+#include "components/viewer/adaptor/site.hpp"
 #include "runtime/atomic_file.hpp"
 #include "runtime/cli/signals.hpp"
 
@@ -19,6 +22,7 @@ namespace {
 constexpr int kRuns = 40;
 constexpr int kQuickRuns = 5;
 constexpr std::int64_t kQuickSeeds = 2;
+constexpr int kMostPages = 20;                // of drives that failed: some MB each
 constexpr std::int64_t kOwnSensesSeeds = 10;  // half of those by ideal senses: reported, not judged
 
 std::vector<CrossingResult> drive_crossing(const std::vector<CrossingEntry>& entries,
@@ -79,9 +83,31 @@ std::vector<HallwayJob> hallway_jobs(const Suite& suite, const std::vector<Cross
   return jobs;
 }
 
+/// Beside the results; planners are called by words.
+std::string page_name(const HallwayDrive& drive) {
+  std::string name = fmt::format("hallway_{}_{}_{}_{}_seed{}.html", drive.episode, drive.senses(),
+                                 drive.people_react ? "reacting" : "blind", drive.planner, drive.seed);
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.') c = '_';
+  return "failed/" + name;
+}
+
+/// A drive that failed once more, the same to the byte, and recorded: few fail, so that this costs less than to record them all.
+void add_page(HallwayDrive& row, const Suite& suite, const HallwayJob& job, DriveSettings settings,
+              const std::filesystem::path& out) {
+  const std::string name = page_name(row);
+  settings.html = out / name;
+  const DriveResult again = drive(hallway_graph(suite, job), settings);
+  if (!again.page_fault.empty()) std::cerr << again.page_fault << "\n";
+  if (std::filesystem::exists(settings.html)) row.page = name;
+}
+
 /// By ideal senses all `entries`, then by its own the planners' defaults.
 std::vector<HallwayDrive> drive_hallway(const std::vector<CrossingEntry>& entries,
-                                        const std::vector<CrossingEntry>& defaults, bool quick) {
+                                        const std::vector<CrossingEntry>& defaults,
+                                        const ReproduceArguments& arguments) {
+  const bool quick = arguments.quick;
+  int pages = viewer::page_files().empty() ? kMostPages : 0;  // of a program without the page none
   const Suite suite = load_suite(project_file("config/suites/hallway.yaml"));
   std::vector<HallwayJob> jobs = hallway_jobs(suite, entries, false, quick);
   for (HallwayJob& job : hallway_jobs(suite, defaults, true, quick)) jobs.push_back(std::move(job));
@@ -98,6 +124,11 @@ std::vector<HallwayDrive> drive_hallway(const std::vector<CrossingEntry>& entrie
     HallwayDrive row = hallway_drive(job.entry.label, suite.options.episodes[job.episode].name,
                                      job.people_react, job.seed, result.json);
     row.own_senses = job.own_senses;
+    if (!row.succeeded() && pages < kMostPages) {
+      add_page(row, suite, job, options, arguments.out);
+      ++pages;
+    }
+    if (cli::interrupted()) throw std::runtime_error("interrupted");
     drives.push_back(row);
     std::cerr << fmt::format(
         "[{}/{}] hallway {}, {} senses, people {}, {} seed {}: {}, largest CI {:.2f}\n", drives.size(),
@@ -117,7 +148,7 @@ bool reproduce(const std::string& subject, const ReproduceArguments& arguments) 
   AnticipationResults results{.subject = subject};
   results.crossing = drive_crossing(all, results.geometry, runs);
   results.proposed = drive_crossing(defaults, proposed_crossing(), runs);
-  results.hallway = drive_hallway(arguments.quick ? defaults : all, defaults, arguments.quick);
+  results.hallway = drive_hallway(arguments.quick ? defaults : all, defaults, arguments);
 
   nlohmann::ordered_json json = anticipation_json(results);
   json["tuned_to_published"] = tuned_to_published(subject);

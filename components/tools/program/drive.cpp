@@ -14,7 +14,9 @@
 #include <sys/resource.h>
 
 #include "components/evaluation/evaluation_parameters.hpp"
+#include "components/tools/drive_page/drive_page.hpp"
 #include "components/tools/program/bag_description.hpp"
+#include "components/tools/program/page_recording.hpp"
 #include "components/tools/program/recording.hpp"
 #include "components/tools/program/run_observer.hpp"
 #include "components/tools/program/score_card_json.hpp"
@@ -73,18 +75,21 @@ class InterruptWatch {
   std::thread thread_;
 };
 
-/// The recording and the snapshots of one drive, whichever of them are asked for.
+/// The recording, the snapshots and the page of one drive, whichever of them are asked for.
 class Bags {
  public:
   Bags(const Graph& graph, const DriveSettings& options)
       : graph_(graph), options_(options), lockstep_(options.host.clock == ClockMode::lockstep) {
     if (!options.record.empty()) recording_.emplace();
     if (graph.snapshot && options.snapshots) snapshots_.emplace();
+    if (options.html.empty()) return;
+    require_page("--html " + options.html.string());
+    page_.emplace();
   }
 
   /// Before the host.
   void join(HostOptions& host_options, std::vector<ExtraComponent>& extra) {
-    if (!recording_ && !snapshots_) return;
+    if (!recording_ && !snapshots_ && !page_) return;
     host_options.tap = taps_;
     if (lockstep_) return;
     if (recording_) extra.push_back({"recorder", recording_->make_reporter()});
@@ -96,11 +101,13 @@ class Bags {
     if (recording_)
       taps_->add(recording_->open(options_.record, {.writer = options_.record_options, .waits = lockstep_},
                                   describe(host, options_.host)));
+    if (page_) taps_->add(page_->open(lockstep_, describe(host, options_.host)));
   }
   /// Says what was lost, and where snapshots are.
   void finish(const Host& host) {
     if (snapshots_) snapshots_->finish();
     if (snapshots_) std::cerr << snapshots_->untold();
+    if (page_) page_fault_ = page_->finish(host, page_name(), options_.html);
     if (!recording_) return;
     if (const std::string lost = recording_->finish(host); !lost.empty()) std::cerr << lost << "\n";
   }
@@ -108,14 +115,22 @@ class Bags {
     if (recording_) json["recording"] = recording_->json();
     if (snapshots_) json["snapshots"] = snapshots_->json();
   }
+  [[nodiscard]] const std::string& page_fault() const { return page_fault_; }
 
  private:
+  /// hallway seed 7
+  [[nodiscard]] std::string page_name() const {
+    return graph_.path.stem().string() + " seed " + std::to_string(options_.host.seed);
+  }
+
   const Graph graph_;  ///< with the components that are left out
   const DriveSettings& options_;
   bool lockstep_;
   std::shared_ptr<Taps> taps_ = std::make_shared<Taps>();
   std::optional<Recording> recording_;
   std::optional<Snapshots> snapshots_;
+  std::optional<PageRecording> page_;
+  std::string page_fault_;
 };
 
 }  // namespace
@@ -239,6 +254,7 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
   result.end = host.run(options.longest);
   const double real_s = (steady_time() - started).to_seconds();
   bags.finish(host);
+  result.page_fault = bags.page_fault();
 
   const RunFacts facts{.graph = graph_file,
                        .seed = options.host.seed,

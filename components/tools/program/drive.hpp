@@ -19,6 +19,7 @@ struct DriveSettings {
   HostOptions host;
   std::optional<Duration> longest;  ///< ends then, on the component clock
   std::filesystem::path svg;        ///< picture of the drive; empty: none
+  std::filesystem::path html;       ///< one page of the drive, to be played; empty: none
   std::filesystem::path record;     ///< bag of the drive: a folder, or a file.mcap; empty: none
   bag::BagWriterOptions record_options;
   bool snapshots = false;      ///< as the graph says; else its section `snapshot` is not looked at
@@ -31,7 +32,8 @@ struct DriveResult {
   bool judged = false;   ///< the graph has an evaluation in the processes that ran
   bool has_goal = true;  ///< false: it scores the whole run, which no goal ends
   std::optional<bandwagon_msgs::msg::ScoreCard> card;
-  nlohmann::json json;  ///< the score card (score_card_json.hpp)
+  std::string page_fault;  ///< why there is no page, or what is not on it; empty: all is
+  nlohmann::json json;     ///< the score card (score_card_json.hpp)
 };
 
 /// The first component of this type in `process` (empty: in any); nullptr if there is none.

@@ -7,7 +7,9 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
+#include "components/tools/drive_page/drive_page.hpp"
 #include "components/viewer/adaptor/site.hpp"
+#include "runtime/cli/page_writer.hpp"
 #include "runtime/cli/verb.hpp"
 
 namespace {
@@ -26,6 +28,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", version);
   int status = 0;
+  bw::cli::set_page_writer({.require = bw::require_page, .write = bw::write_drive_page});
   bw::cli::add_verbs(app, status);
   try {
     app.parse(argc, argv);

@@ -25,6 +25,7 @@ struct RunOptions {
   bool stay = false;
   std::string json;
   std::string svg;
+  std::string html;
   RecordOptions record;
   PageOptions page;
   bool progress = false;
@@ -60,6 +61,7 @@ int run(const RunOptions& options) {
                       .accept_inputs = options.accept_inputs},
              .longest = options.for_s > 0.0 ? std::optional(Duration::seconds(options.for_s)) : std::nullopt,
              .svg = options.svg,
+             .html = options.html,
              .record = options.record.record,
              .record_options = options.record.writer_options(),
              .snapshots = true,
@@ -67,6 +69,10 @@ int run(const RunOptions& options) {
              .stays = options.stay});
   if (!options.json.empty()) write_file_atomically(options.json, result.json.dump(2) + "\n");
   if (result.judged) std::cout << in_words(result.json);
+  if (!result.page_fault.empty()) {
+    std::cerr << "--html: " << result.page_fault << "\n";
+    return 1;
+  }
   return is_success(options, result) ? 0 : 1;
 }
 
@@ -94,6 +100,8 @@ CLI::App* add_run(CLI::App& app, int& status) {
       "Lock-step: goals, parameters, transitions and commands of other programs enter the run and its record");
   verb->add_option("--json", options->json, "Writes the score card here");
   verb->add_option("--svg", options->svg, "Writes a picture of the run here");
+  verb->add_option("--html", options->html,
+                   "Writes one page here that plays the drive: a file that needs no server");
   options->record.add_to(*verb);
   options->page.add_to(*verb);
   verb->add_flag("--progress", options->progress, "Progress line even when stderr is no terminal");

@@ -1,7 +1,8 @@
 #include "tests/interop/nav2_tree/action_leaf.hpp"
 
 #include <functional>
-#include <thread>
+
+#include "tests/interop/eventually.hpp"
 
 namespace nav2 {
 namespace {
@@ -91,12 +92,10 @@ void ActionLeaf::poll_acknowledgement() {
 }
 
 bool ActionLeaf::wait_until(Clock::time_point end, const std::function<bool()>& seen) {
-  for (;;) {
+  return bw::test::poll_until(end, kLook, [&] {
     poll();
-    if (seen()) return true;
-    if (Clock::now() >= end) return false;
-    std::this_thread::sleep_for(kLook);
-  }
+    return seen();
+  });
 }
 
 Status ActionLeaf::ended() {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <thread>
+
+#include "tests/interop/eventually.hpp"
 
 namespace nav2 {
 namespace {
@@ -120,11 +121,9 @@ NodePtr DefaultTree::controller_recovery_helps() {
 
 std::optional<std::string> DefaultTree::missing_server() {
   const auto is_there = [](auto& client) {
-    for (const auto end = Clock::now() + std::chrono::seconds(1); Clock::now() < end;) {
-      if (client.is_ready()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
+    constexpr std::chrono::milliseconds kPause{1};
+    return bw::test::poll_until(Clock::now() + std::chrono::seconds(1), kPause,
+                                [&client] { return client.is_ready(); });
   };
   for (ActionLeaf* leaf : actions_) {
     if (!is_there(leaf->client())) return "action " + leaf->action();

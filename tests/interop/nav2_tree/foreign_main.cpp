@@ -2,8 +2,8 @@
 // "ready", and at its end how many plans and preemptions there were.
 #include <csignal>
 #include <iostream>
-#include <thread>
 
+#include "tests/interop/eventually.hpp"
 #include "tests/interop/nav2_tree/foreign_servers.hpp"
 #include "tests/interop/nav2_tree/tree_nodes.hpp"
 
@@ -22,7 +22,9 @@ int main(int argc, char** argv) {
   nav2::ForeignPlanner planner(planner_node, frames);
   nav2::ForeignController controller(controller_node, frames, argv[1]);
   std::cout << "ready" << std::endl;
-  for (auto next = nav2::Clock::now(); interrupted == 0;) {
+  constexpr std::chrono::milliseconds kPause{1};
+  auto next = nav2::Clock::now();
+  bw::test::poll_until(nav2::Clock::time_point::max(), kPause, [&] {
     frames.poll();
     planner.poll();
     controller.poll();
@@ -30,8 +32,8 @@ int main(int argc, char** argv) {
       controller.control();
       next = nav2::Clock::now() + kControl;
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+    return interrupted != 0;
+  });
   std::cout << planner.plans() << " plans, " << controller.preemptions() << " preemptions" << std::endl;
   return 0;
 }

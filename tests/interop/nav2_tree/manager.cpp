@@ -1,7 +1,8 @@
 #include "tests/interop/nav2_tree/manager.hpp"
 
 #include <ranges>
-#include <thread>
+
+#include "tests/interop/eventually.hpp"
 
 namespace nav2 {
 namespace {
@@ -43,12 +44,10 @@ Manager::Manager(plain::Node& node, const std::vector<std::string>& node_names) 
 }
 
 bool Manager::wait_until(std::chrono::milliseconds limit, const std::function<bool()>& seen) {
-  for (const auto end = Clock::now() + limit; Clock::now() < end;) {
+  return bw::test::poll_until(Clock::now() + limit, kLook, [&] {
     bonds_.poll();
-    if (seen()) return true;
-    std::this_thread::sleep_for(kLook);
-  }
-  return false;
+    return seen();
+  });
 }
 
 std::optional<Bytes> Manager::call(plain::Client& client, const Bytes& request) {

@@ -1,7 +1,8 @@
 #include "tests/interop/nav2_tree/service_leaf.hpp"
 
 #include <algorithm>
-#include <thread>
+
+#include "tests/interop/eventually.hpp"
 
 namespace nav2 {
 
@@ -12,16 +13,12 @@ Status ClearCostmap::on_tick() {
     asked_ = client_.send(CdrOut().number(std::uint8_t{0}).bytes());
   }
   const auto end = std::min(Clock::now() + kWaitInTick, at_ + kServerTimeout);
-  for (;;) {
-    if (client_.take(*asked_)) {
-      const std::chrono::duration<double> took = Clock::now() - at_;
-      journal_.exchanges.push_back(
-          {.what = service_, .at = journal_.since(at_), .took = took.count(), .accepted = true});
-      asked_.reset();
-      return Status::success;
-    }
-    if (Clock::now() >= end) break;
-    std::this_thread::sleep_for(kLook);
+  if (bw::test::poll_until(end, kLook, [this] { return client_.take(*asked_).has_value(); })) {
+    const std::chrono::duration<double> took = Clock::now() - at_;
+    journal_.exchanges.push_back(
+        {.what = service_, .at = journal_.since(at_), .took = took.count(), .accepted = true});
+    asked_.reset();
+    return Status::success;
   }
   if (Clock::now() - at_ < kServerTimeout) return Status::running;
   journal_.exchanges.push_back({.what = service_, .at = journal_.since(at_)});

@@ -4,10 +4,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
-#include <thread>
 
 #include <nlohmann/json.hpp>
 
+#include "tests/interop/eventually.hpp"
 #include "tests/interop/nav2_tree/commands.hpp"
 #include "tests/interop/nav2_tree/default_tree.hpp"
 #include "tests/interop/nav2_tree/frames.hpp"
@@ -107,12 +107,13 @@ class Drive {
  private:
   template <class Seen>
   void sleep_until(Clock::time_point end, Seen seen) {
-    while (Clock::now() < end && !seen()) {
+    constexpr std::chrono::microseconds kPause{500};
+    bw::test::poll_until(end, kPause, [&] {
       frames_.poll();
       commands_.poll(journal_);
       if (tree_) tree_->poll();
-      std::this_thread::sleep_for(std::chrono::microseconds(500));
-    }
+      return seen();
+    });
   }
 
   std::chrono::seconds limit_;

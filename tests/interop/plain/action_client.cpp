@@ -1,6 +1,6 @@
 #include "tests/interop/plain/action_client.hpp"
 
-#include <thread>
+#include "tests/interop/eventually.hpp"
 
 namespace plain {
 namespace {
@@ -76,11 +76,9 @@ bool ActionClient::is_ready() const {
 }
 
 bool ActionClient::wait_until_ready(std::chrono::milliseconds limit) const {
-  for (const auto end = std::chrono::steady_clock::now() + limit; std::chrono::steady_clock::now() < end;) {
-    if (is_ready()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return false;
+  constexpr std::chrono::milliseconds kPause{2};
+  return bw::test::poll_until(std::chrono::steady_clock::now() + limit, kPause,
+                              [this] { return is_ready(); });
 }
 
 std::optional<Acknowledgement> ActionClient::send(const GoalId& id, const Bytes& goal) {

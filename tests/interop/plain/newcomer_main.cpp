@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <map>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/interop/eventually.hpp"
 #include "tests/interop/plain/node.hpp"
 
 namespace {
@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-void look_again() { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }
+constexpr std::chrono::milliseconds kPause{2};
 
 int know_everybody() {
   const auto start = Clock::now();
@@ -29,7 +29,7 @@ int know_everybody() {
   // Whole when every listed end is known and nothing has changed for two seconds; told is when it became so.
   double whole_at = 0.0;
   std::size_t last_count = 0;
-  for (;;) {
+  const bool is_known = bw::test::poll_until(start + std::chrono::seconds(60), kPause, [&] {
     const auto ends = node.ends();
     const auto nodes = node.nodes();
     std::size_t listed = 0, known = 0;
@@ -42,13 +42,11 @@ int know_everybody() {
     const std::size_t count = ends.size() + listed;
     if (listed == 0 || known < listed || count != last_count) whole_at = since(start);
     last_count = count;
-    if (since(start) - whole_at > 2.0 && listed > 0) {
-      std::printf("%zu nodes, %zu ends after %.3f s\n", nodes.size(), known, whole_at);
-      return 0;
-    }
-    if (since(start) > 60.0) return 1;
-    look_again();
-  }
+    if (since(start) - whole_at <= 2.0 || listed == 0) return false;
+    std::printf("%zu nodes, %zu ends after %.3f s\n", nodes.size(), known, whole_at);
+    return true;
+  });
+  return is_known ? 0 : 1;
 }
 
 int hear_first(const std::string& topic, const std::string& type, char** command) {
@@ -63,10 +61,12 @@ int hear_first(const std::string& topic, const std::string& type, char** command
   }
   plain::Bytes sample;
   plain::dds::SampleInfo info;
-  while (reader->take_next_sample(&sample, &info) != ReturnCode_t::RETCODE_OK) {
-    if (waitpid(child, nullptr, WNOHANG) == child) return 1;
-    look_again();
-  }
+  bool is_heard = false;
+  bw::test::poll_until(Clock::time_point::max(), kPause, [&] {
+    is_heard = reader->take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK;
+    return is_heard || waitpid(child, nullptr, WNOHANG) == child;
+  });
+  if (!is_heard) return 1;
   std::printf("first of %s after %.3f s\n", topic.c_str(), since(start));
   kill(child, SIGINT);
   waitpid(child, nullptr, 0);

@@ -1,10 +1,11 @@
 #include "tests/interop/plain/service.hpp"
 
 #include <condition_variable>
-#include <thread>
 
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
+
+#include "tests/interop/eventually.hpp"
 
 namespace plain {
 namespace {
@@ -82,17 +83,15 @@ std::optional<Bytes> Client::take(std::int64_t sequence) {
 }
 
 std::optional<Bytes> Client::call(const Bytes& request, std::chrono::milliseconds limit) {
-  constexpr std::chrono::milliseconds kLook{2};
-  const auto end = std::chrono::steady_clock::now() + limit;
+  constexpr std::chrono::milliseconds kPause{2};
   std::optional<std::int64_t> asked;
-  while (std::chrono::steady_clock::now() < end) {
+  std::optional<Bytes> reply;
+  bw::test::poll_until(std::chrono::steady_clock::now() + limit, kPause, [&] {
     if (!asked && is_ready()) asked = send(request);
-    if (asked) {
-      if (auto reply = take(*asked)) return reply;
-    }
-    std::this_thread::sleep_for(kLook);
-  }
-  return std::nullopt;
+    if (asked) reply = take(*asked);
+    return reply.has_value();
+  });
+  return reply;
 }
 
 /// Which readers the reply writer is connected to.

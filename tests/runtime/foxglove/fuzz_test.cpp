@@ -1,5 +1,5 @@
 // Whatever a client sends, the server stays: it neither throws nor crashes, allocates out of proportion, or keeps what the client left.
-// BANDWAGON_MUTATIONS: how many messages, instead of the few of an ordinary run.
+// BANDWAGON_FOXGLOVE_FUZZ: how many messages, instead of the few of an ordinary run.
 #include <cstdlib>
 #include <random>
 #include <string>
@@ -12,7 +12,7 @@ namespace bw::foxglove::test {
 namespace {
 
 long mutations() {
-  const char* asked = std::getenv("BANDWAGON_MUTATIONS");
+  const char* asked = std::getenv("BANDWAGON_FOXGLOVE_FUZZ");
   return asked == nullptr ? 200'000 : std::atol(asked);
 }
 

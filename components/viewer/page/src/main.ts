@@ -7,6 +7,8 @@ import { PageApp } from "./page/page_app";
 import { mountStatusLines } from "./page/status_lines";
 import { mountTabs, type Tab } from "./page/tabs";
 import { mountToolbar } from "./page/toolbar";
+import { exposeHook } from "./scene/hook";
+import { SceneOnPage } from "./scene/scene";
 import { mountStrip } from "./panels/strip";
 import { mountHands } from "./panels/hands";
 import { mountHealth } from "./panels/health";
@@ -22,6 +24,7 @@ const TABS: Tab[] = [
 const app = new PageApp();
 mountToolbar(app);
 mountStatusLines(element("statuses"), app);
+exposeHook(app, new SceneOnPage(element("scene"), app));
 mountTabs(app, TABS);
 
 mountStrip(element("strip"), app);

@@ -8,7 +8,7 @@ export function connectionFacts(app: Pick<App, "source" | "hands" | "metadata" |
   const facts: [string, string][] = [["source", app.source?.name ?? "none"]];
   if (app.source?.kind === "live") {
     facts.push(["commands", app.hands.canCommand ? "allowed" : app.hands.whyNot]);
-    const commander = app.statuses.findLast(({ text }) => COMMANDER.test(text));
+    const commander = app.statuses.filter(({ text }) => COMMANDER.test(text)).at(-1);
     if (commander !== undefined) facts.push(["commander", commander.text]);
     facts.push(["channels", String(app.source.channels().length)], ["services", String(app.hands.services().length)]);
   }

@@ -55,22 +55,20 @@ export class GraphView {
       svg("rect", { width, height, rx: 5, class: "back" }),
       svg("rect", { width: 4, height, rx: 2, class: "level" }),
       svg("text", { x: 12, y: 17, class: "name" }, shortened(component.name, 21)),
-      ...lines.map((line, i) => svg("text", { x: 12, y: 31 + 13 * i, class: "fact" }, shortened(line, 27))),
+      ...lines.map((line, i) => svg("text", { x: 12, y: 31 + 13 * i, class: "fact" }, shortened(line, 24))),
     );
   }
 }
 
-/** What a box says below its name: what takes long, and what is old. */
+/** What a box says below its name: what it does, what takes long, and what is old. */
 export function linesOf(component: Component): string[] {
-  if (component.level > 0 && component.callbacks.length === 0) return [component.message];
-  const lines: string[] = [];
+  const lines = [component.message];
   const slow = slowest(component);
   const late = missed(component);
   const overruns = Number(component.values.find(({ key }) => key === "overruns")?.value ?? 0);
   if (slow !== undefined) lines.push([`p99 ${slow.run.p99.toFixed(1)} ms`, overruns > 0 ? `${overruns} over` : late > 0 ? `${late} missed` : ""].filter(Boolean).join(" · "));
   const old = oldest(component);
-  if (component.level > 0) lines.push(component.message);
-  else if (old?.share !== undefined) lines.push(`${old.topic.split("/").at(-1)} ${old.age}`);
+  if (old !== undefined) lines.push(`${old.topic.split("/").at(-1)} ${old.age}`);
   return lines;
 }
 

@@ -20,7 +20,7 @@ export interface Layout {
   boxes: Map<string, Rectangle>;
 }
 
-export const BOX = { width: 152, height: 52 };
+export const BOX = { width: 152, height: 66 };
 const GAP = 8;
 const HEAD = { process: 20, lane: 15 };
 /** Between processes, for arrows. */

@@ -17,10 +17,9 @@ export function componentNames(names: readonly string[]): (node: string) => stri
     const full = node.replace(/^\//, "");
     if (known.has(full)) return full;
     const parts = full.split("/");
-    // A component in a namespace of its own: between robot and name.
-    for (let from = 1; from < parts.length; from++) {
-      const robot = parts.slice(0, from - 1);
-      const name = [...robot, parts.at(-1)].join("/");
+    // A component in a namespace of its own, below the robot's name or without one.
+    for (let kept = parts.length - 2; kept >= 0; kept--) {
+      const name = [...parts.slice(0, kept), parts.at(-1)].join("/");
       if (known.has(name)) return name;
     }
     return undefined;

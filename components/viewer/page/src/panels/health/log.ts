@@ -31,7 +31,7 @@ export const LOG_LEVELS: readonly [number, string][] = [
 ];
 
 export function levelName(level: number): string {
-  return LOG_LEVELS.findLast(([value]) => value <= level)?.[1] ?? "debug";
+  return LOG_LEVELS.filter(([value]) => value <= level).at(-1)?.[1] ?? "debug";
 }
 
 export function lineOf(value: WireLog): Line {

@@ -35,16 +35,16 @@ export class Row {
     this.undo = create(
       "button",
       { type: "button", class: "undo", title: `Back to ${textOf(first)}`, "aria-label": `${parameter.name}: back to ${textOf(first)}`, onclick: () => give(first) },
-      "↶",
+      `↶ ${textOf(first)}`,
     );
     this.error.hidden = true;
     const name = isFullName ? parameter.name : sectionOf(parameter.name).leaf;
     this.root = create(
       "div",
       { class: parameter.isReadOnly ? "parameter fixed" : "parameter" },
-      create("span", { class: "name", title: parameter.name }, name),
-      create("span", { class: "control" }, this.control.root, create("span", { class: "unit" }, parameter.unit), this.undo),
-      create("p", { class: "doc" }, parameter.doc, ...this.facts()),
+      create("span", { class: "name", title: parameter.name }, ...breakable(name)),
+      create("span", { class: "control" }, this.control.root, create("span", { class: "unit", title: parameter.unit }, parameter.unit)),
+      create("p", { class: "doc" }, create("span", {}, parameter.doc), ...this.facts(), this.undo),
       this.error,
     );
     this.show();
@@ -86,4 +86,9 @@ export class Row {
     if (isReadOnly) facts.push("fixed while the component is active");
     return facts.map((fact) => create("span", { class: "fact" }, fact));
   }
+}
+
+/** Long names break between their words. */
+function breakable(name: string): (string | Node)[] {
+  return name.split(/(?<=_)/).flatMap((word, i) => (i === 0 ? [word] : [create("wbr"), word]));
 }

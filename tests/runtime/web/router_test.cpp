@@ -1,0 +1,222 @@
+// Who is let in to what, on a loopback address and on another, with and without the token: each operation, each way.
+#include "runtime/web/router.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "tests/folder.hpp"
+
+namespace bw::web {
+namespace {
+
+constexpr const char* kToken = "a token of 16 or more characters has none of these spaces";
+constexpr const char* kSecret = "correct-horse-battery";
+
+class RouterTest : public ::testing::Test {
+ protected:
+  RouterTest() {
+    std::filesystem::create_directories(folder_ / "bags");
+    std::ofstream(folder_ / "bags/a.mcap") << "bag";
+    std::ofstream(folder_ / "token") << kSecret << '\n';
+    chmod((folder_ / "token").c_str(), 0600);
+  }
+
+  Router router(bool is_loopback, bool allow_commands = false) const {
+    ServerOptions options;
+    options.bag_folder = folder_ / "bags";
+    options.allow_commands = allow_commands;
+    options.allow_origins = {"https://app.foxglove.dev"};
+    if (!is_loopback) options.token_file = folder_ / "token";
+    Router result(options, is_loopback, {}, {"foxglove.sdk.v1"});
+    result.set_port(8765);
+    return result;
+  }
+
+  static Request request(const std::string& method, const std::string& target,
+                         std::vector<std::pair<std::string, std::string>> headers = {}) {
+    headers.emplace_back("Host", "10.0.0.5:8765");
+    headers.emplace_back("Sec-WebSocket-Protocol", "foxglove.sdk.v1");
+    return {
+        .method = method, .target = target, .headers = std::move(headers), .address = "10.0.0.9", .now = 1};
+  }
+
+  test::Folder folder_;
+};
+
+int status_of(const std::variant<Admission, Reply>& admitted) {
+  const auto* refused = std::get_if<Reply>(&admitted);
+  return refused ? refused->status : 101;
+}
+
+/// A browser's login: the cookie as it sends it back.
+std::string log_in(Router& router, Request login) {
+  login.headers.emplace_back("Origin", "http://10.0.0.5:8765");
+  login.body = std::string("token=") + kSecret;
+  const Reply reply = router.answer(login);
+  EXPECT_EQ(reply.status, 303);
+  for (const auto& [name, value] : reply.headers) {
+    if (name != "Set-Cookie") continue;
+    EXPECT_TRUE(value.ends_with("; Path=/; HttpOnly; SameSite=Strict")) << value;
+    return value.substr(0, value.find(';'));
+  }
+  ADD_FAILURE() << "no cookie";
+  return {};
+}
+
+// Every operation that reads, with everything that is no right token.
+TEST_F(RouterTest, WithoutTheTokenNothingIsRead) {
+  const std::vector<std::pair<std::string, std::string>> credentials = {
+      {"X-None", ""},
+      {"Authorization", ""},
+      {"Authorization", "Bearer"},
+      {"Authorization", "Bearer wrong"},
+      {"Authorization", std::string("Bearer ") + kSecret + "x"},
+      {"Authorization", std::string("Token ") + kSecret},
+      {"Authorization", "Basic cm9ib3Q6d3Jvbmc="},
+      {"Cookie", "bandwagon_8765="},
+      {"Cookie", "bandwagon_8765=00000000000000000000000000000000"},
+      {"Cookie", std::string("bandwagon_8765=") + kSecret},
+      {"Cookie", std::string("token=") + kSecret},
+  };
+  for (const auto& credential : credentials) {
+    for (const std::string method : {"GET", "HEAD", "POST", "PUT", "OPTIONS"}) {
+      for (const std::string target :
+           {"/", "/app.js", "/bags/", "/bags/a.mcap", "/bags/none", "/nothing", "/logout"}) {
+        Router fresh = router(false);  // so that it is not the number of attempts
+        EXPECT_EQ(fresh.answer(request(method, target, {credential})).status, 401)
+            << method << target << credential.second;
+      }
+    }
+    Router fresh = router(false);
+    EXPECT_EQ(status_of(fresh.admit(request("GET", "/", {credential}))), 401) << credential.second;
+  }
+}
+
+TEST_F(RouterTest, WithTheTokenEverythingIsRead) {
+  Router open = router(false);
+  const std::string cookie = log_in(open, request("POST", "/login"));
+  const std::vector<std::pair<std::string, std::string>> credentials = {
+      {"Authorization", std::string("Bearer ") + kSecret},
+      {"Authorization", "Basic YTpjb3JyZWN0LWhvcnNlLWJhdHRlcnk="},  // a:correct-horse-battery
+      {"Cookie", "other=1; " + cookie + "; more=2"},
+  };
+  for (const auto& credential : credentials) {
+    EXPECT_EQ(open.answer(request("GET", "/", {credential})).status, 200) << credential.second;
+    EXPECT_EQ(open.answer(request("GET", "/bags/", {credential})).status, 200) << credential.second;
+    EXPECT_EQ(open.answer(request("GET", "/bags/a.mcap", {credential})).status, 200) << credential.second;
+    EXPECT_EQ(status_of(open.admit(request("GET", "/", {credential}))), 101) << credential.second;
+  }
+}
+
+TEST_F(RouterTest, CommandsAreOffUnlessTheyAreAllowed) {
+  const auto asked = request("GET", "/", {{"Authorization", std::string("Bearer ") + kSecret}});
+  EXPECT_FALSE(std::get<Admission>(router(false).admit(asked)).may_command);
+  EXPECT_TRUE(std::get<Admission>(router(false, true).admit(asked)).may_command);
+  Request local = request("GET", "/");
+  local.headers.front().second = "localhost:8765";
+  EXPECT_TRUE(std::get<Admission>(router(true).admit(local)).may_command);
+}
+
+TEST_F(RouterTest, TheTokenHelpsNoForeignHostOrOrigin) {
+  Router open = router(false);
+  const std::pair<std::string, std::string> right = {"Authorization", std::string("Bearer ") + kSecret};
+  const std::string cookie = log_in(open, request("POST", "/login"));
+  for (const auto& credential : {right, {"Cookie", cookie}}) {
+    const auto foreign = request("GET", "/bags/a.mcap", {credential, {"Origin", "https://evil.example"}});
+    EXPECT_EQ(open.answer(foreign).status, 403);
+    EXPECT_EQ(status_of(open.admit(request("GET", "/", {credential, {"Origin", "https://evil.example"}}))),
+              403);
+    auto rebound = request("GET", "/bags/a.mcap", {credential});
+    rebound.headers[1].second = "evil.example:8765";
+    EXPECT_EQ(open.answer(rebound).status, 403);
+    EXPECT_EQ(status_of(open.admit(rebound)), 403);
+  }
+}
+
+TEST_F(RouterTest, ReplayedCookiesAreRefused) {
+  Router open = router(false);
+  const std::string cookie = log_in(open, request("POST", "/login"));
+  auto elsewhere = request("GET", "/", {{"Cookie", cookie}});
+  elsewhere.address = "10.0.0.10";
+  EXPECT_EQ(open.answer(elsewhere).status, 401);
+  EXPECT_EQ(status_of(open.admit(elsewhere)), 401);
+
+  auto late = request("GET", "/", {{"Cookie", cookie}});
+  late.now = 1 + 12 * 3600;
+  EXPECT_EQ(status_of(open.admit(late)), 401);
+
+  auto other_page = request("POST", "/logout", {{"Cookie", cookie}, {"Origin", "http://localhost:3000"}});
+  EXPECT_EQ(open.answer(other_page).status, 403);
+  EXPECT_EQ(open.answer(request("GET", "/", {{"Cookie", cookie}})).status, 200);
+  EXPECT_EQ(open.answer(request("POST", "/logout", {{"Cookie", cookie}, {"Origin", "http://10.0.0.5:8765"}}))
+                .status,
+            303);
+  EXPECT_EQ(open.answer(request("GET", "/", {{"Cookie", cookie}})).status, 401);
+  EXPECT_EQ(status_of(open.admit(request("GET", "/", {{"Cookie", cookie}}))), 401);
+
+  Router restarted = router(false);
+  EXPECT_EQ(restarted.answer(request("GET", "/", {{"Cookie", cookie}})).status, 401);
+}
+
+TEST_F(RouterTest, LoggingInIsForItsOwnPageAndForFewAttempts) {
+  Router open = router(false);
+  Request login = request("POST", "/login");
+  login.body = std::string("token=") + kSecret;
+  EXPECT_EQ(open.answer(login).status, 403);  // no page at all
+  login.headers.emplace_back("Origin", "http://localhost:3000");
+  EXPECT_EQ(open.answer(login).status, 403);
+  login.headers.back().second = "http://10.0.0.5:8765";
+  login.body = "token=wrong";
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(open.answer(login).status, 401);
+  login.body = std::string("token=") + kSecret;
+  EXPECT_EQ(open.answer(login).status, 429);  // the right one as well
+  EXPECT_EQ(status_of(open.admit(request("GET", "/", {{"Authorization", std::string("Bearer ") + kSecret}}))),
+            429);
+  login.address = "10.0.0.11";
+  EXPECT_EQ(open.answer(login).status, 303);
+  login.address = "10.0.0.9";
+  login.now = 62;
+  EXPECT_EQ(open.answer(login).status, 303);
+}
+
+TEST_F(RouterTest, ShowsAFormToABrowser) {
+  const Reply reply = router(false).answer(request("GET", "/"));
+  EXPECT_EQ(reply.status, 401);
+  EXPECT_THAT(std::get<std::string>(reply.body),
+              ::testing::HasSubstr("<form method=\"post\" action=\"/login\">"));
+}
+
+TEST_F(RouterTest, ATokenInAUrlIsRefusedEvenIfItIsRight) {
+  Router open = router(false);
+  const std::string target = std::string("/?token=") + kSecret;
+  const std::pair<std::string, std::string> right = {"Authorization", std::string("Bearer ") + kSecret};
+  EXPECT_EQ(open.answer(request("GET", target, {right})).status, 400);
+  EXPECT_EQ(status_of(open.admit(request("GET", target, {right}))), 400);
+}
+
+TEST_F(RouterTest, OnLoopbackNoTokenIsNeeded) {
+  Router local = router(true);
+  auto asked = request("GET", "/bags/a.mcap");
+  asked.headers.front().second = "localhost:8765";
+  EXPECT_EQ(local.answer(asked).status, 200);
+  asked.method = "POST";
+  asked.target = "/login";
+  EXPECT_EQ(local.answer(asked).status, 404);
+}
+
+TEST_F(RouterTest, ATokenFileThatIsNoneEndsTheStart) {
+  std::ofstream(folder_ / "token") << kToken;
+  EXPECT_THROW(router(false), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace bw::web
