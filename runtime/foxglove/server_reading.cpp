@@ -12,6 +12,9 @@ namespace {
 /// Streams of data are channels, which are u32; beyond them is the time.
 constexpr std::uint64_t kTimeStream = std::uint64_t{1} << 32;
 
+/// Messages of different topics overtake each other on their way here: what goes back by less is no jump of the robot's clock.
+constexpr Duration kLeastJump = Duration::milliseconds(500);
+
 /// Several complaints of one kind in one sentence.
 std::string listed(const char* what, const std::vector<std::uint32_t>& ids) {
   constexpr std::size_t kMost = 8;
@@ -102,6 +105,7 @@ void Server::on_message(std::uint32_t channel, Time received, const SharedBytes&
 
 void Server::on_time(Time now) {
   const bool is_back = time_ && now < *time_;
+  if (is_back && *time_ - now < kLeastJump) return;
   time_ = now;
   // Clients take a jump back for a seek and drop what they have: they hear of it at once, others with their next message.
   if (!is_back) return;

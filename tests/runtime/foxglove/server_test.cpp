@@ -215,6 +215,20 @@ TEST_F(Rig, AJumpBackIsToldAtOnce) {
   EXPECT_EQ(payloads(2).back(), time_of(50));
 }
 
+TEST_F(Rig, TopicsThatOvertakeEachOtherAreNoJump) {
+  server_->on_channels({channel(1, "/a")}, {});
+  opened(1);
+  subscribe(1, 4, 1);
+  server_->on_time(Time::seconds(100));
+  server_->on_message(1, Time::seconds(100), bytes_of("x"));
+  server_->on_time(Time::seconds(99.51));
+  server_->on_message(1, Time::seconds(99.51), bytes_of("y"));
+  EXPECT_EQ(payloads(1), (std::vector<std::string>{time_of(100), message_bytes(4, Time::seconds(100), "x"),
+                                                   message_bytes(4, Time::seconds(99.51), "y")}));
+  server_->on_time(Time::seconds(99.5));
+  EXPECT_EQ(payloads(1), std::vector<std::string>{time_of(99.5)});
+}
+
 TEST_F(Rig, ASlowClientMissesTimesTogetherWithData) {
   opened(1);
   server_->on_time(Time::seconds(1));
