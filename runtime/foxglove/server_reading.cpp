@@ -93,12 +93,9 @@ void Server::on_message(std::uint32_t channel, Time received, const SharedBytes&
   const auto found = channels_.find(channel);
   if (found == channels_.end()) return;
   const Heard& heard = found->second;
+  // The newest of a channel stays whatever else is left out. Where several latch (/tf_static), the newest is not the whole.
   web::Keep keep{web::Keep::Rule::newest, channel};
-  if (heard.channel.is_latched) {
-    // Of one writer only the newest is worth keeping; several (of /tf_static) do not replace each other.
-    const bool is_of_one = robot_.latched(channel).size() <= 1;
-    keep.rule = is_of_one ? web::Keep::Rule::latched : web::Keep::Rule::always;
-  }
+  if (heard.channel.is_latched && robot_.latched(channel).size() > 1) keep = {};
   for (const auto& [id, subscription] : heard.subscriptions)
     send_message(clients_.at(id), subscription, received, cdr, keep);
 }

@@ -158,7 +158,7 @@ TEST_F(Rig, LatchedMessagesAreSentAgainToEachNewSubscription) {
   EXPECT_EQ(payloads(1), std::vector<std::string>{message_bytes(6, Time::seconds(1), "map")});
 }
 
-TEST_F(Rig, OfOneWriterTheNewestLatchedMessageStaysOfSeveralAll) {
+TEST_F(Rig, OfALatchedTopicWithSeveralWritersNothingIsLeftOut) {
   server_->on_channels({channel(1, "/tf_static", true)}, {});
   opened(1);
   subscribe(1, 4, 1);
@@ -166,7 +166,7 @@ TEST_F(Rig, OfOneWriterTheNewestLatchedMessageStaysOfSeveralAll) {
   server_->on_message(1, Time::seconds(1), bytes_of("a"));
   std::vector<Sent> sent = sender_.take(1);
   ASSERT_EQ(sent.size(), 1U);
-  EXPECT_EQ(sent[0].keep.rule, Keep::Rule::latched);
+  EXPECT_EQ(sent[0].keep.rule, Keep::Rule::newest);
   EXPECT_EQ(sent[0].keep.stream, 1U);
   robot_.last[1].push_back({Time::seconds(2), bytes_of("b")});
   server_->on_message(1, Time::seconds(2), bytes_of("b"));
