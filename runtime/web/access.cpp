@@ -58,6 +58,13 @@ std::optional<std::string_view> authority_of(std::string_view origin) {
   return std::nullopt;
 }
 
+std::string printable(std::string_view text) {
+  std::string out(text.substr(0, 100));
+  std::replace_if(
+      out.begin(), out.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return out;
+}
+
 bool contains(const std::vector<std::string>& texts, std::string_view text) {
   return std::find(texts.begin(), texts.end(), text) != texts.end();
 }
@@ -85,17 +92,14 @@ std::optional<std::string> refused_origin(const AccessRules& rules, const Caller
   const auto authority = authority_of(*caller.origin);
   const auto name = authority ? name_of(*authority) : std::nullopt;
   if (name && is_loopback_name(*name)) return std::nullopt;
-  return "Origin is not allowed: start with --allow-origin and exactly the page's origin to let it in";
+  return "Origin `" + printable(*caller.origin) +
+         "` is not allowed: --allow-origin names exactly the origins that are";
 }
 
 bool is_own_page(const Caller& caller) {
   if (!caller.origin || !caller.host) return false;
   const auto authority = authority_of(*caller.origin);
   return authority && *authority == *caller.host && name_of(*authority);
-}
-
-bool is_named_origin(const AccessRules& rules, std::string_view origin) {
-  return contains(rules.allow_origins, origin);
 }
 
 bool may_command(const AccessRules& rules) { return rules.is_loopback || rules.allow_commands; }

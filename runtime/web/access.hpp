@@ -39,9 +39,6 @@ std::optional<std::string> refused_origin(const AccessRules& rules, const Caller
 /// Of a page that the server itself delivered. Needed for what changes something by a plain request.
 bool is_own_page(const Caller& caller);
 
-/// Origins beyond those of the machine get it said that they may read (CORS).
-bool is_named_origin(const AccessRules& rules, std::string_view origin);
-
 /// Of a client that has been let in.
 bool may_command(const AccessRules& rules);
 

@@ -35,8 +35,7 @@ class Core {
  public:
   Core(const ServerOptions& options, bool is_loopback, Site site, std::vector<std::string> subprotocols,
        Logger log)
-      : io(1),
-        limits(options.limits),
+      : limits(options.limits),
         router(options, is_loopback, std::move(site), std::move(subprotocols)),
         logger(std::move(log)) {}
 
@@ -45,7 +44,6 @@ class Core {
   void remove(ConnectionId id);
   std::vector<std::shared_ptr<SocketSession>> all() const;
 
-  boost::asio::io_context io;
   const Limits limits;
   Router router;
   const Logger logger;
@@ -59,6 +57,10 @@ class Core {
  private:
   mutable std::mutex mutex_;
   std::unordered_map<ConnectionId, std::shared_ptr<SocketSession>> sessions_;
+
+ public:
+  /// Goes first: connections that still wait for something go with it, and count down above.
+  boost::asio::io_context io{1};
 };
 
 /// One more of `count` as long as it lives.

@@ -14,13 +14,6 @@ constexpr std::string_view kLoginPage =
     "<form method=\"post\" action=\"/login\"><p><label>Token <input name=\"token\" type=\"password\" "
     "autocomplete=\"current-password\" autofocus></label> <button>Open</button></form></html>\n";
 
-Caller caller_of(const Request& request) {
-  return {.host = request.find("Host"),
-          .origin = request.find("Origin"),
-          .fetch_site = request.get("Sec-Fetch-Site"),
-          .fetch_mode = request.get("Sec-Fetch-Mode")};
-}
-
 Reply login_page() {
   return {401,
           {{"Content-Type", "text/html; charset=utf-8"},
@@ -43,6 +36,13 @@ Reply back_to_page(const std::string& cookie) {
 }
 
 }  // namespace
+
+Caller caller_of(const Request& request) {
+  return {.host = request.find("Host"),
+          .origin = request.find("Origin"),
+          .fetch_site = request.get("Sec-Fetch-Site"),
+          .fetch_mode = request.get("Sec-Fetch-Mode")};
+}
 
 Gate::Gate(AccessRules rules, std::string token, std::size_t login_attempts)
     : rules_(std::move(rules)), token_(std::move(token)), attempts_(login_attempts) {}

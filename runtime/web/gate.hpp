@@ -11,6 +11,9 @@
 
 namespace bw::web {
 
+/// Of its headers.
+Caller caller_of(const Request& request);
+
 class Gate {
  public:
   /// `token` empty: none is needed.

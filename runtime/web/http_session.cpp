@@ -161,7 +161,7 @@ void HttpSession::reply(Reply reply, bool keep_open) {
   head_.keep_alive(keeps_open_);
   for (const auto& [name, value] : kForAll) head_.set(view(name), view(value));
   for (const auto& [name, value] : reply_.headers) head_.set(name, value);
-  if (reply_.status != 304) head_.content_length(reply_.size());
+  if (reply_.status != 304 && reply_.status != 204) head_.content_length(reply_.size());
   serializer_.emplace(head_);
   stream_.expires_after(to_chrono(kWriteTime));
   http::async_write_header(stream_, *serializer_, [self = shared_from_this()](Error error, std::size_t) {

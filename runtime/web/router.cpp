@@ -26,6 +26,22 @@ Reply not_allowed(std::string_view methods) {
   return reply;
 }
 
+/// For a page of elsewhere that is let in (CORS): Foxglove opens a recording by its address.
+Reply readable_from(std::string_view origin, Reply reply) {
+  reply.headers.emplace_back("Access-Control-Allow-Origin", origin);
+  reply.headers.emplace_back("Access-Control-Expose-Headers", "Accept-Ranges, Content-Range, ETag");
+  return reply;
+}
+
+Reply preflight_reply() {
+  return {204,
+          {{"Access-Control-Allow-Methods", "GET, HEAD"},
+           {"Access-Control-Allow-Headers", "Range, If-Range, If-None-Match"},
+           {"Access-Control-Allow-Private-Network", "true"},
+           {"Cache-Control", "no-store"}},
+          std::string()};
+}
+
 bool is_reading(const Request& request) { return request.method == "GET" || request.method == "HEAD"; }
 
 bool has_tag(std::string_view list, std::string_view etag) {
@@ -70,12 +86,11 @@ Reply Router::answer(const Request& request) {
   if (target.has_token) return plain_reply(400, kTokenInUrl);
   if (request.method == "POST" && target.path == "/login") return gate_.log_in(request);
   if (auto refusal = gate_.refuse(request)) return *refusal;
-  Reply reply = answer_let_in(request, target);
-  if (const auto origin = request.find("Origin"); origin && is_named_origin(gate_.rules(), *origin)) {
-    reply.headers.emplace_back("Access-Control-Allow-Origin", *origin);
-    reply.headers.emplace_back("Access-Control-Expose-Headers", "Accept-Ranges, Content-Range, ETag");
-  }
-  return reply;
+  const Caller caller = caller_of(request);
+  if (!caller.origin || is_own_page(caller)) return answer_let_in(request, target);
+  const bool is_preflight =
+      request.method == "OPTIONS" && !request.get("Access-Control-Request-Method").empty();
+  return readable_from(*caller.origin, is_preflight ? preflight_reply() : answer_let_in(request, target));
 }
 
 Reply Router::answer_let_in(const Request& request, const RequestTarget& target) {

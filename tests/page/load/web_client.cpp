@@ -123,6 +123,8 @@ void WebClient::send_text(std::string_view text) {
   send_frame(1, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
+void WebClient::send_binary(std::span<const std::uint8_t> bytes) { send_frame(2, bytes); }
+
 bool WebClient::receive(std::size_t limit, const OnMessage& on_message) {
   std::array<std::uint8_t, 65536> chunk;
   const ssize_t got = ::recv(socket_, chunk.data(), std::min(limit, chunk.size()), MSG_DONTWAIT);

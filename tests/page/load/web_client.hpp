@@ -23,6 +23,7 @@ class WebClient {
   bool is_open() const { return is_open_; }
   /// As soon as the server has answered, which receive() sees.
   void send_text(std::string_view text);
+  void send_binary(std::span<const std::uint8_t> bytes);
   /// The next close sends a reset instead of an orderly end.
   void end_by_reset();
 

@@ -240,6 +240,14 @@ TEST(Http, PagesOfElsewhereAreRefused) {
   const auto named = ask(port, "GET", "/", "Origin: https://app.foxglove.dev\r\n");
   EXPECT_EQ(named.status, 200);
   EXPECT_EQ(named.headers.at("access-control-allow-origin"), "https://app.foxglove.dev");
+  const auto local = ask(port, "GET", "/", "Origin: http://localhost:8080\r\n");
+  EXPECT_EQ(local.headers.at("access-control-allow-origin"), "http://localhost:8080");
+  const auto own = ask(port, "GET", "/", "Origin: http://127.0.0.1\r\n");
+  EXPECT_EQ(own.headers.count("access-control-allow-origin"), 0U);
+  const auto preflight = ask(port, "OPTIONS", "/bags/a.mcap",
+                             "Origin: https://app.foxglove.dev\r\nAccess-Control-Request-Method: GET\r\n");
+  EXPECT_EQ(preflight.status, 204);
+  EXPECT_EQ(preflight.headers.at("access-control-allow-methods"), "GET, HEAD");
   RawClient rebound(port);
   rebound.send("GET / HTTP/1.1\r\nHost: evil.example:" + std::to_string(port) + "\r\n\r\n");
   EXPECT_EQ(rebound.receive().status, 403);

@@ -22,7 +22,7 @@ export function mountHealth(root: HTMLElement, app: App): void {
     show();
     if (name !== undefined) details.scrollIntoView({ block: "nearest" });
   };
-  const graph = new GraphView(choose);
+  const graph = new GraphView((name) => choose(name === chosen ? undefined : name));
   const details = create("div", {});
   const diagnostics = new DiagnosticsView(choose);
   const log = new LogView(app);

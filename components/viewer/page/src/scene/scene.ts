@@ -4,7 +4,7 @@ import { Color, LinearSRGBColorSpace, Scene, WebGLRenderer } from "three";
 import type { App } from "../app";
 import { make } from "../page/dom";
 import { Wants } from "../page/wants";
-import { TILTED, Viewpoint } from "./camera";
+import { FIELD_OF_VIEW, TILTED, Viewpoint } from "./camera";
 import { SHARED } from "./gl/instances";
 import type { Layer } from "./layer";
 import { LayerList } from "./layer_list";
@@ -18,7 +18,7 @@ import { SceneView } from "./view";
 import { ViewButtons, type Mode } from "./view_buttons";
 
 const LIFT = 0.8; // [m/s] of time shown upward
-const LEGEND_WIDTH = 250; // [px] that a fitted map leaves free
+const LEGEND_WIDTH = 300; // [px] that a fitted map leaves free
 const AROUND = 12; // [m] about the robot where there is no map
 
 export class SceneOnPage {
@@ -200,7 +200,7 @@ export class SceneOnPage {
   private dress(): void {
     const { viewpoint, root } = this;
     const { palette } = this.view;
-    const metresPerPixel = (2 * Math.tan(Math.PI / 12) * viewpoint.distance) / Math.max(root.clientHeight, 1);
+    const metresPerPixel = (2 * Math.tan((FIELD_OF_VIEW * Math.PI) / 360) * viewpoint.distance) / Math.max(root.clientHeight, 1);
     const tilt = 1 + 2 * Math.sin(viewpoint.tilt);
     const reach = Math.max(root.clientWidth, root.clientHeight) * metresPerPixel * tilt;
     const step = this.ground.update(viewpoint.target, metresPerPixel, reach, palette);

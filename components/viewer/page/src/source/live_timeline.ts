@@ -23,7 +23,7 @@ export class LiveTimeline implements Timeline {
   }
 
   setTime(time: Seconds): void {
-    if (this.end > 0 && time < this.end - JUMP_BACK) this.clear();
+    if (this.end > 0 && time < this.end - JUMP_BACK) this.jumpBack();
     if (this.end === 0) this.first = time;
     this.end = Math.max(this.end, time);
     if (this.end > this.trimmed + TRIM_PERIOD) this.trim();
@@ -48,6 +48,15 @@ export class LiveTimeline implements Timeline {
   clear(): void {
     this.logs.clear();
     this.transforms.clear();
+    this.end = this.first = this.trimmed = 0;
+  }
+
+  /** What is latched still holds. */
+  private jumpBack(): void {
+    for (const [topic, log] of this.logs)
+      if (log.isLatched) log.forgetBefore(Infinity);
+      else this.logs.delete(topic);
+    this.transforms.forgetMoving();
     this.end = this.first = this.trimmed = 0;
   }
 

@@ -39,7 +39,7 @@ class Body {
     this.drawn = key;
     for (const part of [this.body, this.nose, this.label]) part.clear();
     const front = Math.max(...outline.map(([x]) => x));
-    extrude(this.body, outline, [0, 0], HEIGHT, color, mix(color, [0, 0, 0, 1], 0.45));
+    extrude(this.body, outline, [0, 0], HEIGHT, color, mix(color, [0, 0, 0, 1], 0.32));
     const ink = mix(color, palette.halo, 0.85);
     this.nose.strip([[front * 0.15, front * 0.5], [front * 0.75, 0], [front * 0.15, -front * 0.5]], ink, 0.07, 1.5);
     if (name) this.label.add([0, 0, HEIGHT], name, palette.text, palette.halo, 26);
