@@ -38,7 +38,7 @@ void WireClock::open_or_close() {
   if ((is_wanted_ && is_published_) == (reader_ != nullptr)) return;
   steps_.clear();
   if (reader_) {
-    link_.announcement.remove(*reader_);
+    link_.remove(*reader_);
     reader_.reset();
     return;
   }
@@ -51,8 +51,7 @@ void WireClock::open_or_close() {
        .qos = qos,
        .user_data = user_data_of(std::string(MessageTraits<Clock>::type_hash))},
       [] {});
-  link_.announcement.add(*reader_);
-  link_.announcement.publish();
+  link_.add(*reader_);
 }
 
 void WireClock::hear() {

@@ -65,6 +65,21 @@ struct WireLink {
     announcement.publish();
   }
 
+  /// Tells others of ends that came or go. Once for all that change in a moment.
+  void announce() {
+    if (std::exchange(has_new_ends, false)) announcement.publish();
+  }
+  template <class End>
+  void add(const End& end) {
+    announcement.add(end);
+    has_new_ends = true;
+  }
+  template <class End>
+  void remove(const End& end) {
+    announcement.remove(end);
+    has_new_ends = true;
+  }
+
   bool is_own(const dds::Guid& end) const { return dds::same_participant(end, participant.guid()); }
   /// Kept for who listens later.
   void say(int level, const std::string& message) {
@@ -79,6 +94,7 @@ struct WireLink {
   dds::Participant participant;
   NodeDirectory directory;
   NodeAnnouncement announcement;
+  bool has_new_ends = false;
   RobotListener* listener = nullptr;  ///< null: nobody listens
   std::vector<std::pair<int, std::string>> said;
 };

@@ -53,8 +53,7 @@ WireParameters::WireParameters(WireLink& link, WireServices& services)
            .qos = Qos::standard(1000),  // as ROS 2 has it
            .user_data = user_data_of(std::string(MessageTraits<ParameterEvent>::type_hash))},
           hearing_.bell())) {
-  link_.announcement.add(*events_);
-  link_.announcement.publish();
+  link_.add(*events_);
 }
 
 template <class S>

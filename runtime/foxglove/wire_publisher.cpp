@@ -70,8 +70,7 @@ std::optional<std::string> WirePublisher::open(const std::string& topic, const s
   } catch (const std::runtime_error& error) {
     return error.what();
   }
-  link_.announcement.add(*one.writer);
-  link_.announcement.publish();
+  link_.add(*one.writer);
   topics_[topic] = std::move(one);
   return std::nullopt;
 }
@@ -126,13 +125,12 @@ void WirePublisher::unadvertise(const std::string& name) {
 
 void WirePublisher::tick(steady_clock::time_point now) {
   flush();
-  const auto erased = std::erase_if(topics_, [&](const auto& item) {
+  std::erase_if(topics_, [&](const auto& item) {
     const Topic& one = item.second;
     const bool is_over = one.advertised == 0 && now - one.unwanted_since > kLinger;
-    if (is_over) link_.announcement.remove(*one.writer);
+    if (is_over) link_.remove(*one.writer);
     return is_over;
   });
-  if (erased > 0) link_.announcement.publish();
 }
 
 bool WirePublisher::is_busy() const {

@@ -55,6 +55,7 @@ void WireRobot::tick() {
   services_.tick(now);
   publisher_.tick(now);
   clock_.tell_newest();
+  link_.announce();
   update_is_busy();
 }
 

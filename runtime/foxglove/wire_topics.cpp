@@ -152,7 +152,8 @@ void WireTopics::open_ear(Topic& topic, const Qos& offer) {
         link_.participant.create_reader({.topic = dds_topic(topic.channel.topic),
                                          .type = topic.dds_type,
                                          .qos = qos,
-                                         .user_data = topic.user_data},
+                                         .user_data = topic.user_data,
+                                         .allocated_samples = 1},
                                         [queue = queue_, one = std::weak_ptr(ear), ring = taking_.bell()] {
                                           const auto alive = one.lock();
                                           if (!alive || alive->is_queued.exchange(true)) return;
@@ -166,8 +167,7 @@ void WireTopics::open_ear(Topic& topic, const Qos& offer) {
     link_.say(2, topic.channel.topic + " cannot be heard: " + error.what());
   }
   if (ear->reader) {
-    link_.announcement.add(*ear->reader);
-    link_.announcement.publish();
+    link_.add(*ear->reader);
   }
   if (topic.ears.empty()) ++open_count_;
   topic.ears.push_back(std::move(ear));
@@ -176,11 +176,10 @@ void WireTopics::open_ear(Topic& topic, const Qos& offer) {
 void WireTopics::close_ears(Topic& topic) {
   if (topic.ears.empty()) return;
   for (const auto& ear : topic.ears) {
-    if (ear->reader) link_.announcement.remove(*ear->reader);
+    if (ear->reader) link_.remove(*ear->reader);
     ear->reader.reset();
   }
   topic.ears.clear();
-  link_.announcement.publish();
   --open_count_;
   // Who is heard again begins anew: with what is latched.
   for (auto& [guid, source] : sources_) {

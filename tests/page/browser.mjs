@@ -43,7 +43,7 @@ export class View {
     this.page = page;
     this.errors = [];
     page.on("pageerror", (error) => this.errors.push(String(error)));
-    page.on("console", (message) => message.type() === "error" && this.errors.push(message.text()));
+    page.on("console", (message) => message.type() === "error" && this.errors.push(`${message.text()} ${message.location().url ?? ""}`));
   }
 
   /** window.bandwagon as plain values. */
@@ -78,7 +78,7 @@ export class View {
   }
 
   element(name) {
-    return this.page.waitForSelector(`[data-test="${name}"]`, { visible: true, timeout: 10_000 });
+    return this.page.waitForSelector(`[data-test="${name}"]`, { visible: true, timeout: 30_000 });
   }
 
   async click(name) {

@@ -8,10 +8,17 @@ import { projectFolder } from "./modules.mjs";
 export const program = process.argv[2];
 export const hallway = path.join(projectFolder, "config/graphs/hallway.yaml");
 
+/** The hallway with two people who stand near its beginning, and nobody who walks. */
+export const quiet = [
+  ...["--set", "navigator.goal.enabled=false"],
+  ...["--set", "world.people.social.walkers=[]"],
+  ...["--set", "world.people.scripted=[{waypoints: [{x: 3.5, y: 1.5}]}, {waypoints: [{x: 4.5, y: -1.5}]}]"],
+];
+
 export class Robot {
   /** In real time, waiting for goals; `port` 0 is any free one. */
-  static async start({ graph = hallway, port = 0, options = [] } = {}) {
-    const robot = new Robot(new Program(program, "run", graph, `--page=${port}`, "--stay", "--seed", "7", ...options));
+  static async start({ port = 0, options = quiet } = {}) {
+    const robot = new Robot(new Program(program, "run", hallway, `--page=${port}`, "--stay", "--seed", "7", ...options));
     robot.address = (await robot.process.says(/http:\/\/127\.0\.0\.1:\d+/))[0];
     return robot;
   }

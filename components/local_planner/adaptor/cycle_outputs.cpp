@@ -1,4 +1,6 @@
 // What the local planner tells of a control cycle: the command, and what people and other components want to know of it.
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "components/local_planner/adaptor/local_planner_component.hpp"
@@ -7,6 +9,24 @@
 #include "components/messages/geometry.hpp"
 
 namespace bw {
+namespace {
+
+/// Each pose has the stamp of when the robot is to be there.
+nav_msgs::msg::Path to_timed_path(const std::string& frame, Time now,
+                                  const std::vector<TrajectoryPoint>& trajectory) {
+  nav_msgs::msg::Path path;
+  path.header(make_header(frame, now));
+  path.poses().reserve(trajectory.size());
+  for (const TrajectoryPoint& point : trajectory) {
+    geometry_msgs::msg::PoseStamped stamped;
+    stamped.header(make_header(frame, now + Duration::seconds(point.time)));
+    stamped.pose(to_pose(point.pose));
+    path.poses().push_back(std::move(stamped));
+  }
+  return path;
+}
+
+}  // namespace
 
 void LocalPlannerComponent::publish(const Tick& tick, const PlanningProblem& problem,
                                     const PlanningResult& result) {
@@ -18,11 +38,8 @@ void LocalPlannerComponent::publish(const Tick& tick, const PlanningProblem& pro
   if (idle) return publish_cycle(tick, result, idle);
   if (result.status != last_status_ && result.status != PlanningStatus::ok) log_.warn("{}", result.reason);
   last_status_ = result.status;
-  if (trajectory_.has_readers()) {
-    std::vector<Pose2> poses;
-    for (const TrajectoryPoint& point : result.trajectory) poses.push_back(point.pose);
-    trajectory_.publish(to_path(inputs_.odom_frame(), tick.now, poses));
-  }
+  if (trajectory_.has_readers())
+    trajectory_.publish(to_timed_path(inputs_.odom_frame(), tick.now, result.trajectory));
   if (markers_.has_readers()) markers_.publish(to_markers(problem, result, inputs_.odom_frame()));
   publish_cycle(tick, result, idle);
   watch_->end(result);

@@ -18,6 +18,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "components/tools/drive_page/drive_page.hpp"
 #include "components/viewer/adaptor/page_server.hpp"
 #include "runtime/build_identity.hpp"
 #include "runtime/cli/signals.hpp"
@@ -30,6 +31,7 @@ namespace fs = std::filesystem;
 
 struct ViewOptions {
   std::string what;
+  std::string html;
   web::ServerOptions server;
   bool open = false;
 };
@@ -112,6 +114,7 @@ int view_domain(const ViewOptions& options) {
   const viewer::PageServer page(
       options.server,
       {.network = dds::Network::from_environment(dds::Transport::localhost),
+       .node = "bandwagon_view",  // /viewer is the node of a graph's own
        .metadata = {{"clock", "wall"}, {"accept_inputs", "true"}, {"version", program_version()}}},
       Logger());
   tell(options, viewer::invitation(page.address()), page.address());
@@ -119,7 +122,17 @@ int view_domain(const ViewOptions& options) {
   return 0;
 }
 
+/// `view BAG --html FILE`: the page and the recording in one file, nothing is served.
+int write_page(const ViewOptions& options) {
+  require_page("--html " + options.html);
+  if (options.what.empty())
+    throw std::runtime_error("--html " + options.html + " is made of a recording; name it");
+  write_drive_page(options.what, fs::path(options.what).stem().string(), options.html);
+  return 0;
+}
+
 int view(const ViewOptions& options) {
+  if (!options.html.empty()) return write_page(options);
   if (options.what.empty()) return view_domain(options);
   if (fs::exists(options.what)) return view_bag(options);
   const std::optional<std::string> address = address_of(options.what);
@@ -138,6 +151,8 @@ CLI::App* add_view(CLI::App& app, int& status) {
   verb->add_option(
       "WHAT", options->what,
       "An .mcap file or its folder, or http://HOST:PORT of a robot; without it what is on the domain");
+  verb->add_option("--html", options->html,
+                   "Writes one page here that plays the recording, and serves nothing: a file to pass on");
   verb->add_flag("--open", options->open, "Opens a browser (xdg-open)");
   verb->add_option("--port", server.port, "0: any free one; the next free one where it is taken")
       ->check(CLI::Range(0, 65535));

@@ -21,7 +21,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr int kNiceness = 10;  // the robot goes first
+constexpr int kNiceness = 5;  // the robot goes first
 constexpr std::chrono::milliseconds kTick{100};
 
 web::Site site() {

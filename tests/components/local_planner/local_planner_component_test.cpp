@@ -360,6 +360,26 @@ TEST(LocalPlannerComponent, TellsOfEveryCycle) {
   }
 }
 
+// 3 m from rest with 1 m/s and 1 m/s^2 take 4 s, and no less than 3.
+TEST(LocalPlannerComponent, PosesOfTheTrajectoryAreStampedWithWhenTheRobotIsThere) {
+  Neighbours n;
+  n.requests = {{5, FollowRequest_Constants::FOLLOW}};
+  n.run(0.35);
+  const auto& poses = n.plan.poses();
+  ASSERT_GE(poses.size(), 3U);
+  const Time start = from_stamp(n.plan.header().stamp());
+  EXPECT_EQ(from_stamp(poses.front().header().stamp()), start);
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const double dt =
+        (from_stamp(poses[i].header().stamp()) - from_stamp(poses[i - 1].header().stamp())).to_seconds();
+    const double way =
+        (from_pose(poses[i].pose()).position() - from_pose(poses[i - 1].pose()).position()).norm();
+    ASSERT_GT(dt, 0.0) << i;
+    EXPECT_LT(way / dt, 1.1) << i;  // the band's limits are soft
+  }
+  EXPECT_GT((from_stamp(poses.back().header().stamp()) - start).to_seconds(), 3.0);
+}
+
 // On the wall clock the same component has workers and a budget in time. The run ends when its figures came.
 TEST(LocalPlannerComponent, OnTheWallClockDiagnosticsTellTimesToo) {
   Neighbours n;

@@ -87,8 +87,7 @@ class Load {
     Published published(options_.topics);
     const double memory_before = memory_mb(options_.robot, "VmRSS");
     for (int i = 0; i < options_.healthy; ++i) healthy_.push_back(connect_one());
-    // A window that fills at once, so that what is sent waits in the server.
-    for (int i = 0; i < options_.slow; ++i) slow_.push_back(connect_one(4096));
+    for (int i = 0; i < options_.slow; ++i) slow_.push_back(connect_slow());
     counts_.assign(healthy_.size(), std::vector<std::uint64_t>(options_.topics.size()));
     begin_ = now() + Duration::milliseconds(500);  // until the subscriptions have reached the server
     end_ = begin_ + Duration::seconds(options_.seconds);
@@ -106,6 +105,19 @@ class Load {
   WebClient connect_one(int receive_buffer = 0) {
     WebClient client(options_.port, receive_buffer);
     client.send_text(subscribe_);
+    return client;
+  }
+
+  /// Its window fills at once, so that what is sent waits in the server.
+  WebClient connect_slow() {
+    WebClient client = connect_one(4096);
+    for (bool is_subscribed = false; !is_subscribed;) {
+      pollfd waiting{.fd = client.descriptor(), .events = POLLIN, .revents = 0};
+      if (::poll(&waiting, 1, 10'000) != 1) throw std::runtime_error("no answer from the server");
+      if (!client.receive(256, [](bool, std::span<const std::uint8_t>) {}))
+        throw std::runtime_error("the server closed a slow client at once");
+      is_subscribed = client.is_open();
+    }
     return client;
   }
 
@@ -145,19 +157,22 @@ class Load {
     next_flap_ += std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(1 / options_.flaps_per_second));
     for (auto& client : flapping_) {
-      if (client && flaps_ % 2 == 0) client->end_by_reset();
-      client.reset();
-      ++flaps_;
       try {
+        if (client)
+          client->receive(kEverything, [](bool, std::span<const std::uint8_t>) {});  // which subscribes
+        if (client && flaps_ % 2 == 0) client->end_by_reset();
+        client.reset();
         client.emplace(connect_one());
+        ++flaps_;
       } catch (const std::runtime_error&) {
-        // Refused before it had subscribed: so many at once are not let in.
+        ++refused_;  // so many a second are not let in
+        client.reset();
       }
     }
   }
 
   LoadResult result(Published& published, double memory_before) {
-    LoadResult result{.healthy_closed = healthy_closed_, .flaps = flaps_};
+    LoadResult result{.healthy_closed = healthy_closed_, .flaps = flaps_, .flaps_refused = refused_};
     for (std::size_t topic = 0; topic < options_.topics.size(); ++topic) {
       TopicLoad load{.topic = options_.topics[topic],
                      .published = published.count(topic, begin_, end_),
@@ -193,6 +208,7 @@ class Load {
   std::vector<float> delays_ms_;
   int healthy_closed_ = 0;
   std::uint64_t flaps_ = 0;
+  std::uint64_t refused_ = 0;
   Clock::time_point next_slow_ = Clock::now(), next_flap_ = Clock::now();
 };
 
@@ -214,6 +230,7 @@ nlohmann::json to_json(const LoadResult& result) {
            {{"p50", result.delay_ms_p50}, {"p99", result.delay_ms_p99}, {"max", result.delay_ms_max}}},
           {"healthy_closed", result.healthy_closed},
           {"flaps", result.flaps},
+          {"flaps_refused", result.flaps_refused},
           {"memory_mb", result.memory_mb}};
 }
 

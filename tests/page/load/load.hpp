@@ -34,9 +34,10 @@ struct LoadResult {
   double delay_ms_p50 = 0;     ///< from a message's log time to its arrival at a healthy client
   double delay_ms_p99 = 0;
   double delay_ms_max = 0;
-  int healthy_closed = 0;   ///< by the server
-  std::uint64_t flaps = 0;  ///< connections that the flapping ones opened
-  double memory_mb = 0;     ///< the robot's most, less what it had before
+  int healthy_closed = 0;           ///< by the server
+  std::uint64_t flaps = 0;          ///< connections that the flapping ones opened
+  std::uint64_t flaps_refused = 0;  ///< by the server, as too many at once
+  double memory_mb = 0;             ///< the robot's most, less what it had before
 };
 
 /// std::runtime_error when a topic is not offered or the server is gone. Uses the domain of ROS_DOMAIN_ID, loopback only.

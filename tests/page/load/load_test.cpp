@@ -1,5 +1,7 @@
 // Many clients of one viewer, some of which do not read and some of which come and go. What is asserted here are counts; times are the
 // business of viewer_load.sh.
+#include "tests/page/load/load.hpp"
+
 #include <csignal>
 #include <cstdlib>
 #include <regex>
@@ -9,7 +11,6 @@
 
 #include "tests/interop/eventually.hpp"
 #include "tests/interop/process.hpp"
-#include "tests/page/load/load.hpp"
 
 namespace bw::test {
 namespace {
@@ -33,9 +34,10 @@ std::uint16_t port_of(const Process& robot) {
 // 80 of 100 clients read, 20 take a byte a second, 10 more open and close 50 times a second. At least 95 % of what is published must reach each that
 // reads (battery row 26), and the robot may take 256 MB for all of them.
 TEST(ViewerLoad, WhoReadsGetsEverythingWhateverOthersDo) {
-  Process robot({BANDWAGON_PROGRAM, "run", std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml", "--seed", "7",
-                 "--page=0", "--stay", "--set", "robot.limits.v_max=0.3"});
-  LoadOptions load{.port = port_of(robot), .seconds = setting("BANDWAGON_LOAD_SECONDS", 5), .robot = robot.id()};
+  Process robot({BANDWAGON_PROGRAM, "run", std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml",
+                 "--seed", "7", "--page=0", "--stay", "--set", "robot.limits.v_max=0.3"});
+  LoadOptions load{
+      .port = port_of(robot), .seconds = setting("BANDWAGON_LOAD_SECONDS", 5), .robot = robot.id()};
   ASSERT_NE(load.port, 0) << robot.err();
   const LoadResult result = put_load(load);
   robot.signal(SIGINT);

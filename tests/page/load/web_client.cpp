@@ -72,6 +72,7 @@ WebClient::~WebClient() {
 WebClient::WebClient(WebClient&& other) noexcept
     : socket_(std::exchange(other.socket_, -1)),
       is_open_(other.is_open_),
+      waiting_(std::move(other.waiting_)),
       input_(std::move(other.input_)),
       consumed_(other.consumed_),
       message_(std::move(other.message_)),
@@ -80,6 +81,7 @@ WebClient::WebClient(WebClient&& other) noexcept
 WebClient& WebClient::operator=(WebClient&& other) noexcept {
   std::swap(socket_, other.socket_);
   is_open_ = other.is_open_;
+  waiting_ = std::move(other.waiting_);
   input_ = std::move(other.input_);
   consumed_ = other.consumed_;
   message_ = std::move(other.message_);
@@ -114,8 +116,14 @@ void WebClient::send_frame(std::uint8_t opcode, std::span<const std::uint8_t> te
 }
 
 void WebClient::send_text(std::string_view text) {
+  if (!is_open_) {
+    waiting_.emplace_back(text);
+    return;
+  }
   send_frame(1, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
+
+void WebClient::send_binary(std::span<const std::uint8_t> bytes) { send_frame(2, bytes); }
 
 bool WebClient::receive(std::size_t limit, const OnMessage& on_message) {
   std::array<std::uint8_t, 65536> chunk;
@@ -136,6 +144,7 @@ void WebClient::take_answer() {
   if (!answer.starts_with("HTTP/1.1 101")) throw std::runtime_error("the server answered " + answer);
   input_.erase(input_.begin(), end + kEnd.size());
   is_open_ = true;
+  for (const std::string& text : std::exchange(waiting_, {})) send_text(text);
 }
 
 void WebClient::take_messages(const OnMessage& on_message) {

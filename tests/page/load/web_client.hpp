@@ -20,7 +20,10 @@ class WebClient {
   WebClient& operator=(WebClient&& other) noexcept;
 
   int descriptor() const { return socket_; }
+  bool is_open() const { return is_open_; }
+  /// As soon as the server has answered, which receive() sees.
   void send_text(std::string_view text);
+  void send_binary(std::span<const std::uint8_t> bytes);
   /// The next close sends a reset instead of an orderly end.
   void end_by_reset();
 
@@ -35,8 +38,9 @@ class WebClient {
   void send_all(std::span<const std::uint8_t> bytes);
 
   int socket_ = -1;
-  bool is_open_ = false;             // the answer to the upgrade was taken
-  std::vector<std::uint8_t> input_;  // of which the first consumed_ bytes are done
+  bool is_open_ = false;              // the answer to the upgrade was taken
+  std::vector<std::string> waiting_;  // to be sent then
+  std::vector<std::uint8_t> input_;   // of which the first consumed_ bytes are done
   std::size_t consumed_ = 0;
   std::vector<std::uint8_t> message_;  // in fragments so far
   bool is_text_ = false;

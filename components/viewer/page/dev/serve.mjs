@@ -121,5 +121,6 @@ setInterval(() => {
   if (played < length) return;
   next = 0;
   started = performance.now();
+  for (const socket of clients.keys()) socket.send(frame(2, 0, begin));
 }, 10);
 http.listen(Number(options.port), "127.0.0.1", () => console.log(`http://127.0.0.1:${options.port}`));

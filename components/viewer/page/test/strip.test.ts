@@ -96,9 +96,14 @@ test("the planner's cycle in milliseconds, in virtual time as a share of its ite
 
 test("marks: goals, switches, contacts", () => {
   const data = new StripData();
-  const status = (goal_id: bigint, number: number, reason = "") => ({ goal_id, status: number, reason });
-  data.add("navigation", message(1, status(1n, 1)));
-  data.add("navigation", message(1.1, status(1n, 2)));
+  const status = (goal_id: bigint, number: number, reason = "") => ({
+    goal_id,
+    status: number,
+    reason,
+    navigation_time: { sec: 0, nanosec: goal_id === 1n ? 500_000_000 : 0 },
+  });
+  data.add("navigation", message(1.5, status(1n, 1))); // heard half a second after it began
+  data.add("navigation", message(1.6, status(1n, 2)));
   data.add("comfort", message(2, { closest_person_m: 1, collision_index: 0, contacts: 3 })); // before we looked
   data.add("cycle", message(3, cycle({ class_switched: true })));
   data.add("comfort", message(4, { closest_person_m: 0, collision_index: 0.7, contacts: 4 }));

@@ -1,4 +1,5 @@
 // `run --html`, `replay --html` and `view --html` as a person runs them.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -102,6 +103,29 @@ TEST(DrivePage, OfAReplayHoldsTheNewOutputs) {
   EXPECT_EQ(replay.status, 0) << replay.out << replay.err;
   EXPECT_THAT(text_of(html), HasSubstr("data-name=\"drive replayed\""));
   EXPECT_THAT(topics_with_messages(*bag_of(html)), IsSupersetOf({"/map", "/tracks", "/local_plan"}));
+}
+
+TEST(DrivePage, IsMadeOfARecordingToo) {
+  if (!has_page()) return;
+  const Folder folder;
+  std::vector<std::string> command = short_drive();
+  command.insert(command.end(), {"--record", (folder / "drive.mcap").string()});
+  bandwagon(command);
+  const std::string html = (folder / "view.html").string();
+  EXPECT_EQ(bandwagon({"view", (folder / "drive.mcap").string(), "--html", html}).status, 0);
+  const auto from = bag::open_bag(folder / "drive.mcap");
+  const auto shown = bag_of(html);
+  // Every message of what is shown: the odometry's 50 Hz for 4 s.
+  const auto count = [](const bag::Bag& bag) {
+    const auto found = std::ranges::find(bag.topics(), "/odom", &bag::BagTopic::name);
+    return found == bag.topics().end() ? 0U : found->message_count;
+  };
+  EXPECT_NEAR(static_cast<double>(count(*shown)), 200.0, 5.0);
+  EXPECT_EQ(count(*shown), count(*from));
+
+  const Outcome nothing = bandwagon({"view", (folder / "no.mcap").string(), "--html", html});
+  EXPECT_EQ(nothing.status, 2);
+  EXPECT_THAT(nothing.err, HasSubstr("no.mcap"));
 }
 
 TEST(DrivePage, IsRefusedBeforeTheDriveWhereTheProgramHasNoPage) {

@@ -1,6 +1,9 @@
 // The time that is looked at.
 import type { Cursor, Seconds, Timeline } from "../app";
 
+/** A browser that is slower than this plays slower: leaps would pass over what one looks for. [s] */
+const LONGEST_FRAME = 0.25;
+
 /** `tick` moves it on: once per frame of the screen, with the seconds since the last one. */
 export class TimeCursor implements Cursor {
   rate = 1;
@@ -70,7 +73,7 @@ export class TimeCursor implements Cursor {
   tick(elapsed: Seconds): void {
     if (this.isLive || !this.isPlaying) return;
     const { end } = this.timeline();
-    this.where = this.time + elapsed * this.rate;
+    this.where = this.time + Math.min(elapsed, LONGEST_FRAME) * this.rate;
     if (this.where >= end) {
       this.where = end;
       if (this.kind() === "live") this.isLive = true;

@@ -12,15 +12,23 @@ import "./panels.css";
 
 const LIST = "rcl_interfaces/srv/ListParameters";
 const EVENTS = "/parameter_events";
+const TRIES = 3;
+const RETRY_MS = 1000;
 
 export function mountParameters(root: HTMLElement, app: App): void {
+  /** Nodes that were asked, and those whose answers are not shown yet. */
+  const asked = new Set<string>();
+  const anew = new Set<string>();
   const store = new ParameterStore(
     (service, request) => app.hands.call(service, request),
     (entry) => {
       sections.show(entry);
       changesSoon();
     },
-    () => listSoon(),
+    (node) => {
+      anew.add(node);
+      listSoon();
+    },
   );
   const actions = { canCommand: () => app.hands.canCommand, set: (entry: Entry, value: Entry["value"]) => store.set(entry, value) };
   const sections = new Sections(actions);
@@ -38,7 +46,9 @@ export function mountParameters(root: HTMLElement, app: App): void {
 
   const list = () => {
     const query = search.value.trim();
-    if (query === "") return sections.showAll(store.nodes(), (node) => store.of(node));
+    if (query === "") sections.showAll(store.nodes(), (node) => store.of(node), anew);
+    anew.clear();
+    if (query === "") return;
     const matches = matcher(query);
     sections.showFound(store.nodes(), (node) => store.of(node).filter(({ parameter }) => matches(parameter)));
   };
@@ -63,16 +73,17 @@ export function mountParameters(root: HTMLElement, app: App): void {
       .services()
       .filter(({ name, type }) => type === LIST && name.endsWith("/list_parameters"))
       .map(({ name }) => name.slice(0, -"/list_parameters".length));
-  const load = async (wanted: string[]) => {
+  const load = async (wanted: string[], tries = TRIES) => {
     if (wanted.length === 0) return showState();
     for (const node of wanted) asked.add(node);
-    setText(state, `Asking ${wanted.length} nodes …`);
-    const failures: string[] = [];
-    await store.load(wanted, (node, reason) => {
-      failures.push(`${node}: ${reason instanceof Error ? reason.message : reason}`);
-      asked.delete(node);
-    });
-    showState(failures);
+    setText(state, wanted.length === 1 ? `Asking ${wanted[0]} …` : `Asking ${wanted.length} nodes …`);
+    const failures = new Map<string, string>();
+    await store.load(wanted, (node, reason) => failures.set(node, reason instanceof Error ? reason.message : String(reason)));
+    showState([...failures].map(([node, reason]) => `${node}: ${reason}`));
+    // A node that has just come up, or is busy, answers a little later; one that is gone is asked again when its services are back.
+    const again = [...failures.keys()].filter((node) => nodes().includes(node));
+    for (const node of failures.keys()) asked.delete(node);
+    if (again.length > 0 && tries > 1) setTimeout(() => void load(again.filter((node) => !asked.has(node)), tries - 1), RETRY_MS);
   };
   const showState = (failures: string[] = []) => {
     const count = store.nodes().reduce((sum, node) => sum + store.of(node).length, 0);
@@ -81,7 +92,6 @@ export function mountParameters(root: HTMLElement, app: App): void {
     else setText(state, count === 0 ? "No node has been found yet" : `${count} parameters; ${app.hands.canCommand ? "changes are live" : app.hands.whyNot}`);
   };
 
-  const asked = new Set<string>();
   const events = new Follower<ParameterEvent>(EVENTS);
   const loadNew = () => void load(nodes().filter((node) => !asked.has(node)));
   const follow = () => {

@@ -96,20 +96,34 @@ class Strip {
     app.on("cursor", () => this.#show());
     new ResizeObserver(() => this.#resize()).observe(rows);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#draw());
+    this.#listenToPointer();
+  }
+
+  /** A press or a drag anywhere on the curves; what plays waits meanwhile. */
+  #listenToPointer(): void {
+    const app = this.#app;
+    const area = this.#area;
+    let goesOn = false;
     const seek = (event: PointerEvent) => {
-      const box = this.#area.getBoundingClientRect();
+      const box = area.getBoundingClientRect();
       const share = (event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT);
       const { from, to } = this.#view;
       const { begin, end } = app.timeline;
       app.cursor.seek(Math.min(Math.max(from + share * (to - from), begin), end));
     };
-    this.#area.addEventListener("pointerdown", (event) => {
+    area.addEventListener("pointerdown", (event) => {
       if (event.button !== 0 || app.timeline.end <= 0) return;
-      this.#area.setPointerCapture(event.pointerId);
+      goesOn = app.cursor.isPlaying && !app.cursor.isLive;
+      app.cursor.pause();
+      area.setPointerCapture(event.pointerId);
       seek(event);
     });
-    this.#area.addEventListener("pointermove", (event) => {
-      if (this.#area.hasPointerCapture(event.pointerId)) seek(event);
+    area.addEventListener("pointermove", (event) => {
+      if (area.hasPointerCapture(event.pointerId)) seek(event);
+    });
+    area.addEventListener("lostpointercapture", () => {
+      if (goesOn) app.cursor.play();
+      goesOn = false;
     });
   }
 
@@ -202,7 +216,8 @@ class Strip {
       const curve = kind.lines.at(-1)!.curve;
       const found = this.#data.valueAt(curve, time);
       const unit = kind.unit(this.#data);
-      value.textContent = found === undefined || Number.isNaN(found) ? "–" : `${found.toFixed(kind.digits)} ${unit}`;
+      const isTold = this.#data.curves[curve].times.length > 0;
+      value.textContent = found !== undefined && !Number.isNaN(found) ? `${found.toFixed(kind.digits)} ${unit}` : isTold ? "–" : "not told";
     }
   }
 

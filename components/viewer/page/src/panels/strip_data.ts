@@ -149,11 +149,13 @@ export class StripData {
     if (cycle.class_switched) this.#mark(time, "switch", `class ${cycle.chosen_label || "other"}`);
   }
 
-  #addNavigation(time: Seconds, { goal_id, status, reason }: any): void {
+  #addNavigation(time: Seconds, { goal_id, status, reason, navigation_time }: any): void {
     const id = BigInt(goal_id);
     const isNew = id !== this.#goal.id;
     if (!isNew && status === this.#goal.status) return;
-    if (isNew && status < STATUS.succeeded) this.#mark(time, "goal", "goal");
+    // Who comes later hears of the goal in hand, and when it was taken up.
+    const since = navigation_time.sec + navigation_time.nanosec / 1e9;
+    if (isNew && status < STATUS.succeeded) this.#mark(time - since, "goal", "goal");
     if (status === STATUS.succeeded) this.#mark(time, "reached", "reached");
     if (status === STATUS.canceled) this.#mark(time, "ended", "canceled");
     if (status === STATUS.aborted) this.#mark(time, "ended", reason ? `aborted: ${reason}` : "aborted");

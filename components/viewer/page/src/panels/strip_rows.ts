@@ -90,7 +90,7 @@ export const ROWS: RowKind[] = [
 ];
 
 export const LEFT = 38; // of the plot, behind the numbers of its axis [px]
-export const RIGHT = 10;
+export const RIGHT = 14;
 const AXIS_HEIGHT = 22;
 
 const STEPS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200];

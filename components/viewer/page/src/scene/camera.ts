@@ -1,7 +1,7 @@
 // Where the scene is seen from: a point of the ground, a distance, a direction and a tilt.
 import { PerspectiveCamera, Vector3 } from "three";
 
-const FIELD_OF_VIEW = 30; // [deg] narrow: from above nearly without perspective
+export const FIELD_OF_VIEW = 20; // [deg] narrow: from above nearly without perspective
 const NEAREST = 2; // [m]
 const FARTHEST = 2000; // [m]
 const MOST_TILT = 1.25; // [rad]

@@ -6,6 +6,7 @@ import { LiveTimeline } from "./live_timeline";
 import { SUBPROTOCOLS, readBinary, type AdvertisedChannel, type BinaryMessage, type TextMessage } from "./protocol";
 
 const RETRY = 1000; // [ms]
+const COMMANDER = "commander"; // id of the status that says who commands
 const LEVELS = ["info", "warning", "error"] as const;
 
 /** Connects, and again each second when the robot is gone. */
@@ -19,6 +20,7 @@ export class LiveSource implements Source {
   private retry = 0;
   private isClosed = false;
   private wasTold = false;
+  private session: string | undefined;
   private readonly wanted = new Map<string, number>();
   private readonly byTopic = new Map<string, { id: number; channel: Channel }>();
   /** A subscription has the id of its channel. */
@@ -101,14 +103,20 @@ export class LiveSource implements Source {
     switch (message.op) {
       case "serverInfo":
         this.metadata = message.metadata ?? {};
-        this.hands.connect(message.capabilities, message.supportedEncodings ?? ["json"]);
+        if (this.session !== message.sessionId) this.timeline.clear(); // another run: its time has nothing to do with that of the last
+        this.session = message.sessionId;
+        this.hands.connect(message.capabilities, message.supportedEncodings ?? ["json"], this.metadata);
         this.links.onConnected();
         if (this.wasTold) this.app.say("info", "Connected again");
         this.wasTold = false;
         this.app.emit("source");
         break;
       case "status":
-        this.app.say(LEVELS[message.level] ?? "info", message.message);
+        if (message.id === COMMANDER) this.setCommander(message.level > 0 ? message.message : "");
+        else this.app.say(LEVELS[message.level] ?? "info", message.message);
+        break;
+      case "removeStatus":
+        if (message.statusIds.includes(COMMANDER)) this.setCommander("");
         break;
       case "advertise":
         for (const channel of message.channels) this.onChannel(channel);
@@ -127,6 +135,11 @@ export class LiveSource implements Source {
       default:
         this.hands.onText(message);
     }
+  }
+
+  private setCommander(why: string): void {
+    this.hands.setCommander(why);
+    this.app.emit("status");
   }
 
   private onChannel(advertised: AdvertisedChannel): void {
@@ -149,7 +162,7 @@ export class LiveSource implements Source {
   private onBinary(message: BinaryMessage | undefined): void {
     switch (message?.op) {
       case "time":
-        this.timeline.setTime(message.time);
+        this.timeline.setClock(message.time);
         break;
       case "message": {
         const channel = this.subscribed.get(message.subscription);

@@ -17,6 +17,8 @@ export class LiveHands implements Hands {
   private isConnected = false;
   private capabilities: string[] = [];
   private encodings: string[] = [];
+  private metadata: Record<string, string> = {};
+  private commander = "";
   private readonly known = new Map<number, AdvertisedService>();
   private readonly calls = new Map<number, Call>();
   private readonly advertised = new Map<string, { id: number; type: string }>();
@@ -35,8 +37,14 @@ export class LiveHands implements Hands {
 
   get whyNot(): string {
     if (!this.isConnected) return "No connection to the robot";
-    if (!this.capabilities.includes("clientPublish")) return "The server lets this page look on, not command";
-    return "";
+    if (this.metadata.clock === "lockstep" && this.metadata.accept_inputs !== "true") return "In lock-step the page commands only with --accept-inputs";
+    if (this.metadata.may_command === "false" || !this.capabilities.includes("clientPublish")) return "The server lets this page look on, not command";
+    return this.commander;
+  }
+
+  /** Why another one's commands go before ours; empty when they do not. */
+  setCommander(why: string): void {
+    this.commander = why;
   }
 
   services(): { name: string; type: string }[] {
@@ -64,8 +72,10 @@ export class LiveHands implements Hands {
     });
   }
 
-  connect(capabilities: string[], encodings: string[]): void {
+  connect(capabilities: string[], encodings: string[], metadata: Record<string, string>): void {
     this.isConnected = true;
+    this.metadata = metadata;
+    this.commander = "";
     this.capabilities = capabilities;
     this.encodings = encodings;
   }

@@ -36,6 +36,7 @@ export class MessageLog {
     const entry: Entry = { time, bytes, value: undefined };
     this.bytes += bytes.length;
     if (!last || last.time <= time) this.entries.push(entry);
+    else if (this.isLatched && last.time - time > 1) this.entries = [entry]; // of a clock that went back
     else this.entries.splice(lastAtOrBefore(this.entries, time) + 1, 0, entry);
   }
 

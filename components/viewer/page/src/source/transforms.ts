@@ -90,6 +90,10 @@ export class Transforms {
     }
   }
 
+  forgetMoving(): void {
+    for (const [child, edge] of this.edges) if (!edge.isStatic) this.edges.delete(child);
+  }
+
   clear(): void {
     this.edges.clear();
   }

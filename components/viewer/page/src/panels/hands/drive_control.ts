@@ -44,7 +44,7 @@ export class DriveControl implements Hand {
   update(): void {
     const manager = offers(this.context.app, this.manager());
     this.pauseButton.disabled = this.resumeButton.disabled = !manager;
-    this.pauseButton.title = manager ? "The robot comes to rest and keeps its place" : "no lifecycle manager is there";
+    this.pauseButton.title = manager ? "Deactivates navigation: the robot comes to rest, and its goal is canceled" : "no lifecycle manager is there";
     this.showStatus();
   }
 

@@ -19,6 +19,6 @@ export function statusText(status: NavigationStatus): string {
   if (!isOver && Number.isFinite(status.distance_remaining)) parts.push(`${status.distance_remaining.toFixed(1)} m to go`);
   if (status.number_of_recoveries > 0) parts.push(`${status.number_of_recoveries} recoveries`);
   if (status.number_of_goals_remaining > 0) parts.push(`${status.number_of_goals_remaining} more to come`);
-  if (status.reason !== "") parts.push(status.reason);
+  if (status.reason !== "" && status.reason !== name) parts.push(status.reason);
   return parts.join(", ");
 }

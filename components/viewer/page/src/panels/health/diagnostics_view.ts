@@ -1,5 +1,5 @@
 // Diagnostics as a list, the worst first, with a filter by level.
-import { create } from "../dom";
+import { create, setText } from "../dom";
 import { LEVEL_NAMES, type Component } from "./diagnostics";
 
 export class DiagnosticsView {
@@ -27,22 +27,32 @@ export class DiagnosticsView {
     // Stale is worse than a warning and better than an error that is certain.
     const rank = ({ level }: Component) => [0, 1, 3, 2][level]!;
     const listed = this.components.filter(({ level }) => level >= least).sort((a, b) => rank(b) - rank(a));
-    const now = JSON.stringify(listed.map(({ name, level, message }) => [name, level, message]));
-    if (now === this.shown) return;
+    const now = listed.map(({ name }) => name).join("\n");
+    if (now !== this.shown || listed.length === 0) this.list.replaceChildren(...this.items(listed));
     this.shown = now;
-    const items = listed.map(({ name, level, message }) =>
+    listed.forEach(({ level, message }, i) => {
+      const [dot, , text] = this.list.children[i]!.firstElementChild!.children as unknown as [Element, Element, Element];
+      dot.className = `dot ${LEVEL_NAMES[level]}`;
+      dot.setAttribute("title", LEVEL_NAMES[level]);
+      setText(text, message);
+    });
+  }
+
+  private items(listed: readonly Component[]): HTMLElement[] {
+    const nothing = this.components.length === 0 ? "Nothing has been heard" : "Nothing of that level";
+    if (listed.length === 0) return [create("li", { class: "hint" }, nothing)];
+    return listed.map(({ name }) =>
       create(
         "li",
         {},
         create(
           "button",
           { type: "button", class: "plain", onclick: () => this.choose(name) },
-          create("span", { class: `dot ${LEVEL_NAMES[level]}`, title: LEVEL_NAMES[level] }),
+          create("span", {}),
           create("span", { class: "name" }, name),
-          create("span", { class: "message" }, message),
+          create("span", { class: "message" }),
         ),
       ),
     );
-    this.list.replaceChildren(...(items.length === 0 ? [create("li", { class: "hint" }, this.components.length === 0 ? "Nothing has been heard" : "Nothing of that level")] : items));
   }
 }

@@ -1,62 +1,84 @@
 // The graph as a drawing: boxes of components in their lanes and processes, arrows by topic. A box that is chosen shows its own arrows.
-import { create, svg } from "../dom";
+import { create, setText, svg } from "../dom";
 import { arrowPath } from "./arrow";
 import { LEVEL_NAMES, missed, oldest, slowest, type Component } from "./diagnostics";
-import { layoutOf, type Group, type Layout, type Rectangle } from "./layout";
+import { BOX, layoutOf, type Group, type Layout, type Rectangle } from "./layout";
 import type { Link } from "./links";
 
 export class GraphView {
   readonly root = create("div", { class: "graph-view" });
-  private drawn = "";
+  private layout: Layout = { width: 0, height: 0, groups: [], boxes: new Map() };
+  private boxes = new Map<string, Box>();
+  private links = svg("g", {});
+  private placed = "";
+  private linked = "";
 
-  constructor(private readonly choose: (name: string | undefined) => void) {}
+  constructor(private readonly choose: (name: string) => void) {}
 
   show(components: readonly Component[], links: readonly Link[], chosen: string | undefined): void {
     const width = Math.max(320, Math.floor(this.root.clientWidth));
-    const now = JSON.stringify([width, chosen, components.map((each) => [each.name, each.level, each.process, each.lane, ...linesOf(each)]), links]);
-    if (now === this.drawn) return;
-    this.drawn = now;
-    const focused = (document.activeElement as Element | null)?.closest<SVGElement>("g.box")?.dataset.component;
-    const layout = layoutOf(components, width);
-    const drawing = svg(
-      "svg",
-      { viewBox: `0 0 ${width} ${layout.height + 2}`, width, height: layout.height + 2, role: "group", "aria-label": "Components and topics" },
-      arrowHeads(),
-      ...layout.groups.map(groupOf),
-      svg("g", { class: chosen === undefined ? "links" : "links some" }, ...links.map((link) => arrow(link, layout, chosen))),
-      ...components.map((component) => this.box(component, layout.boxes.get(component.name)!, component.name === chosen)),
-    );
-    this.root.replaceChildren(drawing);
-    if (focused !== undefined) drawing.querySelector<SVGElement>(`g.box[data-component="${CSS.escape(focused)}"]`)?.focus();
+    const places = JSON.stringify([width, components.map(({ name, process, lane }) => [name, process, lane])]);
+    if (places !== this.placed) this.place(components, width);
+    const arrows = JSON.stringify([places, chosen, links]);
+    if (arrows !== this.linked) {
+      this.links.replaceChildren(...links.map((link) => arrow(link, this.layout, chosen)).filter((each) => each !== undefined));
+      this.links.setAttribute("class", chosen === undefined ? "links" : "links some");
+    }
+    for (const component of components) this.boxes.get(component.name)!.show(component, component.name === chosen);
+    this.placed = places;
+    this.linked = arrows;
   }
 
-  private box(component: Component, { x, y, width, height }: Rectangle, isChosen: boolean): SVGElement {
-    const level = LEVEL_NAMES[component.level];
-    const toggle = () => this.choose(isChosen ? undefined : component.name);
-    const lines = linesOf(component);
-    return svg(
+  private place(components: readonly Component[], width: number): void {
+    const layout = layoutOf(components, width);
+    this.layout = layout;
+    this.links = svg("g", {});
+    this.boxes = new Map(components.map(({ name }) => [name, new Box(name, layout.boxes.get(name)!, () => this.choose(name))]));
+    const height = layout.height + 2;
+    this.root.replaceChildren(
+      svg(
+        "svg",
+        { viewBox: `0 0 ${width} ${height}`, width, height, role: "group", "aria-label": "Components and topics" },
+        definitions(),
+        ...layout.groups.map(groupOf),
+        this.links,
+        ...[...this.boxes.values()].map(({ root }) => root),
+      ),
+    );
+  }
+}
+
+/** Stays while its texts change: what is focused stays focused. */
+class Box {
+  readonly root: SVGElement;
+  private readonly title = svg("title", {});
+  private readonly facts = [0, 1, 2].map((i) => svg("text", { x: 12, y: 31 + 13 * i, class: "fact", "clip-path": "url(#inside)" }));
+
+  constructor(name: string, { x, y, width, height }: Rectangle, choose: () => void) {
+    const onkeydown = (event: KeyboardEvent) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      choose();
+    };
+    this.root = svg(
       "g",
-      {
-        class: `box ${level}`,
-        transform: `translate(${x} ${y})`,
-        tabindex: 0,
-        role: "button",
-        "aria-pressed": String(isChosen),
-        "aria-label": `${component.name}: ${level}, ${component.message}`,
-        "data-component": component.name,
-        onclick: toggle,
-        onkeydown: (event: KeyboardEvent) => {
-          if (event.key !== "Enter" && event.key !== " ") return;
-          event.preventDefault();
-          toggle();
-        },
-      },
-      svg("title", {}, `${component.name}: ${component.message}`),
+      { transform: `translate(${x} ${y})`, tabindex: 0, role: "button", "data-component": name, onclick: choose, onkeydown },
+      this.title,
       svg("rect", { width, height, rx: 5, class: "back" }),
       svg("rect", { width: 4, height, rx: 2, class: "level" }),
-      svg("text", { x: 12, y: 17, class: "name" }, shortened(component.name, 21)),
-      ...lines.map((line, i) => svg("text", { x: 12, y: 31 + 13 * i, class: "fact" }, shortened(line, 24))),
+      svg("text", { x: 12, y: 17, class: "name", "clip-path": "url(#inside)" }, name),
+      ...this.facts,
     );
+  }
+
+  show(component: Component, isChosen: boolean): void {
+    const level = LEVEL_NAMES[component.level];
+    this.root.setAttribute("class", `box ${level}`);
+    this.root.setAttribute("aria-pressed", String(isChosen));
+    this.root.setAttribute("aria-label", `${component.name}: ${level}, ${component.message}`);
+    setText(this.title, `${component.name}: ${component.message}`);
+    const lines = linesOf(component);
+    this.facts.forEach((fact, i) => setText(fact, lines[i] ?? ""));
   }
 }
 
@@ -95,16 +117,14 @@ function arrow(link: Link, layout: Layout, chosen: string | undefined): SVGEleme
   );
 }
 
-function arrowHeads(): SVGElement {
+/** Heads of arrows, and what of a text is within its box. */
+function definitions(): SVGElement {
   const head = (side: string) =>
     svg(
       "marker",
       { id: `head${side}`, class: `head${side}`, viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 6, markerHeight: 6, orient: "auto" },
       svg("path", { d: "M0,0.5 L8,4 L0,7.5 z" }),
     );
-  return svg("defs", {}, head(""), head("-in"), head("-out"));
-}
-
-function shortened(text: string, most: number): string {
-  return text.length <= most ? text : `${text.slice(0, most - 1)}…`;
+  const inside = svg("clipPath", { id: "inside" }, svg("rect", { width: BOX.width - 5, height: BOX.height }));
+  return svg("defs", {}, inside, head(""), head("-in"), head("-out"));
 }

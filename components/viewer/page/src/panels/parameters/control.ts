@@ -67,6 +67,7 @@ function field(parameter: Parameter, wishes: Wishes): Control {
     autocomplete: "off",
     ...labels(parameter),
     onchange: commit,
+    onblur: () => (input.value = textOf(held)),
     onkeydown: (event: KeyboardEvent) => {
       if (event.key === "Enter") commit();
       if (event.key === "Escape") input.value = textOf(held);

@@ -1,5 +1,5 @@
 // The list of all parameters: a component opens to its sections. Rows are made when they are seen: a graph has a thousand of them.
-import { create } from "../dom";
+import { arrange, create } from "../dom";
 import { sectionOf } from "./descriptor";
 import { Row, type RowActions } from "./row";
 import type { Entry } from "./store";
@@ -10,30 +10,48 @@ const MOST_FOUND = 200;
 export class Sections {
   readonly root = create("div", { class: "sections" });
   private rows = new Map<Entry, Row>();
+  private components = new Map<string, HTMLDetailsElement>();
 
   constructor(private readonly actions: RowActions) {}
 
-  /** Everything, closed but for the components that were open. */
-  showAll(nodes: readonly string[], of: (node: string) => readonly Entry[]): void {
-    const open = new Set([...this.root.querySelectorAll<HTMLElement>("details.component[open]")].map((each) => each.dataset.node));
-    this.rows = new Map();
-    const components = nodes.map((node) => this.component(node, of(node))).filter((each) => each !== undefined);
-    this.root.replaceChildren(...components);
-    for (const component of components) if (open.has(component.dataset.node)) component.open = true;
+  /** Everything, closed; of nodes that were there before only what is in `anew` is made again. */
+  showAll(nodes: readonly string[], of: (node: string) => readonly Entry[], anew: ReadonlySet<string>): void {
+    const before = this.components;
+    for (const entry of this.rows.keys()) {
+      const { node } = entry.parameter;
+      if (!before.has(node) || anew.has(node)) this.rows.delete(entry);
+    }
+    this.components = new Map();
+    for (const node of nodes) {
+      const old = before.get(node);
+      const component = old === undefined || anew.has(node) ? this.component(node, of(node)) : old;
+      if (component === undefined) continue;
+      component.open = old?.open ?? false;
+      this.components.set(node, component);
+    }
+    arrange(this.root, [...this.components.values()]);
   }
 
+  /** What was found before stays, with whoever is writing there. */
   showFound(nodes: readonly string[], of: (node: string) => readonly Entry[]): void {
+    const before = this.components.size === 0 ? this.rows : new Map<Entry, Row>();
+    const headings = new Map([...this.root.querySelectorAll(":scope > h3")].map((each) => [each.textContent!, each]));
+    this.components = new Map();
     this.rows = new Map();
-    let count = 0;
-    const groups: HTMLElement[] = [];
+    const elements: Element[] = [];
     for (const node of nodes) {
-      const entries = of(node).slice(0, MOST_FOUND - count);
+      const entries = of(node).slice(0, MOST_FOUND - this.rows.size);
       if (entries.length === 0) continue;
-      count += entries.length;
-      groups.push(create("h3", {}, node), ...entries.map((entry) => this.row(entry, true)));
+      elements.push(headings.get(node) ?? create("h3", {}, node));
+      for (const entry of entries) {
+        const row = before.get(entry) ?? new Row(entry, this.actions, true);
+        this.rows.set(entry, row);
+        elements.push(row.root);
+      }
     }
+    const count = this.rows.size;
     const last = count === 0 ? "Nothing is called that" : count === MOST_FOUND ? `The first ${MOST_FOUND} are shown` : undefined;
-    this.root.replaceChildren(...groups, ...(last === undefined ? [] : [create("p", { class: "hint" }, last)]));
+    arrange(this.root, last === undefined ? elements : [...elements, create("p", { class: "hint" }, last)]);
   }
 
   show(entry: Entry): void {
@@ -60,14 +78,10 @@ export class Sections {
     for (const entry of entries) {
       const { section } = sectionOf(entry.parameter.name);
       if (section !== current) elements.push(create("h3", {}, (current = section).replaceAll(".", " › ")));
-      elements.push(this.row(entry, false));
+      const row = new Row(entry, this.actions);
+      this.rows.set(entry, row);
+      elements.push(row.root);
     }
     return elements;
-  }
-
-  private row(entry: Entry, isFullName: boolean): HTMLElement {
-    const row = new Row(entry, this.actions, isFullName);
-    this.rows.set(entry, row);
-    return row.root;
   }
 }

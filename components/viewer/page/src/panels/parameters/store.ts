@@ -22,8 +22,8 @@ interface WireParameter {
   value: { type: number } & Record<string, unknown>;
 }
 
-/** Nodes are asked this many at a time: the server of the page takes 32 calls in flight, and others ask too. */
-const AT_ONCE = 4;
+/** Nodes are asked this many at a time, by two calls at most each: the server of the page takes 32 in flight, and others ask too. */
+const AT_ONCE = 8;
 
 export class ParameterStore {
   private readonly entries = new Map<string, Map<string, Entry>>();

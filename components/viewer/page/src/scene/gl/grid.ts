@@ -1,5 +1,15 @@
 // An occupancy grid as a texture on the ground.
-import { BufferAttribute, BufferGeometry, DataTexture, Mesh, NearestFilter, RedFormat, ShaderMaterial, UnsignedByteType } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DataTexture,
+  Mesh,
+  NearestFilter,
+  NearestMipmapNearestFilter,
+  RedFormat,
+  ShaderMaterial,
+  UnsignedByteType,
+} from "three";
 import type { Rgba } from "../palette";
 
 const VERTEX = `
@@ -64,8 +74,9 @@ export class Grid {
     if (!isWhole) return;
     const { width, height, resolution } = grid.info;
     const cells = new Uint8Array(grid.data.buffer, grid.data.byteOffset, grid.data.length);
-    if (this.texture?.image.width === width && this.texture.image.height === height) this.texture.image.data = cells;
-    else this.texture = this.make(cells, width, height);
+    if (this.texture?.image.width !== width || this.texture.image.height !== height) this.texture = this.make(cells, width, height);
+    this.texture.image.data = cells;
+    this.texture.mipmaps = smaller(cells, width, height);
     this.texture.needsUpdate = true;
     const { uniforms } = this.mesh.material;
     uniforms.cells!.value = this.texture;
@@ -78,7 +89,43 @@ export class Grid {
     this.texture?.dispose();
     const texture = new DataTexture(cells as Uint8Array<ArrayBuffer>, width, height, RedFormat, UnsignedByteType);
     texture.unpackAlignment = 1;
-    texture.minFilter = texture.magFilter = NearestFilter;
+    texture.magFilter = NearestFilter;
+    texture.minFilter = NearestMipmapNearestFilter;
     return texture;
   }
+}
+
+const UNKNOWN = 255;
+
+interface Level {
+  data: Uint8Array<ArrayBuffer>;
+  width: number;
+  height: number;
+}
+
+/**
+ * The grid and each half of it, as seen from farther and farther away. Of four cells the one of the highest cost counts: a wall stays a wall where it
+ * is thinner than a pixel.
+ */
+export function smaller(cells: Uint8Array, width: number, height: number): Level[] {
+  const levels: Level[] = [{ data: cells as Uint8Array<ArrayBuffer>, width, height }];
+  for (let level = levels[0]!; level.width > 1 || level.height > 1; ) {
+    level = halved(level);
+    levels.push(level);
+  }
+  return levels;
+}
+
+function halved({ data, width, height }: Level): Level {
+  const half = { width: Math.max(width >> 1, 1), height: Math.max(height >> 1, 1) };
+  const result = new Uint8Array(half.width * half.height).fill(UNKNOWN);
+  for (let y = 0; y < height; ++y) {
+    const row = Math.min(y >> 1, half.height - 1) * half.width;
+    for (let x = 0; x < width; ++x) {
+      const value = data[y * width + x]!;
+      const at = row + Math.min(x >> 1, half.width - 1);
+      if (value !== UNKNOWN && (result[at] === UNKNOWN || value > result[at]!)) result[at] = value;
+    }
+  }
+  return { data: result, ...half };
 }

@@ -1,16 +1,14 @@
-// Many copies of one small shape, each with numbers of its own; drawn in one call.
-import {
-  InstancedBufferGeometry,
-  InstancedInterleavedBuffer,
-  InterleavedBufferAttribute,
-  BufferAttribute,
-  Mesh,
-  ShaderMaterial,
-  type IUniform,
-} from "three";
+// Many copies of one small quad, each with numbers of its own; drawn in one call. Each copy has four corners of its own in the buffer: drawn as
+// instances they would need a quarter of it, but software rendering sets up a draw for every instance.
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, InterleavedBuffer, InterleavedBufferAttribute, Mesh, ShaderMaterial, type IUniform } from "three";
 
-/** x from 0 to 1, y from -1 to 1. */
-const CORNERS = new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]);
+/** `position` of the corners: x from 0 to 1, y from -1 to 1. */
+const CORNERS = [
+  [0, -1],
+  [1, -1],
+  [1, 1],
+  [0, 1],
+];
 const QUAD = [0, 1, 2, 0, 2, 3];
 
 /** What all shaders share; the scene sets it once per frame. */
@@ -27,17 +25,16 @@ export interface Shader {
 }
 
 export class Instances {
-  readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   count = 0;
   private values: Float32Array;
   private readonly stride: number;
-  private buffer: InstancedInterleavedBuffer;
+  private buffer!: InterleavedBuffer;
 
   /** `layout`: names and sizes of the attributes, in the order in which `add` gets them. */
-  constructor(private readonly layout: Record<string, number>, shader: Shader, order: number, capacity = 64) {
-    this.stride = Object.values(layout).reduce((sum, size) => sum + size, 0);
-    this.values = new Float32Array(capacity * this.stride);
-    this.buffer = new InstancedInterleavedBuffer(this.values, this.stride);
+  constructor(private readonly layout: Record<string, number>, shader: Shader, order: number, private capacity = 64) {
+    this.stride = 2 + Object.values(layout).reduce((sum, size) => sum + size, 0);
+    this.values = new Float32Array(capacity * 4 * this.stride);
     const material = new ShaderMaterial({
       vertexShader: shader.vertex,
       fragmentShader: shader.fragment,
@@ -57,40 +54,44 @@ export class Instances {
   }
 
   add(...values: number[]): void {
-    const at = this.count * this.stride;
-    if (at + this.stride > this.values.length) this.grow();
-    this.values.set(values, at);
+    if (this.count === this.capacity) this.grow();
+    let at = this.count * 4 * this.stride;
+    for (const corner of CORNERS) {
+      this.values.set(corner, at);
+      this.values.set(values, at + 2);
+      at += this.stride;
+    }
     ++this.count;
   }
 
   /** After the last `add`. */
   done(): void {
-    this.mesh.geometry.instanceCount = this.count;
+    this.mesh.geometry.setDrawRange(0, this.count * QUAD.length);
     this.mesh.visible = this.count > 0;
     this.buffer.clearUpdateRanges();
-    this.buffer.addUpdateRange(0, this.count * this.stride);
+    this.buffer.addUpdateRange(0, this.count * 4 * this.stride);
     this.buffer.needsUpdate = true;
   }
 
   private grow(): void {
+    this.capacity *= 2;
     const bigger = new Float32Array(this.values.length * 2);
     bigger.set(this.values);
     this.values = bigger;
-    this.buffer = new InstancedInterleavedBuffer(bigger, this.stride);
     this.mesh.geometry.dispose();
     this.mesh.geometry = this.geometry();
   }
 
-  private geometry(): InstancedBufferGeometry {
-    const geometry = new InstancedBufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(CORNERS, 3));
-    geometry.setIndex(QUAD);
+  private geometry(): BufferGeometry {
+    const geometry = new BufferGeometry();
+    this.buffer = new InterleavedBuffer(this.values, this.stride).setUsage(DynamicDrawUsage);
     let offset = 0;
-    for (const [name, size] of Object.entries(this.layout)) {
+    for (const [name, size] of Object.entries({ position: 2, ...this.layout })) {
       geometry.setAttribute(name, new InterleavedBufferAttribute(this.buffer, size, offset));
       offset += size;
     }
-    geometry.instanceCount = 0;
+    const index = new Uint32Array(this.capacity * QUAD.length).map((_, i) => Math.floor(i / QUAD.length) * 4 + QUAD[i % QUAD.length]!);
+    geometry.setIndex(new BufferAttribute(index, 1));
     return geometry;
   }
 }

@@ -82,7 +82,7 @@ export class BandLayer extends TopicLayer<Path> {
       const next = points[i + 1] ?? point;
       const previous = points[i - 1] ?? point;
       const angle = Math.atan2(next.y - previous.y, next.x - previous.x);
-      const color = along(palette.speed, Number.isNaN(point.speed) ? 1 : point.speed / FULL_SPEED);
+      const color = Number.isNaN(point.speed) ? palette.robot : along(palette.speed, point.speed / FULL_SPEED);
       const now = ringAt(point, angle, RADIUS + lift * point.time, color, palette);
       if (before)
         for (let side = 0; side < SIDES; ++side) {

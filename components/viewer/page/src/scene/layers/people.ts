@@ -32,7 +32,8 @@ export interface Tracks {
 
 export const LARGEST = 3; // [m] half axis of an ellipse; one that is less sure says nothing
 export const DEVIATIONS = 2; // an ellipse holds 86 %
-const HEIGHT = 1.3; // [m] so that one sees over them
+const HEIGHT = 1.1; // [m] so that one sees over them
+const FIRST_ROBOT = 2e9; // ids from here on are those of other robots (components/other_robots)
 const STANDS = 0.1; // [m/s] slower needs no arrow
 
 /** Everybody with number, velocity (where they are in a second) and how sure the place is. */
@@ -62,7 +63,7 @@ export class PeopleLayer extends TopicLayer<Tracks> {
   positions(): { id: number; x: number; y: number }[] {
     const { position, rotation } = this.object;
     const frame = { x: position.x, y: position.y, theta: rotation.z };
-    return this.shown.map(({ id, position: at }) => {
+    return this.shown.filter((track) => !isRobot(track)).map(({ id, position: at }) => {
       const { x, y } = compose(frame, { x: at.x, y: at.y, theta: 0 });
       return { id, x, y };
     });
@@ -77,9 +78,14 @@ export class PeopleLayer extends TopicLayer<Tracks> {
     if (!Number.isFinite(x + y)) return;
     const ring = ellipseOf(covariance[0]!, covariance[1]!, covariance[5]!, DEVIATIONS);
     if (ring && ring.a <= LARGEST) this.discs.add({ x, y, ...ring }, withOpacity(palette.people, 0), withOpacity(palette.people, 0.7), 1.2);
-    addBody(this.bodies, { x, y, radius, height: HEIGHT }, palette.people, mix(palette.people, [0, 0, 0, 1], 0.4));
+    if (isRobot({ id })) return; // is drawn where it says that it is
+    addBody(this.bodies, { x, y, radius, height: HEIGHT }, palette.people, mix(palette.people, [0, 0, 0, 1], 0.28));
     const speed = Math.hypot(velocity.x, velocity.y);
     if (speed > STANDS) this.lines.arrow([x, y], [x + velocity.x, y + velocity.y], palette.people, 0, 2, 0.18);
     this.labels.add([x, y, 0], `${id}`, palette.text, palette.halo, -20);
   }
+}
+
+export function isRobot({ id }: { id: number }): boolean {
+  return id >= FIRST_ROBOT;
 }
