@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include <dirent.h>
@@ -28,6 +29,11 @@ double seconds(const timespec& time) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+/// Other files beside recordings are nobody's business.
+bool is_recording(std::string_view name) {
+  return !name.starts_with('.') && (name.ends_with(".mcap") || name.ends_with(".db3"));
+}
+
 /// Appends what is in `folder`, which it closes.
 void list_folder(int folder, const std::string& prefix, int depth, std::vector<Listed>& files) {
   DIR* const entries = fdopendir(folder);
@@ -39,7 +45,7 @@ void list_folder(int folder, const std::string& prefix, int depth, std::vector<L
     const std::string name = entry->d_name;
     struct stat status = {};
     if (name.starts_with('.') || fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) continue;
-    if (S_ISREG(status.st_mode)) {
+    if (S_ISREG(status.st_mode) && is_recording(name)) {
       files.push_back({prefix + name, status.st_size, seconds(status.st_mtim)});
     } else if (S_ISDIR(status.st_mode) && depth < kDepth) {
       const int below = openat(folder, name.c_str(), O_RDONLY | O_DIRECTORY | kNoLinks);
@@ -90,7 +96,7 @@ std::string BagFolder::list() const {
 std::variant<std::shared_ptr<const ServedFile>, FileRefusal> BagFolder::open(
     const std::vector<std::string>& segments) const {
   const auto none = [] { return FileRefusal{404, "there is no such file in the folder of bags"}; };
-  if (segments.empty() || segments.size() > kDepth + 1) return none();
+  if (segments.empty() || segments.size() > kDepth + 1 || !is_recording(segments.back())) return none();
   int folder = dup(folder_);
   for (std::size_t i = 0; i < segments.size() && folder >= 0; ++i) {
     const std::string& name = segments[i];

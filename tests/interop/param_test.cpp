@@ -79,7 +79,8 @@ TEST_F(Param, DescribeTellsRangeAndWhetherItMayChange) {
   EXPECT_EQ(param({"describe", "/local_planner", "back_off_margin"}).out,
             "Parameter name: back_off_margin\n  Type: double\n"
             "  Description: clearance kept behind the footprint while backing off [m]\n"
-            "  Constraints:\n    Read only: false\n    Min value: 0.0\n    Max value: 2.0\n");
+            "  Constraints:\n    Read only: false\n    Min value: 0.0\n    Max value: 2.0\n"
+            "    Additional constraints: default 0.15\n");
   const Outcome fixed = param({"describe", "/local_planner", "algorithm"});
   EXPECT_THAT(fixed.out, HasSubstr("    Read only: true\n"));
   EXPECT_THAT(fixed.out, HasSubstr("    Additional constraints: must be one of dwa, edwa, eteb, "));

@@ -162,6 +162,7 @@ TEST(Http, ListsAndServesTheFolderOfBags) {
   write(folder / "a.mcap", "0123456789");
   write(folder / "run/run_0.mcap", "x");
   write(folder / "with space.mcap", "spaced");
+  write(folder / "notes.txt", "not a recording");
   write(folder / ".hidden", "secret");
   RunningServer run({.bag_folder = folder / ""});
   const auto port = run.server.port();
@@ -174,6 +175,7 @@ TEST(Http, ListsAndServesTheFolderOfBags) {
   EXPECT_EQ(ask(port, "GET", "/bags/run/run_0.mcap").body, "x");
   EXPECT_EQ(ask(port, "GET", "/bags/with%20space.mcap").body, "spaced");
   EXPECT_EQ(ask(port, "GET", "/bags/.hidden").status, 404);
+  EXPECT_EQ(ask(port, "GET", "/bags/notes.txt").status, 404);
 
   const auto whole = ask(port, "GET", "/bags/a.mcap");
   EXPECT_EQ(whole.body, "0123456789");
@@ -217,14 +219,14 @@ TEST(Http, NothingOutsideOfTheFolderIsServed) {
   std::filesystem::create_symlink("a.mcap", folder / "bags/inner.mcap");
   std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "bags/elsewhere");
   std::filesystem::create_hard_link(folder / "bags/a.mcap", folder / "bags/same.mcap");
-  ASSERT_EQ(mkfifo((folder / "bags/fifo").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo((folder / "bags/fifo.mcap").c_str(), 0600), 0);
   RunningServer run({.bag_folder = folder / "bags"});
   const auto port = run.server.port();
   EXPECT_EQ(nlohmann::json::parse(ask(port, "GET", "/bags/").body).size(), 2U);  // a.mcap, same.mcap
   EXPECT_EQ(ask(port, "GET", "/bags/link.mcap").status, 403);
   EXPECT_EQ(ask(port, "GET", "/bags/inner.mcap").status, 403);
   EXPECT_EQ(ask(port, "GET", "/bags/elsewhere/b.mcap").status, 403);
-  EXPECT_EQ(ask(port, "GET", "/bags/fifo").status, 403);
+  EXPECT_EQ(ask(port, "GET", "/bags/fifo.mcap").status, 403);
   EXPECT_EQ(ask(port, "GET", "/bags/a.mcap/b").status, 404);
   EXPECT_EQ(ask(port, "GET", "/bags/same.mcap").body, "bag");
 }
