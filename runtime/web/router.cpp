@@ -137,10 +137,13 @@ Reply Router::site_reply(const Request& request, const RequestTarget& target) co
 
 Reply Router::bag_reply(const Request& request, const RequestTarget& target) const {
   if (!is_reading(request)) return not_allowed("GET, HEAD");
-  if (!bags_) return plain_reply(404, "no folder of bags is served");
   if (target.path == "/bags/") {
-    return {200, {{"Content-Type", "application/json"}, {"Cache-Control", "no-store"}}, bags_->list()};
+    // Without a folder there are none: the page asks each time, and a browser would print a refusal as an error.
+    return {200,
+            {{"Content-Type", "application/json"}, {"Cache-Control", "no-store"}},
+            bags_ ? bags_->list() : std::string("[]")};
   }
+  if (!bags_) return plain_reply(404, "no folder of bags is served");
   const auto opened = bags_->open({target.segments.begin() + 1, target.segments.end()});
   if (const auto* refusal = std::get_if<FileRefusal>(&opened)) {
     return plain_reply(refusal->status, refusal->reason);

@@ -45,11 +45,13 @@ test("somebody opens the page of a robot", async (t) => {
     await view.page.click("#tab-parameters");
     await (await view.element("parameter-search")).type(name);
     const slider = await view.element(`slide:/local_planner.${name}`);
-    const before = Number(await run(program, "param", "get", "/local_planner", name));
+    const held = async () => Number((await run(program, "param", "get", "/local_planner", name)).match(/\S+\s*$/));
+    const before = await held();
+    assert.ok(before > 0, `${name} is ${before}`);
     await slider.focus();
     for (let i = 0; i < 5; ++i) await view.page.keyboard.press("ArrowRight");
     const moved = await eventually(`${name} other than ${before}`, async () => {
-      const now = Number(await run(program, "param", "get", "/local_planner", name));
+      const now = await held();
       return now > before && now;
     });
     const shown = await view.page.$eval(`[data-test="param:/local_planner.${name}"]`, (input) => Number(input.value));

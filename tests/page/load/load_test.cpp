@@ -32,7 +32,7 @@ std::uint16_t port_of(const Process& robot) {
 }
 
 // 80 of 100 clients read, 20 take a byte a second, 10 more open and close 50 times a second. At least 95 % of what is published must reach each that
-// reads, and the robot may take 256 MB for all of them.
+// reads (row 26), and the robot may take 256 MB for all of them.
 TEST(ViewerLoad, WhoReadsGetsEverythingWhateverOthersDo) {
   Process robot({BANDWAGON_PROGRAM, "run", std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml",
                  "--seed", "7", "--page=0", "--stay", "--set", "robot.limits.v_max=0.3"});

@@ -117,6 +117,24 @@ TEST_F(RouterTest, WithTheTokenEverythingIsRead) {
   }
 }
 
+TEST_F(RouterTest, WithoutAFolderTheListOfBagsIsEmpty) {
+  Router without(ServerOptions{}, true, {}, {"foxglove.sdk.v1"});
+  without.set_port(8765);
+  const auto local = [](const std::string& target) {
+    return Request{.method = "GET",
+                   .target = target,
+                   .headers = {{"Host", "127.0.0.1:8765"}},
+                   .address = "127.0.0.1",
+                   .now = 1};
+  };
+  const Reply list = without.answer(local("/bags/"));
+  EXPECT_EQ(list.status, 200);
+  const auto* text = std::get_if<std::string>(&list.body);
+  ASSERT_NE(text, nullptr);
+  EXPECT_EQ(*text, "[]");
+  EXPECT_EQ(without.answer(local("/bags/a.mcap")).status, 404);
+}
+
 TEST_F(RouterTest, CommandsAreOffUnlessTheyAreAllowed) {
   const auto asked = request("GET", "/", {{"Authorization", std::string("Bearer ") + kSecret}});
   EXPECT_FALSE(std::get<Admission>(router(false).admit(asked)).may_command);
