@@ -81,12 +81,12 @@ inline const std::vector<Golden>& golden() {
        "05dd1c2bc87dec2627105c8070d6f9725c781a4f2ab852975bf105462b82b644",
        "ad6747319613c6131589e062e095b469a46cc764f7d0f12a001a49e6cd893995", "00010000 01000000 " + kVMax,
        "00010000 01000000 " + kVMax +
-           " 03 "                                 // up to 22
-           "0000 0a000000 746f7020737065656400 "  // 24: "top speed", up to 38
-           "0000 01000000 00 00 00 "              // 40: no constraints, not read-only, up to 47
-           "00 01000000 "                         // 48: one range
-           "00000000 0000000000000000 0000000000000040 0000000000000000 "  // 56: from 0 to 2, any step
-           "00000000"},                                                    // 80: no integer range
+           " 03 "                                                 // up to 22
+           "0000 0a000000 746f7020737065656400 "                  // 24: "top speed", up to 38
+           "0000 0d000000 64656661756c7420302e373500 "            // 44: "default 0.75", up to 57
+           "00 0000 01000000 "                                    // not read-only; 60: one range
+           "0000000000000000 0000000000000040 0000000000000000 "  // 64: from 0 to 2, any step
+           "00000000"},                                           // 88: no integer range
       {"get_state", "lifecycle_msgs/srv/GetState",
        "77a9c844e7975f15bc2221e8bbebafc4d118afb78c7f7071eef91f83f940f2f6",
        "fe249babab472e42cb5653b5d6a6b0c42a003b0fdfb84851aea3fde08760b4f5", "00010000 00",

@@ -32,7 +32,8 @@ TEST(Socket, EchoesTheSubprotocolThatWasAgreedOn) {
   EXPECT_EQ(answer.status, 101);
   EXPECT_EQ(answer.headers.at("sec-websocket-protocol"), "foxglove.websocket.v1");
   EXPECT_EQ(answer.headers.at("sec-websocket-accept"), "s3pPLMBiTxaQ9kYGzzhZRbK+xOo=");  // RFC 6455, 1.3
-  const auto opening = run.handler.open().at(run.handler.last());
+  const web::ConnectionId id = run.handler.last();
+  const auto opening = run.handler.open().at(id);
   EXPECT_EQ(opening.subprotocol, "foxglove.websocket.v1");
   EXPECT_EQ(opening.origin, "http://localhost:5173");
   EXPECT_TRUE(opening.may_command);
