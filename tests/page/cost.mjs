@@ -2,15 +2,15 @@
 //
 //   BANDWAGON_NODE_MODULES=build/node node tests/page/cost.mjs build/release/bin/bandwagon [SECONDS [MINUTES]]
 //
-// SECONDS (20) are what each share of a core is taken over, MINUTES (1) how long the page is looked at for its heap. Shares are those of the threads named
-// `viewer` and of the whole process, by the kernel's count of their time on a core. Set ROS_DOMAIN_ID to one that nobody uses.
+// SECONDS (20) are what each share of a core is taken over, MINUTES (1) how long the page is looked at for its heap. Shares are those of the whole process,
+// by the kernel's count of its threads' time on a core: without viewer, with one, with one and its client. Set ROS_DOMAIN_ID to one that nobody uses.
 import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
 import { loadavg } from "node:os";
 import { Browser } from "./browser.mjs";
 import { require } from "./modules.mjs";
-import { eventually } from "./process.mjs";
-import { program, Robot } from "./robot.mjs";
+import { eventually, Program } from "./process.mjs";
+import { hallway, program, Robot } from "./robot.mjs";
 
 const WebSocket = require("ws");
 const seconds = Number(process.argv[3] ?? 20);
@@ -19,24 +19,17 @@ const people = 20;
 const later = (s) => new Promise((done) => setTimeout(done, s * 1000));
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
 
-/** Time on a core so far [s], of all threads and of those named `viewer`. */
+/** Time on a core so far [s]. */
 function used(pid) {
-  const sum = { process: 0, viewer: 0 };
-  for (const thread of readdirSync(`/proc/${pid}/task`)) {
-    const of = (file) => readFileSync(`/proc/${pid}/task/${thread}/${file}`, "utf8");
-    const time = Number(of("schedstat").split(" ")[0]) * 1e-9;
-    sum.process += time;
-    if (of("comm").trim() === "viewer") sum.viewer += time;
-  }
-  return sum;
+  const times = readdirSync(`/proc/${pid}/task`).map((thread) => readFileSync(`/proc/${pid}/task/${thread}/schedstat`, "utf8").split(" ")[0]);
+  return times.reduce((sum, time) => sum + Number(time) * 1e-9, 0);
 }
 
-/** Shares of a core while `seconds` pass. */
+/** Share of a core while `seconds` pass [%]. */
 async function share(pid) {
   const [before, start] = [used(pid), process.hrtime.bigint()];
   await later(seconds);
-  const [after, took] = [used(pid), Number(process.hrtime.bigint() - start) * 1e-9];
-  return Object.fromEntries(Object.keys(before).map((key) => [key, (((after[key] - before[key]) / took) * 100).toFixed(2)]));
+  return ((used(pid) - before) / (Number(process.hrtime.bigint() - start) * 1e-9)) * 100;
 }
 
 /** A client that subscribes to every channel and decodes nothing. */
@@ -98,18 +91,24 @@ async function heapGrowth(view) {
 const options = ["--set", "robot.limits.v_max=0.3", "--set", "people.enabled=false", "--set", "ideal_people.enabled=true"];
 const say = (what, value) => console.log(`${what.padEnd(44)} ${value}`);
 say("load average before", loadavg().map((l) => l.toFixed(2)).join(" "));
+const alone = new Program(program, "run", hallway, "--stay", "--seed", "7", ...options);
+await later(5); // discovery settles
+const without = await share(alone.pid);
+await alone.end();
+say("without viewer [% of a core]", without.toFixed(2));
+
 const robot = await Robot.start({ options });
 const { pid } = robot.process;
 try {
-  await later(3); // discovery settles
+  await later(5);
   const idle = await share(pid);
-  say("no client: viewer / process [% of a core]", `${idle.viewer} / ${idle.process}`);
+  say("with it, no client: more [% of a core]", (idle - without).toFixed(2));
 
   const client = subscribeToEverything(robot.port);
   await eventually("messages of every kind", () => client.counted.messages > 100);
   client.counted = { messages: 0, bytes: 0 };
   const busy = await share(pid);
-  say("one client, everything: viewer / process [%]", `${busy.viewer} / ${busy.process}`);
+  say("one client with everything on: more [%]", (busy - without).toFixed(2));
   say("  messages/s, kB/s", `${(client.counted.messages / seconds).toFixed(0)}, ${(client.counted.bytes / seconds / 1000).toFixed(0)}`);
   client.close();
 
@@ -118,14 +117,18 @@ try {
   try {
     const view = await browser.open(robot.address);
     await view.eventually("robot and people drawn", (hook) => hook.drawn.robot && hook.drawn.people.length > 0);
+    await view.page.setCacheEnabled(false);
+    await view.page.reload();
+    await view.page.waitForFunction(() => window.bandwagon?.drawn.frames > 0 && window.bandwagon.drawn.map > 0, { polling: "raf" });
     const { bytes, painted, drawn } = await view.page.evaluate(() => ({
       bytes: [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")].reduce((sum, e) => sum + e.encodedBodySize, 0),
       painted: performance.getEntriesByName("first-contentful-paint")[0]?.startTime,
-      drawn: window.bandwagon.drawn.firstAt,
+      drawn: performance.now(),
     }));
     say("page, compressed [bytes]", bytes);
     say("first contentful paint [ms]", painted?.toFixed(0));
-    say("first picture of the scene [ms]", drawn?.toFixed(0));
+    say("map drawn [ms]", drawn?.toFixed(0));
+    await view.eventually(`${people} people`, (hook) => hook.drawn.people.length >= people);
     say("people drawn", (await view.hook()).drawn.people.length);
     say("frames/s at 1280x720, median of 10 s", (await framesPerSecond(view)).toFixed(1));
     const before = memory(pid);
