@@ -38,8 +38,8 @@ export interface Layer {
   readonly isOnAtStart: boolean;
   readonly object: Object3D;
   readonly wants: readonly Wanted[];
-  /** Called when anything may have changed while the layer is on. */
-  update(view: View): void;
+  /** Called when anything may have changed while the layer is on; true when it looks different now. */
+  update(view: View): boolean;
 }
 
 export interface Header {
@@ -51,11 +51,15 @@ export function secondsOf({ sec, nanosec }: { sec: number; nanosec: number }): S
   return sec + nanosec / 1e9;
 }
 
-export function put(object: Object3D, pose: Pose2 | undefined): void {
+/** Out of sight without a pose; true when that changes anything. */
+export function put(object: Object3D, pose: Pose2 | undefined): boolean {
+  const { visible, position, rotation } = object;
   object.visible = pose !== undefined;
-  if (!pose) return;
-  object.position.set(pose.x, pose.y, 0);
-  object.rotation.z = pose.theta;
+  if (!pose) return visible;
+  if (visible && position.x === pose.x && position.y === pose.y && rotation.z === pose.theta) return false;
+  position.set(pose.x, pose.y, 0);
+  rotation.z = pose.theta;
+  return true;
 }
 
 /** A layer of one topic: drawn in the frame of its message when there is another one, placed at each update. */
@@ -75,18 +79,18 @@ export abstract class TopicLayer<T> implements Layer {
     this.wants = [wanted];
   }
 
-  update(view: View): void {
+  update(view: View): boolean {
     const message = this.current(view);
-    this.object.visible = message !== undefined;
-    if (message) {
-      if (message !== this.drawn || view.palette !== this.drawnWith?.palette || view.lift !== this.drawnWith.lift) {
-        this.draw(message.value, view);
-        this.drawnWith = { palette: view.palette, lift: view.lift };
-      }
-      const header = this.headerOf(message.value);
-      put(this.object, header && view.place(header.frame_id, this.isHeld ? view.time : secondsOf(header.stamp)));
+    const { palette, lift } = view;
+    const isDue = message && (message !== this.drawn || palette !== this.drawnWith?.palette || lift !== this.drawnWith.lift);
+    if (isDue) {
+      this.draw(message.value, view);
+      this.drawnWith = { palette, lift };
     }
     this.drawn = message;
+    const header = message && this.headerOf(message.value);
+    const pose = header && view.place(header.frame_id, this.isHeld ? view.time : secondsOf(header.stamp));
+    return put(this.object, pose) || isDue === true;
   }
 
   /** What is fixed to its frame moves on with it between two messages. */

@@ -1,6 +1,6 @@
 // The scene: what the robot sees, knows and wants, drawn on the ground. Draws when something changed and not otherwise.
 import "./scene.css";
-import { Color, LinearSRGBColorSpace, Scene, WebGLRenderer } from "three";
+import { Color, Group, LinearSRGBColorSpace, Scene, WebGLRenderer } from "three";
 import type { App } from "../app";
 import { make } from "../page/dom";
 import { Wants } from "../page/wants";
@@ -19,6 +19,8 @@ import { ViewButtons, type Mode } from "./view_buttons";
 
 const LIFT = 0.8; // [m/s] of time shown upward
 const LEGEND_WIDTH = 300; // [px] that a fitted map leaves free
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software/i;
+const SOFTWARE_INTERVAL = 30; // [ms] at least between two pictures that the processor has to draw
 const AROUND = 12; // [m] about the robot where there is no map
 
 export class SceneOnPage {
@@ -31,6 +33,7 @@ export class SceneOnPage {
   private readonly renderer = new WebGLRenderer({ antialias: false, alpha: false, powerPreference: "high-performance" });
   private readonly scene = new Scene();
   private readonly ground = new Ground();
+  private readonly switches = new Map<Layer, Group>();
   private readonly tool = new ToolOverlay();
   private readonly wants: Wants;
   private readonly list: LayerList;
@@ -43,6 +46,10 @@ export class SceneOnPage {
   private isFitted = false;
   private isDue = false;
   private lastTurn: number | undefined;
+  private lastDrawn = 0;
+  /** The view, the tool or the colours have changed, whatever the messages say. */
+  private isStale = true;
+  private isSoftware = false;
 
   constructor(private readonly root: HTMLElement, private readonly app: App) {
     this.layers = makeLayers(app);
@@ -61,7 +68,11 @@ export class SceneOnPage {
 
   private build(): void {
     this.renderer.outputColorSpace = LinearSRGBColorSpace; // colours are given as the screen takes them
-    this.scene.add(this.ground.mesh, ...this.all.map(({ object }) => object), this.tool.object);
+    for (const layer of this.all) this.switches.set(layer, new Group().add(layer.object));
+    this.scene.add(this.ground.mesh, ...this.switches.values(), this.tool.object);
+    const context = this.renderer.getContext();
+    const info = context.getExtension("WEBGL_debug_renderer_info");
+    this.isSoftware = SOFTWARE.test(String(context.getParameter(info?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER)));
     const { domElement } = this.renderer;
     domElement.tabIndex = 0;
     this.root.prepend(domElement, this.list.root, this.buttons.root, this.scaleBar, this.hint);
@@ -70,7 +81,8 @@ export class SceneOnPage {
 
   private listen(): void {
     const { app } = this;
-    for (const event of ["message", "cursor"] as const) app.on(event, () => this.invalidate());
+    app.on("message", () => this.askForFrame());
+    app.on("cursor", () => this.invalidate());
     for (const event of ["source", "channels", "robot"] as const) app.on(event, () => this.onChannels());
     app.on("source", () => (this.isFitted = this.isFitted && app.source?.kind === "live"));
     app.on("services", () => void askRadius(app, (robot, radius) => this.layers.robot.setRadius(robot, radius)));
@@ -165,6 +177,11 @@ export class SceneOnPage {
   }
 
   invalidate(): void {
+    this.isStale = true;
+    this.askForFrame();
+  }
+
+  private askForFrame(): void {
     if (this.isDue) return;
     this.isDue = true;
     requestAnimationFrame((now) => this.draw(now));
@@ -173,16 +190,28 @@ export class SceneOnPage {
   private draw(now: number): void {
     this.isDue = false;
     if (this.root.clientWidth === 0) return;
-    this.view.look();
-    for (const layer of this.all) {
-      layer.object.visible = this.isOn.get(layer.id)!;
-      if (layer.object.visible) layer.update(this.view);
+    if (this.isSoftware && now - this.lastDrawn < SOFTWARE_INTERVAL) {
+      this.askForFrame();
+      return;
     }
+    this.view.look();
+    if (!this.updateLayers() && !this.isStale) return;
+    this.isStale = false;
+    this.lastDrawn = now;
     this.tool.update(this.app.tool, this.view.palette);
     this.aim(now);
     this.dress();
     this.renderer.render(this.scene, this.viewpoint.camera);
     ++this.frames;
+  }
+
+  private updateLayers(): boolean {
+    let hasChanged = false;
+    for (const [layer, group] of this.switches) {
+      group.visible = this.isOn.get(layer.id)!;
+      if (group.visible) hasChanged = layer.update(this.view) || hasChanged;
+    }
+    return hasChanged;
   }
 
   private aim(now: number): void {

@@ -162,7 +162,7 @@ export class LiveSource implements Source {
   private onBinary(message: BinaryMessage | undefined): void {
     switch (message?.op) {
       case "time":
-        this.timeline.setTime(message.time);
+        this.timeline.setClock(message.time);
         break;
       case "message": {
         const channel = this.subscribed.get(message.subscription);

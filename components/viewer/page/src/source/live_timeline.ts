@@ -13,6 +13,7 @@ export class LiveTimeline implements Timeline {
   end: Seconds = 0;
   private first: Seconds = 0;
   private trimmed: Seconds = 0;
+  private hasClock = false;
   private readonly logs = new Map<string, MessageLog>();
   private readonly transforms = new Transforms();
 
@@ -22,16 +23,26 @@ export class LiveTimeline implements Timeline {
     return Math.max(this.first, this.end - KEPT);
   }
 
-  setTime(time: Seconds): void {
+  /** The robot's clock, where the server tells it. */
+  setClock(time: Seconds): void {
+    this.hasClock = true;
+    this.setTime(time);
+  }
+
+  private setTime(time: Seconds): void {
     if (this.end > 0 && time < this.end - JUMP_BACK) this.jumpBack();
     if (this.end === 0) this.first = time;
     this.end = Math.max(this.end, time);
     if (this.end > this.trimmed + TRIM_PERIOD) this.trim();
   }
 
-  /** What is latched may be as old as it likes: its time says nothing about now. */
+  /**
+   * What is latched may be as old as it likes: its time says nothing about now. Where there is a clock, a message that comes late is put where it
+   * belongs, and only the clock goes back.
+   */
   add(channel: { topic: string; type: string; schema: string; latched: boolean }, time: Seconds, bytes: Uint8Array): void {
-    if (!channel.latched || this.end === 0) this.setTime(time);
+    const isLate = this.hasClock && time <= this.end;
+    if (this.end === 0 || (!channel.latched && !isLate)) this.setTime(time);
     if (channel.type === "tf2_msgs/msg/TFMessage") {
       this.addTransforms(channel.topic, channel.schema, bytes);
       return;

@@ -35,7 +35,7 @@ test("60 s are kept, and the newest of what is older", () => {
 
 test("what is latched is there before it was heard", () => {
   const { timeline } = made();
-  timeline.setTime(100);
+  timeline.setClock(100);
   timeline.add(STATE, 100, float(1));
   timeline.add(FLOAT, 100, float(2));
   assert.equal(timeline.at("/state", 90)?.value.data, 1);
@@ -44,15 +44,30 @@ test("what is latched is there before it was heard", () => {
 
 test("a clock that goes back begins anew, and what is latched holds", () => {
   const { timeline } = made();
-  timeline.setTime(100);
+  timeline.setClock(100);
   timeline.add(STATE, 100, float(1));
   timeline.add(FLOAT, 100, float(2));
-  timeline.setTime(99.9); // the network's disorder
+  timeline.setClock(99.9); // the network's disorder
   assert.equal(timeline.end, 100);
-  timeline.setTime(10);
+  timeline.setClock(10);
   assert.deepEqual([timeline.begin, timeline.end], [10, 10]);
   assert.equal(timeline.at("/speed", 200), undefined);
   assert.equal(timeline.at("/state", 10)?.value.data, 1);
+});
+
+test("a late message is put where it belongs", () => {
+  const { timeline } = made();
+  timeline.setClock(100);
+  for (const time of [99, 100, 97, 98]) timeline.add(FLOAT, time, float(time));
+  assert.deepEqual(timeline.between("/speed", 0, 100).map(({ value }) => value.data), [97, 98, 99, 100]);
+  assert.equal(timeline.end, 100);
+});
+
+test("without a clock messages tell the time, also that it went back", () => {
+  const { timeline } = made();
+  timeline.add(FLOAT, 100, float(1));
+  timeline.add(FLOAT, 10, float(2));
+  assert.deepEqual(timeline.between("/speed", 0, 200).map(({ value }) => value.data), [2]);
 });
 
 test("memory has a bound: of 60 s at 10 MB/s not more than 96 MB stay", () => {

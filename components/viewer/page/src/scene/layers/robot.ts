@@ -33,9 +33,9 @@ class Body {
     for (const part of [this.body, this.nose, this.label]) this.object.add(part.mesh);
   }
 
-  draw(outline: readonly Corner[], color: Rgba, name: string, palette: Palette): void {
+  draw(outline: readonly Corner[], color: Rgba, name: string, palette: Palette): boolean {
     const key = JSON.stringify([outline, color, name]);
-    if (key === this.drawn) return;
+    if (key === this.drawn) return false;
     this.drawn = key;
     for (const part of [this.body, this.nose, this.label]) part.clear();
     const front = Math.max(...outline.map(([x]) => x));
@@ -44,6 +44,7 @@ class Body {
     this.nose.strip([[front * 0.15, front * 0.5], [front * 0.75, 0], [front * 0.15, -front * 0.5]], ink, 0.07, 1.5);
     if (name) this.label.add([0, 0, HEIGHT], name, palette.text, palette.halo, 26);
     for (const part of [this.body, this.nose, this.label]) part.done();
+    return true;
   }
 }
 
@@ -66,11 +67,12 @@ export class RobotLayer implements Layer {
     if (!this.outlines.has(robot)) this.outlines.set(robot, circle(radius));
   }
 
-  update(view: View): void {
+  update(view: View): boolean {
+    let hasChanged = false;
     this.hear(view);
     this.pose = view.place(view.base, view.time);
     const robots = new Set([...this.robots(), view.robot]);
-    for (const [name, body] of this.bodies) if (!robots.has(name)) body.object.visible = false;
+    for (const [name, body] of this.bodies) if (!robots.has(name)) hasChanged = put(body.object, undefined) || hasChanged;
     for (const name of robots) {
       const isOurs = name === view.robot;
       const pose = isOurs ? this.pose : view.place(`${framePrefix(name)}base_link`, view.time);
@@ -81,9 +83,11 @@ export class RobotLayer implements Layer {
       }
       const { palette } = view;
       const color = isOurs ? palette.robot : palette.otherRobot;
-      body.draw(this.outlines.get(name) ?? circle(USUAL_RADIUS), color, robots.size > 1 ? name.slice(1) : "", palette);
-      put(body.object, pose);
+      const label = robots.size > 1 ? name.slice(1) : "";
+      hasChanged = body.draw(this.outlines.get(name) ?? circle(USUAL_RADIUS), color, label, palette) || hasChanged;
+      hasChanged = put(body.object, pose) || hasChanged;
     }
+    return hasChanged;
   }
 
   /** The outline comes in a fixed frame, at the robot's pose of then. */

@@ -23,10 +23,10 @@ export class TrailLayer implements Layer {
     return this.lines.mesh;
   }
 
-  update(view: View): void {
+  update(view: View): boolean {
     const last = Math.floor(view.time / STEP);
     const key = `${last} ${view.base} ${view.root} ${view.palette.ground}`;
-    if (key === this.drawn) return;
+    if (key === this.drawn) return false;
     this.drawn = key;
     this.lines.clear();
     const first = Math.max(last - LENGTH / STEP, Math.ceil(this.begin() / STEP));
@@ -41,5 +41,6 @@ export class TrailLayer implements Layer {
       before = now;
     }
     this.lines.done();
+    return true;
   }
 }

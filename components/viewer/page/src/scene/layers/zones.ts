@@ -5,6 +5,8 @@ import { Kind, MARKER_ARRAY, type Marker, type MarkerArray } from "../markers";
 import type { Palette, Rgba } from "../palette";
 import { pointsOf } from "./candidates";
 
+const SILENT = "command_silent"; // nothing is asked, so nothing is limited
+
 /** What the collision monitor keeps free: idle, slowing down, stopping; and why. */
 export class ZonesLayer extends TopicLayer<MarkerArray> {
   readonly id = "zones";
@@ -31,10 +33,11 @@ export class ZonesLayer extends TopicLayer<MarkerArray> {
   protected draw(array: MarkerArray, { palette }: View): void {
     this.lines.clear();
     this.labels.clear();
+    const isSilent = array.markers.some(({ text }) => text === SILENT);
     for (const marker of array.markers) {
       const { x, y, z } = marker.pose.position;
-      const color = stateColor(marker, palette);
-      if (marker.type === Kind.text) this.labels.add([x, y, z], marker.text, color, palette.halo, 24);
+      const color = isSilent ? palette.zoneIdle : stateColor(marker, palette);
+      if (marker.type === Kind.text && marker.text !== SILENT) this.labels.add([x, y, z], marker.text, color, palette.halo, 24);
       if (marker.type === Kind.lineStrip) this.lines.strip(pointsOf(marker), color, 0, 1.8);
     }
     this.lines.done();
