@@ -123,6 +123,14 @@ TEST(AnticipationReport, PageAndJsonHoldWhatWasMeasured) {
   EXPECT_NE(page.find("pteb, published"), std::string::npos);
   EXPECT_EQ(page.find("<script"), std::string::npos);
   EXPECT_EQ(page.find("http"), page.find("http://www.w3.org/2000/svg")) << "nothing is fetched";
+
+  // A drive that failed is linked where it can be played, the others are not.
+  EXPECT_EQ(anticipation_page(results).find("to be played"), std::string::npos);
+  results.hallway.front().page = "failed/hallway_full_seed7.html";
+  EXPECT_NE(anticipation_page(results).find("<a href=\"failed/hallway_full_seed7.html\">"),
+            std::string::npos);
+  EXPECT_EQ(hallway_json(results.hallway)["drives"][0]["page"], "failed/hallway_full_seed7.html");
+  EXPECT_FALSE(hallway_json(results.hallway)["drives"][1].contains("page"));
 }
 
 }  // namespace
