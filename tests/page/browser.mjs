@@ -78,7 +78,7 @@ export class View {
   }
 
   element(name) {
-    return this.page.waitForSelector(`[data-test="${name}"]`, { visible: true, timeout: 10_000 });
+    return this.page.waitForSelector(`[data-test="${name}"]`, { visible: true, timeout: 30_000 });
   }
 
   async click(name) {

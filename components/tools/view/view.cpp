@@ -114,6 +114,7 @@ int view_domain(const ViewOptions& options) {
   const viewer::PageServer page(
       options.server,
       {.network = dds::Network::from_environment(dds::Transport::localhost),
+       .node = "bandwagon_view",  // /viewer is the node of a graph's own
        .metadata = {{"clock", "wall"}, {"accept_inputs", "true"}, {"version", program_version()}}},
       Logger());
   tell(options, viewer::invitation(page.address()), page.address());

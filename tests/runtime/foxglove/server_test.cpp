@@ -158,7 +158,7 @@ TEST_F(Rig, LatchedMessagesAreSentAgainToEachNewSubscription) {
   EXPECT_EQ(payloads(1), std::vector<std::string>{message_bytes(6, Time::seconds(1), "map")});
 }
 
-TEST_F(Rig, OfOneWriterTheNewestLatchedMessageStaysOfSeveralAll) {
+TEST_F(Rig, OfALatchedTopicWithSeveralWritersNothingIsLeftOut) {
   server_->on_channels({channel(1, "/tf_static", true)}, {});
   opened(1);
   subscribe(1, 4, 1);
@@ -166,7 +166,7 @@ TEST_F(Rig, OfOneWriterTheNewestLatchedMessageStaysOfSeveralAll) {
   server_->on_message(1, Time::seconds(1), bytes_of("a"));
   std::vector<Sent> sent = sender_.take(1);
   ASSERT_EQ(sent.size(), 1U);
-  EXPECT_EQ(sent[0].keep.rule, Keep::Rule::latched);
+  EXPECT_EQ(sent[0].keep.rule, Keep::Rule::newest);
   EXPECT_EQ(sent[0].keep.stream, 1U);
   robot_.last[1].push_back({Time::seconds(2), bytes_of("b")});
   server_->on_message(1, Time::seconds(2), bytes_of("b"));
@@ -213,6 +213,20 @@ TEST_F(Rig, AJumpBackIsToldAtOnce) {
   EXPECT_TRUE(payloads(1).empty());
   open(2);
   EXPECT_EQ(payloads(2).back(), time_of(50));
+}
+
+TEST_F(Rig, TopicsThatOvertakeEachOtherAreNoJump) {
+  server_->on_channels({channel(1, "/a")}, {});
+  opened(1);
+  subscribe(1, 4, 1);
+  server_->on_time(Time::seconds(100));
+  server_->on_message(1, Time::seconds(100), bytes_of("x"));
+  server_->on_time(Time::seconds(99.51));
+  server_->on_message(1, Time::seconds(99.51), bytes_of("y"));
+  EXPECT_EQ(payloads(1), (std::vector<std::string>{time_of(100), message_bytes(4, Time::seconds(100), "x"),
+                                                   message_bytes(4, Time::seconds(99.51), "y")}));
+  server_->on_time(Time::seconds(99.5));
+  EXPECT_EQ(payloads(1), std::vector<std::string>{time_of(99.5)});
 }
 
 TEST_F(Rig, ASlowClientMissesTimesTogetherWithData) {

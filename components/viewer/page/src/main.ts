@@ -12,16 +12,18 @@ import { SceneOnPage } from "./scene/scene";
 import { mountStrip } from "./panels/strip";
 import { mountHands } from "./panels/hands";
 import { mountHealth } from "./panels/health";
+import { LogRecorder } from "./panels/health/log_recorder";
 import { mountParameters } from "./panels/parameters";
 import { LiveSource } from "./source/live";
 
+const app = new PageApp();
+const log = new LogRecorder(app);
 const TABS: Tab[] = [
   { name: "Drive", mount: mountHands },
   { name: "Parameters", mount: mountParameters },
-  { name: "Health", mount: mountHealth },
+  { name: "Health", mount: (root, app) => mountHealth(root, app, log) },
 ];
 
-const app = new PageApp();
 mountToolbar(app);
 mountStatusLines(element("statuses"), app);
 exposeHook(app, new SceneOnPage(element("scene"), app));

@@ -36,6 +36,7 @@ export function mountBag(app: App): boolean {
     void open(() => [bytesInMemory(inlined.dataset["name"] ?? "drive.mcap", fromBase64(inlined.textContent ?? ""))]);
     return true;
   }
+  addWayBack(app);
   void addList(openServed);
   const name = new URLSearchParams(location.search).get("bag");
   if (name !== null) openServed(name);
@@ -60,6 +61,15 @@ function addButton(open: (files: FileList) => void): void {
   button.dataset["test"] = "bag-open";
   button.onclick = () => input.click();
   element("tools").append(button, input);
+}
+
+/** To the robot whose server the page came from. */
+function addWayBack(app: App): void {
+  const back = make("button", { textContent: "Back to live", title: "Leaves the bag", hidden: true });
+  back.dataset["test"] = "bag-leave";
+  back.onclick = () => location.assign(location.pathname);
+  element("tools").prepend(back);
+  app.on("source", () => (back.hidden = app.source?.kind !== "bag"));
 }
 
 function addDrop(open: (files: FileList) => void): void {

@@ -8,14 +8,15 @@ import { statusesAt, windowOf, type DiagnosticArray } from "./health/diagnostics
 import { DiagnosticsView } from "./health/diagnostics_view";
 import { GraphView } from "./health/graph_view";
 import { linksOf } from "./health/links";
-import { LOG_TOPIC, LogView } from "./health/log_view";
+import type { LogRecorder } from "./health/log_recorder";
+import { LogView } from "./health/log_view";
 import "./panels.css";
 
 const DIAGNOSTICS = "/diagnostics";
 /** Diagnostics come each second: looked at a little more often than that, whatever else comes. */
 const PERIOD_MS = 250;
 
-export function mountHealth(root: HTMLElement, app: App): void {
+export function mountHealth(root: HTMLElement, app: App, recorder: LogRecorder): void {
   let chosen: string | undefined;
   const choose = (name: string | undefined) => {
     chosen = name;
@@ -25,7 +26,7 @@ export function mountHealth(root: HTMLElement, app: App): void {
   const graph = new GraphView((name) => choose(name === chosen ? undefined : name));
   const details = create("div", {});
   const diagnostics = new DiagnosticsView(choose);
-  const log = new LogView(app);
+  const log = new LogView(app, recorder);
   const connection = new ConnectionView(app);
   const wants = new Wants(app);
 
@@ -54,23 +55,16 @@ export function mountHealth(root: HTMLElement, app: App): void {
     log.show();
     connection.show();
   };
-  const listen = () => wants.set(root.hidden ? [LOG_TOPIC] : [LOG_TOPIC, DIAGNOSTICS]);
+  const listen = () => wants.set(root.hidden ? [] : [DIAGNOSTICS]);
   let last = 0;
   const hear = () => {
     listen();
-    log.hear();
     if (root.hidden || performance.now() - last < PERIOD_MS) return;
     last = performance.now();
     show();
   };
   for (const event of ["message", "cursor"] as const) app.on(event, hear);
   for (const event of ["graph", "status", "services"] as const) app.on(event, () => !root.hidden && connection.show());
-  let heard = app.source;
-  app.on("source", () => {
-    if (app.source === heard) return; // gone for a while, or back: its last words stay
-    heard = app.source;
-    log.reset();
-  });
   new ResizeObserver(() => !root.hidden && show()).observe(graph.root);
   // Shown again without a message of its own, as while a bag stands still.
   new MutationObserver(() => root.hidden || show()).observe(root, { attributeFilter: ["hidden"] });

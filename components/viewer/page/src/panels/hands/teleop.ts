@@ -3,6 +3,7 @@
 import { create, setText } from "../dom";
 import type { Hand, HandsContext } from "./context";
 import { DIRECTION_OF_KEY, Driver, type Direction } from "./driver";
+import { slider } from "./slider";
 
 const PAD: readonly [Direction, string, string][] = [
   ["forward", "▲", "W or arrow up"],
@@ -143,11 +144,4 @@ function every(ms: number, tick: () => void): () => void {
 /** Whether keys belong to what is typed. A slider is moved by arrows too. */
 function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && target.matches("input, select, textarea, [contenteditable]");
-}
-
-function slider(name: string, unit: string, min: number, max: number, initial: number) {
-  const input = create("input", { type: "range", min, max, step: 0.05, value: initial, "aria-label": `${name} [${unit}]` });
-  const output = create("output", {}, `${initial} ${unit}`);
-  input.addEventListener("input", () => setText(output, `${input.value} ${unit}`));
-  return { root: create("label", {}, create("span", {}, name), input, output), value: () => Number(input.value) };
 }
