@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -46,7 +47,10 @@ struct PageServer::Parts {
             std::move(log)),
         robot(std::move(robot_options), [this](std::function<void()> work) { web.post(std::move(work)); }),
         protocol(web, robot, protocol_options(options), steady_now) {
-    web.post([] { static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness)); });
+    web.post([] {
+      pthread_setname_np(pthread_self(), "viewer");
+      static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness));
+    });
     web.start(protocol);
     tick();
   }
