@@ -104,10 +104,13 @@ std::optional<std::string> WirePublisher::publish_json(const std::string& name, 
 
 bool WirePublisher::has_all_readers(const std::string& topic, const Topic& one) {
   if (steady_clock::now() - one.opened > kPatience) return true;
-  const std::vector<dds::Endpoint> endpoints = link_.participant.endpoints();
-  return std::ranges::all_of(endpoints, [&](const dds::Endpoint& e) {
-    return e.is_writer || e.is_local || e.topic != dds_topic(topic) || one.writer->is_matched(e.guid);
-  });
+  bool is_anybody_there = false;
+  for (const dds::Endpoint& e : link_.participant.endpoints()) {
+    if (e.is_writer || e.is_local || e.topic != dds_topic(topic)) continue;
+    if (!one.writer->is_matched(e.guid)) return false;
+    is_anybody_there = true;
+  }
+  return is_anybody_there;  // discovery may not have told of anybody yet
 }
 
 void WirePublisher::flush() {
