@@ -109,6 +109,7 @@ void for_each_example(See see) {
     descriptor.name("limits.v_max");
     descriptor.type(kDouble);
     descriptor.description("top speed");
+    descriptor.additional_constraints("default 0.75");
     descriptor.floating_point_range({range});
     e.response.descriptors({descriptor});
     see(e);
