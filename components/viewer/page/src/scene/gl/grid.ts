@@ -10,6 +10,7 @@ import {
   ShaderMaterial,
   UnsignedByteType,
 } from "three";
+import { layerMesh } from "./layer_mesh";
 import type { Rgba } from "../palette";
 
 const VERTEX = `
@@ -61,10 +62,7 @@ export class Grid {
       depthTest: false,
       depthWrite: false,
     });
-    this.mesh = new Mesh(geometry, material);
-    this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = order;
-    this.mesh.visible = false;
+    this.mesh = layerMesh(geometry, material, order);
   }
 
   /** `low`: of value 0, `high`: of 100. */

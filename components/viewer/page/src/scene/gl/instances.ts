@@ -1,6 +1,7 @@
 // Many copies of one small quad, each with numbers of its own; drawn in one call. Each copy has four corners of its own in the buffer: drawn as
 // instances they would need a quarter of it, but software rendering sets up a draw for every instance.
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, InterleavedBuffer, InterleavedBufferAttribute, Mesh, ShaderMaterial, type IUniform } from "three";
+import { layerMesh } from "./layer_mesh";
 
 /** `position` of the corners: x from 0 to 1, y from -1 to 1. */
 const CORNERS = [
@@ -43,10 +44,7 @@ export class Instances {
       depthTest: false,
       depthWrite: false,
     });
-    this.mesh = new Mesh(this.geometry(), material);
-    this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = order;
-    this.mesh.visible = false;
+    this.mesh = layerMesh(this.geometry(), material, order);
   }
 
   clear(): void {

@@ -1,5 +1,6 @@
 // Plain triangles with a colour per corner.
 import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Mesh, ShaderMaterial } from "three";
+import { layerMesh } from "./layer_mesh";
 import type { Rgba } from "../palette";
 import type { Point } from "./lines";
 import { SHARED } from "./instances";
@@ -36,10 +37,7 @@ export class Triangles {
       depthWrite: hasDepth,
       side: DoubleSide,
     });
-    this.mesh = new Mesh(this.geometry(), material);
-    this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = order;
-    this.mesh.visible = false;
+    this.mesh = layerMesh(this.geometry(), material, order);
   }
 
   clear(): void {
