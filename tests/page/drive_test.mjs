@@ -50,13 +50,14 @@ test("somebody opens the page of a robot", async (t) => {
     assert.ok(before > 0, `${name} is ${before}`);
     await slider.focus();
     for (let i = 0; i < 5; ++i) await view.page.keyboard.press("ArrowRight");
-    const moved = await eventually(`${name} other than ${before}`, async () => {
+    // Each key is a request of its own: the node follows one after the other.
+    const shown = () => view.page.$eval(`[data-test="param:/local_planner.${name}"]`, (input) => Number(input.value));
+    await eventually(`${name} above ${before}, the same on the page and in the node`, async () => {
       const now = await held();
-      return now > before && now;
+      return now > before && now === (await shown());
     });
-    const shown = await view.page.$eval(`[data-test="param:/local_planner.${name}"]`, (input) => Number(input.value));
     await view.picture("parameter");
-    assert.equal(shown, moved);
+    assert.ok((await shown()) > before);
   });
 
   await t.test("a person is added, and avoided on the way to the next goal", async () => {
