@@ -1,5 +1,6 @@
 #include "components/viewer/adaptor/page_server.hpp"
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -30,6 +31,21 @@ web::Site site() {
   return {.files = {files.begin(), files.end()}};
 }
 
+/// Threads inherit the name of the one that starts them: so the participant's are told from the robot's.
+class NamedMeanwhile {
+ public:
+  explicit NamedMeanwhile(const char* name) {
+    pthread_getname_np(pthread_self(), before_.data(), before_.size());
+    pthread_setname_np(pthread_self(), name);
+  }
+  ~NamedMeanwhile() { pthread_setname_np(pthread_self(), before_.data()); }
+  NamedMeanwhile(const NamedMeanwhile&) = delete;
+  NamedMeanwhile& operator=(const NamedMeanwhile&) = delete;
+
+ private:
+  std::array<char, 16> before_ = {};  // what the kernel keeps of a name
+};
+
 Time steady_now() { return {std::chrono::nanoseconds(steady_clock::now().time_since_epoch()).count()}; }
 
 foxglove::ServerOptions protocol_options(const web::ServerOptions& options) {
@@ -47,10 +63,7 @@ struct PageServer::Parts {
             std::move(log)),
         robot(std::move(robot_options), [this](std::function<void()> work) { web.post(std::move(work)); }),
         protocol(web, robot, protocol_options(options), steady_now) {
-    web.post([] {
-      pthread_setname_np(pthread_self(), "viewer");
-      static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness));
-    });
+    web.post([] { static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness)); });
     web.start(protocol);
     tick();
   }
@@ -68,8 +81,10 @@ struct PageServer::Parts {
   foxglove::Server protocol;
 };
 
-PageServer::PageServer(const web::ServerOptions& options, foxglove::WireRobotOptions robot, Logger log)
-    : parts_(std::make_unique<Parts>(options, std::move(robot), std::move(log))) {}
+PageServer::PageServer(const web::ServerOptions& options, foxglove::WireRobotOptions robot, Logger log) {
+  const NamedMeanwhile name("viewer");
+  parts_ = std::make_unique<Parts>(options, std::move(robot), std::move(log));
+}
 
 PageServer::~PageServer() = default;
 
