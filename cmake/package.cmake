@@ -1,5 +1,6 @@
 # The installed package: find_package(bandwagon) gives bandwagon::runtime (all that a component links), bandwagon::local_planner (all
-# that a planner links), bandwagon::program, bandwagon_add_component() and bandwagon_add_planner().
+# that a planner links), bandwagon::robot_base (all that a driver links), bandwagon::program, bandwagon_add_component(),
+# bandwagon_add_planner() and bandwagon_add_driver().
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -8,7 +9,7 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/bandwagon)
 
 # target and its name outside
 set(exported bandwagon_runtime runtime bandwagon_idl idl bw_graph graph bw_lifecycle lifecycle bw_parameters parameters bw_wire wire bw_model model
-  bw_local_planner local_planner
+  bw_local_planner local_planner bw_robot_base robot_base
   bandwagon program)
 while(exported)
   list(POP_FRONT exported target name)
@@ -18,7 +19,7 @@ while(exported)
     target_include_directories(${target} SYSTEM INTERFACE $<INSTALL_INTERFACE:${headers}> $<INSTALL_INTERFACE:${headers}/idl>)
   endif()
 endwhile()
-set_target_properties(bandwagon_runtime bandwagon_idl bw_local_planner PROPERTIES INSTALL_RPATH $ORIGIN)
+set_target_properties(bandwagon_runtime bandwagon_idl bw_local_planner bw_robot_base PROPERTIES INSTALL_RPATH $ORIGIN)
 file(RELATIVE_PATH libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 set_target_properties(bandwagon PROPERTIES INSTALL_RPATH $ORIGIN/${libraries})
 
@@ -30,6 +31,9 @@ install(DIRECTORY components/model components/messages DESTINATION ${headers}/co
 file(GLOB shared_by_planners CONFIGURE_DEPENDS components/local_planner/*.hpp)
 list(FILTER shared_by_planners EXCLUDE REGEX "/(planner_factory|local_planner_parameters)\\.hpp$")
 install(FILES ${shared_by_planners} DESTINATION ${headers}/components/local_planner)
+# What a driver of another project includes.
+install(FILES components/robot_base/driver.hpp components/robot_base/driver_registry.hpp components/robot_base/readings.hpp
+  components/robot_base/encoder_odometry.hpp DESTINATION ${headers}/components/robot_base)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/idl/ DESTINATION ${headers}/idl
   FILES_MATCHING REGEX "/(msg|srv|action)/[A-Za-z0-9_]+\\.hpp$" PATTERN CMakeFiles EXCLUDE PATTERN compiler EXCLUDE)
 install(DIRECTORY idl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/bandwagon/idl

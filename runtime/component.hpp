@@ -119,11 +119,11 @@ class Setup {
     declare_parameters(values, std::move(on_snapshot), std::move(fixed));
     return values;
   }
-  /// A section of the graph that components share. What it describes may move, and then says by a member
-  /// `Duration time_to_rest() const` how long the run goes on after an end that finds it moving.
+  /// A section of the graph that components share, or by a dot one within it: "robot.base"; `values` are the defaults. What it
+  /// describes may move, and then says by a member `Duration time_to_rest() const` how long the run goes on after an end that
+  /// finds it moving.
   template <class S>
-  S shared(std::string_view section) {
-    S values;
+  S shared(std::string_view section, S values = {}) {
     read_into(values, shared_section(section), section);
     keep_shared_parameters(section, ParameterSet(values));
     if constexpr (requires { values.time_to_rest(); }) comes_to_rest_within(section, values.time_to_rest());

@@ -49,8 +49,11 @@ std::vector<std::string> LiveParameters::names() const {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < own_.values.size(); ++i) names.push_back(own_.values.name(i));
   for (const ReadOnly& section : read_only_) {
-    for (std::size_t i = 0; i < section.values.size(); ++i)
-      names.push_back(joined(section.prefix, section.values.name(i)));
+    for (std::size_t i = 0; i < section.values.size(); ++i) {
+      // A section within another: both may read one key.
+      const std::string name = joined(section.prefix, section.values.name(i));
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
   }
   return names;
 }

@@ -29,6 +29,17 @@ struct SensorMount {
   }
 };
 
+/// Which driver speaks to a device of the robot. What else stands in its section is that driver's.
+struct DeviceChoice {
+  static constexpr bool leaves_other_keys = true;
+  std::string driver;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("driver", driver, {.doc = "what speaks to it; its parameters stand beside this"});
+  }
+};
+
 struct Robot {
   std::string name = "generic";
   double wheel_radius = 0.0762;              ///< [m]
@@ -38,6 +49,8 @@ struct Robot {
   double radius = 0.3;                       ///< footprint: disc around base_link [m]
   Limits limits;
   std::vector<SensorMount> sensors;  ///< one that is not listed sits at base_link
+  DeviceChoice base{.driver = "simulated"};
+  DeviceChoice laser{.driver = "none"};  ///< none: its scans come from another program, or from the world
 
   bool has_mount_of(const std::string& frame) const {
     return std::ranges::any_of(sensors, [&](const SensorMount& mount) { return mount.frame == frame; });
@@ -70,6 +83,8 @@ struct Robot {
     v("radius", radius, {.unit = "m", .min = 0.02, .max = 5, .doc = "radius of the robot's disc footprint"});
     v("limits", limits, {.doc = "motion limits of the base"});
     v("sensors", sensors, {.doc = "where the sensors sit; published on /tf_static"});
+    v("base", base, {.doc = "wheels and what else the base has: its driver"});
+    v("laser", laser, {.doc = "the laser: its driver"});
   }
 };
 

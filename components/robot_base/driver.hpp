@@ -1,23 +1,51 @@
-// What robot_base asks of a base: take wheel speeds, give encoder counts. A simulated world, a Kobuki and an
-// Eddie are all one of these.
+// What robot_base asks of a base: take wheel speeds, tell what was measured. A simulated world, a Kobuki and an Eddie are all one
+// of these; another project adds its own by driver_registry.hpp. A driver decides nothing: time-outs, reactions and latches are
+// robot_base's, the same for all bases.
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "components/model/differential_drive.hpp"
-#include "components/robot_base/encoder_odometry.hpp"
+#include "components/model/robot.hpp"
+#include "components/robot_base/readings.hpp"
 
 namespace bw {
 
+class Setup;
+struct PortOptions;
+
+/// What a driver is made with, valid while it is made.
+struct DriverContext {
+  Setup& setup;  ///< for drivers over topics; others leave it alone
+  const Robot& robot;
+  /// The cable, for a driver that has one.
+  std::function<std::unique_ptr<ByteLink>(const PortOptions&)> open_link;
+  /// To be called when something came that should not wait for the next poll; kept as long as the driver likes.
+  std::function<void(Time now)> wake;
+};
+
+/// A ranging sensor that is part of the base.
+struct Ranger {
+  std::string frame;  ///< of the robot's sensors, in which its beam points along x
+  bool is_infrared = false;
+  double field_of_view = 0.0;               ///< [rad]
+  double min_range = 0.0, max_range = 0.0;  ///< [m]
+};
+
 class Driver {
  public:
-  using OnCounts = std::function<void(const EncoderCounts&)>;
-
   virtual ~Driver() = default;
-  /// Turns the wheels at these ground speeds [m/s] from `now` on.
-  virtual void command(Time now, const WheelSpeeds& wheels) = 0;
-  /// Every reading of the encoders goes to `sink`, in the order of its stamps.
-  virtual void deliver_counts_to(OnCounts sink) = 0;
+  /// What came since the last call. Never blocks. Called every 10 ms, and after `wake`.
+  virtual Readings poll(Time now) = 0;
+  /// Turns the wheels at these ground speeds [m/s] from `now` on; called every 10 ms, whether or not they changed. False when they
+  /// cannot be told to the base now.
+  virtual bool command(Time now, const WheelSpeeds& wheels) = 0;
+  /// The command must be on its way before the process ends; the cable may be gone. Never blocks.
+  virtual void stop(Time now) { static_cast<void>(command(now, {})); }
+  virtual std::vector<Ranger> rangers() const { return {}; }
 };
 
 }  // namespace bw

@@ -11,7 +11,8 @@
 // That one list feeds YAML, validation, `bandwagon param`, the wire and the documentation. A field may be
 // bool, int, std::int64_t, double, std::string, an enum with a table (choice.hpp), a nested struct with
 // fields(), or a std::vector of any of these. A rule over several fields is `std::optional<std::string> violated_rule() const`, which returns the
-// broken rule as a sentence. Plain C++ only: algorithms include this header.
+// broken rule as a sentence. `static constexpr bool leaves_other_keys = true`: others read the same section too, and what is unknown
+// here is theirs. Plain C++ only: algorithms include this header.
 #pragma once
 
 #include <limits>

@@ -118,7 +118,7 @@ struct Graph {
   std::vector<const ComponentNode*> bring_up_order() const;
 };
 
-/// Overrides are `component.param=value`, `component.enabled=true|false`, `section.param=value` or `ros_distro=NAME`; of
+/// Overrides are `component.param=value`, `component.enabled=true|false`, `section.param=value`, `section=FILE` or `ros_distro=NAME`; of
 /// several robots each is meant, one alone by `robot/component.param=value`. Throws ConfigError with all violations that
 /// were found.
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});

@@ -318,6 +318,21 @@ bool set_distro(Graph& graph, const Override& change) {
   return true;
 }
 
+/// A whole shared section from a file: robot=FILE, where the command line stands. False when the override means something else.
+bool set_section(Graph& graph, const Override& change) {
+  const bool is_section =
+      change.path.size() == 1 &&
+      std::ranges::find(kSharedSections, change.path.front()) != std::ranges::end(kSharedSections);
+  if (!is_section) return false;
+  if (!change.value.is_scalar())
+    throw ConfigError(Violation{change.value.where, change.key(), change.value.text(), "must be a file"});
+  ConfigNode section = load_yaml(std::filesystem::absolute(change.value.scalar));
+  if (!section.is_map())
+    throw ConfigError(Violation{section.where, change.key(), section.text(), "must be a map of parameters"});
+  graph.shared[change.path.front()] = std::move(section);
+  return true;
+}
+
 /// The shared section that the first part of an override names.
 ConfigNode& section_of(Graph& graph, const Override& change) {
   const std::string& name = change.path.front();
@@ -337,7 +352,7 @@ ConfigNode& section_of(Graph& graph, const Override& change) {
 }  // namespace
 
 void apply_override(Graph& graph, const Override& change) {
-  if (set_distro(graph, change)) return;
+  if (set_distro(graph, change) || set_section(graph, change)) return;
   bool is_known = false;
   for (ComponentNode& node : graph.components) {
     if (change.path.size() < 2 || !is_meant(node, change.path.front())) continue;

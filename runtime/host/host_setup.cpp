@@ -177,8 +177,12 @@ ClientPort* HostSetup::add_client(const std::string& name, const ServiceType& ty
 
 const ConfigNode& HostSetup::shared_section(std::string_view section) const {
   static const ConfigNode kNothing{};
-  const auto found = host_.graph().shared.find(std::string(section));
-  return found == host_.graph().shared.end() ? kNothing : found->second;
+  const std::size_t dot = section.find('.');
+  const auto found = host_.graph().shared.find(std::string(section.substr(0, dot)));
+  if (found == host_.graph().shared.end()) return kNothing;
+  if (dot == std::string_view::npos) return found->second;
+  const ConfigNode* within = found->second.find(section.substr(dot + 1));
+  return within == nullptr ? kNothing : *within;
 }
 
 // What a graph does not mention stays where it is.

@@ -95,7 +95,7 @@ void read_value(const ConfigNode& node, const std::string& key, const Field& fie
     const std::size_t before = violations.size();
     ParameterReader reader(node, key, violations);
     value.fields(reader);
-    reader.refuse_unknown_keys();
+    if constexpr (!requires { T::leaves_other_keys; }) reader.refuse_unknown_keys();
     // A rule over fields says nothing once one of them is refused.
     if constexpr (HasRule<T>) {
       if (violations.size() > before) return;

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "components/messages/odometry_outputs.hpp"
-#include "components/robot_base/adaptor/simulated_driver.hpp"
+#include "components/robot_base/adaptor/chosen_driver.hpp"
 #include "components/robot_base/wheel_watchdog.hpp"
 #include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
@@ -34,17 +34,19 @@ class RobotBaseComponent final : public Component {
     diagnostics_ = &setup.diagnostics();
     outputs_ = {setup, robot_};
     joints_ = setup.output<sensor_msgs::msg::JointState>("joint_states");
-    driver_ = std::make_unique<SimulatedDriver>(setup, robot_.wheel_radius);
-    driver_->deliver_counts_to([this](const EncoderCounts& counts) { on_counts(counts); });
+    driver_ = make_chosen_driver(setup, robot_, [this](Time now) { poll(now); });
     setup.input<sensor_msgs::msg::JointState>(
         "wheel_commands", Qos::command(),
         [this](const auto& message, const Tick& tick) { on_command(message, tick); });
-    setup.every(Duration::milliseconds(10), "watchdog", [this](const Tick& tick) { check(tick); });
+    setup.every(Duration::milliseconds(10), "watchdog", [this](const Tick& tick) {
+      poll(tick.now);
+      check(tick);
+    });
   }
 
   void activate(const Tick& tick) override { outputs_.publish_mounts(tick.now); }
 
-  void deactivate(const Tick& tick) override { driver_->command(tick.now, {}); }
+  void deactivate(const Tick& tick) override { driver_->stop(tick.now); }
 
  private:
   void on_command(const sensor_msgs::msg::JointState& message, const Tick& tick) {
@@ -60,8 +62,7 @@ class RobotBaseComponent final : public Component {
   void check(const Tick& tick) {
     if (tick.health == Health::stop) watchdog_->revoke(tick.now);
     const WatchdogOutput output = watchdog_->step(tick.now);
-    const bool is_news = !sent_ || sent_->wheels != output.wheels || sent_->state != output.state;
-    if (is_news) driver_->command(tick.now, output.wheels);
+    driver_->command(tick.now, output.wheels);
     if (!sent_ || sent_->state != output.state) report(output.state);
     sent_ = output;
   }
@@ -74,6 +75,11 @@ class RobotBaseComponent final : public Component {
       diagnostics_->report(Level::error, "wheel commands stopped: stopping");
     if (state == WatchdogState::stopped)
       diagnostics_->report(Level::warn, "standing: wheel commands stopped");
+  }
+
+  void poll(Time now) {
+    const Readings readings = driver_->poll(now);
+    for (const EncoderCounts& counts : readings.counts) on_counts(counts);
   }
 
   void on_counts(const EncoderCounts& counts) {

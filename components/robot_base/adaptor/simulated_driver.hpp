@@ -1,6 +1,8 @@
 // The base of the simulated world, over /sim/*. For the adaptor only.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <utility>
 
 #include <bandwagon_msgs/msg/wheel_ticks.hpp>
@@ -11,26 +13,44 @@
 
 namespace bw {
 
+struct SimulatedDriverOptions {
+  template <class Visitor>
+  void fields(Visitor&) {}
+};
+
 class SimulatedDriver final : public Driver {
  public:
-  SimulatedDriver(Setup& setup, double wheel_radius) : wheel_radius_(wheel_radius) {
-    commands_ = setup.command<sensor_msgs::msg::JointState>("sim/wheel_commands");
-    setup.input<bandwagon_msgs::msg::WheelTicks>(
+  SimulatedDriver(const SimulatedDriverOptions&, const DriverContext& context)
+      : wheel_radius_(context.robot.wheel_radius), wake_(context.wake) {
+    commands_ = context.setup.command<sensor_msgs::msg::JointState>("sim/wheel_commands");
+    context.setup.input<bandwagon_msgs::msg::WheelTicks>(
         "sim/wheel_ticks", Qos::standard(),
-        [this](const bandwagon_msgs::msg::WheelTicks& ticks, const Tick&) {
-          if (sink_) sink_({from_stamp(ticks.header().stamp()), ticks.left(), ticks.right()});
+        [this](const bandwagon_msgs::msg::WheelTicks& ticks, const Tick& tick) {
+          readings_.counts.push_back({from_stamp(ticks.header().stamp()), ticks.left(), ticks.right()});
+          wake_(tick.now);
         });
   }
 
-  void command(Time now, const WheelSpeeds& wheels) override {
+  Readings poll(Time) override { return std::exchange(readings_, {}); }
+
+  /// The world holds a command until the next one.
+  bool command(Time now, const WheelSpeeds& wheels) override {
+    if (sent_ == wheels) return true;
+    sent_ = wheels;
     commands_.publish(to_joint_state(wheels, wheel_radius_, now));
+    return true;
   }
-  void deliver_counts_to(OnCounts sink) override { sink_ = std::move(sink); }
+  void stop(Time now) override {
+    sent_.reset();
+    command(now, {});
+  }
 
  private:
   double wheel_radius_;
+  std::function<void(Time now)> wake_;
   Output<sensor_msgs::msg::JointState> commands_;
-  OnCounts sink_;
+  Readings readings_;
+  std::optional<WheelSpeeds> sent_;
 };
 
 }  // namespace bw

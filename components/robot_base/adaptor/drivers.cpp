@@ -1,0 +1,9 @@
+// The drivers of this tree.
+#include "components/robot_base/adaptor/simulated_driver.hpp"
+#include "components/robot_base/driver_registry.hpp"
+
+namespace bw {
+
+BW_DRIVER(SimulatedDriver, SimulatedDriverOptions, "simulated")
+
+}  // namespace bw

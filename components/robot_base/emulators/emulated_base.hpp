@@ -1,0 +1,37 @@
+// The firmware of a base and its board, emulated byte by byte from its protocol; it shares no code with our drivers. The world
+// behind it is the simulated one: who hosts it gives it the true wheels and body, and turns the wheels as its motors say. Values in,
+// result out: no clock, no file, no middleware.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "components/model/differential_drive.hpp"
+#include "components/robot_base/readings.hpp"
+#include "runtime/base/pose2.hpp"
+#include "runtime/base/time.hpp"
+
+namespace bw::emulators {
+
+/// The truth at an instant.
+struct Body {
+  std::int32_t left_ticks = 0,
+               right_ticks =
+                   0;  ///< counted by the wheels' encoders since the start, with slip and noise; they wrap
+  Twist2 twist;        ///< of base_link
+  ContactReading contacts;  ///< what touches it, what is below it
+};
+
+class EmulatedBase {
+ public:
+  virtual ~EmulatedBase() = default;
+  /// Bytes off the cable.
+  virtual void receive(Time now, std::span<const std::uint8_t> bytes) = 0;
+  /// Up to `now`, in steps of at most 10 ms: what it sends; valid until the next call. Also when no cable is plugged in: it goes on.
+  virtual std::span<const std::uint8_t> step(Time now, const Body& body) = 0;
+  /// What its controller makes the wheels turn at [m/s].
+  virtual WheelSpeeds motors() const = 0;
+};
+
+}  // namespace bw::emulators
