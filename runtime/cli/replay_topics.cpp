@@ -31,15 +31,16 @@ class TerminalControl final : public replay::PlayerControl {
     if (!key) return Wish::none;
     shown_ = {};  // what a key did is seen at once
     switch (*key) {
-      case Key::space:
+      case key_of(' '):
         return Wish::pause;
       case Key::right:
+      case key_of('n'):
         return Wish::step;
       case Key::up:
         return Wish::faster;
       case Key::down:
         return Wish::slower;
-      case Key::other:
+      default:
         break;
     }
     return Wish::none;

@@ -25,9 +25,12 @@ class ProgressLine {
   bool is_shown_ = false;
 };
 
-enum class Key { space, right, up, down, other };
+/// A key that has no character of its own; those that have one are that character.
+enum class Key : int { up = 256, down, left, right, other };
+constexpr Key key_of(char c) { return static_cast<Key>(static_cast<unsigned char>(c)); }
 
-/// Keys of stdin without Enter and echo, where it is a terminal; it is as it was when this object goes.
+/// Keys of stdin without Enter and echo, where it is a terminal; it is as it was when this object goes. Ctrl-C stays a signal; the
+/// keys that would kill or suspend the program and leave the terminal so are keys as all others.
 class Keyboard {
  public:
   Keyboard();
@@ -36,7 +39,7 @@ class Keyboard {
   Keyboard& operator=(const Keyboard&) = delete;
 
   [[nodiscard]] bool is_there() const { return before_.has_value(); }
-  /// The next key; nothing when none came within `limit`. Without a terminal it only waits.
+  /// The next key; nothing when none came within `limit`. Without a terminal, or when it is gone, it only waits.
   std::optional<Key> wait(Duration limit);
 
  private:
