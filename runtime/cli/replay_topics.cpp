@@ -31,14 +31,14 @@ class TerminalControl final : public replay::PlayerControl {
     if (!key) return Wish::none;
     shown_ = {};  // what a key did is seen at once
     switch (*key) {
-      case key_of(' '):
+      case ' ':
         return Wish::pause;
-      case Key::right:
-      case key_of('n'):
+      case kRight:
+      case 'n':
         return Wish::step;
-      case Key::up:
+      case kUp:
         return Wish::faster;
-      case Key::down:
+      case kDown:
         return Wish::slower;
       default:
         break;

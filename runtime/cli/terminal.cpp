@@ -60,10 +60,9 @@ Key Keyboard::next_key() {
     std::string_view bytes;
     Key key;
   };
-  constexpr std::array kNames = {Name{"\x1b[A", Key::up},    Name{"\x1bOA", Key::up},
-                                 Name{"\x1b[B", Key::down},  Name{"\x1bOB", Key::down},
-                                 Name{"\x1b[C", Key::right}, Name{"\x1bOC", Key::right},
-                                 Name{"\x1b[D", Key::left},  Name{"\x1bOD", Key::left}};
+  constexpr std::array kNames = {Name{"\x1b[A", kUp},   Name{"\x1bOA", kUp},    Name{"\x1b[B", kDown},
+                                 Name{"\x1bOB", kDown}, Name{"\x1b[C", kRight}, Name{"\x1bOC", kRight},
+                                 Name{"\x1b[D", kLeft}, Name{"\x1bOD", kLeft}};
   for (const Name& name : kNames) {
     if (!pressed_.starts_with(name.bytes)) continue;
     pressed_.erase(0, name.bytes.size());
@@ -72,10 +71,10 @@ Key Keyboard::next_key() {
   const char first = pressed_.front();
   if (first == '\x1b') {
     pressed_.clear();
-    return Key::other;
+    return kOtherKey;
   }
   pressed_.erase(0, 1);
-  return key_of(first);
+  return static_cast<unsigned char>(first);
 }
 
 }  // namespace bw::cli

@@ -25,9 +25,9 @@ class ProgressLine {
   bool is_shown_ = false;
 };
 
-/// A key that has no character of its own; those that have one are that character.
-enum class Key : int { up = 256, down, left, right, other };
-constexpr Key key_of(char c) { return static_cast<Key>(static_cast<unsigned char>(c)); }
+/// A character, or one of those that have none.
+using Key = int;
+inline constexpr Key kUp = 256, kDown = 257, kLeft = 258, kRight = 259, kOtherKey = 260;
 
 /// Keys of stdin without Enter and echo, where it is a terminal; it is as it was when this object goes. Ctrl-C stays a signal; the
 /// keys that would kill or suspend the program and leave the terminal so are keys as all others.

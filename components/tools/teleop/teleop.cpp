@@ -28,7 +28,6 @@ namespace bw {
 namespace {
 
 using cli::Key;
-using cli::key_of;
 using std_srvs::srv::Trigger;
 
 constexpr Duration kPeriod = Duration::milliseconds(50);
@@ -50,21 +49,21 @@ struct TeleopOptions {
 
 std::optional<Direction> direction_of(Key key) {
   switch (key) {
-    case Key::up:
-    case key_of('w'):
+    case cli::kUp:
+    case 'w':
       return Direction{.forward = 1};
-    case Key::down:
-    case key_of('s'):
+    case cli::kDown:
+    case 's':
       return Direction{.forward = -1};
-    case Key::left:
-    case key_of('a'):
+    case cli::kLeft:
+    case 'a':
       return Direction{.turn = 1};
-    case Key::right:
-    case key_of('d'):
+    case cli::kRight:
+    case 'd':
       return Direction{.turn = -1};
-    case key_of('u'):
+    case 'u':
       return Direction{.forward = 1, .turn = 1};
-    case key_of('o'):
+    case 'o':
       return Direction{.forward = 1, .turn = -1};
     default:
       return std::nullopt;
@@ -133,14 +132,18 @@ class Teleop {
     if (auto odometry = odometry_.take_newest())
       measured_ = Twist2{odometry->twist().twist().linear().x(), odometry->twist().twist().angular().z()};
     if (auto state = state_.take_newest()) base_ = std::move(state);
+    if (release_at_ && t >= *release_at_) ask_for_release();
     if (asked_) hear_release();
   }
 
   /// False: the end.
   bool obey(Key key) {
-    const bool is_confirmed = is_release_asked_ && key == key_of('y');
+    const bool is_confirmed = is_release_asked_ && key == 'y';
     is_release_asked_ = false;
-    if (is_confirmed) return release();
+    if (is_confirmed) {
+      release();
+      return true;
+    }
     said_.clear();
     if (const auto direction = direction_of(key)) {
       hand_.press(now(), *direction);
@@ -148,20 +151,20 @@ class Teleop {
     }
     hand_.let_go();
     switch (key) {
-      case key_of('q'):
-      case key_of('\x04'):  // Ctrl-D
+      case 'q':
+      case '\x04':  // Ctrl-D
         return false;
-      case key_of('+'):
-      case key_of('='):
+      case '+':
+      case '=':
         hand_.change_speed(+1);
         break;
-      case key_of('-'):
+      case '-':
         hand_.change_speed(-1);
         break;
-      case key_of('x'):
+      case 'x':
         stop_at_once();
         break;
-      case key_of('R'):
+      case 'R':
         is_release_asked_ = true;
         said_ = "Is the way free? y releases all stops";
         break;
@@ -171,21 +174,32 @@ class Teleop {
     return true;
   }
 
-  void stop_at_once() {
+  void stop(bool is_pressed) {
     std_msgs::msg::Bool message;
-    message.data(true);
+    message.data(is_pressed);
     emergency_.publish(message);
+  }
+
+  void stop_at_once() {
+    stop(true);
     publish({});
     said_ = emergency_.readers() > 0 ? "emergency stop"
                                      : "NOBODY HEARS emergency_stop: use the switch of the base";
   }
 
-  bool release() {
+  /// The switch is pulled out first, and heard: what is still pressed is not released.
+  void release() {
+    stop(false);
+    release_at_ = now() + Duration::milliseconds(100);
+    said_ = "releasing";
+  }
+
+  void ask_for_release() {
+    release_at_.reset();
     std::vector<std::uint8_t> request;
     serialize(Trigger::Request{}, request);
     asked_ = release_.is_ready() ? release_.send(request) : std::nullopt;
-    said_ = asked_ ? "releasing" : "nobody offers release_stop";
-    return true;
+    if (!asked_) said_ = "nobody offers release_stop";
   }
 
   void hear_release() {
@@ -219,6 +233,7 @@ class Teleop {
   std::optional<Twist2> measured_;
   std::optional<bandwagon_msgs::msg::BaseState> base_;
   bool is_release_asked_ = false;
+  std::optional<Time> release_at_;
   std::optional<std::int64_t> asked_;
   std::string said_;
 };
