@@ -33,7 +33,7 @@ void BoardClock::begin(Time arrival, std::int64_t sample) {
 }
 
 /// `sample`: the least arrival minus stamp of what was read together.
-void BoardClock::take(Time arrival, std::int64_t sample) {
+void BoardClock::take(Time arrival, std::int64_t sample, bool went_back) {
   if (!taken_) {
     begin(arrival, sample);
     taken_ = arrival;
@@ -42,7 +42,7 @@ void BoardClock::take(Time arrival, std::int64_t sample) {
   const double seconds = std::max(0.0, (arrival - *taken_).to_seconds());
   taken_ = arrival;
   offset_ += std::min(static_cast<std::int64_t>(kDriftMax * seconds * 1e9), kRise);
-  if (sample < offset_ - kSooner || sample > offset_ + kLater) {
+  if (went_back || sample < offset_ - kSooner || sample > offset_ + kLater) {
     ++jumps_;
     begin(arrival, sample);
     return;
@@ -65,12 +65,15 @@ std::vector<Time> BoardClock::times(Time arrival, std::span<const std::uint16_t>
   if (stamps.empty()) return times;
   std::vector<std::int64_t> board;
   std::optional<Newest> before = newest_;
+  bool went_back = false;
   for (const std::uint16_t stamp : stamps) {
     const std::int64_t unwrapped = unwrap(stamp, arrival);
-    newest_ = {stamp, unwrapped, arrival, before ? before->time : Time{}};
+    went_back |= newest_ && unwrapped < newest_->board;
+    newest_ = {stamp, unwrapped, arrival, Time{}};
     board.push_back(unwrapped);
   }
-  take(arrival, arrival.nanoseconds - *std::ranges::max_element(board));
+  take(arrival, arrival.nanoseconds - (went_back ? board.back() : *std::ranges::max_element(board)),
+       went_back);
   for (std::size_t i = 0; i < stamps.size(); ++i) {
     Time time{board[i] + offset_};
     // A lower offset must not squeeze what was measured evenly.

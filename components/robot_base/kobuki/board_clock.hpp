@@ -6,8 +6,8 @@
 // The rise lets it follow a board whose clock is slow; one that is fast lowers it by itself. Stamps are 16 bits of milliseconds; how
 // often they wrapped in a silence is what fits the arrivals best.
 //
-// An arrival sooner than any before by more than 100 ms, later by more than a second, or later by more than 50 ms for a second, is
-// no delay: one of the clocks jumped. That is counted, and the offset is taken anew.
+// A stamp that goes back, an arrival sooner than any before by more than 100 ms, later by more than a second, or later by more than
+// 50 ms for a second, is no delay: one of the clocks jumped. That is counted, and the offset is taken anew.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ class BoardClock {
 
  private:
   std::int64_t unwrap(std::uint16_t stamp, Time arrival) const;
-  void take(Time arrival, std::int64_t sample);
+  void take(Time arrival, std::int64_t sample, bool went_back);
   void begin(Time arrival, std::int64_t sample);
 
   struct Newest {

@@ -60,8 +60,8 @@ WheelSpeeds firmware(const SpeedAndRadius& motion) {
   return to_wheel_speeds({w * r, w}, kSeparation);
 }
 
-// Speed is cut to 1 mm/s. The radius is cut to 1 mm, by which the inner wheel is off by at most w * 1 mm = 4.2 mm/s at 4.2 rad/s; so the
-// rule is within 6 mm/s where the radius fits 16 bits and is above 2 mm.
+// The outer wheel's speed is cut to 1 mm/s. The radius is cut to 1 mm, which moves the inner wheel by w * 2h / (|r| + h) for each mm,
+// h = b / 2: at most 4.2 * 0.230 / 0.117 = 8.3 mm/s from 2 mm on. Below, 1 would mean in place.
 TEST(KobukiCommands, TheFirmwareTurnsTheWheelsAsTold) {
   std::mt19937 random(16);
   std::uniform_real_distribution<double> v(-0.7, 0.7), w(-4.2, 4.2);
@@ -73,8 +73,8 @@ TEST(KobukiCommands, TheFirmwareTurnsTheWheelsAsTold) {
     ++compared;
     const WheelSpeeds told = to_wheel_speeds(twist, kSeparation);
     const WheelSpeeds made = firmware(speed_and_radius(told, kSeparation));
-    ASSERT_NEAR(made.left, told.left, 0.006) << twist.v << " " << twist.omega;
-    ASSERT_NEAR(made.right, told.right, 0.006) << twist.v << " " << twist.omega;
+    ASSERT_NEAR(made.left, told.left, 0.010) << twist.v << " " << twist.omega;
+    ASSERT_NEAR(made.right, told.right, 0.010) << twist.v << " " << twist.omega;
   }
   EXPECT_GT(compared, 19'000);
 }

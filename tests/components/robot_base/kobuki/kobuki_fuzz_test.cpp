@@ -64,6 +64,7 @@ TEST(KobukiFuzz, NothingButTheCommandIsWritten) {
     const bool is_noise = i % 2 == 0;
     Bytes bytes = is_noise ? noise(random, 400) : stream(random, 4);
     if (!is_noise) damage(random, bytes);
+    bytes.push_back(0);  // damage may leave nothing
     ScriptedLink::Wire wire;
     Kobuki kobuki({}, std::make_unique<ScriptedLink>(wire));
     Time now = Time::seconds(5.0);
