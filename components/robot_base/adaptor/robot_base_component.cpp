@@ -51,7 +51,7 @@ class RobotBaseComponent final : public Component {
 
  private:
   void on_command(const sensor_msgs::msg::JointState& message, const Tick& tick) {
-    const std::optional<WheelSpeeds> wheels = wheel_speeds_of(message, robot_.wheel_radius);
+    const std::optional<WheelSpeeds> wheels = wheel_speeds_of(message, robot_.wheel_radii());
     const bool is_sound = wheels && watchdog_->command(tick.now, *wheels);
     if (refused_.is_news(is_sound ? "" : "unsound") && !is_sound) {
       log_.warn("refused a wheel command that is not two finite rates of {} and {}", wheel_joint_names()[0],
@@ -98,7 +98,7 @@ class RobotBaseComponent final : public Component {
   void publish(const OdometryState& state) {
     outputs_.publish_odometry(state);
     const WheelSpeeds wheels = to_wheel_speeds(state.twist, robot_.wheel_separation);
-    sensor_msgs::msg::JointState joints = to_joint_state(wheels, robot_.wheel_radius, state.time);
+    sensor_msgs::msg::JointState joints = to_joint_state(wheels, robot_.wheel_radii(), state.time);
     joints.position({state.left_angle, state.right_angle});
     joints_.publish(joints);
     outputs_.publish_transform(state);
