@@ -10,8 +10,9 @@
 namespace bw::kobuki {
 namespace {
 
-constexpr int kPeriod = 20;           ///< [ms] between packets
-constexpr int kTicksPerPeriod = 400;  ///< at 0.7 m/s there are 164
+constexpr int kPeriod = 20;                ///< [ms] between packets
+constexpr int kTicksPerPeriod = 400;       ///< at 0.7 m/s there are 164
+constexpr double kFirmwareRadius = 0.035;  ///< [m] by which the board turns mm/s into wheel turns
 constexpr Duration kWritePeriod = Duration::milliseconds(30);
 constexpr Duration kAskAgain = Duration::milliseconds(1000);
 constexpr Duration kStrange = Duration::milliseconds(500);
@@ -58,8 +59,8 @@ GyroReading gyro(Time time, const Feedback& packet, Heading& heading) {
 
 }  // namespace
 
-Kobuki::Kobuki(const KobukiOptions& options, std::unique_ptr<ByteLink> link)
-    : options_(options), link_(std::move(link)) {}
+Kobuki::Kobuki(const KobukiOptions& options, const WheelRadii& radii, std::unique_ptr<ByteLink> link)
+    : options_(options), radii_(radii), link_(std::move(link)) {}
 
 void Kobuki::begin_session(Time now) {
   session_ = {.opened = now};
@@ -221,8 +222,10 @@ void Kobuki::tell(Time now, Readings& readings) {
 
 bool Kobuki::command(Time now, const WheelSpeeds& wheels) {
   if (openings_ == 0) return false;
+  const WheelSpeeds by_firmware = {wheels.left * kFirmwareRadius / radii_.left,
+                                   wheels.right * kFirmwareRadius / radii_.right};
   const SpeedAndRadius motion =
-      is_recognised() ? speed_and_radius(wheels, options_.firmware_separation) : SpeedAndRadius{};
+      is_recognised() ? speed_and_radius(by_firmware, options_.firmware_separation) : SpeedAndRadius{};
   const bool is_sudden_stop = motion == SpeedAndRadius{} && session_.motion != motion;
   if (session_.written && *session_.written > now) session_.written = now;
   const bool is_due = session_.was_heard_since_write || is_sudden_stop || !session_.written ||

@@ -58,11 +58,14 @@ struct KobukiOptions {
 /// packets were understood. Nothing here makes the base stand when commands cease, and no document says that its firmware does.
 class Kobuki : public Driver {
  public:
-  Kobuki(const KobukiOptions& options, std::unique_ptr<ByteLink> link);
+  Kobuki(const KobukiOptions& options, const WheelRadii& radii, std::unique_ptr<ByteLink> link);
 
   Readings poll(Time now) override;
   bool command(Time now, const WheelSpeeds& wheels) override;
   void stop(Time now) override;
+  BaseFacts facts() const override {
+    return {.has_gyro = true, .has_battery = true, .battery_low = 14.0, .battery_empty = 13.2};
+  }
 
  private:
   void begin_session(Time now);
@@ -89,6 +92,7 @@ class Kobuki : public Driver {
   };
 
   KobukiOptions options_;
+  WheelRadii radii_;
   std::unique_ptr<ByteLink> link_;
   std::uint64_t openings_ = 0;
   Session session_;

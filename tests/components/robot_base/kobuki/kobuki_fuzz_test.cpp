@@ -66,7 +66,7 @@ TEST(KobukiFuzz, NothingButTheCommandIsWritten) {
     if (!is_noise) damage(random, bytes);
     bytes.push_back(0);  // damage may leave nothing
     ScriptedLink::Wire wire;
-    Kobuki kobuki({}, std::make_unique<ScriptedLink>(wire));
+    Kobuki kobuki({}, {0.035, 0.035}, std::make_unique<ScriptedLink>(wire));
     Time now = Time::seconds(5.0);
     for (std::size_t at = 0; at < bytes.size();) {
       const std::size_t size = std::min(bytes.size() - at, 1 + below(random, 120));

@@ -46,7 +46,7 @@ class KobukiOnACable : public testing::Test {
   }
 
   ScriptedLink::Wire wire_;
-  Kobuki kobuki_{{}, std::make_unique<ScriptedLink>(wire_)};
+  Kobuki kobuki_{{}, {0.035, 0.035}, std::make_unique<ScriptedLink>(wire_)};
   Time now_ = Time::seconds(100.0);
   int stamp_ = 0;
   bool took_ = false;
@@ -226,7 +226,7 @@ TEST(Kobuki, GainsAreGivenUntilTheBoardHasThem) {
   ScriptedLink::Wire wire;
   KobukiOptions options;
   options.gains.is_set = true;
-  Kobuki kobuki(options, std::make_unique<ScriptedLink>(wire));
+  Kobuki kobuki(options, {0.035, 0.035}, std::make_unique<ScriptedLink>(wire));
   const auto gains_written = [&](int from, int to, const Bytes& more) {
     int count = 0;
     for (int i = from; i < to; ++i) {
@@ -292,6 +292,19 @@ TEST_F(KobukiOnACable, StopWritesAtOnceAndToleratesAMissingCable) {
   wire_.pull();
   kobuki_.stop(now_);
   EXPECT_EQ(wire_.from_host.size(), 1U);
+}
+
+// The firmware goes by wheels of 35 mm. On wheels of 40 and 28 mm, 0.2 m/s are 175 and 250 mm/s to it: v = 212.5 mm/s,
+// w = 75 / 230 rad/s, r = 651.67 mm, (r + 115) * w = 250 mm/s.
+TEST(Kobuki, WheelsOfAnotherSizeAreToldOtherSpeeds) {
+  ScriptedLink::Wire wire;
+  Kobuki kobuki({}, {0.040, 0.028}, std::make_unique<ScriptedLink>(wire));
+  for (int i = 0; i < 3; ++i) {
+    wire.put(whole_packet({.stamp = 20 * i}));
+    kobuki.poll(Time::seconds(10.0 + 0.02 * i));
+    kobuki.command(Time::seconds(10.0 + 0.02 * i), {0.2, 0.2});
+  }
+  EXPECT_EQ(wire.from_host.back(), base_control({250, 651}));
 }
 
 TEST_F(KobukiOnACable, AWriteThatFailsIsSaid) {
