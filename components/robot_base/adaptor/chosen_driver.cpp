@@ -35,7 +35,11 @@ std::unique_ptr<Driver> make_chosen_driver(Setup& setup, const Robot& robot,
   if (type == nullptr) {
     const std::vector<std::string> names = registered_drivers();
     const std::vector<std::string_view> known(names.begin(), names.end());
-    throw ConfigError(Violation{{}, "robot.base.driver", name, unknown_rule("driver", name, known)});
+    Violation violation;
+    violation.key = "robot.base.driver";
+    violation.value = name;
+    violation.rule = unknown_rule("driver", name, known);
+    throw ConfigError(std::move(violation));
   }
   const auto section = setup.shared<BaseSection>("robot.base", {.driver = name, .options = type->defaults});
   return type->make(

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "components/messages/odometry_outputs.hpp"
+#include "components/messages/wheel_joints.hpp"
 #include "components/robot_base/adaptor/chosen_driver.hpp"
 #include "components/robot_base/wheel_watchdog.hpp"
 #include "runtime/complaint.hpp"
