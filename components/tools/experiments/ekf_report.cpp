@@ -74,6 +74,7 @@ std::vector<EkfRow> ekf_rows(int seeds) {
     for (const EkfWay way : {EkfWay::sinus, EkfWay::circle}) {
       for (const EkfSensorSet& sensors : kEkfSensorSets) {
         EkfRow row{way, noise, sensors, run_ekf_experiments(way, sensors, noise, seeds), {}};
+        row.example = drive_ekf(way, sensors, noise, 1);
         for (const EkfErrors& errors : row.runs) {
           row.mean.mean += errors.mean / seeds;
           row.mean.variance += errors.variance / seeds;

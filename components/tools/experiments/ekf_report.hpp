@@ -21,8 +21,9 @@ struct EkfRow {
   EkfWay way = EkfWay::sinus;
   EkfWheelNoise noise = EkfWheelNoise::placed;
   EkfSensorSet sensors;
-  std::vector<EkfErrors> runs;  ///< seeds 1 to n
-  EkfErrors mean;               ///< of each figure over the seeds
+  std::vector<EkfErrors> runs;          ///< seeds 1 to n
+  EkfErrors mean;                       ///< of each figure over the seeds
+  std::vector<EkfSample> example = {};  ///< course of the first seed
 };
 
 struct EkfReport {
