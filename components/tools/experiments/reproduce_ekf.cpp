@@ -42,7 +42,8 @@ bool reproduce_ekf(const ReproduceArguments& arguments) {
   EkfReport report{.seeds = arguments.quick ? kQuickSeeds : kEkfSeeds};
   std::cerr << fmt::format("simulated drives, {} seeds\n", report.seeds);
   report.rows = ekf_rows(report.seeds);
-  if (const char* shared = std::getenv("BANDWAGON_SHARED")) {
+  const char* shared = std::getenv("BANDWAGON_SHARED");
+  if (shared != nullptr && *shared != '\0') {
     const RealDataLogs logs =
         read_real_data(std::filesystem::path(shared) / "data", project_file("config/imports"));
     std::cerr << fmt::format("logs of real robots: {}, {}, {}\n", logs.husky.name, logs.mrclam.name,
