@@ -137,7 +137,8 @@ void Rplidar::set_motor(bool runs) {
   const auto pwm = static_cast<std::uint16_t>(runs ? options_.motor_pwm : 0);
   const auto rpm = static_cast<std::uint16_t>(runs ? options_.motor_rpm : 0);
   switch (info_->family().value_or(Model::automatic)) {
-    case Model::a1:
+    case Model::a1:  // cleared: it turns; where there is no such line it turns with the power
+      static_cast<void>(link_.set_dtr(!runs));
       break;
     case Model::a2:
     case Model::a3:
