@@ -57,7 +57,7 @@ void OdometryReader::tell_gap(CountsStatus status, double seconds) {
 void OdometryReader::publish() {
   const OdometryState& state = odometry_->state();
   outputs_.publish_odometry(state);
-  sensor_msgs::msg::JointState joints = to_joint_state(measured(), robot_.wheel_radius, state.time);
+  sensor_msgs::msg::JointState joints = to_joint_state(measured(), robot_.wheel_radii(), state.time);
   joints.position({state.left_angle, state.right_angle});
   joints_.publish(joints);
   outputs_.publish_transform(state);

@@ -79,7 +79,7 @@ class RobotBaseComponent final : public Component {
 
  private:
   void on_command(const sensor_msgs::msg::JointState& message, const Tick& tick) {
-    const std::optional<WheelSpeeds> wheels = wheel_speeds_of(message, robot_.wheel_radius);
+    const std::optional<WheelSpeeds> wheels = wheel_speeds_of(message, robot_.wheel_radii());
     const bool is_sound = wheels && guard_->command(tick.now, *wheels);
     if (refused_.is_news(is_sound ? "" : "unsound") && !is_sound) {
       log_.warn("refused a wheel command that is not two finite rates of {} and {}", wheel_joint_names()[0],

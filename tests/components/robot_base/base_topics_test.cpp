@@ -103,7 +103,7 @@ class BaseTopics : public testing::Test {
                       setup.every(Duration::milliseconds(20), "drive",
                                   [out = setup.command<sensor_msgs::msg::JointState>("wheel_commands")](
                                       const Tick& tick) mutable {
-                                    out.publish(to_joint_state({0.3, 0.3}, Robot().wheel_radius, tick.now));
+                                    out.publish(to_joint_state({0.3, 0.3}, Robot().wheel_radii(), tick.now));
                                   });
                       if (more) more(setup);
                     });

@@ -28,7 +28,7 @@ class Wheels {
   void declare(Setup& setup, std::vector<Sent>& sent) {
     setup.input<sensor_msgs::msg::JointState>(
         "sim/wheel_commands", Qos::standard(50), [&](const auto& m, const Tick& tick) {
-          told_ = wheel_speeds_of(m, kRadius).value_or(WheelSpeeds{-9, -9});
+          told_ = wheel_speeds_of(m, {kRadius, kRadius}).value_or(WheelSpeeds{-9, -9});
           sent.push_back({seconds_since_start(tick.now), told_});
         });
     setup.every(Duration::milliseconds(10), "wheels",
@@ -66,7 +66,7 @@ std::vector<Sent> drive_until(double last, const sensor_msgs::msg::JointState& c
 }
 
 TEST(RobotBaseComponent, BrakesWithin210MsOfTheLastCommand) {
-  const std::vector<Sent> sent = drive_until(1.0, to_joint_state({1.0, 1.0}, kRadius, {}));
+  const std::vector<Sent> sent = drive_until(1.0, to_joint_state({1.0, 1.0}, {kRadius, kRadius}, {}));
   const auto full =
       std::find_if(sent.begin(), sent.end(), [](const Sent& s) { return s.wheels.left > 0.999; });
   ASSERT_NE(full, sent.end());
@@ -81,9 +81,9 @@ TEST(RobotBaseComponent, BrakesWithin210MsOfTheLastCommand) {
 }
 
 TEST(RobotBaseComponent, RefusesCommandsThatAreNotTwoFiniteRates) {
-  sensor_msgs::msg::JointState nameless = to_joint_state({1.0, 1.0}, kRadius, {});
+  sensor_msgs::msg::JointState nameless = to_joint_state({1.0, 1.0}, {kRadius, kRadius}, {});
   nameless.name({});
-  sensor_msgs::msg::JointState nan = to_joint_state({std::nan(""), 1.0}, kRadius, {});
+  sensor_msgs::msg::JointState nan = to_joint_state({std::nan(""), 1.0}, {kRadius, kRadius}, {});
   for (const auto& command : {nameless, nan}) {
     for (const Sent& s : drive_until(1.0, command)) EXPECT_EQ(s.wheels, WheelSpeeds{});
   }
