@@ -64,6 +64,19 @@ TEST(DriveModel, DrivesACircle) {
   EXPECT_NEAR(drive.twist().omega, omega, 1e-12);
 }
 
+TEST(DriveModel, WheelsOfTwoSizesGoAsFarAsTheyAreLarge) {
+  // Equal rates, the right radius twice 1.25 / 2.25 of the mean: to the left; and each counts its own turns, the same.
+  Robot robot;
+  robot.wheel_radius_ratio = 1.25;
+  DriveModel drive({}, robot, {}, Random(1));
+  ASSERT_TRUE(drive.command(rim(robot, 0.5, 0.5)));
+  run(drive, 2.0);
+  EXPECT_NEAR(drive.twist().omega, 0.5 * (2.5 - 2.0) / 2.25 / robot.wheel_separation, 1e-12);
+  EXPECT_NEAR(drive.ticks().left, drive.ticks().right,
+              30);  // not at once at full speed: the ramp is in m/s^2 of the rim
+  EXPECT_GT(drive.ticks().left, 4000);
+}
+
 TEST(DriveModel, EncodersCountTheWay) {
   const Robot robot;  // 2578 ticks per 2 pi 0.0762 m
   DriveModel drive({}, robot, {}, Random(1));
