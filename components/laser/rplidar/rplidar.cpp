@@ -232,6 +232,10 @@ RplidarStatus Rplidar::status() const {
     status.level = level;
     status.text = std::move(text);
   };
+  const auto say_waiting = [&] {
+    say(attempts_ == 0 ? Level::warning : Level::error, waiting_text());
+    status.is_starting = attempts_ == 0;
+  };
   const bool is_sick = health_ && health_->status != Health::Status::good;
   const std::string sickness = is_sick ? " (code " + std::to_string(health_->code) + ")" : "";
   if (state_ == State::closed) {
@@ -243,10 +247,13 @@ RplidarStatus Rplidar::status() const {
   } else if (is_silent_) {
     say(Level::error, "silent");
   } else if (state_ != State::scanning) {
-    say(Level::error, waiting_text());
+    say_waiting();
   } else if (rate_ == 0.0) {
     const bool stands = last_revolution_ || (polled_ && *polled_ - entered_ > kSpinUp);
-    say(Level::error, stands ? "the head does not turn" : waiting_text());
+    if (stands)
+      say(Level::error, "the head does not turn");
+    else
+      say_waiting();
   } else if (rate_ < options_.rate_min) {
     say(Level::warning, "turns slower than " + one_decimal(options_.rate_min) + " Hz");
   } else if (is_sick) {
