@@ -4,20 +4,16 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <sensor_msgs/msg/laser_scan.hpp>
 
-#include "components/laser/rplidar/rplidar.hpp"
-#include "components/laser/scan.hpp"
+#include "components/laser/adaptor/laser_section.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
-#include "runtime/parameters/config_error.hpp"
-#include "runtime/parameters/nearest.hpp"
 #include "runtime/serial/device_link.hpp"
 #include "runtime/stamps.hpp"
 
@@ -26,25 +22,6 @@ namespace {
 
 constexpr Duration kPoll = Duration::milliseconds(5);
 constexpr Duration kReport = Duration::milliseconds(500);
-
-/// Section `laser` of the robot file, all of it.
-struct LaserSection {
-  std::string driver;
-  PortOptions cable;
-  std::string frame = "laser";
-  RplidarOptions rplidar;
-  ScanOptions scan;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("driver", driver, {.doc = "what speaks to the laser"});
-    cable.fields(v);
-    v("frame", frame, {.doc = "of the robot's sensors: where it sits; x points to its 0 degrees"});
-    rplidar.fields(v);
-    scan.fields(v);
-  }
-  std::optional<std::string> violated_rule() const { return scan.violated_rule(); }
-};
 
 }  // namespace
 
@@ -58,20 +35,7 @@ class LaserComponent final : public Component {
       diagnostics_->report(DiagnosticReporter::Level::ok, "scans come from another program");
       return;
     }
-    if (robot.laser.driver != "rplidar")
-      throw ConfigError(Violation{{},
-                                  "robot.laser.driver",
-                                  robot.laser.driver,
-                                  unknown_rule("driver", robot.laser.driver, {"none", "rplidar"})});
-    section_ = setup.shared<LaserSection>("robot.laser", {.driver = robot.laser.driver});
-    if (section_.cable.port.empty())
-      throw ConfigError(
-          Violation{{}, "robot.laser.port", "", "a device path, usb:SERIAL or emulator is needed"});
-    if (!robot.has_mount_of(section_.frame))
-      throw ConfigError(Violation{{},
-                                  "robot.laser.frame",
-                                  section_.frame,
-                                  "robot.sensors must say where a sensor with this frame sits"});
+    section_ = read_laser_section(setup, robot);
     frame_ = setup.frame(section_.frame);
     link_ = device_link(setup, "laser", section_.cable);
     device_.emplace(section_.rplidar, *link_);
@@ -113,7 +77,8 @@ class LaserComponent final : public Component {
     using Level = RplidarStatus::Level;
     if (!wrong_.is_news(status.level == Level::good ? "" : said(status))) return;
     if (status.level == Level::good) log_.info("laser {}: {}", section_.cable.port, device_->info()->text());
-    if (status.level == Level::warning) log_.warn("{}", said(status));
+    if (status.is_starting) log_.info("{}", said(status));
+    if (status.level == Level::warning && !status.is_starting) log_.warn("{}", said(status));
     if (status.level == Level::error) log_.error("{}", said(status));
     report(status);
   }

@@ -137,7 +137,8 @@ void Rplidar::set_motor(bool runs) {
   const auto pwm = static_cast<std::uint16_t>(runs ? options_.motor_pwm : 0);
   const auto rpm = static_cast<std::uint16_t>(runs ? options_.motor_rpm : 0);
   switch (info_->family().value_or(Model::automatic)) {
-    case Model::a1:
+    case Model::a1:  // cleared: it turns; where there is no such line it turns with the power
+      static_cast<void>(link_.set_dtr(!runs));
       break;
     case Model::a2:
     case Model::a3:
@@ -232,6 +233,10 @@ RplidarStatus Rplidar::status() const {
     status.level = level;
     status.text = std::move(text);
   };
+  const auto say_waiting = [&] {
+    say(attempts_ == 0 ? Level::warning : Level::error, waiting_text());
+    status.is_starting = attempts_ == 0;
+  };
   const bool is_sick = health_ && health_->status != Health::Status::good;
   const std::string sickness = is_sick ? " (code " + std::to_string(health_->code) + ")" : "";
   if (state_ == State::closed) {
@@ -243,10 +248,13 @@ RplidarStatus Rplidar::status() const {
   } else if (is_silent_) {
     say(Level::error, "silent");
   } else if (state_ != State::scanning) {
-    say(Level::error, waiting_text());
+    say_waiting();
   } else if (rate_ == 0.0) {
     const bool stands = last_revolution_ || (polled_ && *polled_ - entered_ > kSpinUp);
-    say(Level::error, stands ? "the head does not turn" : waiting_text());
+    if (stands)
+      say(Level::error, "the head does not turn");
+    else
+      say_waiting();
   } else if (rate_ < options_.rate_min) {
     say(Level::warning, "turns slower than " + one_decimal(options_.rate_min) + " Hz");
   } else if (is_sick) {

@@ -42,6 +42,7 @@ struct RplidarOptions {
 struct RplidarStatus {
   enum class Level : std::uint8_t { good, warning, error };
   Level level = Level::warning;
+  bool is_starting = false;             ///< a warning that is in the course of things
   std::string text = "not opened yet";  ///< for people
   double rate = 0.0;                    ///< of the last revolution [Hz]; 0: none came lately
   std::size_t points = 0;               ///< in it

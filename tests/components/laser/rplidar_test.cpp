@@ -50,8 +50,13 @@ class Cable final : public ByteLink {
     return true;
   }
   void close(Time, const std::string&) override { state.is_open = false; }
+  bool set_dtr(bool is_set) override {
+    dtr = is_set;
+    return true;
+  }
 
   bool is_plugged = true;
+  bool dtr = true;  ///< as an opened port has it
   LinkState state;
   Bytes from_device, to_device, written;
 
@@ -126,6 +131,19 @@ TEST(Rplidar, SeesTheWallWhereItStands) {
   }
   EXPECT_NEAR(scan.ranges[0], 3.0, 0.00013);
   EXPECT_NEAR(scan.scan_time, 1.0 / 7.0, 0.001);
+}
+
+// The motor of an A1 stands while DTR is set, and runs while it is cleared.
+TEST(Rplidar, LetsTheMotorOfAnA1RunByDtr) {
+  Rig rig;
+  EXPECT_TRUE(rig.cable.dtr);
+  rig.run(1.0);
+  EXPECT_FALSE(rig.cable.dtr);
+  rig.host.stop(rig.now);
+  EXPECT_TRUE(rig.cable.dtr);
+  Rig other({.model = 0x28});
+  other.run(1.0);
+  EXPECT_TRUE(other.cable.dtr) << "an A2's motor does not hang on it";
 }
 
 // An A2 is told how fast to turn: PWM 600 = 0258h, A5^F0 = 55, ^02 = 57, ^58 = 0F, ^02 = 0D.

@@ -144,10 +144,8 @@ std::span<const std::uint8_t> RplidarDevice::step(Time now, const LaserView& vie
         options_.spin_up > 0.0 ? options_.rate * options_.sample_time / options_.spin_up : wanted;
     turn_rate_ += std::clamp(wanted - turn_rate_, -std::max(most, 1e-9), std::max(most, 1e-9));
     turned_ += turn_rate_ * options_.sample_time;
-    if (turned_ >= 1.0) {
-      turned_ -= std::floor(turned_);
-      begins_revolution_ = true;
-    }
+    begins_revolution_ = turned_ >= 1.0;
+    turned_ -= std::floor(turned_);
     const bool is_steady = std::abs(turn_rate_ - wanted) < 0.05 * options_.rate;
     if (is_scanning_ && is_steady && !boots_until_) measure(view);
   }
@@ -168,7 +166,6 @@ void RplidarDevice::measure(const LaserView& view) {
   // Fewer photons come back from afar.
   const int quality = is_seen ? std::clamp(static_cast<int>(47.0 - 2.0 * range), 5, 47) : 0;
   const int first = quality << 2 | (begins_revolution_ ? 0b01 : 0b10);
-  begins_revolution_ = false;
   out_.insert(out_.end(),
               {static_cast<std::uint8_t>(first), static_cast<std::uint8_t>((angle_64 << 1 & 0xFF) | 1),
                static_cast<std::uint8_t>(angle_64 >> 7), static_cast<std::uint8_t>(distance & 0xFF),
