@@ -1,5 +1,8 @@
 #include "components/robot_base/emulators/adaptor/emulator_options.hpp"
 
+#include <utility>
+#include <vector>
+
 #include "runtime/parameters/config_error.hpp"
 
 namespace bw {
