@@ -9,6 +9,8 @@
 
 namespace bw {
 
+inline constexpr int kCrossingRuns = 40;  ///< with fewer only what must hold of every run is judged
+
 /// One planner as it takes part.
 struct CrossingEntry {
   std::string label;

@@ -120,6 +120,7 @@ std::vector<Criterion> ekf_criteria(const std::vector<EkfRow>& rows) {
     criteria.push_back({name + ": (c) largest factor between fused and published variances", "<= 3",
                         worst_factor, worst_factor <= kVarianceFactor});
   }
+  for (Criterion& c : criteria) c = over_seeds(std::move(c), rows.front().runs.size(), kEkfSeeds);
   return criteria;
 }
 

@@ -14,6 +14,8 @@
 
 namespace bw {
 
+inline constexpr int kEkfSeeds = 100;  ///< of E1; with fewer nothing of it is judged
+
 /// One way and sensor set over all seeds.
 struct EkfRow {
   EkfWay way = EkfWay::sinus;

@@ -15,6 +15,8 @@
 
 namespace bw {
 
+inline constexpr int kHallwaySeeds = 20;  ///< of a row that is judged
+
 /// One drive, from its score card (components/tools/program/score_card_json.hpp).
 struct HallwayDrive {
   std::string planner;  ///< label of the row

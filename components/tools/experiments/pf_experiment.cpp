@@ -190,7 +190,7 @@ std::vector<Criterion> pf_criteria(const PfTable& table, PfMethod method) {
   }
   const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
   const double open = std::max(mean(0, method), mean(1, method));
-  return {
+  std::vector<Criterion> criteria = {
       {"encoder, rows [x, y, theta] and [x, y]: largest distance from 0.251 [m]", "<= 0.01", fix_error,
        fix_error <= 0.01},
       {"encoder, row [theta]: mean error [m]", "0.6 to 1.3", from_fix(2), within(from_fix(2), 0.6, 1.3)},
@@ -205,6 +205,9 @@ std::vector<Criterion> pf_criteria(const PfTable& table, PfMethod method) {
       {"smallest gain of the filter over the encoder in a row [m]", "> 0", smallest_gain,
        smallest_gain > 0.0},
   };
+  const std::size_t seeds = cell_of(table, 0, method).errors.size();
+  for (Criterion& c : criteria) c = over_seeds(std::move(c), seeds, kPfSeeds);
+  return criteria;
 }
 
 }  // namespace bw

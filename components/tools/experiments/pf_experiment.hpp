@@ -40,10 +40,12 @@ constexpr std::array<PfMethod, 5> kPfMethods{PfMethod::encoder, PfMethod::dead_r
                                              PfMethod::printed, PfMethod::printed_unscaled};
 std::string_view to_string(PfMethod method);
 
+inline constexpr std::uint64_t kPfSeeds = 100;  ///< with fewer nothing is judged
+
 struct PfExperimentOptions {
   int particles = 1000;
   std::uint64_t first_seed = 1;
-  std::uint64_t last_seed = 100;
+  std::uint64_t last_seed = kPfSeeds;
 };
 
 /// Of the circle driven, from (0, 0) along x to the left [m].
