@@ -1,0 +1,57 @@
+#include "components/tools/program/course_observer.hpp"
+
+#include <bandwagon_msgs/msg/ground_truth.hpp>
+#include <bandwagon_msgs/msg/navigation_status.hpp>
+#include <bandwagon_msgs/msg/obstacles.hpp>
+#include <nav_msgs/msg/occupancy_grid.hpp>
+
+#include "components/evaluation/adaptor/truth_messages.hpp"
+#include "components/messages/obstacles.hpp"
+
+namespace bw {
+
+void CourseObserver::configure(Setup& setup) {
+  hear_goals(setup);
+  hear_place(setup);
+  setup.input<bandwagon_msgs::msg::GroundTruth>(
+      topics_.truth, Qos::standard(),
+      [this](const auto& truth, const Tick&) {
+        if (started_) recorder_->add(to_truth(truth));
+      },
+      Need::optional);
+}
+
+void CourseObserver::hear_goals(Setup& setup) {
+  setup.input<bandwagon_msgs::msg::NavigationStatus>(
+      topics_.status, Qos::standard(),
+      [this](const auto& message, const Tick& tick) {
+        const GoalNews news = to_goal_news(message);
+        if (news.is_over || news.goal_id == goal_id_) return;
+        goal_id_ = news.goal_id;
+        if (!started_) recorder_->start(tick.now);
+        started_ = true;
+        recorder_->add_goal(news.goal);
+      },
+      Need::optional);
+}
+
+void CourseObserver::hear_place(Setup& setup) {
+  setup.input<nav_msgs::msg::OccupancyGrid>(
+      topics_.map, Qos::latched(),
+      [this](const auto& message, const Tick&) {
+        if (const auto map = to_grid(message)) recorder_->set_map(*map);
+      },
+      Need::optional);
+  setup.input<nav_msgs::msg::OccupancyGrid>(
+      topics_.true_map, Qos::latched(),
+      [this](const auto& message, const Tick&) {
+        if (const auto map = to_grid(message)) recorder_->set_true_map(*map);
+      },
+      Need::optional);
+  setup.input<bandwagon_msgs::msg::Obstacles>(
+      topics_.shapes, Qos::latched(),
+      [this](const auto& message, const Tick&) { recorder_->set_shapes(to_obstacles(message, Pose2{})); },
+      Need::optional);
+}
+
+}  // namespace bw
