@@ -1,7 +1,9 @@
 // Listens to a drive and keeps what a figure of it needs: the true way, people, map and walls.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,9 +23,9 @@ struct CourseTopics {
 
 class CourseObserver final : public Component {
  public:
-  /// The recording begins with the first goal. `recorder` is read after the run.
-  CourseObserver(std::shared_ptr<RunRecorder> recorder, CourseTopics topics)
-      : recorder_(std::move(recorder)), topics_(std::move(topics)) {}
+  /// `course` begins with the first goal, and is read after the run; it has the robot's size and speed from the graph.
+  CourseObserver(std::shared_ptr<std::optional<RunRecorder>> course, CourseTopics topics)
+      : course_(std::move(course)), topics_(std::move(topics)) {}
 
   void configure(Setup& setup) override;
 
@@ -31,9 +33,9 @@ class CourseObserver final : public Component {
   void hear_goals(Setup& setup);
   void hear_place(Setup& setup);
 
-  std::shared_ptr<RunRecorder> recorder_;
+  std::shared_ptr<std::optional<RunRecorder>> course_;
   CourseTopics topics_;
-  std::string goal_id_;
+  std::uint64_t goal_id_ = 0;
   bool started_ = false;
 };
 
