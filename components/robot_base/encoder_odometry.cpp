@@ -74,6 +74,7 @@ CountsStatus EncoderOdometry::add(const EncoderCounts& counts) {
     history_[0] = {from->time, last.distance, last.turn};
     history_size_ = 1;
   }
+  travel_ = {(counts.time - from->time).to_seconds(), ds_left, ds_right};
   reference_ = counts;
   suspect_.reset();
   state_.time = counts.time;

@@ -65,6 +65,12 @@ enum class CountsStatus {
   rebased  ///< second reading that agrees with a jump or reset: the new reference
 };
 
+/// Of the wheels between two readings [m].
+struct WheelTravel {
+  double seconds = 0.0;
+  double left = 0.0, right = 0.0;
+};
+
 struct OdometryFaults {
   std::uint64_t jumps = 0;
   std::uint64_t resets = 0;
@@ -77,6 +83,8 @@ class EncoderOdometry {
 
   CountsStatus add(const EncoderCounts& counts);
   const OdometryState& state() const { return state_; }
+  /// Of the reading that was integrated last.
+  const WheelTravel& travel() const { return travel_; }
   const OdometryFaults& faults() const { return faults_; }
 
  private:
@@ -92,6 +100,7 @@ class EncoderOdometry {
   double left_metres_per_tick_, right_metres_per_tick_;
   double wheel_speed_max_;
   OdometryState state_;
+  WheelTravel travel_;
   OdometryFaults faults_;
   std::optional<EncoderCounts> reference_;
   std::optional<EncoderCounts> suspect_;

@@ -14,7 +14,9 @@ double approach(double value, double target, double most) {
 }  // namespace
 
 DriveModel::DriveModel(const DriveOptions& options, const Robot& robot, const Pose2& start, Random random)
-    : options_(options), robot_(robot), pose_(start), random_(random) {}
+    : options_(options), robot_(robot), pose_(start), random_(random) {
+  robot_.wheel_separation *= 1.0 + options.separation_error;
+}
 
 bool DriveModel::command(const WheelCommand& command) {
   const bool usable = std::isfinite(command.left) && std::isfinite(command.right);

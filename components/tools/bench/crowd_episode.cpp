@@ -84,7 +84,8 @@ double rms_jerk(const std::vector<double>& accelerations, double period) {
 }  // namespace
 
 CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner& planner,
-                         const CpuClock& clock, const StepObserver& observer) {
+                         const CpuClock& clock, const StepObserver& observer,
+                         const PlanObserver& plan_observer) {
   const ClosedLoop& rule = *file.closed_loop;
   const double period = rule.control_period;
   CrowdEpisode episode;
@@ -100,6 +101,7 @@ CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner
     const PlanningResult result = planner.plan(problem);
     episode.ms.push_back(clock() - before);
     if (result.status != PlanningStatus::ok) ++episode.not_ok;
+    if (plan_observer) plan_observer(begin, problem, result);
 
     const Twist2 last = twist;
     twist = applied(result.command, last, file.limits, period);

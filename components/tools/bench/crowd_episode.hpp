@@ -31,8 +31,13 @@ using CpuClock = std::function<double()>;
 /// Called after every integration step: time since the start [s], pose, velocity driven.
 using StepObserver = std::function<void(double time, const Pose2& pose, const Twist2& twist)>;
 
+/// Called after every planner call: time since the start [s], what was asked and what came of it.
+using PlanObserver =
+    std::function<void(double time, const PlanningProblem& problem, const PlanningResult& result)>;
+
 /// `file.closed_loop` must be set. `planner` should be new: it keeps its warm start.
 CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner& planner,
-                         const CpuClock& clock, const StepObserver& observer = {});
+                         const CpuClock& clock, const StepObserver& observer = {},
+                         const PlanObserver& plan_observer = {});
 
 }  // namespace bw

@@ -1,15 +1,17 @@
 // The page of anticipation_report.hpp.
 #include "components/evaluation/svg_writer.hpp"
-#include "components/tools/experiments/anticipation_pictures.hpp"
 #include "components/tools/experiments/anticipation_report.hpp"
+#include "components/tools/experiments/crossing_figures.hpp"
+#include "components/tools/experiments/hallway_figures.hpp"
+#include "components/tools/experiments/honesty.hpp"
 #include "components/tools/experiments/page_parts.hpp"
 
 namespace bw {
 namespace {
 
-using page::cell;
 using page::criteria_table;
-using page::head;
+using page::sensible;
+using page::Table;
 
 constexpr std::string_view kCrossing =
     "<h2>E5: people who cross (Figures 3.7, 3.11)</h2>\n"
@@ -39,38 +41,58 @@ constexpr std::string_view kHallway =
     "gyro, compass and receiver through the EKF, people and obstacles by the laser; the planners by their "
     "defaults, ten seeds. They are reported, not judged.</p>\n";
 
+std::string top(const AnticipationResults& results) {
+  const bool with_eteb = results.subject == "eteb";
+  return page::first_screen(
+      {.title = with_eteb ? "PTEB and ETEB: Figures 3.7, 3.9, 3.11 and 3.12" : "PTEB: Figures 3.7 and 3.9",
+       .about =
+           std::string("What the dissertation publishes, as pictures without figures, of its ") +
+           (with_eteb ? "proactive and extended timed elastic bands (sections 3.2 and 3.3)"
+                      : "proactive timed elastic band (section 3.2)") +
+           ", beside what is measured here: who passes behind people who cross, and how near the robot comes to "
+           "people in a hallway.",
+       .judged = "the planners by their defaults, ideal senses",
+       .criteria = anticipation_criteria(results),
+       .not_judged =
+           {"The planners in their published forms: driven beside the others, their criteria at the end of "
+            "the page.",
+            "Drives by own senses, and people who do not react: only reported.",
+            "Places, times and lengths of the source's pictures: not given, so that only orderings can be "
+            "compared."},
+       .tuned = tuned_to_published(results.subject)});
+}
+
 std::string crossing_rows(const std::vector<CrossingResult>& results) {
-  std::string html = head({"planner", "published", "behind A", "behind B", "success", "contacts",
-                           "largest CI, mean", "largest CI", "clearance [m], mean", "time [s]"});
+  Table table({"planner", "published", "behind A [%]", "behind B [%]", "success", "contacts",
+               "largest CI, mean", "largest CI", "clearance [m], mean", "time [s]"});
   for (const CrossingResult& result : results) {
     const CrossingSummary s = summarize(result);
     const bool is_teb = result.entry.planner.starts_with("teb");
-    html += "<tr>" + cell(xml_text(result.entry.label)) + cell(is_teb ? "in front" : "behind") +
-            cell(fixed(s.share_behind_a, 3)) + cell(fixed(s.share_behind_b, 3)) +
-            cell(std::to_string(s.successes) + " of " + std::to_string(s.runs)) +
-            cell(std::to_string(s.contacts)) + cell(fixed(s.mean_max_collision_index, 3)) +
-            cell(fixed(s.max_collision_index, 3)) + cell(fixed(s.mean_min_clearance, 3)) +
-            cell(fixed(s.mean_time, 2)) + "</tr>\n";
+    table.row({xml_text(result.entry.label), is_teb ? "in front" : "behind",
+               fixed(100.0 * s.share_behind_a, 1), fixed(100.0 * s.share_behind_b, 1),
+               std::to_string(s.successes) + " of " + std::to_string(s.runs), std::to_string(s.contacts),
+               sensible(s.mean_max_collision_index), sensible(s.max_collision_index),
+               sensible(s.mean_min_clearance), fixed(s.mean_time, 1)});
   }
-  return html + "</table>\n";
+  return table.html();
 }
 
-std::string optional_figure(const std::optional<double>& value) { return value ? fixed(*value, 2) : "–"; }
+std::string optional_figure(const std::optional<double>& value) { return value ? fixed(*value, 1) : "–"; }
 
 std::string hallway_rows_table(const std::vector<HallwayRow>& rows) {
-  std::string html =
-      head({"hallway", "senses", "people", "planner", "success", "contacts", "at speed", "largest CI, median",
-            "seeds below 0.54", "time above 0.54", "time above 0.14", "time [s]", "way [m]"});
+  Table table({"planner", "hallway", "senses", "people", "success", "contacts", "at speed",
+               "largest CI, median", "seeds below 0.54 [%]", "time above 0.54 [%]", "time above 0.14 [%]",
+               "time [s]", "way [m]"});
   for (const HallwayRow& row : rows) {
-    html += "<tr>" + cell(row.episode) + cell(row.own_senses ? "own" : "ideal") +
-            cell(row.people_react ? "react" : "do not react") + cell(xml_text(row.planner)) +
-            cell(std::to_string(row.successes) + " of " + std::to_string(row.drives)) +
-            cell(std::to_string(row.contacts)) + cell(std::to_string(row.contacts_at_speed)) +
-            cell(fixed(row.median_max_collision_index, 3)) + cell(fixed(row.share_of_seeds_below_0_54, 2)) +
-            cell(fixed(row.mean_share_above_0_54, 3)) + cell(fixed(row.mean_share_above_0_14, 3)) +
-            cell(optional_figure(row.mean_time)) + cell(optional_figure(row.mean_path_length)) + "</tr>\n";
+    table.row({xml_text(row.planner), row.episode, row.own_senses ? "own" : "ideal",
+               row.people_react ? "react" : "do not react",
+               std::to_string(row.successes) + " of " + std::to_string(row.drives),
+               std::to_string(row.contacts), std::to_string(row.contacts_at_speed),
+               sensible(row.median_max_collision_index), fixed(100.0 * row.share_of_seeds_below_0_54, 0),
+               fixed(100.0 * row.mean_share_above_0_54, 1), fixed(100.0 * row.mean_share_above_0_14, 1),
+               optional_figure(row.mean_time), optional_figure(row.mean_path_length)});
   }
-  return html + "</table>\n";
+  return table.html();
 }
 
 std::string failed_drives(const std::vector<HallwayDrive>& drives) {
@@ -84,30 +106,35 @@ std::string failed_drives(const std::vector<HallwayDrive>& drives) {
   return html.empty() ? "" : "<p>Drives that failed, to be played:</p>\n<ul>\n" + html + "</ul>\n";
 }
 
+std::string crossing_part(const AnticipationResults& results) {
+  const bool with_eteb = results.subject == "eteb";
+  std::string html(kCrossing);
+  if (!results.crossing.empty() && !results.crossing.front().runs.empty()) {
+    const std::uint64_t seed = results.crossing.front().runs.front().seed;
+    html += crossing_snapshot_figure(snapshots_of(results.crossing, results.geometry, seed),
+                                     with_eteb ? "Figures 3.7 and 3.11" : "Figure 3.7", seed) +
+            crossing_ways(results.crossing, results.geometry, 0);
+  }
+  return html + crossing_rows(results.crossing) + "<h3>At the places first proposed</h3>\n" +
+         crossing_rows(results.proposed);
+}
+
+std::string hallway_part(const AnticipationResults& results) {
+  const std::string source = results.subject == "eteb" ? "Figures 3.9 and 3.12" : "Figure 3.9";
+  return std::string(kHallway) + hallway_courses(results.hallway, source) +
+         hallway_largest_indices(results.hallway) + hallway_rows_table(hallway_rows(results.hallway)) +
+         failed_drives(results.hallway);
+}
+
 }  // namespace
 
 std::string anticipation_page(const AnticipationResults& results) {
-  const std::string title = results.subject == "eteb" ? "PTEB and ETEB" : "PTEB";
-  std::string html = page::opening(title, 72) + "<h1>" + title + "</h1>\n";
-  html += criteria_table(anticipation_criteria(results));
-  html += std::string(kCrossing) + crossing_rows(results.crossing);
-  if (!results.crossing.empty() && !results.crossing.front().runs.empty()) {
-    html += "<p>First seed; numbers and dots every second.</p>\n" +
-            crossing_picture(results.crossing, results.geometry, 0);
-  }
-  html += "<h3>At the places first proposed</h3>\n" + crossing_rows(results.proposed);
-  html += std::string(kHallway) + hallway_rows_table(hallway_rows(results.hallway)) +
-          failed_drives(results.hallway);
-  for (const bool react : {true, false}) {
-    for (const char* episode : {"light", "full"}) {
-      html += std::string("<h3>Largest collision index of every seed, ideal senses: ") + episode +
-              ", people " + (react ? "react" : "do not react") + "</h3>\n" +
-              index_picture(results.hallway, episode, react);
-    }
-  }
-  html +=
-      "<h2>The same asked of the planners as published</h2>\n" + criteria_table(published_criteria(results));
-  return html + "</body></html>\n";
+  const std::vector<Criterion> published = published_criteria(results);
+  std::string html = page::opening(results.subject == "eteb" ? "PTEB and ETEB" : "PTEB", 76) + top(results) +
+                     crossing_part(results) + hallway_part(results);
+  if (!published.empty())
+    html += "<h2>The criteria asked of the planners as published</h2>\n" + criteria_table(published);
+  return html + page::closing();
 }
 
 }  // namespace bw

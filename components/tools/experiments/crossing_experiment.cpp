@@ -1,6 +1,7 @@
 #include "components/tools/experiments/crossing_experiment.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "components/local_planner/planner_factory.hpp"
 #include "components/tools/bench/bench_common.hpp"
@@ -37,6 +38,22 @@ CrossingResult run_crossing(const CrossingEntry& entry, const CrossingGeometry& 
     result.runs.push_back(std::move(run));
   }
   return result;
+}
+
+std::vector<CrossingSnapshot> crossing_snapshots(const CrossingEntry& entry, const CrossingGeometry& geometry,
+                                                 std::uint64_t seed, const std::vector<double>& times) {
+  const Scene scene = crossing_scene(geometry, seed);
+  const std::unique_ptr<LocalPlanner> planner = make_planner(entry.planner, options_of(entry));
+  std::vector<CrossingSnapshot> snapshots;
+  std::vector<Vector2> way{scene.start.position()};
+  drive_crowd(
+      scene, crossing_rules(), *planner, process_cpu_ms,
+      [&way](double, const Pose2& pose, const Twist2&) { way.push_back(pose.position()); },
+      [&](double time, const PlanningProblem& problem, const PlanningResult& result) {
+        if (snapshots.size() == times.size() || time + 1e-9 < times[snapshots.size()]) return;
+        snapshots.push_back({time, problem.pose, problem.movers, way, result});
+      });
+  return snapshots;
 }
 
 CrossingSummary summarize(const CrossingResult& result) {

@@ -9,6 +9,8 @@
 
 namespace bw {
 
+inline constexpr int kCrossingRuns = 40;  ///< with fewer only what must hold of every run is judged
+
 /// One planner as it takes part.
 struct CrossingEntry {
   std::string label;
@@ -29,6 +31,15 @@ struct CrossingResult {
   std::vector<CrossingRun> runs;
 };
 
+/// A planner's view at one moment of a run.
+struct CrossingSnapshot {
+  double time = 0.0;  ///< [s]
+  Pose2 robot;
+  std::vector<Mover> people;  ///< A, then B
+  std::vector<Vector2> way;   ///< driven so far
+  PlanningResult plan;
+};
+
 /// Means and shares over all runs.
 struct CrossingSummary {
   int runs = 0, successes = 0, contacts = 0;
@@ -41,6 +52,11 @@ struct CrossingSummary {
 /// Seeds 1 to `runs`. Deterministic but for the cycle times. Throws std::runtime_error on an unknown planner
 /// or parameter.
 CrossingResult run_crossing(const CrossingEntry& entry, const CrossingGeometry& geometry, int runs);
+
+/// The run of `seed` once more, as it was at the first planner call at or after each of `times` [s], which rise. Those
+/// after its end are left out. Throws as run_crossing().
+std::vector<CrossingSnapshot> crossing_snapshots(const CrossingEntry& entry, const CrossingGeometry& geometry,
+                                                 std::uint64_t seed, const std::vector<double>& times);
 
 CrossingSummary summarize(const CrossingResult& result);
 

@@ -63,12 +63,15 @@ std::vector<Criterion> crossing_criteria(const std::vector<CrossingResult>& resu
   const CrossingSummary other = summarize(result_of(results, reference));
   const double more_often = own.share_behind_a - other.share_behind_a;
   const double index = own.mean_max_collision_index - other.mean_max_collision_index;
+  const auto of_means = [&](Criterion c) {
+    return over_seeds(std::move(c), static_cast<std::size_t>(own.runs), kCrossingRuns);
+  };
   // Shares are sums of 1/40: equal to the bound must count as reached.
-  return {{planner + ": share that passes behind A above that of " + reference,
-           fmt::format(">= {}", kMoreOften), more_often, more_often >= kMoreOften - 1e-9},
+  return {of_means({planner + ": share that passes behind A above that of " + reference,
+                    fmt::format(">= {}", kMoreOften), more_often, more_often >= kMoreOften - 1e-9}),
           {planner + ": runs with a contact", "0", static_cast<double>(own.contacts), own.contacts == 0},
-          {planner + ": mean of the largest collision index above that of " + reference, "< 0", index,
-           index < 0.0}};
+          of_means({planner + ": mean of the largest collision index above that of " + reference, "< 0",
+                    index, index < 0.0})};
 }
 
 nlohmann::ordered_json crossing_json(const CrossingGeometry& geometry,

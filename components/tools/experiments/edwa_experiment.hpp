@@ -32,9 +32,11 @@ constexpr std::array<EdwaPairing, 3> kEdwaPairings = {EdwaPairing{"dwa", "dwa"},
 LocalPlannerOptions published_edwa_options();
 FloorRules published_edwa_rules();
 
+inline constexpr std::uint64_t kEdwaSeeds = 40;  ///< with fewer only what must hold of every run is judged
+
 struct EdwaExperimentOptions {
   std::uint64_t first_seed = 1;
-  std::uint64_t last_seed = 40;
+  std::uint64_t last_seed = kEdwaSeeds;
   LocalPlannerOptions planners = published_edwa_options();
   FloorRules rules = published_edwa_rules();
 };

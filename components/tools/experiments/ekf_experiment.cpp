@@ -56,7 +56,9 @@ WheelStep measured_step(Time time, const WheelSpeeds& true_travel, EkfWheelNoise
   return step;
 }
 
-EkfErrors summarise(const std::vector<double>& errors) {
+EkfErrors summarise(const std::vector<EkfSample>& samples) {
+  std::vector<double> errors;
+  for (const EkfSample& sample : samples) errors.push_back((sample.estimate - sample.truth).norm());
   const double n = static_cast<double>(errors.size());
   EkfErrors result;
   double squares = 0.0;
@@ -71,8 +73,8 @@ EkfErrors summarise(const std::vector<double>& errors) {
 
 }  // namespace
 
-EkfErrors run_ekf_experiment(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
-                             std::uint64_t seed) {
+std::vector<EkfSample> drive_ekf(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
+                                 std::uint64_t seed) {
   Random random(seed);
   Pose2 truth{0.0, 0.0, heading(way, 0.0)};
   EkfOptions options;
@@ -81,7 +83,7 @@ EkfErrors run_ekf_experiment(EkfWay way, const EkfSensorSet& sensors, EkfWheelNo
   const Time start = Time::seconds(1000.0);
   ekf.start_at(truth, 1e-6 * Eigen::Matrix3d::Identity(), start);
 
-  std::vector<double> errors;
+  std::vector<EkfSample> samples;
   const int steps = step_count(way);
   for (int i = 1; i <= steps; ++i) {
     const Time now = start + Duration::milliseconds(100) * i;
@@ -103,9 +105,14 @@ EkfErrors run_ekf_experiment(EkfWay way, const EkfSensorSet& sensors, EkfWheelNo
                                    kCompassSigma * kCompassSigma};
       if (sensors.compass) ekf.add(compass, now);
     }
-    errors.push_back((ekf.estimate().X_MB.position() - truth.position()).norm());
+    samples.push_back({i * kPeriod, truth.position(), ekf.estimate().X_MB.position()});
   }
-  return summarise(errors);
+  return samples;
+}
+
+EkfErrors run_ekf_experiment(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
+                             std::uint64_t seed) {
+  return summarise(drive_ekf(way, sensors, noise, seed));
 }
 
 std::vector<EkfErrors> run_ekf_experiments(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,

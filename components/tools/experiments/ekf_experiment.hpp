@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/base/pose2.hpp"
+
 namespace bw {
 
 enum class EkfWay { sinus, circle };
@@ -40,7 +42,18 @@ struct EkfErrors {
   double rms = 0.0;       ///< root of the mean of NE^2 [m]
 };
 
-/// One run; the same seed draws the same noise for every sensor set and wheel noise.
+/// One step of a run.
+struct EkfSample {
+  double time = 0.0;  ///< [s]
+  Vector2 truth{0.0, 0.0};
+  Vector2 estimate{0.0, 0.0};
+};
+
+/// The course of one run; the same seed draws the same noise for every sensor set and wheel noise.
+std::vector<EkfSample> drive_ekf(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
+                                 std::uint64_t seed);
+
+/// One run.
 EkfErrors run_ekf_experiment(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
                              std::uint64_t seed);
 

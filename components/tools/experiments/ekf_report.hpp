@@ -14,13 +14,16 @@
 
 namespace bw {
 
+inline constexpr int kEkfSeeds = 100;  ///< of E1; with fewer nothing of it is judged
+
 /// One way and sensor set over all seeds.
 struct EkfRow {
   EkfWay way = EkfWay::sinus;
   EkfWheelNoise noise = EkfWheelNoise::placed;
   EkfSensorSet sensors;
-  std::vector<EkfErrors> runs;  ///< seeds 1 to n
-  EkfErrors mean;               ///< of each figure over the seeds
+  std::vector<EkfErrors> runs;          ///< seeds 1 to n
+  EkfErrors mean;                       ///< of each figure over the seeds
+  std::vector<EkfSample> example = {};  ///< course of the first seed
 };
 
 struct EkfReport {

@@ -110,12 +110,15 @@ std::vector<Criterion> hallway_criteria(const std::vector<HallwayRow>& rows,
       if (row == nullptr) continue;
       if (before != nullptr) {
         const double rise = row->median_max_collision_index - before->median_max_collision_index;
-        criteria.push_back({fmt::format("{}, {}: median of the largest collision index above that of {}",
-                                        episode, planner, before->planner),
-                            "<= 0", rise, rise <= 0.0});
-        criteria.push_back({fmt::format("{}, {}: share of seeds below {}", episode, planner, kPhysicalLimit),
-                            fmt::format(">= {}", kShareBelow), row->share_of_seeds_below_0_54,
-                            row->share_of_seeds_below_0_54 >= kShareBelow - 1e-9});
+        const auto add = [&](Criterion c) {
+          criteria.push_back(over_seeds(std::move(c), static_cast<std::size_t>(row->drives), kHallwaySeeds));
+        };
+        add({fmt::format("{}, {}: median of the largest collision index above that of {}", episode, planner,
+                         before->planner),
+             "<= 0", rise, rise <= 0.0});
+        add({fmt::format("{}, {}: share of seeds below {}", episode, planner, kPhysicalLimit),
+             fmt::format(">= {}", kShareBelow), row->share_of_seeds_below_0_54,
+             row->share_of_seeds_below_0_54 >= kShareBelow - 1e-9});
       }
       before = row;
     }

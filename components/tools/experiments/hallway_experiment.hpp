@@ -11,8 +11,11 @@
 #include <nlohmann/json.hpp>
 
 #include "components/tools/experiments/criterion.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
+
+inline constexpr int kHallwaySeeds = 20;  ///< of a row that is judged
 
 /// One drive, from its score card (components/tools/program/score_card_json.hpp).
 struct HallwayDrive {
@@ -27,9 +30,10 @@ struct HallwayDrive {
   double max_collision_index = 0.0;
   double share_above_0_54 = 0.0;  ///< of the time
   double share_above_0_14 = 0.0;
-  double time = 0.0;         ///< [s] of the drive
-  double path_length = 0.0;  ///< [m]
-  std::string page = {};     ///< that plays the drive, beside the results; empty: none
+  double time = 0.0;                 ///< [s] of the drive
+  double path_length = 0.0;          ///< [m]
+  std::vector<Vector2> course = {};  ///< collision index over time [s], of index_course(); empty: not kept
+  std::string page = {};             ///< that plays the drive, beside the results; empty: none
 
   const char* senses() const { return own_senses ? "own" : "ideal"; }
   /// As a suite counts it: reached, and nobody was touched while the robot moved.

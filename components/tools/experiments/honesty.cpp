@@ -26,6 +26,7 @@ const std::map<std::string, std::vector<std::string>>& tuned() {
       {"eteb",
        {"the places of the crossing people: 1 m farther away than first proposed, for at those no planner passes in "
         "front of anybody"}},
+      {"navigation", {}},  // nothing is published
   };
   return kTuned;
 }
@@ -37,10 +38,18 @@ const std::vector<std::string>& tuned_to_published(std::string_view subject) {
 }
 
 std::string verdict(std::string_view what, const std::vector<Criterion>& criteria) {
-  const auto missed =
-      std::count_if(criteria.begin(), criteria.end(), [](const Criterion& c) { return !c.met; });
-  if (missed == 0) return fmt::format("{}: met", what);
-  return fmt::format("{}: NOT MET ({} of {} criteria)", what, missed, criteria.size());
+  const auto count = [&](auto is_meant) { return std::ranges::count_if(criteria, is_meant); };
+  const auto open = count([](const Criterion& c) { return !c.not_judged.empty(); });
+  const auto missed = count([](const Criterion& c) { return c.not_judged.empty() && !c.met; });
+  const auto judged = std::ssize(criteria) - open;
+  const std::string rest = open == 0 ? "" : fmt::format("{} not judged", open);
+  if (missed > 0)
+    return fmt::format("{}: NOT MET ({} of {} criteria{})", what, missed, judged,
+                       open == 0 ? "" : "; " + rest);
+  if (open == 0) return fmt::format("{}: met", what);
+  if (judged == 0) return fmt::format("{}: not judged (too few seeds)", what);
+  return fmt::format("{}: met ({} of {} criteria; {}: too few seeds)", what, judged, std::ssize(criteria),
+                     rest);
 }
 
 std::string closing_lines(std::string_view subject, std::string_view judged_what,
@@ -48,6 +57,7 @@ std::string closing_lines(std::string_view subject, std::string_view judged_what
   std::string text;
   for (const std::string& what : tuned_to_published(subject))
     text += fmt::format("tuned to the published values: {}\n", what);
+  if (tuned_to_published(subject).empty()) text += "tuned to the published values: nothing\n";
   return text + fmt::format("judged by the exit status: {}\n", verdict(judged_what, judged));
 }
 

@@ -14,7 +14,8 @@ namespace bw {
 /// subject that is not known.
 const std::vector<std::string>& tuned_to_published(std::string_view subject);
 
-/// "what: met" or "what: NOT MET (2 of 7 criteria)".
+/// "what: met", "what: NOT MET (2 of 7 criteria)", "what: not judged (too few seeds)" or "what: met (2 of 7 criteria; 5 not judged: too
+/// few seeds)".
 std::string verdict(std::string_view what, const std::vector<Criterion>& criteria);
 
 /// The last lines of every experiment: what was tuned, what is judged. Each line ends.

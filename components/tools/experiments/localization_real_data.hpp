@@ -10,6 +10,9 @@
 
 namespace bw {
 
+inline constexpr int kRealDataSeeds =
+    10;  ///< of MRCLAM's receiver and compass; with fewer its order is not judged
+
 /// All that the filter is told beside what the logs declare. The rest are its defaults.
 struct RealDataParameters {
   ReplaySensors sensors;               ///< noise where a log declares none

@@ -1,63 +1,105 @@
 #include "components/tools/experiments/path_plot.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include <Eigen/Geometry>
-
-#include "components/evaluation/svg_writer.hpp"
+#include "components/evaluation/picture_view.hpp"
+#include "components/tools/experiments/plot_frame.hpp"
+#include "components/tools/experiments/thin_line.hpp"
 
 namespace bw {
 namespace {
 
-constexpr double kWidth = 560.0, kMost = 560.0;  // of the drawing [px]
-constexpr double kMargin = 16.0, kHead = 26.0, kFoot = 44.0;
-constexpr std::string_view kSmall = R"(font-size="11" fill="#444")";
+constexpr double kUnseen = 0.25;                    // [px]
+constexpr double kApart = 2.5;                      // [px] of dots
+constexpr double kRoom = 0.04;                      // about what is shown, of its size
+constexpr double kFlattest = 0.3, kSteepest = 1.0;  // height over width
+constexpr std::string_view kWall = "#34414f";
 
-/// 1, 2 or 5 times a power of ten, not above a quarter of the width shown.
-double scale_bar(double metres_shown) {
-  const double power = std::pow(10.0, std::floor(std::log10(metres_shown / 4.0)));
-  const double digits = metres_shown / 4.0 / power;
-  return power * (digits >= 5.0 ? 5.0 : digits >= 2.0 ? 2.0 : 1.0);
+void widen(Eigen::AlignedBox2d& box, int axis, double size) {
+  const double missing = size - box.sizes()[axis];
+  if (missing <= 0.0) return;
+  box.min()[axis] -= missing / 2.0;
+  box.max()[axis] += missing / 2.0;
+}
+
+void draw_disc(SvgWriter& svg, const PlotFrame& frame, const PlotDisc& disc, double scale) {
+  const Vector2 at = frame.at(disc.center.x(), disc.center.y());
+  const std::string color(disc.color);
+  svg.circle(at, disc.radius * scale,
+             "fill=\"" + color + "\" fill-opacity=\"0.15\" stroke=\"" + color + "\" stroke-width=\"1.2\"");
+  if (disc.arrow != Vector2(0.0, 0.0)) {
+    const Vector2 tip = frame.at(disc.center.x() + disc.arrow.x(), disc.center.y() + disc.arrow.y());
+    const Vector2 back = (at - tip).normalized() * 5.0;
+    const Vector2 aside(-back.y() / 2.0, back.x() / 2.0);
+    svg.line(at, tip, stroke({.color = disc.color, .width = 1.4}));
+    svg.polyline({tip + back + aside, tip, tip + back - aside}, stroke({.color = disc.color, .width = 1.4}));
+  }
+  if (!disc.label.empty()) svg.text(at + Vector2(0.0, 3.5), disc.label, text_style(10, "middle"));
+}
+
+void draw_place(SvgWriter& svg, const PlotFrame& frame, const PathPlot& plot, const PictureView& view) {
+  for (const std::vector<Vector2>& area : plot.areas) {
+    std::string data;
+    for (const Vector2& p : frame.at(area))
+      data += (data.empty() ? 'M' : 'L') + fixed(p.x(), 1) + ' ' + fixed(p.y(), 1);
+    svg.path(data + "Z", "fill=\"#dfe5ec\"");
+  }
+  if (plot.map != nullptr)
+    svg.path(cells_path(*plot.map, view, 65, 100), "fill=\"" + std::string(kWall) + '"');
+  for (const Segment& wall : plot.walls)
+    svg.line(frame.at(wall.a.x(), wall.a.y()), frame.at(wall.b.x(), wall.b.y()),
+             stroke({.color = kWall, .width = 2.5}));
 }
 
 }  // namespace
 
-std::string path_plot(const std::string& title, const std::vector<PlotWay>& ways) {
-  Eigen::AlignedBox2d box;
-  for (const PlotWay& way : ways) {
-    for (const Vector2& p : way.points) box.extend(p);
+Eigen::AlignedBox2d shown_by(const PathPlot& plot) {
+  Eigen::AlignedBox2d box = plot.view;
+  if (box.isEmpty()) {
+    for (const PlotWay& way : plot.ways) {
+      for (const Vector2& p : way.points) {
+        if (p.allFinite()) box.extend(p);
+      }
+    }
+    for (const PlotDisc& disc : plot.discs) {
+      box.extend(disc.center - Vector2::Constant(disc.radius));
+      box.extend(disc.center + Vector2::Constant(disc.radius));
+    }
+    if (box.isEmpty()) box.extend(Vector2(0.0, 0.0));
+    const double room = kRoom * box.sizes().maxCoeff();
+    box.min().array() -= room;
+    box.max().array() += room;
   }
-  if (box.isEmpty()) box.extend(Vector2(0.0, 0.0));
-  const Vector2 extent = box.sizes().cwiseMax(1e-3);
-  const double scale = std::min((kWidth - 2.0 * kMargin) / extent.x(), kMost / extent.y());  // [px/m]
-  const double bottom = kHead + scale * extent.y();
-  const auto at = [&](const Vector2& p) {
-    return Vector2(kMargin + scale * (p.x() - box.min().x()), bottom - scale * (p.y() - box.min().y()));
-  };
-  SvgWriter svg(kWidth, bottom + kFoot);
-  svg.text({kMargin, 14.0}, title, std::string(kSmall) + R"( font-weight="bold")");
-  for (const PlotWay& way : ways) {
-    std::vector<Vector2> pixels;
-    for (const Vector2& p : way.points) pixels.push_back(at(p));
+  widen(box, 0, 1e-3);
+  widen(box, 1, box.sizes().x() * kFlattest);
+  widen(box, 0, box.sizes().y() / kSteepest);
+  return box;
+}
+
+std::string to_svg(const PathPlot& plot) {
+  const Eigen::AlignedBox2d box = shown_by(plot);
+  const PlotAxis x{"x [m]", box.min().x(), box.max().x()};
+  const PlotAxis y{"y [m]", box.min().y(), box.max().y()};
+  const PlotFrame at_width(x, y, 1.0);
+  const double scale = (at_width.right() - at_width.left()) / box.sizes().x();  // [px/m]
+  const PlotFrame frame(x, y, scale * box.sizes().y());
+  SvgWriter svg(kPlotWidth, frame.picture_height());
+  frame.draw_title(svg, plot.title);
+  frame.draw_x(svg);
+  frame.draw_y(svg);
+  frame.open_area(svg);
+  draw_place(svg, frame, plot, {box, scale, {frame.left(), frame.top()}});
+  for (const PlotWay& way : plot.ways) {
+    const std::vector<Vector2> pixels = frame.at(way.points);
     if (way.dots) {
-      for (const Vector2& p : pixels) svg.circle(p, 1.3, R"(fill=")" + way.color + '"');
+      for (const Vector2& p : thin_dots(pixels, kApart))
+        svg.circle(p, 1.4, "fill=\"" + std::string(way.style.color) + '"');
     } else {
-      svg.polyline(pixels, R"(stroke-width="1.5" stroke=")" + way.color + '"');
+      svg.polyline(thin_line(pixels, kUnseen), stroke(way.style));
     }
   }
-  const double bar = scale_bar((kWidth - 2.0 * kMargin) / scale);
-  const Vector2 left(kMargin, bottom + 14.0);
-  svg.line(left, left + Vector2(bar * scale, 0.0), R"(stroke="#444" stroke-width="2")");
-  svg.text(left + Vector2(bar * scale + 6.0, 4.0), fixed(bar, bar < 1.0 ? 1 : 0) + " m", kSmall);
-  Vector2 legend(kMargin, bottom + 36.0);
-  for (const PlotWay& way : ways) {
-    svg.line(legend + Vector2(0.0, -4.0), legend + Vector2(18.0, -4.0),
-             R"(stroke-width="2" stroke=")" + way.color + '"');
-    svg.text(legend + Vector2(22.0, 0.0), way.label, kSmall);
-    legend.x() += 150.0;
-  }
+  for (const PlotDisc& disc : plot.discs) draw_disc(svg, frame, disc, scale);
+  frame.close_area(svg);
   return std::move(svg).finish();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "components/localization/particle_filter/particle_filter.hpp"
 #include "components/model/differential_drive.hpp"
@@ -15,12 +16,12 @@ namespace {
 using namespace localization;
 
 // Book 4.3.
-constexpr double kSpeed = 1.0;    // [m/s]
-constexpr double kPeriod = 0.1;   // [s]
-constexpr double kRadius = 15.0;  // [m]
+constexpr double kSpeed = 1.0;   // [m/s]
+constexpr double kPeriod = 0.1;  // [s]
+constexpr double kRadius = kPfRadius;
 constexpr int kSteps = 840;
-constexpr int kRoofFrom = 280;
-constexpr int kRoofTo = 560;
+constexpr int kRoofFrom = static_cast<int>(kPfRoofFrom / kPeriod + 0.5);
+constexpr int kRoofTo = static_cast<int>(kPfRoofTo / kPeriod + 0.5);
 constexpr double kSigma = 0.2;  // of every reading [m, rad]
 
 struct Step {
@@ -51,10 +52,10 @@ std::vector<Step> drive(const PfRow& row, std::uint64_t seed) {
   return steps;
 }
 
-double mean_error(const std::vector<Step>& steps, const std::vector<Vector2>& estimates) {
+double mean_error(const std::vector<PfSample>& samples) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < steps.size(); ++i) sum += (estimates[i] - steps[i].truth.position()).norm();
-  return sum / static_cast<double>(steps.size());
+  for (const PfSample& sample : samples) sum += (sample.estimate - sample.truth).norm();
+  return sum / static_cast<double>(samples.size());
 }
 
 std::vector<Vector2> by_wheels(const std::vector<Step>& steps, bool with_fixes) {
@@ -136,11 +137,19 @@ std::string_view to_string(PfMethod method) {
   return "unknown";
 }
 
-double run_pf_experiment(const PfRow& row, PfMethod method, std::uint64_t seed, int particles) {
+std::vector<PfSample> drive_pf(const PfRow& row, PfMethod method, std::uint64_t seed, int particles) {
   const std::vector<Step> steps = drive(row, seed);
   const bool wheels = method == PfMethod::encoder || method == PfMethod::dead_reckoning;
-  return mean_error(steps, wheels ? by_wheels(steps, method == PfMethod::encoder)
-                                  : by_filter(steps, method, seed, particles));
+  const std::vector<Vector2> estimates =
+      wheels ? by_wheels(steps, method == PfMethod::encoder) : by_filter(steps, method, seed, particles);
+  std::vector<PfSample> samples;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    samples.push_back({static_cast<double>(i + 1) * kPeriod, steps[i].truth.position(), estimates[i]});
+  return samples;
+}
+
+double run_pf_experiment(const PfRow& row, PfMethod method, std::uint64_t seed, int particles) {
+  return mean_error(drive_pf(row, method, seed, particles));
 }
 
 PfTable run_pf_experiments(const PfExperimentOptions& options, const PfProgress& progress) {
@@ -150,7 +159,9 @@ PfTable run_pf_experiments(const PfExperimentOptions& options, const PfProgress&
     for (const PfMethod method : kPfMethods) {
       PfCell cell{.method = method};
       for (std::uint64_t seed = options.first_seed; seed <= options.last_seed; ++seed) {
-        cell.errors.push_back(run_pf_experiment(kPfRows[row], method, seed, options.particles));
+        std::vector<PfSample> course = drive_pf(kPfRows[row], method, seed, options.particles);
+        cell.errors.push_back(mean_error(course));
+        if (seed == options.first_seed) cell.example = std::move(course);
         cell.mean += cell.errors.back();
       }
       cell.mean /= static_cast<double>(cell.errors.size());
@@ -179,7 +190,7 @@ std::vector<Criterion> pf_criteria(const PfTable& table, PfMethod method) {
   }
   const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
   const double open = std::max(mean(0, method), mean(1, method));
-  return {
+  std::vector<Criterion> criteria = {
       {"encoder, rows [x, y, theta] and [x, y]: largest distance from 0.251 [m]", "<= 0.01", fix_error,
        fix_error <= 0.01},
       {"encoder, row [theta]: mean error [m]", "0.6 to 1.3", from_fix(2), within(from_fix(2), 0.6, 1.3)},
@@ -194,6 +205,9 @@ std::vector<Criterion> pf_criteria(const PfTable& table, PfMethod method) {
       {"smallest gain of the filter over the encoder in a row [m]", "> 0", smallest_gain,
        smallest_gain > 0.0},
   };
+  const std::size_t seeds = cell_of(table, 0, method).errors.size();
+  for (Criterion& c : criteria) c = over_seeds(std::move(c), seeds, kPfSeeds);
+  return criteria;
 }
 
 }  // namespace bw

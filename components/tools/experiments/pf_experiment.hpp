@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "components/tools/experiments/criterion.hpp"
+#include "runtime/base/pose2.hpp"
 
 namespace bw {
 
@@ -39,14 +40,31 @@ constexpr std::array<PfMethod, 5> kPfMethods{PfMethod::encoder, PfMethod::dead_r
                                              PfMethod::printed, PfMethod::printed_unscaled};
 std::string_view to_string(PfMethod method);
 
+inline constexpr std::uint64_t kPfSeeds = 100;  ///< with fewer nothing is judged
+
 struct PfExperimentOptions {
   int particles = 1000;
   std::uint64_t first_seed = 1;
-  std::uint64_t last_seed = 100;
+  std::uint64_t last_seed = kPfSeeds;
 };
 
-/// Mean over all steps of one run of the distance [m] between estimate and truth. The same seed has the same
-/// motion and the same readings for every row and method.
+/// Of the circle driven, from (0, 0) along x to the left [m].
+inline constexpr double kPfRadius = 15.0;
+/// Under the roof lie the times after `kPfRoofFrom` up to `kPfRoofTo` [s].
+inline constexpr double kPfRoofFrom = 28.0;
+inline constexpr double kPfRoofTo = 56.0;
+
+/// One step of a run.
+struct PfSample {
+  double time = 0.0;  ///< [s]
+  Vector2 truth{0.0, 0.0};
+  Vector2 estimate{0.0, 0.0};
+};
+
+/// The course of one run. The same seed has the same motion and the same readings for every row and method.
+std::vector<PfSample> drive_pf(const PfRow& row, PfMethod method, std::uint64_t seed, int particles);
+
+/// Mean over all steps of one run of the distance [m] between estimate and truth.
 double run_pf_experiment(const PfRow& row, PfMethod method, std::uint64_t seed, int particles);
 
 /// One cell of the table.
@@ -54,8 +72,9 @@ struct PfCell {
   PfMethod method = PfMethod::encoder;
   std::vector<double> errors;  ///< by seed [m]
   double mean = 0.0;
-  double low = 0.0;   ///< quantile 5 %
-  double high = 0.0;  ///< quantile 95 %
+  double low = 0.0;               ///< quantile 5 %
+  double high = 0.0;              ///< quantile 95 %
+  std::vector<PfSample> example;  ///< course of the first seed
 };
 
 struct PfTable {

@@ -1,6 +1,5 @@
 // bandwagon reproduce pteb|eteb: E5 in process, then E6 as drives of the hallway suite, by ideal senses and by own.
-#include <cctype>
-#include <filesystem>
+#include <algorithm>
 #include <iostream>
 #include <stdexcept>
 
@@ -8,29 +7,35 @@
 
 #include "components/tools/evaluate/suite.hpp"
 #include "components/tools/experiments/anticipation_report.hpp"
-#include "components/tools/experiments/honesty.hpp"
+#include "components/tools/experiments/kept_crossing.hpp"
 #include "components/tools/experiments/project_file.hpp"
-#include "components/tools/experiments/reproduce.hpp"
+#include "components/tools/experiments/published_values.hpp"
+#include "components/tools/experiments/reproduce_drives.hpp"
+#include "components/tools/experiments/reproduce_report.hpp"
 #include "components/tools/program/drive.hpp"
-#include "components/viewer/adaptor/site.hpp"
-#include "runtime/atomic_file.hpp"
+#include "runtime/build_identity.hpp"
 #include "runtime/cli/signals.hpp"
 
 namespace bw {
 namespace {
 
-constexpr int kRuns = 40;
 constexpr int kQuickRuns = 5;
 constexpr std::int64_t kQuickSeeds = 2;
-constexpr int kMostPages = 20;                // of drives that failed: some MB each
 constexpr std::int64_t kOwnSensesSeeds = 10;  // half of those by ideal senses: reported, not judged
 
+/// Pieces are counted through both geometries; a shard drives its own and returns too little.
 std::vector<CrossingResult> drive_crossing(const std::vector<CrossingEntry>& entries,
-                                           const CrossingGeometry& geometry, int runs) {
+                                           const CrossingGeometry& geometry, const std::string& where,
+                                           const ReproduceArguments& arguments) {
+  const Kept kept(arguments.out / "kept");
+  const int runs = arguments.quick ? kQuickRuns : kCrossingRuns;
   std::vector<CrossingResult> results;
-  for (const CrossingEntry& entry : entries) {
-    std::cerr << fmt::format("people crossing, {}: {} runs\n", entry.label, runs);
-    results.push_back(run_crossing(entry, geometry, runs));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!arguments.shard.has(i)) continue;
+    std::cerr << fmt::format("people crossing, {}, {}: {} runs\n", where, entries[i].label, runs);
+    results.push_back(kept_crossing(kept, file_name_of("crossing " + where + " " + entries[i].label),
+                                    build_id() + cpu_type(), entries[i], geometry, runs));
+    if (cli::interrupted()) throw std::runtime_error("interrupted; the same command goes on from here");
   }
   return results;
 }
@@ -83,87 +88,62 @@ std::vector<HallwayJob> hallway_jobs(const Suite& suite, const std::vector<Cross
   return jobs;
 }
 
-/// Beside the results; planners are called by words.
-std::string page_name(const HallwayDrive& drive) {
-  std::string name = fmt::format("hallway_{}_{}_{}_{}_seed{}.html", drive.episode, drive.senses(),
-                                 drive.people_react ? "reacting" : "blind", drive.planner, drive.seed);
-  for (char& c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.') c = '_';
-  return "failed/" + name;
-}
-
-/// A drive that failed once more, the same to the byte, and recorded: few fail, so that this costs less than to record them all.
-void add_page(HallwayDrive& row, const Suite& suite, const HallwayJob& job, DriveSettings settings,
-              const std::filesystem::path& out) {
-  const std::string name = page_name(row);
-  settings.html = out / name;
-  const DriveResult again = drive(hallway_graph(suite, job), settings);
-  if (!again.page_fault.empty()) std::cerr << again.page_fault << "\n";
-  if (std::filesystem::exists(settings.html)) row.page = name;
+std::string title_of(const Suite& suite, const HallwayJob& job) {
+  return fmt::format("hallway {}, {} senses, people {}, {} seed {}", suite.options.episodes[job.episode].name,
+                     job.own_senses ? "own" : "ideal", job.people_react ? "react" : "do not react",
+                     job.entry.label, job.seed);
 }
 
 /// By ideal senses all `entries`, then by its own the planners' defaults.
 std::vector<HallwayDrive> drive_hallway(const std::vector<CrossingEntry>& entries,
                                         const std::vector<CrossingEntry>& defaults,
                                         const ReproduceArguments& arguments) {
-  const bool quick = arguments.quick;
-  int pages = viewer::page_files().empty() ? kMostPages : 0;  // of a program without the page none
   const Suite suite = load_suite(project_file("config/suites/hallway.yaml"));
-  std::vector<HallwayJob> jobs = hallway_jobs(suite, entries, false, quick);
-  for (HallwayJob& job : hallway_jobs(suite, defaults, true, quick)) jobs.push_back(std::move(job));
-  // A wrong parameter is found before the first drive.
-  for (const HallwayJob& job : jobs) hallway_graph(suite, job);
-  std::vector<HallwayDrive> drives;
-  cli::catch_interrupts();
-  for (const HallwayJob& job : jobs) {
-    const DriveSettings options{
-        .host = {.clock = ClockMode::lockstep, .seed = static_cast<std::uint64_t>(job.seed)},
-        .longest = Duration::seconds(suite.options.time_limit)};
-    const DriveResult result = drive(hallway_graph(suite, job), options);
-    if (cli::interrupted()) throw std::runtime_error("interrupted");
-    HallwayDrive row = hallway_drive(job.entry.label, suite.options.episodes[job.episode].name,
-                                     job.people_react, job.seed, result.json);
-    row.own_senses = job.own_senses;
-    if (!row.succeeded() && pages < kMostPages) {
-      add_page(row, suite, job, options, arguments.out);
-      ++pages;
-    }
-    if (cli::interrupted()) throw std::runtime_error("interrupted");
-    drives.push_back(row);
-    std::cerr << fmt::format(
-        "[{}/{}] hallway {}, {} senses, people {}, {} seed {}: {}, largest CI {:.2f}\n", drives.size(),
-        jobs.size(), row.episode, row.senses(), row.people_react ? "react" : "do not react", row.planner,
-        row.seed, row.succeeded() ? fmt::format("{:.1f} s", row.time) : "FAILED", row.max_collision_index);
+  std::vector<HallwayJob> jobs = hallway_jobs(suite, entries, false, arguments.quick);
+  for (HallwayJob& job : hallway_jobs(suite, defaults, true, arguments.quick)) jobs.push_back(std::move(job));
+  std::vector<DriveJob> drives;
+  for (const HallwayJob& job : jobs)
+    drives.push_back({.title = title_of(suite, job),
+                      .seed = job.seed,
+                      .time_limit = suite.options.time_limit,
+                      .graph = [&suite, job] { return hallway_graph(suite, job); }});
+  std::vector<HallwayDrive> rows;
+  for (DrivenJob& driven : drive_all(drives, arguments)) {
+    const HallwayJob& job = jobs[rows.size()];
+    rows.push_back(hallway_drive(job.entry.label, suite.options.episodes[job.episode].name, job.people_react,
+                                 job.seed, driven.card));
+    rows.back().own_senses = job.own_senses;
+    rows.back().course = std::move(driven.course);
+    rows.back().page = std::move(driven.page);
   }
-  return drives;
+  return rows;
 }
 
 bool reproduce(const std::string& subject, const ReproduceArguments& arguments) {
   const bool with_eteb = subject == "eteb";
-  const int runs = arguments.quick ? kQuickRuns : kRuns;
   const std::vector<CrossingEntry> defaults = default_entries(with_eteb);
   std::vector<CrossingEntry> all = defaults;
   for (CrossingEntry& entry : published_entries(with_eteb)) all.push_back(std::move(entry));
 
   AnticipationResults results{.subject = subject};
-  results.crossing = drive_crossing(all, results.geometry, runs);
-  results.proposed = drive_crossing(defaults, proposed_crossing(), runs);
+  results.crossing = drive_crossing(all, results.geometry, "shifted", arguments);
+  results.proposed = drive_crossing(defaults, proposed_crossing(), "as proposed", arguments);
   results.hallway = drive_hallway(arguments.quick ? defaults : all, defaults, arguments);
 
-  nlohmann::ordered_json json = anticipation_json(results);
-  json["tuned_to_published"] = tuned_to_published(subject);
-  write_file_atomically(arguments.out / "results.json", json.dump(2) + "\n");
-  write_file_atomically(arguments.out / "index.html", anticipation_page(results));
+  if (!arguments.shard.is_all()) return true;
+
   fmt::print("{}\n{}\n", crossing_table(results.crossing), hallway_table(hallway_rows(results.hallway)));
   const std::vector<Criterion> criteria = anticipation_criteria(results);
   const std::vector<Criterion> published = published_criteria(results);
   fmt::print("{}as published:\n{}", criteria_text(criteria), criteria_text(published));
-  const std::string not_judged = published.empty() ? "the published forms were not driven"
-                                                   : verdict("the planners as published", published);
-  fmt::print("{}not judged by it: {}\nwritten: {}\n",
-             closing_lines(subject, "the planners by their defaults, ideal senses", criteria), not_judged,
-             (arguments.out / "index.html").string());
-  return all_met(criteria);
+  return write_report({.subject = subject,
+                       .judged = "the planners by their defaults, ideal senses",
+                       .criteria = criteria,
+                       .published = published_values(results),
+                       .results = anticipation_json(results),
+                       .page = anticipation_page(results),
+                       .other_readings = {{"the planners as published", published}}},
+                      arguments);
 }
 
 }  // namespace

@@ -1,16 +1,15 @@
 #include <iostream>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "components/tools/experiments/edwa_report.hpp"
-#include "components/tools/experiments/honesty.hpp"
-#include "components/tools/experiments/reproduce.hpp"
-#include "runtime/atomic_file.hpp"
+#include "components/tools/experiments/published_values.hpp"
+#include "components/tools/experiments/reproduce_report.hpp"
 
 namespace bw {
 namespace {
 
-constexpr std::uint64_t kSeeds = 40;
 constexpr std::uint64_t kQuickSeeds = 5;
 
 void print(const EdwaTable& table) {
@@ -27,7 +26,7 @@ void print(const EdwaTable& table) {
 }  // namespace
 
 bool reproduce_edwa(const ReproduceArguments& arguments) {
-  std::vector<EdwaVariant> variants = edwa_variants(1, arguments.quick ? kQuickSeeds : kSeeds);
+  std::vector<EdwaVariant> variants = edwa_variants(1, arguments.quick ? kQuickSeeds : kEdwaSeeds);
   if (arguments.quick) variants.erase(variants.begin() + 1, variants.end());
   std::vector<EdwaResult> results;
   for (const EdwaVariant& variant : variants) {
@@ -40,15 +39,19 @@ bool reproduce_edwa(const ReproduceArguments& arguments) {
     };
     results.push_back({variant, run_edwa_experiment(variant.options, progress)});
   }
-  nlohmann::ordered_json json = edwa_json(results);
-  json["tuned_to_published"] = tuned_to_published("edwa");
-  write_file_atomically(arguments.out / "results.json", json.dump(2) + "\n");
-  write_file_atomically(arguments.out / "index.html", edwa_page(results));
   const EdwaTable& table = results.front().table;
   print(table);
-  fmt::print("{}written: {}\n", closing_lines("edwa", "EDWA by the published setting", table.criteria),
-             (arguments.out / "index.html").string());
-  return all_met(table.criteria);
+  std::vector<std::pair<std::string, std::vector<Criterion>>> others;
+  for (std::size_t i = 1; i < results.size(); ++i)
+    others.emplace_back(results[i].variant.name, results[i].table.criteria);
+  return write_report({.subject = "edwa",
+                       .judged = "EDWA by the published setting",
+                       .criteria = table.criteria,
+                       .published = published_values(results),
+                       .results = edwa_json(results),
+                       .page = edwa_page(results),
+                       .other_readings = std::move(others)},
+                      arguments);
 }
 
 }  // namespace bw

@@ -4,18 +4,15 @@
 #include <fmt/format.h>
 
 #include "components/tools/experiments/ekf_report.hpp"
-#include "components/tools/experiments/honesty.hpp"
 #include "components/tools/experiments/project_file.hpp"
+#include "components/tools/experiments/published_values.hpp"
 #include "components/tools/experiments/recorded_logs.hpp"
-#include "components/tools/experiments/reproduce.hpp"
-#include "runtime/atomic_file.hpp"
+#include "components/tools/experiments/reproduce_report.hpp"
 
 namespace bw {
 namespace {
 
-constexpr int kSeeds = 100;
 constexpr int kQuickSeeds = 10;
-constexpr int kRealSeeds = 10;
 constexpr int kQuickRealSeeds = 2;
 
 void print(const EkfReport& report) {
@@ -42,28 +39,28 @@ void print(const EkfReport& report) {
 }  // namespace
 
 bool reproduce_ekf(const ReproduceArguments& arguments) {
-  EkfReport report{.seeds = arguments.quick ? kQuickSeeds : kSeeds};
+  EkfReport report{.seeds = arguments.quick ? kQuickSeeds : kEkfSeeds};
   std::cerr << fmt::format("simulated drives, {} seeds\n", report.seeds);
   report.rows = ekf_rows(report.seeds);
-  if (const char* shared = std::getenv("BANDWAGON_SHARED")) {
+  const char* shared = std::getenv("BANDWAGON_SHARED");
+  if (shared != nullptr && *shared != '\0') {
     const RealDataLogs logs =
         read_real_data(std::filesystem::path(shared) / "data", project_file("config/imports"));
     std::cerr << fmt::format("logs of real robots: {}, {}, {}\n", logs.husky.name, logs.mrclam.name,
                              logs.labyrinth.name);
-    report.real_data = run_real_data(logs, arguments.quick ? kQuickRealSeeds : kRealSeeds, !arguments.quick);
+    report.real_data =
+        run_real_data(logs, arguments.quick ? kQuickRealSeeds : kRealDataSeeds, !arguments.quick);
   } else {
     report.real_data_missing = "BANDWAGON_SHARED names no folder of recorded data";
   }
-  nlohmann::ordered_json json = ekf_json(report);
-  json["tuned_to_published"] = tuned_to_published("ekf");
-  write_file_atomically(arguments.out / "results.json", json.dump(2) + "\n");
-  write_file_atomically(arguments.out / "index.html", ekf_page(report));
   print(report);
-  const std::vector<Criterion> criteria = all_criteria(report);
-  fmt::print("{}written: {}\n",
-             closing_lines("ekf", "the EKF, simulated and on logs where they are at hand", criteria),
-             (arguments.out / "index.html").string());
-  return all_met(criteria);
+  return write_report({.subject = "ekf",
+                       .judged = "the EKF, simulated and on logs where they are at hand",
+                       .criteria = all_criteria(report),
+                       .published = published_values(report),
+                       .results = ekf_json(report),
+                       .page = ekf_page(report)},
+                      arguments);
 }
 
 }  // namespace bw

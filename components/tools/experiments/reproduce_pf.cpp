@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "components/tools/experiments/honesty.hpp"
 #include "components/tools/experiments/pf_report.hpp"
-#include "components/tools/experiments/reproduce.hpp"
-#include "runtime/atomic_file.hpp"
+#include "components/tools/experiments/published_values.hpp"
+#include "components/tools/experiments/reproduce_report.hpp"
 
 namespace bw {
 namespace {
 
-constexpr std::uint64_t kSeeds = 100;
 constexpr std::uint64_t kQuickSeeds = 5;
 
 void print(const PfTable& table) {
@@ -33,17 +31,20 @@ bool reproduce_pf(const ReproduceArguments& arguments) {
     std::cerr << fmt::format("[{}/{}] {} {}: {:.4f} m\n", done, all, row.name, to_string(cell.method),
                              cell.mean);
   };
-  const PfExperimentOptions options{.last_seed = arguments.quick ? kQuickSeeds : kSeeds};
+  const PfExperimentOptions options{.last_seed = arguments.quick ? kQuickSeeds : kPfSeeds};
   const PfTable table = run_pf_experiments(options, progress);
-  nlohmann::ordered_json json = pf_json(table);
-  json["tuned_to_published"] = tuned_to_published("pf");
-  write_file_atomically(arguments.out / "results.json", json.dump(2) + "\n");
-  write_file_atomically(arguments.out / "index.html", pf_page(table));
   print(table);
-  fmt::print("{}written: {}\n",
-             closing_lines("pf", "the particle filter with Gaussian weights", table.criteria),
-             (arguments.out / "index.html").string());
-  return all_met(table.criteria);
+  return write_report(
+      {.subject = "pf",
+       .judged = "the particle filter with Gaussian weights",
+       .criteria = table.criteria,
+       .published = published_values(table),
+       .results = pf_json(table),
+       .page = pf_page(table),
+       .other_readings = {{"weights as printed, errors in sigma", pf_criteria(table, PfMethod::printed)},
+                          {"weights as printed, errors as they are",
+                           pf_criteria(table, PfMethod::printed_unscaled)}}},
+      arguments);
 }
 
 }  // namespace bw

@@ -52,6 +52,12 @@ double gap_of_first(const std::vector<FloorRobot>& robots, const FloorRules& rul
   return smallest;
 }
 
+std::vector<Vector2> places_of(const std::vector<FloorRobot>& robots) {
+  std::vector<Vector2> places;
+  for (const FloorRobot& robot : robots) places.push_back(robot.pose.position());
+  return places;
+}
+
 double gap_of_others(const std::vector<FloorRobot>& robots, const FloorRules& rules) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < robots.size(); ++i) {
@@ -79,7 +85,7 @@ FloorRun run_on_floor(std::vector<FloorRobot> robots, const FloorRules& rules) {
       commands.push_back(result.command);
     }
     for (std::size_t i = 0; i < robots.size(); ++i) robots[i].twist = commands[i];
-    run.samples.push_back({begin, commands[0].v, gap_of_first(robots, rules)});
+    run.samples.push_back({begin, commands[0].v, gap_of_first(robots, rules), places_of(robots)});
     for (int k = 1; k <= rules.steps_per_period; ++k) {
       for (FloorRobot& robot : robots) robot.pose = advance_exact(robot.pose, robot.twist, step);
       travelled += std::abs(robots[0].twist.v) * step;
@@ -91,7 +97,7 @@ FloorRun run_on_floor(std::vector<FloorRobot> robots, const FloorRules& rules) {
       if (run.smallest_gap < 0.0) run.outcome = FloorOutcome::contact;
       if (run.smallest_gap >= 0.0 && to_goal <= rules.goal_radius) run.outcome = FloorOutcome::reached;
       if (run.outcome == FloorOutcome::timeout) continue;
-      run.samples.push_back({run.time, robots[0].twist.v, gap_of_first(robots, rules)});
+      run.samples.push_back({run.time, robots[0].twist.v, gap_of_first(robots, rules), places_of(robots)});
       return run;
     }
   }

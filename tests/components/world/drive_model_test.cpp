@@ -35,6 +35,18 @@ TEST(DriveModel, SpeedsUpAtTheWheelLimit) {
   EXPECT_NEAR(drive.pose().x, 0.25 + 0.75, 1e-9);  // a t^2 / 2 = 0.25 m to 1 m/s, then 0.75 s of it
 }
 
+TEST(DriveModel, WheelsFurtherApartTurnLess) {
+  // omega = (0.7 - 0.3) / (b (1 + 0.03)); the wheels' way, which encoders see, stays what it was.
+  DriveOptions options;
+  options.separation_error = 0.03;
+  const Robot robot;
+  DriveModel drive(options, robot, {}, Random(1));
+  ASSERT_TRUE(drive.command(rim(robot, 0.3, 0.7)));
+  run(drive, 1.0);
+  EXPECT_NEAR(drive.twist().omega, 0.4 / (1.03 * robot.wheel_separation), 1e-12);
+  EXPECT_NEAR(drive.twist().v, 0.5, 1e-12);
+}
+
 TEST(DriveModel, DrivesACircle) {
   // Rim speeds 0.6 and 0.8: v = 0.7, omega = 0.2 / 0.39, radius v / omega = 1.365 m.
   const Robot robot;

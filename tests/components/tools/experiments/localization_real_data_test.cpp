@@ -76,7 +76,9 @@ TEST(EkfReport, NamesTheLogs) {
   const auto json = ekf_json(report);
   EXPECT_EQ(json["real_data"]["logs"][0]["name"], "a_log");
   EXPECT_EQ(json["real_data"]["logs"][0]["licence"], "its licence");
-  EXPECT_NE(ekf_page(report).find("<td>a_log</td><td>its &lt;source&gt;</td>"), std::string::npos);
+  EXPECT_NE(
+      ekf_page(report).find("<td data-is=\"log\">a_log</td><td data-is=\"source\">its &lt;source&gt;</td>"),
+      std::string::npos);
 }
 
 TEST(EkfReport, JudgesTheMeansItWasGiven) {

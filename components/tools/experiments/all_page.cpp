@@ -1,0 +1,156 @@
+// The page of all_report.hpp.
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "components/evaluation/svg_writer.hpp"
+#include "components/tools/experiments/all_report.hpp"
+#include "components/tools/experiments/honesty.hpp"
+#include "components/tools/experiments/page_parts.hpp"
+
+namespace bw {
+namespace {
+
+using page::sensible;
+using page::Table;
+
+constexpr std::string_view kLimits =
+    "<h2>What this can show, and what not</h2>\n<ul>\n"
+    "<li>A published value is one run, or an unknown number of them; what is judged is the distribution over the "
+    "seeds.</li>\n"
+    "<li>Lengths, places, noises and rates were not published. What is listed as chosen with the published values in "
+    "view agrees because it can, not because the inputs were these. What carries evidence are the orderings, contacts "
+    "and successes, and the recorded data.</li>\n"
+    "<li>E5, E6 and the drives on robots were published as pictures and videos: only orderings, the limit 0.54 of the "
+    "collision index and the goal without a contact can be asked for. The drives on robots are drives of emulated "
+    "robots in a simulated hallway.</li>\n"
+    "<li>Never reproduced here: the variance of the encoders alone in Figure 2.3, which fits no drift that starts at "
+    "zero, and the step from the first to the second column of Table 2.1.</li>\n</ul>\n";
+
+std::string link_to(const AllPart& part, const std::string& text) {
+  if (!part.results.is_object()) return text;
+  return "<a href=\"" + part.subject + "/index.html\">" + text + "</a>";
+}
+
+std::string coloured(Verdict verdict) {
+  const char* kind = verdict == Verdict::reproduced || verdict == Verdict::in_part ? "met"
+                     : verdict == Verdict::not_judged                              ? "open"
+                                                                                   : "not";
+  return fmt::format("<span class=\"{}\">{}</span>", kind, to_string(verdict));
+}
+
+std::string overview(const AllRun& run) {
+  Table table({"experiment", "of the source", "verdict", "met", "not met", "not judged"});
+  for (const AllPart& part : run.parts) {
+    const std::vector<Criterion> criteria = criteria_of(part);
+    const auto count = [&](auto is_meant) {
+      return std::to_string(std::ranges::count_if(criteria, is_meant));
+    };
+    table.row({link_to(part, part.experiments), xml_text(part.what), coloured(verdict_of(part)),
+               count([](const Criterion& c) { return c.not_judged.empty() && c.met; }),
+               count([](const Criterion& c) { return c.not_judged.empty() && !c.met; }),
+               count([](const Criterion& c) { return !c.not_judged.empty(); })});
+  }
+  return table.html();
+}
+
+/// "Reproduced: 3 of 5 ..." and what is missed, by name.
+std::string outcome(const AllRun& run) {
+  const auto good = std::ranges::count_if(
+      run.parts, [](const AllPart& part) { return verdict_of(part) == Verdict::reproduced; });
+  std::string missed;
+  for (const AllPart& part : run.parts) {
+    if (!part.trouble.empty())
+      missed += "<li>" + part.experiments + ": " + xml_text(part.trouble) + "</li>\n";
+    for (const Criterion& c : criteria_of(part)) {
+      if (c.met || !c.not_judged.empty()) continue;
+      missed += "<li>" + part.experiments + ", " + xml_text(c.name) + ": " + sensible(c.measured) +
+                ", asked " + xml_text(c.asked) + "</li>\n";
+    }
+  }
+  std::string html = fmt::format("<div class=\"outcome {}\">\n", missed.empty() ? "all" : "some");
+  if (!run.is_finished) html += "<p><b>This run has not ended: the same command goes on from here.</b></p>\n";
+  html +=
+      run.quick
+          ? "<p><b>A quick run: few seeds.</b> What is asked of means, medians and shares is not judged; what must "
+            "hold of every run is.</p>\n"
+          : fmt::format("<p><b>Reproduced: {} of {}.</b></p>\n", good, run.parts.size());
+  if (!missed.empty()) html += "<p class=\"not\">Not met:</p>\n<ul>\n" + missed + "</ul>\n";
+  return html + "</div>\n";
+}
+
+double number_of(const nlohmann::json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_number() ? found->get<double>()
+                                                   : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// "0.0934 (0.081 to 0.11)"
+std::string in_words(const nlohmann::json& spread) {
+  const double low = number_of(spread, "low"), high = number_of(spread, "high");
+  std::string text = sensible(number_of(spread, "mean"));
+  if (low == low && high == high) text += " (" + sensible(low) + " to " + sensible(high) + ")";
+  return text;
+}
+
+std::string published_table(const AllPart& part) {
+  Table table({"what", "source", "published", "here", "seeds", "by another reading"});
+  for (const nlohmann::json& value : part.results.at("published")) {
+    const std::string unit = value.at("unit");
+    std::string others;
+    for (const nlohmann::json& other : value.at("others")) {
+      if (!others.empty()) others += "<br>";
+      others += xml_text(other.at("name").get<std::string>()) + ": " + in_words(other);
+    }
+    table.row({xml_text(value.at("what").get<std::string>() + (unit.empty() ? "" : " [" + unit + "]")),
+               xml_text(value.at("source").get<std::string>()),
+               xml_text(value.at("published").get<std::string>()), in_words(value.at("here")),
+               std::to_string(value.at("here").at("seeds").get<int>()), others});
+  }
+  return table.html();
+}
+
+std::string other_readings(const AllPart& part) {
+  const nlohmann::json& readings = part.results.at("other_readings");
+  if (readings.empty()) return "";
+  std::string html = "<p>The same asked of other readings, which decides nothing:</p>\n<ul>\n";
+  for (const nlohmann::json& reading : readings) {
+    AllPart as_part;
+    as_part.results = {{"criteria", reading.at("criteria")}};
+    const std::string name = reading.at("name");
+    const std::vector<Criterion> criteria = criteria_of(as_part);
+    html += "<li>" + xml_text(criteria.empty() ? name + ": not run" : verdict(name, criteria)) + "</li>\n";
+  }
+  return html + "</ul>\n";
+}
+
+std::string tuned(const AllPart& part) {
+  std::string html;
+  for (const nlohmann::json& text : part.results.at("tuned_to_published"))
+    html += "<li>" + xml_text(text.get<std::string>()) + "</li>\n";
+  return "<p>Chosen with the published values in view:" +
+         (html.empty() ? " nothing.</p>\n" : "</p>\n<ul>\n" + html + "</ul>\n");
+}
+
+std::string section(const AllPart& part) {
+  std::string html = "<h2>" + part.experiments + ": " + xml_text(part.what) + "</h2>\n";
+  if (!part.results.is_object())
+    return html + "<p>" + (part.trouble.empty() ? "No result yet." : xml_text(part.trouble)) + "</p>\n";
+  return html + "<p>" + coloured(verdict_of(part)) +
+         ". Judged: " + xml_text(part.results.at("judged").get<std::string>()) + ". " +
+         link_to(part, "Figures and all tables") + ".</p>\n" + page::criteria_table(criteria_of(part)) +
+         "<h3>Published and here</h3>\n" + published_table(part) + other_readings(part) + tuned(part);
+}
+
+}  // namespace
+
+std::string all_page(const AllRun& run) {
+  std::string html = page::opening("The dissertation reproduced", 76) +
+                     "<h1>The dissertation reproduced</h1>\n" + outcome(run) + overview(run) +
+                     "<p>Here: the mean over the seeds, in brackets the 5 % and 95 % quantiles.</p>\n";
+  for (const AllPart& part : run.parts) html += section(part);
+  return html + std::string(kLimits) + "<p>" + xml_text(run.program) + "</p>\n" + page::closing();
+}
+
+}  // namespace bw
