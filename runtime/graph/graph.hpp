@@ -23,6 +23,7 @@
 //       type: local_planner         # default: the name
 //       process: planning           # default: main
 //       lane: planner               # default: main
+//       priority: real_time         # default: normal; its lane runs before all that is normal, where the system allows it
 //       enabled: true               # false: left out; --set local_planner.enabled=true brings it back
 //       latency: 20ms
 //       manager: navigation         # navigation | localization | none: which of our lifecycle managers pauses it
@@ -73,6 +74,7 @@ struct ComponentNode {
   std::string type;
   std::string process = "main";
   std::string lane = "main";
+  bool is_real_time = false;  ///< its lane comes before others, on a real clock
   bool enabled = true;  ///< hosts leave out what is not
   Duration latency;     ///< computing time in lock-step, at least 0
   Manager manager = Manager::navigation;

@@ -228,6 +228,9 @@ class GraphReader {
     read_text(reader, map, "type", node.type, label_rule);
     read_text(reader, map, "process", node.process, label_rule);
     read_text(reader, map, "lane", node.lane, label_rule);
+    std::string priority = "normal";
+    reader("priority", priority, {.choices = {"normal", "real_time"}});
+    node.is_real_time = priority == "real_time";
     reader("enabled", node.enabled);
     node.latency = read_duration(reader, "latency", Duration{}, kMaxLatency).value_or(Duration{});
     std::string manager = "navigation";

@@ -45,8 +45,10 @@ class EmulatedBase {
   virtual void receive(Time now, std::span<const std::uint8_t> bytes) = 0;
   /// Up to `now`, in steps of at most 10 ms: what it sends; valid until the next call. Also when no cable is plugged in: it goes on.
   virtual std::span<const std::uint8_t> step(Time now, const Body& body) = 0;
-  /// What its controller makes the wheels turn at [m/s].
+  /// What its controller makes the wheels turn at: speeds of their rims [m/s], were they of `wheel_radius`.
   virtual WheelSpeeds motors() const = 0;
+  /// Of the wheels that it computes with, whatever the robot has [m].
+  virtual double wheel_radius() const = 0;
   /// Of its ranging sensors; empty: it has none.
   virtual std::vector<Beam> beams() const { return {}; }
 };

@@ -81,7 +81,7 @@ class BaseEmulatorComponent final : public Component {
   void turn(const WheelSpeeds& wheels, Time now) {
     if (turning_ == wheels) return;
     turning_ = wheels;
-    wheels_.publish(to_joint_state(wheels, robot_.wheel_radii(), now));
+    wheels_.publish(to_joint_state(wheels, {firmware_->wheel_radius(), firmware_->wheel_radius()}, now));
   }
 
   BaseEmulatorOptions options_;

@@ -39,6 +39,7 @@ std::int64_t wrapped_difference(std::int32_t now, std::int32_t before) {
 
 EddieFirmware::EddieFirmware(const EddieOptions& options, const Robot& robot)
     : options_(options),
+      wheel_radius_(robot.wheel_radius),
       ticks_per_position_(static_cast<double>(robot.ticks_per_revolution) /
                           positions_per_turn(options.board)),
       metres_per_position_(2.0 * std::numbers::pi * robot.wheel_radius / positions_per_turn(options.board)),

@@ -25,6 +25,7 @@ class EddieFirmware final : public EmulatedBase {
   void receive(Time now, std::span<const std::uint8_t> bytes) override;
   std::span<const std::uint8_t> step(Time now, const Body& body) override;
   WheelSpeeds motors() const override;
+  double wheel_radius() const override { return wheel_radius_; }
   std::vector<Beam> beams() const override;
 
  private:
@@ -43,6 +44,7 @@ class EddieFirmware final : public EmulatedBase {
   Positions since_reset() const;
 
   EddieOptions options_;
+  double wheel_radius_;
   double ticks_per_position_;
   double metres_per_position_;
   double speed_factor_;  ///< positions/s for one unit of GOSPD

@@ -47,6 +47,7 @@ unsigned in_ten_milliamperes(double current) {
 KobukiFirmware::KobukiFirmware(const KobukiOptions& options, const Robot& robot, std::uint64_t seed)
     : options_(options),
       separation_(robot.wheel_separation),
+      radii_(robot.wheel_radii()),
       motors_(options),
       gyro_(options.gyro, seed),
       battery_(options.battery) {}
@@ -69,7 +70,7 @@ std::span<const std::uint8_t> KobukiFirmware::step(Time now, const Body& body) {
   if (!started_) started_ = last_step_ = now;
   const double dt = std::max(0.0, (now - *last_step_).to_seconds());
   last_step_ = now;
-  motors_.step(now, dt, to_wheel_speeds(body.twist, separation_));
+  motors_.step(now, dt, turning(body));
   gyro_.step(body.twist.omega, dt);
   const bool is_charging = body.charger != Charger::none && !battery_.is_full();
   battery_.step(
@@ -82,6 +83,13 @@ std::span<const std::uint8_t> KobukiFirmware::step(Time now, const Body& body) {
   stamp_ = options_.first_stamp + due * kPeriod + body.clock_offset.nanoseconds / 1'000'000;
   send_packet(body);
   return out_;
+}
+
+/// The wheels as its encoders see them.
+WheelSpeeds KobukiFirmware::turning(const Body& body) const {
+  const WheelSpeeds ground = to_wheel_speeds(body.twist, separation_);
+  return {ground.left / radii_.left * options_.wheel_radius,
+          ground.right / radii_.right * options_.wheel_radius};
 }
 
 void KobukiFirmware::send_packet(const Body& body) {

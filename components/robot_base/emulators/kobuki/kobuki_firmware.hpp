@@ -23,6 +23,7 @@ class KobukiFirmware final : public EmulatedBase {
   void receive(Time now, std::span<const std::uint8_t> bytes) override;
   std::span<const std::uint8_t> step(Time now, const Body& body) override;
   WheelSpeeds motors() const override { return motors_.speeds(); }
+  double wheel_radius() const override { return options_.wheel_radius; }
 
  private:
   /// P, I, D of the wheels' loop as the protocol carries them, times 1000; told, not obeyed.
@@ -36,11 +37,13 @@ class KobukiFirmware final : public EmulatedBase {
   void put_core(BasePacket& packet, const Body& body) const;
   void put_sensors(BasePacket& packet, const Body& body);
   void put_requested(BasePacket& packet);
+  WheelSpeeds turning(const Body& body) const;
   double voltage(const Body& body) const;
   std::uint8_t charger_code(const Body& body) const;
 
   KobukiOptions options_;
   double separation_;
+  WheelRadii radii_;
   HostPackets packets_;
   KobukiMotors motors_;
   KobukiGyro gyro_;

@@ -37,6 +37,7 @@ struct KobukiOptions {
   std::int64_t first_stamp = 0;
   std::int64_t first_ticks = 0;
   double wheelbase = 0.230;
+  double wheel_radius = 0.035;
   WheelControllerOptions wheels;
   KobukiGyroOptions gyro;
   BatteryOptions battery;
@@ -55,6 +56,7 @@ struct KobukiOptions {
       {.min = 0, .max = 65535, .doc = "of both encoders at the start; near 65536 to see them wrap"});
     v("wheelbase", wheelbase,
       {.unit = "m", .min = 0.1, .max = 1, .doc = "that it computes with, whatever the robot has"});
+    v("wheel_radius", wheel_radius, {.unit = "m", .min = 0.005, .max = 1, .doc = "likewise"});
     v("wheels", wheels, {.doc = "from a base command to turning wheels"});
     v("gyro", gyro, {.doc = "its gyro"});
     v("battery", battery, {.doc = "its pack"});

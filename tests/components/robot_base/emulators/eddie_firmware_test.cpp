@@ -206,8 +206,7 @@ TEST(EddieFirmware, TravelsAndTurnsByWayAndAngle) {
   bench.run_awake(6.0);
   EXPECT_NEAR(bench.left(), 300.0, 2.0);
   EXPECT_NEAR(bench.right(), 300.0, 2.0);
-  bench.place(0.0, 0.0);
-  bench.run_awake(0.5);
+  const double left = bench.left(), right = bench.right();
   bench.ask(
       "TURN FFA6 40");  // -90: counter-clockwise, the left wheel goes back; 0.39 m * pi / 4 = 92.1 positions
   bench.run_awake(5.0);

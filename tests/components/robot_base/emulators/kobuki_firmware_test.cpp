@@ -33,7 +33,7 @@ void run(KobukiFirmware& firmware, double from, double to) {
 
 KobukiFirmware quiet_firmware(KobukiOptions options = {}) {
   options.gyro.first_angle = 10.0;
-  return {options, Robot{.wheel_separation = 0.230}, 1};
+  return {options, Robot{.wheel_radius = 0.035, .wheel_separation = 0.230}, 1};
 }
 
 /// Data of the first sub-payload `id` of a packet; empty: it has none.
@@ -165,7 +165,7 @@ TEST(KobukiFirmware, TellsItsGains) {
 TEST(KobukiFirmware, GyroComesInFramesOfTwoOrThreeSamples) {
   KobukiOptions options;
   options.gyro = {.bias = 0.5, .noise = 0.1, .drift = 0.0, .first_angle = 0.0};
-  KobukiFirmware firmware(options, Robot{.wheel_separation = 0.230}, 3);
+  KobukiFirmware firmware(options, Robot{.wheel_radius = 0.035, .wheel_separation = 0.230}, 3);
   Body body;
   body.twist.omega = 0.5;
   std::vector<double> rates;
