@@ -183,7 +183,7 @@ TEST_P(BehindACable, ASilentPlannerIsAStopOnTheWire) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Bases, BehindACable, testing::Values(Model{"kobuki", 3}, Model{"eddie", 2}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
 }  // namespace bw::test
