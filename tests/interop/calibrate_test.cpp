@@ -59,6 +59,7 @@ TEST_F(Calibrate, AStraightCorrectsTheRadiusInTheFileWhenItIsToldTo) {
   ASSERT_TRUE(terminal.shows("Write them into")) << terminal.out();
   EXPECT_EQ(text_of(robot_), before_) << "not before it is told to";
   EXPECT_THAT(terminal.out(), HasSubstr("The wheels turn at"));
+  EXPECT_THAT(terminal.out(), HasSubstr("not measured")) << "separation";
   terminal.press("y\n");
   EXPECT_EQ(terminal.status(), 0) << terminal.out();
   const std::string after = text_of(robot_);
