@@ -315,11 +315,11 @@ std::optional<Request> Eddie::next(Time now) {
   if (phase_ == Phase::starting) return start_sequence().at(start_step_);
   if (target_ == Target{} && (!was_sent_ || sent_ != target_)) return Request::drive;
   const Task* chosen = nullptr;
-  double most = 1.0;
+  double most = 0.0;
   for (Task& task : tasks_) {
     if (task.asked && *task.asked > now) task.asked.reset();
     const double due = task.asked ? (now - *task.asked).to_seconds() / task.period.to_seconds() : 1e9;
-    if (due < most - 1e-9) continue;
+    if (due < 1.0 - 1e-9 || due <= most) continue;
     most = due;
     chosen = &task;
   }

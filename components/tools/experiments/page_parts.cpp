@@ -16,7 +16,7 @@ h1{font-size:1.6em;line-height:1.2;margin:.4em 0}h2{margin:1.8em 0 .4em}h3{margi
 p,li,figcaption{max-width:50em}a{color:#0b5c94}
 .outcome{border:1px solid #c8d0d9;border-left:.4em solid #767676;border-radius:.3em;padding:.2em 1em;margin:1em 0}
 .outcome.all{border-left-color:#00795a}.outcome.some{border-left-color:#b34700}
-.met{color:#00664c}.not{color:#a33c00;font-weight:bold}
+.met{color:#00664c}.open{color:#4a5866}.not{color:#a33c00;font-weight:bold}
 table{border-collapse:collapse;margin:1em 0;font-size:.93em;font-variant-numeric:tabular-nums}
 td,th{padding:.25em .6em;border-bottom:1px solid #dde2e7;text-align:right;vertical-align:top}
 td:first-child,th:first-child{text-align:left}
@@ -50,28 +50,46 @@ std::string list(const std::string& lead, const std::vector<std::string>& items)
   return html + "</ul>\n";
 }
 
+/// "All 8 criteria are met." or what is met, what is not and what is open.
+std::string count_of(const std::vector<Criterion>& criteria) {
+  const auto count = [&](auto&& is) { return std::count_if(criteria.begin(), criteria.end(), is); };
+  const auto open = count([](const Criterion& c) { return !c.not_judged.empty(); });
+  const auto met = count([](const Criterion& c) { return c.not_judged.empty() && c.met; });
+  const auto judged = static_cast<std::ptrdiff_t>(criteria.size()) - open;
+  std::string text;
+  if (judged == 0) {
+    text = "None of the criteria is judged";
+  } else if (met == judged) {
+    text = (judged > 1 ? "All " + std::to_string(judged) + " criteria are "
+                       : std::string("The one criterion is ")) +
+           "<span class=\"met\">met</span>";
+  } else {
+    text = std::to_string(met) + " of " + std::to_string(judged) + " criteria are met";
+  }
+  if (open > 0)
+    text += "; " + std::to_string(open) + (open > 1 ? " ask" : " asks") +
+            " for more seeds than were run, and " + (open > 1 ? "are" : "is") + " not judged";
+  return text + (met < judged ? ". <span class=\"not\">Not met:</span>" : ".");
+}
+
 std::string outcome(const FirstScreen& screen) {
-  const std::vector<Criterion>& criteria = screen.criteria;
-  const auto met = std::count_if(criteria.begin(), criteria.end(), [](const Criterion& c) { return c.met; });
-  const bool all = met == static_cast<std::ptrdiff_t>(criteria.size());
-  const std::string number = std::to_string(criteria.size());
-  std::string html = std::string("<div class=\"outcome ") + (all ? "all" : "some") +
-                     "\">\n<p><b>Judged: " + xml_text(screen.judged) + ".</b> " +
-                     (all ? "All " + number + " criteria are <span class=\"met\">met</span>."
-                          : std::to_string(met) + " of " + number +
-                                " criteria are met; <span class=\"not\">not met</span> are:") +
-                     "</p>\n";
-  std::vector<std::string> missed;
-  for (const Criterion& c : criteria) {
-    if (!c.met)
-      missed.push_back(xml_text(c.name) + ": " + sensible(c.measured) + ", asked " + xml_text(c.asked));
+  std::string missed;
+  bool any_judged = false;
+  for (const Criterion& c : screen.criteria) {
+    any_judged = any_judged || c.not_judged.empty();
+    if (c.met || !c.not_judged.empty()) continue;
+    missed +=
+        "<li>" + xml_text(c.name) + ": " + sensible(c.measured) + ", asked " + xml_text(c.asked) + "</li>\n";
   }
-  if (!missed.empty()) {
-    html += "<ul>\n";
-    for (const std::string& item : missed) html += "<li>" + item + "</li>\n";
-    html += "</ul>\n";
-  }
-  return html + "</div>\n";
+  const std::string color = !any_judged ? "" : missed.empty() ? " all" : " some";
+  return "<div class=\"outcome" + color + "\">\n<p><b>Judged: " + xml_text(screen.judged) + ".</b> " +
+         count_of(screen.criteria) + "</p>\n" + (missed.empty() ? "" : "<ul>\n" + missed + "</ul>\n") +
+         "</div>\n";
+}
+
+std::string verdict_of(const Criterion& criterion) {
+  if (criterion.not_judged.empty()) return verdict(criterion.met);
+  return "<span class=\"open\">not judged: " + xml_text(criterion.not_judged) + "</span>";
 }
 
 }  // namespace
@@ -119,7 +137,7 @@ std::string verdict(bool met) {
 std::string criteria_table(const std::vector<Criterion>& criteria) {
   Table table({"criterion", "asked", "measured", "verdict"});
   for (const Criterion& c : criteria)
-    table.row({xml_text(c.name), xml_text(c.asked), sensible(c.measured), verdict(c.met)});
+    table.row({xml_text(c.name), xml_text(c.asked), sensible(c.measured), verdict_of(c)});
   return table.html();
 }
 

@@ -16,6 +16,7 @@
 #include "components/evaluation/evaluation_parameters.hpp"
 #include "components/tools/drive_page/drive_page.hpp"
 #include "components/tools/program/bag_description.hpp"
+#include "components/tools/program/course_observer.hpp"
 #include "components/tools/program/page_recording.hpp"
 #include "components/tools/program/recording.hpp"
 #include "components/tools/program/run_observer.hpp"
@@ -196,6 +197,23 @@ std::vector<RobotObservation> observed(const Graph& graph) {
   return robots;
 }
 
+/// The course of whom `evaluation` judges; stays empty with nullptr.
+std::shared_ptr<std::optional<RunRecorder>> observe_course(const ComponentNode* evaluation,
+                                                           std::vector<ExtraComponent>& extra) {
+  auto course = std::make_shared<std::optional<RunRecorder>>();
+  if (evaluation == nullptr) return course;
+  const CourseTopics declared;
+  const CourseTopics topics{.truth = evaluation->topic_of(declared.truth),
+                            .status = evaluation->topic_of(declared.status),
+                            .map = evaluation->topic_of(declared.map),
+                            .true_map = evaluation->topic_of(declared.true_map),
+                            .shapes = evaluation->topic_of(declared.shapes)};
+  extra.push_back({.name = "course_observer",
+                   .component = std::make_unique<CourseObserver>(course, topics),
+                   .node_namespace = evaluation->node_namespace});
+  return course;
+}
+
 /// Facts of each robot whose planner runs here, by robot; of the run as a whole those of the slowest planner.
 RunFacts facts_of(RunFacts facts, const Host& host, const std::string& planner) {
   facts.planner_component = planner;
@@ -240,6 +258,7 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
          .component = std::make_unique<RunObserver>(seen, options.show_progress, options.stays, planner_ms),
          .node_namespace = evaluation->node_namespace});
   }
+  const auto course = observe_course(options.course ? evaluation : nullptr, extra);
   HostOptions host_options = options.host;
   Bags bags(graph, options);
   bags.join(host_options, extra);
@@ -264,6 +283,7 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
                        .has_goal = result.has_goal,
                        .stays = options.stays};
   result.card = seen->card();
+  if (*course) result.course = (*course)->recording();
   result.json = to_json(result.card, facts_of(facts, host, slowest(host, planners)), host.statistics());
   bags.add_to(result.json);
   if (options.host.clock == ClockMode::lockstep)

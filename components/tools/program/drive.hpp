@@ -9,6 +9,7 @@
 #include <bandwagon_msgs/msg/score_card.hpp>
 #include <nlohmann/json.hpp>
 
+#include "components/evaluation/run_recorder.hpp"
 #include "runtime/bag/bag_writer.hpp"
 #include "runtime/graph/graph.hpp"
 #include "runtime/host/host.hpp"
@@ -24,6 +25,7 @@ struct DriveSettings {
   bag::BagWriterOptions record_options;
   bool snapshots = false;      ///< as the graph says; else its section `snapshot` is not looked at
   bool show_progress = false;  ///< one refreshing line on stderr
+  bool course = false;         ///< keeps what a figure of the drive needs: DriveResult::course
   bool stays = false;          ///< the run goes on for further goals when one is decided
 };
 
@@ -32,8 +34,9 @@ struct DriveResult {
   bool judged = false;   ///< the graph has an evaluation in the processes that ran
   bool has_goal = true;  ///< false: it scores the whole run, which no goal ends
   std::optional<bandwagon_msgs::msg::ScoreCard> card;
-  std::string page_fault;  ///< why there is no page, or what is not on it; empty: all is
-  nlohmann::json json;     ///< the score card (score_card_json.hpp)
+  std::string page_fault;              ///< why there is no page, or what is not on it; empty: all is
+  std::optional<RunRecording> course;  ///< if asked for, and there was a goal: the first robot's
+  nlohmann::json json;                 ///< the score card (score_card_json.hpp)
 };
 
 /// The first component of this type in `process` (empty: in any); nullptr if there is none.

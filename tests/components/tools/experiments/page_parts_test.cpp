@@ -44,7 +44,19 @@ TEST(FirstScreen, SaysWhatIsMetAndWhatIsNot) {
   EXPECT_THAT(html, HasSubstr("<li>pictures without figures</li>"));
   EXPECT_THAT(html, HasSubstr("places &lt;here&gt;"));
   screen.criteria.pop_back();
-  EXPECT_THAT(first_screen(screen), HasSubstr("All 1 criteria are"));
+  EXPECT_THAT(first_screen(screen), HasSubstr("The one criterion is <span class=\"met\">met</span>."));
+}
+
+TEST(FirstScreen, TellsWhatFewSeedsCannotShow) {
+  FirstScreen screen{
+      .judged = "the planners",
+      .criteria = {{"first", "> 1", 2.0, true, ""}, {"second", "< 1", 3.0, false, "5 of 40 seeds"}}};
+  const std::string html = first_screen(screen);
+  EXPECT_THAT(html, HasSubstr("1 asks for more seeds than were run, and is not judged."));
+  EXPECT_THAT(html, HasSubstr("not judged: 5 of 40 seeds"));
+  EXPECT_THAT(html, Not(HasSubstr("<li>second")));
+  screen.criteria.erase(screen.criteria.begin());
+  EXPECT_THAT(first_screen(screen), HasSubstr("None of the criteria is judged; 1 asks"));
 }
 
 TEST(Opening, IsMadeForPhonesAndPaper) {
