@@ -79,4 +79,5 @@ without="the program is built without its page"
 [[ $what == program ]] || without+=", and tests on Node.js are skipped"
 install_programs "$without" node=nodejs npm
 [[ $what == program ]] || install_programs "tests in a browser are skipped" chromium
+[[ $what == program ]] || install_programs "tests on a machine of their own are skipped" ip=iproute2
 install_node_packages "$without"

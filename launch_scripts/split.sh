@@ -5,7 +5,7 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-program=$root/build/release/bin/bandwagon
+program=${BANDWAGON_PROGRAM:-$root/build/release/bin/bandwagon}
 if (($# == 0)); then
   echo "usage: $0 GRAPH [options of bandwagon run]" >&2
   exit 2
@@ -17,6 +17,8 @@ set_options=()
 arguments=("$@")
 for ((i = 0; i < ${#arguments[@]}; i++)); do
   [[ ${arguments[i]} == --set ]] && set_options+=(--set "${arguments[i + 1]}")
+  [[ ${arguments[i]} == --emulate ]] && set_options+=(--set emulate=true)
+  [[ ${arguments[i]} == --emulate ]] && set_options+=(--set emulate=true)
   [[ ${arguments[i]} == --page* ]] && set_options+=(--set viewer.enabled=true)
 done
 processes=$("$program" graph "$graph" "${set_options[@]}" --processes)

@@ -19,25 +19,24 @@ inline const std::vector<std::string>& wheel_joint_names() {
 }
 
 /// `wheels` are ground speeds [m/s]; the message holds rates [rad/s].
-inline sensor_msgs::msg::JointState to_joint_state(const WheelSpeeds& wheels, double wheel_radius,
+inline sensor_msgs::msg::JointState to_joint_state(const WheelSpeeds& wheels, const WheelRadii& radii,
                                                    Time stamp) {
   sensor_msgs::msg::JointState message;
   message.header().stamp(to_stamp(stamp));
   message.name(wheel_joint_names());
-  message.velocity({wheels.left / wheel_radius, wheels.right / wheel_radius});
+  message.velocity({wheels.left / radii.left, wheels.right / radii.right});
   return message;
 }
 
 /// Ground speeds [m/s] in any order of the names; nothing unless exactly the two wheels are there.
 inline std::optional<WheelSpeeds> wheel_speeds_of(const sensor_msgs::msg::JointState& message,
-                                                  double wheel_radius) {
+                                                  const WheelRadii& radii) {
   const std::vector<std::string>& names = wheel_joint_names();
   if (message.name().size() != 2 || message.velocity().size() != 2) return std::nullopt;
   const bool in_order = message.name() == names;
   if (!in_order && (message.name()[0] != names[1] || message.name()[1] != names[0])) return std::nullopt;
-  const double first = message.velocity()[0] * wheel_radius;
-  const double second = message.velocity()[1] * wheel_radius;
-  return in_order ? WheelSpeeds{first, second} : WheelSpeeds{second, first};
+  const std::size_t left = in_order ? 0 : 1;
+  return WheelSpeeds{message.velocity()[left] * radii.left, message.velocity()[1 - left] * radii.right};
 }
 
 }  // namespace bw

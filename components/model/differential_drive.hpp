@@ -14,6 +14,12 @@ struct WheelSpeeds {
   bool operator==(const WheelSpeeds&) const = default;
 };
 
+/// Of the two wheels [m].
+struct WheelRadii {
+  double left = 0.0;
+  double right = 0.0;
+};
+
 /// v = (v_R + v_L) / 2, omega = (v_R - v_L) / b, b = wheel separation [m].
 inline Twist2 to_twist(const WheelSpeeds& w, double separation) {
   return {(w.right + w.left) / 2.0, (w.right - w.left) / separation};

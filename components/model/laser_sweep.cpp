@@ -30,6 +30,8 @@ const char* to_text(SweepFault fault) {
       return "it hits nothing where something was just seen";
     case SweepFault::mostly_unknown:
       return "too few of its beams say anything";
+    case SweepFault::unplaced:
+      return "nobody says where on the robot its frame is";
   }
   return "unknown";
 }

@@ -31,7 +31,7 @@ enum class BeamKind : std::uint8_t {
 };
 BeamKind kind_of(float range, const LaserSweep& sweep);
 
-/// Why a sweep as a whole is of no use. The last three are for readers who need more than fault_of asks for.
+/// Why a sweep as a whole is of no use. The last four are for readers who need more than fault_of asks for.
 enum class SweepFault {
   none,
   bad_angles,      ///< not finite, or no steps of a scanner
@@ -41,6 +41,7 @@ enum class SweepFault {
   not_later,       ///< than the sweep before
   no_returns,      ///< nothing is hit where something must be
   mostly_unknown,  ///< too few beams say anything
+  unplaced,        ///< nobody says where on the robot its frame is
 };
 const char* to_text(SweepFault fault);
 

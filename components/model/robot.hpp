@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "components/model/differential_drive.hpp"
 #include "components/model/limits.hpp"
 #include "runtime/base/field.hpp"
 #include "runtime/base/pose2.hpp"
@@ -42,7 +43,8 @@ struct DeviceChoice {
 
 struct Robot {
   std::string name = "generic";
-  double wheel_radius = 0.0762;              ///< [m]
+  double wheel_radius = 0.0762;              ///< mean of both wheels [m]
+  double wheel_radius_ratio = 1.0;           ///< right over left: E_d of Borenstein and Feng (1996)
   double wheel_separation = 0.39;            ///< distance b between the wheels [m]
   std::int64_t ticks_per_revolution = 2578;  ///< encoder counts per wheel turn
   double wheel_speed_max = 2.0;              ///< top ground speed of one wheel [m/s]
@@ -54,6 +56,10 @@ struct Robot {
 
   bool has_mount_of(const std::string& frame) const {
     return std::ranges::any_of(sensors, [&](const SensorMount& mount) { return mount.frame == frame; });
+  }
+  WheelRadii wheel_radii() const {
+    const double left = wheel_radius * (2.0 / (1.0 + wheel_radius_ratio));
+    return {left, left * wheel_radius_ratio};
   }
   /// X_BS: pose of the sensor in base_link.
   Pose2 mount_of(const std::string& frame) const {
@@ -70,7 +76,11 @@ struct Robot {
   void fields(Visitor& v) {
     v("name", name, {.doc = "name shown in reports"});
     v("wheel_radius", wheel_radius,
-      {.unit = "m", .min = 0.005, .max = 1, .doc = "radius (not diameter) of a driven wheel"});
+      {.unit = "m", .min = 0.005, .max = 1, .doc = "radius (not diameter) of a driven wheel, mean of both"});
+    v("wheel_radius_ratio", wheel_radius_ratio,
+      {.min = 0.8,
+       .max = 1.25,
+       .doc = "radius of the right wheel over that of the left one; calibrate measures it"});
     v("wheel_separation", wheel_separation,
       {.unit = "m", .min = 0.02, .max = 5, .doc = "distance between the driven wheels"});
     v("ticks_per_revolution", ticks_per_revolution,

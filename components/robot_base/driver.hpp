@@ -35,6 +35,15 @@ struct Ranger {
   double min_range = 0.0, max_range = 0.0;  ///< [m]
 };
 
+/// What the driver knows of its base before it is heard.
+struct BaseFacts {
+  bool has_gyro = false;       ///< tells Readings::gyro
+  bool has_battery = false;    ///< tells Readings::battery
+  double response = 0.1;       ///< from command() to the counts that show it, at most [s]
+  double battery_low = 0.0;    ///< warned of below [V]; 0: not known
+  double battery_empty = 0.0;  ///< not driven below [V]; 0: not known
+};
+
 class Driver {
  public:
   virtual ~Driver() = default;
@@ -46,6 +55,7 @@ class Driver {
   /// The command must be on its way before the process ends; the cable may be gone. Never blocks.
   virtual void stop(Time now) { static_cast<void>(command(now, {})); }
   virtual std::vector<Ranger> rangers() const { return {}; }
+  virtual BaseFacts facts() const { return {}; }
 };
 
 }  // namespace bw

@@ -15,14 +15,19 @@ std::int64_t difference(std::int32_t from, std::int32_t to) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from));
 }
 
+double metres_per_tick(double radius, const Robot& robot) {
+  return 2.0 * std::numbers::pi * radius / static_cast<double>(robot.ticks_per_revolution);
+}
+
 }  // namespace
 
 EncoderOdometry::EncoderOdometry(const Robot& robot, const OdometryOptions& options)
     : options_(options),
       separation_(robot.wheel_separation),
-      radius_(robot.wheel_radius),
-      metres_per_tick_(2.0 * std::numbers::pi * robot.wheel_radius /
-                       static_cast<double>(robot.ticks_per_revolution)),
+      radii_(robot.wheel_radii()),
+      metres_per_tick_(metres_per_tick(robot.wheel_radius, robot)),
+      left_metres_per_tick_(metres_per_tick(radii_.left, robot)),
+      right_metres_per_tick_(metres_per_tick(radii_.right, robot)),
       wheel_speed_max_(std::max(robot.limits.v_max, robot.limits.v_back_max) +
                        robot.limits.omega_max * robot.wheel_separation / 2.0) {}
 
@@ -62,13 +67,14 @@ CountsStatus EncoderOdometry::add(const EncoderCounts& counts) {
     from = &*suspect_;
     status = CountsStatus::rebased;
   }
-  const double ds_left = static_cast<double>(difference(from->left, counts.left)) * metres_per_tick_;
-  const double ds_right = static_cast<double>(difference(from->right, counts.right)) * metres_per_tick_;
+  const double ds_left = static_cast<double>(difference(from->left, counts.left)) * left_metres_per_tick_;
+  const double ds_right = static_cast<double>(difference(from->right, counts.right)) * right_metres_per_tick_;
   if (status == CountsStatus::rebased) {
     const Travelled last = history_[history_size_ - 1];
     history_[0] = {from->time, last.distance, last.turn};
     history_size_ = 1;
   }
+  travel_ = {(counts.time - from->time).to_seconds(), ds_left, ds_right};
   reference_ = counts;
   suspect_.reset();
   state_.time = counts.time;
@@ -99,8 +105,8 @@ void EncoderOdometry::integrate(double ds_left, double ds_right) {
       step_from_wheels(state_.time, {}, ds_left, ds_right, separation_, options_.variance_per_metre);
   state_.pose_covariance = covariance_after(state_.X_OB, state_.pose_covariance, step);
   state_.X_OB = advance_arc(state_.X_OB, step.distance, step.turn);
-  state_.left_angle += ds_left / radius_;
-  state_.right_angle += ds_right / radius_;
+  state_.left_angle += ds_left / radii_.left;
+  state_.right_angle += ds_right / radii_.right;
 
   if (history_size_ == kHistory) {
     std::copy(history_ + 1, history_ + kHistory, history_);

@@ -1,6 +1,7 @@
 // Pose and twist from two wrapping encoder counters: exact arcs (book 2.1), covariance by the wheel noise
 // model of book 2.2.
 //
+//   ds_R = 2 pi r_R ticks_R / ticks_per_revolution, ds_L likewise; r_L = 2 r / (1 + E_d), r_R = E_d r_L
 //   ds = (ds_R + ds_L) / 2,  dtheta = (ds_R - ds_L) / b
 //   P+ = F P F^T + G diag(k |ds_R|, k |ds_L|) G^T,  F = d pose+ / d pose,  G = d pose+ / d (ds_R, ds_L)
 //
@@ -64,6 +65,12 @@ enum class CountsStatus {
   rebased  ///< second reading that agrees with a jump or reset: the new reference
 };
 
+/// Of the wheels between two readings [m].
+struct WheelTravel {
+  double seconds = 0.0;
+  double left = 0.0, right = 0.0;
+};
+
 struct OdometryFaults {
   std::uint64_t jumps = 0;
   std::uint64_t resets = 0;
@@ -76,6 +83,8 @@ class EncoderOdometry {
 
   CountsStatus add(const EncoderCounts& counts);
   const OdometryState& state() const { return state_; }
+  /// Of the reading that was integrated last.
+  const WheelTravel& travel() const { return travel_; }
   const OdometryFaults& faults() const { return faults_; }
 
  private:
@@ -86,10 +95,12 @@ class EncoderOdometry {
 
   OdometryOptions options_;
   double separation_;
-  double radius_;
-  double metres_per_tick_;
+  WheelRadii radii_;
+  double metres_per_tick_;  ///< mean of both wheels
+  double left_metres_per_tick_, right_metres_per_tick_;
   double wheel_speed_max_;
   OdometryState state_;
+  WheelTravel travel_;
   OdometryFaults faults_;
   std::optional<EncoderCounts> reference_;
   std::optional<EncoderCounts> suspect_;

@@ -62,7 +62,8 @@ struct Readings {
   std::optional<std::uint32_t> buttons;  ///< bits, the first button's is the lowest
   std::vector<RangeReading> ranges;
   LinkState link{.is_open = true};  ///< of the cable; a driver without one leaves it so
-  std::string fault;  ///< what the base or its answers have wrong, for people; empty: all is well
+  std::string fault;    ///< what the base or its answers have wrong, for people; empty: all is well
+  std::string warning;  ///< what people should know although it drives; empty: nothing
   std::map<std::string, std::uint64_t>
       counters;  ///< for diagnostics: frames, bad checksums, bytes thrown away, resets
 };

@@ -1,5 +1,11 @@
 // The last guard before the motors: no fresh wheel command for `timeout` means a ramp to rest, whatever the
 // rest of the system does.
+//
+// In between, what a late command costs is said by its age alone, however late or seldom one looks:
+//
+//   fastest wheel = commanded - stop_deceleration * max(0, age - timeout), both wheels in proportion
+//
+// After a stop, commands are reached with at most `acceleration` of the faster wheel: whoever commands knows nothing of it.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +18,7 @@
 namespace bw {
 
 struct WatchdogOptions {
-  double timeout = 0.25;
+  double timeout = 0.2;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -39,26 +45,33 @@ struct WatchdogOutput {
 /// Times are of the component clock: the moment a command arrived, not its stamp. Call step() every 10 ms.
 class WheelWatchdog {
  public:
-  /// `stop_deceleration` [m/s^2] of the faster wheel.
-  WheelWatchdog(const WatchdogOptions& options, double stop_deceleration);
+  /// Both [m/s^2], of the faster wheel.
+  WheelWatchdog(const WatchdogOptions& options, double stop_deceleration, double acceleration);
 
   /// A command that arrived at `now`. One with a value that is not finite is refused (false) and does not
   /// count as fresh.
   bool command(Time now, const WheelSpeeds& wheels);
-  /// Makes the newest command stale at once.
-  void revoke(Time now) { arrival_ = arrival_ ? std::optional(now - timeout_) : std::nullopt; }
+  /// Drops the newest command: the next step() begins to brake.
+  void revoke() { arrival_.reset(); }
   WatchdogOutput step(Time now);
+  /// Instead of step(), where something else decides about the wheels; the newest command is dropped.
+  void overrule(Time now, const WheelSpeeds& wheels);
 
   std::uint64_t timeouts() const { return timeouts_; }
   std::uint64_t refused() const { return refused_; }
 
  private:
+  WheelSpeeds approached(double dt) const;
+
   Duration timeout_;
   double stop_deceleration_;
+  double acceleration_;
   std::optional<Time> arrival_;
   WheelSpeeds commanded_;
+  WheelSpeeds obeyed_;  ///< given out when a command was fresh last
   std::optional<Time> last_step_;
   WatchdogOutput output_;
+  bool is_catching_up_ = false;  ///< with commands, after a stop
   std::uint64_t timeouts_ = 0;
   std::uint64_t refused_ = 0;
 };

@@ -68,6 +68,11 @@ void CollisionMonitor::sweep(Time now, const LaserSweep& sweep) {
   seen_at_ = measured_at;
 }
 
+void CollisionMonitor::refuse_unplaced(Time now, const LaserSweep& sweep) {
+  sweep_fault_ = SweepFault::unplaced;
+  watch_.add(now, sweep.time, sweep.ranges, sweep_fault_, X_OB_);
+}
+
 std::optional<std::string_view> CollisionMonitor::fault(Time now) {
   const LaserState state = watch_.state(now);
   const bool has_odometry =

@@ -62,6 +62,8 @@ class CollisionMonitor {
   void odometry(Time time, const Pose2& X_OB, const Twist2& twist);
   /// A sweep that arrived at `now`, the laser in base_link.
   void sweep(Time now, const LaserSweep& sweep);
+  /// One that came and is of no use: where its laser sits is not known.
+  void refuse_unplaced(Time now, const LaserSweep& sweep);
   /// Ends a stop after a fault of the laser, when resume is manual.
   void reset() {
     latched_ = false;

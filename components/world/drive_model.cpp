@@ -14,14 +14,18 @@ double approach(double value, double target, double most) {
 }  // namespace
 
 DriveModel::DriveModel(const DriveOptions& options, const Robot& robot, const Pose2& start, Random random)
-    : options_(options), robot_(robot), pose_(start), random_(random) {}
+    : options_(options), robot_(robot), pose_(start), random_(random) {
+  robot_.wheel_separation *= 1.0 + options.separation_error;
+}
 
 bool DriveModel::command(const WheelCommand& command) {
   const bool usable = std::isfinite(command.left) && std::isfinite(command.right);
-  const auto rim_speed = [&](double rate) {
-    return std::clamp(rate, -options_.wheel_speed_max, options_.wheel_speed_max) * robot_.wheel_radius;
+  const auto rim_speed = [&](double rate, double radius) {
+    return std::clamp(rate, -options_.wheel_speed_max, options_.wheel_speed_max) * radius;
   };
-  target_ = usable ? WheelSpeeds{rim_speed(command.left), rim_speed(command.right)} : WheelSpeeds{};
+  const WheelRadii radii = robot_.wheel_radii();
+  target_ = usable ? WheelSpeeds{rim_speed(command.left, radii.left), rim_speed(command.right, radii.right)}
+                   : WheelSpeeds{};
   return usable;
 }
 
@@ -65,14 +69,15 @@ Twist2 DriveModel::twist() const {
 }
 
 EncoderTicks DriveModel::ticks() const {
-  const double metres_per_tick =
-      2.0 * std::numbers::pi * robot_.wheel_radius / static_cast<double>(robot_.ticks_per_revolution);
-  const auto counter = [&](double travel) {
+  const auto counter = [&](double travel, double radius) {
+    const double metres_per_tick =
+        2.0 * std::numbers::pi * radius / static_cast<double>(robot_.ticks_per_revolution);
     const std::int64_t count =
         options_.first_tick + static_cast<std::int64_t>(std::floor(travel / metres_per_tick));
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(count));
   };
-  return {counter(measured_left_), counter(measured_right_)};
+  const WheelRadii radii = robot_.wheel_radii();
+  return {counter(measured_left_, radii.left), counter(measured_right_, radii.right)};
 }
 
 }  // namespace bw

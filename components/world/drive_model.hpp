@@ -25,6 +25,7 @@ struct DriveOptions {
   double slip = 0.0;
   double scale = 0.0;
   double mismatch = 0.0;
+  double separation_error = 0.0;
   double noise = 0.0;
   std::int64_t first_tick = 0;
 
@@ -42,6 +43,8 @@ struct DriveOptions {
       {.min = -0.5,
        .max = 0.5,
        .doc = "e of book 2.2: the right encoder counts this share more than the left"});
+    v("separation_error", separation_error,
+      {.min = -0.5, .max = 0.5, .doc = "the wheels stand this share further apart than the robot file says"});
     v("noise", noise,
       {.unit = "m", .min = 0, .max = 1, .doc = "k of book 2.2: variance of encoder travel per metre"});
     v("first_tick", first_tick,

@@ -28,6 +28,11 @@ class ByteLink {
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;
   /// Gives the device up; the next update() may open it again. For a device that answers as another model.
   virtual void close(Time now, const std::string& why) = 0;
+  /// The control line DTR of a serial port, after each opening; false where there is none (topics, emulators).
+  virtual bool set_dtr(bool is_set) {
+    static_cast<void>(is_set);
+    return false;
+  }
 };
 
 }  // namespace bw

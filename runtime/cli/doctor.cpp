@@ -2,11 +2,17 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <sys/socket.h>
 
+#include "runtime/cli/doctor_devices.hpp"
+#include "runtime/cli/doctor_report.hpp"
+#include "runtime/cli/doctor_rights.hpp"
 #include "runtime/cli/outside.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/dds/loopback_sockets.hpp"
@@ -14,26 +20,12 @@
 namespace bw::cli {
 namespace {
 
-class Report {
- public:
-  void ok(const std::string& text) { std::cout << "ok    " << text << "\n"; }
-  void warn(const std::string& text) { std::cout << "warn  " << text << "\n"; }
-  void fail(const std::string& text) {
-    std::cout << "FAIL  " << text << "\n";
-    failed_ = true;
-  }
-  int status() const { return failed_ ? 1 : 0; }
-
- private:
-  bool failed_ = false;
-};
-
 std::string variable(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? "" : value;
 }
 
-void check_environment(Report& report) {
+void check_environment(DoctorReport& report) {
   for (const char* name : {"ROS_DOMAIN_ID", "ROS_LOCALHOST_ONLY", "ROS_AUTOMATIC_DISCOVERY_RANGE",
                            "ROS_STATIC_PEERS", "FASTRTPS_DEFAULT_PROFILES_FILE"}) {
     if (const std::string value = variable(name); !value.empty())
@@ -41,7 +33,7 @@ void check_environment(Report& report) {
   }
 }
 
-void check_receive_buffer(Report& report) {
+void check_receive_buffer(DoctorReport& report) {
   constexpr long kWanted = 2'000'000;  // a map of 1000 x 1000 cells in one burst
   long bytes = 0;
   std::ifstream("/proc/sys/net/core/rmem_max") >> bytes;
@@ -55,7 +47,7 @@ void check_receive_buffer(Report& report) {
   }
 }
 
-void check_shared_memory(Report& report) {
+void check_shared_memory(DoctorReport& report) {
   std::size_t leftovers = 0;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator("/dev/shm", error)) {
@@ -69,7 +61,7 @@ void check_shared_memory(Report& report) {
   }
 }
 
-void check_discovery(Report& report) {
+void check_discovery(DoctorReport& report) {
   Outside one;
   const dds::Network network = dds::Network::from_environment(dds::Transport::localhost);
   if (network.transport == dds::Transport::localhost) {
@@ -98,16 +90,37 @@ void check_discovery(Report& report) {
   }
 }
 
+struct DoctorOptions {
+  bool ports = false;
+  std::string graph;
+  std::vector<std::string> set;
+};
+
+int examine(const DoctorOptions& options) {
+  DoctorReport report(std::cout);
+  if (!options.ports && options.graph.empty()) {
+    check_environment(report);
+    check_receive_buffer(report);
+    check_shared_memory(report);
+    check_discovery(report);
+  }
+  if (options.graph.empty()) check_serial_devices(report);
+  if (!options.graph.empty()) check_ports(report, ports_of(load_graph(options.graph, options.set)));
+  check_realtime_rights(report);
+  return report.status();
+}
+
 CLI::App* add_doctor(CLI::App& app, int& status) {
-  return app.add_subcommand("doctor", "Checks this machine: sockets, discovery, buffers, leftovers")
-      ->callback([&status] {
-        Report report;
-        check_environment(report);
-        check_receive_buffer(report);
-        check_shared_memory(report);
-        check_discovery(report);
-        status = report.status();
-      });
+  auto options = std::make_shared<DoctorOptions>();
+  CLI::App* doctor = app.add_subcommand(
+      "doctor",
+      "Checks this machine: sockets, discovery, buffers, leftovers, serial ports, real-time rights");
+  doctor->add_flag("--ports", options->ports, "Only serial ports and real-time rights");
+  CLI::Option* graph = doctor->add_option(
+      "--graph", options->graph, "Only whether the ports of its robot can be opened; status 1 when not");
+  doctor->add_option("--set", options->set, "component.param=value")->allow_extra_args(false)->needs(graph);
+  doctor->callback([options, &status] { status = examine(*options); });
+  return doctor;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "runtime/cli/emulate_option.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/graph/dot.hpp"
 #include "runtime/host/host.hpp"
@@ -14,12 +15,13 @@ namespace {
 struct GraphOptions {
   std::string path;
   std::vector<std::string> set;
+  bool emulate = false;
   bool dot = false;
   bool processes = false;
 };
 
 void show(const GraphOptions& options) {
-  const Host host(load_graph(options.path, options.set), {});
+  const Host host(load_graph(options.path, with_emulation(options.set, options.emulate)), {});
   if (options.dot) {
     std::cout << to_dot(host.declarations(), host.graph());
     return;
@@ -44,6 +46,7 @@ CLI::App* add_graph(CLI::App& app, int&) {
   CLI::App* graph = app.add_subcommand("graph", "Checks a graph file and shows its components and topics");
   graph->add_option("GRAPH", options->path, "Graph file")->required();
   graph->add_option("--set", options->set, "component.param=value")->allow_extra_args(false);
+  graph->add_flag("--emulate", options->emulate, kEmulateHelp);
   graph->add_flag("--dot", options->dot, "As a Graphviz picture");
   graph->add_flag("--processes", options->processes, "Only the names of its processes");
   graph->callback([options] { show(*options); });

@@ -31,15 +31,16 @@ class TerminalControl final : public replay::PlayerControl {
     if (!key) return Wish::none;
     shown_ = {};  // what a key did is seen at once
     switch (*key) {
-      case Key::space:
+      case ' ':
         return Wish::pause;
-      case Key::right:
+      case kRight:
+      case 'n':
         return Wish::step;
-      case Key::up:
+      case kUp:
         return Wish::faster;
-      case Key::down:
+      case kDown:
         return Wish::slower;
-      case Key::other:
+      default:
         break;
     }
     return Wish::none;

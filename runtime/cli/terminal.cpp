@@ -28,7 +28,8 @@ Keyboard::Keyboard() {
   if (isatty(STDIN_FILENO) == 0 || tcgetpgrp(STDIN_FILENO) != getpgrp() || tcgetattr(STDIN_FILENO, &now) != 0)
     return;
   before_ = now;
-  now.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);  // Ctrl-C stays a signal
+  now.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+  for (const int name : {VQUIT, VSUSP}) now.c_cc[name] = _POSIX_VDISABLE;
   tcsetattr(STDIN_FILENO, TCSANOW, &now);
 }
 
@@ -53,23 +54,27 @@ std::optional<Key> Keyboard::wait(Duration limit) {
   return next_key();
 }
 
-/// Keys that were pressed quickly come together; an arrow is three bytes.
+/// Keys that were pressed quickly come together; an arrow is three bytes, and other keys that begin with an escape are one.
 Key Keyboard::next_key() {
   struct Name {
     std::string_view bytes;
     Key key;
   };
-  constexpr std::array kNames = {Name{" ", Key::space},      Name{"n", Key::right},
-                                 Name{"\x1b[C", Key::right}, Name{"\x1bOC", Key::right},
-                                 Name{"\x1b[A", Key::up},    Name{"\x1bOA", Key::up},
-                                 Name{"\x1b[B", Key::down},  Name{"\x1bOB", Key::down}};
+  constexpr std::array kNames = {Name{"\x1b[A", kUp},   Name{"\x1bOA", kUp},    Name{"\x1b[B", kDown},
+                                 Name{"\x1bOB", kDown}, Name{"\x1b[C", kRight}, Name{"\x1bOC", kRight},
+                                 Name{"\x1b[D", kLeft}, Name{"\x1bOD", kLeft}};
   for (const Name& name : kNames) {
     if (!pressed_.starts_with(name.bytes)) continue;
     pressed_.erase(0, name.bytes.size());
     return name.key;
   }
+  const char first = pressed_.front();
+  if (first == '\x1b') {
+    pressed_.clear();
+    return kOtherKey;
+  }
   pressed_.erase(0, 1);
-  return Key::other;
+  return static_cast<unsigned char>(first);
 }
 
 }  // namespace bw::cli

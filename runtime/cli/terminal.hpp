@@ -25,9 +25,12 @@ class ProgressLine {
   bool is_shown_ = false;
 };
 
-enum class Key { space, right, up, down, other };
+/// A character, or one of those that have none.
+using Key = int;
+inline constexpr Key kUp = 256, kDown = 257, kLeft = 258, kRight = 259, kOtherKey = 260;
 
-/// Keys of stdin without Enter and echo, where it is a terminal; it is as it was when this object goes.
+/// Keys of stdin without Enter and echo, where it is a terminal; it is as it was when this object goes. Ctrl-C stays a signal; the
+/// keys that would kill or suspend the program and leave the terminal so are keys as all others.
 class Keyboard {
  public:
   Keyboard();
@@ -36,7 +39,7 @@ class Keyboard {
   Keyboard& operator=(const Keyboard&) = delete;
 
   [[nodiscard]] bool is_there() const { return before_.has_value(); }
-  /// The next key; nothing when none came within `limit`. Without a terminal it only waits.
+  /// The next key; nothing when none came within `limit`. Without a terminal, or when it is gone, it only waits.
   std::optional<Key> wait(Duration limit);
 
  private:

@@ -16,12 +16,14 @@
 //   bring_up: [map_server, amcl]    # activated first and in this order, as a lifecycle_manager's node_names; the others
 //                                   # follow in rank order
 //   snapshot: {keep: 30s, on: [contact], to: near_misses}    # snapshot_settings.hpp
+//   emulate: true                 # devices of the robot are emulated (emulation.hpp): run --emulate
 //   tolerances: {...}               # of replays (runtime/replay/tolerances.hpp): a file or a map
 //   components:
 //     local_planner:                # the node's name; the order is the rank
 //       type: local_planner         # default: the name
 //       process: planning           # default: main
 //       lane: planner               # default: main
+//       priority: real_time         # default: normal; its lane runs before all that is normal, where the system allows it
 //       enabled: true               # false: left out; --set local_planner.enabled=true brings it back
 //       latency: 20ms
 //       manager: navigation         # navigation | localization | none: which of our lifecycle managers pauses it
@@ -31,6 +33,7 @@
 //       parameters: {...}           # or a file
 //       remap: {cmd_vel_nav: cmd_vel}
 //       inputs: {odom: {max_age: 500ms, on_stale: stop, external: false}}
+//       emulation: {base: {enabled: true}, laser: {remap: {scan: sim/scan}}}   # laid over it while that device is emulated
 #pragma once
 
 #include <filesystem>
@@ -42,6 +45,7 @@
 
 #include "runtime/base/ros_distro.hpp"
 #include "runtime/base/time.hpp"
+#include "runtime/graph/emulation.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/graph/snapshot_settings.hpp"
 #include "runtime/parameters/config_node.hpp"
@@ -70,6 +74,7 @@ struct ComponentNode {
   std::string type;
   std::string process = "main";
   std::string lane = "main";
+  bool is_real_time = false;  ///< its lane comes before others, on a real clock
   bool enabled = true;  ///< hosts leave out what is not
   Duration latency;     ///< computing time in lock-step, at least 0
   Manager manager = Manager::navigation;
@@ -78,6 +83,7 @@ struct ComponentNode {
   ConfigNode parameters;             ///< a map or nothing, overrides applied
   std::vector<Remap> remaps;
   std::vector<InputSettings> inputs;
+  std::vector<EmulationChange> emulation;
   Location where;
   std::string robot = {};  ///< of a graph with several: whose it is; empty: shared
 
@@ -118,9 +124,9 @@ struct Graph {
   std::vector<const ComponentNode*> bring_up_order() const;
 };
 
-/// Overrides are `component.param=value`, `component.enabled=true|false`, `section.param=value`, `section=FILE` or `ros_distro=NAME`; of
-/// several robots each is meant, one alone by `robot/component.param=value`. Throws ConfigError with all violations that
-/// were found.
+/// Overrides are `component.param=value`, `component.enabled=true|false`, `section.param=value`, `section=FILE`, `ros_distro=NAME` or
+/// `emulate=true`, which comes after those of sections and before those of components; of several robots each is meant, one alone by
+/// `robot/component.param=value`. Throws ConfigError with all violations that were found.
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 /// One more override of a graph that is loaded. Throws ConfigError.

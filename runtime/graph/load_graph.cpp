@@ -23,6 +23,12 @@ bool is_meant(const ComponentNode& node, const std::string& name) {
   return node.name == name || (!node.robot.empty() && node.node_name() == name);
 }
 
+bool is_for_section(const Override& change) {
+  return std::ranges::find(kSharedSections, change.path.front()) != kSharedSections.end();
+}
+
+bool is_emulate(const Override& change) { return change.path == std::vector<std::string>{"emulate"}; }
+
 class GraphReader {
  public:
   Graph read(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
@@ -31,7 +37,7 @@ class GraphReader {
     if (!root.is_map()) add(root.where, "", "", "must be a map with the key components");
     throw_if_any(violations_);
     read_top(root);
-    for (const std::string& text : overrides) apply(text);
+    apply(overrides);
     check_followers();
     check_distro();
     throw_if_any(std::move(violations_));
@@ -128,6 +134,9 @@ class GraphReader {
       const ConfigNode* node = reader.find("lifecycle");
       distro_where_ = node != nullptr ? node->where : root.where;
     }
+    bool emulate = false;
+    reader("emulate", emulate);
+    if (emulate) emulate_where_ = reader.find("emulate")->where;
     for (const std::string_view section : kSharedSections) {
       if (const ConfigNode* node = reader.find(section)) {
         graph_.shared[std::string(section)] = read_section(reader, *node, section);
@@ -219,6 +228,9 @@ class GraphReader {
     read_text(reader, map, "type", node.type, label_rule);
     read_text(reader, map, "process", node.process, label_rule);
     read_text(reader, map, "lane", node.lane, label_rule);
+    std::string priority = "normal";
+    reader("priority", priority, {.choices = {"normal", "real_time"}});
+    node.is_real_time = priority == "real_time";
     reader("enabled", node.enabled);
     node.latency = read_duration(reader, "latency", Duration{}, kMaxLatency).value_or(Duration{});
     std::string manager = "navigation";
@@ -239,26 +251,13 @@ class GraphReader {
       node.parameters = read_section(reader, *parameters, "parameters");
     }
     if (node.parameters.where.file.empty()) node.parameters.where = entry.where;
-    if (const ConfigNode* remap = reader.find("remap")) read_remaps(*remap, joined(key, "remap"), node);
+    if (const ConfigNode* remap = reader.find("remap"))
+      node.remaps = read_remaps(*remap, joined(key, "remap"), violations_);
+    if (const ConfigNode* emulation = reader.find("emulation"))
+      node.emulation = read_emulation(*emulation, joined(key, "emulation"), violations_);
     if (const ConfigNode* inputs = reader.find("inputs")) read_inputs(*inputs, joined(key, "inputs"), node);
     reader.refuse_unknown_keys();
     graph_.components.push_back(std::move(node));
-  }
-
-  void read_remaps(const ConfigNode& map, const std::string& key, ComponentNode& node) {
-    if (!detail::is_section(map, key, violations_)) return;
-    for (const ConfigEntry& entry : map.map) {
-      const std::string entry_key = joined(key, entry.key);
-      Remap remap{entry.key, "", entry.where};
-      const std::size_t before = violations_.size();
-      detail::read_string(entry.value, entry_key, {}, remap.to, violations_);
-      if (violations_.size() > before) continue;
-      if (const auto rule = topic_name_rule(remap.from)) add(entry.where, entry_key, "", *rule);
-      if (const auto rule = topic_name_rule(remap.to)) {
-        add(entry.value.where, entry_key, entry.value.text(), *rule);
-      }
-      node.remaps.push_back(std::move(remap));
-    }
   }
 
   void read_inputs(const ConfigNode& map, const std::string& key, ComponentNode& node) {
@@ -286,9 +285,24 @@ class GraphReader {
     }
   }
 
-  void apply(const std::string& text) {
+  /// What is emulated is up to the robot that is meant in the end, and gives way to what is said of single components.
+  void apply(const std::vector<std::string>& overrides) {
+    std::vector<Override> changes;
+    for (const std::string& text : overrides) or_violation([&] { changes.push_back(parse_override(text)); });
+    const auto of_sections = std::ranges::stable_partition(changes, is_for_section);
+    std::ranges::stable_partition(of_sections, is_emulate);
+    auto change = changes.begin();
+    for (; change != of_sections.begin(); ++change)
+      or_violation([&] { bw::apply_override(graph_, *change); });
+    const bool is_said = change != changes.end() && is_emulate(*change);
+    if (emulate_where_ && !is_said) or_violation([&] { emulate_devices(graph_, *emulate_where_); });
+    for (; change != changes.end(); ++change) or_violation([&] { bw::apply_override(graph_, *change); });
+  }
+
+  template <class Action>
+  void or_violation(Action action) {
     try {
-      bw::apply_override(graph_, parse_override(text));
+      action();
     } catch (const ConfigError& error) {
       violations_.insert(violations_.end(), error.violations().begin(), error.violations().end());
     }
@@ -297,7 +311,8 @@ class GraphReader {
   Graph graph_;
   std::vector<std::string> shared_;  ///< components of which there is one for all robots
   std::vector<Violation> violations_;
-  Location distro_where_;  ///< where it is said, or ought to be
+  Location distro_where_;                  ///< where it is said, or ought to be
+  std::optional<Location> emulate_where_;  ///< where the graph asks for it
 };
 
 /// Switches the component on or off; false when the override means something else.
@@ -309,7 +324,7 @@ bool switch_component(ComponentNode& node, const Override& change) {
   return true;
 }
 
-/// The one setting of the whole graph that a command line may change; false when the override means something else.
+/// A setting of the whole graph that a command line may change; false when the override means something else.
 bool set_distro(Graph& graph, const Override& change) {
   if (change.path != std::vector<std::string>{"ros_distro"}) return false;
   std::vector<Violation> violations;
@@ -333,6 +348,17 @@ bool set_section(Graph& graph, const Override& change) {
   return true;
 }
 
+/// Emulation, of the robot as it is by now. False when the override means something else.
+bool set_emulation(Graph& graph, const Override& change) {
+  if (!is_emulate(change)) return false;
+  std::vector<Violation> violations;
+  bool emulate = false;
+  detail::read_bool(change.value, change.key(), emulate, violations);
+  throw_if_any(std::move(violations));
+  if (emulate) emulate_devices(graph, change.value.where);
+  return true;
+}
+
 /// The shared section that the first part of an override names.
 ConfigNode& section_of(Graph& graph, const Override& change) {
   const std::string& name = change.path.front();
@@ -352,7 +378,7 @@ ConfigNode& section_of(Graph& graph, const Override& change) {
 }  // namespace
 
 void apply_override(Graph& graph, const Override& change) {
-  if (set_distro(graph, change) || set_section(graph, change)) return;
+  if (set_distro(graph, change) || set_section(graph, change) || set_emulation(graph, change)) return;
   bool is_known = false;
   for (ComponentNode& node : graph.components) {
     if (change.path.size() < 2 || !is_meant(node, change.path.front())) continue;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "runtime/parameters/read_parameters.hpp"
+
 namespace bw {
 namespace {
 
@@ -42,6 +44,25 @@ std::string expand(std::string_view node_namespace, std::string_view node, std::
 }
 
 }  // namespace
+
+std::vector<Remap> read_remaps(const ConfigNode& map, const std::string& key,
+                               std::vector<Violation>& violations) {
+  std::vector<Remap> remaps;
+  if (!detail::is_section(map, key, violations)) return remaps;
+  for (const ConfigEntry& entry : map.map) {
+    const std::string entry_key = joined(key, entry.key);
+    Remap remap{entry.key, "", entry.where};
+    const std::size_t before = violations.size();
+    detail::read_string(entry.value, entry_key, {}, remap.to, violations);
+    if (violations.size() > before) continue;
+    if (const auto rule = topic_name_rule(remap.from))
+      violations.push_back({entry.where, entry_key, "", *rule});
+    if (const auto rule = topic_name_rule(remap.to))
+      violations.push_back({entry.value.where, entry_key, entry.value.text(), *rule});
+    remaps.push_back(std::move(remap));
+  }
+  return remaps;
+}
 
 std::optional<std::string> node_name_rule(std::string_view name) {
   if (name.size() > kLongestNode) return too_long(kLongestNode);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/parameters/config_error.hpp"
+#include "runtime/parameters/config_node.hpp"
 
 namespace bw {
 
@@ -16,6 +16,10 @@ struct Remap {
   std::string to;
   Location where;
 };
+
+/// The section `remap:` under `key`; what breaks a rule is left out and told.
+std::vector<Remap> read_remaps(const ConfigNode& map, const std::string& key,
+                               std::vector<Violation>& violations);
 
 // Each returns the rule that `name` breaks, or nothing.
 

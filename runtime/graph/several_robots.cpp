@@ -4,27 +4,13 @@
 #include <utility>
 
 #include "runtime/parameters/nearest.hpp"
+#include "runtime/parameters/overrides.hpp"
 #include "runtime/parameters/read_parameters.hpp"
 
 namespace bw {
 namespace {
 
 constexpr std::size_t kMostComponents = 10'000;
-
-/// Maps are merged, everything else is replaced.
-void put_over(ConfigNode& base, const ConfigNode& own) {
-  if (!base.is_map() || !own.is_map()) {
-    base = own;
-    return;
-  }
-  for (const ConfigEntry& entry : own.map) {
-    if (ConfigNode* value = base.find(entry.key)) {
-      put_over(*value, entry.value);
-    } else {
-      base.map.push_back(entry);
-    }
-  }
-}
 
 /// Of a robot; one process for what names none.
 std::string process_of(const std::string& robot, const std::string& process) {

@@ -116,6 +116,7 @@ struct Actor final : DiagnosticReporter {
   std::string type;
   std::string process;
   std::string lane;
+  bool is_real_time = false;  ///< its lane comes before others
   std::size_t rank = 0;
   Duration latency;
   std::unique_ptr<Component> component;

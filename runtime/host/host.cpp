@@ -193,6 +193,7 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
   actor->type = node.type;
   actor->process = node.process;
   actor->lane = node.lane;
+  actor->is_real_time = node.is_real_time;
   actor->rank = actors_.size();
   actor->latency = node.latency;
   actor->live_parameters = LiveParameters(node.name);

@@ -57,7 +57,9 @@ void Host::connect() {
                                 .source = options_.source,
                                 .outside = outside_.get()});
   } else {
-    runner_ = std::make_unique<WallRunner>(local_, *clock_);
+    runner_ = std::make_unique<WallRunner>(
+        local_, *clock_,
+        [this](const Actor& actor, const std::string& text) { log(actor, LogLevel::warn, text); });
   }
   std::vector<Actor*> all;
   for (const auto& actor : actors_) all.push_back(actor.get());

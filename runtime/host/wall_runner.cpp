@@ -6,10 +6,12 @@
 
 #include <pthread.h>
 
+#include "runtime/host/real_time.hpp"
+
 namespace bw {
 
-WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock)
-    : actors_(std::move(actors)), clock_(clock) {
+WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock, Warn warn)
+    : actors_(std::move(actors)), clock_(clock), warn_(std::move(warn)) {
   for (Actor* actor : actors_) {
     auto& lane = lanes_[actor->lane];
     if (!lane) {
@@ -17,6 +19,7 @@ WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock)
       lane->name = actor->lane;
     }
     lane_of_[actor] = lane.get();
+    if (actor->is_real_time && lane->real_time == nullptr) lane->real_time = actor;
     for (const auto& timer : actor->timers) lane->timers.push_back(timer.get());
     for (const auto& client : actor->clients) lane->timers.push_back(&client->deadline_timer);
     if (!actor->actions.empty() && acknowledgments_ == nullptr) {
@@ -119,7 +122,14 @@ RunEnd WallRunner::run(std::optional<Duration> duration) {
   return *end_;
 }
 
+void WallRunner::become_real_time(const Actor& actor) const {
+  for (const std::string& missing : {take_real_time_priority(), lock_memory()}) {
+    if (!missing.empty() && warn_) warn_(actor, missing);
+  }
+}
+
 void WallRunner::work(Lane& lane) {
+  if (lane.real_time != nullptr) become_real_time(*lane.real_time);
   std::unique_lock lock(lane.mutex);
   while (!lane.stop) {
     // Timers first, but each once only: a late timer is moved past now, so it cannot starve the queue.

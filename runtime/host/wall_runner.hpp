@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -15,7 +16,9 @@ namespace bw {
 
 class WallRunner final : public Runner {
  public:
-  WallRunner(std::vector<Actor*> actors, ComponentClock& clock);
+  /// Says of an actor on a real-time lane what the system did not allow; called on that lane.
+  using Warn = std::function<void(const Actor& actor, const std::string& text)>;
+  WallRunner(std::vector<Actor*> actors, ComponentClock& clock, Warn warn = {});
   ~WallRunner() override;
 
   Time now() const override { return clock_.now(); }
@@ -35,18 +38,21 @@ class WallRunner final : public Runner {
     std::deque<Inlet*> queue;
     std::vector<Timer*> timers;
     bool stop = false;
+    const Actor* real_time = nullptr;  ///< who wants it; null: nobody
     std::thread thread;
   };
 
   void run_and_wake(const std::function<void()>& write);
   void enqueue(Inlet& inlet);
   void work(Lane& lane);
+  void become_real_time(const Actor& actor) const;
   void fire_if_due(Lane& lane, Timer& timer, std::unique_lock<std::mutex>& lock);
   void drain(Inlet& inlet);
   void wait(Lane& lane, std::unique_lock<std::mutex>& lock);
 
   std::vector<Actor*> actors_;
   ComponentClock& clock_;
+  Warn warn_;
   std::map<std::string, std::unique_ptr<Lane>> lanes_;
   std::map<const Actor*, Lane*> lane_of_;
   Lane* acknowledgments_ = nullptr;  ///< of what is taken off the actors' lanes; null where nobody has such

@@ -85,4 +85,18 @@ void apply_override(ConfigNode& root, const Override& change, std::size_t first)
   *node = change.value;
 }
 
+void put_over(ConfigNode& base, const ConfigNode& own) {
+  if (!base.is_map() || !own.is_map()) {
+    base = own;
+    return;
+  }
+  for (const ConfigEntry& entry : own.map) {
+    if (ConfigNode* value = base.find(entry.key)) {
+      put_over(*value, entry.value);
+    } else {
+      base.map.push_back(entry);
+    }
+  }
+}
+
 }  // namespace bw

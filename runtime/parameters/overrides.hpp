@@ -23,4 +23,7 @@ Override parse_override(std::string_view text);
 /// the tree holds; the number after the last element appends. Throws ConfigError.
 void apply_override(ConfigNode& root, const Override& change, std::size_t first = 0);
 
+/// Lays `own` over `base`: maps are merged, everything else is replaced.
+void put_over(ConfigNode& base, const ConfigNode& own);
+
 }  // namespace bw

@@ -3,7 +3,6 @@
 // `sim/NAME/to_device` and `sim/NAME/from_device`, so that the bytes are hashed, recorded and replayed as all else.
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -19,8 +18,5 @@ std::unique_ptr<ByteLink> device_link(Setup& setup, const std::string& name, con
 
 /// The device's end, for its emulator.
 std::unique_ptr<ByteLink> emulator_link(Setup& setup, const std::string& name);
-
-/// Of the pseudo-terminal in real time: a link below XDG_RUNTIME_DIR or the folder of temporary files, of this user, domain and name.
-std::filesystem::path emulator_path(const std::string& name, int domain);
 
 }  // namespace bw

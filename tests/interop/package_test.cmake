@@ -1,5 +1,5 @@
 # cmake -DBUILD= -DPROJECT= -DREADME= -DSTAGE= -P package_test.cmake
-# What a user of the package does: installs it, builds a component and a planner of their own against it, and runs them together.
+# What a user of the package does: installs it, builds a component, a planner and a driver of their own against it, and runs them together.
 function(run what)
   execute_process(COMMAND ${ARGN} TIMEOUT 240 RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT status STREQUAL "0")
@@ -70,10 +70,35 @@ if(status EQUAL 0 OR NOT refused MATCHES "local_planner\\.pure_pursuit\\.lookahe
   message(FATAL_ERROR "a mistyped parameter of the planner is not refused:\n${refused}")
 endif()
 
+# The driver drives the same way: its bytes go through a cable to its board, which turns the wheels of the world.
+string(REPLACE "\ncomponents:\n" "\ncomponents:\n  trolley_board: {manager: none, process: world+base, lane: base}\n" on_trolley "${hallway}")
+file(WRITE ${graphs}/hallway_on_trolley.yaml "plugins: [${project}/build/libtrolley.so, ${project}/build/libtrolley_board.so]\n${on_trolley}")
+set(with_driver ${graphs}/hallway_on_trolley.yaml --set robot.base.driver=trolley --set robot.base.port=emulator)
+run("driving by the driver" ${STAGE}/prefix/bin/bandwagon run ${with_driver} --set robot.base.answer_time=0.15
+  --clock lockstep --seed 7 --for 120 --json ${STAGE}/trolley.json)
+file(READ ${STAGE}/trolley.json json)
+string(JSON reached GET "${json}" reached)
+if(NOT reached)
+  message(FATAL_ERROR "the driver's robot did not reach the goal:\n${json}")
+endif()
+
+# Its section of the robot file is read as strictly.
+function(refused_with what expected)
+  execute_process(COMMAND ${STAGE}/prefix/bin/bandwagon param list ${ARGN} ERROR_VARIABLE said OUTPUT_VARIABLE said RESULT_VARIABLE status)
+  if(status EQUAL 0 OR NOT said MATCHES "${expected}")
+    message(FATAL_ERROR "${what} is not refused by \"${expected}\":\n${said}")
+  endif()
+endfunction()
+refused_with("a mistyped parameter of the driver" "robot\\.base\\.answer_tme: unknown key; did you mean 'answer_time'"
+  ${with_driver} --set robot.base.answer_tme=0.1)
+refused_with("a parameter out of range" "robot\\.base\\.answer_time = 7: must be between 0\\.05 and 1 s" ${with_driver} --set robot.base.answer_time=7)
+refused_with("a driver that nobody has" "robot\\.base\\.driver = troley: unknown driver.*did you mean 'trolley'"
+  ${graphs}/hallway_on_trolley.yaml --set robot.base.driver=troley)
+
 # README.md shows these, and nothing that was not built here.
 if(EXISTS ${README})
   file(READ ${README} readme)
-  foreach(shown wanderer.cpp pure_pursuit.cpp)
+  foreach(shown wanderer.cpp pure_pursuit.cpp trolley.cpp)
     file(READ ${PROJECT}/${shown} source)
     string(FIND "${readme}" "${source}" at)
     if(at EQUAL -1)

@@ -57,7 +57,7 @@ class LocalCostmapComponent final : public Component {
  private:
   void take_in(Time now) {
     waiting_.hand_over([&](const sensor_msgs::msg::LaserScan& scan, Time received) {
-      const Time stamp = from_stamp(scan.header().stamp());
+      const Time stamp = time_of(scan);
       const auto X_OL = transforms_->lookup_planar(odom_frame_, scan.header().frame_id(), stamp);
       const auto X_OB = transforms_->lookup_planar(odom_frame_, base_frame_, stamp);
       if (stamp <= Time{}) {

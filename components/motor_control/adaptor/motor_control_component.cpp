@@ -78,7 +78,7 @@ class MotorControlComponent final : public Component {
 
   void publish(const Twist2& twist, Time now) {
     wheels_.publish(
-        to_joint_state(to_wheel_speeds(twist, robot_.wheel_separation), robot_.wheel_radius, now));
+        to_joint_state(to_wheel_speeds(twist, robot_.wheel_separation), robot_.wheel_radii(), now));
   }
 
   Robot robot_;

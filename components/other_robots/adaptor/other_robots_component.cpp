@@ -91,7 +91,7 @@ class OtherRobotsComponent final : public Component {
   }
 
   std::vector<Vector2> hits_at(Time time, const std::string& frame) const {
-    if (!scan_ || from_stamp(scan_->header().stamp()) != time) return {};
+    if (!scan_ || time_of(*scan_) != time) return {};
     const std::string& laser = scan_->header().frame_id();
     auto X_FL = transforms_->lookup_planar(frame, laser, time);
     if (!X_FL) X_FL = transforms_->lookup_planar(frame, laser);  // the newest is 20 ms older: 2 cm

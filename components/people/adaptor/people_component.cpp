@@ -83,7 +83,7 @@ void PeopleComponent::on_scan(const sensor_msgs::msg::LaserScan& message) {
 
 void PeopleComponent::look() {
   waiting_.hand_over([this](const sensor_msgs::msg::LaserScan& scan, Time) {
-    const auto X_OB = odometry_.lookup_planar(odom_frame_, base_frame_, from_stamp(scan.header().stamp()));
+    const auto X_OB = odometry_.lookup_planar(odom_frame_, base_frame_, time_of(scan));
     if (X_OB) look_at(scan, *X_OB);
     return X_OB.has_value();
   });

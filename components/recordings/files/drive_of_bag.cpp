@@ -211,7 +211,7 @@ class DriveReader {
     if (!(wheel_radius_ > 0.0) || !(drive().wheel_separation > 0.0))
       throw std::runtime_error(fmt::format("{}: {}: nobody declares the wheels' {}", path_, topics_.wheels,
                                            wheel_radius_ > 0.0 ? "separation" : "radius"));
-    const auto speeds = wheel_speeds_of(message, wheel_radius_);
+    const auto speeds = wheel_speeds_of(message, {wheel_radius_, wheel_radius_});
     if (!speeds || !std::isfinite(speeds->left) || !std::isfinite(speeds->right)) return false;
     add_measured(time, to_twist(*speeds, drive().wheel_separation), drive().odometry);
     return true;

@@ -13,6 +13,21 @@
 namespace bw {
 namespace {
 
+struct FieldCounter {
+  int fields = 0;
+  template <class T>
+  void operator()(std::string_view, T&, const Field& = {}) {
+    ++fields;
+  }
+};
+
+/// A driver without any leaves those that stand there for another one alone: `--set robot.base.driver=simulated`.
+bool has_fields(AnyOptions options) {
+  FieldCounter counter;
+  options.fields(counter);
+  return counter.fields > 0;
+}
+
 /// The whole section: which driver, and its parameters.
 struct BaseSection {
   std::string driver;
@@ -26,18 +41,25 @@ struct BaseSection {
   std::optional<std::string> violated_rule() const { return options.violated_rule(); }
 };
 
+[[noreturn]] void refuse_unknown(const std::string& driver) {
+  const std::vector<std::string> names = registered_drivers();
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  Violation violation;
+  violation.key = "robot.base.driver";
+  violation.value = driver;
+  violation.rule = unknown_rule("driver", driver, known);
+  throw ConfigError(std::vector<Violation>{std::move(violation)});
+}
+
 }  // namespace
 
 std::unique_ptr<Driver> make_chosen_driver(Setup& setup, const Robot& robot,
                                            std::function<void(Time now)> wake) {
   const std::string& name = robot.base.driver;
   const DriverType* type = find_driver(name);
-  if (type == nullptr) {
-    const std::vector<std::string> names = registered_drivers();
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    throw ConfigError(Violation{{}, "robot.base.driver", name, unknown_rule("driver", name, known)});
-  }
-  const auto section = setup.shared<BaseSection>("robot.base", {.driver = name, .options = type->defaults});
+  if (type == nullptr) refuse_unknown(name);
+  BaseSection section{.driver = name, .options = type->defaults};
+  if (has_fields(type->defaults)) section = setup.shared<BaseSection>("robot.base", std::move(section));
   return type->make(
       section.options,
       {.setup = setup,

@@ -1,119 +1,167 @@
-// Adaptor of the base: wheel commands to the driver under the watchdog, encoder counts to odometry, joint
-// states and tf.
+// Adaptor of the base: wheel commands to the driver as the guard allows, and what the driver tells to topics.
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
-#include "components/messages/odometry_outputs.hpp"
+#include <std_msgs/msg/bool.hpp>
+#include <std_srvs/srv/trigger.hpp>
+
+#include "components/robot_base/adaptor/base_outputs.hpp"
 #include "components/robot_base/adaptor/chosen_driver.hpp"
-#include "components/robot_base/wheel_watchdog.hpp"
+#include "components/robot_base/adaptor/odometry_reader.hpp"
 #include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
 
 namespace bw {
 namespace {
 
-struct RobotBaseOptions {
+using std_srvs::srv::Trigger;
+
+struct RobotBaseOptions : BaseGuardOptions {
   OdometryOptions odometry;
-  WatchdogOptions watchdog;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("odometry", odometry, {.doc = "from encoder counts to pose and twist"});
-    v("watchdog", watchdog, {.doc = "the stop when wheel commands stop"});
+    BaseGuardOptions::fields(v);
   }
 };
+
+Trigger::Response trigger_response(bool success, const std::string& message) {
+  Trigger::Response response;
+  response.success(success);
+  response.message(message);
+  return response;
+}
 
 class RobotBaseComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    const auto options = setup.parameters<RobotBaseOptions>();
+    auto options = setup.parameters<RobotBaseOptions>();
     robot_ = setup.shared<Robot>("robot");
-    odometry_.emplace(robot_, options.odometry);
-    watchdog_.emplace(options.watchdog, robot_.limits.stop_deceleration);
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
-    outputs_ = {setup, robot_};
-    joints_ = setup.output<sensor_msgs::msg::JointState>("joint_states");
-    driver_ = make_chosen_driver(setup, robot_, [this](Time now) { poll(now); });
+    odometry_ = {setup, robot_, options.odometry, Duration::seconds(options.link.silence)};
+    driver_ = make_chosen_driver(setup, robot_, [this](Time now) { work(now); });
+    const BaseFacts facts = driver_->facts();
+    if (options.battery.low == 0.0) options.battery.low = facts.battery_low;
+    if (options.battery.empty == 0.0) options.battery.empty = facts.battery_empty;
+    guard_.emplace(options, robot_, facts.response);
+    outputs_ = {setup, *driver_};
     setup.input<sensor_msgs::msg::JointState>(
         "wheel_commands", Qos::command(),
         [this](const auto& message, const Tick& tick) { on_command(message, tick); });
+    setup.input<std_msgs::msg::Bool>(
+        "emergency_stop", Qos::standard(),
+        [this](const auto& message, const Tick& tick) {
+          guard_->set_emergency_stop(tick.now, message.data());
+          obey(tick.now);
+        },
+        Need::optional);
+    setup.service<Trigger>(
+        "release_stop", [this](const Trigger::Request&, const Tick&) { return release(); },
+        [](const std::string& reason) { return trigger_response(false, reason); });
     setup.every(Duration::milliseconds(10), "watchdog", [this](const Tick& tick) {
-      poll(tick.now);
-      check(tick);
+      is_stopped_ = tick.health == Health::stop;
+      work(tick.now);
+    });
+    setup.every(Duration::milliseconds(100), "base_state", [this](const Tick& tick) {
+      publish_state(tick.now);
+      if (tick.sequence % 10 == 0) tell_counters();
     });
   }
 
-  void activate(const Tick& tick) override { outputs_.publish_mounts(tick.now); }
+  void activate(const Tick& tick) override { odometry_.publish_mounts(tick.now); }
 
   void deactivate(const Tick& tick) override { driver_->stop(tick.now); }
 
  private:
   void on_command(const sensor_msgs::msg::JointState& message, const Tick& tick) {
-    const std::optional<WheelSpeeds> wheels = wheel_speeds_of(message, robot_.wheel_radius);
-    const bool is_sound = wheels && watchdog_->command(tick.now, *wheels);
+    const std::optional<WheelSpeeds> wheels = wheel_speeds_of(message, robot_.wheel_radii());
+    const bool is_sound = wheels && guard_->command(tick.now, *wheels);
     if (refused_.is_news(is_sound ? "" : "unsound") && !is_sound) {
       log_.warn("refused a wheel command that is not two finite rates of {} and {}", wheel_joint_names()[0],
                 wheel_joint_names()[1]);
     }
-    if (is_sound) check(tick);
+    is_stopped_ = tick.health == Health::stop;
+    if (is_sound) obey(tick.now);
   }
 
-  void check(const Tick& tick) {
-    if (tick.health == Health::stop) watchdog_->revoke(tick.now);
-    const WatchdogOutput output = watchdog_->step(tick.now);
-    driver_->command(tick.now, output.wheels);
-    if (!sent_ || sent_->state != output.state) report(output.state);
-    sent_ = output;
+  void work(Time now) {
+    const Readings readings = driver_->poll(now);
+    guard_->read(now, readings);
+    for (const EncoderCounts& counts : readings.counts) {
+      if (const auto travel = odometry_.read(counts)) guard_->moved(now, counts.time, *travel);
+    }
+    outputs_.publish(now, readings);
+    counters_ = readings.counters;
+    if (warning_.is_news(readings.warning) && warning_) log_.warn("{}", readings.warning);
+    obey(now);
   }
 
-  void report(WatchdogState state) {
+  void obey(Time now) {
+    if (is_stopped_) guard_->revoke();
+    const BaseOutput output = guard_->step(now);
+    guard_->told(now, output.wheels, driver_->command(now, output.wheels));
+    const bool is_news = output.condition != told_.condition || output.reason != told_.reason ||
+                         output.is_latched != told_.is_latched || output.commands != told_.commands;
+    const bool is_contact = guard_->contacts() != contacts_;
+    const bool is_battery = guard_->battery() != battery_;
+    told_ = output;
+    contacts_ = guard_->contacts();
+    battery_ = guard_->battery();
+    if (is_news || is_battery) report(output);
+    if (is_news || is_contact || outputs_.is_news()) publish_state(now);
+  }
+
+  void publish_state(Time now) { outputs_.publish_state(now, told_, contacts_, odometry_.measured()); }
+
+  Trigger::Response release() {
+    const auto refusal = guard_->release();
+    if (refusal) log_.warn("release_stop is refused: {}", *refusal);
+    if (!refusal) log_.info("stops are released");
+    return trigger_response(!refusal, refusal.value_or("released: it drives at the next command"));
+  }
+
+  void report(const BaseOutput& output) {
     using Level = DiagnosticReporter::Level;
-    if (state == WatchdogState::obeying) diagnostics_->report(Level::ok, "obeying wheel commands");
-    if (state == WatchdogState::stopping) log_.warn("no fresh wheel command: stopping");
-    if (state == WatchdogState::stopping)
+    if (!output.reason.empty()) {
+      const std::string how = output.is_latched ? "; until release_stop" : "";
+      if (complaint_.is_news(output.reason + how)) log_.warn("{}{}", output.reason, how);
+      return diagnostics_->report(Level::error, output.reason + how);
+    }
+    if (complaint_.is_news("")) log_.info("nothing keeps the base from driving any more");
+    if (output.commands == WatchdogState::stopping) log_.warn("no fresh wheel command: stopping");
+    const std::string& warning = battery_ == BatteryLevel::low ? "the battery is low" : warning_.what();
+    if (output.commands == WatchdogState::obeying)
+      diagnostics_->report(warning.empty() ? Level::ok : Level::warn,
+                           "obeying wheel commands" + (warning.empty() ? "" : "; " + warning));
+    if (output.commands == WatchdogState::stopping)
       diagnostics_->report(Level::error, "wheel commands stopped: stopping");
-    if (state == WatchdogState::stopped)
+    if (output.commands == WatchdogState::stopped)
       diagnostics_->report(Level::warn, "standing: wheel commands stopped");
   }
 
-  void poll(Time now) {
-    const Readings readings = driver_->poll(now);
-    for (const EncoderCounts& counts : readings.counts) on_counts(counts);
-  }
-
-  void on_counts(const EncoderCounts& counts) {
-    const CountsStatus status = odometry_->add(counts);
-    const bool is_fault = status == CountsStatus::jump || status == CountsStatus::reset;
-    // At most a line a second: encoders that fail do so at every reading.
-    if (is_fault && (!fault_told_ || counts.time - *fault_told_ >= Duration::milliseconds(1000))) {
-      fault_told_ = counts.time;
-      log_.warn("encoder {} dropped (jumps {}, resets {})", status == CountsStatus::jump ? "jump" : "reset",
-                odometry_->faults().jumps, odometry_->faults().resets);
-    }
-    if (status != CountsStatus::stale) publish(odometry_->state());
-  }
-
-  void publish(const OdometryState& state) {
-    outputs_.publish_odometry(state);
-    const WheelSpeeds wheels = to_wheel_speeds(state.twist, robot_.wheel_separation);
-    sensor_msgs::msg::JointState joints = to_joint_state(wheels, robot_.wheel_radius, state.time);
-    joints.position({state.left_angle, state.right_angle});
-    joints_.publish(joints);
-    outputs_.publish_transform(state);
+  void tell_counters() {
+    if (!outputs_.device().empty()) diagnostics_->set_value("device", outputs_.device());
+    for (const auto& [name, count] : counters_) diagnostics_->set_value(name, std::to_string(count));
   }
 
   Robot robot_;
-  std::optional<EncoderOdometry> odometry_;
-  std::optional<WheelWatchdog> watchdog_;
-  std::optional<WatchdogOutput> sent_;
+  OdometryReader odometry_;
   std::unique_ptr<Driver> driver_;
-  Complaint refused_;
-  std::optional<Time> fault_told_;
+  std::optional<BaseGuard> guard_;
+  BaseOutputs outputs_;
+  BaseOutput told_;
+  ContactReading contacts_;
+  BatteryLevel battery_ = BatteryLevel::good;
+  bool is_stopped_ = false;  ///< the runtime asks for a stop
+  std::map<std::string, std::uint64_t> counters_;
+  Complaint refused_, complaint_, warning_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
-  OdometryOutputs outputs_;
-  Output<sensor_msgs::msg::JointState> joints_;
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ struct SimulatedDriverOptions {
 class SimulatedDriver final : public Driver {
  public:
   SimulatedDriver(const SimulatedDriverOptions&, const DriverContext& context)
-      : wheel_radius_(context.robot.wheel_radius), wake_(context.wake) {
+      : radii_(context.robot.wheel_radii()), wake_(context.wake) {
     commands_ = context.setup.command<sensor_msgs::msg::JointState>("sim/wheel_commands");
     context.setup.input<bandwagon_msgs::msg::WheelTicks>(
         "sim/wheel_ticks", Qos::standard(),
@@ -37,7 +37,7 @@ class SimulatedDriver final : public Driver {
   bool command(Time now, const WheelSpeeds& wheels) override {
     if (sent_ == wheels) return true;
     sent_ = wheels;
-    commands_.publish(to_joint_state(wheels, wheel_radius_, now));
+    commands_.publish(to_joint_state(wheels, radii_, now));
     return true;
   }
   void stop(Time now) override {
@@ -46,7 +46,7 @@ class SimulatedDriver final : public Driver {
   }
 
  private:
-  double wheel_radius_;
+  WheelRadii radii_;
   std::function<void(Time now)> wake_;
   Output<sensor_msgs::msg::JointState> commands_;
   Readings readings_;

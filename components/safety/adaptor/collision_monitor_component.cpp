@@ -14,6 +14,7 @@
 #include "components/messages/laser.hpp"
 #include "components/messages/velocity_output.hpp"
 #include "components/safety/adaptor/limited_share.hpp"
+#include "components/safety/adaptor/scan_frames.hpp"
 #include "components/safety/adaptor/zone_markers.hpp"
 #include "components/safety/collision_monitor.hpp"
 #include "runtime/component.hpp"
@@ -42,6 +43,7 @@ class CollisionMonitorComponent final : public Component {
     monitor_.emplace(robot_, options_);
     for (SensorMount& mount : robot_.sensors) mount.frame = setup.frame(mount.frame);
     base_frame_ = setup.frame("base_link");
+    frames_ = {robot_, base_frame_, setup.log()};
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
     const bool stamped = is_stamped(options_.enable_stamped_cmd_vel, setup.ros_distro());
@@ -77,7 +79,12 @@ class CollisionMonitorComponent final : public Component {
   }
 
   void on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick) {
-    monitor_->sweep(tick.now, to_sweep(message, robot_.mount_of(message.header().frame_id())));
+    const std::string& frame = message.header().frame_id();
+    const LaserSweep sweep = to_sweep(message, robot_.mount_of(frame));
+    if (frames_.is_placed(frame))
+      monitor_->sweep(tick.now, sweep);
+    else
+      monitor_->refuse_unplaced(tick.now, sweep);
     if (wanted_at_) pass_on(tick);
   }
 
@@ -145,6 +152,7 @@ class CollisionMonitorComponent final : public Component {
   Verdict last_;
   bool idle_ = true;
   LimitedShare limited_;
+  ScanFrames frames_;
   bool has_driven_ = false;
   std::optional<Time> drawn_at_;
   Logger log_;

@@ -113,6 +113,7 @@ std::vector<HallwayDrive> drive_hallway(const std::vector<CrossingEntry>& entrie
     rows.push_back(hallway_drive(job.entry.label, suite.options.episodes[job.episode].name, job.people_react,
                                  job.seed, driven.card));
     rows.back().own_senses = job.own_senses;
+    rows.back().course = std::move(driven.course);
     rows.back().page = std::move(driven.page);
   }
   return rows;

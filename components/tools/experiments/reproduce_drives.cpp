@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "components/tools/experiments/graph_text.hpp"
+#include "components/tools/experiments/index_course.hpp"
 #include "components/tools/experiments/kept.hpp"
 #include "components/tools/program/drive.hpp"
 #include "components/viewer/adaptor/site.hpp"
@@ -41,11 +42,22 @@ DriveResult drive_uninterrupted(const DriveJob& job, const DriveSettings& settin
 }
 
 nlohmann::json driven_now(const DriveJob& job) {
-  nlohmann::json card = drive_uninterrupted(job, settings_of(job)).json;
+  DriveSettings settings = settings_of(job);
+  settings.course = true;
+  DriveResult result = drive_uninterrupted(job, settings);
   for (const char* of_the_machine :
        {"callbacks", "robot_path", "planner", "process", "real_time_s", "realtime_factor", "graph"})
-    card.erase(of_the_machine);
-  return card;
+    result.json.erase(of_the_machine);
+  nlohmann::json course = nlohmann::json::array();
+  if (result.course)
+    for (const Vector2& p : index_course(*result.course)) course.push_back({p.x(), p.y()});
+  return {{"card", std::move(result.json)}, {"course", std::move(course)}};
+}
+
+DrivenJob driven_job(const nlohmann::json& piece) {
+  DrivenJob driven{.card = piece.at("card")};
+  for (const nlohmann::json& p : piece.at("course")) driven.course.emplace_back(p.at(0), p.at(1));
+  return driven;
 }
 
 /// A drive that failed once more, the same to the byte, and recorded: few fail, so that this costs less than to record them all.
@@ -87,13 +99,13 @@ std::vector<DrivenJob> drive_all(const std::vector<DriveJob>& jobs, const Reprod
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (!arguments.shard.has(i)) continue;
     const std::string name = file_name_of(jobs[i].title);
-    std::optional<nlohmann::json> card = kept.find(name, keys[i]);
-    const bool is_kept = card.has_value();
+    std::optional<nlohmann::json> piece = kept.find(name, keys[i]);
+    const bool is_kept = piece.has_value();
     if (!is_kept) {
-      card = driven_now(jobs[i]);
-      kept.put(name, keys[i], *card);
+      piece = driven_now(jobs[i]);
+      kept.put(name, keys[i], *piece);
     }
-    driven.push_back({std::move(*card)});
+    driven.push_back(driven_job(*piece));
     tell(jobs[i], driven.back().card, driven.size(), share, is_kept);
   }
   if (!arguments.shard.is_all()) return {};
@@ -104,6 +116,12 @@ std::vector<DrivenJob> drive_all(const std::vector<DriveJob>& jobs, const Reprod
     ++pages;
   }
   return driven;
+}
+
+std::optional<RunRecording> course_of(const DriveJob& job) {
+  DriveSettings settings = settings_of(job);
+  settings.course = true;
+  return drive_uninterrupted(job, settings).course;
 }
 
 }  // namespace bw

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "components/tools/experiments/drive_figure.hpp"
 #include "components/tools/experiments/navigation_report.hpp"
 #include "components/tools/experiments/project_file.hpp"
 #include "components/tools/experiments/reproduce_drives.hpp"
@@ -29,6 +30,21 @@ Graph navigation_graph(const NavigationPair& pair, bool simulated_drivers) {
 std::string title_of(const NavigationPair& pair, std::int64_t seed, bool simulated_drivers) {
   return fmt::format("{} {}{} seed {}", pair.robot, pair.planner,
                      simulated_drivers ? ", simulated drivers," : "", seed);
+}
+
+/// Of each pair the first seed.
+std::string figures_of(const NavigationResults& results, const std::vector<DriveJob>& jobs) {
+  std::string html;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const NavigationDrive& drive = results.drives[i];
+    if (drive.seed != 1) continue;
+    const NavigationPair& pair = navigation_pairs()[drive.pair];
+    if (const std::optional<RunRecording> course = course_of(jobs[i]))
+      html +=
+          drive_figure(*course, fmt::format("{}, {}, seed 1", pair.robot, pair.planner),
+                       drive.succeeded() ? "It reaches its goal without a contact." : "It fails: see below.");
+  }
+  return html;
 }
 
 }  // namespace
@@ -61,7 +77,7 @@ bool reproduce_navigation(const ReproduceArguments& arguments) {
                        .criteria = criteria,
                        .published = published_values(results),
                        .results = navigation_json(results),
-                       .page = navigation_page(results, "")},
+                       .page = navigation_page(results, figures_of(results, jobs))},
                       arguments);
 }
 

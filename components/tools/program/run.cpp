@@ -9,6 +9,7 @@
 #include "components/tools/program/record_options.hpp"
 #include "components/tools/program/score_card_json.hpp"
 #include "runtime/atomic_file.hpp"
+#include "runtime/cli/emulate_option.hpp"
 #include "runtime/cli/verb.hpp"
 
 namespace bw {
@@ -19,6 +20,7 @@ struct RunOptions {
   std::string clock = "wall";
   std::uint64_t seed = 1;
   std::vector<std::string> set;
+  bool emulate = false;
   std::string only;
   double for_s = 0.0;
   std::optional<double> pace;
@@ -49,7 +51,7 @@ bool is_success(const RunOptions& options, const DriveResult& result) {
 }
 
 int run(const RunOptions& options) {
-  Graph graph = load_graph(options.graph, options.set);
+  Graph graph = load_graph(options.graph, with_emulation(options.set, options.emulate));
   options.record.apply_to(graph.snapshot);
   options.page.apply_to(graph);
   const DriveResult result =
@@ -86,6 +88,7 @@ CLI::App* add_run(CLI::App& app, int& status) {
   verb->add_option("--seed", options->seed, "Of everything random");
   verb->add_option("--set", options->set, "component.param=value, as often as needed")
       ->allow_extra_args(false);
+  verb->add_flag("--emulate", options->emulate, kEmulateHelp);
   verb->add_option("--only", options->only, "Only this process of the graph");
   verb->add_option("--for", options->for_s, "Ends after so many seconds of the component clock")
       ->check(CLI::PositiveNumber);

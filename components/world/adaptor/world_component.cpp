@@ -13,6 +13,7 @@
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
 #include "components/messages/obstacles.hpp"
+#include "components/world/adaptor/no_hardware.hpp"
 #include "components/world/adaptor/people_services.hpp"
 #include "components/world/adaptor/robot_ends.hpp"
 #include "components/world/files/track_file.hpp"
@@ -41,6 +42,7 @@ class WorldComponent final : public Component {
   void configure(Setup& setup) override {
     options_ = setup.parameters<WorldOptions>();
     const auto robot = setup.shared<Robot>("robot");
+    refuse_hardware(setup, robot);
     const std::uint64_t seed = setup.seed() + static_cast<std::uint64_t>(options_.seed_offset);
     WorldFiles files = read_files(setup);
     world_ = std::make_unique<World>(options_, robot, files, seed);

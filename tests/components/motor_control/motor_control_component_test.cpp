@@ -23,7 +23,7 @@ std::vector<double> speeds(
   run_with_script("components: {motor_control: {}}", seconds, [&](bw::Setup& setup) {
     setup.input<sensor_msgs::msg::JointState>(
         "wheel_commands", Qos::standard(50), [&](const auto& m, const Tick&) {
-          const WheelSpeeds wheels = wheel_speeds_of(m, kRadius).value();
+          const WheelSpeeds wheels = wheel_speeds_of(m, {kRadius, kRadius}).value();
           list.push_back((wheels.left + wheels.right) / 2.0);
         });
     setup.every(Duration::milliseconds(100), "wish",
@@ -54,6 +54,23 @@ TEST(MotorControlComponent, ReachesTheCommandAndStopsWhenCommandsStop) {
   EXPECT_NEAR(at(list, 2.22), 0.8 - 0.04, 1e-6);  // 2 m/s^2 from here
   EXPECT_NEAR(at(list, 2.6), 0.0, 1e-6);
   EXPECT_EQ(list.back(), 0.0);
+}
+
+// Straight on at one ground speed, the larger wheel turns slower: rates as 1 to 1.01.
+TEST(MotorControlComponent, TurnsWheelsOfTwoSizesAtTheirOwnRates) {
+  std::vector<double> rates;
+  run_with_script(
+      "{robot: {wheel_radius_ratio: 1.01}, components: {motor_control: {}}}", 1.0, [&](bw::Setup& setup) {
+        setup.input<sensor_msgs::msg::JointState>("wheel_commands", Qos::standard(50),
+                                                  [&](const auto& m, const Tick&) { rates = m.velocity(); });
+        setup.every(Duration::milliseconds(100), "wish",
+                    [out = setup.command<geometry_msgs::msg::Twist>("cmd_vel")](const Tick&) {
+                      out.publish(to_twist_message({0.3, 0.0}));
+                    });
+      });
+  ASSERT_EQ(rates.size(), 2U);
+  ASSERT_GT(rates[1], 0.1);
+  EXPECT_NEAR(rates[0] / rates[1], 1.01, 1e-9);
 }
 
 TEST(MotorControlComponent, StopsOnACommandThatIsNotFinite) {

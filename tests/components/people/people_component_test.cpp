@@ -74,7 +74,7 @@ Seen run_in_room(double seconds) {
     setup.every(Duration::milliseconds(50), "drive",
                 [wheels = setup.command<sensor_msgs::msg::JointState>("wheel_commands")](const Tick& tick) {
                   // A gentle arc.
-                  wheels.publish(to_joint_state({0.24, 0.26}, 0.0762, tick.now));
+                  wheels.publish(to_joint_state({0.24, 0.26}, {0.0762, 0.0762}, tick.now));
                 });
   });
   return seen;

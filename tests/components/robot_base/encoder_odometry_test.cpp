@@ -63,6 +63,27 @@ TEST(EncoderOdometry, LoopsOfAnyCurvatureMatchTheClosedFormWithin1e9) {
   }
 }
 
+TEST(EncoderOdometry, WheelsOfTwoSizesTravelByTheirOwn) {
+  // Right 1 % larger: radii r 2 / 2.01 and r 2.02 / 2.01. The same ticks of both give travels in that ratio, r as their mean, and an
+  // arc to the left.
+  Robot robot = fast_robot();
+  robot.wheel_radius_ratio = 1.01;
+  EncoderOdometry odometry(robot, {});
+  EncoderCounts counts{Time::seconds(1.0), 0, 0};
+  odometry.add(counts);
+  drive(odometry, counts, 100, 100, 100);
+  const double mean = 10'000 * metres_per_tick(robot);
+  const double turn = mean * (2.02 - 2.0) / 2.01 / robot.wheel_separation;
+  const Pose2 expected = arc_end(mean, turn);
+  EXPECT_NEAR(odometry.state().X_OB.x, expected.x, 1e-9);
+  EXPECT_NEAR(odometry.state().X_OB.y, expected.y, 1e-9);
+  EXPECT_NEAR(odometry.state().X_OB.theta, expected.theta, 1e-12);
+  // The wheels' angles are those of their counts, whatever their sizes.
+  const double angle = 10'000.0 / static_cast<double>(robot.ticks_per_revolution) * 2.0 * kPi;
+  EXPECT_NEAR(odometry.state().left_angle, angle, 1e-9);
+  EXPECT_NEAR(odometry.state().right_angle, angle, 1e-9);
+}
+
 TEST(EncoderOdometry, SquareOfFiveMetresClosesWithinTheTickRounding) {
   // UMBmark square with whole ticks: the four straights cancel up to the heading error of a corner's
   // rounding.

@@ -40,11 +40,12 @@ TEST(RobotFiles, GenericIsTheDefault) {
 
 TEST(RobotFiles, EncodersHaveTheResolutionOfTheBook) {
   EXPECT_NEAR(millimetres_per_tick(robot("qbot2e")), 0.0853, 0.0001);
+  EXPECT_NEAR(millimetres_per_tick(robot("kobuki")), 0.0853, 0.0001);
   EXPECT_NEAR(millimetres_per_tick(robot("eddie")), 3.32, 0.01);
 }
 
 TEST(RobotFiles, EveryRobotCanTurnAtTopSpeed) {
-  for (const char* name : {"generic", "qbot2e", "eddie"}) {
+  for (const char* name : {"generic", "qbot2e", "kobuki", "eddie"}) {
     const Robot r = robot(name);
     EXPECT_GT(r.wheel_speed_max, r.limits.v_max) << name;
     EXPECT_GE(r.limits.stop_deceleration, r.limits.acc_max) << name;

@@ -143,6 +143,21 @@ TEST(CollisionMonitorComponent, KnowsWhereTheLaserSitsOfARobotWithAPrefix) {
   }
 }
 
+// The robot file lists where its sensors sit, and from 1.05 s on scans come from a frame that is not among them: 250 ms after the last
+// that is, at 1.0 s, the robot is told to stop. A file that lists none has its laser at base_link.
+TEST(CollisionMonitorComponent, StopsForScansOfAFrameThatNobodyPlaced) {
+  const auto laser = [](double t, const Tick& tick) -> std::optional<LaserScan> {
+    LaserScan scan = scan_at(tick, 5.0F);
+    if (t > 1.05) scan.header().frame_id("laser_link");
+    return scan;
+  };
+  const Drive drive = run(2.0, 0.8, ahead, laser, "", -1.0, "robot: {sensors: [{frame: laser}]}\n");
+  EXPECT_EQ(drive.at(1.24).twist.v, 0.8);
+  EXPECT_EQ(drive.at(1.28).twist, Twist2{});
+  EXPECT_EQ(drive.states.back().second, "laser_invalid");
+  EXPECT_EQ(run(2.0, 0.8, ahead, laser).at(1.9).twist.v, 0.8);
+}
+
 TEST(CollisionMonitorComponent, StopsWhenCommandsStopAndThenIsQuiet) {
   const auto wish = [](double t) { return t < 1.05 ? std::optional(Twist2{0.8, 0.0}) : std::nullopt; };
   const Drive drive = run(3.0, 0.0, wish, room);

@@ -35,6 +35,18 @@ TEST(DriveModel, SpeedsUpAtTheWheelLimit) {
   EXPECT_NEAR(drive.pose().x, 0.25 + 0.75, 1e-9);  // a t^2 / 2 = 0.25 m to 1 m/s, then 0.75 s of it
 }
 
+TEST(DriveModel, WheelsFurtherApartTurnLess) {
+  // omega = (0.7 - 0.3) / (b (1 + 0.03)); the wheels' way, which encoders see, stays what it was.
+  DriveOptions options;
+  options.separation_error = 0.03;
+  const Robot robot;
+  DriveModel drive(options, robot, {}, Random(1));
+  ASSERT_TRUE(drive.command(rim(robot, 0.3, 0.7)));
+  run(drive, 1.0);
+  EXPECT_NEAR(drive.twist().omega, 0.4 / (1.03 * robot.wheel_separation), 1e-12);
+  EXPECT_NEAR(drive.twist().v, 0.5, 1e-12);
+}
+
 TEST(DriveModel, DrivesACircle) {
   // Rim speeds 0.6 and 0.8: v = 0.7, omega = 0.2 / 0.39, radius v / omega = 1.365 m.
   const Robot robot;
@@ -50,6 +62,19 @@ TEST(DriveModel, DrivesACircle) {
   EXPECT_NEAR(drive.pose().y, from.y - radius * (std::cos(turned) - std::cos(from.theta)), 1e-9);
   EXPECT_NEAR(drive.pose().theta, wrap_angle(turned), 1e-9);
   EXPECT_NEAR(drive.twist().omega, omega, 1e-12);
+}
+
+TEST(DriveModel, WheelsOfTwoSizesGoAsFarAsTheyAreLarge) {
+  // Equal rates, the right radius twice 1.25 / 2.25 of the mean: to the left; and each counts its own turns, the same.
+  Robot robot;
+  robot.wheel_radius_ratio = 1.25;
+  DriveModel drive({}, robot, {}, Random(1));
+  ASSERT_TRUE(drive.command(rim(robot, 0.5, 0.5)));
+  run(drive, 2.0);
+  EXPECT_NEAR(drive.twist().omega, 0.5 * (2.5 - 2.0) / 2.25 / robot.wheel_separation, 1e-12);
+  EXPECT_NEAR(drive.ticks().left, drive.ticks().right,
+              30);  // not at once at full speed: the ramp is in m/s^2 of the rim
+  EXPECT_GT(drive.ticks().left, 4000);
 }
 
 TEST(DriveModel, EncodersCountTheWay) {

@@ -1,0 +1,360 @@
+#include "components/robot_base/eddie/eddie.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <utility>
+
+#include "components/robot_base/eddie/rangers.hpp"
+
+namespace bw::eddie {
+namespace {
+
+constexpr Duration kListen = Duration::milliseconds(80);     ///< after the first bytes of a session
+constexpr Duration kStrange = Duration::milliseconds(1000);  ///< without an answer
+constexpr Duration kGiveUp = Duration::milliseconds(4000);
+constexpr Duration kStartAnew = Duration::milliseconds(500);  ///< of silence: the board may have restarted
+constexpr int kFewerPositions = 100;  ///< a turn of the wheel: the older board, whose ACC goes to FF
+
+WheelSpeeds metres_per_count(const Robot& robot) {
+  const double turn = 2.0 * std::numbers::pi / static_cast<double>(robot.ticks_per_revolution);
+  return {turn * robot.wheel_radii().left, turn * robot.wheel_radii().right};
+}
+
+Duration period(double rate) { return Duration::seconds(1.0 / rate); }
+
+std::string seconds_text(Duration time) {
+  const auto tenths = time.nanoseconds / 100'000'000;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
+}
+
+Time middle(const Reply& reply) {
+  return reply.sent + Duration{(reply.arrived - reply.sent).nanoseconds / 2};
+}
+
+}  // namespace
+
+Eddie::Eddie(const EddieOptions& options, const Robot& robot, std::unique_ptr<ByteLink> link)
+    : options_(options),
+      metres_per_count_(metres_per_count(robot)),
+      reach_(3.0 * robot.wheel_speed_max),
+      link_(std::move(link)),
+      dialogue_(Duration::seconds(options.reply_timeout)),
+      check_(std::max(metres_per_count_.left, metres_per_count_.right), options.acceleration) {
+  is_coarse_ = robot.ticks_per_revolution < kFewerPositions;
+  tasks_ = {{Request::drive, period(options.rates.drive), {}},
+            {Request::counts, period(options.rates.counts), {}},
+            {Request::analog, period(options.rates.analog), {}}};
+  if (!options.sonar_pins.empty()) tasks_.push_back({Request::sonar, period(options.rates.sonar), {}});
+}
+
+std::vector<Ranger> Eddie::rangers() const { return rangers_of(options_); }
+
+BaseFacts Eddie::facts() const {
+  return {.has_battery = true,
+          .response = 0.25,
+          .battery_low = options_.battery_low,
+          .battery_empty = options_.battery_empty};
+}
+
+void Eddie::begin_session(Time now) {
+  phase_ = Phase::opened;
+  began_ = now;
+  heard_.reset();
+  start_step_ = 0;
+  has_watch_ = true;
+  settings_refused_.clear();
+  drive_refusals_ = 0;
+  was_sent_ = false;
+  target_ = sent_ = {};
+  check_.reset();
+  stranger_.reset();
+  for (Task& task : tasks_) task.asked.reset();
+  ++starts_;
+}
+
+Readings Eddie::poll(Time now) {
+  Readings readings;
+  const LinkState& link = link_->update(now);
+  if (link.is_open && link.openings != openings_) {
+    openings_ = link.openings;
+    begin_session(now);
+  }
+  const std::span<const std::uint8_t> bytes = link_->read();
+  stranger_.add(bytes);
+  const std::optional<Reply> reply = dialogue_.take(now, bytes);
+  if (reply && phase_ != Phase::closed && phase_ != Phase::opened) take(now, *reply, readings);
+  readings.link = heard(now, link);
+  tell(now, readings);
+  return readings;
+}
+
+void Eddie::take(Time now, const Reply& reply, Readings& readings) {
+  if (phase_ == Phase::starting) return take_start(now, reply);
+  if (reply.is_timeout) return;
+  if (const auto reason = error_of(reply.text)) {
+    refused(now, reply, *reason);
+  } else if (!take_running(now, reply, readings)) {
+    ++malformed_;
+    dialogue_.refuse(now);
+    return;
+  }
+  heard_ = now;
+  stranger_.reset();
+}
+
+/// One step of the start after the other; without the answers to STOP and VER there is no Eddie, and it begins again.
+void Eddie::take_start(Time now, const Reply& reply) {
+  const auto reason = error_of(reply.text);
+  const bool is_version = reply.request == Request::version || reply.request == Request::hardware;
+  const auto numbers = is_version ? numbers_of(reply.text, 4) : std::nullopt;
+  const bool has_number = numbers && numbers->size() == 1;
+  const bool is_needed = reply.request == Request::stop || reply.request == Request::version;
+  const bool is_sound = !reply.is_timeout && (reason       ? !is_needed
+                                              : is_version ? has_number
+                                                           : reply.text.empty());
+  if (!is_sound) {
+    start_step_ = 0;
+    if (!reply.is_timeout) {
+      ++malformed_;
+      dialogue_.refuse(now);
+    }
+    return;
+  }
+  if (reason) {
+    ++errors_;
+    if (reply.request == Request::watch) {
+      has_watch_ = false;
+    } else if (reply.request != Request::verbose && reply.request != Request::hardware) {
+      const std::string text = text_of(reply.request);
+      settings_refused_ = "the board refuses " + text.substr(0, text.size() - 1) + " (" + *reason + ")";
+    }
+  } else if (has_number) {
+    (reply.request == Request::version ? version_ : hardware_) = numbers->front();
+  }
+  if (++start_step_ < start_sequence().size()) return;
+  phase_ = Phase::running;
+  heard_ = now;
+  stranger_.reset();
+}
+
+bool Eddie::take_running(Time now, const Reply& reply, Readings& readings) {
+  if (reply.request == Request::counts) return take_counts(now, reply, readings);
+  if (reply.request == Request::analog) return take_analog(reply, readings);
+  if (reply.request == Request::sonar) return take_sonar(reply, readings);
+  if (!reply.text.empty()) return false;
+  drive_refusals_ = 0;
+  check_.told(now, ground_speeds(sent_));
+  return true;
+}
+
+bool Eddie::take_counts(Time now, const Reply& reply, Readings& readings) {
+  const auto distances = distances_of(reply.text);
+  if (!distances) return false;
+  const Time time = middle(reply);
+  const auto old = std::exchange(distances_, distances);
+  const auto moved = [&](std::int32_t Distances::*wheel) {
+    const auto difference =
+        static_cast<std::uint32_t>((*distances).*wheel) - static_cast<std::uint32_t>((*old).*wheel);
+    return std::abs(static_cast<double>(static_cast<std::int32_t>(difference)));
+  };
+  if (old) {
+    const double seconds = std::max(0.0, (time - distances_time_).to_seconds());
+    const double most = std::max(moved(&Distances::left), moved(&Distances::right));
+    if (most > 50.0 + reach_ * seconds / std::min(metres_per_count_.left, metres_per_count_.right)) {
+      ++jumps_;
+      check_.reset();
+      faults_.say(now, "counts",
+                  "DIST jumped by " + std::to_string(std::lround(most)) + " positions in " +
+                      std::to_string(std::lround(seconds * 1e3)) +
+                      " ms: the board restarted, or a line is damaged");
+    }
+  }
+  distances_time_ = time;
+  readings.counts.push_back({time, distances->left, distances->right});
+  const WheelSpeeds travel = {distances->left * metres_per_count_.left,
+                              distances->right * metres_per_count_.right};
+  const std::string contradiction = check_.measured(time, travel);
+  if (contradiction.empty()) return true;
+  ++contradictions_;
+  faults_.say(now, "contradiction", contradiction);
+  return true;
+}
+
+bool Eddie::take_analog(const Reply& reply, Readings& readings) const {
+  const auto values = numbers_of(reply.text, 3);
+  if (!values || values->size() != kAnalogChannels) return false;
+  readings.battery = BatteryReading{.voltage = (*values)[kSupplyChannel] * options_.supply_volts_per_unit};
+  add_infrared(middle(reply), *values, options_, readings.ranges);
+  return true;
+}
+
+bool Eddie::take_sonar(const Reply& reply, Readings& readings) const {
+  const auto values = numbers_of(reply.text, 3);
+  if (!values || values->size() != options_.sonar_pins.size()) return false;
+  add_sonar(middle(reply), *values, options_, readings.ranges);
+  return true;
+}
+
+/// A line may be damaged on its way; three in a row are not.
+void Eddie::refused(Time now, const Reply& reply, const std::string& reason) {
+  constexpr int kInARow = 3;
+  ++errors_;
+  if (reply.request != Request::drive || ++drive_refusals_ < kInARow) return;
+  std::string text = text_of(Request::drive);
+  text.pop_back();
+  faults_.say(now, "refused", "the board refuses " + text + (reason.empty() ? "" : ": " + reason));
+}
+
+/// The cable's state; one on which no Eddie answers counts as not open.
+LinkState Eddie::heard(Time now, const LinkState& cable) {
+  LinkState link = cable;
+  if (!link.is_open) {
+    phase_ = Phase::closed;
+    return link;
+  }
+  if (heard_ && *heard_ > now) heard_ = now;
+  if (began_ > now) began_ = now;
+  const Duration silence = now - heard_.value_or(began_);
+  if (phase_ == Phase::running && silence < Duration::seconds(options_.silence)) return link;
+  link.is_open = false;
+  link.fault =
+      phase_ == Phase::running ? "no answer for " + seconds_text(silence) : "not answered as an Eddie yet";
+  if (phase_ == Phase::running && silence >= kStartAnew) begin_session(now);
+  if (silence < kStrange) return link;
+  link.fault = "no answer of an Eddie to STOP and VER for " + seconds_text(silence);
+  if (stranger_.bytes() == 0) {
+    link.fault += ": nothing comes; is the board switched on?";
+    return link;
+  }
+  link.fault += ", but " + std::to_string(stranger_.bytes()) + " bytes: " + stranger_.likeness();
+  faults_.say(now, "stranger", link.fault);
+  if (silence >= kGiveUp) {
+    link_->close(now, link.fault);
+    phase_ = Phase::closed;
+  }
+  return link;
+}
+
+void Eddie::tell(Time now, Readings& readings) {
+  readings.fault = faults_.text(now);
+  if (!has_watch_)
+    readings.warning =
+        "the board's firmware has no WATCH: it drives on when the cable is pulled or the computer dies";
+  if (!settings_refused_.empty())
+    readings.warning += (readings.warning.empty() ? "" : "; ") + settings_refused_;
+  const DialogueCounts& counts = dialogue_.counts();
+  readings.counters = {{"replies", counts.replies},
+                       {"timeouts", counts.timeouts},
+                       {"unexpected lines", counts.unexpected_lines},
+                       {"bytes thrown away", counts.bytes_thrown_away},
+                       {"malformed replies", malformed_},
+                       {"errors", errors_},
+                       {"encoder jumps", jumps_},
+                       {"contradictions", contradictions_},
+                       {"starts", starts_}};
+  if (version_) readings.counters["firmware version"] = *version_;
+  if (hardware_) readings.counters["hardware version"] = *hardware_;
+}
+
+std::vector<Request> Eddie::start_sequence() const {
+  std::vector<Request> sequence = {Request::stop,     Request::verbose, Request::version,
+                                   Request::hardware, Request::watch,   Request::acceleration};
+  if (!options_.sonar_pins.empty()) sequence.push_back(Request::sonars);
+  return sequence;
+}
+
+std::string Eddie::text_of(Request request) const {
+  switch (request) {
+    case Request::stop:
+      return eddie::command("STOP", {0});
+    case Request::verbose:
+      return eddie::command("VERB", {1});
+    case Request::version:
+      return eddie::command("VER");
+    case Request::hardware:
+      return eddie::command("HWVER");
+    case Request::watch:
+      return eddie::command("WATCH", {options_.watch ? 1 : 0});
+    case Request::acceleration: {
+      const double counts = options_.acceleration / std::min(metres_per_count_.left, metres_per_count_.right);
+      return eddie::command("ACC", {to_word(std::clamp(counts, 1.0, is_coarse_ ? 255.0 : 2047.0))});
+    }
+    case Request::sonars: {
+      int mask = 0;
+      for (const std::int64_t pin : options_.sonar_pins) mask |= 1 << pin;
+      return eddie::command("SPNG", {mask});
+    }
+    case Request::drive:
+      return eddie::command("GOSPD", {sent_.left, sent_.right});
+    case Request::counts:
+      return eddie::command("DIST");
+    case Request::analog:
+      return eddie::command("ADC");
+    case Request::sonar:
+      return eddie::command("PING");
+  }
+  return {};
+}
+
+Eddie::Target Eddie::target_of(const WheelSpeeds& wheels) const {
+  const double share = options_.positions_per == PositionsPer::second ? 1.0 : 0.5;
+  if (!std::isfinite(wheels.left) || !std::isfinite(wheels.right)) return {};
+  return {to_word(share * wheels.left / metres_per_count_.left),
+          to_word(share * wheels.right / metres_per_count_.right)};
+}
+
+WheelSpeeds Eddie::ground_speeds(const Target& target) const {
+  const double share = options_.positions_per == PositionsPer::second ? 1.0 : 0.5;
+  return {target.left * metres_per_count_.left / share, target.right * metres_per_count_.right / share};
+}
+
+/// What is most overdue by its own period; a stop before all.
+std::optional<Request> Eddie::next(Time now) {
+  if (phase_ == Phase::starting) return start_sequence().at(start_step_);
+  if (target_ == Target{} && (!was_sent_ || sent_ != target_)) return Request::drive;
+  const Task* chosen = nullptr;
+  double most = 0.0;
+  for (Task& task : tasks_) {
+    if (task.asked && *task.asked > now) task.asked.reset();
+    const double due = task.asked ? (now - *task.asked).to_seconds() / task.period.to_seconds() : 1e9;
+    if (due < 1.0 - 1e-9 || due <= most) continue;
+    most = due;
+    chosen = &task;
+  }
+  return chosen == nullptr ? std::nullopt : std::optional(chosen->request);
+}
+
+bool Eddie::command(Time now, const WheelSpeeds& wheels) {
+  target_ = phase_ == Phase::running ? target_of(wheels) : Target{};
+  if (phase_ == Phase::closed) return false;
+  if (phase_ == Phase::opened) {
+    // Its letters make an error of half a line that the board may still hold, and no motion.
+    dialogue_.begin(now, kListen);
+    const std::string stop = text_of(Request::stop);
+    if (link_->write({reinterpret_cast<const std::uint8_t*>(stop.data()), stop.size()}))
+      phase_ = Phase::starting;
+    return false;
+  }
+  if (dialogue_.is_free(now)) {
+    const std::optional<Request> request = next(now);
+    if (request) {
+      if (*request == Request::drive) sent_ = target_;
+      if (!dialogue_.ask(now, *request, text_of(*request), *link_)) return false;
+      if (*request == Request::drive) was_sent_ = true;
+      for (Task& task : tasks_)
+        if (task.request == *request) task.asked = now;
+    }
+  }
+  return phase_ == Phase::running;
+}
+
+void Eddie::stop(Time) {
+  if (phase_ == Phase::closed) return;
+  const std::string text = text_of(Request::stop);
+  static_cast<void>(link_->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+  target_ = {};
+}
+
+}  // namespace bw::eddie

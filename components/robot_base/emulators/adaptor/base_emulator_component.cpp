@@ -1,0 +1,105 @@
+// Adaptor of the emulated base: a firmware between a cable and the wheels of the simulated world. It lives in the world's time, one
+// step with each reading of the encoders, so that what it sends is of that very moment.
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <bandwagon_msgs/msg/ground_truth.hpp>
+#include <bandwagon_msgs/msg/wheel_ticks.hpp>
+#include <sensor_msgs/msg/joint_state.hpp>
+
+#include "components/messages/wheel_joints.hpp"
+#include "components/robot_base/emulators/adaptor/emulator_options.hpp"
+#include "components/robot_base/emulators/adaptor/true_body.hpp"
+#include "components/robot_base/emulators/faulty_line.hpp"
+#include "runtime/component.hpp"
+#include "runtime/serial/device_link.hpp"
+
+namespace bw {
+namespace {
+
+using namespace emulators;
+
+class BaseEmulatorComponent final : public Component {
+ public:
+  void configure(Setup& setup) override {
+    options_ = setup.parameters<BaseEmulatorOptions>(
+        [this](const BaseEmulatorOptions& changed, const Tick&) { options_.faults = changed.faults; },
+        {"kobuki", "eddie", "bumper_gap"});
+    robot_ = setup.shared<Robot>("robot");
+    firmware_ = make_firmware(options_, robot_, robot_.base.driver, setup.seed());
+    stranger_ =
+        make_firmware(options_, robot_, robot_.base.driver == "eddie" ? "kobuki" : "eddie", setup.seed());
+    line_.emplace(setup.seed() + 1);
+    link_ = emulator_link(setup, "base");
+    body_.emplace(setup, robot_.radius, options_.bumper_gap, firmware_->beams());
+    wheels_ = setup.command<sensor_msgs::msg::JointState>("sim/wheel_commands");
+    setup.input<bandwagon_msgs::msg::WheelTicks>("sim/wheel_ticks", Qos::standard(),
+                                                 [this](const auto& ticks, const Tick& tick) {
+                                                   body_->count(ticks.left(), ticks.right());
+                                                   counted_ = tick.now;
+                                                   step(from_stamp(ticks.header().stamp()), tick.now);
+                                                 });
+    // The board goes on while nothing is heard of the world.
+    setup.every(Duration::milliseconds(10), "alone", [this](const Tick& tick) {
+      if (counted_ && tick.now - *counted_ > Duration::milliseconds(50)) step(tick.now, tick.now);
+    });
+  }
+
+  void activate(const Tick& tick) override { started_ = tick.now; }
+  void deactivate(const Tick& tick) override { turn({}, tick.now); }
+
+ private:
+  /// `now` is of the world, `real_now` of the component clock.
+  void step(Time now, Time real_now) {
+    const Faults faults = acting(options_.faults, (real_now - started_).to_seconds());
+    if (last_step_ && now <= *last_step_) return;
+    last_step_ = now;
+    const Body body = seen_with(body_->now(), faults);
+    EmulatedBase& answering = faults.other_model ? *stranger_ : *firmware_;
+    plug(!faults.cable_pulled, real_now);
+    const std::span<const std::uint8_t> heard = link_->read();
+    const bool hears = !faults.cable_pulled && !faults.hung;
+    if (hears && !heard.empty()) answering.receive(now, heard);
+    if (!faults.hung) {
+      const std::span<const std::uint8_t> sent = line_->pass(answering.step(now, body), faults);
+      if (!sent.empty()) static_cast<void>(link_->write(sent));
+    }
+    turn(turned_with(firmware_->motors(), faults), now);
+  }
+
+  void plug(bool is_plugged, Time now) {
+    if (is_plugged) static_cast<void>(link_->update(now));
+    if (!is_plugged && is_plugged_) link_->close(now, "cable pulled");
+    is_plugged_ = is_plugged;
+  }
+
+  /// The world holds a command until the next one.
+  void turn(const WheelSpeeds& wheels, Time now) {
+    if (turning_ == wheels) return;
+    turning_ = wheels;
+    wheels_.publish(to_joint_state(wheels, {firmware_->wheel_radius(), firmware_->wheel_radius()}, now));
+  }
+
+  BaseEmulatorOptions options_;
+  Robot robot_;
+  std::unique_ptr<EmulatedBase> firmware_;
+  std::unique_ptr<EmulatedBase> stranger_;  ///< of another model, in place of it
+  std::optional<FaultyLine> line_;
+  std::unique_ptr<ByteLink> link_;
+  std::optional<TrueBody> body_;
+  std::optional<Time> counted_, last_step_;
+  Time started_;
+  bool is_plugged_ = true;
+  std::optional<WheelSpeeds> turning_;
+  Output<sensor_msgs::msg::JointState> wheels_;
+};
+
+}  // namespace
+
+BW_COMPONENT(BaseEmulatorComponent, "base_emulator")
+
+}  // namespace bw

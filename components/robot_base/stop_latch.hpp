@@ -1,0 +1,92 @@
+// Why the base has to stand, and what it takes until it may drive again: a release by somebody who means it, or that the cause
+// is over for a while. An emergency stop, and by default all that touched, fell, blocked or ran by itself, needs the release:
+// nobody shall be surprised by a robot that drives off after they lifted it or freed it (ISO 3691-4 bars the automatic restart).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "components/robot_base/base_condition.hpp"
+#include "runtime/base/choice.hpp"
+#include "runtime/base/field.hpp"
+#include "runtime/base/time.hpp"
+
+namespace bw {
+
+enum class Restart {
+  released,   ///< only by release_stop
+  by_itself,  ///< when the cause has been over for `pause`
+};
+
+constexpr auto choice_table(Restart) {
+  return choices<Restart>({{Restart::released, "released"}, {Restart::by_itself, "by_itself"}});
+}
+
+struct StopOptions {
+  Restart wheel_drop = Restart::released;
+  Restart cliff = Restart::released;
+  Restart bumper = Restart::released;
+  Restart runaway = Restart::released;
+  Restart stall = Restart::released;
+  Restart link = Restart::by_itself;
+  Restart device = Restart::by_itself;
+  Restart battery = Restart::released;
+  Restart charging = Restart::by_itself;
+  double pause = 0.5;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("wheel_drop", wheel_drop, {.doc = "restart after a wheel hung in the air"});
+    v("cliff", cliff, {.doc = "restart after a cliff sensor saw no floor"});
+    v("bumper", bumper, {.doc = "restart after a bumper touched something"});
+    v("runaway", runaway, {.doc = "restart after wheels turned otherwise than they were told"});
+    v("stall", stall, {.doc = "restart after wheels lagged behind or stood though they were told to turn"});
+    v("link", link, {.doc = "restart after the base was not heard"});
+    v("device", device, {.doc = "restart after the base, or its driver, told of a fault"});
+    v("battery", battery, {.doc = "restart after the battery was empty"});
+    v("charging", charging, {.doc = "restart after the charger was connected"});
+    v("pause", pause,
+      {.unit = "s", .min = 0, .max = 60, .doc = "so long a cause has to be over for a restart by itself"});
+  }
+
+  Restart of(StopCause cause) const;
+};
+
+class StopLatch {
+ public:
+  explicit StopLatch(const StopOptions& options) : options_(options) {}
+
+  /// Whether the cause is there at `now`; `reason` is for people.
+  void set(Time now, StopCause cause, bool is_present, const std::string& reason = {});
+  /// What happened once, and is not there longer than that.
+  void strike(Time now, StopCause cause, const std::string& reason) {
+    set(now, cause, true, reason);
+    set(now, cause, false);
+  }
+  /// Lets go of all that can be let go by itself.
+  void step(Time now);
+  /// The gravest cause that holds; nothing: the base may drive.
+  std::optional<StopCause> holds() const;
+  bool holds(StopCause cause) const { return at(cause).holds; }
+  bool is_present(StopCause cause) const { return at(cause).is_present; }
+  /// Of a cause that holds: whether it takes a release.
+  bool is_latched(StopCause cause) const;
+  const std::string& reason(StopCause cause) const { return at(cause).reason; }
+  /// The deliberate reset of all. Says why not while a cause lasts that needs it, and lets go of nothing then.
+  std::optional<std::string> release();
+
+ private:
+  struct Held {
+    bool is_present = false;
+    bool holds = false;
+    Time last_present;
+    std::string reason;
+  };
+  const Held& at(StopCause cause) const { return held_[static_cast<std::size_t>(cause)]; }
+
+  StopOptions options_;
+  std::array<Held, kStopCauses> held_;
+};
+
+}  // namespace bw

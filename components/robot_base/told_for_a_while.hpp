@@ -1,0 +1,41 @@
+// What was wrong at an instant, told for as long as a person or a slower program needs to see it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "runtime/base/time.hpp"
+
+namespace bw {
+
+class ToldForAWhile {
+ public:
+  explicit ToldForAWhile(Duration time = Duration::milliseconds(1000)) : time_(time) {}
+
+  /// `kind` is what it replaces; `text` is for people.
+  void say(Time now, const std::string& kind, std::string text) { said_[kind] = {now, std::move(text)}; }
+  void clear() { said_.clear(); }
+
+  /// All that is still told, one after the other; empty: nothing. A clock that went back makes nothing older.
+  std::string text(Time now) {
+    std::string all;
+    for (auto one = said_.begin(); one != said_.end();) {
+      auto& [at, text] = one->second;
+      if (now < at) at = now;
+      if (now - at > time_) {
+        one = said_.erase(one);
+        continue;
+      }
+      all += (all.empty() ? "" : "; ") + text;
+      ++one;
+    }
+    return all;
+  }
+
+ private:
+  Duration time_;
+  std::map<std::string, std::pair<Time, std::string>> said_;
+};
+
+}  // namespace bw

@@ -1,0 +1,31 @@
+// A thread for what may take long, in the order it was asked for: opening and closing of devices.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+
+namespace bw {
+
+class BackgroundJobs {
+ public:
+  BackgroundJobs();
+  /// Waits until all are done.
+  ~BackgroundJobs() = default;
+  BackgroundJobs(const BackgroundJobs&) = delete;
+  BackgroundJobs& operator=(const BackgroundJobs&) = delete;
+  void add(std::function<void()> job);
+
+ private:
+  void work(const std::stop_token& stop);
+
+  std::mutex mutex_;
+  std::condition_variable_any came_;
+  std::deque<std::function<void()>> jobs_;  ///< guarded by mutex_
+  std::jthread thread_;                     ///< last: it ends before what it uses
+};
+
+}  // namespace bw

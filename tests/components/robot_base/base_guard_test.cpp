@@ -1,0 +1,258 @@
+// The cable, the emergency stop, faults, battery and charger, and what all of them have in common: a command that arrived before
+// the base may drive again moves nothing.
+#include "components/robot_base/base_guard.hpp"
+
+#include <gtest/gtest.h>
+
+#include "components/model/random.hpp"
+#include "tests/components/robot_base/guarded_base.hpp"
+
+namespace bw {
+namespace {
+
+constexpr WheelSpeeds kAhead{0.4, 0.4};
+
+GuardedBase driving() {
+  GuardedBase base;
+  base.run(1.0, kAhead);
+  EXPECT_EQ(base.output().wheels, kAhead);
+  EXPECT_EQ(base.output().condition, BaseCondition::driving);
+  EXPECT_EQ(base.output().reason, "");
+  return base;
+}
+
+/// From 0.4 m/s at 2 m/s^2: 0.2 s, in steps of 0.02 m/s.
+void expect_ramp(GuardedBase& base) {
+  double before = base.output().wheels.left;
+  for (int i = 0; i < 25; ++i) {
+    base.run(0.01, kAhead);
+    const double v = base.output().wheels.left;
+    ASSERT_LE(v, before);
+    ASSERT_GE(v, before - 0.02 - 1e-12);
+    before = v;
+  }
+  EXPECT_EQ(before, 0.0);
+}
+
+TEST(BaseGuard, NothingDrivesBeforeTheBaseIsHeard) {
+  GuardedBase base;
+  base.is_silent = true;
+  base.run(0.99, kAhead, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+  EXPECT_EQ(base.output().condition, BaseCondition::waiting);
+  base.run(0.1, kAhead);
+  EXPECT_EQ(base.output().condition, BaseCondition::link);
+  EXPECT_FALSE(base.output().is_latched);
+  EXPECT_EQ(base.output().reason, "the base has not told its wheels yet");
+  base.is_silent = false;
+  base.run(0.1, kAhead);
+  EXPECT_EQ(base.output().wheels,
+            kAhead);  // it never drove: nothing to be caught up with slowly but its own acceleration
+}
+
+TEST(BaseGuard, SilenceIsARampWithin300MsAndOverByItself) {
+  GuardedBase base = driving();
+  base.is_silent = true;
+  const auto found = base.run_until(1.0, kAhead, [&] { return base.output().wheels != kAhead; });
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(*found, 0.2, 0.021);  // `silence`, from the last counts
+  EXPECT_EQ(base.output().condition, BaseCondition::link);
+  EXPECT_EQ(base.output().reason, "the base is silent");
+  expect_ramp(base);
+  base.run(2.0, kAhead);
+  base.is_silent = false;
+  base.run(0.45, kAhead, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+  base.run(0.15, std::nullopt, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+  EXPECT_EQ(base.output().condition, BaseCondition::waiting);
+  base.run(0.1, kAhead);
+  EXPECT_GT(base.output().wheels.left, 0.0);
+  EXPECT_LE(base.output().wheels.left, 0.1 + 1e-9);  // 1 m/s^2, not at once
+  base.run(0.5, kAhead);
+  EXPECT_EQ(base.output().wheels, kAhead);
+}
+
+TEST(BaseGuard, ACableThatIsPulledIsARampAtOnce) {
+  GuardedBase base = driving();
+  base.readings.link = {.is_open = false, .device = "/dev/base", .fault = "unplugged", .openings = 1};
+  base.run(0.01, kAhead);
+  EXPECT_LT(base.output().wheels.left, kAhead.left);
+  EXPECT_EQ(base.output().reason, "/dev/base is not connected: unplugged");
+  expect_ramp(base);
+}
+
+TEST(BaseGuard, ADeviceThatWasOpenedAnewHearsAStopFirst) {
+  GuardedBase base;
+  base.readings.link = {.is_open = true, .device = "/dev/base", .openings = 1};
+  base.run(1.0, kAhead);
+  ASSERT_EQ(base.output().wheels, kAhead);
+  base.readings.link.openings = 2;  // too short a gap to be seen closed
+  base.run(0.01, kAhead);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});
+  EXPECT_EQ(base.output().condition, BaseCondition::link);
+  EXPECT_EQ(base.output().reason, "/dev/base was opened anew");
+  base.run(0.45, kAhead, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+  base.run(1.0, kAhead);
+  EXPECT_EQ(base.output().wheels, kAhead);
+}
+
+TEST(BaseGuard, CommandsThatDoNotGetThroughAreALostBase) {
+  GuardedBase base = driving();
+  base.is_deaf = true;
+  const auto found = base.run_until(1.0, kAhead, [&] { return base.output().wheels != kAhead; });
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(*found, 0.2, 0.021);
+  EXPECT_EQ(base.output().reason, "commands do not get through to the base");
+}
+
+TEST(BaseGuard, WhatTheBaseDroveUnheardIsNoRunaway) {
+  GuardedBase base = driving();
+  base.is_silent = true;
+  base.fault = [](const WheelSpeeds&) { return kAhead; };  // a firmware that goes on
+  base.run(1.0, kAhead);
+  base.is_silent = false;
+  base.fault = {};
+  base.run(2.0, kAhead, [&] { ASSERT_FALSE(base.output().is_latched) << base.output().reason; });
+  EXPECT_EQ(base.output().wheels, kAhead);
+}
+
+TEST(BaseGuard, AnEmergencyStopIsARampAndNeedsAReleaseAfterItIsOver) {
+  GuardedBase base = driving();
+  base.guard().set_emergency_stop(base.now(), true);
+  expect_ramp(base);
+  EXPECT_EQ(base.output().condition, BaseCondition::emergency_stop);
+  EXPECT_TRUE(base.output().is_latched);
+  EXPECT_EQ(base.guard().release(), "the emergency stop is pressed");
+  base.guard().set_emergency_stop(base.now(), false);
+  base.run(5.0, kAhead, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+  EXPECT_EQ(base.guard().release(), std::nullopt);
+  base.run(1.0, std::nullopt, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+  base.run(1.0, kAhead);
+  EXPECT_EQ(base.output().wheels, kAhead);
+}
+
+TEST(BaseGuard, AReleaseOfNothingIsNoCommand) {
+  GuardedBase base = driving();
+  EXPECT_EQ(base.guard().release(), std::nullopt);
+  base.run(0.01, std::nullopt);
+  EXPECT_LT(base.output().wheels.left, kAhead.left);  // the command before it is forgotten
+}
+
+TEST(BaseGuard, AFaultOfTheDeviceIsARampAndOverByItself) {
+  GuardedBase base = driving();
+  base.readings.fault = "ticks jumped";
+  expect_ramp(base);
+  EXPECT_EQ(base.output().condition, BaseCondition::device);
+  EXPECT_FALSE(base.output().is_latched);
+  EXPECT_EQ(base.output().reason, "ticks jumped");
+  base.readings.fault.clear();
+  base.run(0.48, kAhead, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+  base.run(1.0, kAhead);
+  EXPECT_EQ(base.output().wheels, kAhead);
+}
+
+TEST(BaseGuard, OvercurrentIsAFaultUntilItIsToldToBeOver) {
+  GuardedBase base = driving();
+  base.readings.currents = CurrentReading{.left = 4.0, .is_over_left = true};
+  base.run(0.01, kAhead);
+  EXPECT_EQ(base.output().reason, "overcurrent: left");
+  base.readings.currents.reset();
+  base.run(2.0, kAhead);
+  EXPECT_EQ(base.output().condition, BaseCondition::device);
+  base.readings.currents = CurrentReading{};
+  base.run(2.0, kAhead);
+  EXPECT_EQ(base.output().wheels, kAhead);
+}
+
+TEST(BaseGuard, RestartsAsConfigured) {
+  GuardedBase base({},
+                   {.restart = {.bumper = Restart::by_itself, .device = Restart::released, .pause = 1.0}});
+  base.run(1.0, kAhead);
+  base.readings.fault = "ticks jumped";
+  base.run(0.5, kAhead);
+  base.readings.fault.clear();
+  base.run(5.0, kAhead);
+  EXPECT_TRUE(base.output().is_latched);
+  EXPECT_EQ(base.guard().release(), std::nullopt);
+  base.run(1.0, kAhead);
+  ASSERT_EQ(base.output().wheels, kAhead);
+  base.readings.contacts = ContactReading{.bumper_left = true};
+  base.run(3.0, kAhead);
+  EXPECT_EQ(base.output().condition, BaseCondition::bumper);
+  EXPECT_FALSE(base.output().is_latched);
+  base.readings.contacts = ContactReading{};
+  base.run(0.98, kAhead, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+  base.run(1.0, kAhead);
+  EXPECT_EQ(base.output().wheels, kAhead);
+}
+
+TEST(BaseGuard, AnEmptyBatteryStopsAfterAWhile) {
+  GuardedBase base({}, {.battery = {.low = 14.0, .empty = 13.2, .lasting = 3.0}});
+  const auto at = [&](double voltage, double seconds) {
+    base.readings.battery = BatteryReading{.voltage = voltage};
+    base.run(seconds, kAhead);
+  };
+  at(15.0, 1.0);
+  at(13.0, 2.9);  // a dip
+  EXPECT_EQ(base.guard().battery(), BatteryLevel::good);
+  at(13.5, 3.1);
+  EXPECT_EQ(base.guard().battery(), BatteryLevel::low);
+  EXPECT_EQ(base.output().wheels, kAhead);
+  at(13.0, 3.3);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});
+  EXPECT_EQ(base.output().condition, BaseCondition::battery);
+  at(13.5, 4.0);  // it recovers without a load, and is not full for that
+  EXPECT_EQ(base.guard().release(), "the battery is empty");
+  at(15.0, 3.1);
+  EXPECT_EQ(base.guard().battery(), BatteryLevel::good);
+  EXPECT_EQ(base.guard().release(), std::nullopt);
+  at(15.0, 1.0);
+  EXPECT_EQ(base.output().wheels, kAhead);
+}
+
+TEST(BaseGuard, NobodyDrivesAtTheCharger) {
+  GuardedBase base;
+  base.readings.battery = BatteryReading{.voltage = 15.0, .is_charging = true, .is_plugged = true};
+  base.run(1.0, kAhead, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+  EXPECT_EQ(base.output().condition, BaseCondition::charging);
+  base.readings.battery->is_charging = false;  // full
+  base.run(1.0, kAhead, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+  base.readings.battery->is_plugged = false;
+  base.run(2.0, kAhead);
+  EXPECT_EQ(base.output().wheels, kAhead);
+}
+
+// Whatever comes in whatever order: what is latched moves nothing until it is released, and nothing is faster than the command or
+// backing off.
+TEST(BaseGuard, NothingMovesWhileItIsLatchedInAnyOrderOfEvents) {
+  constexpr std::uint64_t kSeed = 23;
+  Random random(kSeed);
+  int stops = 0;
+  for (int run = 0; run < 100; ++run) {
+    GuardedBase base;
+    base.run(0.5, kAhead);
+    int latched = 0;  // [steps] since it was latched and did not back off
+    for (int step = 0; step < 2000; ++step) {
+      const double dice = random.uniform(0.0, 1.0);
+      if (dice < 0.002) base.readings.contacts = ContactReading{.bumper_left = true};
+      if (dice > 0.002 && dice < 0.003) base.readings.contacts = ContactReading{.drop_left = true};
+      if (dice > 0.003 && dice < 0.010) base.readings.contacts = ContactReading{};
+      if (dice > 0.010 && dice < 0.011) base.readings.link.openings++;
+      if (dice > 0.011 && dice < 0.015) base.is_silent = !base.is_silent;
+      if (dice > 0.015 && dice < 0.018) base.guard().set_emergency_stop(base.now(), dice < 0.016);
+      if (dice > 0.018 && dice < 0.022 && !base.guard().release()) latched = 0;
+      base.run(0.01, kAhead);
+      const BaseOutput& output = base.output();
+      const bool is_still = output.is_latched && output.condition != BaseCondition::backing_off;
+      latched = is_still ? latched + 1 : 0;
+      stops += latched == 1 ? 1 : 0;
+      ASSERT_LE(output.wheels.left, kAhead.left);
+      ASSERT_GE(output.wheels.left, -0.1);
+      if (latched > 21) {  // 0.4 m/s at 2 m/s^2
+        ASSERT_EQ(output.wheels, WheelSpeeds{}) << "seed " << kSeed << " run " << run << " step " << step;
+      }
+    }
+  }
+  EXPECT_GT(stops, 100);
+}
+
+}  // namespace
+}  // namespace bw

@@ -1,0 +1,155 @@
+// Bumpers, cliffs and dropped wheels: back off at 0.1 m/s for at most 0.15 m, then stand until released.
+#include <gtest/gtest.h>
+
+#include "tests/components/robot_base/guarded_base.hpp"
+
+namespace bw {
+namespace {
+
+constexpr WheelSpeeds kAhead{0.3, 0.3};
+
+ContactReading bumper() { return {.bumper_centre = true}; }
+ContactReading cliff() { return {.cliff_left = true}; }
+ContactReading drop() { return {.drop_right = true}; }
+
+GuardedBase driving() {
+  GuardedBase base;
+  base.run(1.0, kAhead);
+  EXPECT_EQ(base.output().wheels, kAhead);
+  return base;
+}
+
+struct Touch {
+  const char* name;
+  ContactReading contacts;
+  BaseCondition end;
+};
+
+class Contact : public testing::TestWithParam<Touch> {};
+
+TEST_P(Contact, BacksOffAndStandsUntilReleased) {
+  GuardedBase base = driving();
+  base.readings.contacts = GetParam().contacts;
+  base.run(0.01, kAhead);
+  EXPECT_EQ(base.output().wheels, (WheelSpeeds{-0.1, -0.1}));  // in the very step
+  EXPECT_EQ(base.output().condition, BaseCondition::backing_off);
+  // Measured where it turns round: 0.3 m/s at 4 m/s^2 takes 1 cm more.
+  base.run_until(0.5, kAhead, [&] { return base.speed() <= 0.0; });
+  const double farthest = base.way();
+  base.run(4.0, kAhead);
+  const double back = farthest - base.way();
+  EXPECT_LE(back, 0.15);
+  EXPECT_GE(back, 0.12);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});
+  EXPECT_EQ(base.output().condition, GetParam().end);
+  EXPECT_TRUE(base.output().is_latched);
+  EXPECT_NE(base.output().reason, "");
+
+  const auto refusal = base.guard().release();
+  ASSERT_TRUE(refusal);  // it is still there
+  EXPECT_EQ(*refusal, base.output().reason);
+  base.readings.contacts = ContactReading{};
+  base.run(1.0, kAhead);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});  // gone, and yet latched
+  EXPECT_EQ(base.guard().release(), std::nullopt);
+  base.run(0.5, std::nullopt);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});  // no new command
+  base.run(1.0, kAhead);
+  EXPECT_EQ(base.output().wheels, kAhead);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Robot, Contact,
+    testing::Values(Touch{"bumper", bumper(), BaseCondition::bumper},
+                    Touch{"cliff", cliff(), BaseCondition::cliff},
+                    Touch{"both", {.bumper_left = true, .cliff_right = true}, BaseCondition::cliff}),
+    [](const auto& touch) { return touch.param.name; });
+
+TEST(ContactReaction, ADroppedWheelStandsAtOnce) {
+  GuardedBase base = driving();
+  base.readings.contacts = drop();
+  base.run(0.01, kAhead);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});
+  EXPECT_EQ(base.output().condition, BaseCondition::wheel_drop);
+  base.readings.contacts = ContactReading{};
+  base.run(1.0, kAhead);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});
+}
+
+TEST(ContactReaction, ACliffBehindIsAWheelThatDropsWhileItBacksOff) {
+  GuardedBase base = driving();
+  base.readings.contacts = bumper();
+  base.run(0.5, kAhead);
+  EXPECT_EQ(base.output().condition, BaseCondition::backing_off);
+  base.readings.contacts->drop_left = true;
+  base.run(0.01, kAhead);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});
+  EXPECT_EQ(base.output().condition, BaseCondition::wheel_drop);
+  base.readings.contacts = bumper();
+  base.run(1.0, kAhead);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});  // nor does it back off again
+}
+
+TEST(ContactReaction, MoreBumpersMeanwhileMakeItNoLonger) {
+  GuardedBase base = driving();
+  base.readings.contacts = bumper();
+  base.run_until(0.5, kAhead, [&] { return base.speed() <= 0.0; });
+  const double farthest = base.way();
+  for (int i = 0; i < 40; ++i) {  // 4 s: pressed and let go, left and right
+    base.readings.contacts = i % 2 == 0 ? ContactReading{} : ContactReading{.bumper_left = true};
+    base.run(0.1, kAhead);
+  }
+  EXPECT_LE(farthest - base.way(), 0.15);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});
+}
+
+TEST(ContactReaction, WhoStandsGoesOnStanding) {
+  GuardedBase base;
+  base.run(0.5, WheelSpeeds{});
+  base.readings.contacts = bumper();
+  base.run(2.0, WheelSpeeds{}, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+  EXPECT_EQ(base.output().condition, BaseCondition::bumper);
+}
+
+TEST(ContactReaction, AShortTouchIsATouch) {
+  GuardedBase base = driving();
+  base.readings.contacts = bumper();
+  base.run(0.01, kAhead);
+  base.readings.contacts = ContactReading{};
+  base.run(4.0, kAhead);
+  EXPECT_EQ(base.output().condition, BaseCondition::bumper);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});
+}
+
+TEST(ContactReaction, AnEmergencyStopEndsBackingOff) {
+  GuardedBase base = driving();
+  base.readings.contacts = bumper();
+  base.run(0.5, kAhead);
+  base.guard().set_emergency_stop(base.now(), true);
+  base.run(0.01, kAhead);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});
+  EXPECT_EQ(base.output().condition, BaseCondition::emergency_stop);
+}
+
+TEST(ContactReaction, EndsInTimeThoughWheelsDoNotTurn) {
+  ContactReaction reaction({}, 2.0);
+  const Time begin = Time::seconds(5.0);
+  reaction.touch(begin, 1.0, bumper(), true);
+  for (int i = 0; i < 300; ++i) {
+    ASSERT_TRUE(reaction.step(begin + Duration::milliseconds(10) * i, 1.0, bumper())) << i;
+  }
+  EXPECT_FALSE(reaction.step(begin + Duration::milliseconds(3000), 1.0, bumper()));
+  EXPECT_FALSE(reaction.is_backing_off());
+}
+
+TEST(ContactReaction, CanBeLeftOut) {
+  GuardedBase base({}, {.contacts = {.back_off = false}});
+  base.run(1.0, kAhead);
+  base.readings.contacts = bumper();
+  base.run(0.01, kAhead);
+  EXPECT_EQ(base.output().wheels, WheelSpeeds{});
+  EXPECT_EQ(base.output().condition, BaseCondition::bumper);
+}
+
+}  // namespace
+}  // namespace bw
