@@ -41,7 +41,7 @@ TEST(Navigation, TakesItsFiguresFromTheCard) {
   EXPECT_EQ(drive.closest_person, 0.0);  // null: nobody was met
   EXPECT_EQ(drive.localization_rms, 0.06);
   EXPECT_TRUE(drive.succeeded());
-  EXPECT_FALSE(navigation_drive(1, 7, {}).succeeded());
+  EXPECT_FALSE(navigation_drive(1, 7, nlohmann::json::object()).succeeded());
 }
 
 TEST(Navigation, IsMetWhenEveryDriveReachesItsGoalWithoutAContact) {
