@@ -45,9 +45,9 @@ bool is_kept(const std::string& subject, const ReproduceArguments& arguments) {
 
 ChildJob job_of(const std::string& subject, const ReproduceArguments& arguments, double cost) {
   const std::filesystem::path folder = arguments.out / subject;
+  // The child's own: this program still, when another one has been installed over it.
   ChildJob job{.name = subject,
-               .command = {std::filesystem::read_symlink("/proc/self/exe").string(), "reproduce", subject,
-                           "--out", folder.string()},
+               .command = {"/proc/self/exe", "reproduce", subject, "--out", folder.string()},
                .log = folder / "log.txt",
                .cost = cost};
   if (arguments.quick) job.command.emplace_back("--quick");
