@@ -113,7 +113,7 @@ TEST(CommandLoss, MotorControlBrakesWhenTheVelocityCommandIsOlderThan200Ms) {
   // 200 ms age + 20 ms step + 10 ms physics + 10 ms until 0.02 m/s are lost
   expect_stop(drive("  robot_base: {}\n  motor_control: {}\n",
                     [](Drive& d) -> std::unique_ptr<Component> { return std::make_unique<CmdVelSource>(d); }),
-              0.25, 1.0);
+              0.26, 1.0);
 }
 
 TEST(CommandLoss, TheBaseBrakesByItselfWhenWheelCommandsStop) {
