@@ -1,5 +1,5 @@
 // Commands stop at top speed, in virtual time: the contract of motor_control (command age 200 ms, steps of 20
-// ms) and of robot_base (watchdog 250 ms, checked every 10 ms). Standstill: 1 m/s at 2 m/s^2 is 0.5 s after
+// ms) and of robot_base (watchdog 200 ms, checked every 10 ms). Standstill: 1 m/s at 2 m/s^2 is 0.5 s after
 // that.
 #include <filesystem>
 #include <fstream>
@@ -117,10 +117,10 @@ TEST(CommandLoss, MotorControlBrakesWhenTheVelocityCommandIsOlderThan200Ms) {
 }
 
 TEST(CommandLoss, TheBaseBrakesByItselfWhenWheelCommandsStop) {
-  // 250 ms watchdog + 10 ms check + 10 ms physics + 10 ms until 0.02 m/s are lost
+  // 200 ms watchdog + 10 ms check + 10 ms physics + 10 ms until 0.02 m/s are lost
   expect_stop(drive("  robot_base: {}\n",
                     [](Drive& d) -> std::unique_ptr<Component> { return std::make_unique<WheelSource>(d); }),
-              0.28, 1.0);
+              0.25, 1.0);
 }
 
 }  // namespace

@@ -104,8 +104,8 @@ std::optional<Trial> run_trial() {
     while (const auto t = truth.next()) {
       const double v = t->twist().linear().x();
       const auto now = Clock::now();
+      if (!braking_since) trial.speed = std::max(trial.speed, v);  // it may still gain after the last command
       if (!killed && v > 0.97) {
-        trial.speed = v;
         killed = now;
         planning.end(SIGKILL);
       } else if (killed && !braking_since && v < trial.speed - 0.02) {  // 10 ms of braking; noise is below
@@ -131,13 +131,13 @@ int main(int argc, char** argv) {
       std::printf("%2d: the robot did not reach its speed or did not stop\n", i + 1);
       continue;
     }
-    const bool ok = trial->to_deceleration_s <= 0.26 && trial->to_standstill_s <= 1.0;
+    const bool ok = trial->to_deceleration_s <= 0.25 && trial->to_standstill_s <= 1.0;
     good += ok ? 1 : 0;
     std::printf("%2d: at %.2f m/s, last command to deceleration %.0f ms, to standstill %.0f ms%s\n", i + 1,
                 trial->speed, trial->to_deceleration_s * 1e3, trial->to_standstill_s * 1e3,
                 ok ? "" : "  (late)");
     std::fflush(stdout);
   }
-  std::printf("%d of %d within 260 ms and 1.0 s\n", good, trials);
+  std::printf("%d of %d within 250 ms and 1.0 s\n", good, trials);
   return good == trials ? 0 : 1;
 }
