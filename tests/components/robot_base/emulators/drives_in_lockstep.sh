@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# emulated_drives.sh ROOT PROGRAM [SEED...]: the hallway in lock-step through the emulated bases and laser, with the drivers of real ones. For
+# drives_in_lockstep.sh ROOT PROGRAM [SEED...]: the hallway in lock-step through the emulated bases and laser, with the drivers of real ones. For
 # each robot: the goal without any contact; the same bytes twice; and a replay of the base's driver on the record gives the same bytes.
 # Prints score cards beside those of the same robots without a cable.
 set -euo pipefail
