@@ -22,11 +22,12 @@ std::string name_of(std::size_t pair) {
   return p.robot + ", " + planner;
 }
 
-NavigationRow row_of(std::size_t pair, const std::vector<NavigationDrive>& drives) {
-  NavigationRow row{.pair = pair};
+NavigationRow row_of(std::size_t pair, const std::string& hallway,
+                     const std::vector<NavigationDrive>& drives) {
+  NavigationRow row{.pair = pair, .hallway = hallway};
   std::vector<double> times, lengths, persons, indices, localization;
   for (const NavigationDrive& drive : drives) {
-    if (drive.pair != pair) continue;
+    if (drive.pair != pair || drive.hallway != hallway) continue;
     ++row.drives;
     row.reached += drive.reached ? 1 : 0;
     row.successes += drive.succeeded() ? 1 : 0;
@@ -51,6 +52,7 @@ Json drive_json(const NavigationDrive& drive) {
   const NavigationPair& pair = navigation_pairs().at(drive.pair);
   Json json = {{"robot", pair.robot},
                {"planner", pair.planner},
+               {"hallway", drive.hallway},
                {"seed", drive.seed},
                {"success", drive.succeeded()},
                {"reached", drive.reached},
@@ -78,8 +80,9 @@ const std::vector<NavigationPair>& navigation_pairs() {
   return kPairs;
 }
 
-NavigationDrive navigation_drive(std::size_t pair, std::int64_t seed, const nlohmann::json& card) {
-  NavigationDrive drive{.pair = pair, .seed = seed};
+NavigationDrive navigation_drive(std::size_t pair, const std::string& hallway, std::int64_t seed,
+                                 const nlohmann::json& card) {
+  NavigationDrive drive{.pair = pair, .hallway = hallway, .seed = seed};
   drive.reached = card.value("reached", false);
   drive.reason = card.value("reason", "");
   drive.contacts = static_cast<int>(figure(card, "collisions"));
@@ -96,29 +99,38 @@ NavigationDrive navigation_drive(std::size_t pair, std::int64_t seed, const nloh
 
 std::vector<NavigationRow> navigation_rows(const NavigationResults& results) {
   std::vector<NavigationRow> rows;
-  for (std::size_t pair = 0; pair < navigation_pairs().size(); ++pair) {
-    rows.push_back(row_of(pair, results.drives));
-    if (rows.back().drives == 0) rows.pop_back();
+  for (const char* hallway : {"light", "full"}) {
+    for (std::size_t pair = 0; pair < navigation_pairs().size(); ++pair) {
+      rows.push_back(row_of(pair, hallway, results.drives));
+      if (rows.back().drives == 0) rows.pop_back();
+    }
   }
   return rows;
 }
 
-std::vector<Criterion> navigation_criteria(const NavigationResults& results) {
+std::vector<Criterion> navigation_criteria(const NavigationResults& results, const std::string& hallway) {
   std::vector<Criterion> criteria;
-  for (const NavigationRow& row : navigation_rows(results))
-    criteria.push_back({name_of(row.pair) + ": drives that reach the goal without a contact",
+  for (const NavigationRow& row : navigation_rows(results)) {
+    if (row.hallway != hallway) continue;
+    criteria.push_back({fmt::format("{}, {} hallway: drives that reach the goal without a contact",
+                                    name_of(row.pair), hallway),
                         fmt::format("{} of {}", row.drives, row.drives), static_cast<double>(row.successes),
                         row.successes == row.drives});
+  }
   return criteria;
 }
 
 std::vector<PublishedValue> published_values(const NavigationResults& results) {
   std::vector<PublishedValue> values;
   for (const NavigationRow& row : navigation_rows(results)) {
+    if (row.hallway != kNavigationHallway) continue;
     const NavigationPair& pair = navigation_pairs()[row.pair];
     values.push_back({pair.source,
                       name_of(row.pair) + ": share of drives that reach the goal without a contact", "",
                       pair.published, share_of(row.successes, row.drives)});
+    const NavigationRow full = row_of(row.pair, "full", results.drives);
+    if (full.drives > 0)
+      values.back().others.push_back({"six people instead of three", share_of(full.successes, full.drives)});
   }
   return values;
 }
@@ -129,6 +141,7 @@ nlohmann::ordered_json navigation_json(const NavigationResults& results) {
     const NavigationPair& pair = navigation_pairs()[row.pair];
     rows.push_back({{"robot", pair.robot},
                     {"planner", pair.planner},
+                    {"hallway", row.hallway},
                     {"drives", row.drives},
                     {"successes", row.successes},
                     {"reached", row.reached},
@@ -150,10 +163,10 @@ nlohmann::ordered_json navigation_json(const NavigationResults& results) {
 
 std::string navigation_table(const NavigationResults& results) {
   std::string out =
-      fmt::format("{:<14} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "robot, planner", "success",
-                  "reached", "contacts", "at speed", "time s", "person m", "CI", "pose m");
+      fmt::format("{:<14} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "robot, planner", "hallway",
+                  "success", "reached", "contacts", "at speed", "time s", "person m", "CI", "pose m");
   for (const NavigationRow& row : navigation_rows(results)) {
-    out += fmt::format("{:<14} {:>9} {:>9} {:>9} {:>9} {:>9.1f} {:>9.2f} {:>9.2f} {:>9.3f}\n",
+    out += fmt::format("{:<14} {:<8} {:>9} {:>9} {:>9} {:>9} {:>9.1f} {:>9.2f} {:>9.2f} {:>9.3f}\n",
                        name_of(row.pair), fmt::format("{} of {}", row.successes, row.drives), row.reached,
                        row.contacts, row.contacts_at_speed, row.time.mean, row.closest_person.mean,
                        row.max_collision_index.mean, row.localization_rms.mean);

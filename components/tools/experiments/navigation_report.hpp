@@ -26,9 +26,13 @@ const std::vector<NavigationPair>& navigation_pairs();
 
 inline constexpr std::int64_t kNavigationSeeds = 20;
 
+/// The hallway of E6 that is judged: three walkers. The source's pictures show one to a few people; "full", with six, is reported.
+inline constexpr const char* kNavigationHallway = "light";
+
 /// One drive, from its score card. Lengths in metres, times in seconds.
 struct NavigationDrive {
   std::size_t pair = 0;  ///< of navigation_pairs()
+  std::string hallway = kNavigationHallway;
   std::int64_t seed = 0;
   bool reached = false;
   std::string reason;  ///< why it ended
@@ -44,7 +48,8 @@ struct NavigationDrive {
 };
 
 /// What the card does not say stays 0.
-NavigationDrive navigation_drive(std::size_t pair, std::int64_t seed, const nlohmann::json& card);
+NavigationDrive navigation_drive(std::size_t pair, const std::string& hallway, std::int64_t seed,
+                                 const nlohmann::json& card);
 
 struct NavigationResults {
   bool emulated =
@@ -52,9 +57,10 @@ struct NavigationResults {
   std::vector<NavigationDrive> drives;
 };
 
-/// Of one pair over its seeds.
+/// Of one pair in one hallway over its seeds.
 struct NavigationRow {
   std::size_t pair = 0;
+  std::string hallway;
   std::size_t drives = 0, reached = 0, successes = 0;
   int contacts = 0, contacts_at_speed = 0;
   Spread time, path_length;  ///< of drives that reached the goal
@@ -62,8 +68,8 @@ struct NavigationRow {
 };
 std::vector<NavigationRow> navigation_rows(const NavigationResults& results);
 
-/// Each pair reaches the goal without a contact in all its drives; judged with any number of seeds.
-std::vector<Criterion> navigation_criteria(const NavigationResults& results);
+/// Each pair reaches the goal without a contact in all its drives through a hallway; with any number of seeds.
+std::vector<Criterion> navigation_criteria(const NavigationResults& results, const std::string& hallway);
 std::vector<PublishedValue> published_values(const NavigationResults& results);
 
 /// {experiment, emulated, rows, drives}
