@@ -62,9 +62,13 @@ nlohmann::json card_of(const Drive& drive) {
   return file ? nlohmann::json::parse(file) : nlohmann::json();
 }
 
-/// Reached without a contact while the robot moved.
-bool print(const Drive& drive, const nlohmann::json& card) {
-  if (card.is_null()) return false;
+struct Tally {
+  int reached = 0;
+  int untouched = 0;  ///< reached, and nobody was touched
+};
+
+void print(const Drive& drive, const nlohmann::json& card, Tally& tally) {
+  if (card.is_null()) return;
   const bool reached = card.value("reached", false);
   const int contacts = card.value("collisions", -1);
   const auto number = [&](const char* key) {
@@ -73,27 +77,29 @@ bool print(const Drive& drive, const nlohmann::json& card) {
   std::printf("%-7s %-16s %4d  %-7s %8d  %6.1f  %11.2f\n", drive.robot.c_str(), drive.how.c_str(), drive.seed,
               reached ? "reached" : "-", contacts, number("time_to_goal_s"), number("min_distance_m"));
   std::fflush(stdout);
-  return reached && contacts == 0;
+  tally.reached += reached ? 1 : 0;
+  tally.untouched += reached && contacts == 0 ? 1 : 0;
 }
 
+/// Whether somebody who walks touches a robot is of the scene and the planner: the simulated driver's drives stand beside for that.
 TEST(EmulatedDrives, ReachTheGoal) {
   const int asked = drives_asked_for();
-  const std::vector<std::string> robots =
-      asked == 0 ? std::vector<std::string>{"qbot2e"} : std::vector<std::string>{"qbot2e", "eddie"};
-  const std::vector<std::string> ways =
-      asked == 0 ? std::vector<std::string>{"simulated", "one process"}
-                 : std::vector<std::string>{"simulated", "one process", "three processes"};
-  std::printf("robot   driver, clock    seed  goal    contacts  time s  closest m\n");
+  const int count = std::max(asked, 1);
+  std::vector<std::string> robots = {"qbot2e"};
+  std::vector<std::string> ways = {"simulated", "one process"};
+  if (asked > 0) robots.emplace_back("eddie");
+  if (asked > 0) ways.emplace_back("three processes");
+  std::printf("robot   driver           seed  goal    contacts  time s  closest m\n");
   for (const std::string& robot : robots) {
     for (const std::string& how : ways) {
-      int well = 0;
-      const int count = std::max(asked, 1);
+      Tally tally;
       for (int seed = 1; seed <= count; ++seed) {
         const Drive drive{robot, how, seed};
-        well += print(drive, card_of(drive)) ? 1 : 0;
+        print(drive, card_of(drive), tally);
       }
-      std::printf("%-7s %-16s %d of %d\n", robot.c_str(), how.c_str(), well, count);
-      if (how != "simulated") EXPECT_EQ(well, count) << robot << ", " << how;
+      std::printf("%-7s %-16s %d of %d reached, %d of them without any contact\n", robot.c_str(), how.c_str(),
+                  tally.reached, count, tally.untouched);
+      EXPECT_EQ(tally.reached, count) << robot << ", " << how;
     }
   }
 }
