@@ -141,20 +141,22 @@ TEST(Eddie, OneRequestAtATime) {
   for (std::size_t i = 1; i < times.size(); ++i) EXPECT_GE(times[i] - times[i - 1], 0.08 - 1e-9);
 }
 
-// 10 s of looks each 10 ms. A request waits for others by a look or two: GOSPD is due each 50 ms and comes within 70, DIST is due each 25
-// and comes within 40.
+// 10 s of looks each 10 ms, a command that changes all the time, and one that does not. A request waits for others by a look or two: GOSPD is
+// due each 40 ms and comes within 60, DIST is due each 25 and comes within 40.
 TEST(Eddie, AsksEachThingAtItsRate) {
-  Bench bench;
-  bench.start();
-  bench.steps(1000, {0.0, 0.1});
-  std::map<std::string, int> asked;
-  for (const std::string& line : bench.sent) ++asked[line.substr(0, 4)];
-  EXPECT_GE(asked["GOSP"], 142);
-  EXPECT_LE(asked["GOSP"], 200);
-  EXPECT_GE(asked["DIST"], 250);
-  EXPECT_LE(asked["DIST"], 400);
-  EXPECT_NEAR(asked["ADC\r"], 50, 5);
-  EXPECT_NEAR(asked["PING"], 50, 5);
+  for (const bool changes : {true, false}) {
+    Bench bench;
+    bench.start();
+    for (int i = 0; i < 1000; ++i) bench.step({changes && i % 2 == 0 ? 0.3 : 0.2, 0.1});
+    std::map<std::string, int> asked;
+    for (const std::string& line : bench.sent) ++asked[line.substr(0, 4)];
+    EXPECT_GE(asked["GOSP"], changes ? 166 : 83);
+    EXPECT_LE(asked["GOSP"], changes ? 250 : 101);
+    EXPECT_GE(asked["DIST"], 250);
+    EXPECT_LE(asked["DIST"], 400);
+    EXPECT_NEAR(asked["ADC\r"], 50, 5);
+    EXPECT_NEAR(asked["PING"], 50, 5);
+  }
 }
 
 // At most what one look costs, while no reply is due.
