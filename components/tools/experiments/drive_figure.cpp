@@ -36,7 +36,7 @@ void add_bodies(PathPlot& plot, const RunRecording& course) {
 PathPlot map_plot(const RunRecording& course) {
   constexpr double kLongestHop = 2.5;  // [m] farther between two moments: another stay in the scene
   PathPlot plot{.title = "Way and people; numbers are seconds"};
-  plot.view = view_of(course, kPlotWidth, {0.0, 0.0}).window_in_map;
+  if (!course.moments.empty()) plot.view = view_of(course, kPlotWidth, {0.0, 0.0}).window_in_map;
   if (course.map) plot.map = &*course.map;
   plot.walls = course.shapes.segments;
   std::map<std::uint32_t, std::size_t> open;  // way of each person
