@@ -28,7 +28,7 @@ constexpr auto choice_table(NoReturn) {
 }
 
 struct ScanOptions {
-  std::int64_t beams = 360;
+  std::int64_t beams = 720;
   double range_min = 0.15;
   double range_max = 12.0;
   NoReturn no_return = NoReturn::free;
@@ -38,7 +38,7 @@ struct ScanOptions {
     v("beams", beams,
       {.min = 90,
        .max = 3600,
-       .doc = "of a scan, all round; about as many as the device measures in a revolution"});
+       .doc = "of a scan, all round; twice what the device measures in a turn: legs need several"});
     v("range_min", range_min, {.unit = "m", .min = 0.01, .max = 1, .doc = "nearer returns read -inf"});
     v("range_max", range_max, {.unit = "m", .min = 1, .max = 60, .doc = "farther returns read +inf"});
     v("no_return", no_return, {.doc = "a beam that measured nothing: free (+inf) or unknown (NaN)"});

@@ -12,10 +12,10 @@
 
 #include "runtime/cli/doctor_devices.hpp"
 #include "runtime/cli/doctor_report.hpp"
-#include "runtime/cli/doctor_rights.hpp"
 #include "runtime/cli/outside.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/dds/loopback_sockets.hpp"
+#include "runtime/host/real_time.hpp"
 
 namespace bw::cli {
 namespace {
@@ -90,6 +90,15 @@ void check_discovery(DoctorReport& report) {
   }
 }
 
+void check_real_time_rights(DoctorReport& report) {
+  const std::string missing = missing_real_time_rights();
+  if (missing.empty()) {
+    report.ok("real-time priority and locked memory are allowed");
+  } else {
+    report.warn("on a busy machine the base may be commanded late: " + missing);
+  }
+}
+
 struct DoctorOptions {
   bool ports = false;
   std::string graph;
@@ -106,7 +115,7 @@ int examine(const DoctorOptions& options) {
   }
   if (options.graph.empty()) check_serial_devices(report);
   if (!options.graph.empty()) check_ports(report, ports_of(load_graph(options.graph, options.set)));
-  check_realtime_rights(report);
+  check_real_time_rights(report);
   return report.status();
 }
 

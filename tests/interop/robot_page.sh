@@ -51,7 +51,7 @@ while read -r line; do
     sudo) [[ ${words[1]} != cp ]] || [[ -f ${words[2]} ]] || complain "no file ${words[2]}" ;;
     *) complain "a command of nobody's: $line" ;;
   esac
-done < <(awk '/^```/ { inside = !inside; next } inside' "$page"; grep -oE '[`]bandwagon [^`]*[`]' "$page" | tr -d '`')
+done < <(awk '/^```/ { inside = !inside; next } inside' "$page"; grep -oP '\x60bandwagon [^\x60]*' "$page" | tr -d '\140')
 echo "$count commands of $page looked at"
 ((count >= 15)) || complain "fewer than 15: is this the page?"
 exit "$broken"

@@ -133,11 +133,15 @@ std::optional<Calibration> calibrate_odometry(const std::vector<MeasuredMotion>&
     logarithms += change.cwiseMax(-0.1).cwiseMin(0.1);
     if (change.norm() < 1e-10) break;
   }
-  const double unexplained = normal.squares / static_cast<double>(std::max<Eigen::Index>(normal.rows - 3, 1));
+  // A few motions agree by chance: they do not tell how large their errors are.
+  constexpr Eigen::Index kEnough = 6;
+  const Eigen::Index free = normal.rows - 3;
+  const double agreement = normal.squares / static_cast<double>(std::max<Eigen::Index>(free, 1));
+  const double unexplained = free < kEnough ? std::max(agreement, 1.0) : agreement;
   const Vector3d sd = (covariance.diagonal() * unexplained).cwiseSqrt();
   return Calibration{.geometry = scaled(start, logarithms),
                      .share_of_error = {sd[0], sd[1], sd[2]},
-                     .disagreement = std::sqrt(unexplained)};
+                     .disagreement = std::sqrt(agreement)};
 }
 
 }  // namespace bw

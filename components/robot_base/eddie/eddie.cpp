@@ -14,6 +14,7 @@ namespace {
 constexpr Duration kListen = Duration::milliseconds(80);     ///< after the first bytes of a session
 constexpr Duration kStrange = Duration::milliseconds(1000);  ///< without an answer
 constexpr Duration kGiveUp = Duration::milliseconds(4000);
+constexpr Duration kSayAgain = Duration::milliseconds(100);   ///< what GOSPD said, though nothing changed
 constexpr Duration kStartAnew = Duration::milliseconds(500);  ///< of silence: the board may have restarted
 constexpr int kFewerPositions = 100;  ///< a turn of the wheel: the older board, whose ACC goes to FF
 
@@ -315,11 +316,13 @@ std::optional<Request> Eddie::next(Time now) {
   if (phase_ == Phase::starting) return start_sequence().at(start_step_);
   if (target_ == Target{} && (!was_sent_ || sent_ != target_)) return Request::drive;
   const Task* chosen = nullptr;
-  double most = 1.0;
+  double most = 0.0;
   for (Task& task : tasks_) {
     if (task.asked && *task.asked > now) task.asked.reset();
-    const double due = task.asked ? (now - *task.asked).to_seconds() / task.period.to_seconds() : 1e9;
-    if (due < most - 1e-9) continue;
+    const bool is_repetition = task.request == Request::drive && target_ == sent_;
+    const Duration period = is_repetition ? std::max(task.period, kSayAgain) : task.period;
+    const double due = task.asked ? (now - *task.asked).to_seconds() / period.to_seconds() : 1e9;
+    if (due < 1.0 - 1e-9 || due <= most) continue;
     most = due;
     chosen = &task;
   }

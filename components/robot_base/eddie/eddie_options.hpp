@@ -19,12 +19,15 @@ constexpr auto choice_table(PositionsPer) {
 }
 
 struct RateOptions {
-  double drive = 20.0, counts = 40.0, analog = 5.0, sonar = 5.0;
+  double drive = 25.0, counts = 40.0, analog = 5.0, sonar = 5.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("drive", drive,
-      {.unit = "Hz", .min = 5, .max = 50, .doc = "of GOSPD; changes to standing still go out at once"});
+      {.unit = "Hz",
+       .min = 10,
+       .max = 50,
+       .doc = "of GOSPD while it changes; 10 while it does not, and at once when it becomes a stop"});
     v("counts", counts, {.unit = "Hz", .min = 10, .max = 50, .doc = "of DIST"});
     v("analog", analog, {.unit = "Hz", .min = 0.5, .max = 20, .doc = "of ADC: battery and infrared"});
     v("sonar", sonar, {.unit = "Hz", .min = 0.5, .max = 20, .doc = "of PING"});

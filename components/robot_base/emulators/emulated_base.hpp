@@ -41,8 +41,8 @@ struct Body {
 class EmulatedBase {
  public:
   virtual ~EmulatedBase() = default;
-  /// Bytes off the cable.
-  virtual void receive(Time now, std::span<const std::uint8_t> bytes) = 0;
+  /// Bytes off the cable; returns what is answered at once, valid until the next call.
+  virtual std::span<const std::uint8_t> receive(Time now, std::span<const std::uint8_t> bytes) = 0;
   /// Up to `now`, in steps of at most 10 ms: what it sends; valid until the next call. Also when no cable is plugged in: it goes on.
   virtual std::span<const std::uint8_t> step(Time now, const Body& body) = 0;
   /// What its controller makes the wheels turn at: speeds of their rims [m/s], were they of `wheel_radius`.

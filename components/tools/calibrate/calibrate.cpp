@@ -130,8 +130,11 @@ class OdometryCalibration {
 
 void print(const WheelGeometry& before, const Calibration& found) {
   const auto row = [](const char* name, double old_value, double value, double error) {
-    std::cout << fmt::format("{:20} {:10.6g}  ->  {:10.6g}   {:+.2f} %, +- {:.2f} %\n", name, old_value,
-                             value, 100.0 * (value / old_value - 1.0), 100.0 * error);
+    constexpr double kNotMeasured = 0.05;
+    std::cout << fmt::format("{:20} {:10.6g}  ->  {:10.6g}   ", name, old_value, value)
+              << (error > kNotMeasured ? "not measured\n"
+                                       : fmt::format("{:+.2f} %, +- {:.2f} %\n",
+                                                     100.0 * (value / old_value - 1.0), 100.0 * error));
   };
   std::cout << "\n";
   row("wheel_radius", before.radius, found.geometry.radius, found.share_of_error.radius);

@@ -60,10 +60,11 @@ void RobotFront::hear(Time now) {
 }
 
 void RobotFront::hear_base() {
-  constexpr double kSlowest = 0.05;  // [m/s]
+  constexpr double kSlowest = 0.1;  // [m/s]
+  constexpr double kSteady = 0.03;  // [m/s] between two states
   while (auto state = states_.take()) {
-    const bool is_steady = state_ && state_->commanded_left() == state->commanded_left() &&
-                           state_->commanded_right() == state->commanded_right();
+    const bool is_steady = state_ && std::abs(state_->commanded_left() - state->commanded_left()) < kSteady &&
+                           std::abs(state_->commanded_right() - state->commanded_right()) < kSteady;
     if (is_steady &&
         std::min(std::abs(state->commanded_left()), std::abs(state->commanded_right())) > kSlowest) {
       obedience_.push_back(state->measured_left() / state->commanded_left());

@@ -9,7 +9,7 @@
 namespace bw {
 namespace {
 
-const std::vector<double> kStamps = {2.0, 4.0};  // [s] while the robot comes up to A, and when they meet
+const std::vector<double> kStamps = {3.5, 5.0};  // [s] shortly before they meet, and when they do
 constexpr double kShownTime = 20.0;              // [s]
 const PlotStyle kChosen{.color = kGreen, .width = 2.4};
 const PlotStyle kOthers{.color = kGrey, .dash = "4 2", .width = 1.2};
@@ -37,6 +37,7 @@ void add_arrows(PathPlot& plot, const std::vector<TrajectoryPoint>& trajectory) 
 
 PathPlot snapshot_plot(const std::string& label, const CrossingSnapshot& moment) {
   PathPlot plot{.title = label + ", t = " + fixed(moment.time, 1) + " s"};
+  if (moment.plan.trajectory.empty()) plot.title += ": no band, it stops";
   plot.view = view();
   for (const Candidate& candidate : moment.plan.candidates) {
     if (!candidate.chosen) plot.ways.push_back({kOthers, places(candidate.trajectory)});

@@ -91,9 +91,9 @@ std::string edwa_ways(const EdwaTable& table) {
           "starts at (0, 0). The source shows the scenes as pictures: places here are proposals. A "
           "run ends at the goal (16, 0) or on a contact.",
       .legend = {{"robot under test", {.color = kBlue, .width = 2.2}},
-                 {"other robots", {.color = kVermilion}},
-                 {"", {.color = kGreen}},
-                 {"", {.color = kPurple}}}};
+                 {"first other", {.color = kVermilion}},
+                 {"second", {.color = kGreen}},
+                 {"third", {.color = kPurple}}}};
   for (const EdwaRow& row : table.rows) figure.pictures.push_back(to_svg(ways_plot(row)));
   return to_html(figure);
 }

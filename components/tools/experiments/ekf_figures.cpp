@@ -67,7 +67,7 @@ LinePlot error_plot(const std::vector<const EkfRow*>& rows, EkfWay way) {
 ColumnPlot statistics_plot(const std::vector<const EkfRow*>& rows, EkfWay way, bool variance) {
   ColumnPlot plot{.title = name_of(way) + (variance ? ": variance" : ": mean error"),
                   .y = {variance ? "variance [m²], log scale" : "ME [m], log scale", variance ? 0.001 : 0.05,
-                        variance ? 1000.0 : 100.0, true},
+                        variance ? 10000.0 : 100.0, true},
                   .columns = {}};
   const auto w = static_cast<std::size_t>(way);
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "components/tools/experiments/page_parts.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -19,7 +20,7 @@ p,li,figcaption{max-width:50em}a{color:#0b5c94}
 .met{color:#00664c}.open{color:#4a5866}.not{color:#a33c00;font-weight:bold}
 table{border-collapse:collapse;margin:1em 0;font-size:.93em;font-variant-numeric:tabular-nums}
 td,th{padding:.25em .6em;border-bottom:1px solid #dde2e7;text-align:right;vertical-align:top}
-td:first-child,th:first-child{text-align:left}
+td:first-child,th:first-child,td.text{text-align:left}
 figure{margin:1.6em 0}
 .legend{display:flex;flex-wrap:wrap;gap:.1em 1.4em;margin:.5em 0;font-size:.9em}
 .legend span{white-space:nowrap}.legend svg{margin-right:.4em;vertical-align:middle}
@@ -118,7 +119,9 @@ void Table::row(const std::vector<std::string>& cells) {
   rows_ += "<tr>";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::string heading = i < headings_.size() ? headings_[i] : "";
-    rows_ += "<td" + (heading.empty() ? "" : " data-is=\"" + heading + '"') + ">" + cells[i] + "</td>";
+    const bool is_text = !cells[i].empty() && std::isalpha(static_cast<unsigned char>(cells[i].front())) != 0;
+    const char* const look = is_text && i > 0 ? " class=\"text\"" : "";
+    rows_ += "<td" + (heading.empty() ? "" : " data-is=\"" + heading + '"') + look + ">" + cells[i] + "</td>";
   }
   rows_ += "</tr>\n";
 }

@@ -13,6 +13,7 @@ constexpr double kUnseen = 0.25;                    // [px]
 constexpr double kApart = 2.5;                      // [px] of dots
 constexpr double kRoom = 0.04;                      // about what is shown, of its size
 constexpr double kFlattest = 0.3, kSteepest = 1.0;  // height over width
+constexpr double kRoomForLabel = 7.0;               // [px] radius of a disc
 constexpr std::string_view kWall = "#34414f";
 
 void widen(Eigen::AlignedBox2d& box, int axis, double size) {
@@ -34,7 +35,10 @@ void draw_disc(SvgWriter& svg, const PlotFrame& frame, const PlotDisc& disc, dou
     svg.line(at, tip, stroke({.color = disc.color, .width = 1.4}));
     svg.polyline({tip + back + aside, tip, tip + back - aside}, stroke({.color = disc.color, .width = 1.4}));
   }
-  if (!disc.label.empty()) svg.text(at + Vector2(0.0, 3.5), disc.label, text_style(10, "middle"));
+  if (disc.label.empty()) return;
+  const double radius = disc.radius * scale;
+  const double down = radius < kRoomForLabel ? -radius - 2.0 : 3.5;  // above it where it has no room
+  svg.text(at + Vector2(0.0, down), disc.label, text_style(10, "middle"));
 }
 
 void draw_place(SvgWriter& svg, const PlotFrame& frame, const PathPlot& plot, const PictureView& view) {

@@ -26,18 +26,17 @@ const PfCell& cell_of(const PfTable& table, std::size_t row, PfMethod method) {
   return table.cells[row][static_cast<std::size_t>(method)];
 }
 
-/// Outline of the roof about the circle.
-std::vector<Vector2> roof() {
-  constexpr double kSpeed = 1.0;  // [m/s]
-  const auto at = [](double time, double radius) {
-    const double angle = kSpeed * time / kPfRadius;
-    return Vector2(radius * std::sin(angle), kPfRadius - radius * std::cos(angle));
-  };
-  std::vector<Vector2> outline;
-  for (double time = kPfRoofFrom; time <= kPfRoofTo; time += 1.0)
-    outline.push_back(at(time, kPfRadius - kRoofHalfWidth));
-  for (double time = kPfRoofTo; time >= kPfRoofFrom; time -= 1.0)
-    outline.push_back(at(time, kPfRadius + kRoofHalfWidth));
+/// Outline of the roof, along the true way.
+std::vector<Vector2> roof(const std::vector<PfSample>& samples) {
+  std::vector<Vector2> outline, back;
+  for (std::size_t i = 10; i < samples.size(); i += 10) {
+    if (samples[i].time < kPfRoofFrom || samples[i].time > kPfRoofTo) continue;
+    const Vector2 along = (samples[i].truth - samples[i - 10].truth).normalized();
+    const Vector2 left = kRoofHalfWidth * Vector2(-along.y(), along.x());
+    outline.push_back(samples[i].truth + left);
+    back.push_back(samples[i].truth - left);
+  }
+  outline.insert(outline.end(), back.rbegin(), back.rend());
   return outline;
 }
 
@@ -69,12 +68,12 @@ std::string pf_ways(const PfTable& table) {
       .caption =
           "One run (the first seed), the same motion and noise in all four cases. From (0, 0) to the "
           "right and round; outside the roof all readings arrive. The source gives neither the "
-          "length of the way nor where the roof stands; its way is a circle too.",
+          "length of the way nor where the roof stands: both are proposals.",
       .legend = legend(),
       .columns = 2};
   for (std::size_t row = 0; row < kPfRows.size(); ++row) {
     PathPlot plot{.title = case_name(row)};
-    plot.areas.push_back(roof());
+    plot.areas.push_back(roof(cell_of(table, row, PfMethod::gaussian).example));
     std::vector<Vector2> truth;
     for (const PfSample& sample : cell_of(table, row, PfMethod::gaussian).example)
       truth.push_back(sample.truth);

@@ -10,7 +10,7 @@ std::string in_words(const std::optional<bandwagon_msgs::msg::BaseState>& state)
   const char* const released = state->is_latched() ? " (R releases)" : "";
   switch (state->state()) {
     case base::DRIVING:
-      return "driving";
+      return state->commanded_left() == 0.0F && state->commanded_right() == 0.0F ? "standing" : "driving";
     case base::WAITING:
       return "standing";
     case base::BACKING_OFF:

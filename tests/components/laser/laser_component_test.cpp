@@ -27,7 +27,7 @@ struct Seen {
 
 /// In the corner of a room of 8 x 5 m, turned by 0.4 rad, with a pillar; without noise. `laser`: more of the robot's section, `emulator`:
 /// parameters.
-std::string graph(const std::string& laser = "", const std::string& emulator = "",
+std::string graph(const std::string& laser = ", beams: 360", const std::string& emulator = "",
                   const std::string& sensor = "laser") {
   return "robot:\n"
          "  sensors: [{frame: " +

@@ -124,7 +124,7 @@ TEST(Rplidar, SeesTheWallWhereItStands) {
   Rig rig;
   rig.run(3.0);
   ASSERT_FALSE(rig.revolutions.empty());
-  const Scan scan = to_scan(rig.revolutions.back(), {});
+  const Scan scan = to_scan(rig.revolutions.back(), {.beams = 360});
   for (int degrees = -45; degrees <= 45; ++degrees) {
     const double truth = 2.0 / std::cos(degrees * 3.14159265358979 / 180.0);
     EXPECT_NEAR(scan.ranges[static_cast<std::size_t>(180 + degrees)], truth, 0.0068) << degrees;

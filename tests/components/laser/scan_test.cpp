@@ -65,7 +65,7 @@ TEST(LaserScan, SeesAWallAtTwoMetres) {
   };
   const auto over = turn(wall);
   ASSERT_EQ(over.size(), 1U);
-  const Scan scan = to_scan(over[0], {});
+  const Scan scan = to_scan(over[0], {.beams = 360});
   ASSERT_EQ(scan.ranges.size(), 360U);
   for (int i = 0; i < 360; ++i) {
     const double angle = -kPi + kDegree * i;
@@ -110,12 +110,12 @@ TEST(LaserScan, RightIsRight) {
 // Beam 0 is at the rear, the last of a clockwise turn: 181 ms and a turn of 360 ms after the beginning. Ahead is half a turn before that:
 // the node at 0 degrees is number 360, at 100.360 s, and 181 + 180 = 361: the turn is counted from the angle behind the rear.
 TEST(LaserScan, KnowsWhenABeamWasTaken) {
-  const Scan scan = to_scan(turn([](double) { return 2.0; }).at(0), {});
+  const Scan scan = to_scan(turn([](double) { return 2.0; }).at(0), {.beams = 360});
   EXPECT_NEAR(scan.scan_time, 0.360, 1e-9);
   EXPECT_NEAR(scan.time_increment, -0.001, 1e-9);
   EXPECT_EQ(scan.time, Time::seconds(100.541));
   EXPECT_NEAR((scan.time - Time::seconds(100.360)).to_seconds() + 180.0 * scan.time_increment, 0.0, 0.0011);
-  const Scan flipped = to_scan(turn([](double) { return 2.0; }, 360, true).at(0), {});
+  const Scan flipped = to_scan(turn([](double) { return 2.0; }, 360, true).at(0), {.beams = 360});
   EXPECT_NEAR(flipped.time_increment, 0.001, 1e-9);
   EXPECT_EQ(flipped.time, Time::seconds(100.181));
 }
@@ -137,7 +137,7 @@ TEST(LaserScan, ABeamNobodyLookedAtIsUnknown) {
   std::erase_if(over.at(0).samples, [](const Sample& sample) {
     return sample.angle > 30.5 * kDegree && sample.angle < 60.5 * kDegree;
   });
-  const Scan scan = to_scan(over[0], {});
+  const Scan scan = to_scan(over[0], {.beams = 360});
   EXPECT_TRUE(std::isnan(at(scan, 45.0)));
   EXPECT_FLOAT_EQ(at(scan, 30.0), 2.0F);
   EXPECT_FLOAT_EQ(at(scan, 61.0), 2.0F);
@@ -153,7 +153,7 @@ TEST(LaserScan, InventsNothingBetweenALegAndTheWall) {
 // A chair's leg that one node of 1440 hits, on 360 beams of which none looks right at it.
 TEST(LaserScan, LosesNothingThin) {
   const auto leg = [](double angle) { return std::abs(angle - 10.25 * kDegree) < 0.1 * kDegree ? 1.0 : 4.0; };
-  const Scan scan = to_scan(turn(leg, 1440).at(0), {});
+  const Scan scan = to_scan(turn(leg, 1440).at(0), {.beams = 360});
   EXPECT_FLOAT_EQ(at(scan, -10.0), 1.0F);
 }
 

@@ -14,7 +14,7 @@
 
 namespace bw::test {
 
-/// A link below the folder of a test: short, since nothing else has its name.
+/// Of a clock that only goes forward.
 inline Time now() {
   return {std::chrono::duration_cast<std::chrono::nanoseconds>(
               std::chrono::steady_clock::now().time_since_epoch())
@@ -23,7 +23,7 @@ inline Time now() {
 
 inline std::vector<std::uint8_t> bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
 
-/// Updates until it is open, in some openings of its life.
+/// Updates until it is open.
 inline bool opens(ByteLink& link) {
   return eventually([&] { return link.update(now()).is_open; });
 }

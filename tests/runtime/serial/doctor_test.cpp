@@ -1,7 +1,6 @@
 #include <sstream>
 
 #include "runtime/cli/doctor_devices.hpp"
-#include "runtime/cli/doctor_rights.hpp"
 #include "tests/runtime/serial/cable.hpp"
 #include "tests/runtime/serial/machine.hpp"
 
@@ -48,14 +47,6 @@ TEST(Doctor, SaysWhoHasADeviceOpen) {
   check_serial_devices(doctor.report,
                        {.dev = machine.folders.dev, .proc = "/proc", .sys = machine.folders.sys});
   EXPECT_THAT(doctor.says(), HasSubstr("in use by process " + std::to_string(getpid())));
-}
-
-TEST(Doctor, SaysSomethingOfRights) {
-  Doctor doctor;
-  cli::check_realtime_rights(doctor.report);
-  EXPECT_THAT(doctor.says(), HasSubstr("real-time priority"));
-  EXPECT_THAT(doctor.says(), HasSubstr("locked"));
-  EXPECT_EQ(doctor.report.status(), 0);
 }
 
 Graph graph_with(const Folder& folder, const std::string& robot, const std::string& components) {

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "tests/runtime/serial/cable.hpp"
+#include "tests/runtime/serial/machine.hpp"
 
 namespace bw::test {
 namespace {
@@ -207,6 +208,29 @@ TEST(SerialPort, WhatIsNoSerialLineIsRefusedAsWhatItIs) {
     EXPECT_FALSE(host.update(now()).is_open);
   }
   EXPECT_EQ(std::filesystem::file_size(folder / "file"), 4U);
+}
+
+// An adapter that hangs while it is looked up: its sysfs file is a pipe, whose reader waits until somebody opens the other end.
+TEST(SerialPort, ADeviceThatHangsHoldsNobodyUp) {
+  Machine machine;
+  machine.add_ftdi("ttyUSB0", "1-1", "HANGS");
+  const fs::path product = machine.folders.sys / "devices" / "pci0000:00" / "usb1" / "1-1" / "product";
+  fs::remove(product);
+  ASSERT_EQ(mkfifo(product.c_str(), 0600), 0);
+  SerialPort host({.port = "usb:HANGS"}, {}, machine.folders);
+  host.update(now());
+  for (int i = 0; i < 1000; ++i) {
+    EXPECT_FALSE(host.update(now()).is_open);
+    EXPECT_TRUE(host.read().empty());
+    EXPECT_FALSE(host.write(bytes_of("x")));
+    host.close(now(), "another model");
+  }
+  // Succeeds only when the reader is in there: so all those calls returned beside it.
+  int writer = -1;
+  EXPECT_TRUE(eventually([&] { return (writer = open(product.c_str(), O_WRONLY | O_NONBLOCK)) >= 0; }));
+  EXPECT_EQ(host.update(now()).fault, "another model");
+  ::close(writer);
+  EXPECT_TRUE(says(host, "is a file, no serial line"));
 }
 
 TEST(SerialPort, BurstsArriveWholeAndInOrder) {

@@ -43,9 +43,10 @@ class BaseEmulatorComponent final : public Component {
                                                    counted_ = tick.now;
                                                    step(from_stamp(ticks.header().stamp()), tick.now);
                                                  });
-    // The board goes on while nothing is heard of the world.
-    setup.every(Duration::milliseconds(10), "alone", [this](const Tick& tick) {
-      if (counted_ && tick.now - *counted_ > Duration::milliseconds(50)) step(tick.now, tick.now);
+    // A board answers within milliseconds; and it goes on while nothing is heard of the world.
+    setup.every(Duration::milliseconds(5), "line", [this](const Tick& tick) {
+      const bool is_alone = counted_ && tick.now - *counted_ > Duration::milliseconds(50);
+      is_alone ? step(tick.now, tick.now) : listen(tick.now, acting_at(tick.now));
     });
   }
 
@@ -53,22 +54,29 @@ class BaseEmulatorComponent final : public Component {
   void deactivate(const Tick& tick) override { turn({}, tick.now); }
 
  private:
+  Faults acting_at(Time now) const { return acting(options_.faults, (now - started_).to_seconds()); }
+  EmulatedBase& answering(const Faults& faults) { return faults.other_model ? *stranger_ : *firmware_; }
+
   /// `now` is of the world, `real_now` of the component clock.
   void step(Time now, Time real_now) {
-    const Faults faults = acting(options_.faults, (real_now - started_).to_seconds());
     if (last_step_ && now <= *last_step_) return;
     last_step_ = now;
-    const Body body = seen_with(body_->now(), faults);
-    EmulatedBase& answering = faults.other_model ? *stranger_ : *firmware_;
-    plug(!faults.cable_pulled, real_now);
-    const std::span<const std::uint8_t> heard = link_->read();
-    const bool hears = !faults.cable_pulled && !faults.hung;
-    if (hears && !heard.empty()) answering.receive(now, heard);
-    if (!faults.hung) {
-      const std::span<const std::uint8_t> sent = line_->pass(answering.step(now, body), faults);
-      if (!sent.empty()) static_cast<void>(link_->write(sent));
-    }
+    const Faults faults = acting_at(real_now);
+    listen(real_now, faults);
+    if (!faults.hung) send(answering(faults).step(now, seen_with(body_->now(), faults)), faults);
     turn(turned_with(firmware_->motors(), faults), now);
+  }
+
+  void listen(Time now, const Faults& faults) {
+    plug(!faults.cable_pulled, now);
+    const std::span<const std::uint8_t> heard = link_->read();
+    const bool hears = !faults.cable_pulled && !faults.hung && !heard.empty();
+    if (hears) send(answering(faults).receive(now, heard), faults);
+  }
+
+  void send(std::span<const std::uint8_t> bytes, const Faults& faults) {
+    const std::span<const std::uint8_t> passed = line_->pass(bytes, faults);
+    if (!passed.empty()) static_cast<void>(link_->write(passed));
   }
 
   void plug(bool is_plugged, Time now) {

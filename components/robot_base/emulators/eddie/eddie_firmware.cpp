@@ -57,9 +57,14 @@ WheelSpeeds EddieFirmware::motors() const {
   return {turned(drive_.speeds().left), turned(drive_.speeds().right)};
 }
 
-void EddieFirmware::receive(Time now, std::span<const std::uint8_t> bytes) {
+std::span<const std::uint8_t> EddieFirmware::receive(Time now, std::span<const std::uint8_t> bytes) {
   if (!bytes.empty()) heard_ = now;
-  received_.insert(received_.end(), bytes.begin(), bytes.end());
+  reply_.clear();
+  for (const std::uint8_t byte : bytes) {
+    if (const std::optional<EditedLine> line = editor_.take(byte)) obey(now, parse_line(*line, options_));
+  }
+  out_.assign(reply_.begin(), reply_.end());
+  return out_;
 }
 
 void EddieFirmware::obey(Time now, const EddieCommand& command) {
@@ -175,16 +180,11 @@ std::span<const std::uint8_t> EddieFirmware::step(Time now, const Body& body) {
   last_step_ = std::max(*last_step_, now);
   count(now, body);
   body_ = body;
-  for (const std::uint8_t byte : std::exchange(received_, {})) {
-    if (const std::optional<EditedLine> line = editor_.take(byte)) obey(now, parse_line(*line, options_));
-  }
   if (watch_ > Duration{} && now - heard_ >= watch_) drive_.switch_off();
   drive_.step(now, dt, {static_cast<double>(now_.left), static_cast<double>(now_.right)});
   const double speed = std::abs(motors().left) + std::abs(motors().right);
   battery_.step(body.charger == Charger::none ? kIdleCurrent + kCurrentPerSpeed * speed : -1.0, dt);
-  out_.assign(reply_.begin(), reply_.end());
-  reply_.clear();
-  return out_;
+  return {};  // it never speaks unasked
 }
 
 }  // namespace bw::emulators

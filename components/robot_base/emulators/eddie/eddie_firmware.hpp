@@ -22,7 +22,7 @@ class EddieFirmware final : public EmulatedBase {
  public:
   EddieFirmware(const EddieOptions& options, const Robot& robot);
 
-  void receive(Time now, std::span<const std::uint8_t> bytes) override;
+  std::span<const std::uint8_t> receive(Time now, std::span<const std::uint8_t> bytes) override;
   std::span<const std::uint8_t> step(Time now, const Body& body) override;
   WheelSpeeds motors() const override;
   double wheel_radius() const override { return wheel_radius_; }
@@ -64,8 +64,7 @@ class EddieFirmware final : public EmulatedBase {
     Positions positions;
   };
   std::deque<Counted> last_half_second_;
-  std::vector<std::uint8_t> received_;  ///< since the last step
-  std::string reply_;                   ///< of the lines since the last step
+  std::string reply_;  ///< to the lines that came last
   std::vector<std::uint8_t> out_;
 };
 

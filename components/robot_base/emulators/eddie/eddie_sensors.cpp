@@ -14,12 +14,12 @@ constexpr double kLeastPing = 0x12, kMostPing = 0xB54;
 }  // namespace
 
 std::vector<Beam> eddie_beams() {
-  const auto ahead = [](double y, double theta, double half_angle, double reach) {
-    return Beam{.X_base_sensor = {0.19, y, theta}, .half_angle = half_angle, .reach = reach};
+  const auto beam = [](double y, double theta, double half_angle, double reach) {
+    return Beam{.X_base_sensor = {0.2, y, theta}, .half_angle = half_angle, .reach = reach};
   };
-  return {ahead(0.1, 0.3, kSonarHalfAngle, kSonarReach), ahead(-0.1, -0.3, kSonarHalfAngle, kSonarReach),
-          ahead(0.05, 0.0, kInfraredHalfAngle, kInfraredReach),
-          ahead(-0.05, 0.0, kInfraredHalfAngle, kInfraredReach)};
+  return {beam(0.1, 0.26, kSonarHalfAngle, kSonarReach), beam(-0.1, -0.26, kSonarHalfAngle, kSonarReach),
+          beam(0.06, 0.52, kInfraredHalfAngle, kInfraredReach),
+          beam(-0.06, -0.52, kInfraredHalfAngle, kInfraredReach)};
 }
 
 std::uint32_t ping_value(double range, double units_per_mm) {

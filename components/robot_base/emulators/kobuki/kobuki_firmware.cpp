@@ -52,8 +52,9 @@ KobukiFirmware::KobukiFirmware(const KobukiOptions& options, const Robot& robot,
       gyro_(options.gyro, seed),
       battery_(options.battery) {}
 
-void KobukiFirmware::receive(Time now, std::span<const std::uint8_t> bytes) {
+std::span<const std::uint8_t> KobukiFirmware::receive(Time now, std::span<const std::uint8_t> bytes) {
   packets_.receive(bytes, [&](std::uint8_t id, std::span<const std::uint8_t> data) { obey(now, id, data); });
+  return {};  // answers come with its packets
 }
 
 void KobukiFirmware::obey(Time now, std::uint8_t id, std::span<const std::uint8_t> data) {

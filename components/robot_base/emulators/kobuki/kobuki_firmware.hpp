@@ -20,7 +20,7 @@ class KobukiFirmware final : public EmulatedBase {
  public:
   KobukiFirmware(const KobukiOptions& options, const Robot& robot, std::uint64_t seed);
 
-  void receive(Time now, std::span<const std::uint8_t> bytes) override;
+  std::span<const std::uint8_t> receive(Time now, std::span<const std::uint8_t> bytes) override;
   std::span<const std::uint8_t> step(Time now, const Body& body) override;
   WheelSpeeds motors() const override { return motors_.speeds(); }
   double wheel_radius() const override { return options_.wheel_radius; }

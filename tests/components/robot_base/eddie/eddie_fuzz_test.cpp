@@ -91,8 +91,8 @@ TEST(EddieFuzz, NothingButTheCommandIsWritten) {
     ASSERT_EQ(wire.from_host.front(), bytes_of("STOP 0\r"));
     for (const Bytes& bytes : wire.from_host) {
       const std::string line(bytes.begin(), bytes.end());
-      if (is_noise) ASSERT_TRUE(!line.starts_with("GO")) << "stream " << i;
-      if (line.starts_with("GOSPD")) ASSERT_EQ(line, "GOSPD 5A 5A\r") << "stream " << i;
+      const bool moves = line.starts_with("GO");
+      ASSERT_TRUE(!moves || (!is_noise && line == "GOSPD 5A 5A\r")) << "stream " << i << ": " << line;
       ASSERT_TRUE(line.ends_with('\r'));
     }
   }

@@ -35,10 +35,11 @@ TEST(EddieText, DistancesAreOf32Bits) {
   EXPECT_EQ(some->left, 255);
   EXPECT_EQ(some->right, -1000);
   EXPECT_EQ(distances_of("7FFFFFFF 80000000")->left, std::numeric_limits<std::int32_t>::max());
+  EXPECT_EQ(distances_of("000000FF FFFFFC18 ")->right, -1000);
   EXPECT_EQ(distances_of("7fffffff 80000000")->right, std::numeric_limits<std::int32_t>::min());
   for (const char* wrong :
        {"", "000000FF", "000000FF FFFFFC1", "000000FF  FFFFFC18", "000000FF FFFFFC18 00000000",
-        "000000FG FFFFFC18", "-00000FF FFFFFC18", "0x0000FF FFFFFC18", "000000FF FFFFFC18 ", "ERROR"})
+        "000000FG FFFFFC18", "-00000FF FFFFFC18", "0x0000FF FFFFFC18", "ERROR"})
     EXPECT_FALSE(distances_of(wrong)) << wrong;
 }
 

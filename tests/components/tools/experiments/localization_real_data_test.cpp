@@ -77,7 +77,8 @@ TEST(EkfReport, NamesTheLogs) {
   EXPECT_EQ(json["real_data"]["logs"][0]["name"], "a_log");
   EXPECT_EQ(json["real_data"]["logs"][0]["licence"], "its licence");
   EXPECT_NE(
-      ekf_page(report).find("<td data-is=\"log\">a_log</td><td data-is=\"source\">its &lt;source&gt;</td>"),
+      ekf_page(report).find(
+          "<td data-is=\"log\">a_log</td><td data-is=\"source\" class=\"text\">its &lt;source&gt;</td>"),
       std::string::npos);
 }
 

@@ -23,7 +23,7 @@ TEST(Sensible, HasThreeSignificantDigits) {
 TEST(Table, NamesTheColumnInEveryCellForNarrowScreens) {
   Table table({"way", "error < 1 [m]"});
   EXPECT_EQ(table.html(), "");
-  table.row({"sinus", "<b>0.2</b>"});
+  table.row({"sinus", "<b>0.2</b>"});  // words are set to the left, figures to the right
   EXPECT_EQ(table.html(),
             "<table><thead><tr><th>way</th><th>error &lt; 1 [m]</th></tr></thead><tbody>\n"
             "<tr><td data-is=\"way\">sinus</td><td data-is=\"error &lt; 1 [m]\"><b>0.2</b></td></tr>\n"

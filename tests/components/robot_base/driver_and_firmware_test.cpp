@@ -1,0 +1,196 @@
+// Drivers and emulated firmware, which share no code, on one cable: what is commanded is what turns and what is told.
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "components/robot_base/eddie/eddie.hpp"
+#include "components/robot_base/emulators/eddie/eddie_firmware.hpp"
+#include "components/robot_base/emulators/kobuki/kobuki_firmware.hpp"
+#include "components/robot_base/kobuki/kobuki.hpp"
+#include "tests/components/robot_base/scripted_link.hpp"
+
+namespace bw {
+namespace {
+
+using emulators::EddieFirmware;
+using emulators::EmulatedBase;
+using emulators::KobukiFirmware;
+using testing::HasSubstr;
+
+Robot kobuki_robot() {
+  Robot robot;
+  robot.wheel_radius = 0.035;
+  robot.wheel_separation = 0.235;
+  robot.ticks_per_revolution = 2578;
+  robot.wheel_speed_max = 0.7;
+  return robot;
+}
+
+Robot eddie_robot() {
+  Robot robot;
+  robot.wheel_radius = 0.0762;
+  robot.ticks_per_revolution = 144;
+  robot.wheel_speed_max = 1.0;
+  return robot;
+}
+
+/// Wheels that turn as the firmware makes them, without slip.
+class Bench {
+ public:
+  Bench(const Robot& robot, ScriptedLink::Wire& wire, Driver& driver, EmulatedBase& firmware)
+      : metres_per_tick_(2.0 * std::numbers::pi * robot.wheel_radius /
+                         static_cast<double>(robot.ticks_per_revolution)),
+        separation_(robot.wheel_separation),
+        wire_(wire),
+        driver_(driver),
+        firmware_(firmware) {}
+
+  void run(double seconds, const std::function<WheelSpeeds(double)>& wheels) {
+    for (double t = 0.0; t < seconds - 1e-9; t += 0.01) {
+      now = now + Duration::milliseconds(10);
+      const Readings readings = driver_.poll(now);
+      driver_.command(now, wheels(t));
+      if (!readings.fault.empty() && fault.empty()) fault = readings.fault, fault_at = t;
+      for (const EncoderCounts& one : readings.counts) counts.push_back(one);
+      for (const GyroReading& one : readings.gyro) heading = one.angle;
+      counters = readings.counters;
+      if (readings.battery) battery = readings.battery;
+      for (const Bytes& bytes : std::exchange(wire_.from_host, {})) firmware_.receive(now, bytes);
+      body.left_ticks = static_cast<std::int32_t>(std::lround(travel.left / metres_per_tick_));
+      body.right_ticks = static_cast<std::int32_t>(std::lround(travel.right / metres_per_tick_));
+      const WheelSpeeds turned = firmware_.motors();
+      body.twist = to_twist(turned, separation_);
+      wire_.put(firmware_.step(now, body));
+      travel.left += turned.left * 0.01;
+      travel.right += turned.right * 0.01;
+    }
+  }
+  WheelSpeeds counted() const {
+    return {(counts.back().left - counts.front().left) * metres_per_tick_,
+            (counts.back().right - counts.front().right) * metres_per_tick_};
+  }
+
+  Time now = Time::seconds(20.0);
+  emulators::Body body;
+  WheelSpeeds travel;
+  std::vector<EncoderCounts> counts;
+  std::map<std::string, std::uint64_t> counters;
+  std::optional<BatteryReading> battery;
+  std::string fault;
+  double fault_at = -1.0, heading = 0.0;
+
+ private:
+  double metres_per_tick_, separation_;
+  ScriptedLink::Wire& wire_;
+  Driver& driver_;
+  EmulatedBase& firmware_;
+};
+
+WheelSpeeds course(double t) {
+  if (t < 1.0 || t >= 13.0) return {};
+  if (t < 5.0) return {0.3, 0.3};
+  if (t < 8.0) return {0.1, 0.25};
+  if (t < 10.0) return {-0.15, 0.15};
+  return {-0.2, -0.1};
+}
+// Left 4 * 0.3 + 3 * 0.1 - 2 * 0.15 - 3 * 0.2, right 4 * 0.3 + 3 * 0.25 + 2 * 0.15 - 3 * 0.1.
+constexpr WheelSpeeds kWay = {0.6, 1.95};
+
+// A millimetre a second that base control cuts off makes 12 mm in 12 s, radius and ramps another 20.
+TEST(DriverAndFirmware, KobukiGoesTheWayThatIsCommanded) {
+  const Robot robot = kobuki_robot();
+  ScriptedLink::Wire wire;
+  kobuki::Kobuki driver({}, robot.wheel_radii(), std::make_unique<ScriptedLink>(wire));
+  KobukiFirmware firmware({.first_stamp = 60'000, .first_ticks = 65'000}, robot, 1);
+  Bench bench(robot, wire, driver, firmware);
+  bench.run(15.0, course);
+  EXPECT_EQ(bench.fault, "");
+  EXPECT_NEAR(bench.travel.left, kWay.left, 0.035);
+  EXPECT_NEAR(bench.travel.right, kWay.right, 0.035);
+  EXPECT_NEAR(bench.counted().left, bench.travel.left, 1e-3);
+  EXPECT_NEAR(bench.counted().right, bench.travel.right, 1e-3);
+  // Its gyro's noise and drift are within 0.03 rad in 15 s.
+  EXPECT_NEAR(bench.heading, (bench.travel.right - bench.travel.left) / robot.wheel_separation, 0.03);
+  EXPECT_EQ(bench.counters.at("bad checksums") + bench.counters.at("bytes thrown away"), 0U);
+  EXPECT_EQ(bench.counters.at("clock jumps") + bench.counters.at("encoder jumps"), 0U);
+  EXPECT_GT(bench.counters.at("firmware version"), 0U);
+  EXPECT_GE(bench.counts.size(), 745U);  // 50 a second
+}
+
+/// Driver and firmware of an Eddie after `seconds` of the course.
+struct EddieRun {
+  EddieRun(const eddie::EddieOptions& options, const emulators::EddieOptions& board, double seconds)
+      : robot(robot_with(board)),
+        driver(options, robot, std::make_unique<ScriptedLink>(wire)),
+        firmware(board, robot) {
+    bench.run(seconds, course);
+  }
+  static Robot robot_with(const emulators::EddieOptions& board) {
+    Robot robot = eddie_robot();
+    if (board.board == emulators::EddieBoard::position_controller) robot.ticks_per_revolution = 36;
+    return robot;
+  }
+
+  Robot robot;
+  ScriptedLink::Wire wire;
+  eddie::Eddie driver;
+  EddieFirmware firmware;
+  Bench bench{robot, wire, driver, firmware};
+};
+
+// GOSPD is a whole number of positions: 3.3 mm/s, of which a half may be lost for 12 s; ramps lose both ways. With 36 to a turn four times
+// that.
+TEST(DriverAndFirmware, EddieGoesTheWayThatIsCommanded) {
+  using emulators::EddieBoard;
+  using emulators::SpeedUnit;
+  for (const EddieBoard board : {EddieBoard::quadrature, EddieBoard::position_controller}) {
+    for (const SpeedUnit unit : {SpeedUnit::per_second, SpeedUnit::per_half_second}) {
+      const bool is_half = unit == SpeedUnit::per_half_second;
+      const eddie::EddieOptions options{.positions_per = is_half ? eddie::PositionsPer::half_second
+                                                                 : eddie::PositionsPer::second};
+      const EddieRun run(options, {.board = board, .speed_unit = unit}, 15.0);
+      const Bench& bench = run.bench;
+      const double count = board == EddieBoard::quadrature ? 0.0033 : 0.0133;
+      EXPECT_EQ(bench.fault, "") << is_half << count;
+      EXPECT_NEAR(bench.travel.left, kWay.left, 0.03 + (is_half ? 12.0 : 6.0) * count) << is_half << count;
+      EXPECT_NEAR(bench.travel.right, kWay.right, 0.03 + (is_half ? 12.0 : 6.0) * count) << is_half << count;
+      EXPECT_NEAR(bench.counted().left, bench.travel.left, 2.0 * count);
+      EXPECT_NEAR(bench.counted().right, bench.travel.right, 2.0 * count);
+      EXPECT_EQ(bench.counters.at("timeouts") + bench.counters.at("malformed replies"), 0U);
+      EXPECT_EQ(bench.counters.at("errors") + bench.counters.at("unexpected lines"), 0U);
+      ASSERT_TRUE(bench.battery);
+      EXPECT_NEAR(bench.battery->voltage, 12.5, 0.4);
+    }
+  }
+}
+
+TEST(DriverAndFirmware, AnEddieOfTheOtherUnitIsToldWithinASecondOfDriving) {
+  using emulators::SpeedUnit;
+  const EddieRun fast({}, {.speed_unit = SpeedUnit::per_half_second}, 5.0);
+  EXPECT_THAT(fast.bench.fault, HasSubstr("count positions per half second"));
+  EXPECT_LT(fast.bench.fault_at, 1.6);
+  const eddie::EddieOptions half{.positions_per = eddie::PositionsPer::half_second};
+  const EddieRun slow(half, {}, 5.0);
+  EXPECT_THAT(slow.bench.fault, HasSubstr("count positions per second"));
+}
+
+TEST(DriverAndFirmware, AnEddieWithoutWatchDrivesAndSaysSo) {
+  const EddieRun run({}, {.has_watch = false}, 15.0);
+  const Bench& bench = run.bench;
+  EXPECT_EQ(bench.fault, "");
+  EXPECT_NEAR(bench.travel.right, kWay.right, 0.05);
+  EXPECT_EQ(bench.counters.at("errors"), 1U);
+}
+
+}  // namespace
+}  // namespace bw
