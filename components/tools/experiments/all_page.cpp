@@ -33,6 +33,9 @@ std::string link_to(const AllPart& part, const std::string& text) {
   return "<a href=\"" + part.subject + "/index.html\">" + text + "</a>";
 }
 
+/// Words in a table of figures, which stand to the right.
+std::string left(const std::string& html) { return "<div style=\"text-align:left\">" + html + "</div>"; }
+
 std::string coloured(Verdict verdict) {
   const char* kind = verdict == Verdict::reproduced || verdict == Verdict::in_part ? "met"
                      : verdict == Verdict::not_judged                              ? "open"
@@ -47,7 +50,7 @@ std::string overview(const AllRun& run) {
     const auto count = [&](auto is_meant) {
       return std::to_string(std::ranges::count_if(criteria, is_meant));
     };
-    table.row({link_to(part, part.experiments), xml_text(part.what), coloured(verdict_of(part)),
+    table.row({link_to(part, part.experiments), left(xml_text(part.what)), left(coloured(verdict_of(part))),
                count([](const Criterion& c) { return c.not_judged.empty() && c.met; }),
                count([](const Criterion& c) { return c.not_judged.empty() && !c.met; }),
                count([](const Criterion& c) { return !c.not_judged.empty(); })});
@@ -104,9 +107,9 @@ std::string published_table(const AllPart& part) {
       others += xml_text(other.at("name").get<std::string>()) + ": " + in_words(other);
     }
     table.row({xml_text(value.at("what").get<std::string>() + (unit.empty() ? "" : " [" + unit + "]")),
-               xml_text(value.at("source").get<std::string>()),
+               left(xml_text(value.at("source").get<std::string>())),
                xml_text(value.at("published").get<std::string>()), in_words(value.at("here")),
-               std::to_string(value.at("here").at("seeds").get<int>()), others});
+               std::to_string(value.at("here").at("seeds").get<int>()), left(others)});
   }
   return table.html();
 }
@@ -137,7 +140,7 @@ std::string section(const AllPart& part) {
   std::string html = "<h2>" + part.experiments + ": " + xml_text(part.what) + "</h2>\n";
   if (!part.results.is_object())
     return html + "<p>" + (part.trouble.empty() ? "No result yet." : xml_text(part.trouble)) + "</p>\n";
-  return html + "<p>" + coloured(verdict_of(part)) +
+  return html + "<p>Verdict: " + coloured(verdict_of(part)) +
          ". Judged: " + xml_text(part.results.at("judged").get<std::string>()) + ". " +
          link_to(part, "Figures and all tables") + ".</p>\n" + page::criteria_table(criteria_of(part)) +
          "<h3>Published and here</h3>\n" + published_table(part) + other_readings(part) + tuned(part);

@@ -36,7 +36,7 @@ std::vector<AllPart> all_parts() {
       {"pf", "E2", "Particle filter: Table 2.1"},
       {"edwa", "E3, E4", "EDWA: Table 3.2, Figure 3.4"},
       {"eteb", "E5, E6", "PTEB and ETEB: Figures 3.7 to 3.9, 3.11, 3.12"},
-      {"navigation", "7.5", "The whole system on Eddie and QBot 2e: Figure 3.5, section 3.4"},
+      {"navigation", "Robots", "The whole system on Eddie and QBot 2e: Figure 3.5, section 3.4"},
   };
 }
 

@@ -22,7 +22,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kLook = std::chrono::milliseconds(100);
-constexpr auto kTell = std::chrono::seconds(10);  // of what runs
+constexpr auto kTell = std::chrono::seconds(30);  // of what runs
 constexpr auto kPatience =
     std::chrono::seconds(20);  // of a child that was asked to end: it finishes what it writes
 

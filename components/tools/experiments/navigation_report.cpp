@@ -162,14 +162,14 @@ nlohmann::ordered_json navigation_json(const NavigationResults& results) {
 }
 
 std::string navigation_table(const NavigationResults& results) {
-  std::string out =
-      fmt::format("{:<14} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "robot, planner", "hallway",
-                  "success", "reached", "contacts", "at speed", "time s", "person m", "CI", "pose m");
+  std::string out = fmt::format("{:<14} {:<8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n",
+                                "robot, planner", "hallway", "success", "reached", "contacts", "at speed",
+                                "time s", "person m", "CI", "pose m");
   for (const NavigationRow& row : navigation_rows(results)) {
     out += fmt::format("{:<14} {:<8} {:>9} {:>9} {:>9} {:>9} {:>9.1f} {:>9.2f} {:>9.2f} {:>9.3f}\n",
-                       name_of(row.pair), fmt::format("{} of {}", row.successes, row.drives), row.reached,
-                       row.contacts, row.contacts_at_speed, row.time.mean, row.closest_person.mean,
-                       row.max_collision_index.mean, row.localization_rms.mean);
+                       name_of(row.pair), row.hallway, fmt::format("{} of {}", row.successes, row.drives),
+                       row.reached, row.contacts, row.contacts_at_speed, row.time.mean,
+                       row.closest_person.mean, row.max_collision_index.mean, row.localization_rms.mean);
   }
   return out;
 }

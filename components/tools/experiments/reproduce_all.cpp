@@ -22,7 +22,7 @@ struct Cost {
   bool in_shards;
 };
 constexpr Cost kCosts[] = {{"eteb", 1100.0, 45.0, true},
-                           {"navigation", 190.0, 20.0, true},
+                           {"navigation", 640.0, 64.0, true},
                            {"edwa", 95.0, 2.0, false},
                            {"pf", 42.0, 2.0, false},
                            {"ekf", 10.0, 1.0, false}};
