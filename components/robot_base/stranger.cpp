@@ -1,33 +1,31 @@
 #include "components/robot_base/stranger.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <vector>
+#include <string_view>
 
 namespace bw {
 
 void Stranger::add(std::span<const std::uint8_t> bytes) {
-  for (const std::uint8_t byte : bytes) newest_[count_++ % newest_.size()] = byte;
+  for (const std::uint8_t byte : bytes) {
+    is_heard_ = true;
+    is_text_ &= byte == '\r' || byte == '\n' || byte == '\t' || (byte >= 32 && byte <= 126);
+    std::ranges::rotate(newest_, newest_.begin() + 1);
+    newest_.back() = static_cast<char>(byte);
+    const std::string_view seen(newest_.data(), newest_.size());
+    kobuki_headers_ += seen.ends_with("\xAA\x55") ? 1 : 0;
+    rplidar_headers_ += seen.ends_with("\xA5\x5A") ? 1 : 0;
+    error_words_ += seen == "ERROR" ? 1 : 0;
+  }
 }
 
 std::string Stranger::likeness() const {
-  const std::size_t size = std::min<std::size_t>(count_, newest_.size());
-  if (size == 0) return "nothing comes";
-  std::vector<std::uint8_t> bytes;
-  for (std::size_t i = 0; i < size; ++i) bytes.push_back(newest_[(count_ - size + i) % newest_.size()]);
-  const auto has = [&](std::uint8_t first, std::uint8_t second) {
-    const std::array<std::uint8_t, 2> pair = {first, second};
-    return !std::ranges::search(bytes, pair).empty();
-  };
-  if (has(0xAA, 0x55)) return "it speaks as a Kobuki does (AA 55)";
-  if (has(0xA5, 0x5A)) return "it speaks as an RPLIDAR does (A5 5A)";
-  const auto is_text = [](std::uint8_t byte) {
-    return byte == '\r' || byte == '\n' || byte == '\t' || (byte >= 32 && byte <= 126);
-  };
-  if (!std::ranges::all_of(bytes, is_text)) return "another device, or another speed of the line";
-  const std::string text(bytes.begin(), bytes.end());
-  return text.find("ERROR") == std::string::npos ? "it speaks in text"
-                                                 : "it speaks in text, as a Parallax Eddie does (ERROR)";
+  constexpr int kNoChance = 3;
+  if (!is_heard_) return "nothing comes";
+  if (kobuki_headers_ >= kNoChance) return "it speaks as a Kobuki does (AA 55)";
+  if (rplidar_headers_ >= 1 && rplidar_headers_ >= kobuki_headers_)
+    return "it speaks as an RPLIDAR does (A5 5A)";
+  if (!is_text_) return "another device, or another speed of the line";
+  return error_words_ == 0 ? "it speaks in text" : "it speaks in text, as a Parallax Eddie does (ERROR)";
 }
 
 }  // namespace bw

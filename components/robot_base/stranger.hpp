@@ -8,18 +8,19 @@
 
 namespace bw {
 
-/// Remembers the newest bytes that nobody understood.
+/// Of all bytes since the last reset(). What it says changes seldom, so that people can read it.
 class Stranger {
  public:
   void add(std::span<const std::uint8_t> bytes);
   void reset() { *this = {}; }
-  std::uint64_t bytes() const { return count_; }
-  /// For people: "as a Kobuki does (AA 55)"; what cannot be told is likely the wrong speed of the line.
+  bool is_heard() const { return is_heard_; }
+  /// For people: "it speaks as a Kobuki does (AA 55)"; what cannot be told is likely the wrong speed of the line.
   std::string likeness() const;
 
  private:
-  std::array<std::uint8_t, 64> newest_{};
-  std::uint64_t count_ = 0;
+  bool is_heard_ = false, is_text_ = true;
+  int kobuki_headers_ = 0, rplidar_headers_ = 0, error_words_ = 0;
+  std::array<char, 5> newest_{};  ///< the last one last
 };
 
 }  // namespace bw

@@ -13,8 +13,11 @@ class ToldForAWhile {
  public:
   explicit ToldForAWhile(Duration time = Duration::milliseconds(1000)) : time_(time) {}
 
-  /// `kind` is what it replaces; `text` is for people.
-  void say(Time now, const std::string& kind, std::string text) { said_[kind] = {now, std::move(text)}; }
+  /// `text` is for people. Of one kind the first text stays for as long as it is told, so that what goes on is one news.
+  void say(Time now, const std::string& kind, std::string text) {
+    const auto [one, is_new] = said_.try_emplace(kind, now, std::move(text));
+    one->second.first = now;
+  }
   void clear() { said_.clear(); }
 
   /// All that is still told, one after the other; empty: nothing. A clock that went back makes nothing older.

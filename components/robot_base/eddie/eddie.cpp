@@ -25,11 +25,6 @@ WheelSpeeds metres_per_count(const Robot& robot) {
 
 Duration period(double rate) { return Duration::seconds(1.0 / rate); }
 
-std::string seconds_text(Duration time) {
-  const auto tenths = time.nanoseconds / 100'000'000;
-  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
-}
-
 Time middle(const Reply& reply) {
   return reply.sent + Duration{(reply.arrived - reply.sent).nanoseconds / 2};
 }
@@ -134,10 +129,10 @@ void Eddie::take_start(Time now, const Reply& reply) {
   } else if (has_number) {
     (reply.request == Request::version ? version_ : hardware_) = numbers->front();
   }
+  stranger_.reset();
   if (++start_step_ < start_sequence().size()) return;
   phase_ = Phase::running;
   heard_ = now;
-  stranger_.reset();
 }
 
 bool Eddie::take_running(Time now, const Reply& reply, Readings& readings) {
@@ -220,16 +215,15 @@ LinkState Eddie::heard(Time now, const LinkState& cable) {
   const Duration silence = now - heard_.value_or(began_);
   if (phase_ == Phase::running && silence < Duration::seconds(options_.silence)) return link;
   link.is_open = false;
-  link.fault =
-      phase_ == Phase::running ? "no answer for " + seconds_text(silence) : "not answered as an Eddie yet";
+  link.fault = phase_ == Phase::running ? "no answer of the board" : "not answered as an Eddie yet";
   if (phase_ == Phase::running && silence >= kStartAnew) begin_session(now);
   if (silence < kStrange) return link;
-  link.fault = "no answer of an Eddie to STOP and VER for " + seconds_text(silence);
-  if (stranger_.bytes() == 0) {
+  link.fault = "no answer of an Eddie to STOP and VER";
+  if (!stranger_.is_heard()) {
     link.fault += ": nothing comes; is the board switched on?";
     return link;
   }
-  link.fault += ", but " + std::to_string(stranger_.bytes()) + " bytes: " + stranger_.likeness();
+  link.fault += ", but bytes: " + stranger_.likeness();
   faults_.say(now, "stranger", link.fault);
   if (silence >= kGiveUp) {
     link_->close(now, link.fault);

@@ -191,12 +191,9 @@ LinkState Kobuki::heard(Time now, const LinkState& cable) {
   const Duration silence = now - session_.heard.value_or(session_.opened);
   if (silence < Duration::seconds(options_.silence) && is_recognised()) return link;
   link.is_open = false;
-  link.fault = "no packet of a Kobuki for " + seconds_text(silence);
-  if (stranger_.bytes() == 0) {
-    link.fault += ": nothing comes; is the base switched on?";
-    return link;
-  }
-  link.fault += ", but " + std::to_string(stranger_.bytes()) + " bytes: " + stranger_.likeness();
+  link.fault = stranger_.is_heard() ? "no packet of a Kobuki, but bytes: " + stranger_.likeness()
+                                    : "no packet of a Kobuki: nothing comes; is the base switched on?";
+  if (!stranger_.is_heard()) return link;
   if (silence >= kStrange) faults_.say(now, "stranger", link.fault);
   if (silence >= kGiveUp) link_->close(now, link.fault);
   return link;
