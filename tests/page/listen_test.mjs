@@ -158,8 +158,11 @@ test("who is allowed to commands, one at a time", async (t) => {
   const second = await connect(port, subprotocols[0]);
   const change = (value) => ({ op: "setParameters", parameters: [{ name: `/local_planner.${parameter}`, value }], id: `to ${value}` });
   const statuses = ({ heard }) => heard.filter(({ op }) => op === "status");
-  first.tell(change(0.33));
-  await eventually(() => JSON.stringify(statuses(first)), async () => (await held()) === 0.33);
+  // A node is found a moment after the server is.
+  await eventually(() => JSON.stringify(statuses(first)), async () => {
+    first.tell(change(0.33));
+    return (await held()) === 0.33;
+  });
   second.tell(change(0.34));
   await eventually(() => JSON.stringify(statuses(second)), () => statuses(second).some(({ level, message }) => level >= 1 && /command/.test(message)));
   assert.equal(await held(), 0.33);

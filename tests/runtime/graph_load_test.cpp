@@ -151,9 +151,10 @@ TEST(LoadGraph, RefusesUnknownKeysWithTheNearestKnown) {
             "g.yaml:3: components.world.proces: unknown key; did you mean 'process'?");
   EXPECT_EQ(refusal("components:\n  world:\n    inputs:\n      odom: {maxage: 1}\n"),
             "g.yaml:4: components.world.inputs.odom.maxage: unknown key; did you mean 'max_age'?");
-  EXPECT_EQ(refusal("components:\n  world:\n    colour: a\n"),
-            "g.yaml:3: components.world.colour: unknown key; known: type, process, lane, enabled, latency, "
-            "manager, follows, namespace, shared, parameters, remap, emulation, inputs");
+  EXPECT_EQ(
+      refusal("components:\n  world:\n    colour: a\n"),
+      "g.yaml:3: components.world.colour: unknown key; known: type, process, lane, priority, enabled, latency, "
+      "manager, follows, namespace, shared, parameters, remap, emulation, inputs");
 }
 
 TEST(LoadGraph, RefusesWrongValues) {

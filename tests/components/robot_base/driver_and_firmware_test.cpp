@@ -65,7 +65,7 @@ class Bench {
       for (const GyroReading& one : readings.gyro) heading = one.angle;
       counters = readings.counters;
       if (readings.battery) battery = readings.battery;
-      for (const Bytes& bytes : std::exchange(wire_.from_host, {})) firmware_.receive(now, bytes);
+      for (const Bytes& bytes : std::exchange(wire_.from_host, {})) wire_.put(firmware_.receive(now, bytes));
       body.left_ticks = static_cast<std::int32_t>(std::lround(travel.left / metres_per_tick_));
       body.right_ticks = static_cast<std::int32_t>(std::lround(travel.right / metres_per_tick_));
       const WheelSpeeds turned = firmware_.motors();
