@@ -1,7 +1,7 @@
 // The hallway in real time through the pseudo-terminals of emulated bases and of an emulated laser, beside the simulated driver's drives of
 // the same seeds in lock-step, which have neither cable nor firmware.
 //
-// One drive over 6 m; BANDWAGON_DRIVES=20 drives the whole hallway with seeds 1 to 20, each base in one process and in three:
+// One drive over 6 m, where nobody walks; BANDWAGON_DRIVES=20 drives the whole hallway with seeds 1 to 20, each base in one process and in three:
 //   BANDWAGON_DRIVES=20 ROS_DOMAIN_ID=44 build/release/bin/test_emulated_drives
 #include <cstdio>
 #include <cstdlib>
@@ -35,7 +35,8 @@ std::vector<std::string> arguments(const Drive& drive) {
                                    "--seed", std::to_string(drive.seed),
                                    "--for",  "240"};
   const auto add = [&](std::initializer_list<std::string> more) { list.insert(list.end(), more); };
-  if (drives_asked_for() == 0) add({"--set", "navigator.goal.x=7.0"});
+  if (drives_asked_for() == 0)
+    add({"--set", "navigator.goal.x=7.0", "--set", "world.people.social.walkers=[]"});
   if (drive.how == "simulated")
     add({"--set", "robot.base.driver=simulated", "--set", "robot.laser.driver=none", "--clock", "lockstep"});
   else
