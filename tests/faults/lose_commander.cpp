@@ -94,7 +94,11 @@ class Trial {
       return speed > kSpeed - 1e-4 && last_command != Time{};
     });
     if (!drives) return std::nullopt;
-    usleep(static_cast<useconds_t>(phase_ms) * 1000U);
+    poll_until(std::chrono::steady_clock::now() + std::chrono::milliseconds(phase_ms),
+               std::chrono::milliseconds(1), [&] {
+                 hear();
+                 return false;
+               });
     frames_.forget();
     truth_.forget();
     commander.signal(signal);

@@ -17,6 +17,7 @@
 #include "components/robot_base/emulators/eddie/eddie_firmware.hpp"
 #include "components/robot_base/emulators/kobuki/kobuki_firmware.hpp"
 #include "components/robot_base/kobuki/kobuki.hpp"
+#include "tests/components/robot_base/eddie_robot.hpp"
 #include "tests/components/robot_base/scripted_link.hpp"
 
 namespace bw {
@@ -33,14 +34,6 @@ Robot kobuki_robot() {
   robot.wheel_separation = 0.235;
   robot.ticks_per_revolution = 2578;
   robot.wheel_speed_max = 0.7;
-  return robot;
-}
-
-Robot eddie_robot() {
-  Robot robot;
-  robot.wheel_radius = 0.0762;
-  robot.ticks_per_revolution = 144;
-  robot.wheel_speed_max = 1.0;
   return robot;
 }
 

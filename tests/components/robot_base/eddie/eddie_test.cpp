@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/components/robot_base/eddie_robot.hpp"
 #include "tests/components/robot_base/scripted_link.hpp"
 
 namespace bw::eddie {
@@ -21,15 +22,6 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-/// 144 positions to a turn of 2 pi 0.0762 m: 3.3249 mm each.
-Robot eddie_robot() {
-  Robot robot;
-  robot.wheel_radius = 0.0762;
-  robot.ticks_per_revolution = 144;
-  robot.wheel_speed_max = 1.0;
-  return robot;
-}
 
 EddieOptions options_with_rangers() {
   EddieOptions options;
