@@ -26,6 +26,7 @@ bandwagon_msgs::msg::Tracks to_tracks(const std::vector<TrackedPerson>& people,
     out.position(to_point(person.position));
     out.velocity(to_vector3(person.velocity));
     out.radius(person.radius);
+    out.confidence(person.confidence);
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j)
         out.covariance()[static_cast<std::size_t>(4 * i + j)] = person.covariance(i, j);

@@ -34,12 +34,16 @@ struct PredictedPosition {
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
 };
 
+/// From this confidence on a mover is confirmed: a person, a robot, and no piece of furniture.
+inline constexpr double kConfirmed = 0.5;
+
 /// A disc that moves. `predictions` rise in time; without them it keeps its velocity.
 struct Mover {
   std::uint32_t id = 0;
   Vector2 position{0.0, 0.0};
   Vector2 velocity{0.0, 0.0};
   double radius = 0.3;
+  double confidence = 1.0;  ///< 0 to 1: how sure it is that this is more than an obstacle
   bool reciprocal = false;  ///< known to avoid the robot by the same rule (HRVO): both share the way round
   std::vector<PredictedPosition> predictions;
 

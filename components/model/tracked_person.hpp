@@ -13,10 +13,9 @@ namespace bw {
 /// count from 1 and stay one person's, also of who was lost and is back; the position is between the legs.
 struct TrackedPerson : Mover {
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< of (x, y, vx, vy) [m, m/s]
-  double confidence = 1.0;  ///< 0 to 1: how much it looks like a person, less while unseen
-  Time born;                ///< first sweep that showed a part of them
-  Time confirmed;           ///< first sweep after which they were reported
-  Time last_seen;           ///< last sweep that showed a part of them
+  Time born;                                             ///< first sweep that showed a part of them
+  Time confirmed;                                        ///< first sweep after which they were reported
+  Time last_seen;                                        ///< last sweep that showed a part of them
 };
 
 }  // namespace bw

@@ -75,17 +75,21 @@ TEST(Ros2Package, EveryTypeHasOurHash) {
 TEST(Ros2Package, KeepsTheCommentsOfAMessage) {
   const Folder folder;
   ASSERT_EQ(export_to(folder / "src", {"bandwagon_msgs"}).status, 0);
-  EXPECT_EQ(text_of(folder / "src/bandwagon_msgs/msg/Track.msg"),
-            "# One moving obstacle. Covariance of (x, y, vx, vy), row major [m, m/s]; radius [m].\n"
-            "\n"
-            "uint32 id\n"
-            "geometry_msgs/Point position\n"
-            "geometry_msgs/Vector3 velocity\n"
-            "float64[16] covariance\n"
-            "float64 radius\n"
-            "bandwagon_msgs/PredictedPosition[] predictions\n"
-            "\n"
-            "# Written by Bandwagon's export_ros2_messages.sh; changes to this file will be lost.\n");
+  EXPECT_EQ(
+      text_of(folder / "src/bandwagon_msgs/msg/Track.msg"),
+      "# One moving obstacle. Covariance of (x, y, vx, vy), row major [m, m/s]; radius [m]. Confidence: how sure it is that\n"
+      "# this is a person (or another mover), 0 to 1; from 0.5 on they are confirmed, below they may be furniture, and at 0\n"
+      "# they are an obstacle like any other and nothing more.\n"
+      "\n"
+      "uint32 id\n"
+      "geometry_msgs/Point position\n"
+      "geometry_msgs/Vector3 velocity\n"
+      "float64[16] covariance\n"
+      "float64 radius\n"
+      "float64 confidence\n"
+      "bandwagon_msgs/PredictedPosition[] predictions\n"
+      "\n"
+      "# Written by Bandwagon's export_ros2_messages.sh; changes to this file will be lost.\n");
   EXPECT_THAT(
       text_of(folder / "src/bandwagon_msgs/msg/ScoreCard.msg"),
       HasSubstr(

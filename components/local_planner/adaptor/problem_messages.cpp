@@ -20,6 +20,7 @@ Mover to_mover(const bandwagon_msgs::msg::Track& track, const Pose2& X_OF) {
   Mover mover;
   mover.id = track.id();
   mover.radius = track.radius();
+  mover.confidence = track.confidence();
   mover.position = X_OF * Vector2(track.position().x(), track.position().y());
   mover.velocity = rotate(X_OF, Vector2(track.velocity().x(), track.velocity().y()));
   for (const auto& p : track.predictions()) {

@@ -334,9 +334,9 @@ void Tracker::Impl::report() {
     reported_.push_back({{.id = person.id,
                           .position = X_OS * position,
                           .velocity = rotate(X_OS, velocity),
-                          .radius = options_.person_radius},
+                          .radius = options_.person_radius,
+                          .confidence = person.score * std::exp(-unseen / options_.death.unseen)},
                          R * covariance * R.transpose(),
-                         person.score * std::exp(-unseen / options_.death.unseen),
                          person.born,
                          person.confirmed,
                          person.last_seen});

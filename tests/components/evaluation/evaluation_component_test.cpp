@@ -265,6 +265,7 @@ TEST(Evaluation, TellsComfortByTracksWhereThereIsNoTruth) {
           Tracks people;
           people.header(make_header("odom", now - Duration::milliseconds(200)));
           Track track;
+          track.confidence(1.0);
           track.id(5);
           track.radius(0.25);
           track.position(to_point({1.0, 2.0 + t - 0.2}));

@@ -166,6 +166,7 @@ TEST(LocalPlannerComponent, TracksAreCarriedToNowAndIntoOdom) {
   n.requests = {{0, FollowRequest_Constants::FOLLOW}};
   n.tracks_age = 0.5;
   Track track;
+  track.confidence(1.0);
   track.id(1);
   track.radius(0.3);
   track.position(to_point({2.0, 2.0}));

@@ -17,6 +17,7 @@ const Pose2 kX_OF{10.0, 20.0, std::numbers::pi / 2.0};
 
 Tracks one_track(double stamp) {
   Track track;
+  track.confidence(1.0);
   track.id(7);
   track.radius(0.35);
   track.position(to_point({1.0, 2.0}));

@@ -99,6 +99,7 @@ Seen run(const Setting& setting) {
                     bandwagon_msgs::msg::Tracks message;
                     message.header(make_header("map", tick.now));
                     bandwagon_msgs::msg::Track track;
+                    track.confidence(1.0);
                     track.position(to_point(kX_MO * person_at(t).center));
                     track.velocity(to_vector3(rotate(kX_MO, Vector2(0.4, 0.0))));
                     track.radius(0.2);

@@ -42,6 +42,7 @@ struct Seen {
 
 Track track_at(std::uint32_t id, double x, double y) {
   Track track;
+  track.confidence(1.0);
   track.id(id);
   track.position(to_point({x, y}));
   track.radius(0.3);
