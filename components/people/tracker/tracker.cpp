@@ -50,6 +50,7 @@ class Tracker::Impl {
     return {seconds(), person.walker.position(), person.walker.velocity()};
   }
   void follow_legs(PersonTrack& person, const ClusterTrack& first, const ClusterTrack* second) const;
+  void follow_hidden_people(double dt);
   void watch_for_absence(const DetectionSet& sweep, double dt);
   void delete_tracks();
   void initiate_tracks();
@@ -69,6 +70,8 @@ class Tracker::Impl {
   std::vector<Detection> detections_;
   Matching matching_;
   std::vector<Candidate> candidates_;
+  SeenWalls walls_;
+  Random random_{1};
   std::vector<TrackedPerson> reported_;
 };
 
@@ -77,6 +80,8 @@ void Tracker::Impl::reset() {
   people_.clear();
   lost_.clear();
   clusters_.clear();
+  walls_.reset();
+  random_ = Random(1);
   reported_.clear();
   alignment_.reset();
   X_SO_ = {};
@@ -103,6 +108,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   correct_people();
   untangle();
   watch_for_absence(sweep_in_S_, dt);
+  follow_hidden_people(dt);
   initiate_tracks();
   delete_tracks();
   report();
@@ -134,7 +140,7 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
         options_.death.kScoreMemory * person.score + (1.0 - options_.death.kScoreMemory) * d.human_score();
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
-    if (d.human_score() >= options_.back.kLikeness) person.sure = state_of(person);
+    if (d.human_score() >= options_.hidden.kLikeness) person.sure = state_of(person);
     const std::size_t leg = part == BodyPart::first_leg ? 0 : 1;
     if (whole) {
       person.unseen = {0, 0};
@@ -198,6 +204,7 @@ void Tracker::Impl::follow_legs(PersonTrack& person, const ClusterTrack& first,
   person.unseen = {0, second == nullptr ? 1 : 0};
   person.legs = {first, second == nullptr ? std::nullopt : std::optional(*second)};
   person.sure = person.settled = state_of(person);
+  person.hidden.reset();
 }
 
 void Tracker::Impl::untangle() {
@@ -248,15 +255,29 @@ void Tracker::Impl::watch_for_absence(const DetectionSet& sweep, double dt) {
   }
 }
 
+void Tracker::Impl::follow_hidden_people(double dt) {
+  std::vector<Vector2> places;
+  for (const PersonTrack& person : people_) places.push_back(person.walker.position());
+  walls_.add(sweep_in_S_, seconds(), places);
+  const Surroundings about{sweep_in_S_, walls_, seconds(), dt};
+  for (PersonTrack& person : people_)
+    follow_hidden(person, about, *now_ - person.last_seen <= Duration::seconds(options_.hidden.absent), random_,
+                  options_);
+  for (PersonTrack& person : lost_) follow_hidden(person, about, false, random_, options_);
+}
+
 void Tracker::Impl::delete_tracks() {
   const DeathOptions& death = options_.death;
   const auto gone = [&](const PersonTrack& person) {
     return person.empty_seconds >= death.unseen - 1e-9 || person.walker.position_sigma() > death.sigma ||
+           (person.hidden && *now_ - person.last_seen > Duration::seconds(options_.hidden.absent) &&
+            (person.hidden->existence() < options_.hidden.believed ||
+             *now_ - person.last_seen > Duration::seconds(options_.hidden.coast))) ||
            (person.score < death.unlike_score && person.walker.velocity().norm() < death.kUnlikeSpeed);
   };
   std::ranges::copy_if(people_, std::back_inserter(lost_), gone);
   std::erase_if(people_, gone);
-  const Duration remembered = Duration::seconds(options_.back.remembered);
+  const Duration remembered = Duration::seconds(options_.hidden.remembered);
   std::erase_if(lost_, [&](const PersonTrack& person) { return *now_ > person.last_seen + remembered; });
 }
 
@@ -270,10 +291,11 @@ void Tracker::Impl::initiate_tracks() {
     used.push_back(candidate.first);
     if (second != nullptr) used.push_back(candidate.second);
     const Sighting& oldest = first.sighting(first.remembered() - 1);
-    auto person = take_returned(people_, lost_, oldest, seconds(), options_.back);
+    const Walker walker = walker_of(first, second, options_.walker);
+    auto person = take_returned(people_, lost_, oldest, walker.velocity(), seconds(), options_.hidden);
     if (!person)
       person = PersonTrack{.id = ++last_id_,
-                           .walker = walker_of(first, second, options_.walker),
+                           .walker = walker,
                            .born = origin_ + Duration::seconds(oldest.time),
                            .confirmed = *now_};
     person->score = first.last().human_score();
