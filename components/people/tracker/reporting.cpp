@@ -28,11 +28,11 @@ TrackedPerson report_of(const PersonTrack& person, const Pose2& X_OS, double rad
            .position = X_OS * position,
            .velocity = rotate(X_OS, velocity),
            .radius = radius,
-           .confidence = person.score},
+           .confidence = person.score + (1.0 - person.score) * person.heard},
           R * covariance * R.transpose(),
           person.born,
           person.confirmed,
-          person.last_seen};
+          person.last_known()};
 }
 
 }  // namespace bw::people
