@@ -5,7 +5,7 @@
 
 namespace bw::people {
 
-void follow_hidden(PersonTrack& person, const Surroundings& about, bool seen, Random& random,
+void follow_hidden(PersonTrack& person, const Surroundings& about, bool known, Random& random,
                    const TrackerOptions& options) {
   const HiddenOptions& hidden = options.hidden;
   const double away = about.now - person.sure.time;
@@ -14,22 +14,22 @@ void follow_hidden(PersonTrack& person, const Surroundings& about, bool seen, Ra
     return;
   }
   if (person.hidden) {
-    person.hidden->walk(about.dt, about.sweep, about.walls, random, hidden);
+    person.hidden->walk(about.dt, about.since_own, about.sweep, about.walls, random, hidden);
   } else {
     person.hidden.emplace(person.sure.position, person.sure.velocity, random, hidden);
     const int steps = static_cast<int>(std::ceil(away / std::max(about.dt, 0.01)));
     for (int k = 0; k < steps; ++k)
-      person.hidden->walk(away / steps, about.sweep, about.walls, random, hidden);
+      person.hidden->walk(away / steps, 0.0, about.sweep, about.walls, random, hidden);
   }
-  if (seen) return;
+  if (known) return;
   const Whereabouts::Moments moments = person.hidden->moments();
   person.walker.place_middle(moments.mean, moments.covariance);
   if (person.heading) person.heading.emplace(moments.mean, moments.covariance, options.heading);
 }
 
 std::optional<PersonTrack> take_returned(std::vector<PersonTrack>& people, std::vector<PersonTrack>& lost,
-                                         const Sighting& appeared, const Vector2& velocity, double now,
-                                         const HiddenOptions& options) {
+                                         const Sighting& appeared, std::optional<Vector2> velocity,
+                                         double now, const HiddenOptions& options) {
   std::vector<PersonTrack>* from = nullptr;
   std::size_t likeliest = 0;
   double most = options.newcomers;

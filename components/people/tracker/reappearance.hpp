@@ -11,23 +11,25 @@
 
 namespace bw::people {
 
-/// What a sweep at `now` [s, from the tracker's own origin], `dt` [s] after the one before, shows of the room.
+/// What a sweep at `now` [s, from the tracker's own origin] shows of the room: `dt` [s] after the sweep before
+/// of any sensor, `since_own` [s] after the one before of its own.
 struct Surroundings {
   const DetectionSet& sweep;
   const SeenWalls& walls;
   double now;
   double dt;
+  double since_own;
 };
 
-/// Follows where `person` may be as long as they are not seen for sure. Nothing of them seen at all: that is
-/// where they are tracked from then on.
-void follow_hidden(PersonTrack& person, const Surroundings& about, bool seen, Random& random,
+/// Follows where `person` may be as long as they are not seen for sure. Unless it is `known` where
+/// they are, that is where they are tracked.
+void follow_hidden(PersonTrack& person, const Surroundings& about, bool known, Random& random,
                    const TrackerOptions& options);
 
 /// Takes out whoever hidden, of `people` and `lost`, most likely is who was seen first as `appeared` and goes
-/// at `velocity`; nothing when somebody new is more likely than each of them.
+/// at `velocity`, if that is known; nothing when somebody new is more likely than each of them.
 std::optional<PersonTrack> take_returned(std::vector<PersonTrack>& people, std::vector<PersonTrack>& lost,
-                                         const Sighting& appeared, const Vector2& velocity, double now,
-                                         const HiddenOptions& options);
+                                         const Sighting& appeared, std::optional<Vector2> velocity,
+                                         double now, const HiddenOptions& options);
 
 }  // namespace bw::people

@@ -29,11 +29,11 @@ Whereabouts::Whereabouts(const Vector2& position, const Vector2& velocity, Rando
   }
 }
 
-void Whereabouts::walk(double dt, const DetectionSet& sweep, const SeenWalls& walls, Random& random,
+void Whereabouts::walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls, Random& random,
                        const HiddenOptions& options) {
   const double wander = options.wander * std::sqrt(dt);
   const double anew = 1.0 - std::exp(-dt / options.keeps_way);
-  const double missed = std::exp(-dt / options.overlooked);
+  const double missed = std::exp(-looked / options.overlooked);
   double sum = 0.0;
   for (Guess& guess : guesses_) {
     const bool elsewhere = random.uniform() < anew;
@@ -89,14 +89,14 @@ Whereabouts::Moments Whereabouts::moments() const {
   return m;
 }
 
-double Whereabouts::density(const Vector2& place, const Vector2& velocity, double ago,
+double Whereabouts::density(const Vector2& place, std::optional<Vector2> velocity, double ago,
                             const HiddenOptions& options) const {
   const double p = options.place_kernel * options.place_kernel;
   const double v = options.velocity_kernel * options.velocity_kernel;
   double sum = 0.0;
   for (const Guess& guess : guesses_) {
     const double square = (place - guess.position + ago * guess.velocity).squaredNorm() / p +
-                          (velocity - guess.velocity).squaredNorm() / v;
+                          (velocity.value_or(guess.velocity) - guess.velocity).squaredNorm() / v;
     sum += guess.weight * std::exp(-square / 2.0);
   }
   constexpr double kTwoPi = 2.0 * std::numbers::pi;

@@ -3,6 +3,7 @@
 // that nobody is; they gather in what is hidden, and spread at walls and doors. All in S, the tracker's frame.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,8 +20,8 @@ class Whereabouts {
   /// Last seen at `position`, going at `velocity`.
   Whereabouts(const Vector2& position, const Vector2& velocity, Random& random, const HiddenOptions& options);
 
-  /// `dt` > 0 [s] later.
-  void walk(double dt, const DetectionSet& sweep, const SeenWalls& walls, Random& random,
+  /// `dt` >= 0 [s] later. The sweep looked for `looked` [s], since the one before of its sensor.
+  void walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls, Random& random,
             const HiddenOptions& options);
 
   /// How probably they are still somewhere about: it falls where places are seen empty. 0 to 1.
@@ -33,8 +34,9 @@ class Whereabouts {
   };
   Moments moments() const;
 
-  /// How probably they were at `place` `ago` [s] going at `velocity`, as a density [1 / (m^2 (m/s)^2)].
-  double density(const Vector2& place, const Vector2& velocity, double ago,
+  /// How probably they were at `place` `ago` [s], going at `velocity` if that is known, as a density
+  /// [1 / (m^2 (m/s)^2)].
+  double density(const Vector2& place, std::optional<Vector2> velocity, double ago,
                  const HiddenOptions& options) const;
 
  private:
