@@ -12,7 +12,7 @@
 namespace bw {
 
 int bench_people(const BenchPeopleArguments& arguments) {
-  const PeopleRun run = run_people(arguments);
+  const PeopleRun run = run_people(*bag::open_bag(arguments.bag), arguments);
   std::fputs(people_text(run, arguments.show_errors).c_str(), stdout);
   write_json(arguments.json, people_json(run));
   if (!arguments.svg.empty()) write_file_atomically(arguments.svg, people_picture(run));

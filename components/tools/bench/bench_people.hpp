@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "components/people/score/stretch_score.hpp"
+#include "runtime/bag/bag.hpp"
 
 namespace bw {
 
@@ -46,10 +47,11 @@ struct PeopleRun {
   std::vector<std::string> notes;  ///< what limits all this
 };
 
-/// Throws ConfigError or std::runtime_error: unusable files, topics, labels or parameters.
-PeopleRun run_people(const BenchPeopleArguments& arguments);
+/// `recording` in place of arguments.bag, which names it. Throws ConfigError or std::runtime_error: unusable files, topics,
+/// labels or parameters.
+PeopleRun run_people(const bag::Bag& recording, const BenchPeopleArguments& arguments);
 
-/// Prints figures, writes JSON and picture. Returns the exit status (0). Throws as run_people.
+/// Prints figures, writes JSON and picture. Returns the exit status (0). Throws as run_people, and for what is no bag.
 int bench_people(const BenchPeopleArguments& arguments);
 
 }  // namespace bw

@@ -71,17 +71,17 @@ std::vector<people::LabelledInstant> in_odom(const people::PersonLabels& labels,
 
 class PeopleBench {
  public:
-  explicit PeopleBench(const BenchPeopleArguments& arguments)
-      : arguments_(arguments), recording_(bag::open_bag(arguments.bag)), graph_(graph_for(arguments)) {
+  PeopleBench(const bag::Bag& recording, const BenchPeopleArguments& arguments)
+      : recording_(recording), arguments_(arguments), graph_(graph_for(arguments)) {
     ComponentNode& node = component_of(graph_, arguments.component);
-    topics_ = choose_topics(*recording_, graph_, node, arguments.scan, arguments.odom, arguments.is_standing);
+    topics_ = choose_topics(recording_, graph_, node, arguments.scan, arguments.odom, arguments.is_standing);
     component_ = node.name;
     tracks_ = node.topic_of("tracks");
     for (const std::string& file : arguments.labels) labels_.push_back(people::read_person_labels(file));
   }
 
   PeopleRun run() {
-    places_ = read_places(*recording_, topics_);
+    places_ = read_places(recording_, topics_);
     track();
     label();
     return std::move(run_);
@@ -94,7 +94,7 @@ class PeopleBench {
       extra.push_back(
           {.name = "odometry_stand_in", .component = make_odometry_stand_in(topics_), .first = true});
     replay::BagRunResult result =
-        replay::run_on(*recording_, graph_,
+        replay::run_on(recording_, graph_,
                        {.run = {component_}, .extra = std::move(extra), .on_output = [this](auto... sample) {
                           on_output(sample...);
                         }});
@@ -126,14 +126,14 @@ class PeopleBench {
       run_.is_truth = true;
       run_.stretches.push_back(
           {.name = topics_.truth,
-           .labels = true_instants(*recording_, topics_, places_, arguments_.range, stamps_)});
+           .labels = true_instants(recording_, topics_, places_, arguments_.range, stamps_)});
     }
     for (LabelledStretch& stretch : run_.stretches)
       stretch.score = people::score_stretch(stretch.labels, run_.sweeps, arguments_.scoring);
   }
 
+  const bag::Bag& recording_;
   const BenchPeopleArguments& arguments_;
-  std::unique_ptr<bag::Bag> recording_;
   Graph graph_;
   PeopleTopics topics_;
   std::string component_;
@@ -146,6 +146,8 @@ class PeopleBench {
 
 }  // namespace
 
-PeopleRun run_people(const BenchPeopleArguments& arguments) { return PeopleBench(arguments).run(); }
+PeopleRun run_people(const bag::Bag& recording, const BenchPeopleArguments& arguments) {
+  return PeopleBench(recording, arguments).run();
+}
 
 }  // namespace bw
