@@ -17,37 +17,13 @@
 #include "components/people/tracker/matching.hpp"
 #include "components/people/tracker/person_track.hpp"
 #include "components/people/tracker/reappearance.hpp"
+#include "components/people/tracker/reporting.hpp"
+#include "components/people/tracker/selection.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/untangle.hpp"
 #include "components/people/tracker/visibility.hpp"
 
 namespace bw::people {
-namespace {
-
-constexpr double kLargestVariance = 2.0;  // [m^2] of a place that says anything, both axes together
-
-bool usable(const Detection& d, const AssociationOptions& options) {
-  const Eigen::Matrix2d& c = d.covariance;
-  return d.position.allFinite() && c.allFinite() && c(0, 0) > 0.0 && c.determinant() > 0.0 &&
-         std::abs(c(0, 1) - c(1, 0)) <= 1e-6 * c.trace() && c.trace() <= kLargestVariance &&
-         d.leg_score >= 0.0 && d.leg_score <= 1.0 && d.body_score >= 0.0 && d.body_score <= 1.0 &&
-         d.width <= options.largest;
-}
-
-struct Motion {
-  Vector2 position;
-  Vector2 velocity;
-  Eigen::Matrix4d covariance;
-};
-
-Motion motion_of(const PersonTrack& person) {
-  const auto of = [](const auto& filter) {
-    return Motion{filter.position(), filter.velocity(), filter.covariance()};
-  };
-  return person.heading ? of(*person.heading) : of(person.walker);
-}
-
-}  // namespace
 
 class Tracker::Impl {
  public:
@@ -61,7 +37,6 @@ class Tracker::Impl {
 
  private:
   void transform_to_S(const DetectionSet& sweep);
-  void select_detections(const DetectionSet& sweep);
   void correct_people();
   void correct_heading(PersonTrack& person, const LegMatch& match);
   void correct_person(PersonTrack& person, const LegMatch& match);
@@ -117,7 +92,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   ++sweep_;
 
   transform_to_S(sweep);
-  select_detections(sweep_in_S_);
+  select_detections(sweep_in_S_, options_.most_detections, options_.association, detections_);
   for (PersonTrack& person : people_) {
     person.walker.predict(dt, options_.walker);
     if (person.heading) person.heading->predict(dt, options_.heading);
@@ -144,21 +119,6 @@ void Tracker::Impl::transform_to_S(const DetectionSet& sweep) {
     d.position = X_SO_ * d.position;
     d.covariance = (R * d.covariance * R.transpose()).eval();
   }
-}
-
-void Tracker::Impl::select_detections(const DetectionSet& sweep) {
-  detections_.clear();
-  for (const Detection& d : sweep.detections) {
-    if (!usable(d, options_.association)) continue;
-    detections_.push_back(d);
-    const double vague = options_.association.vague * (1.0 - d.human_score());
-    detections_.back().covariance += vague * vague * Eigen::Matrix2d::Identity();
-  }
-  const auto most = static_cast<std::size_t>(options_.most_detections);
-  if (detections_.size() <= most) return;
-  std::stable_sort(detections_.begin(), detections_.end(),
-                   [](const Detection& a, const Detection& b) { return a.human_score() > b.human_score(); });
-  detections_.resize(most);
 }
 
 void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
@@ -326,21 +286,8 @@ void Tracker::Impl::initiate_tracks() {
 void Tracker::Impl::report() {
   reported_.clear();
   const Pose2 X_OS = inverse(X_SO_);
-  Eigen::Matrix4d R = Eigen::Matrix4d::Zero();
-  R.topLeftCorner<2, 2>() = R.bottomRightCorner<2, 2>() = Eigen::Rotation2Dd(X_OS.theta).toRotationMatrix();
-  for (const PersonTrack& person : people_) {
-    const double unseen = (*now_ - person.last_seen).to_seconds();
-    const auto [position, velocity, covariance] = motion_of(person);
-    reported_.push_back({{.id = person.id,
-                          .position = X_OS * position,
-                          .velocity = rotate(X_OS, velocity),
-                          .radius = options_.person_radius,
-                          .confidence = person.score * std::exp(-unseen / options_.death.unseen)},
-                         R * covariance * R.transpose(),
-                         person.born,
-                         person.confirmed,
-                         person.last_seen});
-  }
+  for (const PersonTrack& person : people_)
+    reported_.push_back(report_of(person, X_OS, options_.person_radius));
 }
 
 Tracker::Tracker(const TrackerOptions& options) : impl_(std::make_unique<Impl>(options)) {}

@@ -1,0 +1,38 @@
+#include "components/people/tracker/reporting.hpp"
+
+#include <Eigen/Geometry>
+
+namespace bw::people {
+namespace {
+
+struct Motion {
+  Vector2 position;
+  Vector2 velocity;
+  Eigen::Matrix4d covariance;
+};
+
+Motion motion_of(const PersonTrack& person) {
+  const auto of = [](const auto& filter) {
+    return Motion{filter.position(), filter.velocity(), filter.covariance()};
+  };
+  return person.heading ? of(*person.heading) : of(person.walker);
+}
+
+}  // namespace
+
+TrackedPerson report_of(const PersonTrack& person, const Pose2& X_OS, double radius) {
+  Eigen::Matrix4d R = Eigen::Matrix4d::Zero();
+  R.topLeftCorner<2, 2>() = R.bottomRightCorner<2, 2>() = Eigen::Rotation2Dd(X_OS.theta).toRotationMatrix();
+  const auto [position, velocity, covariance] = motion_of(person);
+  return {{.id = person.id,
+           .position = X_OS * position,
+           .velocity = rotate(X_OS, velocity),
+           .radius = radius,
+           .confidence = person.score},
+          R * covariance * R.transpose(),
+          person.born,
+          person.confirmed,
+          person.last_seen};
+}
+
+}  // namespace bw::people
