@@ -6,6 +6,7 @@
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/markers.hpp"
+#include "components/model/mover_weight.hpp"
 
 namespace bw::people {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 constexpr double kHeight = 1.7;  // of a person [m]
 constexpr Color kBody{0.42F, 0.35F, 0.80F, 0.7F};
 constexpr Color kArrow{0.42F, 0.35F, 0.80F, 0.95F};
+constexpr Color kPossible{0.42F, 0.35F, 0.80F, 0.2F};  // who may be furniture
 
 }  // namespace
 
@@ -98,11 +100,11 @@ visualization_msgs::msg::MarkerArray to_markers(const std::vector<TrackedPerson>
     body.scale().x(2.0 * track.radius);
     body.scale().y(2.0 * track.radius);
     body.scale().z(kHeight);
-    paint(body, kBody);
+    paint(body, is_confirmed(track) ? kBody : kPossible);
     array.markers().push_back(std::move(body));
 
     const double speed = track.velocity.norm();
-    if (speed < 0.05) continue;
+    if (speed < 0.05 || !is_confirmed(track)) continue;
     visualization_msgs::msg::Marker arrow = make_marker("velocities", id, constants::ARROW, lifetime, header);
     arrow.pose(to_pose(
         {track.position.x(), track.position.y(), std::atan2(track.velocity.y(), track.velocity.x())}));
