@@ -28,6 +28,7 @@ struct Detection {
 /// All of one sweep, and what the sweep could see.
 struct DetectionSet {
   Time time;
+  int source = 0;  ///< which of several sensors; 0 is the one that odometry's errors are first taken from
   Vector2 sensor{0.0, 0.0};  ///< in O [m]
   std::vector<Detection> detections;
   /// Free distance by direction, so that a tracker knows whether somebody could have been seen: beam i looks
