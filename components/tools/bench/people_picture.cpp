@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "components/evaluation/axis_ticks.hpp"
 #include "components/evaluation/svg_writer.hpp"
 #include "components/tools/bench/diagram_axes.hpp"
 #include "components/tools/bench/people_report.hpp"
@@ -18,8 +19,9 @@ using people::TrackError;
 
 constexpr double kLeft = 70.0;     // of every diagram [px]
 constexpr double kWidth = 1400.0;  // of those over time [px]
-constexpr double kPanel = 420.0;   // of a view from above [px]
+constexpr double kPanel = 420.0;   // height of a view from above [px]
 constexpr double kRow = 18.0;      // of a track's life [px]
+constexpr double kBetween = 65.0;  // views side by side [px]
 constexpr double kPause = 0.3;     // a line is interrupted where a track is not reported for longer [s]
 constexpr const char* kLegend = R"(font-size="14")";
 
