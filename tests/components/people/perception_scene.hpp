@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "components/model/random.hpp"
+#include "components/tools/people_training/furniture.hpp"
 #include "components/world/ray.hpp"
 #include "components/world/world.hpp"
 
@@ -16,8 +17,11 @@ struct SceneOptions {
   int people = 6;
   double standing_share = 0.2;
   bool furnished = true;
+  bool crowded = false;  ///< much more furniture: posts, tables with chairs, shelves, plants, trolleys
   bool driving = true;
-  double length = 14.0;  ///< of the room [m]
+  double laser_rate = 10.0;  ///< [Hz]
+  int beams = 720;           ///< over 270 degrees
+  double length = 14.0;      ///< of the room [m]
   double width = 10.0;
 };
 
@@ -35,8 +39,14 @@ class SceneMaker {
   Scene make() {
     Scene scene;
     room(scene);
-    if (options_.furnished) furnish(scene);
+    if (options_.crowded) {
+      crowd_with_furniture(scene);
+    } else if (options_.furnished) {
+      furnish(scene);
+    }
     place_people(scene);
+    scene.options.laser.rate = options_.laser_rate;
+    scene.options.laser.beams = options_.beams;
     scene.options.laser.range_noise = 0.02;
     scene.options.laser.range_max = 10.0;
     scene.options.imu.rate = 0.0;
@@ -98,6 +108,42 @@ class SceneMaker {
     }
   }
 
+  void crowd_with_furniture(Scene& scene) {
+    Furniture furniture;
+    const auto stand = [&](Piece piece, int count, double clearance) {
+      for (; count > 0; --count) furniture.add(piece, somewhere(clearance), random_);
+    };
+    for (int i = 0; i < 3; ++i) furniture.add_dining_place(somewhere(2.2), random_);
+    stand(Piece::shelf, 2, 2.2);
+    stand(Piece::box, 2, 1.4);
+    stand(Piece::trolley, 2, 1.3);
+    stand(Piece::chair, 3, 1.1);
+    stand(Piece::pillar, 1, 1.1);
+    stand(Piece::plant, 3, 1.0);
+    stand(Piece::post, 6, 0.9);
+    posts_in_a_row(furniture);
+    scene.files.shapes = furniture.shapes();
+  }
+
+  Pose2 somewhere(double clearance) {
+    const Vector2 place = spot(clearance);
+    keep_.push_back(place);
+    return {place.x(), place.y(), random_.uniform(-3.1, 3.1)};
+  }
+
+  /// Two to four alike, as far apart as legs or as a barrier's.
+  void posts_in_a_row(Furniture& furniture) {
+    for (int row = 0; row < 2; ++row) {
+      const Pose2 X = somewhere(1.2);
+      const double gap = row == 0 ? random_.uniform(0.2, 0.4) : random_.uniform(0.8, 1.2);
+      const std::uint64_t make = random_.bits();
+      for (int i = row == 0 ? 2 : 3; i > 0; --i) {
+        Random alike(make);
+        furniture.add(Piece::post, X * Pose2{gap * i, 0.0, 0.0}, alike);
+      }
+    }
+  }
+
   void place_people(Scene& scene) {
     PeopleOptions& people = scene.options.people;
     people.social.speed_min = 0.5;
@@ -117,7 +163,7 @@ class SceneMaker {
       for (int attempt = 0; attempt < 20 && (goal - start).norm() < 4.0; ++attempt) goal = spot(0.7);
       people.social.walkers.push_back({start.x(), start.y(), goal.x(), goal.y()});
     }
-    for (int i = 0; i < 12; ++i) scene.places.push_back(spot(1.0));
+    for (int i = options_.crowded ? 40 : 12; i > 0; --i) scene.places.push_back(spot(1.0));
   }
 
   SceneOptions options_;

@@ -1,18 +1,20 @@
 // One run of detector and tracker in a simulated room, with the truth beside it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "components/people/detector/detector.hpp"
+#include "components/people/score/clear_mot.hpp"
 #include "components/people/tracker/tracker.hpp"
 #include "components/robot_base/encoder_odometry.hpp"
 #include "components/world/random_streams.hpp"
 #include "tests/components/people/perception_scene.hpp"
-#include "tests/components/people/perception_score.hpp"
 
 namespace bw::people::test {
 
@@ -26,7 +28,12 @@ struct TrialRecord {
   Score score;
   std::vector<double> milliseconds;  ///< thread CPU time of detector and tracker per sweep
   double clusters = 0.0;             ///< mean detections per sweep
-  int false_tracks = 0;              ///< ids that were held against the tracker in some sweep
+  // Tracks with nobody within ScoreKeeper::kRadius.
+  int false_people = 0;    ///< ids that were confirmed in some such sweep
+  int false_possible = 0;  ///< ids that never were
+  double possible = 0.0;   ///< mean of those not confirmed at once
+  int most_possible = 0;   ///< most of them at once
+  double driven = 0.0;     ///< by the robot [m]
 };
 
 /// Whoever is within this distance counts [m].
@@ -55,17 +62,21 @@ class Trial {
   Pose2 X_MO() const { return world_.pose() * inverse(odometry_.state().X_OB); }  ///< odom, as it has drifted
 
   TrialRecord run(double seconds) {
-    std::map<std::uint32_t, bool> accused;
     while (world_.time().to_seconds() < seconds - 1e-9) {
       if (scene_options_.driving) drive();
+      const Vector2 before = world_.pose().position();
       const WorldSample sample = world_.step();
+      record_.driven += (world_.pose().position() - before).norm();
       legs_.step(world_.physics_step().to_seconds(), world_.people());
       if (sample.ticks) odometry_.add({stamp(sample.time), sample.ticks->left, sample.ticks->right});
-      if (sample.scan) sweep(sample, accused);
+      if (sample.scan) sweep(sample);
     }
+    keeper_.close();
     record_.score = keeper_.score();
-    record_.false_tracks = static_cast<int>(accused.size());
+    for (const auto& [id, confirmed] : accused_)
+      ++(confirmed ? record_.false_people : record_.false_possible);
     record_.clusters /= static_cast<double>(record_.milliseconds.size());
+    record_.possible /= static_cast<double>(record_.milliseconds.size());
     return record_;
   }
 
@@ -78,7 +89,7 @@ class Trial {
     world_.command({speeds.left / scene_.robot.wheel_radius, speeds.right / scene_.robot.wheel_radius});
   }
 
-  void sweep(const WorldSample& sample, std::map<std::uint32_t, bool>& accused) {
+  void sweep(const WorldSample& sample) {
     const Pose2 X_ML = world_.pose();  // the laser sits on base_link
     const Pose2 X_OL = odometry_.state().X_OB;
     const LaserOptions& laser = scene_.options.laser;
@@ -96,13 +107,23 @@ class Trial {
     const std::vector<TruePerson> truth = truth_in(X_OL * inverse(X_ML), X_ML, *sample.scan);
     const auto counts = [&](const Vector2& p_O) { return (p_O - X_OL.position()).norm() <= kCountedRange; };
     keeper_.add(sample.time.to_seconds(), truth, tracks, counts);
+    accuse(truth, tracks);
+    if (watch) watch(detections, truth, tracks);
+  }
+
+  void accuse(const std::vector<TruePerson>& truth, const std::vector<TrackedPerson>& tracks) {
+    int possible = 0;
     for (const TrackedPerson& track : tracks) {
       const bool near = std::ranges::any_of(truth, [&](const TruePerson& person) {
         return (person.position - track.position).norm() <= ScoreKeeper::kRadius;
       });
-      if (!near) accused[track.id] = true;
+      if (near || track.confidence <= 0.0) continue;
+      const bool confirmed = track.confidence >= kConfirmed;
+      accused_[track.id] = accused_[track.id] || confirmed;
+      if (!confirmed) ++possible;
     }
-    if (watch) watch(detections, truth, tracks);
+    record_.possible += possible;
+    record_.most_possible = std::max(record_.most_possible, possible);
   }
 
   /// Counted: within range and view, the way to the middle not barred by walls or furniture. Unoccluded: at
@@ -149,6 +170,8 @@ class Trial {
   Tracker tracker_;
   ScoreKeeper keeper_;
   TrialRecord record_;
+  std::map<std::uint32_t, bool>
+      accused_;  ///< by id of a track with nobody near: whether it was confirmed then
 };
 
 }  // namespace bw::people::test
