@@ -24,8 +24,14 @@
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/untangle.hpp"
 #include "components/people/tracker/visibility.hpp"
+#include "components/people/tracker/weighing.hpp"
 
 namespace bw::people {
+namespace {
+
+constexpr double kKeptOut = 0.25;  // confidence of who must not become background
+
+}  // namespace
 
 class Tracker::Impl {
  public:
@@ -57,6 +63,7 @@ class Tracker::Impl {
   void forget_clusters(std::vector<int>& used);
   double seconds() const { return (*now_ - origin_).to_seconds(); }
   Sighting sighting_of(const Detection& d) const;
+  std::uint32_t id_of(const ClusterTrack& first, const ClusterTrack* second);
   PastState state_of(const PersonTrack& person) const {
     return {seconds(), person.walker.position(), person.walker.velocity()};
   }
@@ -80,6 +87,7 @@ class Tracker::Impl {
   std::vector<ClusterTrack> clusters_;
   std::vector<Detection> detections_;
   Matching matching_;
+  Weighing weighing_;
   std::vector<Candidate> candidates_;
   std::vector<TrackedPerson> reported_;
 };
@@ -118,6 +126,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   if (now_ && !order_.comes_next(sweep.source, sweep.time, *now_)) return reported_;
   const double since_own = order_.add(sweep.source, sweep.time, options_.longest_gap);
   ++sweep_;
+  const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
   predict_to(sweep.time);
   transform_to_S(sweep);
   select_detections(sweep_in_S_, options_.most_detections, options_.association, detections_);
@@ -125,6 +134,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   correct_clusters();
   correct_people();
   untangle();
+  weighing_.weigh(people_, clusters_, sweep_, dt, options_.birth);
   watch_for_absence(sweep_in_S_, since_own);
   initiate_tracks();
   delete_tracks();
@@ -159,6 +169,8 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     person.walker.correct(whole ? BodyPart::middle : part, d.position, d.covariance, options_.walker);
     person.score =
         options_.death.kScoreMemory * person.score + (1.0 - options_.death.kScoreMemory) * d.human_score();
+    const Sighting seen = sighting_of(d);
+    person.existence.looks.add(d.human_score(), seen.bearing);
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
     if (d.human_score() >= options_.back.kLikeness) person.sure = state_of(person);
@@ -167,7 +179,7 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
       person.unseen = {0, 0};
     } else {
       person.unseen[leg] = 0;
-      person.remember_leg(leg, sighting_of(d));
+      person.remember_leg(leg, seen);
     }
   }
 }
@@ -192,6 +204,7 @@ void Tracker::Impl::correct_heading(PersonTrack& person, const LegMatch& match) 
 }
 
 Sighting Tracker::Impl::sighting_of(const Detection& d) const {
+  const Vector2 seen_along = d.position - sweep_in_S_.sensor;
   return {.sweep = sweep_,
           .time = seconds(),
           .position = d.position,
@@ -199,7 +212,9 @@ Sighting Tracker::Impl::sighting_of(const Detection& d) const {
           .leg_score = d.leg_score,
           .body_score = d.body_score,
           .on_static = d.on_static,
-          .occluded = d.occluded};
+          .occluded = d.occluded,
+          .width = d.width,
+          .bearing = std::atan2(seen_along.y(), seen_along.x())};
 }
 
 void Tracker::Impl::correct_clusters() {
@@ -224,6 +239,8 @@ void Tracker::Impl::follow_legs(PersonTrack& person, const ClusterTrack& first,
   person.empty_seconds = 0.0;
   person.unseen = {0, second == nullptr ? 1 : 0};
   person.legs = {first, second == nullptr ? std::nullopt : std::optional(*second)};
+  for (auto& leg : person.legs)
+    if (leg) leg->id = 0;
   person.sure = person.settled = state_of(person);
 }
 
@@ -290,6 +307,12 @@ void Tracker::Impl::delete_tracks() {
   std::erase_if(lost_, [&](const PersonTrack& person) { return *now_ > person.last_known() + remembered; });
 }
 
+/// Somebody new keeps the id by which a part of them was told of.
+std::uint32_t Tracker::Impl::id_of(const ClusterTrack& first, const ClusterTrack* second) {
+  if (first.id != 0) return first.id;
+  return second != nullptr && second->id != 0 ? second->id : ++last_id_;
+}
+
 void Tracker::Impl::initiate_tracks() {
   find_people(clusters_, sweep_, options_.birth, candidates_);
   std::vector<int> used;
@@ -301,11 +324,16 @@ void Tracker::Impl::initiate_tracks() {
     if (second != nullptr) used.push_back(candidate.second);
     const Sighting& oldest = first.sighting(first.remembered() - 1);
     auto person = take_returned(people_, lost_, oldest, seconds(), options_.back);
-    if (!person)
-      person = PersonTrack{.id = ++last_id_,
+    const Existence existence = existence_of(candidate.birth, first, second);
+    if (person) {
+      person->existence = existence_of_returned(person->existence, existence, candidate.birth.kind);
+    } else {
+      person = PersonTrack{.id = id_of(first, second),
                            .walker = walker_of(first, second, options_.walker),
                            .born = origin_ + Duration::seconds(oldest.time),
                            .confirmed = *now_};
+      person->existence = existence;
+    }
     person->score = first.last().human_score();
     follow_legs(*person, first, second);
     people_.insert(std::ranges::upper_bound(people_, person->id, {}, &PersonTrack::id), *person);
@@ -391,6 +419,12 @@ void Tracker::Impl::report() {
   const Pose2 X_OS = inverse(X_SO_);
   for (const PersonTrack& person : people_)
     reported_.push_back(report_of(person, X_OS, options_.person_radius));
+  for (ClusterTrack& cluster : clusters_) {
+    if (!may_be_somebody(cluster)) continue;
+    if (cluster.id == 0) cluster.id = ++last_id_;
+    reported_.push_back(report_of(cluster, origin_, X_OS, options_.person_radius));
+  }
+  std::ranges::sort(reported_, {}, &TrackedPerson::id);
 }
 
 Tracker::Tracker(const TrackerOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -406,7 +440,8 @@ void Tracker::reset() { impl_->reset(); }
 
 std::vector<Vector2> Tracker::keep_out() const {
   std::vector<Vector2> places;
-  for (const TrackedPerson& person : people()) places.push_back(person.position);
+  for (const TrackedPerson& person : people())
+    if (person.confidence >= kKeptOut) places.push_back(person.position);
   return places;
 }
 

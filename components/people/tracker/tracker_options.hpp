@@ -68,26 +68,32 @@ struct AssociationOptions {
 
 struct BirthOptions {
   int sightings = 3;
-  int of_sweeps = 5;
+  double within = 0.45;
   double travel = 0.2;
   double separation = 0.6;
   double misfit = 0.05;
   double walking_score = 0.4;
-  int standing_sightings = 4;
+  double standing_time = 0.3;
   /// [m] from leg to leg, at most, while standing
   static constexpr double kStandingSeparation = 0.42;
   double standing_score = 0.7;
   /// score of each leg of a pair that stands where something has long stood
   static constexpr double kBackgroundScore = 0.8;
-  /// sightings of each leg of such a pair
-  static constexpr int kBackgroundSightings = 8;
+  /// [s] for which each leg of such a pair is seen
+  static constexpr double kBackgroundTime = 0.7;
+  /// [s] what was seen earlier says nothing of how somebody walks
+  static constexpr double kLookBack = 1.15;
   /// [m] way walked by a leg, or two legs in one, alone
   static constexpr double kSingleTravel = 0.5;
-  /// sightings of such a leg
-  static constexpr int kSingleSightings = 6;
-  /// sweeps within which they come
-  static constexpr int kSingleOfSweeps = 8;
-  double single_step = 0.35;
+  /// [s] for which it does
+  static constexpr double kSingleTime = 0.45;
+  /// share of sweeps that show it meanwhile
+  static constexpr double kSingleSeen = 0.7;
+  /// share of sightings on background
+  static constexpr double kSingleStatic = 0.3;
+  double single_step = 0.15;
+  /// [m/s] beside single_step
+  static constexpr double kSingleSpeed = 2.0;
   /// mean human score of such a leg
   static constexpr double kSingleScore = 0.6;
   /// share of its path that brought it forward
@@ -99,7 +105,8 @@ struct BirthOptions {
   void fields(Visitor& v) {
     v("sightings", sightings,
       {.min = 2, .max = 12, .doc = "a pair that walks is a person after this many sightings of both legs"});
-    v("of_sweeps", of_sweeps, {.min = 2, .max = 12, .doc = "within this many sweeps"});
+    v("within", within,
+      {.unit = "s", .min = 0.1, .max = 2, .doc = "the last so many sightings are no longer ago than this"});
     v("travel", travel,
       {.unit = "m",
        .min = 0.05,
@@ -114,8 +121,8 @@ struct BirthOptions {
        .doc = "how far the middle of the pair may be from a straight way (root mean square)"});
     v("walking_score", walking_score,
       {.min = 0, .max = 1, .doc = "least leg score of each leg of a pair that walks"});
-    v("standing_sightings", standing_sightings,
-      {.min = 2, .max = 12, .doc = "a pair that stands is a person after this many sightings"});
+    v("standing_time", standing_time,
+      {.unit = "s", .min = 0, .max = 0.8, .doc = "a pair that stands may be a person after this time"});
     v("standing_score", standing_score,
       {.min = 0,
        .max = 1,
@@ -124,7 +131,8 @@ struct BirthOptions {
       {.unit = "m",
        .min = 0.05,
        .max = 2,
-       .doc = "longest step of a leg alone from sighting to sighting; what leaps is something else"});
+       .doc = "longest step of a leg alone from sighting to sighting, beside 2 m/s; what leaps is something "
+              "else"});
   }
 };
 
