@@ -200,7 +200,7 @@ TEST(PeopleSensors, ASilentCameraIsOnlyMissing) {
 }
 
 TEST(PeopleSensors, ALaserThatIsSilentIsSaidAndTheOtherGoesOn) {
-  const Record seen = run(
+  const Record seen = record_of(
       room(kPasses, "scan_topics: [scan, scan_left]") + "    inputs: {scan_left: {external: true}}\n", 2.6);
   EXPECT_GT(seen.tracks.size(), 20U);
   EXPECT_FALSE(seen.tracks.back().tracks().empty());
