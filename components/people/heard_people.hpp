@@ -10,16 +10,10 @@
 #include <vector>
 
 #include "components/model/tracked_person.hpp"
+#include "components/people/heard_person.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::people {
-
-struct HeardPerson {
-  std::string name;  ///< may be empty, and several may have the same
-  Vector2 position{0.0, 0.0};
-  Vector2 velocity{0.0, 0.0};
-  double reliability = 1.0;  ///< 0 to 1
-};
 
 struct HeardPeopleOptions {
   double radius = 0.3;

@@ -5,6 +5,8 @@
 #include "components/messages/laser.hpp"
 #include "components/messages/obstacles.hpp"
 #include "components/messages/placed.hpp"
+#include "components/model/sweep_motion.hpp"
+#include "components/people/sweep_timing.hpp"
 
 namespace bw::people {
 namespace {
@@ -90,7 +92,11 @@ void PeopleComponent::look() {
 }
 
 void PeopleComponent::look_at(const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB) {
-  const LaserSweep sweep = to_sweep(scan, X_OB * mounts_.of(scan.header().frame_id()));
+  const Pose2 X_BL = mounts_.of(scan.header().frame_id());
+  LaserSweep sweep = to_sweep(scan, X_OB * X_BL);
+  const std::vector<Pose2> poses = beam_poses(
+      sweep, X_BL, [this](Time time) { return odometry_.lookup_planar(odom_frame_, base_frame_, time); });
+  sweep.beam_poses = poses;
   if (const SweepFault fault = fault_for_people(sweep); fault != SweepFault::none)
     return refuse(to_text(fault));
   if (refused_.is_news("")) log_.info("scans are sound again");
@@ -100,7 +106,9 @@ void PeopleComponent::look_at(const sensor_msgs::msg::LaserScan& scan, const Pos
     surroundings.X_MO = transforms_->lookup_planar(map_of_detector_, odom_frame_);
   const std::vector<Vector2> keep_out = tracker_->keep_out();
   surroundings.people = keep_out;
-  const DetectionSet& detections = detector_->detect(sweep, surroundings);
+  DetectionSet detections = detector_->detect(sweep, surroundings);
+  move_to_one_time(detections, tracker_->people(), tracked_at_);
+  tracked_at_ = detections.time;
   publish(detections, tracker_->update(detections));
 }
 

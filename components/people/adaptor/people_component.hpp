@@ -54,6 +54,7 @@ class PeopleComponent final : public Component {
   Complaint refused_;                                 ///< why the last scan was not looked at
   std::uint64_t refusals_ = 0;
   std::optional<Time> last_look_;  ///< on the component clock
+  Time tracked_at_;  ///< stamp of the sweep that the tracker took in last
   Time now_;
 
   std::string odom_frame_;

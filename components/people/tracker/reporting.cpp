@@ -30,11 +30,11 @@ TrackedPerson report_of(const PersonTrack& person, const Pose2& X_OS, double rad
            .position = X_OS * position,
            .velocity = rotate(X_OS, velocity),
            .radius = radius,
-           .confidence = person.existence.confidence()},
+           .confidence = 1.0 - (1.0 - person.existence.confidence()) * (1.0 - person.heard)},
           R * covariance * R.transpose(),
           person.born,
           person.confirmed,
-          person.last_seen};
+          person.last_known()};
 }
 
 TrackedPerson report_of(const ClusterTrack& possible, Time origin, const Pose2& X_OS, double radius) {

@@ -14,11 +14,13 @@
 #include "components/people/tracker/birth.hpp"
 #include "components/people/tracker/cluster_track.hpp"
 #include "components/people/tracker/heading_track.hpp"
+#include "components/people/tracker/hearing.hpp"
 #include "components/people/tracker/matching.hpp"
 #include "components/people/tracker/person_track.hpp"
 #include "components/people/tracker/reappearance.hpp"
 #include "components/people/tracker/reporting.hpp"
 #include "components/people/tracker/selection.hpp"
+#include "components/people/tracker/sensor_order.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/untangle.hpp"
 #include "components/people/tracker/visibility.hpp"
@@ -37,12 +39,21 @@ class Tracker::Impl {
   void set_options(const TrackerOptions& options) { options_ = options; }
 
   const std::vector<TrackedPerson>& update(const DetectionSet& sweep);
+  const std::vector<TrackedPerson>& hear(const HeardSet& heard);
   const std::vector<TrackedPerson>& people() const { return reported_; }
   std::size_t cluster_count() const { return clusters_.size(); }
   void reset();
 
  private:
+  void begin_at(Time time);
+  void predict_to(Time time);
   void transform_to_S(const DetectionSet& sweep);
+  void believe(const HeardPerson& told, double late, PersonTrack& person);
+  void begin_with(const HeardPerson& told, double late);
+  bool follow_legs_near(PersonTrack& person);
+  bool is_told_of(const PersonTrack& person) const {
+    return person.heard > 0.0 && person.last_heard + Duration::seconds(HearingOptions::kTold) >= *now_;
+  }
   void correct_people();
   void correct_heading(PersonTrack& person, const LegMatch& match);
   void correct_person(PersonTrack& person, const LegMatch& match);
@@ -63,6 +74,7 @@ class Tracker::Impl {
   void report();
 
   TrackerOptions options_;
+  SensorOrder order_;
   SweepAlignment alignment_;
   Pose2 X_SO_;  ///< S: odom without its errors from sweep to sweep; tracks live in S
   DetectionSet sweep_in_S_;
@@ -86,32 +98,44 @@ void Tracker::Impl::reset() {
   lost_.clear();
   clusters_.clear();
   reported_.clear();
+  order_.reset();
   alignment_.reset();
   X_SO_ = {};
 }
 
-const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& sweep) {
+/// A silence or a jump back forgets everybody.
+void Tracker::Impl::begin_at(Time time) {
   const Duration gap = Duration::seconds(options_.longest_gap);
-  if (now_ && (sweep.time > *now_ + gap || sweep.time < *now_ - gap)) reset();
-  if (now_ && sweep.time <= *now_) return reported_;
-  if (!now_) origin_ = sweep.time;
-  const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
-  now_ = sweep.time;
-  ++sweep_;
+  if (now_ && (time > *now_ + gap || time < *now_ - gap)) reset();
+  if (!now_) origin_ = time;
+}
 
-  transform_to_S(sweep);
-  select_detections(sweep_in_S_, options_.most_detections, options_.association, detections_);
+void Tracker::Impl::predict_to(Time time) {
+  const double dt = now_ ? (time - *now_).to_seconds() : 0.0;
+  now_ = time;
   for (PersonTrack& person : people_) {
     person.walker.predict(dt, options_.walker);
     if (person.heading) person.heading->predict(dt, options_.heading);
+    if (person.heard > 0.0) person.heard *= std::exp(-dt / options_.hearing.memory);
   }
   for (ClusterTrack& cluster : clusters_) cluster.predict(dt);
+}
+
+const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& sweep) {
+  begin_at(sweep.time);
+  if (now_ && !order_.comes_next(sweep.source, sweep.time, *now_)) return reported_;
+  const double since_own = order_.add(sweep.source, sweep.time, options_.longest_gap);
+  ++sweep_;
+  const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
+  predict_to(sweep.time);
+  transform_to_S(sweep);
+  select_detections(sweep_in_S_, options_.most_detections, options_.association, detections_);
   matching_.match(detections_, people_, clusters_, sweep_, options_.association);
   correct_clusters();
   correct_people();
   untangle();
   weighing_.weigh(people_, clusters_, sweep_, seconds(), dt, sweep_in_S_.sensor, options_.birth);
-  watch_for_absence(sweep_in_S_, dt);
+  watch_for_absence(sweep_in_S_, since_own);
   initiate_tracks();
   delete_tracks();
   report();
@@ -119,7 +143,11 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
 }
 
 void Tracker::Impl::transform_to_S(const DetectionSet& sweep) {
-  X_SO_ = X_SO_ * alignment_.align(sweep);
+  bool is_new_leader = false;
+  if (order_.leads(sweep.source, sweep.time, is_new_leader)) {
+    if (is_new_leader) alignment_.reset();
+    X_SO_ = X_SO_ * alignment_.align(sweep);
+  }
   sweep_in_S_ = sweep;
   sweep_in_S_.sensor = X_SO_ * sweep.sensor;
   sweep_in_S_.angle_min = sweep.angle_min + X_SO_.theta;
@@ -267,13 +295,16 @@ void Tracker::Impl::watch_for_absence(const DetectionSet& sweep, double dt) {
 void Tracker::Impl::delete_tracks() {
   const DeathOptions& death = options_.death;
   const auto gone = [&](const PersonTrack& person) {
+    const bool is_of_others = person.heard > 0.0 && person.last_heard > person.last_seen;
+    if (is_told_of(person)) return person.walker.position_sigma() > death.sigma;
+    if (is_of_others && person.heard < HearingOptions::kForgotten) return true;
     return person.empty_seconds >= death.unseen - 1e-9 || person.walker.position_sigma() > death.sigma ||
            (person.score < death.unlike_score && person.walker.velocity().norm() < death.kUnlikeSpeed);
   };
   std::ranges::copy_if(people_, std::back_inserter(lost_), gone);
   std::erase_if(people_, gone);
   const Duration remembered = Duration::seconds(options_.back.remembered);
-  std::erase_if(lost_, [&](const PersonTrack& person) { return *now_ > person.last_seen + remembered; });
+  std::erase_if(lost_, [&](const PersonTrack& person) { return *now_ > person.last_known() + remembered; });
 }
 
 /// Somebody new keeps the id by which a part of them was told of.
@@ -310,6 +341,79 @@ void Tracker::Impl::initiate_tracks() {
   forget_clusters(used);
 }
 
+/// A message that is late is compared with where the tracks were then; what it corrects, with where they are.
+const std::vector<TrackedPerson>& Tracker::Impl::hear(const HeardSet& heard) {
+  if (now_ && heard.time < *now_ - Duration::seconds(options_.longest_gap)) return reported_;
+  begin_at(heard.time);
+  if (!now_ || heard.time > *now_) predict_to(heard.time);
+  const double late = (*now_ - heard.time).to_seconds();
+  std::vector<HeardPerson> told = without_doubles(heard.people, options_.person_radius);
+  for (HeardPerson& person : told) {
+    person.position = X_SO_ * person.position;
+    person.velocity = rotate(X_SO_, person.velocity);
+  }
+  const std::vector<int> whose =
+      match_heard(told, people_, late, options_.hearing.position_deviation, options_.association);
+  for (std::size_t i = 0; i < told.size(); ++i)
+    if (whose[i] >= 0) believe(told[i], late, people_[static_cast<std::size_t>(whose[i])]);
+  for (std::size_t i = 0; i < told.size(); ++i)
+    if (whose[i] < 0) begin_with(told[i], late);
+  delete_tracks();
+  report();
+  return reported_;
+}
+
+void Tracker::Impl::believe(const HeardPerson& told, double late, PersonTrack& person) {
+  const HearingOptions& hearing = options_.hearing;
+  person.last_heard = *now_;
+  person.heard = believed(person.heard, told.reliability, hearing);
+  if (person.empty_seconds >= options_.death.unseen)
+    person.heard = std::min(person.heard, hearing.unseen_limit);
+  if (person.last_seen + Duration::seconds(hearing.seen) >= *now_) return;
+  HeardPerson there = told;
+  there.position += late * person.walker.velocity();
+  correct_by(there, hearing.position_deviation, options_, person);
+  if (follow_legs_near(person)) return;
+  // Legs that appear here are theirs: as of somebody who was out of sight just long enough.
+  person.sure = {seconds() - options_.back.absent,
+                 person.walker.position() - options_.back.absent * person.walker.velocity(),
+                 person.walker.velocity()};
+}
+
+void Tracker::Impl::begin_with(const HeardPerson& told, double late) {
+  const double unsure = late * HearingOptions::kUntoldSpeed;
+  const double deviation = std::hypot(options_.hearing.position_deviation, unsure);
+  HeardPerson there = told;
+  there.position += late * told.velocity;
+  PersonTrack person = person_of(there, deviation, *now_, options_);
+  std::vector<PersonTrack> nobody;
+  const Sighting place{.time = seconds(), .position = there.position};
+  const auto lost = take_returned(nobody, lost_, place, seconds(), options_.back);
+  person.id = lost ? lost->id : ++last_id_;
+  if (lost) person.born = lost->born;
+  if (lost) person.confirmed = lost->confirmed;
+  person.settled = state_of(person);
+  people_.insert(std::ranges::upper_bound(people_, person.id, {}, &PersonTrack::id), person);
+  believe(told, late, *std::ranges::find(people_, person.id, &PersonTrack::id));
+}
+
+/// What stands where they are told to be are their legs, also if it does not walk or look like a person's yet.
+bool Tracker::Impl::follow_legs_near(PersonTrack& person) {
+  const HearingOptions& hearing = options_.hearing;
+  const NearLegs legs = legs_near(person.walker.position(), 2.0 * hearing.position_deviation, clusters_,
+                                  seconds() - hearing.seen, hearing);
+  if (legs.first < 0) return false;
+  const ClusterTrack first = clusters_[static_cast<std::size_t>(legs.first)];
+  std::optional<ClusterTrack> second;
+  if (legs.second >= 0) second = clusters_[static_cast<std::size_t>(legs.second)];
+  follow_legs(person, first, second ? &*second : nullptr);
+  person.score = first.last().human_score();
+  std::vector<int> used{legs.first};
+  if (second) used.push_back(legs.second);
+  forget_clusters(used);
+  return true;
+}
+
 void Tracker::Impl::report() {
   reported_.clear();
   const Pose2 X_OS = inverse(X_SO_);
@@ -329,6 +433,7 @@ Tracker::~Tracker() = default;
 void Tracker::set_options(const TrackerOptions& options) { impl_->set_options(options); }
 
 const std::vector<TrackedPerson>& Tracker::update(const DetectionSet& sweep) { return impl_->update(sweep); }
+const std::vector<TrackedPerson>& Tracker::hear(const HeardSet& heard) { return impl_->hear(heard); }
 const std::vector<TrackedPerson>& Tracker::people() const { return impl_->people(); }
 std::size_t Tracker::cluster_count() const { return impl_->cluster_count(); }
 void Tracker::reset() { impl_->reset(); }

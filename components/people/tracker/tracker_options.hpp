@@ -5,6 +5,7 @@
 #include <string>
 
 #include "components/people/tracker/heading_filter.hpp"
+#include "components/people/tracker/hearing_options.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/walker.hpp"
 #include "runtime/base/choice.hpp"
@@ -255,6 +256,7 @@ struct TrackerOptions {
   BirthOptions birth;
   DeathOptions death;
   ReturnOptions back;
+  HearingOptions hearing;
   UntangleOptions untangle;
 
   template <class Visitor>
@@ -281,6 +283,7 @@ struct TrackerOptions {
     v("death", death, {.doc = "when a person is no longer believed to be there"});
     v("untangle", untangle, {.doc = "whose leg is whose where people pass close to each other"});
     v("return", back, {.doc = "when somebody who appears is somebody lost"});
+    v("hearing", hearing, {.doc = "people whom other detectors tell of"});
   }
 };
 

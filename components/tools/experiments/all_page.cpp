@@ -33,9 +33,6 @@ std::string link_to(const AllPart& part, const std::string& text) {
   return "<a href=\"" + part.subject + "/index.html\">" + text + "</a>";
 }
 
-/// Words in a table of figures, which stand to the right.
-std::string left(const std::string& html) { return "<div style=\"text-align:left\">" + html + "</div>"; }
-
 std::string coloured(Verdict verdict) {
   const char* kind = verdict == Verdict::reproduced || verdict == Verdict::in_part ? "met"
                      : verdict == Verdict::not_judged                              ? "open"
@@ -50,7 +47,7 @@ std::string overview(const AllRun& run) {
     const auto count = [&](auto is_meant) {
       return std::to_string(std::ranges::count_if(criteria, is_meant));
     };
-    table.row({link_to(part, part.experiments), left(xml_text(part.what)), left(coloured(verdict_of(part))),
+    table.row({link_to(part, part.experiments), xml_text(part.what), coloured(verdict_of(part)),
                count([](const Criterion& c) { return c.not_judged.empty() && c.met; }),
                count([](const Criterion& c) { return c.not_judged.empty() && !c.met; }),
                count([](const Criterion& c) { return !c.not_judged.empty(); })});
@@ -107,9 +104,9 @@ std::string published_table(const AllPart& part) {
       others += xml_text(other.at("name").get<std::string>()) + ": " + in_words(other);
     }
     table.row({xml_text(value.at("what").get<std::string>() + (unit.empty() ? "" : " [" + unit + "]")),
-               left(xml_text(value.at("source").get<std::string>())),
+               xml_text(value.at("source").get<std::string>()),
                xml_text(value.at("published").get<std::string>()), in_words(value.at("here")),
-               std::to_string(value.at("here").at("seeds").get<int>()), left(others)});
+               std::to_string(value.at("here").at("seeds").get<int>()), others});
   }
   return table.html();
 }

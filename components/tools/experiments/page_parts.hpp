@@ -30,6 +30,7 @@ class Table {
 
  private:
   std::vector<std::string> headings_;
+  std::vector<bool> has_text_;  ///< in some row: such a column stands to the left, heading and all
   std::string rows_;
 };
 
