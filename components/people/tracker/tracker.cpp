@@ -134,7 +134,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   correct_clusters();
   correct_people();
   untangle();
-  weighing_.weigh(people_, clusters_, sweep_, dt, options_.birth);
+  weighing_.weigh(people_, clusters_, sweep_, seconds(), dt, sweep_in_S_.sensor, options_.birth);
   watch_for_absence(sweep_in_S_, since_own);
   initiate_tracks();
   delete_tracks();
