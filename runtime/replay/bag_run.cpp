@@ -65,9 +65,10 @@ BagRunResult run_on(const bag::Bag& recording, Graph graph, BagRunOptions option
     host.run(recording.end() - recording.start());
   }
   BagRunResult result{.published = feed.published(), .malformed = feed.malformed(), .notes = feed.refused()};
-  if (const auto damage = feed.damage())
-    result.notes.push_back(
-        fmt::format("{}: byte {}: {}", damage->file.string(), damage->offset, damage->what));
+  std::vector<bag::BagFault> faults = recording.faults();
+  if (const auto damage = feed.damage()) faults.push_back(*damage);
+  for (const bag::BagFault& fault : faults)
+    result.notes.push_back(fmt::format("{}: byte {}: {}", fault.file.string(), fault.offset, fault.what));
   return result;
 }
 

@@ -16,6 +16,7 @@
 
 #include "components/model/tracked_person.hpp"
 #include "components/people/tracker/assignment.hpp"
+#include "runtime/base/quantile.hpp"
 
 namespace bw::people {
 
@@ -64,6 +65,10 @@ struct Score {
   double switches_per_ten_minutes() const { return 10.0 * static_cast<double>(switches) / person_minutes(); }
   double seen_switches_per_ten_minutes() const {
     return 10.0 * static_cast<double>(switches_seen) / person_minutes();
+  }
+  /// Share `q` of those who walked were confirmed within so many seconds, to the millisecond.
+  double walkers_confirmation_quantile(double q) const {
+    return std::round(1e3 * quantile(walkers_confirmation, q)) / 1e3;
   }
   void add(const Score& other);
 };

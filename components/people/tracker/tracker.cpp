@@ -126,6 +126,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   if (now_ && !order_.comes_next(sweep.source, sweep.time, *now_)) return reported_;
   const double since_own = order_.add(sweep.source, sweep.time, options_.longest_gap);
   ++sweep_;
+  const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
   predict_to(sweep.time);
   transform_to_S(sweep);
   select_detections(sweep_in_S_, options_.most_detections, options_.association, detections_);

@@ -83,7 +83,7 @@ struct Axes {
 
   void draw(SvgWriter& svg, const std::string& name_h, const std::string& name_v,
             bool has_ticks_v = true) const {
-    const double step_h = round_step(h.low, h.high, width > kPanel ? 14 : 8);
+    const double step_h = round_step(h.low, h.high, width > 1.5 * kPanel ? 14 : 8);
     for (const double x : ticks_between(h.low, h.high, step_h)) {
       svg.line(at(x, v.low), at(x, v.high), R"(stroke="#e4e4e4")");
       svg.text(at(x, v.low) + Vector2(0, 16), tick_text(x, step_h), R"(font-size="12" text-anchor="middle")");
@@ -106,7 +106,7 @@ void draw_error(SvgWriter& svg, const Vector2& p, TrackError kind) {
     svg.rectangle(p - Vector2(6, 6), 12, 12, R"(fill="none" stroke="#e00000" stroke-width="1.5")");
   if (kind == TrackError::other_identity)
     svg.polyline({p + Vector2(0, -8), p + Vector2(8, 6), p + Vector2(-8, 6), p + Vector2(0, -8)},
-                 R"(fill="none" stroke="#e00000" stroke-width="1.5")");
+                 R"(stroke="#e00000" stroke-width="1.5")");
 }
 
 /// Part of a track, thin and dashed while it is only possible.
@@ -120,7 +120,7 @@ void draw_track(SvgWriter& svg, std::uint32_t id, const std::vector<Sighting>& t
     const std::string style = is_confirmed
                                   ? R"(stroke-width="1.7" stroke-opacity="0.85")"
                                   : R"(stroke-width="1" stroke-opacity="0.6" stroke-dasharray="3 3")";
-    if (line.size() > 1) svg.polyline(line, R"(fill="none" )" + style + " stroke=\"" + color_of(id) + '"');
+    if (line.size() > 1) svg.polyline(line, style + " stroke=\"" + color_of(id) + '"');
     line.clear();
   };
   for (const Sighting& sighting : track) {
@@ -167,36 +167,52 @@ std::vector<View> views_of(const PeopleRun& run) {
   return views;
 }
 
-/// Equal steps along both axes, everything in.
-Axes axes_of(const PeopleRun& run, const Tracks& tracks, const View& view, const Vector2& corner) {
+/// What the view holds, as little as a frame around the robot.
+std::pair<Range, Range> bounds_of(const PeopleRun& run, const Tracks& tracks, const View& view) {
   Range x;
   Range y;
   const auto hold = [&](const Vector2& p) {
     x.hold(p.x());
     y.hold(p.y());
   };
+  const auto is_shown = [&](double time) { return time >= view.times.low && time <= view.times.high; };
   for (const auto& [id, track] : tracks) {
-    for (const Sighting& s : track)
-      if (s.time >= view.times.low && s.time <= view.times.high) hold(s.place);
+    for (const Sighting& s : track) {
+      if (is_shown(s.time)) hold(s.place);
+    }
   }
   for (std::size_t i = 0; i < run.sweeps.size(); ++i) {
-    const double time = run.sweeps[i].time;
-    if (run.robot[i] && time >= view.times.low && time <= view.times.high) hold(*run.robot[i]);
+    if (run.robot[i] && is_shown(run.sweeps[i].time)) hold(*run.robot[i]);
   }
   if (view.stretch != nullptr) {
-    for (const auto& instant : view.stretch->labels)
-      for (const auto& person : instant.people)
+    for (const auto& instant : view.stretch->labels) {
+      for (const auto& person : instant.people) {
         if (person.counted) hold(person.position);
+      }
+    }
   }
   if (!(x.length() >= 0.0)) hold({0.0, 0.0});
-  const double half = 0.5 * std::max({x.length(), y.length(), 1.0}) + 0.3;
-  return {
-      corner, kPanel, kPanel, {x.middle() - half, x.middle() + half}, {y.middle() - half, y.middle() + half}};
+  return {x, y};
+}
+
+/// Equal steps along both axes, everything in.
+Axes axes_of(const PeopleRun& run, const Tracks& tracks, const View& view, const Vector2& corner,
+             double width) {
+  const auto [x, y] = bounds_of(run, tracks, view);
+  const double px_per_m =
+      std::min(width / std::max(x.length() + 0.6, 1.0), kPanel / std::max(y.length() + 0.6, 1.0));
+  const double half_x = 0.5 * width / px_per_m;
+  const double half_y = 0.5 * kPanel / px_per_m;
+  return {corner,
+          width,
+          kPanel,
+          {x.middle() - half_x, x.middle() + half_x},
+          {y.middle() - half_y, y.middle() + half_y}};
 }
 
 void draw_view(SvgWriter& svg, const PeopleRun& run, const Tracks& tracks, const View& view,
-               const Vector2& corner) {
-  const Axes axes = axes_of(run, tracks, view, corner);
+               const Vector2& corner, double width) {
+  const Axes axes = axes_of(run, tracks, view, corner, width);
   svg.text(corner + Vector2(0, -44), view.title, R"(font-size="14" font-weight="bold")");
   svg.text(corner + Vector2(0, -26), view.score, R"(font-size="13")");
   axes.draw(svg, "x in odom [m]", "y in odom [m]");
@@ -207,7 +223,7 @@ void draw_view(SvgWriter& svg, const PeopleRun& run, const Tracks& tracks, const
     if (run.robot[i] && time >= view.times.low && time <= view.times.high) way.push_back(at(*run.robot[i]));
   }
   if (!way.empty()) {
-    svg.polyline(way, R"(fill="none" stroke="#000" stroke-width="2.5" stroke-opacity="0.5")");
+    svg.polyline(way, R"(stroke="#000" stroke-width="2.5" stroke-opacity="0.5")");
     svg.circle(way.back(), 6, R"(fill="#000")");
   }
   for (const auto& [id, track] : tracks)
@@ -298,9 +314,13 @@ void draw_lives(SvgWriter& svg, const PeopleRun& run, const std::vector<TrackLif
       svg.rectangle(since - Vector2(0, 5), std::max(end.x() - since.x(), 2.0), 10, fill);
     }
     const std::string text = std::to_string(life.id) + ": " + fixed(life.end - life.begin, 1) + " s";
-    const bool has_room = end.x() < kLeft + kWidth - 70;
-    svg.text(has_room ? end + Vector2(4, 4) : begin + Vector2(-4, 4), text,
-             has_room ? R"(font-size="11")" : R"(font-size="11" text-anchor="end")");
+    if (end.x() < kLeft + kWidth - 70) {
+      svg.text(end + Vector2(4, 4), text, R"(font-size="11")");
+    } else if (begin.x() > kLeft + 70) {
+      svg.text(begin + Vector2(-4, 4), text, R"(font-size="11" text-anchor="end")");
+    } else {
+      svg.text(begin + Vector2(6, 4), text, R"svg(font-size="11" fill="#fff" font-weight="bold")svg");
+    }
   }
 }
 
@@ -320,10 +340,12 @@ std::string people_picture(const PeopleRun& run) {
   SvgWriter svg(1500, height);
   svg.rectangle({0, 0}, 1500, height, R"(fill="#fff")");
   draw_legend(svg);
+  const std::size_t in_row = std::min<std::size_t>(views.size(), 3);
+  const double width = (kWidth + kBetween) / static_cast<double>(in_row) - kBetween;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const Vector2 corner(kLeft + 485.0 * static_cast<double>(i % 3),
-                         110.0 + 520.0 * static_cast<double>(i / 3));
-    draw_view(svg, run, tracks, views[i], corner);
+    const Vector2 corner(kLeft + (width + kBetween) * static_cast<double>(i % in_row),
+                         110.0 + 520.0 * static_cast<double>(i / in_row));
+    draw_view(svg, run, tracks, views[i], corner, width);
   }
   draw_distances(svg, run, tracks, distances_at);
   draw_lives(svg, run, lives, rows, lives_at);
