@@ -48,6 +48,30 @@ bandwagon_msgs::msg::Tracks to_tracks(const std::vector<TrackedPerson>& people,
   return message;
 }
 
+std::vector<TrackedPerson> from_tracks(const bandwagon_msgs::msg::Tracks& message) {
+  std::vector<TrackedPerson> people;
+  for (const bandwagon_msgs::msg::Track& track : message.tracks()) {
+    TrackedPerson& person = people.emplace_back();
+    person.id = track.id();
+    person.position = {track.position().x(), track.position().y()};
+    person.velocity = {track.velocity().x(), track.velocity().y()};
+    person.radius = track.radius();
+    person.confidence = track.confidence();
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j)
+        person.covariance(i, j) = track.covariance()[static_cast<std::size_t>(4 * i + j)];
+    }
+    for (const bandwagon_msgs::msg::PredictedPosition& predicted : track.predictions()) {
+      Eigen::Matrix2d covariance;
+      covariance << predicted.cov_xx(), predicted.cov_xy(), predicted.cov_xy(), predicted.cov_yy();
+      const double ahead = static_cast<double>(predicted.time_from_start().sec()) +
+                           1e-9 * static_cast<double>(predicted.time_from_start().nanosec());
+      person.predictions.push_back({ahead, {predicted.x(), predicted.y()}, covariance});
+    }
+  }
+  return people;
+}
+
 people_msgs::msg::People to_people(const std::vector<TrackedPerson>& people,
                                    const std_msgs::msg::Header& header) {
   people_msgs::msg::People message;

@@ -184,6 +184,7 @@ ClearanceModel::ClearanceModel(const BandOptions& options, double growth)
     : fixed{options.weights.obstacle * growth, options.weights.inflation, options.inflation_dist},
       moving{options.weights.dynamic_obstacle * growth, options.weights.dynamic_inflation,
              options.dynamic_obstacle_inflation_dist},
+      possible_inflation(std::min(options.weights.possible_inflation, options.weights.dynamic_inflation)),
       min_dist(options.min_obstacle_dist + options.penalty_epsilon) {}
 
 double evaluate_clearance(const ClearanceModel& model, const ClearanceTerm& term, const Vector2& point,
@@ -194,7 +195,7 @@ double evaluate_clearance(const ClearanceModel& model, const ClearanceTerm& term
   // Of possible people only the inflation counts: what is to be kept from is among the static obstacles.
   const double s = term.presence;
   const double obstacle = s < 1.0 ? 0.0 : kind.obstacle;
-  const double inflation = s * kind.inflation;
+  const double inflation = s < 1.0 ? s * model.possible_inflation : kind.inflation;
   const double inflated = std::max(0.0, s * (kind.inflation_dist + term.unsure) - clearance.distance);
   const double cost = obstacle * close * close + inflation * inflated * inflated;
   if (cost <= 0.0) {

@@ -71,7 +71,8 @@ struct ClearanceModel {
     double inflation_dist;
   };
   Kind fixed, moving;
-  double min_dist;  // including penalty_epsilon
+  double possible_inflation;  // weight, not its root; at most that of `moving`
+  double min_dist;            // including penalty_epsilon
 };
 
 /// Root of the summed obstacle and inflation costs: one residual of the same cost. gradient: d / d point, or

@@ -32,6 +32,7 @@ struct PersonTrack {
   PastState sure;              ///< when they were last seen as a person or a leg plainly is
   PastState settled;           ///< when their legs last went like those of one person
   double score = 0.5;          ///< smoothed human score of what was seen
+  Fidgets fidgets;             ///< of the way from leg to leg
   Existence existence;         ///< how sure it is that they are a person
   double empty_seconds = 0.0;  ///< for so long the laser saw through where they should be [s]
   double heard = 0.0;          ///< how sure other detectors are that they are there, 0 to 1

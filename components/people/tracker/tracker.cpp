@@ -135,6 +135,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   const double since_own = order_.add(sweep.source, sweep.time, options_.longest_gap);
   const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
   ++sweep_;
+  const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
   predict_to(sweep.time);
   transform_to_S(sweep);
   select_detections(sweep_in_S_, options_.most_detections, options_.association, detections_);
@@ -142,7 +143,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   correct_clusters();
   correct_people();
   untangle();
-  weighing_.weigh(people_, clusters_, sweep_, dt, options_.birth);
+  weighing_.weigh(people_, clusters_, sweep_, seconds(), dt, sweep_in_S_.sensor, options_.birth);
   watch_for_absence(sweep_in_S_, since_own);
   follow_hidden_people(dt, since_own);
   initiate_tracks();
