@@ -30,7 +30,7 @@ TrackedPerson report_of(const PersonTrack& person, const Pose2& X_OS, double rad
            .position = X_OS * position,
            .velocity = rotate(X_OS, velocity),
            .radius = radius,
-           .confidence = 1.0 - (1.0 - person.existence.confidence()) * (1.0 - person.heard)},
+           .confidence = 1.0 - (1.0 - person.there * person.existence.confidence()) * (1.0 - person.heard)},
           R * covariance * R.transpose(),
           person.born,
           person.confirmed,

@@ -135,7 +135,6 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   const double since_own = order_.add(sweep.source, sweep.time, options_.longest_gap);
   const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
   ++sweep_;
-  const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
   predict_to(sweep.time);
   transform_to_S(sweep);
   select_detections(sweep_in_S_, options_.most_detections, options_.association, detections_);
@@ -320,9 +319,7 @@ void Tracker::Impl::delete_tracks() {
     if (is_told_of(person)) return person.walker.position_sigma() > death.sigma;
     if (is_of_others && person.heard < HearingOptions::kForgotten) return true;
     return person.empty_seconds >= death.unseen - 1e-9 || person.walker.position_sigma() > death.sigma ||
-           (person.hidden && is_out_of_sight(person) &&
-            (person.hidden->existence() < options_.hidden.believed ||
-             *now_ - person.last_seen > Duration::seconds(options_.hidden.coast))) ||
+           person.there < options_.hidden.believed ||
            (person.score < death.unlike_score && person.walker.velocity().norm() < death.kUnlikeSpeed);
   };
   std::ranges::copy_if(people_, std::back_inserter(lost_), gone);

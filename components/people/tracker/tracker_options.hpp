@@ -219,8 +219,7 @@ struct HiddenOptions {
   double wander = 0.5;
   double keeps_way = 5.0;
   double overlooked = 0.33;
-  double believed = 0.3;
-  double coast = 3.0;
+  double believed = 0.04;
   double margin = 0.15;
   double place_kernel = 0.35;
   double velocity_kernel = 0.5;
@@ -232,7 +231,8 @@ struct HiddenOptions {
       {.unit = "s",
        .min = 0,
        .max = 60,
-       .doc = "somebody not seen for sure for this long is hidden, and may come back as somebody who appears"});
+       .doc =
+           "somebody not seen for sure for this long is hidden, and may come back as somebody who appears"});
     v("remembered", remembered,
       {.unit = "s", .min = 0, .max = 60, .doc = "who appears so long after somebody was lost may be them"});
     v("guesses", guesses,
@@ -243,7 +243,10 @@ struct HiddenOptions {
        .max = 5,
        .doc = "standard deviation of a velocity when somebody is lost from sight, per axis"});
     v("wander", wander,
-      {.unit = "rad/s/sqrt(Hz)", .min = 0, .max = 10, .doc = "how fast people out of sight change direction"});
+      {.unit = "rad/s/sqrt(Hz)",
+       .min = 0,
+       .max = 10,
+       .doc = "how fast people out of sight change direction"});
     v("keeps_way", keeps_way,
       {.unit = "s", .min = 0.1, .max = 1000, .doc = "mean time until somebody out of sight goes elsewhere"});
     v("overlooked", overlooked,
@@ -254,9 +257,8 @@ struct HiddenOptions {
     v("believed", believed,
       {.min = 0,
        .max = 1,
-       .doc = "somebody hidden is no longer reported when they are less probably where they can be"});
-    v("coast", coast,
-      {.unit = "s", .min = 0, .max = 60, .doc = "nor when they were not seen for longer than this"});
+       .doc =
+           "somebody hidden is no longer reported when they are less probably near where they are tracked"});
     v("margin", margin,
       {.unit = "m",
        .min = 0,

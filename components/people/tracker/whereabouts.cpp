@@ -10,6 +10,7 @@ namespace bw::people {
 namespace {
 
 constexpr double kPosition = 0.08;  // [m] error of where they were, per axis
+constexpr double kNear = 0.75;      // [m]
 constexpr double kBody = 0.2;       // [m] the middle of somebody comes no nearer to a wall
 
 Vector2 turned(const Vector2& v, double angle) {
@@ -29,17 +30,16 @@ Whereabouts::Whereabouts(const Vector2& position, const Vector2& velocity, Rando
   }
 }
 
-void Whereabouts::walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls, Random& random,
-                       const HiddenOptions& options) {
+void Whereabouts::walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls,
+                       Random& random, const HiddenOptions& options) {
   const double wander = options.wander * std::sqrt(dt);
   const double anew = 1.0 - std::exp(-dt / options.keeps_way);
   const double missed = std::exp(-looked / options.overlooked);
   double sum = 0.0;
   for (Guess& guess : guesses_) {
     const bool elsewhere = random.uniform() < anew;
-    guess.velocity =
-        turned(guess.velocity, elsewhere ? random.uniform(-std::numbers::pi, std::numbers::pi)
-                                         : wander * random.normal());
+    guess.velocity = turned(guess.velocity, elsewhere ? random.uniform(-std::numbers::pi, std::numbers::pi)
+                                                      : wander * random.normal());
     const Vector2 step = dt * guess.velocity;
     const double way = step.norm();
     const Vector2 front = guess.position + step * (way > 0.0 ? 1.0 + kBody / way : 0.0);
@@ -87,6 +87,13 @@ Whereabouts::Moments Whereabouts::moments() const {
   m.covariance -= m.mean * m.mean.transpose();
   m.covariance.diagonal().array() += 1e-4;  // guesses that are all the same know no better than this
   return m;
+}
+
+double Whereabouts::chance_near(const Vector2& place) const {
+  double sum = 0.0;
+  for (const Guess& guess : guesses_)
+    if ((guess.position - place).squaredNorm() < kNear * kNear) sum += guess.weight;
+  return existence_ * sum;
 }
 
 double Whereabouts::density(const Vector2& place, std::optional<Vector2> velocity, double ago,
