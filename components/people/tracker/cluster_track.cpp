@@ -23,8 +23,6 @@ void ClusterTrack::remember(const Sighting& seen) {
   kept = seen;
   kept.nth = nth;
   existence.looks.add(seen.human_score(), seen.bearing);
-  fidgets_.add(seen.time, seen.position, !seen.occluded, seen.bearing);
-  existence.fidgets = fidgets_.log_odds();
 }
 
 void ClusterTrack::predict(double dt) {

@@ -51,6 +51,7 @@ class ClusterTrack {
   const Sighting& sighting(int k) const { return ring_[(count_ - 1 - k) % kRemembered]; }
   const Sighting& last() const { return sighting(0); }
 
+  Fidgets fidgets;
   Existence existence;   ///< as a leg, or somebody whole
   std::uint32_t id = 0;  ///< as a possible person; 0: not told of
 
@@ -63,7 +64,6 @@ class ClusterTrack {
   double pv_ = 0.0;  ///< with the velocity
   double vv_ = 1.0;  ///< of the velocity [m^2/s^2]: legs swing at up to 2.5 m/s
   double born_;
-  Fidgets fidgets_;
   std::int64_t count_ = 0;  ///< remembered or forgotten
   Sighting ring_[kRemembered];
 };

@@ -9,6 +9,7 @@
 #include "components/people/tracker/cluster_track.hpp"
 #include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/walker.hpp"
+#include "components/people/tracker/whereabouts.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw::people {
@@ -27,9 +28,11 @@ struct PersonTrack {
   Time born;
   Time confirmed;
   Time last_seen;              ///< by a laser
+  std::optional<Whereabouts> hidden;  ///< where they may be while not seen for sure
   PastState sure;              ///< when they were last seen as a person or a leg plainly is
   PastState settled;           ///< when their legs last went like those of one person
   double score = 0.5;          ///< smoothed human score of what was seen
+  Fidgets fidgets;             ///< of the way from leg to leg
   Existence existence;         ///< how sure it is that they are a person
   double empty_seconds = 0.0;  ///< for so long the laser saw through where they should be [s]
   double heard = 0.0;          ///< how sure other detectors are that they are there, 0 to 1

@@ -1,6 +1,7 @@
 #include "components/people/tracker/weighing.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "components/people/tracker/walking.hpp"
 
@@ -13,8 +14,13 @@ constexpr double kThin = 0.25;       // [m] and it is less wide
 constexpr double kWalkedFree = 1.0;  // [m] who has walked so far has no legs of furniture
 constexpr double kReach = 2.5;       // [m] farther furniture is not theirs: the diagonal of a table and more
 constexpr double kSlowly = 1.0;      // [s] in which patterns gain and lose belief
-constexpr double kOfWayLost = 0.3;   // [m] of the way walked by somebody lost
-constexpr double kNoticed = 1.0;     // [s] after which what stands is told of
+constexpr double kTurn = 0.1;        // [rad] of the line of sight to a leg that may shift
+constexpr double kTurnOfPair = 0.4;  // to a pair
+constexpr double kSensorStill = 0.05;    // [m] a laser that moves less stands
+constexpr double kSensorStood = 1.0;     // [s]
+constexpr double kOfWayLost = 0.3;       // [m] of the way walked by somebody lost
+constexpr double kClutterMemory = 10.0;  // [s] in which things out of view are forgotten
+constexpr double kNoticed = 1.0;         // [s] after which what stands is told of
 constexpr double kLeastLooks = -0.5;
 constexpr double kFurniture = -6.0;  // log odds of what is no longer told of
 
@@ -30,14 +36,26 @@ bool is_post(const ClusterTrack& thing, std::int64_t sweep) {
 
 Post post_of(const ClusterTrack& thing) { return {thing.last().position, thing.last().width}; }
 
+double prior_of(BirthKind kind) {
+  switch (kind) {
+    case BirthKind::walking_pair:
+      return Existence::kWalker;
+    case BirthKind::walking_single:
+      return Existence::kLoneWalker;
+    case BirthKind::standing_pair:
+      return Existence::kTwoLegs;
+    case BirthKind::standing_single:
+      break;
+  }
+  return Existence::kOneLeg;
+}
+
 }  // namespace
 
 Existence existence_of(const Birth& birth, const ClusterTrack& first, const ClusterTrack* second) {
   Existence existence = first.existence;
   existence.walked.way = birth.way;
-  existence.prior = birth.kind == BirthKind::standing_pair     ? Existence::kTwoLegs
-                    : birth.kind == BirthKind::standing_single ? Existence::kOneLeg
-                                                               : Existence::kWalker;
+  existence.prior = prior_of(birth.kind);
   if (second == nullptr) return existence;
   if (second->existence.looks.log_odds() < existence.looks.log_odds())
     existence.looks = second->existence.looks;
@@ -83,36 +101,57 @@ double Weighing::row_at(const ClusterTrack& thing, const ClusterTrack* other) {
   return row_of_posts(post, near_).log_odds;
 }
 
+void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
+  const Sighting& seen = cluster.last();
+  if (still_) cluster.fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kTurn);
+  cluster.existence.fidgets = cluster.fidgets.log_odds();
+  if (cluster.existence.looks.log_odds() > kLeastLooks && seen.width <= kThin && stands(cluster))
+    cluster.existence.row += gain * (row_at(cluster, nullptr) - cluster.existence.row);
+}
+
+void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, double gain,
+                            const BirthOptions& options) {
+  Existence& existence = person.existence;
+  const bool both = person.both_legs_seen(sweep);
+  std::optional<Walk> walk;
+  if (both) {
+    walk = walk_of_pair(*person.legs[0], *person.legs[1], options);
+  } else {
+    for (const auto& leg : person.legs)
+      if (leg && leg->last().sweep == sweep) walk = walk_of_single(*leg, options);
+  }
+  if (walk) existence.walked.way += walk->speed * dt;
+  existence.clutter =
+      existence.prior == Existence::kTwoLegs ? Existence::kEachOther * std::max(0.0, clutter_ - 1.0) : 0.0;
+  if (!both || existence.walked.way >= kWalkedFree) return;
+  const Sighting& a = person.legs[0]->last();
+  const Sighting& b = person.legs[1]->last();
+  person.fidgets.add(a.time, a.position - b.position, !a.occluded && !b.occluded, a.bearing, kTurnOfPair);
+  existence.fidgets = std::max(existence.fidgets, person.fidgets.log_odds());
+  double row = 0.0;
+  if (stands(*person.legs[0]) && stands(*person.legs[1]))
+    row = std::min(row_at(*person.legs[0], &*person.legs[1]), row_at(*person.legs[1], &*person.legs[0]));
+  existence.row += gain * (row - existence.row);
+}
+
 void Weighing::weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>& clusters,
-                     std::int64_t sweep, double dt, const BirthOptions& options) {
+                     std::int64_t sweep, double time, double dt, const Vector2& sensor,
+                     const BirthOptions& options) {
+  if ((sensor - stood_).norm() > kSensorStill) {
+    stood_ = sensor;
+    standing_since_ = time;
+  }
+  still_ = time - standing_since_ > kSensorStood;
   find_posts(people, clusters, sweep);
   const double gain = std::min(1.0, dt / kSlowly);
-  for (ClusterTrack& cluster : clusters)
-    if (is_post(cluster, sweep) && cluster.existence.looks.log_odds() > kLeastLooks)
-      cluster.existence.row += gain * (row_at(cluster, nullptr) - cluster.existence.row);
-  for (PersonTrack& person : people) {
-    const bool both = person.both_legs_seen(sweep);
-    Existence& existence = person.existence;
-    for (const auto& leg : person.legs)
-      if (leg && leg->last().sweep == sweep)
-        existence.fidgets = std::max(existence.fidgets, leg->existence.fidgets);
-    if (existence.walked.log_odds() < Walked::kMost) {
-      for (std::size_t i = 0; i < 2; ++i) {
-        const auto& leg = person.legs[i];
-        if (!leg || leg->last().sweep != sweep) continue;
-        const auto walk =
-            both ? walk_of_pair(*person.legs[0], *person.legs[1], options) : walk_of_single(*leg, options);
-        if (!walk) continue;
-        existence.walked.way += walk->speed * dt;
-        break;
-      }
-    }
-    if (!both || existence.walked.way >= kWalkedFree) continue;
-    double row = 0.0;
-    if (stands(*person.legs[0]) && stands(*person.legs[1]))
-      row = std::min(row_at(*person.legs[0], &*person.legs[1]), row_at(*person.legs[1], &*person.legs[0]));
-    existence.row += gain * (row - existence.row);
+  double leglike = 0.0;
+  for (ClusterTrack& cluster : clusters) {
+    if (cluster.last().sweep != sweep) continue;
+    weigh_cluster(cluster, gain);
+    if (is_post(cluster, sweep) && cluster.existence.looks.log_odds() > 0.0) leglike += 1.0;
   }
+  clutter_ += std::min(1.0, dt / (leglike > clutter_ ? kSlowly : kClutterMemory)) * (leglike - clutter_);
+  for (PersonTrack& person : people) weigh_person(person, sweep, dt, gain, options);
 }
 
 }  // namespace bw::people

@@ -23,17 +23,24 @@ bool may_be_somebody(const ClusterTrack& cluster);
 
 class Weighing {
  public:
-  /// Sweep number `sweep`, `dt` [s] after the one before.
+  /// Sweep number `sweep` at `time` [s], `dt` [s] after the one before, seen from `sensor`.
   void weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>& clusters, std::int64_t sweep,
-             double dt, const BirthOptions& options);
+             double time, double dt, const Vector2& sensor, const BirthOptions& options);
 
  private:
   void find_posts(const std::vector<PersonTrack>& people, const std::vector<ClusterTrack>& clusters,
                   std::int64_t sweep);
   double row_at(const ClusterTrack& thing, const ClusterTrack* other);
+  void weigh_cluster(ClusterTrack& cluster, double gain);
+  void weigh_person(PersonTrack& person, std::int64_t sweep, double dt, double gain,
+                    const BirthOptions& options);
 
   std::vector<Post> posts_;
   std::vector<Post> near_;
+  double clutter_ = 0.0;         ///< things that stand about and look like legs, lately
+  Vector2 stood_{0.0, 0.0};      ///< where the laser stands
+  double standing_since_ = 0.0;  ///< [s]
+  bool still_ = false;
 };
 
 }  // namespace bw::people

@@ -58,6 +58,7 @@ std::vector<Ranger> Eddie::rangers() const { return rangers_of(options_); }
 BaseFacts Eddie::facts() const {
   return {.has_battery = true,
           .response = 0.25,
+          .velocity_window = options_.velocity_window,
           .battery_low = options_.battery_low,
           .battery_empty = options_.battery_empty};
 }

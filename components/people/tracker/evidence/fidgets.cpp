@@ -11,7 +11,6 @@ constexpr double kLongest = 0.25;   // [m]: farther is another thing, or a step
 constexpr double kStood = 1.0;      // [s] before a shift
 constexpr double kSettled = 0.4;    // [s] after it
 constexpr double kGap = 0.5;        // [s] unseen, after which it may be another thing
-constexpr double kTurn = 0.12;      // [rad] of the line of sight, after which all begins anew
 constexpr int kMean = 20;           // sightings in the mean
 
 }  // namespace
@@ -24,9 +23,9 @@ void Fidgets::stand_anew(double time, const Vector2& place, double bearing) {
   aside_ = -1.0;
 }
 
-void Fidgets::add(double time, const Vector2& place, bool whole, double bearing) {
+void Fidgets::add(double time, const Vector2& place, bool whole, double bearing, double turn) {
   if (!whole) return;
-  const bool lost = count_ == 0 || time - last_ > kGap || std::abs(wrap_angle(bearing - bearing_)) > kTurn;
+  const bool lost = count_ == 0 || time - last_ > kGap || std::abs(wrap_angle(bearing - bearing_)) > turn;
   last_ = time;
   if (lost || (place - stood_).norm() > kLongest) return stand_anew(time, place, bearing);
   if ((place - stood_).norm() < kShortest) {

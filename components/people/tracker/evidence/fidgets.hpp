@@ -5,15 +5,16 @@
 
 namespace bw::people {
 
-/// Looks for a leg that stood, moved by a few centimetres and stands again, seen from about the same side all the
-/// time: another side, or something in front of it, moves the middle of anything.
+/// Looks for a place that stays, changes by a few centimetres and stays again: the place of a leg while the laser
+/// stands still, or the way from one leg to the other, which a laser that moves sees as well. All the time it is seen
+/// from about the same side: another one, or something in front of it, moves the middle of anything.
 class Fidgets {
  public:
-  static constexpr double kEach = 1.5;  ///< log odds of one shift
-  static constexpr double kMost = 4.5;
+  static constexpr double kEach = 2.0;  ///< log odds of one shift
+  static constexpr double kMost = 4.0;
 
-  /// `whole`: nothing hides an edge of it; `bearing` along which it is seen [rad].
-  void add(double time, const Vector2& place, bool whole, double bearing);
+  /// `whole`: nothing hides an edge; `bearing` along which it is seen [rad], which may turn by `turn`.
+  void add(double time, const Vector2& place, bool whole, double bearing, double turn);
 
   double log_odds() const;
 

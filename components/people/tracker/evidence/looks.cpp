@@ -8,7 +8,7 @@ namespace bw::people {
 namespace {
 
 constexpr double kSurest = 0.95;      // no score says more than this
-constexpr float kDoubt = 3.0F;        // sightings from a side that say nothing yet
+constexpr float kDoubt = 2.0F;        // sightings from a side that say nothing yet
 constexpr float kRemembered = 20.0F;  // so many sightings from a side are remembered
 constexpr double kOtherSides = 0.5;   // what a side adds to the one that says most, as a share
 

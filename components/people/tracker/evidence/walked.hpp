@@ -8,8 +8,8 @@ namespace bw::people {
 /// Log odds by the way [m] that legs went as a walker's do: nothing in the first `kSlip` metres, which edges that
 /// come into view and errors of odometry make up, then in proportion, up to kMost, which nothing else outweighs.
 struct Walked {
-  static constexpr double kSlip = 0.1;       ///< [m]
-  static constexpr double kPerMetre = 12.0;  ///< [1/m]
+  static constexpr double kSlip = 0.15;      ///< [m]
+  static constexpr double kPerMetre = 10.0;  ///< [1/m]
   static constexpr double kMost = 7.0;
 
   double way = 0.0;  ///< [m]
