@@ -97,7 +97,7 @@ PersonTrack person_of(const HeardPerson& heard, double deviation, Time now, cons
                                       deviation * deviation, speed * speed),
                      .born = now,
                      .confirmed = now,
-                     .last_seen = now - Duration::seconds(options.back.remembered),
+                     .last_seen = now - Duration::seconds(options.hidden.remembered),
                      .score = 0.0};
   person.existence.prior = Existence::kUnseen;
   if (options.motion == MotionFilter::heading) {

@@ -9,6 +9,7 @@
 #include "components/people/tracker/cluster_track.hpp"
 #include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/walker.hpp"
+#include "components/people/tracker/whereabouts.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw::people {
@@ -27,6 +28,7 @@ struct PersonTrack {
   Time born;
   Time confirmed;
   Time last_seen;              ///< by a laser
+  std::optional<Whereabouts> hidden;  ///< where they may be while not seen for sure
   PastState sure;              ///< when they were last seen as a person or a leg plainly is
   PastState settled;           ///< when their legs last went like those of one person
   double score = 0.5;          ///< smoothed human score of what was seen

@@ -68,6 +68,10 @@ class Tracker::Impl {
     return {seconds(), person.walker.position(), person.walker.velocity()};
   }
   void follow_legs(PersonTrack& person, const ClusterTrack& first, const ClusterTrack* second) const;
+  bool is_out_of_sight(const PersonTrack& person) const {
+    return *now_ - person.last_seen > Duration::seconds(options_.hidden.absent);
+  }
+  void follow_hidden_people(double dt, double since_own);
   void watch_for_absence(const DetectionSet& sweep, double dt);
   void delete_tracks();
   void initiate_tracks();
@@ -89,6 +93,8 @@ class Tracker::Impl {
   Matching matching_;
   Weighing weighing_;
   std::vector<Candidate> candidates_;
+  SeenWalls walls_;
+  Random random_{1};
   std::vector<TrackedPerson> reported_;
 };
 
@@ -97,6 +103,8 @@ void Tracker::Impl::reset() {
   people_.clear();
   lost_.clear();
   clusters_.clear();
+  walls_.reset();
+  random_ = Random(1);
   reported_.clear();
   order_.reset();
   alignment_.reset();
@@ -125,8 +133,8 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   begin_at(sweep.time);
   if (now_ && !order_.comes_next(sweep.source, sweep.time, *now_)) return reported_;
   const double since_own = order_.add(sweep.source, sweep.time, options_.longest_gap);
-  ++sweep_;
   const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
+  ++sweep_;
   predict_to(sweep.time);
   transform_to_S(sweep);
   select_detections(sweep_in_S_, options_.most_detections, options_.association, detections_);
@@ -136,6 +144,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   untangle();
   weighing_.weigh(people_, clusters_, sweep_, seconds(), dt, sweep_in_S_.sensor, options_.birth);
   watch_for_absence(sweep_in_S_, since_own);
+  follow_hidden_people(dt, since_own);
   initiate_tracks();
   delete_tracks();
   report();
@@ -173,7 +182,7 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     person.existence.looks.add(d.human_score(), seen.bearing);
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
-    if (d.human_score() >= options_.back.kLikeness) person.sure = state_of(person);
+    if (d.human_score() >= options_.hidden.kLikeness) person.sure = state_of(person);
     const std::size_t leg = part == BodyPart::first_leg ? 0 : 1;
     if (whole) {
       person.unseen = {0, 0};
@@ -242,6 +251,7 @@ void Tracker::Impl::follow_legs(PersonTrack& person, const ClusterTrack& first,
   for (auto& leg : person.legs)
     if (leg) leg->id = 0;
   person.sure = person.settled = state_of(person);
+  person.hidden.reset();
 }
 
 void Tracker::Impl::untangle() {
@@ -292,6 +302,16 @@ void Tracker::Impl::watch_for_absence(const DetectionSet& sweep, double dt) {
   }
 }
 
+void Tracker::Impl::follow_hidden_people(double dt, double since_own) {
+  std::vector<Vector2> places;
+  for (const PersonTrack& person : people_) places.push_back(person.walker.position());
+  walls_.add(sweep_in_S_, seconds(), places);
+  const Surroundings about{sweep_in_S_, walls_, seconds(), dt, since_own};
+  for (PersonTrack& person : people_)
+    follow_hidden(person, about, is_told_of(person) || !is_out_of_sight(person), random_, options_);
+  for (PersonTrack& person : lost_) follow_hidden(person, about, false, random_, options_);
+}
+
 void Tracker::Impl::delete_tracks() {
   const DeathOptions& death = options_.death;
   const auto gone = [&](const PersonTrack& person) {
@@ -299,11 +319,14 @@ void Tracker::Impl::delete_tracks() {
     if (is_told_of(person)) return person.walker.position_sigma() > death.sigma;
     if (is_of_others && person.heard < HearingOptions::kForgotten) return true;
     return person.empty_seconds >= death.unseen - 1e-9 || person.walker.position_sigma() > death.sigma ||
+           (person.hidden && is_out_of_sight(person) &&
+            (person.hidden->existence() < options_.hidden.believed ||
+             *now_ - person.last_seen > Duration::seconds(options_.hidden.coast))) ||
            (person.score < death.unlike_score && person.walker.velocity().norm() < death.kUnlikeSpeed);
   };
   std::ranges::copy_if(people_, std::back_inserter(lost_), gone);
   std::erase_if(people_, gone);
-  const Duration remembered = Duration::seconds(options_.back.remembered);
+  const Duration remembered = Duration::seconds(options_.hidden.remembered);
   std::erase_if(lost_, [&](const PersonTrack& person) { return *now_ > person.last_known() + remembered; });
 }
 
@@ -323,13 +346,14 @@ void Tracker::Impl::initiate_tracks() {
     used.push_back(candidate.first);
     if (second != nullptr) used.push_back(candidate.second);
     const Sighting& oldest = first.sighting(first.remembered() - 1);
-    auto person = take_returned(people_, lost_, oldest, seconds(), options_.back);
+    const Walker walker = walker_of(first, second, options_.walker);
+    auto person = take_returned(people_, lost_, oldest, walker.velocity(), seconds(), options_.hidden);
     const Existence existence = existence_of(candidate.birth, first, second);
     if (person) {
       person->existence = existence_of_returned(person->existence, existence, candidate.birth.kind);
     } else {
       person = PersonTrack{.id = id_of(first, second),
-                           .walker = walker_of(first, second, options_.walker),
+                           .walker = walker,
                            .born = origin_ + Duration::seconds(oldest.time),
                            .confirmed = *now_};
       person->existence = existence;
@@ -375,8 +399,8 @@ void Tracker::Impl::believe(const HeardPerson& told, double late, PersonTrack& p
   correct_by(there, hearing.position_deviation, options_, person);
   if (follow_legs_near(person)) return;
   // Legs that appear here are theirs: as of somebody who was out of sight just long enough.
-  person.sure = {seconds() - options_.back.absent,
-                 person.walker.position() - options_.back.absent * person.walker.velocity(),
+  person.sure = {seconds() - options_.hidden.absent,
+                 person.walker.position() - options_.hidden.absent * person.walker.velocity(),
                  person.walker.velocity()};
 }
 
@@ -388,7 +412,8 @@ void Tracker::Impl::begin_with(const HeardPerson& told, double late) {
   PersonTrack person = person_of(there, deviation, *now_, options_);
   std::vector<PersonTrack> nobody;
   const Sighting place{.time = seconds(), .position = there.position};
-  const auto lost = take_returned(nobody, lost_, place, seconds(), options_.back);
+  const auto velocity = told.velocity.squaredNorm() > 0.0 ? std::optional(told.velocity) : std::nullopt;
+  const auto lost = take_returned(nobody, lost_, place, velocity, seconds(), options_.hidden);
   person.id = lost ? lost->id : ++last_id_;
   if (lost) person.born = lost->born;
   if (lost) person.confirmed = lost->confirmed;
