@@ -18,7 +18,10 @@ struct GlobalPlannerParameters {
   template <class Visitor>
   void fields(Visitor& v) {
     v("standing_speed", standing_speed,
-      {.unit = "m/s", .min = 0, .max = 5, .doc = "tracks slower than this stand in the way; 0: none do"});
+      {.unit = "m/s",
+       .min = 0,
+       .max = 5,
+       .doc = "confirmed people slower than this stand in the way; 0: none do"});
     v("standing_within", standing_within,
       {.unit = "m", .min = 0, .max = 100, .doc = "only tracks this near to the start count"});
     v("planner_plugins", planner_plugins,

@@ -5,6 +5,7 @@
 
 #include "components/local_planner/command_limits.hpp"
 #include "components/local_planner/problem_check.hpp"
+#include "components/model/mover_weight.hpp"
 
 namespace bw {
 namespace {
@@ -32,6 +33,7 @@ double free_way_behind(const PlanningProblem& problem) {
     }
   }
   for (const Mover& mover : problem.movers) {
+    if (!is_confirmed(mover)) continue;
     for (const double t : {0.0, 0.5, 1.0})
       way = std::min(way, free_way(X_BO * mover.position_at(t), radius + mover.radius));
   }

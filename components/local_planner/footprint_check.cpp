@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "components/model/mover_weight.hpp"
+
 namespace bw {
 namespace {
 
@@ -45,6 +47,7 @@ double gap_to_movers(const Pose2& pose, double time, const Footprint& footprint,
                      const std::vector<Mover>& movers) {
   double gap = std::numeric_limits<double>::infinity();
   for (const Mover& m : movers) {
+    if (!is_confirmed(m)) continue;
     const Vector2 p = m.position_at(time);
     gap = std::min(gap, gap_to(pose, footprint, p, p, m.radius));
   }

@@ -32,7 +32,8 @@ bool sane_velocities(const Mover& m) {
 }
 
 bool sane(const Mover& m) {
-  return sane(m.position) && sane(m.velocity) && size(m.radius) &&
+  return sane(m.position) && sane(m.velocity) && size(m.radius) && m.confidence >= 0.0 &&
+         m.confidence <= 1.0 &&
          std::all_of(m.predictions.begin(), m.predictions.end(),
                      [](const PredictedPosition& p) {
                        return sane(p.time) && sane(p.position) && p.covariance.allFinite();
@@ -72,7 +73,8 @@ std::string fault_of(const PlanningProblem& problem) {
                    [](const Segment& s) { return sane(s.a) && sane(s.b); })) {
     return "an obstacle segment is not finite";
   }
-  if (!fine(problem.movers)) return "a mover is not finite, faster than any, or has a negative radius";
+  if (!fine(problem.movers))
+    return "a mover is not finite, faster than any, has a negative radius, or a confidence outside of 0 to 1";
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "components/local_planner/footprint_check.hpp"
+#include "components/model/mover_weight.hpp"
 
 namespace bw {
 namespace {
@@ -49,6 +50,7 @@ TimedGaps::TimedGaps(const PlanningProblem& problem, double horizon, double step
   for (std::size_t k = 0; k <= steps; ++k) {
     const double time = static_cast<double>(k) * step;
     for (const Mover& m : problem.movers) {
+      if (!is_confirmed(m)) continue;
       const Vector2 p = m.position_at(time);
       if ((p - here).norm() - m.radius <= speed * time + around) movers_[k].push_back({p, m.radius});
     }

@@ -6,6 +6,7 @@
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/markers.hpp"
+#include "components/model/mover_weight.hpp"
 
 namespace bw::people {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 constexpr double kHeight = 1.7;  // of a person [m]
 constexpr Color kBody{0.42F, 0.35F, 0.80F, 0.7F};
 constexpr Color kArrow{0.42F, 0.35F, 0.80F, 0.95F};
+constexpr Color kPossible{0.42F, 0.35F, 0.80F, 0.2F};  // who may be furniture
 
 }  // namespace
 
@@ -46,6 +48,30 @@ bandwagon_msgs::msg::Tracks to_tracks(const std::vector<TrackedPerson>& people,
   return message;
 }
 
+std::vector<TrackedPerson> from_tracks(const bandwagon_msgs::msg::Tracks& message) {
+  std::vector<TrackedPerson> people;
+  for (const bandwagon_msgs::msg::Track& track : message.tracks()) {
+    TrackedPerson& person = people.emplace_back();
+    person.id = track.id();
+    person.position = {track.position().x(), track.position().y()};
+    person.velocity = {track.velocity().x(), track.velocity().y()};
+    person.radius = track.radius();
+    person.confidence = track.confidence();
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j)
+        person.covariance(i, j) = track.covariance()[static_cast<std::size_t>(4 * i + j)];
+    }
+    for (const bandwagon_msgs::msg::PredictedPosition& predicted : track.predictions()) {
+      Eigen::Matrix2d covariance;
+      covariance << predicted.cov_xx(), predicted.cov_xy(), predicted.cov_xy(), predicted.cov_yy();
+      const double ahead = static_cast<double>(predicted.time_from_start().sec()) +
+                           1e-9 * static_cast<double>(predicted.time_from_start().nanosec());
+      person.predictions.push_back({ahead, {predicted.x(), predicted.y()}, covariance});
+    }
+  }
+  return people;
+}
+
 people_msgs::msg::People to_people(const std::vector<TrackedPerson>& people,
                                    const std_msgs::msg::Header& header) {
   people_msgs::msg::People message;
@@ -74,11 +100,11 @@ visualization_msgs::msg::MarkerArray to_markers(const std::vector<TrackedPerson>
     body.scale().x(2.0 * track.radius);
     body.scale().y(2.0 * track.radius);
     body.scale().z(kHeight);
-    paint(body, kBody);
+    paint(body, is_confirmed(track) ? kBody : kPossible);
     array.markers().push_back(std::move(body));
 
     const double speed = track.velocity.norm();
-    if (speed < 0.05) continue;
+    if (speed < 0.05 || !is_confirmed(track)) continue;
     visualization_msgs::msg::Marker arrow = make_marker("velocities", id, constants::ARROW, lifetime, header);
     arrow.pose(to_pose(
         {track.position.x(), track.position.y(), std::atan2(track.velocity.y(), track.velocity.x())}));

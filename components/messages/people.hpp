@@ -15,9 +15,11 @@ namespace bw::people {
 
 bandwagon_msgs::msg::Tracks to_tracks(const std::vector<TrackedPerson>& people,
                                       const std_msgs::msg::Header& header);
+/// In the frame of the message; what it does not tell, such as when they were seen first, stays empty.
+std::vector<TrackedPerson> from_tracks(const bandwagon_msgs::msg::Tracks& message);
 people_msgs::msg::People to_people(const std::vector<TrackedPerson>& people,
                                    const std_msgs::msg::Header& header);
-/// Cylinders with arrows; they vanish by themselves after `lifetime`.
+/// Cylinders with arrows, of possible people pale ones without; they vanish by themselves after `lifetime`.
 visualization_msgs::msg::MarkerArray to_markers(const std::vector<TrackedPerson>& people, Duration lifetime,
                                                 const std_msgs::msg::Header& header);
 

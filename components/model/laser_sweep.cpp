@@ -1,5 +1,6 @@
 #include "components/model/laser_sweep.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -53,7 +54,10 @@ SweepFault fault_of(const LaserSweep& sweep) {
   // Some drivers name the angle after the last beam.
   if (sweep.angle_max && !(std::abs(sweep.angle_min + width - *sweep.angle_max) < 1.5 * step))
     return SweepFault::wrong_length;
-  if (!is_finite(sweep.X_FL) || !(sweep.X_FL.position().norm() <= kFarthest)) return SweepFault::bad_pose;
+  const auto is_sound = [](const Pose2& X) { return is_finite(X) && X.position().norm() <= kFarthest; };
+  if (!is_sound(sweep.X_FL) || !std::ranges::all_of(sweep.beam_poses, is_sound)) return SweepFault::bad_pose;
+  if (!sweep.beam_poses.empty() && sweep.beam_poses.size() != sweep.ranges.size())
+    return SweepFault::bad_pose;
   return SweepFault::none;
 }
 

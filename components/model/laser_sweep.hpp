@@ -21,7 +21,21 @@ struct LaserSweep {
   double range_max = 0.0;         ///< [m]
   std::span<const float> ranges;  ///< [m]
   std::optional<double> angle_max = std::nullopt;  ///< of the last beam, if the source says so [rad]
+  /// X_FL of each beam, if the scanner moved meanwhile (sweep_motion.hpp); empty: X_FL is that of all. Views, as the ranges are.
+  std::span<const Pose2> beam_poses = {};
+  /// From one beam to the next [s]; negative when the last beam was taken first. Zero: all at `time`, which else is the middle's.
+  double time_increment = 0.0;
 };
+
+/// When beam i was taken, from sweep.time on [s].
+inline double taken_after(const LaserSweep& sweep, double beam) {
+  return sweep.time_increment * (beam - 0.5 * static_cast<double>(sweep.ranges.size()));
+}
+
+/// The scanner when it took beam i, in F.
+inline const Pose2& scanner_at(const LaserSweep& sweep, std::size_t beam) {
+  return sweep.beam_poses.empty() ? sweep.X_FL : sweep.beam_poses[beam];
+}
 
 /// By REP 117.
 enum class BeamKind : std::uint8_t {
@@ -34,12 +48,12 @@ BeamKind kind_of(float range, const LaserSweep& sweep);
 /// Why a sweep as a whole is of no use. The last four are for readers who need more than fault_of asks for.
 enum class SweepFault {
   none,
-  bad_angles,      ///< not finite, or no steps of a scanner
-  bad_limits,      ///< range_min to range_max is no interval
-  wrong_length,    ///< fewer than two beams, more than go round once, or not as many as angle_max promises
-  bad_pose,        ///< X_FL is not finite, or farther away than any robot
-  not_later,       ///< than the sweep before
-  no_returns,      ///< nothing is hit where something must be
+  bad_angles,    ///< not finite, or no steps of a scanner
+  bad_limits,    ///< range_min to range_max is no interval
+  wrong_length,  ///< fewer than two beams, more than go round once, or not as many as angle_max promises
+  bad_pose,    ///< X_FL is not finite, or farther away than any robot; or the beams' are, or are not as many
+  not_later,   ///< than the sweep before
+  no_returns,  ///< nothing is hit where something must be
   mostly_unknown,  ///< too few beams say anything
   unplaced,        ///< nobody says where on the robot its frame is
 };

@@ -20,6 +20,7 @@ struct Detection {
   double body_score = 0.0;  ///< how likely it is a whole person: two legs in one, 0 to 1
   bool occluded = false;    ///< something nearer hides an edge of it: it may be larger
   bool on_static = false;   ///< lies on the map's walls, or on what has long stood there
+  double after = 0.0;       ///< when it was seen, from the set's time on [s]
 
   double human_score() const { return std::max(leg_score, body_score); }
 };
@@ -27,6 +28,7 @@ struct Detection {
 /// All of one sweep, and what the sweep could see.
 struct DetectionSet {
   Time time;
+  int source = 0;  ///< which of several sensors; 0 is the one that odometry's errors are first taken from
   Vector2 sensor{0.0, 0.0};  ///< in O [m]
   std::vector<Detection> detections;
   /// Free distance by direction, so that a tracker knows whether somebody could have been seen: beam i looks

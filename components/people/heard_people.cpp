@@ -5,9 +5,13 @@
 namespace bw::people {
 namespace {
 
+double reliability_of(const HeardPerson& person, const HeardPeopleOptions& options) {
+  return person.reliability == 0.0 ? options.untold_reliability : person.reliability;
+}
+
 bool is_usable(const HeardPerson& person, const HeardPeopleOptions& options) {
   return person.position.allFinite() && person.velocity.allFinite() &&
-         person.reliability >= options.min_reliability;
+         reliability_of(person, options) >= options.min_reliability;
 }
 
 }  // namespace
@@ -30,7 +34,7 @@ std::vector<TrackedPerson> HeardPeople::take(const std::vector<HeardPerson>& peo
     track.velocity = person.velocity;
     track.radius = options.radius;
     track.covariance = Eigen::Vector4d(p2, p2, v2, v2).asDiagonal();
-    track.confidence = person.reliability;
+    track.confidence = reliability_of(person, options);
     track.born = track.confirmed = track.last_seen = stamp;
     tracked.push_back(std::move(track));
   }

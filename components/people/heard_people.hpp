@@ -10,22 +10,17 @@
 #include <vector>
 
 #include "components/model/tracked_person.hpp"
+#include "components/people/heard_person.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::people {
-
-struct HeardPerson {
-  std::string name;  ///< may be empty, and several may have the same
-  Vector2 position{0.0, 0.0};
-  Vector2 velocity{0.0, 0.0};
-  double reliability = 1.0;  ///< 0 to 1
-};
 
 struct HeardPeopleOptions {
   double radius = 0.3;
   double position_deviation = 0.1;
   double velocity_deviation = 0.2;
   double min_reliability = 0.0;
+  double untold_reliability = 1.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -34,6 +29,8 @@ struct HeardPeopleOptions {
       {.unit = "m", .min = 0, .max = 5, .doc = "standard deviation of the positions, along each axis"});
     v("velocity_deviation", velocity_deviation,
       {.unit = "m/s", .min = 0, .max = 5, .doc = "standard deviation of the velocities, along each axis"});
+    v("untold_reliability", untold_reliability,
+      {.min = 0, .max = 1, .doc = "of people with reliability 0, as of a detector that tells none"});
     v("min_reliability", min_reliability, {.min = 0, .max = 1, .doc = "who is less sure is not there"});
   }
 };

@@ -1,13 +1,46 @@
 // Parameters of the people component: each part's own.
 #pragma once
 
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "components/people/detector/detector_options.hpp"
 #include "components/people/prediction/prediction_options.hpp"
 #include "components/people/tracker/tracker_options.hpp"
 
 namespace bw::people {
 
+struct OtherDetectorOptions {
+  std::vector<std::string> people_topics;
+  double people_timeout = 0.5;
+  double people_silence = 1.0;
+  double untold_reliability = 0.5;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("people_topics", people_topics,
+      {.doc =
+           "people_msgs/People of other detectors (a camera), fused with what the lasers see; none: lasers alone"});
+    v("people_timeout", people_timeout,
+      {.unit = "s",
+       .min = 0.01,
+       .max = 1,
+       .doc = "their messages of a stamp that is farther from now are not used"});
+    v("people_silence", people_silence,
+      {.unit = "s",
+       .min = 0.1,
+       .max = 60,
+       .doc = "another detector that is silent for longer is told to be missing"});
+    v("untold_reliability", untold_reliability,
+      {.min = 0, .max = 1, .doc = "of people with reliability 0, as of a detector that tells none"});
+  }
+};
+
 struct PeopleParameters {
+  std::vector<std::string> scan_topics = {"scan"};
+  OtherDetectorOptions others;
   DetectorOptions detector;
   TrackerOptions tracker;
   PredictionOptions prediction;
@@ -15,11 +48,27 @@ struct PeopleParameters {
 
   template <class Visitor>
   void fields(Visitor& v) {
+    v("scan_topics", scan_topics,
+      {.doc =
+           "sensor_msgs/LaserScan of the lasers at the height of legs, each with its own mount: [scan, scan_rear]; the "
+           "first is the one that errors of odometry are taken from"});
+    others.fields(v);
     v("detector", detector, {.doc = "from a sweep to legs"});
     v("tracker", tracker, {.doc = "from legs to people"});
     v("prediction", prediction, {.doc = "where people will be"});
     v("obstacles_timeout", obstacles_timeout,
       {.unit = "s", .min = 0, .max = 10, .doc = "older obstacles are no walls for social_force"});
+  }
+
+  std::optional<std::string> violated_rule() const {
+    std::vector<std::string> topics = scan_topics;
+    topics.insert(topics.end(), others.people_topics.begin(), others.people_topics.end());
+    if (topics.empty()) return "scan_topics and people_topics must not both be empty";
+    std::ranges::sort(topics);
+    if (topics.front().empty()) return "scan_topics and people_topics must hold names";
+    if (std::ranges::adjacent_find(topics) != topics.end())
+      return "scan_topics and people_topics must not name a topic twice";
+    return std::nullopt;
   }
 };
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "components/model/differential_drive.hpp"
+#include "components/model/sweep_motion.hpp"
 
 namespace bw::safety {
 namespace {
@@ -54,14 +55,19 @@ Pose2 CollisionMonitor::pose_at(Time time) const {
   return advance_exact(X_OB_, twist_, std::clamp((time - *odometry_at_).to_seconds(), -0.3, 0.3));
 }
 
-void CollisionMonitor::sweep(Time now, const LaserSweep& sweep) {
+void CollisionMonitor::sweep(Time now, LaserSweep sweep) {
+  const double age = (now - sweep.time).to_seconds();
+  const Time measured_at = age >= 0.0 && age <= kLongestSweepAge ? sweep.time : now;
+  const Pose2 X_OB = pose_at(measured_at);
+  const auto pose_at_beam = [&](Time time) {
+    return inverse(X_OB) * pose_at(measured_at + (time - sweep.time));
+  };
+  const std::vector<Pose2> poses = beam_poses(sweep, sweep.X_FL, pose_at_beam);
+  sweep.beam_poses = poses;
   CheckedSweep checked = check_sweep(sweep, options_.sweep);
   if (checked.fault == SweepFault::none && !empty_sight_.believes(sweep, checked))
     checked.fault = SweepFault::no_returns;
   sweep_fault_ = checked.fault;
-  const double age = (now - sweep.time).to_seconds();
-  const Time measured_at = age >= 0.0 && age <= kLongestSweepAge ? sweep.time : now;
-  const Pose2 X_OB = pose_at(measured_at);
   if (!watch_.add(now, sweep.time, sweep.ranges, checked.fault, X_OB)) return;
   seen_ = std::move(checked);
   X_OB_seen_ = X_OB;

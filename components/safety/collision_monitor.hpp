@@ -60,8 +60,8 @@ class CollisionMonitor {
 
   /// Where the encoders say the robot is, and its true body velocity, at `time`.
   void odometry(Time time, const Pose2& X_OB, const Twist2& twist);
-  /// A sweep that arrived at `now`, the laser in base_link.
-  void sweep(Time now, const LaserSweep& sweep);
+  /// A sweep that arrived at `now`, the laser in base_link; where that was at each beam is found by the odometry here.
+  void sweep(Time now, LaserSweep sweep);
   /// One that came and is of no use: where its laser sits is not known.
   void refuse_unplaced(Time now, const LaserSweep& sweep);
   /// Ends a stop after a fault of the laser, when resume is manual.

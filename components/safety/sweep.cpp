@@ -98,7 +98,7 @@ CheckedSweep check_sweep(const LaserSweep& sweep, const SweepOptions& options) {
     if (out.beams[i] == BeamKind::free) things.clear();
     if (keep[i]) {
       const double angle = sweep.angle_min + static_cast<double>(i) * sweep.angle_increment;
-      things.add(sweep.X_FL * Vector2(range * direction(angle)), range);
+      things.add(scanner_at(sweep, i) * Vector2(range * direction(angle)), range);
     }
   }
   things.finish();

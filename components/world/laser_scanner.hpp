@@ -42,6 +42,18 @@ struct LaserOptions {
   }
 };
 
+/// A laser beside the first, with its own topic and mount.
+struct MoreLaserOptions : LaserOptions {
+  std::string topic = "scan_rear";
+  MoreLaserOptions() { frame = "laser_rear"; }
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("topic", topic, {.doc = "of its scans"});
+    LaserOptions::fields(v);
+  }
+};
+
 /// Beam i looks at angle_min + i * angle_increment in the laser's frame. By REP 117 +inf is no return and
 /// -inf a return too near to measure.
 struct LaserScan {

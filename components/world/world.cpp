@@ -32,6 +32,7 @@ World::World(const WorldOptions& options, const Robot& robot, const WorldFiles& 
       scene_(shapes_in_map(options, files.shapes), files.map),
       X_base_laser_(robot.mount_of(options.laser.frame)),
       legs_(options.people.legs) {
+  for (const MoreLaserOptions& one : options.more_lasers) X_base_more_.push_back(robot.mount_of(one.frame));
   if (options.robots.empty()) add_robot(options.start, seed);
   for (const WorldRobotOptions& one : options.robots) add_robot(one.start, seed);
   samples_.resize(robots_.size());
@@ -62,8 +63,15 @@ void World::add_robot(const StartOptions& start, std::uint64_t seed) {
       refuse("another robot's than two radii of " + std::to_string(robot_.radius) + " m");
   }
   const std::uint64_t own_seed = robot_seed(seed, robots_.size());
+  std::vector<LaserScanner> more;
+  for (std::size_t i = 0; i < options_.more_lasers.size(); ++i) {
+    const auto purpose =
+        static_cast<RandomPurpose>(static_cast<std::uint64_t>(RandomPurpose::more_lasers) + i);
+    more.emplace_back(options_.more_lasers[i], random_stream(own_seed, purpose));
+  }
   robots_.push_back({DriveModel(options_.drive, robot_, pose, random_stream(own_seed, RandomPurpose::wheels)),
                      LaserScanner(options_.laser, random_stream(own_seed, RandomPurpose::laser)),
+                     std::move(more),
                      Imu(options_.imu, random_stream(own_seed, RandomPurpose::imu)),
                      Gps(options_.gps, random_stream(own_seed, RandomPurpose::gps)),
                      {}});
@@ -185,18 +193,27 @@ const WorldSample& World::step() {
   return samples_.front();
 }
 
+/// What a laser of the robot sees beside what stands: legs, and the other robots.
+std::vector<Disc> World::movers_about(std::size_t robot) const {
+  std::vector<Disc> movers = legs_.discs(people_);
+  for (std::size_t i = 0; i < robots_.size(); ++i)
+    if (i != robot) movers.push_back({pose(i).position(), robot_.radius});
+  return movers;
+}
+
 void World::read_sensors(std::size_t robot, WorldSample& sample) {
   SimulatedRobot& own = robots_[robot];
   sample.time = time();
   sample.truth_due = due(options_.truth_rate);
   if (due(options_.encoder_rate)) sample.ticks = own.drive.ticks();
   if (due(options_.imu.rate)) sample.imu = own.imu.read(pose(robot), twist(robot));
-  if (due(options_.laser.rate)) {
-    std::vector<Disc> movers = legs_.discs(people_);
-    for (std::size_t i = 0; i < robots_.size(); ++i)
-      if (i != robot) movers.push_back({pose(i).position(), robot_.radius});
-    sample.scan = own.laser.scan(scene_, movers, pose(robot) * X_base_laser_);
-  }
+  if (due(options_.laser.rate))
+    sample.scan = own.laser.scan(scene_, movers_about(robot), pose(robot) * X_base_laser_);
+  sample.more_scans.resize(own.more_lasers.size());
+  for (std::size_t i = 0; i < own.more_lasers.size(); ++i)
+    if (due(options_.more_lasers[i].rate))
+      sample.more_scans[i] =
+          own.more_lasers[i].scan(scene_, movers_about(robot), pose(robot) * X_base_more_[i]);
   if (due(options_.gps.rate)) own.gps.measure(time(), pose(robot).position());
   sample.fixes = own.gps.arrived(time());
 }

@@ -34,6 +34,7 @@ struct WorldSample {
   Duration time;  ///< since the start of the world
   std::optional<EncoderTicks> ticks;
   std::optional<LaserScan> scan;
+  std::vector<std::optional<LaserScan>> more_scans;  ///< as WorldOptions::more_lasers
   std::optional<ImuReading> imu;
   std::vector<GpsFix> fixes;
   bool truth_due = false;
@@ -86,6 +87,7 @@ class World {
   struct SimulatedRobot {
     DriveModel drive;
     LaserScanner laser;
+    std::vector<LaserScanner> more_lasers;
     Imu imu;
     Gps gps;
     ContactLog contacts;
@@ -98,6 +100,7 @@ class World {
   void move_pushed(double dt);
   RobotBody body(std::size_t robot) const;
   void read_sensors(std::size_t robot, WorldSample& sample);
+  std::vector<Disc> movers_about(std::size_t robot) const;
 
   WorldOptions options_;
   Robot robot_;
@@ -105,6 +108,7 @@ class World {
   std::int64_t steps_ = 0;
   StaticScene scene_;
   Pose2 X_base_laser_;
+  std::vector<Pose2> X_base_more_;  ///< of more_lasers
   std::vector<SimulatedRobot> robots_;
   std::vector<WorldSample> samples_;  ///< of the last step, one for each robot
   Legs legs_;

@@ -1,6 +1,7 @@
 // What a world is made of: section `world` of a graph. Frame: map; SI units.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -76,6 +77,7 @@ struct WorldOptions {
   PeopleOptions people;
   DriveOptions drive;
   LaserOptions laser;
+  std::vector<MoreLaserOptions> more_lasers;
   ImuOptions imu;
   GpsOptions gps;
 
@@ -104,6 +106,8 @@ struct WorldOptions {
     v("people", people, {.doc = "who walks where"});
     v("drive", drive, {.doc = "wheels and encoders"});
     v("laser", laser, {.doc = "laser scanner"});
+    v("more_lasers", more_lasers,
+      {.doc = "further laser scanners of each robot, such as one that looks back"});
     v("imu", imu, {.doc = "gyro and compass"});
     v("gps", gps, {.doc = "satellite receiver"});
   }
@@ -111,6 +115,12 @@ struct WorldOptions {
   std::optional<std::string> violated_rule() const {
     for (const double rate : {encoder_rate, truth_rate, laser.rate, imu.rate, gps.rate}) {
       if (rate * physics_step > 1.0 + 1e-9) return "no rate may exceed one per physics_step";
+    }
+    for (const MoreLaserOptions& one : more_lasers) {
+      if (one.rate * physics_step > 1.0 + 1e-9) return "no rate may exceed one per physics_step";
+      const auto is_same = [&](const MoreLaserOptions& other) { return other.topic == one.topic; };
+      if (one.topic.empty() || one.topic == "scan" || std::ranges::count_if(more_lasers, is_same) > 1)
+        return "each of more_lasers must have a topic of its own";
     }
     return std::nullopt;
   }

@@ -12,9 +12,9 @@
 
 #include "runtime/build_identity.hpp"
 #include "runtime/host/host.hpp"
-#include "runtime/parameters/nearest.hpp"
 #include "runtime/replay/bag_feed.hpp"
 #include "runtime/replay/change_text.hpp"
+#include "runtime/replay/graph_parts.hpp"
 #include "runtime/replay/updated_bag.hpp"
 
 namespace bw::replay {
@@ -47,24 +47,11 @@ class LiveTap final : public SampleTap {
   bool is_over_ = false;
 };
 
-void keep_only(Graph& graph, const std::vector<std::string>& names) {
-  std::vector<std::string_view> known;
-  for (const ComponentNode& node : graph.components) known.push_back(node.name);
-  for (const std::string& name : names) {
-    if (graph.find(name) == nullptr)
-      throw std::runtime_error("--run " + name + ": " + unknown_rule("component", name, known));
-  }
-  for (ComponentNode& node : graph.components)
-    node.enabled = std::ranges::find(names, node.name) != names.end();
-}
-
 /// What the components of the graph write, by their declarations.
 Outputs outputs_of(const Graph& graph) {
-  const Host host(graph, {.clock = ClockMode::lockstep, .is_partial = true});
   Outputs topics;
-  for (const ComponentDeclaration& declaration : host.declarations()) {
-    for (const auto& output : declaration.outputs)
-      topics.insert({host.graph().find(declaration.name)->topic_of(output.name), declaration.name});
+  for (const auto& [name, ends] : ends_of(graph)) {
+    for (const std::string& topic : ends.outputs) topics.insert({topic, name});
   }
   return topics;
 }

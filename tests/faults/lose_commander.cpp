@@ -26,16 +26,34 @@ namespace {
 using sensor_msgs::msg::JointState;
 constexpr double kSpeed = 0.5;  // [m/s]
 
+/// Tells, by standard output, when it is about to send.
+void announce() {
+  const std::string line = std::to_string(system_time().nanoseconds) + "\n";
+  [[maybe_unused]] const auto written = write(STDOUT_FILENO, line.data(), line.size());
+}
+
+/// When the commander last was about to send.
+Time last_announced(const std::string& said) {
+  const std::size_t end = said.rfind('\n');
+  if (end == std::string::npos) return {};
+  const std::size_t begin = end == 0 ? std::string::npos : said.rfind('\n', end - 1);
+  return {std::atoll(said.c_str() + (begin == std::string::npos ? 0 : begin + 1))};
+}
+
 /// The commander: a planner's rate, or motor_control's, until it is killed.
 int command(const std::string& topic) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const WheelRadii radii = Robot().wheel_radii();
   if (topic == "cmd_vel") {
     const OutsideDriver<geometry_msgs::msg::Twist> driver("commander", topic, std::chrono::milliseconds(100),
-                                                          [] { return twist(kSpeed); });
+                                                          [] {
+                                                            announce();
+                                                            return twist(kSpeed);
+                                                          });
     for (;;) pause();
   }
   const OutsideDriver<JointState> driver("commander", topic, std::chrono::milliseconds(20), [radii] {
+    announce();
     return to_joint_state({kSpeed, kSpeed}, radii, system_time());
   });
   for (;;) pause();
@@ -64,6 +82,8 @@ class Ear {
 
 struct Loss {
   double to_frame = 0.0, to_motion = 0.0;  ///< [s]
+  /// It died while it sent: whether the base, which is another reader, has that command is not known.
+  bool is_ambiguous = false;
 };
 
 template <class Command>
@@ -117,7 +137,8 @@ class Trial {
     });
     commander.signal(SIGKILL);
     if (!stops) return std::nullopt;
-    return Loss{(*frame - last_command).to_seconds(), (*motion - last_command).to_seconds()};
+    const bool died_sending = last_announced(commander.out()) > last_command + Duration::milliseconds(10);
+    return Loss{(*frame - last_command).to_seconds(), (*motion - last_command).to_seconds(), died_sending};
   }
 
  private:
@@ -154,6 +175,12 @@ int measure(const std::string& program, const std::string& topic, int losses, co
     if (!loss) {
       std::printf("%d: it did not drive, or did not stop\n%s", i + 1, base.err().c_str());
       ++failed;
+      continue;
+    }
+    if (loss->is_ambiguous) {
+      std::printf("%d: %s while it sent, not judged and not counted\n", i + 1,
+                  i % 2 == 0 ? "killed" : "stopped");
+      ++losses;
       continue;
     }
     frames.push_back(loss->to_frame);

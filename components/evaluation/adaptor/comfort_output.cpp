@@ -6,6 +6,7 @@
 #include "components/evaluation/collision_index.hpp"
 #include "components/evaluation/comfort.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/model/mover_weight.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {
@@ -54,6 +55,7 @@ std::optional<TruthSample> ComfortOutput::believed() const {
   sample.X_MB = from_pose(robot->pose().pose());
   sample.twist = from_twist(robot->twist().twist());
   for (const auto& track : tracks_->tracks()) {
+    if (!is_confirmed(track.confidence())) continue;
     const Vector2 velocity{track.velocity().x(), track.velocity().y()};
     const Vector2 position{track.position().x(), track.position().y()};
     sample.people.push_back({track.id(), position + age * velocity, velocity, track.radius()});

@@ -6,6 +6,7 @@
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
+#include "components/model/mover_weight.hpp"
 #include "components/model/robot.hpp"
 
 namespace bw {
@@ -105,6 +106,7 @@ std::vector<Disc> MapPlanner::standing_people(const Pose2& start, Time now) cons
   const std::optional<Pose2> X_MF = transforms_->lookup_planar(map_frame_, tracks_->header().frame_id());
   if (!X_MF) return discs;
   for (const auto& track : tracks_->tracks()) {
+    if (!is_confirmed(track.confidence())) continue;
     if (!(std::hypot(track.velocity().x(), track.velocity().y()) < parameters_.standing_speed)) continue;
     const Disc disc{*X_MF * Vector2{track.position().x(), track.position().y()}, track.radius()};
     const bool near = (disc.center - start.position()).norm() < parameters_.standing_within;  // false for NaN

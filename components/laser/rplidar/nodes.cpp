@@ -1,5 +1,6 @@
 #include "components/laser/rplidar/nodes.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace bw::laser {
@@ -10,9 +11,16 @@ constexpr int kMostAdvance = 20 * 64;  // from node to node: a standard scan has
 constexpr int kMostReturn = 3 * 64;    // angles tremble
 constexpr int kAngleLimit = 361 * 64;  // firmware rounds up to a whole turn
 
+constexpr std::size_t kRow = 3 * kNodeSize;        // that must fit to be in step again
+constexpr std::size_t kLookBack = 10 * kNodeSize;  // a wall's range may pass for an angle over 4 degrees
+
 bool follows(const Node& before, const Node& node) {
   const int advance = (node.angle_q6 - before.angle_q6 + 2 * kTurn) % kTurn;
   return advance <= kMostAdvance || advance >= kTurn - kMostReturn;
+}
+
+std::optional<Node> node_at(std::span<const std::uint8_t> bytes, std::size_t at) {
+  return read_node(bytes.subspan(at).first<kNodeSize>());
 }
 
 }  // namespace
@@ -31,48 +39,71 @@ std::optional<Node> read_node(std::span<const std::uint8_t, kNodeSize> bytes) {
 }
 
 void NodeReader::begin() {
-  waiting_.clear();
+  bytes_.clear();
+  next_ = 0;
   in_step_ = true;
   last_.reset();
 }
 
 void NodeReader::read(std::span<const std::uint8_t> bytes, std::vector<Node>& nodes) {
-  waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
-  taken_ = 0;
+  bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
   while (take_one(nodes)) {
   }
-  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(taken_));
+  forget();
 }
 
 bool NodeReader::take_one(std::vector<Node>& nodes) {
   if (!in_step_ && !find_step()) return false;
-  if (waiting_.size() - taken_ < kNodeSize) return false;
-  const auto node = read_node(std::span<const std::uint8_t, kNodeSize>(waiting_.data() + taken_, kNodeSize));
+  if (bytes_.size() - next_ < kNodeSize) return false;
+  const auto node = node_at(bytes_, next_);
   if (!node || (last_ && !follows(*last_, *node))) {
     in_step_ = false;
+    candidate_ = next_ - std::min(next_, kLookBack);
     ++counters_.losses_of_step;
     return true;
   }
-  taken_ += kNodeSize;
+  next_ += kNodeSize;
   ++counters_.nodes;
   last_ = node;
   nodes.push_back(*node);
   return true;
 }
 
-/// In step again where two nodes in a row are sound and the second follows the first: at a wrong place one in sixteen pairs has
-/// the right bits by chance, and hardly one in three hundred the right angles too.
 bool NodeReader::find_step() {
-  for (; waiting_.size() - taken_ >= 2 * kNodeSize; ++taken_, ++counters_.bytes_thrown_away) {
-    const std::uint8_t* const at = waiting_.data() + taken_;
-    const auto first = read_node(std::span<const std::uint8_t, kNodeSize>(at, kNodeSize));
-    const auto second = read_node(std::span<const std::uint8_t, kNodeSize>(at + kNodeSize, kNodeSize));
-    if (!first || !second || !follows(*first, *second)) continue;
+  for (;; ++candidate_) {
+    if (candidate_ > next_) {
+      next_ = candidate_;
+      ++counters_.bytes_thrown_away;
+    }
+    const Row row = row_at(candidate_);
+    if (row == Row::breaks) continue;
+    if (row == Row::goes_on) return false;
     in_step_ = true;
+    next_ = candidate_;
     last_.reset();
     return true;
   }
-  return false;
+}
+
+/// Fits: so many nodes in a row follow each other, over the place where step was lost and a node further. What was read in step until there
+/// breaks there again, so that nothing is read twice.
+NodeReader::Row NodeReader::row_at(std::size_t at) const {
+  const std::size_t end = std::max(at + kRow, next_ + kNodeSize);
+  std::optional<Node> before;
+  for (; at < end; at += kNodeSize) {
+    if (bytes_.size() < at + kNodeSize) return Row::goes_on;
+    const auto node = node_at(bytes_, at);
+    if (!node || (before && !follows(*before, *node))) return Row::breaks;
+    before = node;
+  }
+  return Row::fits;
+}
+
+void NodeReader::forget() {
+  const std::size_t oldest = in_step_ ? next_ - std::min(next_, kLookBack) : candidate_;
+  bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(oldest));
+  next_ -= oldest;
+  candidate_ = 0;
 }
 
 }  // namespace bw::laser

@@ -5,7 +5,9 @@
 //   bytes 3-4  distance * 4 [mm]; 0: nothing measured
 //
 // Three bits a node are all that the format gives for keeping in step. What else is known is that the head turns steadily: a
-// node whose angle does not follow the one before is a sign of lost bytes, too.
+// node whose angle does not follow the one before is a sign of lost bytes, too. At a wrong place a node has both by chance, one in
+// a hundred, and more in a row where a wall keeps its range: so a reader that lost step looks for it from some nodes before the
+// place on, and reads again what it had read wrongly. What it gave out until then it cannot take back.
 #pragma once
 
 #include <cstdint>
@@ -46,12 +48,17 @@ class NodeReader {
   const NodeCounters& counters() const { return counters_; }
 
  private:
+  enum class Row : std::uint8_t { fits, breaks, goes_on };
+
   /// False when more bytes are needed.
   bool take_one(std::vector<Node>& nodes);
   bool find_step();
+  Row row_at(std::size_t at) const;
+  void forget();
 
-  std::vector<std::uint8_t> waiting_;
-  std::size_t taken_ = 0;  ///< of those that wait
+  std::vector<std::uint8_t> bytes_;  ///< of the nodes read last, and what waits
+  std::size_t next_ = 0;             ///< what waits begins here; not in step: nothing before it fitted
+  std::size_t candidate_ = 0;        ///< not in step: nothing before it can be where step is found again
   bool in_step_ = false;
   std::optional<Node> last_;
   NodeCounters counters_;

@@ -35,6 +35,7 @@ void LocalPlannerComponent::publish(const Tick& tick, const PlanningProblem& pro
   at_rest_ = idle && (at_rest_ || result.command == Twist2{});
   publish_status(tick, result, idle);
   watch_->report(result, idle, *diagnostics_);
+  tell_doubts();
   if (idle) return publish_cycle(tick, result, idle);
   if (result.status != last_status_ && result.status != PlanningStatus::ok) log_.warn("{}", result.reason);
   last_status_ = result.status;
@@ -43,6 +44,15 @@ void LocalPlannerComponent::publish(const Tick& tick, const PlanningProblem& pro
   if (markers_.has_readers()) markers_.publish(to_markers(problem, result, inputs_.odom_frame()));
   publish_cycle(tick, result, idle);
   watch_->end(result);
+}
+
+void LocalPlannerComponent::tell_doubts() {
+  const std::size_t count = inputs_.tracks_without_confidence();
+  if (!doubt_.is_news(count == 0 ? ""
+                                 : "tracks with a confidence that is not from 0 to 1 are taken for people"))
+    return;
+  diagnostics_->set_value("tracks_without_confidence", count == 0 ? "none" : "yes");
+  if (doubt_) log_.warn("{}", doubt_.what());
 }
 
 void LocalPlannerComponent::publish_status(const Tick& tick, const PlanningResult& result, bool idle) {

@@ -19,6 +19,7 @@
 #include "components/local_planner/plan_window.hpp"
 #include "components/messages/velocity_output.hpp"
 #include "components/model/robot.hpp"
+#include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
 #include "runtime/worker_pool.hpp"
 
@@ -54,6 +55,7 @@ class LocalPlannerComponent final : public Component {
   void report(const Tick& tick, const PlanningProblem& problem, const PlanningResult& result,
               const std::string& missing);
   void publish(const Tick& tick, const PlanningProblem& problem, const PlanningResult& result);
+  void tell_doubts();
   void publish_status(const Tick& tick, const PlanningResult& result, bool idle);
   void publish_cycle(const Tick& tick, const PlanningResult& result, bool idle);
 
@@ -70,6 +72,7 @@ class LocalPlannerComponent final : public Component {
   std::uint64_t request_id_ = 0;  ///< of the last follow_request
   std::string request_lost_;  ///< why that is not what is done any more; empty: it is, or was only to stop
   std::string told_;          ///< about tolerances that are not used
+  Complaint doubt_;           ///< about tracks that do not tell their confidence
   bool at_rest_ = true;       ///< a stop was obeyed: nothing more to say
 
   PlanningInputs inputs_;

@@ -8,6 +8,7 @@
 
 #include "components/local_planner/adaptor/marker_drawing.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/model/mover_weight.hpp"
 
 namespace bw {
 namespace {
@@ -30,6 +31,13 @@ constexpr double kPredictionStep = 0.5;     // [s]
 constexpr double kPredictionHorizon = 3.0;  // [s]
 constexpr double kSpreadDeviations = 2.0;
 
+/// Possible people are drawn paler, by their presence.
+Color paled(Color color, const Mover& mover) {
+  constexpr float kPalest = 0.2F;
+  color[3] *= kPalest + (1.0F - kPalest) * static_cast<float>(presence(mover));
+  return color;
+}
+
 void draw_candidates(const std::vector<Candidate>& candidates, MarkerDrawing& drawing) {
   for (const Candidate& candidate : candidates) {
     if (candidate.trajectory.size() < 2) continue;
@@ -49,13 +57,13 @@ void draw_candidates(const std::vector<Candidate>& candidates, MarkerDrawing& dr
 }
 
 /// The ellipse around a predicted position that it is in with 86 % certainty.
-void draw_spread(const PredictedPosition& prediction, MarkerDrawing& drawing) {
+void draw_spread(const PredictedPosition& prediction, const Color& color, MarkerDrawing& drawing) {
   if (!prediction.covariance.allFinite() || prediction.covariance.trace() <= 0.0) return;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(prediction.covariance);
   const auto diameter = [&](int axis) {
     return 2.0 * kSpreadDeviations * std::sqrt(std::max(axes.eigenvalues()[axis], 0.0));
   };
-  Marker ellipse = drawing.make("predictions", constants::CYLINDER, diameter(1), kSpread);
+  Marker ellipse = drawing.make("predictions", constants::CYLINDER, diameter(1), color);
   ellipse.scale().y(std::max(diameter(0), 1e-3));  // rviz2 warns of a scale of zero
   ellipse.scale().z(0.01);
   const Eigen::Vector2d longest = axes.eigenvectors().col(1);
@@ -82,10 +90,10 @@ std::vector<PredictedPosition> shown_predictions(const Mover& mover) {
 }
 
 void draw_predictions(const Mover& mover, MarkerDrawing& drawing) {
-  Marker dots = drawing.make("predictions", constants::SPHERE_LIST, 0.1, kDot);
+  Marker dots = drawing.make("predictions", constants::SPHERE_LIST, 0.1, paled(kDot, mover));
   for (const PredictedPosition& prediction : shown_predictions(mover)) {
     dots.points().push_back(to_point(prediction.position));
-    draw_spread(prediction, drawing);
+    draw_spread(prediction, paled(kSpread, mover), drawing);
   }
   if (!dots.points().empty()) drawing.add(std::move(dots));
 }

@@ -1,5 +1,7 @@
 #include "components/local_planner/adaptor/planning_inputs.hpp"
 
+#include <algorithm>
+
 #include "components/local_planner/adaptor/problem_messages.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/obstacles.hpp"
@@ -35,6 +37,13 @@ std::optional<Twist2> PlanningInputs::twist() const {
 std::string PlanningInputs::unheard() const {
   if (!obstacles_) return "no obstacles yet";
   return tracks_ ? "" : "no people yet";
+}
+
+std::size_t PlanningInputs::tracks_without_confidence() const {
+  if (!tracks_) return 0;
+  return static_cast<std::size_t>(
+      std::count_if(tracks_->tracks().begin(), tracks_->tracks().end(),
+                    [](const bandwagon_msgs::msg::Track& track) { return !tells_confidence(track); }));
 }
 
 PlanningProblem PlanningInputs::problem(Time now, std::string& missing) const {

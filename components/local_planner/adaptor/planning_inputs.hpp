@@ -27,6 +27,8 @@ class PlanningInputs {
   PlanningProblem problem(Time now, std::string& missing) const;
   /// One sentence when people or obstacles were never heard of since activation: then nothing seems to be in the way.
   std::string unheard() const;
+  /// Tracks whose confidence is not from 0 to 1; they are taken for people.
+  std::size_t tracks_without_confidence() const;
   /// Measured last, if ever.
   std::optional<Twist2> twist() const;
   const Limits& limits() const { return speed_.limits(); }

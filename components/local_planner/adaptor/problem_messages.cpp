@@ -20,7 +20,7 @@ Mover to_mover(const bandwagon_msgs::msg::Track& track, const Pose2& X_OF) {
   Mover mover;
   mover.id = track.id();
   mover.radius = track.radius();
-  mover.confidence = track.confidence();
+  mover.confidence = tells_confidence(track) ? track.confidence() : 1.0;
   mover.position = X_OF * Vector2(track.position().x(), track.position().y());
   mover.velocity = rotate(X_OF, Vector2(track.velocity().x(), track.velocity().y()));
   for (const auto& p : track.predictions()) {
@@ -44,6 +44,10 @@ Mover advanced(Mover mover, double age) {
 }
 
 }  // namespace
+
+bool tells_confidence(const bandwagon_msgs::msg::Track& track) {
+  return track.confidence() >= 0.0 && track.confidence() <= 1.0;  // false for NaN
+}
 
 std::vector<Mover> to_movers(const bandwagon_msgs::msg::Tracks& message, const Pose2& X_OF, Time now) {
   const double age = (now - from_stamp(message.header().stamp())).to_seconds();

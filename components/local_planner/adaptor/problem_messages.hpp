@@ -15,6 +15,9 @@
 
 namespace bw {
 
+/// Whether a track's confidence is from 0 to 1; one that is not counts as 1, a person.
+bool tells_confidence(const bandwagon_msgs::msg::Track& track);
+
 /// Moves every track from its stamp to `now` along its prediction. X_OF: pose of the message's frame in odom.
 std::vector<Mover> to_movers(const bandwagon_msgs::msg::Tracks& message, const Pose2& X_OF, Time now);
 

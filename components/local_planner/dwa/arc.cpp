@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "components/model/differential_drive.hpp"
+#include "components/model/mover_weight.hpp"
 
 namespace bw::dwa {
 namespace {
@@ -60,7 +61,7 @@ double smallest_gap(const Arc& arc, const std::vector<Mover>& movers, double rob
     const double time = std::min(i * step, horizon);
     const Vector2 p = arc.at(time).position();
     for (const Mover& m : movers)
-      smallest = std::min(smallest, (m.position_at(time) - p).norm() - m.radius - robot_radius);
+      smallest = std::min(smallest, (m.position_at(time) - p).norm() - present_radius(m) - robot_radius);
   }
   return smallest;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "components/model/mover_weight.hpp"
+
 namespace bw::dwa {
 namespace {
 
@@ -24,7 +26,9 @@ ClearanceField::ClearanceField(const StaticObstacles& obstacles, const std::vect
   };
   for (const Vector2& p : obstacles.points) add(p, 0.0);
   for (const Disc& d : obstacles.discs) add(d.center, d.radius);
-  for (const Mover& m : movers) add(m.position, m.radius);
+  for (const Mover& m : movers) {
+    if (is_confirmed(m)) add(m.position, m.radius);
+  }
   for (const Segment& s : obstacles.segments) {
     if (distance(center, s) - robot_radius < reach) segments_.push_back(s);
   }

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "components/local_planner/homotopy/segment_distance.hpp"
+#include "components/model/mover_weight.hpp"
 
 namespace bw::homotopy {
 namespace {
@@ -152,6 +153,7 @@ std::vector<Body> bodies_of(const StaticObstacles& obstacles, const std::vector<
     bodies.push_back({std::move(parts), middle, std::nullopt, std::nullopt});
   }
   for (const Mover& mover : movers) {
+    if (!is_confirmed(mover)) continue;
     std::optional<Body> body = body_of(mover, course, options);
     if (body && matters(body->parts)) bodies.push_back(std::move(*body));
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "components/model/mover_weight.hpp"
 #include "components/model/nearest_point.hpp"
 
 namespace bw::hrvo {
@@ -54,6 +55,7 @@ void keep_nearest(std::vector<Neighbour>& list, std::int64_t count) {
 std::vector<Neighbour> movers(const PlanningProblem& problem, const HrvoOptions& options) {
   std::vector<Neighbour> list;
   for (const Mover& m : problem.movers) {
+    if (!is_confirmed(m)) continue;
     const double distance = (m.position - problem.pose.position()).norm();
     const double radius = problem.footprint.radius + m.radius + options.margin;
     if (distance > options.neighbour_range || !in_view(problem, m.position, options.view_angle)) continue;

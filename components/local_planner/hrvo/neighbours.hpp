@@ -18,7 +18,7 @@ struct Neighbour {
   double distance = 0.0;  ///< of the robot from the core
 };
 
-/// The nearest max_neighbours movers and as many static obstacles within range and view, nearest first (by
+/// The nearest max_neighbours confirmed movers (book 7.10) and as many static obstacles within range and view, nearest first (by
 /// gap).
 ///
 /// Static obstacles, beyond what was published (book 5.3): what the robot cannot meet on a way as long as

@@ -24,6 +24,7 @@ struct BandWeights {
   double inflation = 0.1;
   double dynamic_obstacle = 50.0;
   double dynamic_inflation = 2.0;
+  double possible_inflation = 0.02;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -68,6 +69,12 @@ struct BandWeights {
        .max = 1e6,
        .doc = "the weight `inflation`, for movers; raise it to pass people with a wider berth, which "
               "takes longer"});
+    v("possible_inflation", possible_inflation,
+      {.min = 0,
+       .max = 1e6,
+       .doc =
+           "dynamic_inflation, for movers that may be furniture, just before they are confirmed; less with less "
+           "confidence. Raise it where most of them are people; lower it when gaps beside furniture are avoided"});
   }
 };
 

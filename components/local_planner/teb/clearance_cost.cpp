@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "components/model/mover_weight.hpp"
 #include "components/model/nearest_point.hpp"
 
 namespace bw::teb {
@@ -33,10 +34,12 @@ void keep_nearest(const std::vector<Near>& near, std::size_t count, std::vector<
   std::sort(order.begin(), order.end(), [](const Near* l, const Near* r) {
     return l->distance < r->distance || (l->distance == r->distance && l < r);
   });
-  std::size_t statics = 0;  // of `order`, moved to its front: those kept
-  terms.reserve(std::min(count, near.size()));
+  std::size_t statics = 0;   // of `order`, moved to its front: those kept
+  std::size_t possible = 0;  // people, in places of their own
+  std::size_t others = 0;
   for (const Near* n : order) {
-    if (terms.size() == count) return;
+    std::size_t& kept_of_kind = n->term.presence < 1.0 ? possible : others;
+    if (kept_of_kind == count) continue;
     if (!n->term.moving) {
       const auto kept = order.begin() + static_cast<std::ptrdiff_t>(statics);
       const bool known = std::any_of(order.begin(), kept, [&](const Near* other) {
@@ -47,12 +50,25 @@ void keep_nearest(const std::vector<Near>& near, std::size_t count, std::vector<
       order[statics++] = n;
     }
     terms.push_back(n->term);
+    ++kept_of_kind;
   }
 }
 
 Capsule mover_at(const Mover& mover, double time) {
   const Vector2 p = mover.position_at(time);
   return {p, p, mover.radius};
+}
+
+// As time_indexed sees them, if they stood at their present and, if asked, at one future place.
+void add_standing(const Mover& mover, const PredictionOptions& prediction, std::vector<Mover>& movers) {
+  const auto add = [&](const Vector2& position) {
+    movers.push_back(mover);
+    movers.back().position = position;
+    movers.back().velocity = {0.0, 0.0};
+    movers.back().predictions.clear();
+  };
+  add(mover.position);
+  if (prediction.prediction == Prediction::doubled) add(mover.position_at(prediction.prediction_time));
 }
 
 Vector2 nearest_spot(const Capsule& capsule, const Vector2& point) {
@@ -117,10 +133,16 @@ ObstacleField nearby_obstacles(const StaticObstacles& statics, const std::vector
   const Uncertainty uncertainty{prediction.uncertainty_factor, prediction.uncertainty_growth,
                                 prediction.max_uncertainty};
   const bool time_indexed = prediction.prediction == Prediction::time_indexed;
+  std::vector<Mover> moving;
   std::vector<Capsule> capsules;
   capsules.reserve(statics.size() + (time_indexed ? 0 : 2 * movers.size()));
-  if (!time_indexed) {
-    for (const Mover& m : movers) {
+  for (const Mover& m : movers) {
+    if (m.confidence == 0.0) continue;
+    if (time_indexed) {
+      moving.push_back(m);
+    } else if (!is_confirmed(m)) {
+      add_standing(m, prediction, moving);
+    } else {
       capsules.push_back({m.position, m.position, m.radius + robot_radius});
       if (prediction.prediction != Prediction::doubled) continue;
       capsules.push_back(mover_at(m, prediction.prediction_time));
@@ -133,14 +155,16 @@ ObstacleField nearby_obstacles(const StaticObstacles& statics, const std::vector
 
   ObstacleField field;
   field.uncertainty = uncertainty;
-  if (time_indexed) {
-    field.movers = nearest_first(movers, max_count, [&](const Mover& m) {
+  if (!moving.empty()) {
+    field.movers = nearest_first(moving, max_count, [&](const Mover& m) {
       return std::tuple((m.position - position).norm() - m.radius, m.position.x(), m.position.y(),
-                        m.velocity.x(), m.velocity.y(), m.radius, m.id);
+                        m.velocity.x(), m.velocity.y(), m.radius, m.confidence, m.id);
     });
-    for (Mover& m : field.movers) m.radius += robot_radius;
+    for (Mover& m : field.movers) m.radius = present_radius(m) + robot_radius;
   }
-  field.statics = nearest_first(capsules, max_count - field.movers.size(), [&](const Capsule& c) {
+  const auto confirmed = static_cast<std::size_t>(std::count_if(
+      field.movers.begin(), field.movers.end(), [](const Mover& m) { return is_confirmed(m); }));
+  field.statics = nearest_first(capsules, max_count - confirmed, [&](const Capsule& c) {
     return std::tuple(std::sqrt(squared_distance(c, position)) - c.radius, c.a.x(), c.a.y(), c.b.x(), c.b.y(),
                       c.radius);
   });
@@ -160,6 +184,7 @@ ClearanceModel::ClearanceModel(const BandOptions& options, double growth)
     : fixed{options.weights.obstacle * growth, options.weights.inflation, options.inflation_dist},
       moving{options.weights.dynamic_obstacle * growth, options.weights.dynamic_inflation,
              options.dynamic_obstacle_inflation_dist},
+      possible_inflation(std::min(options.weights.possible_inflation, options.weights.dynamic_inflation)),
       min_dist(options.min_obstacle_dist + options.penalty_epsilon) {}
 
 double evaluate_clearance(const ClearanceModel& model, const ClearanceTerm& term, const Vector2& point,
@@ -167,15 +192,19 @@ double evaluate_clearance(const ClearanceModel& model, const ClearanceTerm& term
   const ClearanceModel::Kind& kind = term.moving ? model.moving : model.fixed;
   const Clearance clearance = clearance_to(term.capsule, point);
   const double close = std::max(0.0, model.min_dist - clearance.distance);
-  const double inflated = std::max(0.0, kind.inflation_dist + term.unsure - clearance.distance);
-  const double cost = kind.obstacle * close * close + kind.inflation * inflated * inflated;
+  // Of possible people only the inflation counts: what is to be kept from is among the static obstacles.
+  const double s = term.presence;
+  const double obstacle = s < 1.0 ? 0.0 : kind.obstacle;
+  const double inflation = s < 1.0 ? s * model.possible_inflation : kind.inflation;
+  const double inflated = std::max(0.0, s * (kind.inflation_dist + term.unsure) - clearance.distance);
+  const double cost = obstacle * close * close + inflation * inflated * inflated;
   if (cost <= 0.0) {
     if (gradient != nullptr) gradient->setZero();
     return 0.0;
   }
   const double residual = std::sqrt(cost);
   if (gradient != nullptr) {
-    *gradient = clearance.gradient * (-(kind.obstacle * close + kind.inflation * inflated) / residual);
+    *gradient = clearance.gradient * (-(obstacle * close + inflation * inflated) / residual);
   }
   return residual;
 }
@@ -199,11 +228,11 @@ std::vector<PoseTerms> associate(const Band& band, const ObstacleField& field, c
     const double dt = band.poses[k].dt;
     at_pose.clear();
     along.clear();
-    const auto add = [&](const Capsule& now, bool moving, double reach, auto&& capsule_at, auto&& unsure,
-                         double relative_motion) {
+    const auto add = [&](const Capsule& now, bool moving, double share, double reach, auto&& capsule_at,
+                         auto&& unsure, double relative_motion) {
       double distance = 0.0;
       if (k > 0 && in_reach(now, p, reach, distance))
-        at_pose.push_back({distance, nearest_spot(now, p), {now, 0.0, moving, unsure(time)}});
+        at_pose.push_back({distance, nearest_spot(now, p), {now, 0.0, moving, unsure(time), share}});
       const int samples =
           std::min(static_cast<int>(relative_motion / options.clearance_step), kMostSamplesPerSegment);
       for (int i = 1; i <= samples; ++i) {
@@ -211,7 +240,8 @@ std::vector<PoseTerms> associate(const Band& band, const ObstacleField& field, c
         const Capsule then = capsule_at(s);
         const Vector2 point = p + s * step;
         if (in_reach(then, point, reach, distance))
-          along.push_back({distance, nearest_spot(then, point), {then, s, moving, unsure(time + s * dt)}});
+          along.push_back(
+              {distance, nearest_spot(then, point), {then, s, moving, unsure(time + s * dt), share}});
       }
     };
     for (const Mover& m : field.movers) {
@@ -222,11 +252,12 @@ std::vector<PoseTerms> associate(const Band& band, const ObstacleField& field, c
       const double motion = (step - drift).norm();
       if ((p - now.a).norm() - now.radius > reach + motion) continue;
       add(
-          now, true, reach, [&](double s) { return mover_at(m, time + s * dt); }, unsure, motion);
+          now, true, presence(m), reach, [&](double s) { return mover_at(m, time + s * dt); }, unsure,
+          motion);
     }
     for (const Capsule* c : statics) {
       add(
-          *c, false, static_reach, [&](double) { return *c; }, [](double) { return 0.0; }, step.norm());
+          *c, false, 1.0, static_reach, [&](double) { return *c; }, [](double) { return 0.0; }, step.norm());
     }
     keep_nearest(at_pose, count, order, result[k].at_pose);
     keep_nearest(along, count, order, result[k].along_segment);

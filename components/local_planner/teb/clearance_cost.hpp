@@ -29,7 +29,8 @@ struct Uncertainty {
   double at(const Mover& mover, double time) const;
 };
 
-/// What a band keeps clear of. Radii are grown by the radius of the robot, so that the robot is a point.
+/// What a band keeps clear of. Radii are grown by the radius of the robot, so that the robot is a point; those
+/// of possible people were scaled by their presence before (book 7.10).
 struct ObstacleField {
   std::vector<Capsule> statics;
   std::vector<Mover> movers;
@@ -39,7 +40,7 @@ struct ObstacleField {
 };
 
 /// The `max_count` obstacles nearest to `position`; movers are kept before static ones. Unless predictions
-/// are time-indexed, movers become static discs.
+/// are time-indexed, movers become static discs, possible people movers who stand.
 ObstacleField nearby_obstacles(const StaticObstacles& statics, const std::vector<Mover>& movers,
                                const Vector2& position, double robot_radius, std::size_t max_count,
                                const PredictionOptions& prediction = {});
@@ -56,7 +57,8 @@ struct ClearanceTerm {
   Capsule capsule;
   double fraction = 0.0;
   bool moving = false;
-  double unsure = 0.0;  ///< by which the inflation distance grows [m]
+  double unsure = 0.0;    ///< by which the inflation distance grows [m]
+  double presence = 1.0;  ///< of a mover (book 7.10): below 1 there is inflation alone, and less of it
 };
 
 /// Weights and distances of clearance terms; `growth` multiplies the weights in later outer iterations.
@@ -69,7 +71,8 @@ struct ClearanceModel {
     double inflation_dist;
   };
   Kind fixed, moving;
-  double min_dist;  // including penalty_epsilon
+  double possible_inflation;  // weight, not its root; at most that of `moving`
+  double min_dist;            // including penalty_epsilon
 };
 
 /// Root of the summed obstacle and inflation costs: one residual of the same cost. gradient: d / d point, or
@@ -83,7 +86,8 @@ struct PoseTerms {
   std::vector<ClearanceTerm> along_segment;
 };
 
-/// For every pose the nearest obstacles in reach, movers where they are at the pose's time; between poses
+/// For every pose the nearest obstacles in reach, movers where they are at the pose's time, and as many possible
+/// people, who take no place from others; between poses
 /// where obstacle and robot move relative to each other by more than clearance_step. Result k belongs to pose
 /// k.
 std::vector<PoseTerms> associate(const Band& band, const ObstacleField& field, const BandOptions& options);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "components/model/mover_weight.hpp"
+
 namespace bw::teb {
 namespace {
 
@@ -15,6 +17,7 @@ double clearance_at(const ObstacleField& field, const TrajectoryPoint& point) {
   const Vector2 p = point.pose.position();
   for (const Capsule& c : field.statics) nearest = std::min(nearest, clearance_to(c, p).distance);
   for (const Mover& m : field.movers) {
+    if (!is_confirmed(m)) continue;
     nearest = std::min(nearest, (m.position_at(point.time) - p).norm() - m.radius);
   }
   return nearest;

@@ -73,6 +73,7 @@ void LocalizationComponent::on_odometry(const nav_msgs::msg::Odometry& message, 
   const Time time = from_stamp(message.header().stamp());
   const Pose2 X_OB = from_pose(message.pose().pose());
   if (!is_finite(X_OB)) return;
+  inputs_.set_twist(from_twist(message.twist().twist()));
   const double heading_variance = planar_covariance(message.pose().covariance())(2, 2);
   const std::optional<WheelStep> step = wheels_.add(time, X_OB, heading_variance);
   if (!step) return;

@@ -1,6 +1,10 @@
 #include "components/localization/adaptor/sensor_inputs.hpp"
 
+#include <vector>
+
 #include "components/messages/laser.hpp"
+#include "components/model/differential_drive.hpp"
+#include "components/model/sweep_motion.hpp"
 
 namespace bw::localization {
 
@@ -50,10 +54,19 @@ void SensorInputs::listen(Setup& setup, Localizer& filter) {
                                                     filter_->add(to_range(m, ranges_), tick.now);
                                                 });
   if (uses_laser_)
-    listen_to<sensor_msgs::msg::LaserScan>(
-        setup, "scan", Qos::sensor(), [this](const auto& m, const Tick& tick) {
-          filter_->add(LaserReading{to_sweep(m, mounts_.of(m.header().frame_id())), laser_}, tick.now);
-        });
+    listen_to<sensor_msgs::msg::LaserScan>(setup, "scan", Qos::sensor(),
+                                           [this](const auto& m, const Tick& tick) { on_scan(m, tick); });
+}
+
+void SensorInputs::on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick) {
+  const Pose2 X_BL = mounts_.of(message.header().frame_id());
+  LaserReading reading{to_sweep(message, X_BL), laser_};
+  // In base_link of the sweep's time, by the twist of now: it changes little in half a sweep.
+  const std::vector<Pose2> poses = beam_poses(reading, X_BL, [&](Time time) {
+    return advance_exact({}, twist_, (time - reading.time).to_seconds());
+  });
+  reading.beam_poses = poses;
+  filter_->add(reading, tick.now);
 }
 
 void SensorInputs::on_imu(const sensor_msgs::msg::Imu& message, const Tick& tick) {

@@ -28,11 +28,15 @@ class SensorInputs {
   /// How noisy sensors are that do not say so themselves.
   void set_noise(const SensorParameters& sensors) { sensors_ = sensors; }
 
+  /// How the robot moves now, by its wheels.
+  void set_twist(const Twist2& twist) { twist_ = is_finite(twist) ? twist : Twist2{}; }
+
   const SourceNames& names() const { return names_; }
   int wheels() const { return wheels_; }
 
  private:
   void on_imu(const sensor_msgs::msg::Imu& message, const Tick& tick);
+  void on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick);
   void on_fix(const sensor_msgs::msg::NavSatFix& message, const Tick& tick);
   template <class Message, class Use>
   void listen_to(Setup& setup, const char* topic, const Qos& qos, Use use);
@@ -41,6 +45,7 @@ class SensorInputs {
   int wheels_ = 0, gyro_ = 0, compass_ = 0, gps_ = 0, course_ = 0, laser_ = 0, ranges_ = 0, pose_ = 0;
   SensorParameters sensors_;
   bool uses_laser_ = false;
+  Twist2 twist_;
   Localizer* filter_ = nullptr;
   std::optional<LocalPlane> plane_;
   std::optional<CourseFromFixes> course_from_fixes_;

@@ -32,7 +32,7 @@ BeamEnds beam_ends(const LaserSweep& sweep, int max_beams) {
     const std::size_t i = nearest_hit(sweep, first, last);
     if (i == last) continue;
     const double angle = sweep.angle_min + static_cast<double>(i) * sweep.angle_increment;
-    const Vector2 end_B = sweep.X_FL * (static_cast<double>(sweep.ranges[i]) * direction(angle));
+    const Vector2 end_B = scanner_at(sweep, i) * (static_cast<double>(sweep.ranges[i]) * direction(angle));
     ends.x.push_back(static_cast<float>(end_B.x()));
     ends.y.push_back(static_cast<float>(end_B.y()));
   }

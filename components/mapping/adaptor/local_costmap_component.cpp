@@ -16,6 +16,7 @@
 #include "components/messages/placed.hpp"
 #include "components/messages/waiting_scans.hpp"
 #include "components/model/robot.hpp"
+#include "components/model/sweep_motion.hpp"
 #include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/transform_tree.hpp"
@@ -74,7 +75,12 @@ class LocalCostmapComponent final : public Component {
   }
 
   void add(const sensor_msgs::msg::LaserScan& message, Time stamp, const Pose2& X_OL, const Pose2& X_OB) {
-    const SweepFault fault = grid_->add(to_sweep(message, X_OL), X_OB, robot_radius_, people_at(stamp));
+    LaserSweep sweep = to_sweep(message, X_OL);
+    const std::vector<Pose2> poses = beam_poses(sweep, inverse(X_OB) * X_OL, [this](Time time) {
+      return transforms_->lookup_planar(odom_frame_, base_frame_, time);
+    });
+    sweep.beam_poses = poses;
+    const SweepFault fault = grid_->add(sweep, X_OB, robot_radius_, people_at(stamp));
     note(fault == SweepFault::none ? std::string() : to_text(fault));
     if (fault != SweepFault::none) return;
     swept_ = stamp;

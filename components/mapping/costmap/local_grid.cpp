@@ -130,7 +130,6 @@ void LocalGrid::mark_disc(const Vector2& center, double radius, Mark mark) {
 }
 
 void LocalGrid::draw(const LaserSweep& sweep) {
-  const Vector2 from = sweep.X_FL.position();
   const std::size_t count = sweep.ranges.size();
   struct Hit {
     Vector2 point{0.0, 0.0};
@@ -140,8 +139,10 @@ void LocalGrid::draw(const LaserSweep& sweep) {
   Hit previous;
   for (std::size_t i = 0; i < count; ++i) {
     const double range = static_cast<double>(sweep.ranges[i]);
+    const Pose2& X_OL = scanner_at(sweep, i);
+    const Vector2 from = X_OL.position();
     const Vector2 unit =
-        direction(sweep.X_FL.theta + sweep.angle_min + static_cast<double>(i) * sweep.angle_increment);
+        direction(X_OL.theta + sweep.angle_min + static_cast<double>(i) * sweep.angle_increment);
     const BeamKind kind = kind_of(sweep.ranges[i], sweep);
     Hit now;
     if (kind == BeamKind::free) {

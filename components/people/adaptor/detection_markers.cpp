@@ -1,6 +1,7 @@
 #include "components/people/adaptor/detection_markers.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "components/messages/geometry.hpp"
@@ -18,10 +19,11 @@ visualization_msgs::msg::MarkerArray to_markers(const DetectionSet& detections, 
                                                 const std_msgs::msg::Header& header) {
   namespace constants = visualization_msgs::msg::Marker_Constants;
   visualization_msgs::msg::MarkerArray array;
+  const std::string legs = detections.source == 0 ? "legs" : "legs_" + std::to_string(detections.source);
   std::int32_t id = 0;
   for (const Detection& detection : detections.detections) {
     if (detection.width > kWidestShown) continue;
-    visualization_msgs::msg::Marker m = make_marker("legs", id++, constants::CYLINDER, lifetime, header);
+    visualization_msgs::msg::Marker m = make_marker(legs, id++, constants::CYLINDER, lifetime, header);
     m.pose(to_pose({detection.position.x(), detection.position.y(), 0.0}));
     m.pose().position().z(kLegHeight / 2.0);
     m.scale().x(std::max(detection.width, 0.05));

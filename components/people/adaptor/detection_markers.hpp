@@ -9,7 +9,7 @@
 namespace bw::people {
 
 /// Low discs: legs green, two legs in one blue, the more opaque the likelier; background and what is nobody
-/// grey. Outlines that are no more than walls are left out.
+/// grey. Outlines that are no more than walls are left out. Those of a second laser are `legs_1`.
 visualization_msgs::msg::MarkerArray to_markers(const DetectionSet& detections, Duration lifetime,
                                                 const std_msgs::msg::Header& header);
 

@@ -5,11 +5,13 @@
 #include "components/messages/laser.hpp"
 #include "components/messages/obstacles.hpp"
 #include "components/messages/placed.hpp"
+#include "components/model/sweep_motion.hpp"
+#include "components/people/sweep_timing.hpp"
 
 namespace bw::people {
 namespace {
 
-constexpr Duration kSilence = Duration::milliseconds(500);
+constexpr Duration kLate = Duration::milliseconds(1000);  // more is a clock that went back
 const Duration kMarkerLifetime = Duration::milliseconds(250);
 
 }  // namespace
@@ -17,14 +19,14 @@ const Duration kMarkerLifetime = Duration::milliseconds(250);
 void PeopleComponent::configure(Setup& setup) {
   const auto parameters = setup.parameters<PeopleParameters>(
       [this](const PeopleParameters& changed, const Tick&) {
-        detector_->set_options(changed.detector);
+        lasers_.set_options(changed.detector);
+        others_.set_options(changed.others);
         tracker_->set_options(changed.tracker);
         predictor_->set_options(changed.prediction);
         obstacles_timeout_ = changed.obstacles_timeout;
       },
-      {"detector.background", "tracker.motion", "tracker.alignment", "prediction.model", "prediction.step",
-       "prediction.calibration_rate"});
-  detector_ = std::make_unique<Detector>(parameters.detector);
+      {"scan_topics", "people_topics", "detector.background", "tracker.motion", "tracker.alignment",
+       "prediction.model", "prediction.step", "prediction.calibration_rate"});
   tracker_ = std::make_unique<Tracker>(parameters.tracker);
   predictor_ = std::make_unique<Predictor>(parameters.prediction);
   obstacles_timeout_ = parameters.obstacles_timeout;
@@ -38,11 +40,11 @@ void PeopleComponent::configure(Setup& setup) {
   people_ = setup.output<people_msgs::msg::People>("people");
   people_markers_ = setup.output<visualization_msgs::msg::MarkerArray>("people_markers");
   leg_markers_ = setup.output<visualization_msgs::msg::MarkerArray>("leg_detections");
-  setup.input<sensor_msgs::msg::LaserScan>("scan", Qos::sensor(),
-                                           [this](const auto& message, const Tick& tick) {
-                                             now_ = tick.now;
-                                             on_scan(message);
-                                           });
+  const auto look_now = [this](const Tick& tick) {
+    now_ = tick.now;
+    look();
+  };
+  lasers_.listen(setup, parameters.scan_topics, parameters.detector, look_now);
   setup.input<nav_msgs::msg::Odometry>("odom", Qos::standard(50),
                                        [this](const auto& message, const Tick& tick) {
                                          now_ = tick.now;
@@ -55,6 +57,7 @@ void PeopleComponent::configure(Setup& setup) {
   if (parameters.prediction.model == PredictionModel::social_force) {
     obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::standard(), Need::optional);
   }
+  others_.listen(setup, parameters.others, look_now);
   setup.every(Duration::milliseconds(500), "health", [this](const Tick& tick) { report_health(tick); });
 }
 
@@ -71,46 +74,62 @@ void PeopleComponent::on_map(const nav_msgs::msg::OccupancyGrid& message) {
     log_.error("the map is of no use: {}", fault);
     return;
   }
-  detector_->set_map(grid);
+  lasers_.set_map(grid);
   map_of_detector_ = message.header().frame_id();
 }
 
-void PeopleComponent::on_scan(const sensor_msgs::msg::LaserScan& message) {
-  if (from_stamp(message.header().stamp()) == Time{}) return refuse("it has no stamp");
-  if (!waiting_.add(message, now_)) refuse("no odometry at its stamp");
-  look();
-}
-
 void PeopleComponent::look() {
-  waiting_.hand_over([this](const sensor_msgs::msg::LaserScan& scan, Time) {
+  lasers_.order().hand_over(now_, [this](std::size_t laser, const sensor_msgs::msg::LaserScan& scan) {
     const auto X_OB = odometry_.lookup_planar(odom_frame_, base_frame_, time_of(scan));
-    if (X_OB) look_at(scan, *X_OB);
+    if (X_OB) look_at(laser, scan, *X_OB);
     return X_OB.has_value();
   });
+  hear();
 }
 
-void PeopleComponent::look_at(const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB) {
-  const LaserSweep sweep = to_sweep(scan, X_OB * mounts_.of(scan.header().frame_id()));
+void PeopleComponent::look_at(std::size_t laser, const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB) {
+  const Pose2 X_BL = mounts_.of(scan.header().frame_id());
+  LaserSweep sweep = to_sweep(scan, X_OB * X_BL);
+  const std::vector<Pose2> poses = beam_poses(
+      sweep, X_BL, [this](Time time) { return odometry_.lookup_planar(odom_frame_, base_frame_, time); });
+  sweep.beam_poses = poses;
   if (const SweepFault fault = fault_for_people(sweep); fault != SweepFault::none)
-    return refuse(to_text(fault));
-  if (refused_.is_news("")) log_.info("scans are sound again");
-  last_look_ = now_;
+    return lasers_.refuse(laser, to_text(fault));
+  if (lasers_.count() > 1 && sweep.time < tracked_at_ && tracked_at_ - sweep.time < kLate)
+    return lasers_.refuse(laser, "it came after a later one of another laser");
   Surroundings surroundings;
   if (!map_of_detector_.empty())
     surroundings.X_MO = transforms_->lookup_planar(map_of_detector_, odom_frame_);
   const std::vector<Vector2> keep_out = tracker_->keep_out();
   surroundings.people = keep_out;
-  const DetectionSet& detections = detector_->detect(sweep, surroundings);
-  publish(detections, tracker_->update(detections));
+  DetectionSet detections = lasers_.detect(laser, sweep, surroundings, now_);
+  detections.source = static_cast<int>(laser);
+  move_to_one_time(detections, tracker_->people(), tracked_at_);
+  tracked_at_ = detections.time;
+  const std::vector<TrackedPerson>& people = tracker_->update(detections);
+  if (!lasers_.order().has_another_of(detections.time)) publish(people, detections.time);
+  if (leg_markers_.has_readers())
+    leg_markers_.publish(to_markers(detections, kMarkerLifetime, make_header(odom_frame_, detections.time)));
 }
 
-void PeopleComponent::publish(const DetectionSet& detections, std::vector<TrackedPerson> people) {
-  const std_msgs::msg::Header header = make_header(odom_frame_, detections.time);
-  predictor_->predict(people, walls_at(detections.time), detections.time);
+/// What others tell waits for the lasers' sweep of its time or after, if any laser sweeps; else it goes out by itself.
+void PeopleComponent::hear() {
+  const bool is_alone = lasers_.all_silent(now_);
+  const Time latest = now_ + Duration::seconds(1.0);
+  for (const HeardSet& heard : others_.take(is_alone ? latest : tracked_at_, now_)) {
+    const std::vector<TrackedPerson>& people = tracker_->hear(heard);
+    if (!is_alone || heard.time < tracked_at_) continue;
+    tracked_at_ = heard.time;
+    publish(people, heard.time);
+  }
+}
+
+void PeopleComponent::publish(std::vector<TrackedPerson> people, Time stamp) {
+  const std_msgs::msg::Header header = make_header(odom_frame_, stamp);
+  predictor_->predict(people, walls_at(stamp), stamp);
   tracks_.publish(to_tracks(people, header));
   people_.publish(to_people(people, header));
   if (people_markers_.has_readers()) people_markers_.publish(to_markers(people, kMarkerLifetime, header));
-  if (leg_markers_.has_readers()) leg_markers_.publish(to_markers(detections, kMarkerLifetime, header));
 }
 
 StaticObstacles PeopleComponent::walls_at(Time time) const {
@@ -118,24 +137,16 @@ StaticObstacles PeopleComponent::walls_at(Time time) const {
   return from ? to_obstacles(*obstacles_, from->X_TF) : StaticObstacles{};
 }
 
-void PeopleComponent::refuse(const std::string& why) {
-  ++refusals_;
-  if (refused_.is_news(why)) log_.warn("a scan is not looked at: {}", why);
-}
-
 void PeopleComponent::report_health(const Tick& tick) {
   using Level = DiagnosticReporter::Level;
-  diagnostics_->set_value("refused_scans", std::to_string(refusals_));
+  diagnostics_->set_value("refused_scans", std::to_string(lasers_.refusals()));
   diagnostics_->set_value("people", std::to_string(tracker_->people().size()));
   diagnostics_->set_value("other_clusters", std::to_string(tracker_->cluster_count()));
-  const bool blind = !last_look_ || tick.now - *last_look_ > kSilence;
-  if (refused_) {
-    diagnostics_->report(Level::error, "scans are refused: " + refused_.what());
-  } else if (blind) {
-    diagnostics_->report(Level::error, "no scan to look at");
-  } else {
-    diagnostics_->report(Level::ok, "looking");
-  }
+  const std::string lasers = lasers_.complaint(tick.now);
+  const std::string others = others_.complaint(tick.now);
+  if (!lasers.empty()) return diagnostics_->report(Level::error, lasers);
+  if (!others.empty()) return diagnostics_->report(Level::warn, others);
+  diagnostics_->report(Level::ok, "looking");
 }
 
 BW_COMPONENT(PeopleComponent, "people")

@@ -1,4 +1,4 @@
-// Adaptor: scans and odometry in; tracked people with predictions out. Topics: README.md.
+// Adaptor: scans, odometry and what other detectors tell in; tracked people with predictions out. Topics: README.md.
 #pragma once
 
 #include <memory>
@@ -14,13 +14,12 @@
 #include <visualization_msgs/msg/marker_array.hpp>
 
 #include "components/messages/people.hpp"
-#include "components/messages/waiting_scans.hpp"
 #include "components/people/adaptor/detection_markers.hpp"
-#include "components/people/detector/detector.hpp"
+#include "components/people/adaptor/lasers.hpp"
+#include "components/people/adaptor/other_detectors.hpp"
 #include "components/people/people_parameters.hpp"
 #include "components/people/prediction/predictor.hpp"
 #include "components/people/tracker/tracker.hpp"
-#include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/sensor_mounts.hpp"
 
@@ -32,28 +31,25 @@ class PeopleComponent final : public Component {
 
  private:
   void on_odometry(const nav_msgs::msg::Odometry& message);
-  void on_scan(const sensor_msgs::msg::LaserScan& message);
   void on_map(const nav_msgs::msg::OccupancyGrid& message);
-  /// Looks at the scans whose odometry has come, in order.
+  /// Looks at the scans whose odometry has come, in order, and hears what others told until then.
   void look();
-  void look_at(const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB);
-  void publish(const DetectionSet& detections, std::vector<TrackedPerson> people);
+  void look_at(std::size_t laser, const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB);
+  void hear();
+  void publish(std::vector<TrackedPerson> people, Time stamp);
   /// What people walk round, in odom; nothing when the obstacles are too old or their place is unknown.
   StaticObstacles walls_at(Time time) const;
-  void refuse(const std::string& why);  ///< counts a scan that is not looked at, and says so once
   void report_health(const Tick& tick);
 
-  std::unique_ptr<Detector> detector_;
+  Lasers lasers_;
+  OtherDetectors others_;
   std::unique_ptr<Tracker> tracker_;
   std::unique_ptr<Predictor> predictor_;
-  TransformTree odometry_;  ///< of the last seconds
-  WaitingScans waiting_;
+  TransformTree odometry_;                            ///< of the last seconds
   Latest<bandwagon_msgs::msg::Obstacles> obstacles_;  ///< only for social_force
   double obstacles_timeout_ = 0.0;                    ///< [s]
   std::string map_of_detector_;                       ///< frame of the map; empty without one
-  Complaint refused_;                                 ///< why the last scan was not looked at
-  std::uint64_t refusals_ = 0;
-  std::optional<Time> last_look_;  ///< on the component clock
+  Time tracked_at_;                                   ///< stamp of what the tracker took in last
   Time now_;
 
   std::string odom_frame_;

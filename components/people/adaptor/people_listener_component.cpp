@@ -1,5 +1,4 @@
 // Adaptor: people whom another program sees (people_msgs/People) in; tracks with predictions out. In place of the own detector.
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/people.hpp"
+#include "components/people/adaptor/people_message.hpp"
 #include "components/people/heard_people.hpp"
 #include "components/people/prediction/predictor.hpp"
 #include "runtime/complaint.hpp"
@@ -69,22 +69,11 @@ class PeopleListenerComponent final : public Component {
  private:
   /// Nothing is published of a message that is not used, so that the age of tracks tells.
   void hear(const people_msgs::msg::People& message, Time now) {
-    const Time stamp = from_stamp(message.header().stamp());
-    const std::string& frame = message.header().frame_id();
-    const std::optional<Pose2> X_OF =
-        frame == odom_frame_ ? Pose2{} : transforms_->lookup_planar(odom_frame_, frame);
-    if (stamp <= Time{}) return note("it has no stamp");
-    if (std::abs((now - stamp).to_seconds()) > options_.timeout) return note("its stamp is not of now");
-    if (!X_OF) return note("no transform from '" + frame + "' to " + odom_frame_);
-    note("");
-    std::vector<HeardPerson> heard;
-    for (const auto& person : message.people()) {
-      heard.push_back({.name = person.name(),
-                       .position = *X_OF * Vector2(person.position().x(), person.position().y()),
-                       .velocity = rotate(*X_OF, Vector2(person.velocity().x(), person.velocity().y())),
-                       .reliability = person.reliability()});
-    }
-    std::vector<TrackedPerson> people = heard_.take(heard, stamp, options_.people);
+    const ReadPeople read = read_people(message, now, options_.timeout, odom_frame_, *transforms_);
+    note(read.fault);
+    if (!read.fault.empty()) return;
+    const Time stamp = read.heard.time;
+    std::vector<TrackedPerson> people = heard_.take(read.heard.people, stamp, options_.people);
     predictor_->predict(people, {}, stamp);
     const std_msgs::msg::Header header = make_header(odom_frame_, stamp);
     tracks_.publish(to_tracks(people, header));

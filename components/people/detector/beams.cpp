@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace bw::people {
 
@@ -15,11 +16,34 @@ SweepFault fault_for_people(const LaserSweep& sweep) {
   return blind ? SweepFault::mostly_unknown : SweepFault::none;
 }
 
+namespace {
+
+/// Where each beam looked, when the scanner moved meanwhile: the directions are then as even as the turning was.
+void place_moving(const LaserSweep& sweep, Beams& beams) {
+  const bool backwards = sweep.angle_increment < 0.0;
+  const std::size_t count = sweep.ranges.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t beam = backwards ? count - 1 - i : i;
+    if (beams.kinds[i] != BeamKind::hit) continue;
+    const double angle = sweep.angle_min + static_cast<double>(beam) * sweep.angle_increment;
+    beams.points[i] =
+        scanner_at(sweep, beam) * Vector2(static_cast<double>(beams.ranges[i]) * direction(angle));
+  }
+  const auto [first, last] = std::pair(scanner_at(sweep, 0).theta, scanner_at(sweep, count - 1).theta);
+  const double turned = wrap_angle(last - first);
+  const double width = std::abs(sweep.angle_increment) * static_cast<double>(count - 1);
+  beams.angle_min = backwards ? last + sweep.angle_min - width : first + sweep.angle_min;
+  beams.angle_increment = (width + (backwards ? -turned : turned)) / static_cast<double>(count - 1);
+}
+
+}  // namespace
+
 void read_beams(const LaserSweep& sweep, Beams& beams) {
   const std::size_t count = sweep.ranges.size();
   const bool backwards = sweep.angle_increment < 0.0;
   const double last = static_cast<double>(count - 1);
   beams.angle_increment = std::abs(sweep.angle_increment);
+  beams.time_increment = backwards ? -sweep.time_increment : sweep.time_increment;
   beams.angle_min = sweep.X_FL.theta + sweep.angle_min + (backwards ? last * sweep.angle_increment : 0.0);
   beams.closed = (last + 1.5) * beams.angle_increment >= 2.0 * std::numbers::pi;
   beams.sensor = sweep.X_FL.position();
@@ -37,6 +61,7 @@ void read_beams(const LaserSweep& sweep, Beams& beams) {
       beams.points[i] = beams.sensor + static_cast<double>(range) * direction(angle);
     }
   }
+  if (!sweep.beam_poses.empty()) place_moving(sweep, beams);
 }
 
 }  // namespace bw::people

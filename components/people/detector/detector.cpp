@@ -54,6 +54,7 @@ Detection Detector::describe(const Cluster& cluster, const Neighbours& neighbour
   detection.points = cluster.count;
   detection.occluded = cluster.left.occluded || cluster.right.occluded;
   const auto members = clusters_.beams_of(cluster);
+  detection.after = beams_.taken_after(members[members.size() / 2]);
   const auto background = std::count_if(members.begin(), members.end(), [&](int beam) {
     return is_background_[static_cast<std::size_t>(beam)] != 0;
   });

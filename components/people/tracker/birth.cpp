@@ -3,83 +3,65 @@
 #include <algorithm>
 
 #include "components/people/tracker/gait.hpp"
+#include "components/people/tracker/walking.hpp"
 
 namespace bw::people {
 namespace {
 
-template <class Score>
-double mean_score(const ClusterTrack& cluster, int count, const Score& score) {
-  double sum = 0.0;
-  const int n = std::min(count, cluster.remembered());
-  for (int k = 0; k < n; ++k) sum += score(cluster.sighting(k));
-  return sum / n;
-}
+constexpr double kRounding = 1e-6;      // [s]
+constexpr double kStandingDoubt = 0.2;  // [m] who walks comes first
+constexpr double kPairsFirst = 100.0;   // [m] doubt of a single beyond that of any pair
 
-double static_share(const ClusterTrack& cluster) {
-  return mean_score(cluster, ClusterTrack::kRemembered,
-                    [](const Sighting& s) { return s.on_static ? 1.0 : 0.0; });
+double share_of(const ClusterTrack& cluster, bool Sighting::*what) {
+  return mean_of(cluster, cluster.remembered(), [&](const Sighting& s) { return s.*what ? 1.0 : 0.0; });
 }
 
 double leg_share(const ClusterTrack& cluster) {
-  return mean_score(cluster, ClusterTrack::kRemembered, [](const Sighting& s) { return s.leg_score; });
+  return mean_of(cluster, cluster.remembered(), [](const Sighting& s) { return s.leg_score; });
+}
+
+/// Two that stand as the legs of somebody do; their doubt.
+std::optional<double> doubt_of_standing_pair(const ClusterTrack& a, const ClusterTrack& b,
+                                             const BirthOptions& options) {
+  if ((a.last().position - b.last().position).norm() > options.kStandingSeparation) return std::nullopt;
+  const CommonSightings common(a, b);
+  if (common.count < options.sightings) return std::nullopt;
+  const double stood = common.time(0) - common.time(common.count - 1);
+  const double score = std::min(leg_share(a), leg_share(b));
+  const Gait gait = gait_of(common, common.count);
+  if (stood < options.standing_time - kRounding || score < options.standing_score ||
+      gait.misfit > options.misfit || gait.widest > options.kStandingSeparation)
+    return std::nullopt;
+  const bool on_background =
+      std::max(share_of(a, &Sighting::on_static), share_of(b, &Sighting::on_static)) >= 0.5;
+  if (on_background && (score < options.kBackgroundScore || stood < options.kBackgroundTime - kRounding))
+    return std::nullopt;
+  return gait.doubt() - 0.5 * score + kStandingDoubt;
 }
 
 }  // namespace
 
-std::optional<double> doubt_of_pair(const ClusterTrack& a, const ClusterTrack& b,
-                                    const BirthOptions& options) {
+std::optional<Birth> birth_of_pair(const ClusterTrack& a, const ClusterTrack& b,
+                                   const BirthOptions& options) {
   if ((a.last().position - b.last().position).norm() > options.separation) return std::nullopt;
-  const double score = std::min(leg_share(a), leg_share(b));
-  if (score < std::min(options.walking_score, options.standing_score)) return std::nullopt;
-  const CommonSightings common(a, b);
-  if (common.count < options.sightings) return std::nullopt;
-  if (common.a[0]->sweep - common.a[static_cast<std::size_t>(options.sightings) - 1]->sweep >=
-      options.of_sweeps)
-    return std::nullopt;
-
-  const Gait gait = gait_of(common, ClusterTrack::kRemembered);
-  const int oldest = common.count - 1;
-  const double travel = gait.velocity.norm() * (common.time(0) - common.time(oldest));
-  if (gait.misfit > options.misfit || gait.widest > options.separation) return std::nullopt;
-  const double doubt = gait.doubt() - 0.5 * score;
-
-  const auto moved = [&](const auto& legs) {
-    return (legs[0]->position - legs[static_cast<std::size_t>(oldest)]->position).norm() > 0.25 * travel;
-  };
-  if (travel >= options.travel && score >= options.walking_score && moved(common.a) && moved(common.b))
-    return doubt;
-
-  const bool stands = common.count >= options.standing_sightings && score >= options.standing_score &&
-                      gait.widest <= options.kStandingSeparation;
-  const bool on_background = std::max(static_share(a), static_share(b)) >= 0.5;
-  if (stands && on_background &&
-      (score < options.kBackgroundScore || common.count < options.kBackgroundSightings))
-    return std::nullopt;
-  if (stands) return doubt + 0.2;
+  if (const auto walk = walk_of_pair(a, b, options)) {
+    const double score = std::min(leg_share(a), leg_share(b));
+    return Birth{BirthKind::walking_pair,
+                 gait_of(CommonSightings(a, b), ClusterTrack::kRemembered).doubt() - 0.5 * score, walk->way};
+  }
+  if (const auto doubt = doubt_of_standing_pair(a, b, options))
+    return Birth{BirthKind::standing_pair, *doubt, 0.0};
   return std::nullopt;
 }
 
-std::optional<double> doubt_of_single(const ClusterTrack& cluster, const BirthOptions& options) {
-  const int n = cluster.remembered();
-  if (n < options.kSingleSightings) return std::nullopt;
-  const Sighting& oldest = cluster.sighting(n - 1);
-  const double travel = (cluster.last().position - oldest.position).norm();
-  if (travel < options.kSingleTravel || static_share(cluster) > 0.3) return std::nullopt;
-  const double score = mean_score(cluster, n, [](const Sighting& s) { return s.human_score(); });
-  if (score < options.kSingleScore) return std::nullopt;
-  // What slides along a wall behind somebody's shadow is cut off on a side; a leg alone stands free.
-  const double cut = mean_score(cluster, n, [](const Sighting& seen) { return seen.occluded ? 1.0 : 0.0; });
-  if (cut > options.kSingleCut) return std::nullopt;
-  if (cluster.last().sweep - cluster.sighting(options.kSingleSightings - 1).sweep >= options.kSingleOfSweeps)
-    return std::nullopt;
-  double path = 0.0;
-  for (int k = 1; k < n; ++k) {
-    const double step = (cluster.sighting(k).position - cluster.sighting(k - 1).position).norm();
-    if (step > options.single_step) return std::nullopt;
-    path += step;
-  }
-  if (travel < options.kSingleStraight * path) return std::nullopt;
-  return 1.0 - score;
+std::optional<Birth> birth_of_single(const ClusterTrack& cluster, const BirthOptions& options) {
+  const double score =
+      mean_of(cluster, cluster.remembered(), [](const Sighting& s) { return s.human_score(); });
+  if (const auto walk = walk_of_single(cluster, options))
+    return Birth{BirthKind::walking_single, 1.0 - score, walk->way};
+  if (cluster.id != 0 && cluster.existence.log_odds() >= 0.0)
+    return Birth{BirthKind::standing_single, 1.0 - score + kStandingDoubt, 0.0};
+  return std::nullopt;
 }
 
 void find_people(const std::vector<ClusterTrack>& clusters, std::int64_t sweep, const BirthOptions& options,
@@ -90,14 +72,16 @@ void find_people(const std::vector<ClusterTrack>& clusters, std::int64_t sweep, 
     if (!seen(i)) continue;
     for (std::size_t j = i + 1; j < clusters.size(); ++j) {
       if (!seen(j)) continue;
-      if (const auto doubt = doubt_of_pair(clusters[i], clusters[j], options))
-        found.push_back({static_cast<int>(i), static_cast<int>(j), *doubt});
+      if (const auto birth = birth_of_pair(clusters[i], clusters[j], options))
+        found.push_back({static_cast<int>(i), static_cast<int>(j), *birth});
     }
-    if (const auto doubt = doubt_of_single(clusters[i], options))
-      found.push_back({static_cast<int>(i), -1, 100.0 + *doubt});
+    if (const auto birth = birth_of_single(clusters[i], options)) {
+      found.push_back({static_cast<int>(i), -1, *birth});
+      found.back().birth.doubt += kPairsFirst;
+    }
   }
   std::stable_sort(found.begin(), found.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.doubt < b.doubt; });
+                   [](const Candidate& a, const Candidate& b) { return a.birth.doubt < b.birth.doubt; });
   std::vector<char> taken(clusters.size(), 0);
   std::erase_if(found, [&](const Candidate& candidate) {
     char& first = taken[static_cast<std::size_t>(candidate.first)];

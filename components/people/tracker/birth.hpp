@@ -10,19 +10,26 @@
 
 namespace bw::people {
 
-/// Clusters that are a person, by their index. `doubt` ranks candidates that want the same leg: less first.
+enum class BirthKind { walking_pair, walking_single, standing_pair, standing_single };
+
+struct Birth {
+  BirthKind kind = BirthKind::walking_pair;
+  double doubt = 0.0;  ///< ranks those that want the same leg: less first [m]
+  double way = 0.0;    ///< walked so far [m]
+};
+
+/// Clusters that are a person, by their index.
 struct Candidate {
   int first = 0;
   int second = -1;  ///< -1: one leg, or both in one
-  double doubt = 0.0;
+  Birth birth;
 };
 
-/// Whether two clusters, both seen in the last sweep, are the legs of one person; their doubt.
-std::optional<double> doubt_of_pair(const ClusterTrack& a, const ClusterTrack& b,
-                                    const BirthOptions& options);
+/// Two clusters, both seen in the last sweep, as the legs of one person; nothing when they are not.
+std::optional<Birth> birth_of_pair(const ClusterTrack& a, const ClusterTrack& b, const BirthOptions& options);
 
 /// The same of one cluster alone.
-std::optional<double> doubt_of_single(const ClusterTrack& cluster, const BirthOptions& options);
+std::optional<Birth> birth_of_single(const ClusterTrack& cluster, const BirthOptions& options);
 
 /// Everybody among the clusters seen in sweep number `sweep`; no cluster twice. Pairs come before singles.
 void find_people(const std::vector<ClusterTrack>& clusters, std::int64_t sweep, const BirthOptions& options,

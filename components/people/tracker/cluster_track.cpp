@@ -1,15 +1,28 @@
 #include "components/people/tracker/cluster_track.hpp"
 
+#include <cmath>
+
 namespace bw::people {
 namespace {
 
 constexpr double kAcceleration = 2.0;  // [m/s^2/sqrt(Hz)], legs that swing
+constexpr double kRounding = 1e-6;
 
 }  // namespace
 
-ClusterTrack::ClusterTrack(const Sighting& first) : position_(first.position), p_(first.variance) {
-  ring_[0] = first;
-  count_ = 1;
+ClusterTrack::ClusterTrack(const Sighting& first)
+    : position_(first.position), p_(first.variance), born_(first.time) {
+  remember(first);
+}
+
+void ClusterTrack::remember(const Sighting& seen) {
+  const auto slot = [](double time) { return std::floor(time / kSpacing + kRounding); };
+  const std::int64_t nth = count_ == 0 ? 1 : last().nth + 1;
+  if (count_ == 0 || slot(seen.time) != slot(last().time)) ++count_;
+  Sighting& kept = ring_[(count_ - 1) % kRemembered];
+  kept = seen;
+  kept.nth = nth;
+  existence.looks.add(seen.human_score(), seen.bearing);
 }
 
 void ClusterTrack::predict(double dt) {
@@ -28,8 +41,7 @@ void ClusterTrack::correct(const Sighting& seen) {
   vv_ -= pv_ * pv_ / s;
   pv_ *= 1.0 - p_ / s;
   p_ *= 1.0 - p_ / s;
-  ring_[count_ % kRemembered] = seen;
-  ++count_;
+  remember(seen);
 }
 
 }  // namespace bw::people

@@ -6,6 +6,8 @@
 #include <cstdint>
 
 #include "components/people/detection.hpp"
+#include "components/people/tracker/evidence/existence.hpp"
+#include "components/people/tracker/evidence/fidgets.hpp"
 #include "runtime/base/pose2.hpp"
 
 namespace bw::people {
@@ -20,6 +22,9 @@ struct Sighting {
   double body_score = 0.0;
   bool on_static = false;
   bool occluded = false;
+  double width = 0.0;    ///< [m]
+  double bearing = 0.0;  ///< along which the laser saw it [rad]
+  std::int64_t nth = 0;  ///< counts all sightings of the same thing
 
   double human_score() const { return std::max(leg_score, body_score); }
 };
@@ -27,6 +32,9 @@ struct Sighting {
 class ClusterTrack {
  public:
   static constexpr int kRemembered = 12;
+  /// [s] of sightings that follow each other faster the last is remembered, so that what is remembered spans a
+  /// second at any rate
+  static constexpr double kSpacing = 0.075;
 
   explicit ClusterTrack(const Sighting& first);
 
@@ -39,16 +47,24 @@ class ClusterTrack {
 
   /// How many sightings are remembered, and the k-th latest of them (0: the last).
   int remembered() const { return count_ < kRemembered ? static_cast<int>(count_) : kRemembered; }
+  double born() const { return born_; }  ///< first sighting [s]
   const Sighting& sighting(int k) const { return ring_[(count_ - 1 - k) % kRemembered]; }
   const Sighting& last() const { return sighting(0); }
 
+  Fidgets fidgets;
+  Existence existence;   ///< as a leg, or somebody whole
+  std::uint32_t id = 0;  ///< as a possible person; 0: not told of
+
  private:
+  void remember(const Sighting& seen);
+
   Vector2 position_;
   Vector2 velocity_{0.0, 0.0};
   double p_;         ///< variance of the position [m^2]
   double pv_ = 0.0;  ///< with the velocity
   double vv_ = 1.0;  ///< of the velocity [m^2/s^2]: legs swing at up to 2.5 m/s
-  std::int64_t count_ = 0;
+  double born_;
+  std::int64_t count_ = 0;  ///< remembered or forgotten
   Sighting ring_[kRemembered];
 };
 

@@ -21,6 +21,10 @@ CommonSightings::CommonSightings(const ClusterTrack& first, const ClusterTrack& 
   }
 }
 
+void CommonSightings::forget_before(double oldest) {
+  while (count > 0 && time(count - 1) < oldest) --count;
+}
+
 Vector2 CommonSightings::middle(int k) const {
   const auto i = static_cast<std::size_t>(k);
   return (a[i]->position + b[i]->position) / 2.0;

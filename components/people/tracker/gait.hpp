@@ -15,6 +15,7 @@ struct CommonSightings {
   int count = 0;
 
   CommonSightings(const ClusterTrack& first, const ClusterTrack& second);
+  void forget_before(double oldest);  ///< [s]
   Vector2 middle(int k) const;
   double separation(int k) const;  ///< [m]
   double time(int k) const { return a[static_cast<std::size_t>(k)]->time; }

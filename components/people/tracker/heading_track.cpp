@@ -5,6 +5,9 @@
 namespace bw::people {
 namespace {
 
+constexpr double kLeastApart =
+    0.001;  // [s]; two sensors may sweep at once, and say nothing of a velocity then
+
 struct TimedPlace {
   double time;
   SeenPlace place;
@@ -22,6 +25,7 @@ std::vector<TimedPlace> middles(const ClusterTrack& a, const ClusterTrack& b, co
       const Sighting& first = a.sighting(i);
       const Sighting& second = b.sighting(j);
       if (first.sweep != second.sweep) continue;
+      if (!seen.empty() && first.time - seen.back().time < kLeastApart) continue;
       const double variance = (first.variance + second.variance) / 4.0;
       seen.push_back({first.time,
                       {(first.position + second.position) / 2.0,

@@ -1,6 +1,7 @@
 // What the tracker keeps of somebody.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "components/people/tracker/cluster_track.hpp"
 #include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/walker.hpp"
+#include "components/people/tracker/whereabouts.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw::people {
@@ -25,17 +27,24 @@ struct PersonTrack {
   std::optional<HeadingFilter> heading;  ///< what is reported in place of the walker, if anything
   Time born;
   Time confirmed;
-  Time last_seen;
+  Time last_seen;              ///< by a laser
+  std::optional<Whereabouts> hidden;  ///< where they may be while not seen for sure
   PastState sure;              ///< when they were last seen as a person or a leg plainly is
   PastState settled;           ///< when their legs last went like those of one person
   double score = 0.5;          ///< smoothed human score of what was seen
+  Fidgets fidgets;             ///< of the way from leg to leg
+  Existence existence;         ///< how sure it is that they are a person
   double empty_seconds = 0.0;  ///< for so long the laser saw through where they should be [s]
+  double heard = 0.0;          ///< how sure other detectors are that they are there, 0 to 1
+  Time last_heard;             ///< when one of them told of this person last, if `heard` is not 0
   // Of each leg:
   std::array<int, 2> unseen{};                      ///< sweeps since it was seen, or the whole
   std::array<std::optional<ClusterTrack>, 2> legs;  ///< what was seen of it lately
 
   /// `leg` 0 or 1. What is too far from where the leg was, or too late, is the first sight of another.
   void remember_leg(std::size_t leg, const Sighting& seen);
+
+  Time last_known() const { return std::max(last_seen, last_heard); }
 
   bool both_legs_seen(std::int64_t sweep) const {
     return legs[0] && legs[1] && legs[0]->last().sweep == sweep && legs[1]->last().sweep == sweep;

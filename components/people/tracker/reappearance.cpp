@@ -1,34 +1,45 @@
 #include "components/people/tracker/reappearance.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace bw::people {
 
-std::optional<double> doubt_of_return(const PastState& lost, const Vector2& place, double time,
-                                      const ReturnOptions& options) {
-  const double away = std::max(0.0, time - lost.time);
-  if (away > options.remembered) return std::nullopt;
-  const Vector2 moved = place - lost.position;
-  if (moved.norm() > options.slack + options.speed * away) return std::nullopt;
-  const Vector2 way = away * lost.velocity;
-  const double square = way.squaredNorm();
-  const double share = square > 0.0 ? std::clamp(moved.dot(way) / square, -1.0, 1.0) : 0.0;
-  return (moved - share * way).norm() / (options.slack + options.deviation * away);
+void follow_hidden(PersonTrack& person, const Surroundings& about, bool known, Random& random,
+                   const TrackerOptions& options) {
+  const HiddenOptions& hidden = options.hidden;
+  const double away = about.now - person.sure.time;
+  if (away <= hidden.absent) {
+    person.hidden.reset();
+    return;
+  }
+  if (person.hidden) {
+    person.hidden->walk(about.dt, about.since_own, about.sweep, about.walls, random, hidden);
+  } else {
+    person.hidden.emplace(person.sure.position, person.sure.velocity, random, hidden);
+    const int steps = static_cast<int>(std::ceil(away / std::max(about.dt, 0.01)));
+    for (int k = 0; k < steps; ++k)
+      person.hidden->walk(away / steps, 0.0, about.sweep, about.walls, random, hidden);
+  }
+  if (known) return;
+  const Whereabouts::Moments moments = person.hidden->moments();
+  person.walker.place_middle(moments.mean, moments.covariance);
+  if (person.heading) person.heading.emplace(moments.mean, moments.covariance, options.heading);
 }
 
 std::optional<PersonTrack> take_returned(std::vector<PersonTrack>& people, std::vector<PersonTrack>& lost,
-                                         const Sighting& appeared, double now, const ReturnOptions& options) {
+                                         const Sighting& appeared, std::optional<Vector2> velocity,
+                                         double now, const HiddenOptions& options) {
   std::vector<PersonTrack>* from = nullptr;
   std::size_t likeliest = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double most = options.newcomers;
   for (std::vector<PersonTrack>* among : {&people, &lost}) {
     for (std::size_t i = 0; i < among->size(); ++i) {
-      const PastState& sure = (*among)[i].sure;
-      if (among == &people && now - sure.time < options.absent) continue;
-      const auto doubt = doubt_of_return(sure, appeared.position, appeared.time, options);
-      if (!doubt || *doubt >= least) continue;
-      least = *doubt;
+      const auto& hidden = (*among)[i].hidden;
+      if (!hidden) continue;
+      const double density = hidden->density(appeared.position, velocity, now - appeared.time, options);
+      if (density <= most) continue;
+      most = density;
       from = among;
       likeliest = i;
     }

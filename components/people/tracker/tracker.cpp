@@ -14,38 +14,22 @@
 #include "components/people/tracker/birth.hpp"
 #include "components/people/tracker/cluster_track.hpp"
 #include "components/people/tracker/heading_track.hpp"
+#include "components/people/tracker/hearing.hpp"
 #include "components/people/tracker/matching.hpp"
 #include "components/people/tracker/person_track.hpp"
 #include "components/people/tracker/reappearance.hpp"
+#include "components/people/tracker/reporting.hpp"
+#include "components/people/tracker/selection.hpp"
+#include "components/people/tracker/sensor_order.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/untangle.hpp"
 #include "components/people/tracker/visibility.hpp"
+#include "components/people/tracker/weighing.hpp"
 
 namespace bw::people {
 namespace {
 
-constexpr double kLargestVariance = 2.0;  // [m^2] of a place that says anything, both axes together
-
-bool usable(const Detection& d, const AssociationOptions& options) {
-  const Eigen::Matrix2d& c = d.covariance;
-  return d.position.allFinite() && c.allFinite() && c(0, 0) > 0.0 && c.determinant() > 0.0 &&
-         std::abs(c(0, 1) - c(1, 0)) <= 1e-6 * c.trace() && c.trace() <= kLargestVariance &&
-         d.leg_score >= 0.0 && d.leg_score <= 1.0 && d.body_score >= 0.0 && d.body_score <= 1.0 &&
-         d.width <= options.largest;
-}
-
-struct Motion {
-  Vector2 position;
-  Vector2 velocity;
-  Eigen::Matrix4d covariance;
-};
-
-Motion motion_of(const PersonTrack& person) {
-  const auto of = [](const auto& filter) {
-    return Motion{filter.position(), filter.velocity(), filter.covariance()};
-  };
-  return person.heading ? of(*person.heading) : of(person.walker);
-}
+constexpr double kKeptOut = 0.25;  // confidence of who must not become background
 
 }  // namespace
 
@@ -55,13 +39,21 @@ class Tracker::Impl {
   void set_options(const TrackerOptions& options) { options_ = options; }
 
   const std::vector<TrackedPerson>& update(const DetectionSet& sweep);
+  const std::vector<TrackedPerson>& hear(const HeardSet& heard);
   const std::vector<TrackedPerson>& people() const { return reported_; }
   std::size_t cluster_count() const { return clusters_.size(); }
   void reset();
 
  private:
+  void begin_at(Time time);
+  void predict_to(Time time);
   void transform_to_S(const DetectionSet& sweep);
-  void select_detections(const DetectionSet& sweep);
+  void believe(const HeardPerson& told, double late, PersonTrack& person);
+  void begin_with(const HeardPerson& told, double late);
+  bool follow_legs_near(PersonTrack& person);
+  bool is_told_of(const PersonTrack& person) const {
+    return person.heard > 0.0 && person.last_heard + Duration::seconds(HearingOptions::kTold) >= *now_;
+  }
   void correct_people();
   void correct_heading(PersonTrack& person, const LegMatch& match);
   void correct_person(PersonTrack& person, const LegMatch& match);
@@ -71,16 +63,22 @@ class Tracker::Impl {
   void forget_clusters(std::vector<int>& used);
   double seconds() const { return (*now_ - origin_).to_seconds(); }
   Sighting sighting_of(const Detection& d) const;
+  std::uint32_t id_of(const ClusterTrack& first, const ClusterTrack* second);
   PastState state_of(const PersonTrack& person) const {
     return {seconds(), person.walker.position(), person.walker.velocity()};
   }
   void follow_legs(PersonTrack& person, const ClusterTrack& first, const ClusterTrack* second) const;
+  bool is_out_of_sight(const PersonTrack& person) const {
+    return *now_ - person.last_seen > Duration::seconds(options_.hidden.absent);
+  }
+  void follow_hidden_people(double dt, double since_own);
   void watch_for_absence(const DetectionSet& sweep, double dt);
   void delete_tracks();
   void initiate_tracks();
   void report();
 
   TrackerOptions options_;
+  SensorOrder order_;
   SweepAlignment alignment_;
   Pose2 X_SO_;  ///< S: odom without its errors from sweep to sweep; tracks live in S
   DetectionSet sweep_in_S_;
@@ -93,7 +91,10 @@ class Tracker::Impl {
   std::vector<ClusterTrack> clusters_;
   std::vector<Detection> detections_;
   Matching matching_;
+  Weighing weighing_;
   std::vector<Candidate> candidates_;
+  SeenWalls walls_;
+  Random random_{1};
   std::vector<TrackedPerson> reported_;
 };
 
@@ -102,32 +103,48 @@ void Tracker::Impl::reset() {
   people_.clear();
   lost_.clear();
   clusters_.clear();
+  walls_.reset();
+  random_ = Random(1);
   reported_.clear();
+  order_.reset();
   alignment_.reset();
   X_SO_ = {};
 }
 
-const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& sweep) {
+/// A silence or a jump back forgets everybody.
+void Tracker::Impl::begin_at(Time time) {
   const Duration gap = Duration::seconds(options_.longest_gap);
-  if (now_ && (sweep.time > *now_ + gap || sweep.time < *now_ - gap)) reset();
-  if (now_ && sweep.time <= *now_) return reported_;
-  if (!now_) origin_ = sweep.time;
-  const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
-  now_ = sweep.time;
-  ++sweep_;
+  if (now_ && (time > *now_ + gap || time < *now_ - gap)) reset();
+  if (!now_) origin_ = time;
+}
 
-  transform_to_S(sweep);
-  select_detections(sweep_in_S_);
+void Tracker::Impl::predict_to(Time time) {
+  const double dt = now_ ? (time - *now_).to_seconds() : 0.0;
+  now_ = time;
   for (PersonTrack& person : people_) {
     person.walker.predict(dt, options_.walker);
     if (person.heading) person.heading->predict(dt, options_.heading);
+    if (person.heard > 0.0) person.heard *= std::exp(-dt / options_.hearing.memory);
   }
   for (ClusterTrack& cluster : clusters_) cluster.predict(dt);
+}
+
+const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& sweep) {
+  begin_at(sweep.time);
+  if (now_ && !order_.comes_next(sweep.source, sweep.time, *now_)) return reported_;
+  const double since_own = order_.add(sweep.source, sweep.time, options_.longest_gap);
+  const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
+  ++sweep_;
+  predict_to(sweep.time);
+  transform_to_S(sweep);
+  select_detections(sweep_in_S_, options_.most_detections, options_.association, detections_);
   matching_.match(detections_, people_, clusters_, sweep_, options_.association);
   correct_clusters();
   correct_people();
   untangle();
-  watch_for_absence(sweep_in_S_, dt);
+  weighing_.weigh(people_, clusters_, sweep_, seconds(), dt, sweep_in_S_.sensor, options_.birth);
+  watch_for_absence(sweep_in_S_, since_own);
+  follow_hidden_people(dt, since_own);
   initiate_tracks();
   delete_tracks();
   report();
@@ -135,7 +152,11 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
 }
 
 void Tracker::Impl::transform_to_S(const DetectionSet& sweep) {
-  X_SO_ = X_SO_ * alignment_.align(sweep);
+  bool is_new_leader = false;
+  if (order_.leads(sweep.source, sweep.time, is_new_leader)) {
+    if (is_new_leader) alignment_.reset();
+    X_SO_ = X_SO_ * alignment_.align(sweep);
+  }
   sweep_in_S_ = sweep;
   sweep_in_S_.sensor = X_SO_ * sweep.sensor;
   sweep_in_S_.angle_min = sweep.angle_min + X_SO_.theta;
@@ -144,21 +165,6 @@ void Tracker::Impl::transform_to_S(const DetectionSet& sweep) {
     d.position = X_SO_ * d.position;
     d.covariance = (R * d.covariance * R.transpose()).eval();
   }
-}
-
-void Tracker::Impl::select_detections(const DetectionSet& sweep) {
-  detections_.clear();
-  for (const Detection& d : sweep.detections) {
-    if (!usable(d, options_.association)) continue;
-    detections_.push_back(d);
-    const double vague = options_.association.vague * (1.0 - d.human_score());
-    detections_.back().covariance += vague * vague * Eigen::Matrix2d::Identity();
-  }
-  const auto most = static_cast<std::size_t>(options_.most_detections);
-  if (detections_.size() <= most) return;
-  std::stable_sort(detections_.begin(), detections_.end(),
-                   [](const Detection& a, const Detection& b) { return a.human_score() > b.human_score(); });
-  detections_.resize(most);
 }
 
 void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
@@ -172,15 +178,17 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     person.walker.correct(whole ? BodyPart::middle : part, d.position, d.covariance, options_.walker);
     person.score =
         options_.death.kScoreMemory * person.score + (1.0 - options_.death.kScoreMemory) * d.human_score();
+    const Sighting seen = sighting_of(d);
+    person.existence.looks.add(d.human_score(), seen.bearing);
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
-    if (d.human_score() >= options_.back.kLikeness) person.sure = state_of(person);
+    if (d.human_score() >= options_.hidden.kLikeness) person.sure = state_of(person);
     const std::size_t leg = part == BodyPart::first_leg ? 0 : 1;
     if (whole) {
       person.unseen = {0, 0};
     } else {
       person.unseen[leg] = 0;
-      person.remember_leg(leg, sighting_of(d));
+      person.remember_leg(leg, seen);
     }
   }
 }
@@ -205,6 +213,7 @@ void Tracker::Impl::correct_heading(PersonTrack& person, const LegMatch& match) 
 }
 
 Sighting Tracker::Impl::sighting_of(const Detection& d) const {
+  const Vector2 seen_along = d.position - sweep_in_S_.sensor;
   return {.sweep = sweep_,
           .time = seconds(),
           .position = d.position,
@@ -212,7 +221,9 @@ Sighting Tracker::Impl::sighting_of(const Detection& d) const {
           .leg_score = d.leg_score,
           .body_score = d.body_score,
           .on_static = d.on_static,
-          .occluded = d.occluded};
+          .occluded = d.occluded,
+          .width = d.width,
+          .bearing = std::atan2(seen_along.y(), seen_along.x())};
 }
 
 void Tracker::Impl::correct_clusters() {
@@ -237,7 +248,10 @@ void Tracker::Impl::follow_legs(PersonTrack& person, const ClusterTrack& first,
   person.empty_seconds = 0.0;
   person.unseen = {0, second == nullptr ? 1 : 0};
   person.legs = {first, second == nullptr ? std::nullopt : std::optional(*second)};
+  for (auto& leg : person.legs)
+    if (leg) leg->id = 0;
   person.sure = person.settled = state_of(person);
+  person.hidden.reset();
 }
 
 void Tracker::Impl::untangle() {
@@ -288,16 +302,38 @@ void Tracker::Impl::watch_for_absence(const DetectionSet& sweep, double dt) {
   }
 }
 
+void Tracker::Impl::follow_hidden_people(double dt, double since_own) {
+  std::vector<Vector2> places;
+  for (const PersonTrack& person : people_) places.push_back(person.walker.position());
+  walls_.add(sweep_in_S_, seconds(), places);
+  const Surroundings about{sweep_in_S_, walls_, seconds(), dt, since_own};
+  for (PersonTrack& person : people_)
+    follow_hidden(person, about, is_told_of(person) || !is_out_of_sight(person), random_, options_);
+  for (PersonTrack& person : lost_) follow_hidden(person, about, false, random_, options_);
+}
+
 void Tracker::Impl::delete_tracks() {
   const DeathOptions& death = options_.death;
   const auto gone = [&](const PersonTrack& person) {
+    const bool is_of_others = person.heard > 0.0 && person.last_heard > person.last_seen;
+    if (is_told_of(person)) return person.walker.position_sigma() > death.sigma;
+    if (is_of_others && person.heard < HearingOptions::kForgotten) return true;
     return person.empty_seconds >= death.unseen - 1e-9 || person.walker.position_sigma() > death.sigma ||
+           (person.hidden && is_out_of_sight(person) &&
+            (person.hidden->existence() < options_.hidden.believed ||
+             *now_ - person.last_seen > Duration::seconds(options_.hidden.coast))) ||
            (person.score < death.unlike_score && person.walker.velocity().norm() < death.kUnlikeSpeed);
   };
   std::ranges::copy_if(people_, std::back_inserter(lost_), gone);
   std::erase_if(people_, gone);
-  const Duration remembered = Duration::seconds(options_.back.remembered);
-  std::erase_if(lost_, [&](const PersonTrack& person) { return *now_ > person.last_seen + remembered; });
+  const Duration remembered = Duration::seconds(options_.hidden.remembered);
+  std::erase_if(lost_, [&](const PersonTrack& person) { return *now_ > person.last_known() + remembered; });
+}
+
+/// Somebody new keeps the id by which a part of them was told of.
+std::uint32_t Tracker::Impl::id_of(const ClusterTrack& first, const ClusterTrack* second) {
+  if (first.id != 0) return first.id;
+  return second != nullptr && second->id != 0 ? second->id : ++last_id_;
 }
 
 void Tracker::Impl::initiate_tracks() {
@@ -310,12 +346,18 @@ void Tracker::Impl::initiate_tracks() {
     used.push_back(candidate.first);
     if (second != nullptr) used.push_back(candidate.second);
     const Sighting& oldest = first.sighting(first.remembered() - 1);
-    auto person = take_returned(people_, lost_, oldest, seconds(), options_.back);
-    if (!person)
-      person = PersonTrack{.id = ++last_id_,
-                           .walker = walker_of(first, second, options_.walker),
+    const Walker walker = walker_of(first, second, options_.walker);
+    auto person = take_returned(people_, lost_, oldest, walker.velocity(), seconds(), options_.hidden);
+    const Existence existence = existence_of(candidate.birth, first, second);
+    if (person) {
+      person->existence = existence_of_returned(person->existence, existence, candidate.birth.kind);
+    } else {
+      person = PersonTrack{.id = id_of(first, second),
+                           .walker = walker,
                            .born = origin_ + Duration::seconds(oldest.time),
                            .confirmed = *now_};
+      person->existence = existence;
+    }
     person->score = first.last().human_score();
     follow_legs(*person, first, second);
     people_.insert(std::ranges::upper_bound(people_, person->id, {}, &PersonTrack::id), *person);
@@ -323,24 +365,91 @@ void Tracker::Impl::initiate_tracks() {
   forget_clusters(used);
 }
 
+/// A message that is late is compared with where the tracks were then; what it corrects, with where they are.
+const std::vector<TrackedPerson>& Tracker::Impl::hear(const HeardSet& heard) {
+  if (now_ && heard.time < *now_ - Duration::seconds(options_.longest_gap)) return reported_;
+  begin_at(heard.time);
+  if (!now_ || heard.time > *now_) predict_to(heard.time);
+  const double late = (*now_ - heard.time).to_seconds();
+  std::vector<HeardPerson> told = without_doubles(heard.people, options_.person_radius);
+  for (HeardPerson& person : told) {
+    person.position = X_SO_ * person.position;
+    person.velocity = rotate(X_SO_, person.velocity);
+  }
+  const std::vector<int> whose =
+      match_heard(told, people_, late, options_.hearing.position_deviation, options_.association);
+  for (std::size_t i = 0; i < told.size(); ++i)
+    if (whose[i] >= 0) believe(told[i], late, people_[static_cast<std::size_t>(whose[i])]);
+  for (std::size_t i = 0; i < told.size(); ++i)
+    if (whose[i] < 0) begin_with(told[i], late);
+  delete_tracks();
+  report();
+  return reported_;
+}
+
+void Tracker::Impl::believe(const HeardPerson& told, double late, PersonTrack& person) {
+  const HearingOptions& hearing = options_.hearing;
+  person.last_heard = *now_;
+  person.heard = believed(person.heard, told.reliability, hearing);
+  if (person.empty_seconds >= options_.death.unseen)
+    person.heard = std::min(person.heard, hearing.unseen_limit);
+  if (person.last_seen + Duration::seconds(hearing.seen) >= *now_) return;
+  HeardPerson there = told;
+  there.position += late * person.walker.velocity();
+  correct_by(there, hearing.position_deviation, options_, person);
+  if (follow_legs_near(person)) return;
+  // Legs that appear here are theirs: as of somebody who was out of sight just long enough.
+  person.sure = {seconds() - options_.hidden.absent,
+                 person.walker.position() - options_.hidden.absent * person.walker.velocity(),
+                 person.walker.velocity()};
+}
+
+void Tracker::Impl::begin_with(const HeardPerson& told, double late) {
+  const double unsure = late * HearingOptions::kUntoldSpeed;
+  const double deviation = std::hypot(options_.hearing.position_deviation, unsure);
+  HeardPerson there = told;
+  there.position += late * told.velocity;
+  PersonTrack person = person_of(there, deviation, *now_, options_);
+  std::vector<PersonTrack> nobody;
+  const Sighting place{.time = seconds(), .position = there.position};
+  const auto velocity = told.velocity.squaredNorm() > 0.0 ? std::optional(told.velocity) : std::nullopt;
+  const auto lost = take_returned(nobody, lost_, place, velocity, seconds(), options_.hidden);
+  person.id = lost ? lost->id : ++last_id_;
+  if (lost) person.born = lost->born;
+  if (lost) person.confirmed = lost->confirmed;
+  person.settled = state_of(person);
+  people_.insert(std::ranges::upper_bound(people_, person.id, {}, &PersonTrack::id), person);
+  believe(told, late, *std::ranges::find(people_, person.id, &PersonTrack::id));
+}
+
+/// What stands where they are told to be are their legs, also if it does not walk or look like a person's yet.
+bool Tracker::Impl::follow_legs_near(PersonTrack& person) {
+  const HearingOptions& hearing = options_.hearing;
+  const NearLegs legs = legs_near(person.walker.position(), 2.0 * hearing.position_deviation, clusters_,
+                                  seconds() - hearing.seen, hearing);
+  if (legs.first < 0) return false;
+  const ClusterTrack first = clusters_[static_cast<std::size_t>(legs.first)];
+  std::optional<ClusterTrack> second;
+  if (legs.second >= 0) second = clusters_[static_cast<std::size_t>(legs.second)];
+  follow_legs(person, first, second ? &*second : nullptr);
+  person.score = first.last().human_score();
+  std::vector<int> used{legs.first};
+  if (second) used.push_back(legs.second);
+  forget_clusters(used);
+  return true;
+}
+
 void Tracker::Impl::report() {
   reported_.clear();
   const Pose2 X_OS = inverse(X_SO_);
-  Eigen::Matrix4d R = Eigen::Matrix4d::Zero();
-  R.topLeftCorner<2, 2>() = R.bottomRightCorner<2, 2>() = Eigen::Rotation2Dd(X_OS.theta).toRotationMatrix();
-  for (const PersonTrack& person : people_) {
-    const double unseen = (*now_ - person.last_seen).to_seconds();
-    const auto [position, velocity, covariance] = motion_of(person);
-    reported_.push_back({{.id = person.id,
-                          .position = X_OS * position,
-                          .velocity = rotate(X_OS, velocity),
-                          .radius = options_.person_radius,
-                          .confidence = person.score * std::exp(-unseen / options_.death.unseen)},
-                         R * covariance * R.transpose(),
-                         person.born,
-                         person.confirmed,
-                         person.last_seen});
+  for (const PersonTrack& person : people_)
+    reported_.push_back(report_of(person, X_OS, options_.person_radius));
+  for (ClusterTrack& cluster : clusters_) {
+    if (!may_be_somebody(cluster)) continue;
+    if (cluster.id == 0) cluster.id = ++last_id_;
+    reported_.push_back(report_of(cluster, origin_, X_OS, options_.person_radius));
   }
+  std::ranges::sort(reported_, {}, &TrackedPerson::id);
 }
 
 Tracker::Tracker(const TrackerOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -349,13 +458,15 @@ Tracker::~Tracker() = default;
 void Tracker::set_options(const TrackerOptions& options) { impl_->set_options(options); }
 
 const std::vector<TrackedPerson>& Tracker::update(const DetectionSet& sweep) { return impl_->update(sweep); }
+const std::vector<TrackedPerson>& Tracker::hear(const HeardSet& heard) { return impl_->hear(heard); }
 const std::vector<TrackedPerson>& Tracker::people() const { return impl_->people(); }
 std::size_t Tracker::cluster_count() const { return impl_->cluster_count(); }
 void Tracker::reset() { impl_->reset(); }
 
 std::vector<Vector2> Tracker::keep_out() const {
   std::vector<Vector2> places;
-  for (const TrackedPerson& person : people()) places.push_back(person.position);
+  for (const TrackedPerson& person : people())
+    if (person.confidence >= kKeptOut) places.push_back(person.position);
   return places;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "components/people/tracker/heading_filter.hpp"
+#include "components/people/tracker/hearing_options.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/walker.hpp"
 #include "runtime/base/choice.hpp"
@@ -67,26 +68,32 @@ struct AssociationOptions {
 
 struct BirthOptions {
   int sightings = 3;
-  int of_sweeps = 5;
+  double within = 0.45;
   double travel = 0.2;
   double separation = 0.6;
   double misfit = 0.05;
   double walking_score = 0.4;
-  int standing_sightings = 4;
+  double standing_time = 0.3;
   /// [m] from leg to leg, at most, while standing
   static constexpr double kStandingSeparation = 0.42;
   double standing_score = 0.7;
   /// score of each leg of a pair that stands where something has long stood
   static constexpr double kBackgroundScore = 0.8;
-  /// sightings of each leg of such a pair
-  static constexpr int kBackgroundSightings = 8;
+  /// [s] for which each leg of such a pair is seen
+  static constexpr double kBackgroundTime = 0.7;
+  /// [s] what was seen earlier says nothing of how somebody walks
+  static constexpr double kLookBack = 1.15;
   /// [m] way walked by a leg, or two legs in one, alone
   static constexpr double kSingleTravel = 0.5;
-  /// sightings of such a leg
-  static constexpr int kSingleSightings = 6;
-  /// sweeps within which they come
-  static constexpr int kSingleOfSweeps = 8;
-  double single_step = 0.35;
+  /// [s] for which it does
+  static constexpr double kSingleTime = 0.45;
+  /// share of sweeps that show it meanwhile
+  static constexpr double kSingleSeen = 0.7;
+  /// share of sightings on background
+  static constexpr double kSingleStatic = 0.3;
+  double single_step = 0.15;
+  /// [m/s] beside single_step
+  static constexpr double kSingleSpeed = 2.0;
   /// mean human score of such a leg
   static constexpr double kSingleScore = 0.6;
   /// share of its path that brought it forward
@@ -98,7 +105,8 @@ struct BirthOptions {
   void fields(Visitor& v) {
     v("sightings", sightings,
       {.min = 2, .max = 12, .doc = "a pair that walks is a person after this many sightings of both legs"});
-    v("of_sweeps", of_sweeps, {.min = 2, .max = 12, .doc = "within this many sweeps"});
+    v("within", within,
+      {.unit = "s", .min = 0.1, .max = 2, .doc = "the last so many sightings are no longer ago than this"});
     v("travel", travel,
       {.unit = "m",
        .min = 0.05,
@@ -113,8 +121,8 @@ struct BirthOptions {
        .doc = "how far the middle of the pair may be from a straight way (root mean square)"});
     v("walking_score", walking_score,
       {.min = 0, .max = 1, .doc = "least leg score of each leg of a pair that walks"});
-    v("standing_sightings", standing_sightings,
-      {.min = 2, .max = 12, .doc = "a pair that stands is a person after this many sightings"});
+    v("standing_time", standing_time,
+      {.unit = "s", .min = 0, .max = 0.8, .doc = "a pair that stands may be a person after this time"});
     v("standing_score", standing_score,
       {.min = 0,
        .max = 1,
@@ -123,7 +131,8 @@ struct BirthOptions {
       {.unit = "m",
        .min = 0.05,
        .max = 2,
-       .doc = "longest step of a leg alone from sighting to sighting; what leaps is something else"});
+       .doc = "longest step of a leg alone from sighting to sighting, beside 2 m/s; what leaps is something "
+              "else"});
   }
 };
 
@@ -200,14 +209,22 @@ struct UntangleOptions {
   }
 };
 
-struct ReturnOptions {
+struct HiddenOptions {
   /// score of a detection that shows somebody for sure
   static constexpr double kLikeness = 0.5;
   double absent = 0.25;
-  double remembered = 6.0;
-  double slack = 0.5;
-  double speed = 1.5;
-  double deviation = 0.4;
+  double remembered = 20.0;
+  int guesses = 100;
+  double speed_error = 0.2;
+  double wander = 0.5;
+  double keeps_way = 5.0;
+  double overlooked = 0.33;
+  double believed = 0.3;
+  double coast = 3.0;
+  double margin = 0.15;
+  double place_kernel = 0.35;
+  double velocity_kernel = 0.5;
+  double newcomers = 0.0005;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -215,17 +232,46 @@ struct ReturnOptions {
       {.unit = "s",
        .min = 0,
        .max = 60,
-       .doc = "somebody not seen for sure for this long may come back as somebody who appears"});
+       .doc = "somebody not seen for sure for this long is hidden, and may come back as somebody who appears"});
     v("remembered", remembered,
       {.unit = "s", .min = 0, .max = 60, .doc = "who appears so long after somebody was lost may be them"});
-    v("slack", slack,
+    v("guesses", guesses,
+      {.min = 20, .max = 2000, .doc = "guesses of where somebody hidden is; raise it for larger places"});
+    v("speed_error", speed_error,
+      {.unit = "m/s",
+       .min = 0,
+       .max = 5,
+       .doc = "standard deviation of a velocity when somebody is lost from sight, per axis"});
+    v("wander", wander,
+      {.unit = "rad/s/sqrt(Hz)", .min = 0, .max = 10, .doc = "how fast people out of sight change direction"});
+    v("keeps_way", keeps_way,
+      {.unit = "s", .min = 0.1, .max = 1000, .doc = "mean time until somebody out of sight goes elsewhere"});
+    v("overlooked", overlooked,
+      {.unit = "s",
+       .min = 0.01,
+       .max = 100,
+       .doc = "somebody is overlooked for so long where the laser sees nothing (time constant)"});
+    v("believed", believed,
+      {.min = 0,
+       .max = 1,
+       .doc = "somebody hidden is no longer reported when they are less probably where they can be"});
+    v("coast", coast,
+      {.unit = "s", .min = 0, .max = 60, .doc = "nor when they were not seen for longer than this"});
+    v("margin", margin,
       {.unit = "m",
        .min = 0,
-       .max = 2,
-       .doc = "how far from where somebody could be they may appear, however short they were away"});
-    v("speed", speed, {.unit = "m/s", .min = 0, .max = 5, .doc = "nobody goes faster out of sight"});
-    v("deviation", deviation,
-      {.unit = "m/s", .min = 0, .max = 5, .doc = "how fast people leave their straight way out of sight"});
+       .max = 1,
+       .doc = "a beam that ends by this much beyond a place shows that nobody hidden is there"});
+    v("place_kernel", place_kernel,
+      {.unit = "m", .min = 0.05, .max = 5, .doc = "how near to a guess somebody must appear to be the same"});
+    v("velocity_kernel", velocity_kernel,
+      {.unit = "m/s", .min = 0.05, .max = 5, .doc = "and how near to its velocity they must go"});
+    v("newcomers", newcomers,
+      {.unit = "s^2/m^4",
+       .min = 0,
+       .max = 10,
+       .doc = "density of people nobody has seen before: who appears where somebody lost is less likely is "
+              "somebody new; raise it where many come and go"});
   }
 };
 
@@ -246,7 +292,8 @@ struct TrackerOptions {
   HeadingOptions heading;
   BirthOptions birth;
   DeathOptions death;
-  ReturnOptions back;
+  HiddenOptions hidden;
+  HearingOptions hearing;
   UntangleOptions untangle;
 
   template <class Visitor>
@@ -272,7 +319,8 @@ struct TrackerOptions {
     v("birth", birth, {.doc = "when clusters become a person"});
     v("death", death, {.doc = "when a person is no longer believed to be there"});
     v("untangle", untangle, {.doc = "whose leg is whose where people pass close to each other"});
-    v("return", back, {.doc = "when somebody who appears is somebody lost"});
+    v("hidden", hidden, {.doc = "where people may be who are not seen, and who of them appears again"});
+    v("hearing", hearing, {.doc = "people whom other detectors tell of"});
   }
 };
 

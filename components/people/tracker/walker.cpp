@@ -103,6 +103,13 @@ double Walker::correct(BodyPart part, const Vector2& place, const Eigen::Matrix2
   return distance;
 }
 
+void Walker::place_middle(const Eigen::Vector4d& motion, const Eigen::Matrix4d& covariance) {
+  x_.head<4>() = motion;
+  P_.topLeftCorner<4, 4>() = covariance;
+  P_.topRightCorner<4, 4>().setZero();
+  P_.bottomLeftCorner<4, 4>().setZero();
+}
+
 double Walker::position_sigma() const {
   const Block2 p = P_.topLeftCorner<2, 2>();
   const double mean = p.trace() / 2.0;

@@ -89,6 +89,9 @@ class Walker {
   /// before the correction.
   double correct(BodyPart part, const Vector2& place, const Eigen::Matrix2d& R, const WalkerOptions& options);
 
+  /// Knows the middle and its velocity (x, y, vx, vy) from elsewhere; the legs go on swinging.
+  void place_middle(const Eigen::Vector4d& motion, const Eigen::Matrix4d& covariance);
+
   Vector2 position() const { return x_.head<2>(); }
   Vector2 velocity() const { return x_.segment<2>(2); }
   Vector2 to_first_leg() const { return x_.segment<2>(4); }

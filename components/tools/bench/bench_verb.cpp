@@ -3,6 +3,7 @@
 
 #include "components/tools/bench/bench.hpp"
 #include "components/tools/bench/bench_bag.hpp"
+#include "components/tools/bench/bench_people.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/parameters/overrides.hpp"
 #include "runtime/parameters/parameters.hpp"
@@ -95,13 +96,44 @@ void add_bag(CLI::App* bench, int& status) {
   verb->callback([bag, &status] { status = bench_bag(*bag); });
 }
 
+void add_people(CLI::App* bench, int& status) {
+  auto people = std::make_shared<BenchPeopleArguments>();
+  CLI::App* verb =
+      bench->add_subcommand("people", "People tracked again in a recording, and scored against labels");
+  verb->add_option("BAG", people->bag,
+                   "File or folder: a laser's scans, odometry or transforms, perhaps a map")
+      ->required();
+  verb->add_option("--labels", people->labels, "CSV of who was where; several are several stretches");
+  verb->add_flag("--truth,!--no-truth", people->with_truth,
+                 "Without labels: score by the simulated world's truth, if the bag has it (default)");
+  verb->add_option("--range", people->range, "By that truth, people so far from the laser count [m] (6)")
+      ->check(CLI::Range(0.5, 100.0));
+  verb->add_option("--graph", people->graph, "Graph file with the component; without, one with its defaults");
+  verb->add_option("--component", people->component,
+                   "Its name in the graph, where several are of type people");
+  verb->add_option("--set", people->set, "people.tracker.x=value, as often as needed")
+      ->allow_extra_args(false);
+  verb->add_option("--scan", people->scan, "Topic of the scans, if not the component's and not the only one");
+  verb->add_option("--odom", people->odom, "Topic of the odometry, likewise");
+  verb->add_flag("--standing", people->is_standing, "The robot does not move: no odometry is needed");
+  verb->add_option("--label-deviation", people->scoring.label_deviation,
+                   "Of the places in the labels, added to predicted ellipses [m] (0)")
+      ->check(CLI::Range(0.0, 5.0));
+  verb->add_flag("--errors", people->show_errors, "Prints every miss, false track and other identity");
+  verb->add_option("--json", people->json, "Writes the figures, errors and tracks here");
+  verb->add_option("--svg", people->svg, "Writes a picture of all tracks here");
+  verb->callback([people, &status] { status = bench_people(*people); });
+}
+
 CLI::App* add_bench(CLI::App& app, int& status) {
   CLI::App* bench =
-      app.add_subcommand("bench", "Local planners on benchmark scenes, and recordings: times, without DDS")
+      app.add_subcommand("bench",
+                         "Local planners on benchmark scenes, recordings, and people tracked in them")
           ->require_subcommand(1);
   add_teb(bench, status);
   add_crowd(bench, status);
   add_bag(bench, status);
+  add_people(bench, status);
   return bench;
 }
 

@@ -33,9 +33,6 @@ std::string link_to(const AllPart& part, const std::string& text) {
   return "<a href=\"" + part.subject + "/index.html\">" + text + "</a>";
 }
 
-/// Words in a table of figures, which stand to the right.
-std::string left(const std::string& html) { return "<div style=\"text-align:left\">" + html + "</div>"; }
-
 std::string coloured(Verdict verdict) {
   const char* kind = verdict == Verdict::reproduced || verdict == Verdict::in_part ? "met"
                      : verdict == Verdict::not_judged                              ? "open"
@@ -50,7 +47,7 @@ std::string overview(const AllRun& run) {
     const auto count = [&](auto is_meant) {
       return std::to_string(std::ranges::count_if(criteria, is_meant));
     };
-    table.row({link_to(part, part.experiments), left(xml_text(part.what)), left(coloured(verdict_of(part))),
+    table.row({link_to(part, part.experiments), xml_text(part.what), coloured(verdict_of(part)),
                count([](const Criterion& c) { return c.not_judged.empty() && c.met; }),
                count([](const Criterion& c) { return c.not_judged.empty() && !c.met; }),
                count([](const Criterion& c) { return !c.not_judged.empty(); })});
@@ -68,7 +65,7 @@ std::string outcome(const AllRun& run) {
       missed += "<li>" + part.experiments + ": " + xml_text(part.trouble) + "</li>\n";
     for (const Criterion& c : criteria_of(part)) {
       if (c.met || !c.not_judged.empty()) continue;
-      missed += "<li>" + part.experiments + ", " + xml_text(c.name) + ": " + sensible(c.measured) +
+      missed += "<li>" + part.experiments + ", " + xml_text(c.name) + ": " + sensible(c.measured, c.asked) +
                 ", asked " + xml_text(c.asked) + "</li>\n";
     }
   }
@@ -89,27 +86,28 @@ double number_of(const nlohmann::json& json, const char* key) {
                                                    : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// "0.0934 (0.081 to 0.11)"
-std::string in_words(const nlohmann::json& spread) {
+/// "0.0934 (0.081 to 0.11)"; counts where `published` is one.
+std::string in_words(const nlohmann::json& spread, const std::string& published) {
   const double low = number_of(spread, "low"), high = number_of(spread, "high");
-  std::string text = sensible(number_of(spread, "mean"));
-  if (low == low && high == high) text += " (" + sensible(low) + " to " + sensible(high) + ")";
+  std::string text = sensible(number_of(spread, "mean"), published);
+  if (low == low && high == high)
+    text += " (" + sensible(low, published) + " to " + sensible(high, published) + ")";
   return text;
 }
 
 std::string published_table(const AllPart& part) {
   Table table({"what", "source", "published", "here", "seeds", "by another reading"});
   for (const nlohmann::json& value : part.results.at("published")) {
-    const std::string unit = value.at("unit");
+    const std::string unit = value.at("unit"), published = value.at("published");
     std::string others;
     for (const nlohmann::json& other : value.at("others")) {
       if (!others.empty()) others += "<br>";
-      others += xml_text(other.at("name").get<std::string>()) + ": " + in_words(other);
+      others += xml_text(other.at("name").get<std::string>()) + ": " + in_words(other, published);
     }
     table.row({xml_text(value.at("what").get<std::string>() + (unit.empty() ? "" : " [" + unit + "]")),
-               left(xml_text(value.at("source").get<std::string>())),
-               xml_text(value.at("published").get<std::string>()), in_words(value.at("here")),
-               std::to_string(value.at("here").at("seeds").get<int>()), left(others)});
+               xml_text(value.at("source").get<std::string>()), xml_text(published),
+               in_words(value.at("here"), published), std::to_string(value.at("here").at("seeds").get<int>()),
+               others});
   }
   return table.html();
 }

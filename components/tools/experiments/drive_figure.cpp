@@ -5,7 +5,7 @@
 #include <map>
 
 #include "components/evaluation/picture_view.hpp"
-#include "components/tools/experiments/axis_ticks.hpp"
+#include "components/evaluation/axis_ticks.hpp"
 #include "components/tools/experiments/figure.hpp"
 #include "components/tools/experiments/line_plot.hpp"
 #include "components/tools/experiments/path_plot.hpp"

@@ -20,7 +20,7 @@ p,li,figcaption{max-width:50em}a{color:#0b5c94}
 .met{color:#00664c}.open{color:#4a5866}.not{color:#a33c00;font-weight:bold}
 table{border-collapse:collapse;margin:1em 0;font-size:.93em;font-variant-numeric:tabular-nums}
 td,th{padding:.25em .6em;border-bottom:1px solid #dde2e7;text-align:right;vertical-align:top}
-td:first-child,th:first-child,td.text{text-align:left}
+td:first-child,th:first-child,td.text,th.text{text-align:left}
 figure{margin:1.6em 0}
 .legend{display:flex;flex-wrap:wrap;gap:.1em 1.4em;margin:.5em 0;font-size:.9em}
 .legend span{white-space:nowrap}.legend svg{margin-right:.4em;vertical-align:middle}
@@ -79,8 +79,8 @@ std::string outcome(const FirstScreen& screen) {
   for (const Criterion& c : screen.criteria) {
     any_judged = any_judged || c.not_judged.empty();
     if (c.met || !c.not_judged.empty()) continue;
-    missed +=
-        "<li>" + xml_text(c.name) + ": " + sensible(c.measured) + ", asked " + xml_text(c.asked) + "</li>\n";
+    missed += "<li>" + xml_text(c.name) + ": " + sensible(c.measured, c.asked) + ", asked " +
+              xml_text(c.asked) + "</li>\n";
   }
   const std::string color = !any_judged ? "" : missed.empty() ? " all" : " some";
   return "<div class=\"outcome" + color + "\">\n<p><b>Judged: " + xml_text(screen.judged) + ".</b> " +
@@ -111,7 +111,14 @@ std::string sensible(double value) {
   return fixed(value, std::clamp(kDigits - before_point, 0, 6));
 }
 
-Table::Table(std::vector<std::string> headings) : headings_(std::move(headings)) {
+std::string sensible(double value, std::string_view like) {
+  const bool is_count =
+      std::isfinite(value) && value == std::round(value) && like.find('.') == std::string_view::npos;
+  return is_count ? fixed(value, 0) : sensible(value);
+}
+
+Table::Table(std::vector<std::string> headings)
+    : headings_(std::move(headings)), has_text_(headings_.size(), false) {
   for (std::string& heading : headings_) heading = xml_text(heading);
 }
 
@@ -119,7 +126,10 @@ void Table::row(const std::vector<std::string>& cells) {
   rows_ += "<tr>";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::string heading = i < headings_.size() ? headings_[i] : "";
-    const bool is_text = !cells[i].empty() && std::isalpha(static_cast<unsigned char>(cells[i].front())) != 0;
+    const bool is_text =
+        !cells[i].empty() &&
+        (cells[i].front() == '<' || std::isalpha(static_cast<unsigned char>(cells[i].front())) != 0);
+    if (is_text && i < has_text_.size()) has_text_[i] = true;
     const char* const look = is_text && i > 0 ? " class=\"text\"" : "";
     rows_ += "<td" + (heading.empty() ? "" : " data-is=\"" + heading + '"') + look + ">" + cells[i] + "</td>";
   }
@@ -129,7 +139,8 @@ void Table::row(const std::vector<std::string>& cells) {
 std::string Table::html() const {
   if (rows_.empty()) return "";
   std::string html = "<table><thead><tr>";
-  for (const std::string& heading : headings_) html += "<th>" + heading + "</th>";
+  for (std::size_t i = 0; i < headings_.size(); ++i)
+    html += (has_text_[i] ? "<th class=\"text\">" : "<th>") + headings_[i] + "</th>";
   return html + "</tr></thead><tbody>\n" + rows_ + "</tbody></table>\n";
 }
 
@@ -140,7 +151,7 @@ std::string verdict(bool met) {
 std::string criteria_table(const std::vector<Criterion>& criteria) {
   Table table({"criterion", "asked", "measured", "verdict"});
   for (const Criterion& c : criteria)
-    table.row({xml_text(c.name), xml_text(c.asked), sensible(c.measured), verdict_of(c)});
+    table.row({xml_text(c.name), xml_text(c.asked), sensible(c.measured, c.asked), verdict_of(c)});
   return table.html();
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "components/tools/experiments/axis_ticks.hpp"
+#include "components/evaluation/axis_ticks.hpp"
 #include "components/tools/experiments/column_plot.hpp"
 #include "components/tools/experiments/figure.hpp"
 #include "components/tools/experiments/path_plot.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "components/tools/experiments/axis_ticks.hpp"
+#include "components/evaluation/axis_ticks.hpp"
 #include "components/tools/experiments/plot_style.hpp"
 
 namespace bw {

@@ -17,6 +17,7 @@
 
 #include "components/evaluation/adaptor/truth_messages.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/model/mover_weight.hpp"
 #include "runtime/bag/known_type.hpp"
 
 namespace bw {
@@ -168,6 +169,7 @@ class Scorer {
     const Pose2 X_HT = here->second * inverse(there->second);
     std::vector<TruePerson> people;
     for (const auto& track : tracks_.tracks()) {
+      if (!is_confirmed(track.confidence())) continue;
       people.push_back({track.id(), X_HT * Vector2(track.position().x(), track.position().y()),
                         Eigen::Rotation2Dd(X_HT.theta) * Vector2(track.velocity().x(), track.velocity().y()),
                         track.radius()});

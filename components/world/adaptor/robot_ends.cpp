@@ -22,6 +22,10 @@ RobotEnds::RobotEnds(Setup& setup, World& world, std::size_t robot, const std::s
   ticks_ = setup.output<bandwagon_msgs::msg::WheelTicks>(below + "sim/wheel_ticks");
   truth_ = setup.output<bandwagon_msgs::msg::GroundTruth>(below + "sim/ground_truth");
   scan_ = setup.output<sensor_msgs::msg::LaserScan>(below + "scan");
+  for (const MoreLaserOptions& one : options.more_lasers) {
+    more_scans_.push_back(setup.output<sensor_msgs::msg::LaserScan>(below + one.topic));
+    more_frames_.push_back(setup.frame(below + one.frame));
+  }
   imu_ = setup.output<sensor_msgs::msg::Imu>(below + "imu");
   fix_ = setup.output<sensor_msgs::msg::NavSatFix>(below + "gps/fix");
   base_frame_ = setup.frame(below + "base_link");
@@ -49,6 +53,12 @@ void RobotEnds::publish(const WorldOptions& options, Time start) {
   if (sample.scan) {
     to_message(*sample.scan, options.laser, stamp, scan_message_);
     scan_.publish(scan_message_);
+  }
+  for (std::size_t i = 0; i < more_scans_.size(); ++i) {
+    if (!sample.more_scans[i]) continue;
+    sensor_msgs::msg::LaserScan message;
+    to_message(*sample.more_scans[i], options.more_lasers[i], stamp, message);
+    send(more_scans_[i], std::move(message), more_frames_[i]);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <sensor_msgs/msg/joint_state.hpp>
 
@@ -36,6 +37,8 @@ class RobotEnds {
   Output<bandwagon_msgs::msg::WheelTicks> ticks_;
   Output<bandwagon_msgs::msg::GroundTruth> truth_;
   Output<sensor_msgs::msg::LaserScan> scan_;
+  std::vector<Output<sensor_msgs::msg::LaserScan>> more_scans_;
+  std::vector<std::string> more_frames_;
   Output<sensor_msgs::msg::Imu> imu_;
   Output<sensor_msgs::msg::NavSatFix> fix_;
 };

@@ -1,6 +1,8 @@
 // The stream of nodes with bytes changed, lost, doubled and put in: in step again soon, and nothing invented for long. The number of
 // streams is BANDWAGON_SERIAL_FUZZ, 20,000 unless it says otherwise.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -26,17 +28,38 @@ int streams() {
 constexpr int kBefore = 20;  // nodes before the damage
 constexpr int kAfter = 60;
 
-/// A head that turns by a degree a node before walls that make every byte take many values. Range n + 1 [mm / 4] and more tells
-/// nodes apart.
-Bytes sound_stream(Random& random, int nodes) {
+/// What the head turns before. Where ranges change little from node to node, bytes at a wrong place may follow each other for long.
+enum class Scene : std::uint8_t { clutter, wall, wall_with_noise, column };
+constexpr int kScenes = 4;
+
+double range_at(Scene scene, double degrees, double distance, Random& random) {
+  switch (scene) {
+    case Scene::clutter:
+      return random.uniform(0.15, 12.0);
+    case Scene::wall:
+    case Scene::wall_with_noise: {
+      const double ahead = std::max(0.1, std::abs(std::cos(degrees * 0.0174533)));
+      const double noise = scene == Scene::wall ? 0.0 : random.uniform(-0.005, 0.005);
+      return distance / ahead + noise;
+    }
+    case Scene::column:
+      return distance;
+  }
+  return 0.0;
+}
+
+/// A head that turns by about a degree a node.
+Bytes sound_stream(Random& random, Scene scene, int nodes) {
   Bytes bytes = {0xA5, 0x5A, 0x05, 0x00, 0x00, 0x40, 0x81};
   const double first = random.uniform(0.0, 359.0);
   const double step = random.uniform(0.5, 1.8);
+  const double distance = random.uniform(0.15, 1.5);
   double last = -1.0;
   for (int i = 0; i < nodes; ++i) {
     double angle = first + step * i;
     while (angle >= 359.99) angle -= 359.99;
-    append_node(bytes, angle, random.uniform(0.15, 12.0), angle < last, static_cast<int>(random.bits() % 64));
+    append_node(bytes, angle, range_at(scene, angle, distance, random), angle < last,
+                static_cast<int>(random.bits() % 64));
     last = angle;
   }
   return bytes;
@@ -84,15 +107,15 @@ int same_at_end(const std::vector<Node>& a, const std::vector<Node>& b) {
 }
 
 // Damage of up to 9 bytes hurts up to three nodes (two that it touches whole or in part, one by the bytes after them). "In step
-// again within 2 nodes": of the 57 behind those all but two are read.
+// again within 2 nodes": of the 57 behind those all but two are read. A node at a wrong place that follows the one before, by chance, is
+// given out before anybody can know: hence what is invented beside the flipped bits in ranges that nobody can see.
 TEST(RplidarFuzz, IsInStepAgainWithinTwoNodes) {
   const int count = streams();
-  int late = 0;
-  int latest = 0;
-  int invented = 0;
+  std::array<int, kScenes> late{}, latest{}, invented{};
   for (int i = 0; i < count; ++i) {
     Random random(static_cast<std::uint64_t>(i) + 1);
-    Bytes bytes = sound_stream(random, kBefore + kAfter);
+    const auto scene = static_cast<std::size_t>(i % kScenes);
+    Bytes bytes = sound_stream(random, static_cast<Scene>(scene), kBefore + kAfter);
     AnswerReader sound_reader;
     const std::vector<Node> truth = read_all(random, sound_reader, bytes);
     ASSERT_EQ(truth.size(), static_cast<std::size_t>(kBefore + kAfter)) << i;
@@ -100,18 +123,20 @@ TEST(RplidarFuzz, IsInStepAgainWithinTwoNodes) {
     AnswerReader reader;
     const std::vector<Node> nodes = read_all(random, reader, bytes);
     const int lost = kAfter - 3 - same_at_end(nodes, truth);
-    late += lost > 2 ? 1 : 0;
-    latest = std::max(latest, lost);
-    invented += static_cast<int>(std::ranges::count_if(
+    late[scene] += lost > 2 ? 1 : 0;
+    latest[scene] = std::max(latest[scene], lost);
+    invented[scene] += static_cast<int>(std::ranges::count_if(
         nodes, [&](const Node& node) { return std::ranges::find(truth, node) == truth.end(); }));
   }
-  std::printf(
-      "%d damaged streams: %d in step later than 2 nodes after the damage, the latest %d; %.3f nodes invented a stream\n",
-      count, late, latest, static_cast<double>(invented) / count);
-  RecordProperty("late", late);
-  EXPECT_LE(late, count / 1000) << "more than 1 in 1000";
-  EXPECT_LE(latest, 12);
-  EXPECT_LE(invented, count) << "a flipped bit in a range cannot be seen: up to one a stream";
+  for (std::size_t scene = 0; scene < kScenes; ++scene) {
+    const int streams_of_scene = std::max(1, count / kScenes);
+    std::printf(
+        "scene %zu, %d damaged streams: %d in step later than 2 nodes after the damage, the latest %d; %.3f nodes invented a stream\n",
+        scene, streams_of_scene, late[scene], latest[scene],
+        static_cast<double>(invented[scene]) / streams_of_scene);
+    EXPECT_EQ(late[scene], 0);
+    EXPECT_LE(invented[scene], streams_of_scene);
+  }
 }
 
 // Nothing but noise, and noise after a sound header: no crash, memory bounded, and never a whole revolution of it.

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "components/people/detector/detector.hpp"
+#include "components/people/score/clear_mot.hpp"
 #include "components/people/tracker/tracker.hpp"
 #include "components/robot_base/encoder_odometry.hpp"
 #include "components/world/random_streams.hpp"
 #include "tests/components/people/perception_scene.hpp"
-#include "tests/components/people/perception_score.hpp"
 
 namespace bw::people::test {
 

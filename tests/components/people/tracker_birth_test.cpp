@@ -1,5 +1,7 @@
 // When one cluster alone, or two that stand on background, are a person.
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -27,32 +29,35 @@ std::vector<double> way_with(double leap) {
 // 6 sightings, 0.79 m straight on. Cut from chair to chair by a step of 0.75 m, it is nobody; a leg does up
 // to 0.35 m. Without that its doubt is 1 - 0.9.
 TEST(Birth, WhatLeapsFromChairToChairIsNobody) {
-  EXPECT_FALSE(doubt_of_single(track_of(leg(way_with(0.75))), {}));
-  EXPECT_FALSE(doubt_of_single(track_of(leg(way_with(0.36))), {}));
+  EXPECT_FALSE(birth_of_single(track_of(leg(way_with(0.75))), {}));
+  EXPECT_FALSE(birth_of_single(track_of(leg(way_with(0.36))), {}));
   for (const double step : {0.158, 0.34}) {
-    const auto doubt = doubt_of_single(track_of(leg(way_with(step))), {});
-    ASSERT_TRUE(doubt) << step;
-    EXPECT_NEAR(*doubt, 0.1, 1e-12);
+    const auto birth = birth_of_single(track_of(leg(way_with(step))), {});
+    ASSERT_TRUE(birth) << step;
+    EXPECT_EQ(birth->kind, BirthKind::walking_single);
+    EXPECT_NEAR(birth->doubt, 0.1, 1e-12);
+    EXPECT_NEAR(birth->way, 0.79, 1e-12);
   }
 }
 
-// The last 6 sightings must be of 8 sweeps: 2 may be missed among them, not 3. What was missed before does
-// not count.
+// 0.7 of the sweeps must show it in the last 1.15 s: of 7 after the first sighting 2 may be missed, of 8 as well
+// (6 of 8 are 0.75), not 3. What was missed before does not count.
 TEST(Birth, WhatIsSeenNowAndThenIsNobody) {
   const auto seen_in = [](const std::vector<std::int64_t>& sweeps) {
     std::vector<Sighting> sightings;
     for (const std::int64_t sweep : sweeps)
       sightings.push_back(sighting(sweep, {0.08 * static_cast<double>(sweep), 0.0}));
-    return doubt_of_single(track_of(sightings), {}).has_value();
+    return birth_of_single(track_of(sightings), {}).has_value();
   };
   EXPECT_TRUE(seen_in({0, 1, 3, 4, 6, 7}));
   EXPECT_FALSE(seen_in({0, 1, 3, 4, 6, 8}));
   EXPECT_FALSE(seen_in({0, 2, 3, 5, 6, 8}));
   EXPECT_TRUE(seen_in({0, 3, 4, 5, 6, 7, 8}));
+  EXPECT_TRUE(seen_in({0, 5, 6, 7, 8, 9, 10, 11, 12}));
 }
 
 TEST(Birth, WhatDoesNotWalkLikeALegIsNobody) {
-  const auto born = [](const std::vector<Sighting>& seen) { return doubt_of_single(track_of(seen), {}); };
+  const auto born = [](const std::vector<Sighting>& seen) { return birth_of_single(track_of(seen), {}); };
   const auto walked = [](double way) {
     return std::vector<double>{0.0, 0.2 * way, 0.4 * way, 0.6 * way, 0.8 * way, way};
   };
@@ -60,7 +65,7 @@ TEST(Birth, WhatDoesNotWalkLikeALegIsNobody) {
   EXPECT_FALSE(born(leg(walked(0.49))));  // 0.5 m are asked
   EXPECT_TRUE(born(leg(walked(0.8), 0.61)));
   EXPECT_FALSE(born(leg(walked(0.8), 0.59)));                             // a mean score of 0.6
-  EXPECT_FALSE(born(leg({0.0, 0.2, 0.4, 0.6, 0.8})));                     // six sightings
+  EXPECT_FALSE(born(leg({0.0, 0.2, 0.4, 0.6, 0.8})));                     // 0.4 s where 0.45 are asked
   EXPECT_TRUE(born(leg({0.0, 0.3, 0.25, 0.5, 0.45, 0.6, 0.8, 1.0})));     // 1.0 m by a path of 1.2 m
   EXPECT_FALSE(born(leg({0.0, 0.3, 0.15, 0.45, 0.3, 0.6, 0.45, 0.75})));  // 0.75 m by a path of 1.65 m
   std::vector<Sighting> cut = leg(walked(0.8));
@@ -70,7 +75,7 @@ TEST(Birth, WhatDoesNotWalkLikeALegIsNobody) {
   EXPECT_FALSE(born(cut));
 }
 
-// Legs 0.2 m apart that do not move: 4 sightings that score 0.7 in the open, 8 that score 0.8 where something
+// Legs 0.2 m apart that do not move: 0.3 s that score 0.7 in the open, 0.7 s that score 0.8 where something
 // has long stood. Their doubt is 0.2 - 0.5 * score + 0.2.
 TEST(Birth, LegsOnBackgroundMustLookMoreLikeLegs) {
   const auto doubt = [](int count, double score, bool on_static) {
@@ -82,7 +87,8 @@ TEST(Birth, LegsOnBackgroundMustLookMoreLikeLegs) {
       }
       return track_of(seen);
     };
-    return doubt_of_pair(leg(0.1), leg(-0.1), {});
+    const auto birth = birth_of_pair(leg(0.1), leg(-0.1), {});
+    return birth && birth->kind == BirthKind::standing_pair ? std::optional(birth->doubt) : std::nullopt;
   };
   EXPECT_TRUE(doubt(4, 0.71, false));
   EXPECT_FALSE(doubt(3, 0.71, false));
@@ -91,6 +97,32 @@ TEST(Birth, LegsOnBackgroundMustLookMoreLikeLegs) {
   EXPECT_FALSE(doubt(8, 0.79, true));
   ASSERT_TRUE(doubt(8, 0.81, true));
   EXPECT_NEAR(*doubt(8, 0.81, true), 0.4 - 0.5 * 0.81, 1e-12);
+}
+
+// At any rate of sweeps legs that walk at 1.2 m/s are a pair that walks once their middle has gone 0.2 m and three
+// sightings show it: after 0.2 s, at 5 per second after 0.4 s. Sightings closer than 0.075 s count as one.
+TEST(Birth, CountsSecondsNotSweeps) {
+  const auto born_after = [](double rate) {
+    const auto place = [](double t, double side) {
+      return Vector2(1.2 * t + 0.18 * side * std::sin(5.4 * t), 0.12 * side);
+    };
+    const auto seen = [&](std::int64_t sweep, double side) {
+      const double t = static_cast<double>(sweep) / rate;
+      return Sighting{
+          .sweep = sweep, .time = t, .position = place(t, side), .variance = 1e-4, .leg_score = 0.9};
+    };
+    ClusterTrack left(seen(0, 1.0));
+    ClusterTrack right(seen(0, -1.0));
+    for (std::int64_t sweep = 1; sweep < 100; ++sweep) {
+      left.correct(seen(sweep, 1.0));
+      right.correct(seen(sweep, -1.0));
+      const auto birth = birth_of_pair(left, right, {});
+      if (birth && birth->kind == BirthKind::walking_pair) return static_cast<double>(sweep) / rate;
+    }
+    return 1e9;
+  };
+  for (const double rate : {10.0, 20.0, 40.0}) EXPECT_LE(born_after(rate), 0.25) << rate;
+  EXPECT_NEAR(born_after(5.0), 0.4, 1e-9);
 }
 
 }  // namespace

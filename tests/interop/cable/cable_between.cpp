@@ -7,7 +7,8 @@
 #include <utility>
 
 #include <fcntl.h>
-#include <poll.h>
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -21,19 +22,35 @@ void make_raw(int descriptor) {
   tcsetattr(descriptor, TCSANOW, &settings);
 }
 
+constexpr int kLookForDevice = 10;  // [ms] between two looks, while it is not there
+
 }  // namespace
 
 CableBetween::CableBetween(std::filesystem::path device, std::filesystem::path host)
-    : device_path_(std::move(device)), host_path_(std::move(host)) {
+    : device_path_(std::move(device)),
+      host_path_(std::move(host)),
+      events_(epoll_create1(EPOLL_CLOEXEC)),
+      end_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+  wait_for(end_, EPOLLIN);
   put_back();
   thread_ = std::thread([this] { pass_on(); });
 }
 
 CableBetween::~CableBetween() {
   is_over_ = true;
+  eventfd_write(end_, 1);
   thread_.join();
   pull();
   if (device_ >= 0) close(device_);
+  close(end_);
+  close(events_);
+}
+
+/// What is closed is no longer waited for.
+void CableBetween::wait_for(int descriptor, std::uint32_t what) {
+  epoll_event event{.events = what, .data = {}};
+  if (epoll_ctl(events_, EPOLL_CTL_ADD, descriptor, &event) != 0)
+    throw std::runtime_error("cannot wait for a descriptor");
 }
 
 std::chrono::steady_clock::time_point CableBetween::pull() {
@@ -52,6 +69,8 @@ void CableBetween::put_back() {
     throw std::runtime_error("no pseudo-terminal");
   make_raw(master_);
   ++pluggings_;
+  // By the edge: a master without a host at its other end is always ready.
+  wait_for(master_, EPOLLIN | EPOLLET);
   std::filesystem::create_symlink(name.data(), host_path_);
 }
 
@@ -62,7 +81,9 @@ std::vector<Chunk> CableBetween::take_sent() {
 
 void CableBetween::open_device() {
   device_ = open(device_path_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (device_ >= 0) make_raw(device_);
+  if (device_ < 0) return;
+  make_raw(device_);
+  wait_for(device_, EPOLLIN);
 }
 
 void CableBetween::pass_on() {
@@ -73,8 +94,8 @@ void CableBetween::pass_on() {
       pass_from_host(master_);
       pass_from_device(master_);
     }
-    // A master without a host at its other end is always ready, so time alone paces this.
-    std::this_thread::sleep_for(std::chrono::microseconds(500));
+    epoll_event event{};
+    epoll_wait(events_, &event, 1, device_ < 0 ? kLookForDevice : -1);
   }
 }
 
@@ -94,7 +115,7 @@ void CableBetween::pass_from_device(int master) {
     // Pulled, or without a host: lost, as on every cable.
     if (master >= 0) static_cast<void>(write(master, block.data(), static_cast<std::size_t>(size)));
   }
-  if (device_ >= 0 && size <= 0 && errno != EAGAIN) close(std::exchange(device_, -1));
+  if (device_ >= 0 && (size == 0 || errno != EAGAIN)) close(std::exchange(device_, -1));
 }
 
 }  // namespace bw::test

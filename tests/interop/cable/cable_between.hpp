@@ -38,8 +38,11 @@ class CableBetween {
   void pass_from_host(int master);
   void pass_from_device(int master);
   void open_device();
+  void wait_for(int descriptor, std::uint32_t what);
 
   std::filesystem::path device_path_, host_path_;
+  int events_;        ///< what the thread waits for
+  int end_;           ///< ends its waiting
   int device_ = -1;   ///< of the thread
   std::mutex mutex_;  ///< of what follows
   int master_ = -1;

@@ -1,6 +1,7 @@
 // What the strip shows, gathered from messages in the order of their times: curves, and marks of what happened.
 import type { Channel, Message, Seconds } from "../app";
 import { topicOf } from "../page/robots";
+import { isConfirmed } from "../scene/confirmed";
 
 export interface Curve {
   times: Seconds[];
@@ -176,7 +177,7 @@ export class StripData {
     this.#addPeople(
       time,
       this.#robot!,
-      tracks.tracks.map((t: any) => ({ ...t.position, radius: t.radius })),
+      tracks.tracks.filter(isConfirmed).map((t: any) => ({ ...t.position, radius: t.radius })),
     );
   }
 

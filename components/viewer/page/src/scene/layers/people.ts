@@ -5,6 +5,7 @@ import { Triangles } from "../gl/triangles";
 import { TopicLayer, type Header, type Legend, type View } from "../layer";
 import { mix, withOpacity, type Palette } from "../palette";
 import { compose } from "../../source/transforms";
+import { isConfirmed } from "../confirmed";
 import { addBody } from "./body";
 
 export const TRACKS = "bandwagon_msgs/msg/Tracks";
@@ -15,6 +16,7 @@ export interface Track {
   velocity: { x: number; y: number };
   covariance: Float64Array;
   radius: number;
+  confidence?: number; // recordings from before it was told: people
   predictions: {
     time_from_start: { sec: number; nanosec: number };
     x: number;
@@ -35,12 +37,13 @@ export const DEVIATIONS = 2; // an ellipse holds 86 %
 const HEIGHT = 1.1; // [m] so that one sees over them
 const FIRST_ROBOT = 2e9; // ids from here on are those of other robots (components/other_robots)
 const STANDS = 0.1; // [m/s] slower needs no arrow
+const PALE = 0.35; // of who is not confirmed
 
 /** Everybody with number, velocity (where they are in a second) and how sure the place is. */
 export class PeopleLayer extends TopicLayer<Tracks> {
   readonly id = "people";
   readonly name = "People";
-  readonly legend: Legend = { shape: "disc", colors: (palette) => [palette.people], note: "arrow: 1 s ahead; ring: 86 %" };
+  readonly legend: Legend = { shape: "disc", colors: (palette) => [palette.people], note: "arrow: 1 s ahead; ring: 86 %; pale, with ?: may be furniture" };
   private readonly bodies = new Triangles(50, { hasDepth: true, areBodies: true });
   private readonly discs = new Discs(51);
   private readonly lines = new Lines(52);
@@ -63,7 +66,7 @@ export class PeopleLayer extends TopicLayer<Tracks> {
   positions(): { id: number; x: number; y: number }[] {
     const { position, rotation } = this.object;
     const frame = { x: position.x, y: position.y, theta: rotation.z };
-    return this.shown.filter((track) => !isRobot(track)).map(({ id, position: at }) => {
+    return this.shown.filter((track) => !isRobot(track) && isConfirmed(track)).map(({ id, position: at }) => {
       const { x, y } = compose(frame, { x: at.x, y: at.y, theta: 0 });
       return { id, x, y };
     });
@@ -73,12 +76,20 @@ export class PeopleLayer extends TopicLayer<Tracks> {
     return [this.bodies, this.discs, this.lines, this.labels];
   }
 
-  private drawTrack({ id, position, velocity, covariance, radius }: Track, palette: Palette): void {
+  private drawTrack(track: Track, palette: Palette): void {
+    const { id, position, velocity, covariance, radius } = track;
     const { x, y } = position;
     if (!Number.isFinite(x + y)) return;
     const ring = ellipseOf(covariance[0]!, covariance[1]!, covariance[5]!, DEVIATIONS);
-    if (ring && ring.a <= LARGEST) this.discs.add({ x, y, ...ring }, withOpacity(palette.people, 0), withOpacity(palette.people, 0.7), 1.2);
+    const sure = isConfirmed(track);
+    const rim = withOpacity(palette.people, sure ? 0.7 : 0.7 * PALE);
+    if (ring && ring.a <= LARGEST) this.discs.add({ x, y, ...ring }, withOpacity(palette.people, 0), rim, 1.2);
     if (isRobot({ id })) return; // is drawn where it says that it is
+    if (!sure) {
+      this.discs.add({ x, y, a: radius, b: radius }, withOpacity(palette.people, PALE), undefined, 0);
+      this.labels.add([x, y, 0], `${id}?`, palette.text, palette.halo, -20);
+      return;
+    }
     addBody(this.bodies, { x, y, radius, height: HEIGHT }, palette.people, mix(palette.people, [0, 0, 0, 1], 0.28));
     const speed = Math.hypot(velocity.x, velocity.y);
     if (speed > STANDS) this.lines.arrow([x, y], [x + velocity.x, y + velocity.y], palette.people, 0, 2, 0.18);

@@ -1,3 +1,4 @@
+import { isConfirmed } from "../confirmed";
 import { Discs, ellipseOf } from "../gl/discs";
 import { TopicLayer, type Legend, type View } from "../layer";
 import { withOpacity } from "../palette";
@@ -28,7 +29,7 @@ export class PredictionsLayer extends TopicLayer<Tracks> {
 
   protected draw({ tracks }: Tracks, { palette, lift }: View): void {
     this.discs.clear();
-    for (const track of tracks)
+    for (const track of tracks.filter(isConfirmed))
       for (const { time, x, y, ellipse } of expectedOf(track).reverse()) {
         const pale = 1 - time / (HORIZON + STEP);
         const z = lift * time;

@@ -1,4 +1,4 @@
-#include "components/tools/experiments/axis_ticks.hpp"
+#include "components/evaluation/axis_ticks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,38 @@
+#include "components/people/tracker/evidence/looks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bw::people {
+namespace {
+
+constexpr double kSurest = 0.95;      // no score says more than this
+constexpr float kDoubt = 2.0F;        // sightings from a side that say nothing yet
+constexpr float kRemembered = 20.0F;  // so many sightings from a side are remembered
+constexpr double kOtherSides = 0.5;   // what a side adds to the one that says most, as a share
+
+}  // namespace
+
+void Looks::add(double score, double bearing) {
+  const double p = std::clamp(score, 1.0 - kSurest, kSurest);
+  const double turns = bearing / (2.0 * std::numbers::pi);
+  const auto at = static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(kSides));
+  Side& side = sides_[std::min(at, kSides - 1)];
+  const float keep = std::min(1.0F, (kRemembered - 1.0F) / std::max(1.0F, side.weight));
+  side.sum = keep * side.sum + static_cast<float>(std::log(p / (1.0 - p)));
+  side.weight = keep * side.weight + 1.0F;
+}
+
+double Looks::log_odds() const {
+  double sum = 0.0;
+  double strongest = 0.0;
+  for (const Side& side : sides_) {
+    const double mean = static_cast<double>(side.sum / (side.weight + kDoubt));
+    sum += mean;
+    if (std::abs(mean) > std::abs(strongest)) strongest = mean;
+  }
+  return std::clamp(strongest + kOtherSides * (sum - strongest), -kMost, kMost);
+}
+
+}  // namespace bw::people

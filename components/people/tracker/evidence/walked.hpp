@@ -1,0 +1,20 @@
+// Who walks or has walked is a person: furniture does not.
+#pragma once
+
+#include <algorithm>
+
+namespace bw::people {
+
+/// Log odds by the way [m] that legs went as a walker's do: nothing in the first `kSlip` metres, which edges that
+/// come into view and errors of odometry make up, then in proportion, up to kMost, which nothing else outweighs.
+struct Walked {
+  static constexpr double kSlip = 0.15;      ///< [m]
+  static constexpr double kPerMetre = 10.0;  ///< [1/m]
+  static constexpr double kMost = 7.0;
+
+  double way = 0.0;  ///< [m]
+
+  double log_odds() const { return std::clamp(kPerMetre * (way - kSlip), 0.0, kMost); }
+};
+
+}  // namespace bw::people

@@ -1,0 +1,57 @@
+// Parameters of what other detectors tell.
+#pragma once
+
+#include "runtime/base/field.hpp"
+
+namespace bw::people {
+
+struct HearingOptions {
+  double position_deviation = 0.2;
+  double trust = 0.4;
+  double memory = 2.0;
+  double seen = 0.3;
+  double leg_score = 0.3;
+  double unseen_limit = 0.45;
+  /// [m/s] standard deviation of a velocity that is told, and of one that is not, per axis
+  static constexpr double kToldSpeed = 0.5;
+  static constexpr double kUntoldSpeed = 1.0;
+  /// [s] whom somebody told of within this time is not let go
+  static constexpr double kTold = 1.0;
+  /// whom no laser sees is gone when the belief has sunk to this
+  static constexpr double kForgotten = 0.2;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("position_deviation", position_deviation,
+      {.unit = "m",
+       .min = 0.01,
+       .max = 5,
+       .doc = "standard deviation of the places that other detectors tell, along each axis"});
+    v("trust", trust,
+      {.min = 0,
+       .max = 1,
+       .doc = "share of a reliability that one message counts for: belief b becomes 1 - (1 - b) (1 - trust * "
+              "reliability); 0.5 is a confirmed person"});
+    v("memory", memory,
+      {.unit = "s",
+       .min = 0.1,
+       .max = 60,
+       .doc = "belief that is not repeated fades with this time constant"});
+    v("seen", seen,
+      {.unit = "s",
+       .min = 0,
+       .max = 10,
+       .doc = "of whom a laser saw within this time the place is the laser's alone"});
+    v("leg_score", leg_score,
+      {.min = 0,
+       .max = 1,
+       .doc = "least score of what stands where somebody is told to be, to be a leg of theirs"});
+    v("unseen_limit", unseen_limit,
+      {.min = 0,
+       .max = 1,
+       .doc =
+           "most belief in somebody where a laser has seen nothing for death.unseen; below 0.5: no confirmed person"});
+  }
+};
+
+}  // namespace bw::people

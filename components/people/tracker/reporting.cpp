@@ -1,0 +1,53 @@
+#include "components/people/tracker/reporting.hpp"
+
+#include <Eigen/Geometry>
+
+namespace bw::people {
+namespace {
+
+constexpr double kRest = 0.1;  // [m/s] how surely something that stands does not move
+
+struct Motion {
+  Vector2 position;
+  Vector2 velocity;
+  Eigen::Matrix4d covariance;
+};
+
+Motion motion_of(const PersonTrack& person) {
+  const auto of = [](const auto& filter) {
+    return Motion{filter.position(), filter.velocity(), filter.covariance()};
+  };
+  return person.heading ? of(*person.heading) : of(person.walker);
+}
+
+}  // namespace
+
+TrackedPerson report_of(const PersonTrack& person, const Pose2& X_OS, double radius) {
+  Eigen::Matrix4d R = Eigen::Matrix4d::Zero();
+  R.topLeftCorner<2, 2>() = R.bottomRightCorner<2, 2>() = Eigen::Rotation2Dd(X_OS.theta).toRotationMatrix();
+  const auto [position, velocity, covariance] = motion_of(person);
+  return {{.id = person.id,
+           .position = X_OS * position,
+           .velocity = rotate(X_OS, velocity),
+           .radius = radius,
+           .confidence = 1.0 - (1.0 - person.existence.confidence()) * (1.0 - person.heard)},
+          R * covariance * R.transpose(),
+          person.born,
+          person.confirmed,
+          person.last_known()};
+}
+
+TrackedPerson report_of(const ClusterTrack& possible, Time origin, const Pose2& X_OS, double radius) {
+  TrackedPerson person;
+  person.id = possible.id;
+  person.position = X_OS * possible.position();
+  person.radius = radius;
+  person.confidence = possible.existence.confidence();
+  person.covariance.diagonal() << Vector2::Constant(possible.variance()), Vector2::Constant(kRest * kRest);
+  const auto time = [&](double seconds) { return origin + Duration::seconds(seconds); };
+  person.born = time(possible.born());
+  person.confirmed = person.last_seen = time(possible.last().time);
+  return person;
+}
+
+}  // namespace bw::people

@@ -1,0 +1,65 @@
+#include "components/people/tracker/walking.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bw::people {
+
+int sightings_within(const ClusterTrack& cluster, double seconds) {
+  int n = 1;
+  while (n < cluster.remembered() && cluster.last().time - cluster.sighting(n).time <= seconds) ++n;
+  return n;
+}
+
+std::optional<Walk> walk_of_pair(const ClusterTrack& a, const ClusterTrack& b, const BirthOptions& options) {
+  if ((a.last().position - b.last().position).norm() > options.separation) return std::nullopt;
+  CommonSightings common(a, b);
+  common.forget_before(common.time(0) - options.kLookBack);
+  if (common.count < options.sightings) return std::nullopt;
+  if (common.time(0) - common.time(options.sightings - 1) > options.within) return std::nullopt;
+  const auto leg_score = [](const Sighting& s) { return s.leg_score; };
+  const double score = std::min(mean_of(a, sightings_within(a, options.kLookBack), leg_score),
+                                mean_of(b, sightings_within(b, options.kLookBack), leg_score));
+  if (score < options.walking_score) return std::nullopt;
+  const Gait gait = gait_of(common, common.count);
+  if (gait.misfit > options.misfit || gait.widest > options.separation) return std::nullopt;
+  const int oldest = common.count - 1;
+  const double way = gait.velocity.norm() * (common.time(0) - common.time(oldest));
+  if (way < options.travel) return std::nullopt;
+  const auto moved = [&](const auto& legs) {
+    return (legs[0]->position - legs[static_cast<std::size_t>(oldest)]->position).norm() > 0.25 * way;
+  };
+  if (!moved(common.a) || !moved(common.b)) return std::nullopt;
+  return Walk{way, gait.velocity.norm()};
+}
+
+std::optional<Walk> walk_of_single(const ClusterTrack& cluster, const BirthOptions& options) {
+  const int n = sightings_within(cluster, options.kLookBack);
+  const Sighting& now = cluster.last();
+  const Sighting& oldest = cluster.sighting(n - 1);
+  const double seconds = now.time - oldest.time;
+  if (n < options.sightings || seconds < options.kSingleTime) return std::nullopt;
+  const double way = (now.position - oldest.position).norm();
+  if (way < options.kSingleTravel) return std::nullopt;
+  const double on_static = mean_of(cluster, n, [](const Sighting& s) { return s.on_static ? 1.0 : 0.0; });
+  const double score = mean_of(cluster, n, [](const Sighting& s) { return s.human_score(); });
+  if (on_static > options.kSingleStatic || score < options.kSingleScore) return std::nullopt;
+  // What slides along a wall behind somebody's shadow is cut off on a side; a leg alone stands free.
+  const double cut = mean_of(cluster, n, [](const Sighting& s) { return s.occluded ? 1.0 : 0.0; });
+  if (cut > options.kSingleCut) return std::nullopt;
+  const auto share =
+      static_cast<double>(now.nth - oldest.nth) / static_cast<double>(now.sweep - oldest.sweep);
+  if (share < options.kSingleSeen) return std::nullopt;
+  double path = 0.0;
+  for (int k = 1; k < n; ++k) {
+    const Sighting& after = cluster.sighting(k - 1);
+    const Sighting& before = cluster.sighting(k);
+    const double step = (after.position - before.position).norm();
+    if (step > options.single_step + options.kSingleSpeed * (after.time - before.time)) return std::nullopt;
+    path += step;
+  }
+  if (way < options.kSingleStraight * path) return std::nullopt;
+  return Walk{way, way / seconds};
+}
+
+}  // namespace bw::people

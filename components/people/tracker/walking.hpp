@@ -1,0 +1,33 @@
+// Whether legs go as a walker's do: two that stay close while their middle goes straight, or one that goes on
+// without leaps, free of what it might be the edge of.
+#pragma once
+
+#include <optional>
+
+#include "components/people/tracker/cluster_track.hpp"
+#include "components/people/tracker/gait.hpp"
+#include "components/people/tracker/tracker_options.hpp"
+
+namespace bw::people {
+
+/// The way of a walker in what is remembered of their legs.
+struct Walk {
+  double way = 0.0;    ///< [m]
+  double speed = 0.0;  ///< along it [m/s]
+};
+
+/// Of what is remembered of a thing, so many sightings are `seconds` old at most.
+int sightings_within(const ClusterTrack& cluster, double seconds);
+
+/// Mean over the last `count` sightings.
+template <class Value>
+double mean_of(const ClusterTrack& cluster, int count, const Value& value) {
+  double sum = 0.0;
+  for (int k = 0; k < count; ++k) sum += value(cluster.sighting(k));
+  return sum / count;
+}
+
+std::optional<Walk> walk_of_pair(const ClusterTrack& a, const ClusterTrack& b, const BirthOptions& options);
+std::optional<Walk> walk_of_single(const ClusterTrack& cluster, const BirthOptions& options);
+
+}  // namespace bw::people

@@ -1,0 +1,157 @@
+#include "components/people/tracker/weighing.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "components/people/tracker/walking.hpp"
+
+namespace bw::people {
+namespace {
+
+constexpr double kStood = 0.5;       // [s] what has stood so long is a post
+constexpr double kStill = 0.15;      // [m] its places differ less
+constexpr double kThin = 0.25;       // [m] and it is less wide
+constexpr double kWalkedFree = 1.0;  // [m] who has walked so far has no legs of furniture
+constexpr double kReach = 2.5;       // [m] farther furniture is not theirs: the diagonal of a table and more
+constexpr double kSlowly = 1.0;      // [s] in which patterns gain and lose belief
+constexpr double kTurn = 0.1;        // [rad] of the line of sight to a leg that may shift
+constexpr double kTurnOfPair = 0.4;  // to a pair
+constexpr double kSensorStill = 0.05;    // [m] a laser that moves less stands
+constexpr double kSensorStood = 1.0;     // [s]
+constexpr double kOfWayLost = 0.3;       // [m] of the way walked by somebody lost
+constexpr double kClutterMemory = 10.0;  // [s] in which things out of view are forgotten
+constexpr double kNoticed = 1.0;         // [s] after which what stands is told of
+constexpr double kLeastLooks = -0.5;
+constexpr double kFurniture = -6.0;  // log odds of what is no longer told of
+
+bool stands(const ClusterTrack& thing) {
+  const Sighting& oldest = thing.sighting(thing.remembered() - 1);
+  return thing.last().time - thing.born() >= kStood &&
+         (thing.last().position - oldest.position).norm() < kStill;
+}
+
+bool is_post(const ClusterTrack& thing, std::int64_t sweep) {
+  return thing.last().sweep == sweep && thing.last().width <= kThin && stands(thing);
+}
+
+Post post_of(const ClusterTrack& thing) { return {thing.last().position, thing.last().width}; }
+
+double prior_of(BirthKind kind) {
+  switch (kind) {
+    case BirthKind::walking_pair:
+      return Existence::kWalker;
+    case BirthKind::walking_single:
+      return Existence::kLoneWalker;
+    case BirthKind::standing_pair:
+      return Existence::kTwoLegs;
+    case BirthKind::standing_single:
+      break;
+  }
+  return Existence::kOneLeg;
+}
+
+}  // namespace
+
+Existence existence_of(const Birth& birth, const ClusterTrack& first, const ClusterTrack* second) {
+  Existence existence = first.existence;
+  existence.walked.way = birth.way;
+  existence.prior = prior_of(birth.kind);
+  if (second == nullptr) return existence;
+  if (second->existence.looks.log_odds() < existence.looks.log_odds())
+    existence.looks = second->existence.looks;
+  existence.fidgets = std::max(existence.fidgets, second->existence.fidgets);
+  existence.row = std::min(existence.row, second->existence.row);
+  return existence;
+}
+
+Existence existence_of_returned(const Existence& lost, const Existence& born, BirthKind kind) {
+  Existence existence = born;
+  const bool stands = kind == BirthKind::standing_pair || kind == BirthKind::standing_single;
+  existence.walked.way =
+      std::max(born.walked.way, stands ? std::min(lost.walked.way, kOfWayLost) : lost.walked.way);
+  return existence;
+}
+
+bool may_be_somebody(const ClusterTrack& cluster) {
+  if (cluster.id != 0) return cluster.existence.log_odds() > kFurniture;
+  return cluster.last().time - cluster.born() >= kNoticed && stands(cluster) && !cluster.last().on_static &&
+         cluster.existence.looks.log_odds() >= kLeastLooks;
+}
+
+void Weighing::find_posts(const std::vector<PersonTrack>& people, const std::vector<ClusterTrack>& clusters,
+                          std::int64_t sweep) {
+  posts_.clear();
+  for (const ClusterTrack& cluster : clusters)
+    if (is_post(cluster, sweep)) posts_.push_back(post_of(cluster));
+  for (const PersonTrack& person : people) {
+    if (person.existence.walked.way >= kWalkedFree) continue;
+    for (const auto& leg : person.legs)
+      if (leg && is_post(*leg, sweep)) posts_.push_back(post_of(*leg));
+  }
+}
+
+double Weighing::row_at(const ClusterTrack& thing, const ClusterTrack* other) {
+  near_.clear();
+  const Post post = post_of(thing);
+  for (const Post& another : posts_) {
+    const bool own =
+        another.position == post.position || (other && another.position == other->last().position);
+    if (!own && (another.position - post.position).squaredNorm() < kReach * kReach) near_.push_back(another);
+  }
+  return row_of_posts(post, near_).log_odds;
+}
+
+void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
+  const Sighting& seen = cluster.last();
+  if (still_) cluster.fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kTurn);
+  cluster.existence.fidgets = cluster.fidgets.log_odds();
+  if (cluster.existence.looks.log_odds() > kLeastLooks && seen.width <= kThin && stands(cluster))
+    cluster.existence.row += gain * (row_at(cluster, nullptr) - cluster.existence.row);
+}
+
+void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, double gain,
+                            const BirthOptions& options) {
+  Existence& existence = person.existence;
+  const bool both = person.both_legs_seen(sweep);
+  std::optional<Walk> walk;
+  if (both) {
+    walk = walk_of_pair(*person.legs[0], *person.legs[1], options);
+  } else {
+    for (const auto& leg : person.legs)
+      if (leg && leg->last().sweep == sweep) walk = walk_of_single(*leg, options);
+  }
+  if (walk) existence.walked.way += walk->speed * dt;
+  existence.clutter =
+      existence.prior == Existence::kTwoLegs ? Existence::kEachOther * std::max(0.0, clutter_ - 1.0) : 0.0;
+  if (!both || existence.walked.way >= kWalkedFree) return;
+  const Sighting& a = person.legs[0]->last();
+  const Sighting& b = person.legs[1]->last();
+  person.fidgets.add(a.time, a.position - b.position, !a.occluded && !b.occluded, a.bearing, kTurnOfPair);
+  existence.fidgets = std::max(existence.fidgets, person.fidgets.log_odds());
+  double row = 0.0;
+  if (stands(*person.legs[0]) && stands(*person.legs[1]))
+    row = std::min(row_at(*person.legs[0], &*person.legs[1]), row_at(*person.legs[1], &*person.legs[0]));
+  existence.row += gain * (row - existence.row);
+}
+
+void Weighing::weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>& clusters,
+                     std::int64_t sweep, double time, double dt, const Vector2& sensor,
+                     const BirthOptions& options) {
+  if ((sensor - stood_).norm() > kSensorStill) {
+    stood_ = sensor;
+    standing_since_ = time;
+  }
+  still_ = time - standing_since_ > kSensorStood;
+  find_posts(people, clusters, sweep);
+  const double gain = std::min(1.0, dt / kSlowly);
+  double leglike = 0.0;
+  for (ClusterTrack& cluster : clusters) {
+    if (cluster.last().sweep != sweep) continue;
+    weigh_cluster(cluster, gain);
+    if (is_post(cluster, sweep) && cluster.existence.looks.log_odds() > 0.0) leglike += 1.0;
+  }
+  clutter_ += std::min(1.0, dt / (leglike > clutter_ ? kSlowly : kClutterMemory)) * (leglike - clutter_);
+  for (PersonTrack& person : people) weigh_person(person, sweep, dt, gain, options);
+}
+
+}  // namespace bw::people

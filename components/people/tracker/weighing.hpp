@@ -1,0 +1,46 @@
+// What a sweep tells of who is a person, beside what each sighting does (cluster_track): who walks, and what
+// stands about as furniture does.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "components/people/tracker/birth.hpp"
+#include "components/people/tracker/evidence/row_of_posts.hpp"
+#include "components/people/tracker/person_track.hpp"
+
+namespace bw::people {
+
+/// The evidence for somebody just born of these clusters; `second` may be null.
+Existence existence_of(const Birth& birth, const ClusterTrack& first, const ClusterTrack* second);
+
+/// The evidence for somebody lost who is taken to be back as somebody born: that they have walked counts less where
+/// somebody only stands.
+Existence existence_of_returned(const Existence& lost, const Existence& born, BirthKind kind);
+
+/// Whether something that stands may be the leg of somebody, or both in one, and should be told of.
+bool may_be_somebody(const ClusterTrack& cluster);
+
+class Weighing {
+ public:
+  /// Sweep number `sweep` at `time` [s], `dt` [s] after the one before, seen from `sensor`.
+  void weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>& clusters, std::int64_t sweep,
+             double time, double dt, const Vector2& sensor, const BirthOptions& options);
+
+ private:
+  void find_posts(const std::vector<PersonTrack>& people, const std::vector<ClusterTrack>& clusters,
+                  std::int64_t sweep);
+  double row_at(const ClusterTrack& thing, const ClusterTrack* other);
+  void weigh_cluster(ClusterTrack& cluster, double gain);
+  void weigh_person(PersonTrack& person, std::int64_t sweep, double dt, double gain,
+                    const BirthOptions& options);
+
+  std::vector<Post> posts_;
+  std::vector<Post> near_;
+  double clutter_ = 0.0;         ///< things that stand about and look like legs, lately
+  Vector2 stood_{0.0, 0.0};      ///< where the laser stands
+  double standing_since_ = 0.0;  ///< [s]
+  bool still_ = false;
+};
+
+}  // namespace bw::people

@@ -1,0 +1,106 @@
+#include "components/people/tracker/whereabouts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "components/people/tracker/visibility.hpp"
+
+namespace bw::people {
+namespace {
+
+constexpr double kPosition = 0.08;  // [m] error of where they were, per axis
+constexpr double kBody = 0.2;       // [m] the middle of somebody comes no nearer to a wall
+
+Vector2 turned(const Vector2& v, double angle) {
+  const Vector2 a = direction(angle);
+  return {a.x() * v.x() - a.y() * v.y(), a.y() * v.x() + a.x() * v.y()};
+}
+
+}  // namespace
+
+Whereabouts::Whereabouts(const Vector2& position, const Vector2& velocity, Random& random,
+                         const HiddenOptions& options)
+    : guesses_(static_cast<std::size_t>(options.guesses)) {
+  for (Guess& guess : guesses_) {
+    guess.position = position + kPosition * Vector2(random.normal(), random.normal());
+    guess.velocity = velocity + options.speed_error * Vector2(random.normal(), random.normal());
+    guess.weight = 1.0 / static_cast<double>(guesses_.size());
+  }
+}
+
+void Whereabouts::walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls, Random& random,
+                       const HiddenOptions& options) {
+  const double wander = options.wander * std::sqrt(dt);
+  const double anew = 1.0 - std::exp(-dt / options.keeps_way);
+  const double missed = std::exp(-looked / options.overlooked);
+  double sum = 0.0;
+  for (Guess& guess : guesses_) {
+    const bool elsewhere = random.uniform() < anew;
+    guess.velocity =
+        turned(guess.velocity, elsewhere ? random.uniform(-std::numbers::pi, std::numbers::pi)
+                                         : wander * random.normal());
+    const Vector2 step = dt * guess.velocity;
+    const double way = step.norm();
+    const Vector2 front = guess.position + step * (way > 0.0 ? 1.0 + kBody / way : 0.0);
+    if (walls.contains(front) && !seen_empty(sweep, front, options.margin)) {
+      const double side = random.uniform() < 0.5 ? 1.0 : -1.0;
+      guess.velocity = turned(guess.velocity, side * random.uniform(0.3, 1.0) * std::numbers::pi);
+    } else {
+      guess.position += step;
+    }
+    if (seen_empty(sweep, guess.position, options.margin)) guess.weight *= missed;
+    sum += guess.weight;
+  }
+  existence_ *= sum;
+  double squares = 0.0;
+  for (Guess& guess : guesses_) {
+    guess.weight /= sum;
+    squares += guess.weight * guess.weight;
+  }
+  if (squares * static_cast<double>(guesses_.size()) > 2.0) draw_anew(random);
+}
+
+/// Systematic resampling: as many guesses, all of the same weight.
+void Whereabouts::draw_anew(Random& random) {
+  const std::vector<Guess> old = guesses_;
+  const double share = 1.0 / static_cast<double>(old.size());
+  double pointer = random.uniform() * share;
+  double passed = 0.0;
+  std::size_t next = 0;
+  for (const Guess& guess : old) {
+    passed += guess.weight;
+    for (; pointer < passed && next < guesses_.size(); pointer += share)
+      guesses_[next++] = {guess.position, guess.velocity, share};
+  }
+  while (next < guesses_.size()) guesses_[next++] = {old.back().position, old.back().velocity, share};
+}
+
+Whereabouts::Moments Whereabouts::moments() const {
+  Moments m{Eigen::Vector4d::Zero(), Eigen::Matrix4d::Zero()};
+  Eigen::Vector4d x;
+  for (const Guess& guess : guesses_) {
+    x << guess.position, guess.velocity;
+    m.mean += guess.weight * x;
+    m.covariance += guess.weight * x * x.transpose();
+  }
+  m.covariance -= m.mean * m.mean.transpose();
+  m.covariance.diagonal().array() += 1e-4;  // guesses that are all the same know no better than this
+  return m;
+}
+
+double Whereabouts::density(const Vector2& place, std::optional<Vector2> velocity, double ago,
+                            const HiddenOptions& options) const {
+  const double p = options.place_kernel * options.place_kernel;
+  const double v = options.velocity_kernel * options.velocity_kernel;
+  double sum = 0.0;
+  for (const Guess& guess : guesses_) {
+    const double square = (place - guess.position + ago * guess.velocity).squaredNorm() / p +
+                          (velocity.value_or(guess.velocity) - guess.velocity).squaredNorm() / v;
+    sum += guess.weight * std::exp(-square / 2.0);
+  }
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
+  return sum / (kTwoPi * kTwoPi * p * v);
+}
+
+}  // namespace bw::people

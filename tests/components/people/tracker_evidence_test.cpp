@@ -1,0 +1,158 @@
+// What speaks for and against a person, term by term.
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "components/people/tracker/evidence/existence.hpp"
+#include "components/people/tracker/evidence/fidgets.hpp"
+#include "components/people/tracker/evidence/row_of_posts.hpp"
+#include "components/people/tracker/tracker.hpp"
+#include "tests/components/people/tracker_stage.hpp"
+
+namespace bw::people {
+namespace {
+
+constexpr double kTurn = 0.1;
+
+// One side, score 0.9: n ln 9 / (n + 2), but at most 20 are remembered. A score of 0.5 says nothing.
+TEST(Evidence, LooksOfOneSideAreAveraged) {
+  Looks looks;
+  EXPECT_EQ(looks.log_odds(), 0.0);
+  for (int n = 1; n <= 20; ++n) {
+    looks.add(0.9, 0.1);
+    EXPECT_NEAR(looks.log_odds(), n * std::log(9.0) / (n + 2), 1e-5);
+  }
+  for (int n = 0; n < 500; ++n) looks.add(0.9, 0.1);
+  EXPECT_NEAR(looks.log_odds(), 20.0 * std::log(9.0) / 22.0, 1e-4);
+  for (int n = 0; n < 500; ++n) looks.add(0.5, 0.1);
+  EXPECT_NEAR(looks.log_odds(), 0.0, 1e-4);
+}
+
+// Three sightings from one side and three from across: the second half counts half. 3 ln 9 / 5 = 1.318.
+TEST(Evidence, AnotherSideTellsMore) {
+  Looks same;
+  Looks two_sides;
+  Looks unlike;
+  for (int n = 0; n < 3; ++n) {
+    same.add(0.9, 0.1);
+    two_sides.add(0.9, 0.1);
+    two_sides.add(0.9, 0.1 + std::numbers::pi);
+    unlike.add(0.9, 0.1);
+    unlike.add(0.1, 0.1 + std::numbers::pi);
+  }
+  EXPECT_NEAR(two_sides.log_odds(), 1.5 * same.log_odds(), 1e-5);
+  EXPECT_NEAR(unlike.log_odds(), 0.5 * same.log_odds(), 1e-5);
+  for (int side = 0; side < 8; ++side)
+    for (int n = 0; n < 9; ++n) two_sides.add(1.0, 0.8 * side);
+  EXPECT_EQ(two_sides.log_odds(), Looks::kMost);
+}
+
+TEST(Evidence, WayWalkedCountsAfterASlip) {
+  EXPECT_EQ(Walked{0.15}.log_odds(), 0.0);
+  EXPECT_NEAR(Walked{0.35}.log_odds(), 2.0, 1e-12);
+  EXPECT_EQ(Walked{5.0}.log_odds(), Walked::kMost);
+}
+
+/// Log odds after a leg stood at 0 for `before` s, at `shift` m for `after` s, and back again, ten sweeps a second.
+double fidgets_of(double before, double shift, double after, bool whole = true, double turn = 0.0) {
+  Fidgets fidgets;
+  double t = 0.0;
+  const auto stand = [&](double x, double seconds) {
+    for (const double end = t + seconds - 1e-9; t < end; t += 0.1)
+      fidgets.add(t, {x, 1.0}, whole, turn * t, kTurn);
+  };
+  stand(0.0, before);
+  stand(shift, after);
+  stand(0.0, before);
+  return fidgets.log_odds();
+}
+
+// A foot that is set aside by 0.1 m and back after 2 s shifts twice; 0.03 m is within what a standing disc errs,
+// 0.3 m is another thing, 0.3 s are none, and what is half hidden or seen from another side shows nothing.
+TEST(Evidence, WhoStandsFidgets) {
+  EXPECT_EQ(fidgets_of(2.0, 0.0, 2.0), 0.0);
+  EXPECT_EQ(fidgets_of(2.0, 0.1, 2.0), 2.0 * Fidgets::kEach);
+  EXPECT_EQ(fidgets_of(2.0, 0.03, 2.0), 0.0);
+  EXPECT_EQ(fidgets_of(2.0, 0.3, 2.0), 0.0);
+  EXPECT_EQ(fidgets_of(2.0, 0.1, 0.3), 0.0);
+  EXPECT_EQ(fidgets_of(2.0, 0.1, 2.0, false), 0.0);
+  EXPECT_EQ(fidgets_of(2.0, 0.1, 2.0, true, 0.2), 0.0);
+  Fidgets noisy;
+  Random random(5);
+  for (int k = 0; k < 6000; ++k)
+    noisy.add(0.1 * k, {random.normal(0.0, 0.012), random.normal(0.0, 0.012)}, true, 0.0, kTurn);
+  EXPECT_EQ(noisy.log_odds(), 0.0);
+}
+
+// A chair 0.4 m wide: its fourth leg hidden or seen. Posts every 0.5 m. Two pairs of legs that stand about are none.
+TEST(Evidence, FurnitureStandsInPatterns) {
+  const Post post{{1.0, 1.0}, 0.04};
+  const auto at = [](double x, double y, double width = 0.04) { return Post{{x, y}, width}; };
+  EXPECT_EQ(row_of_posts(post, std::vector{at(1.4, 1.0), at(1.0, 1.4)}).log_odds, RowOfPosts::kCorner);
+  EXPECT_EQ(row_of_posts(post, std::vector{at(1.4, 1.0), at(1.0, 1.4), at(1.4, 1.4)}).log_odds,
+            RowOfPosts::kRectangle);
+  EXPECT_EQ(row_of_posts(post, std::vector{at(1.5, 1.0), at(2.0, 1.0)}).log_odds, RowOfPosts::kRow);
+  EXPECT_EQ(row_of_posts(post, std::vector{at(1.5, 1.0), at(0.5, 1.0)}).log_odds, RowOfPosts::kRow);
+  EXPECT_EQ(row_of_posts(post, std::vector{at(1.4, 1.0, 0.12), at(1.0, 1.4, 0.12)}).log_odds, 0.0);
+  EXPECT_EQ(row_of_posts(post, std::vector{at(1.24, 1.0), at(1.0, 1.24)}).log_odds, 0.0);
+  EXPECT_EQ(row_of_posts(post, std::vector{at(1.4, 1.0), at(1.3, 1.4)}).log_odds, 0.0);
+}
+
+TEST(Evidence, ConfidenceIsTheLogisticOfTheSum) {
+  Existence existence{.prior = Existence::kTwoLegs};
+  EXPECT_NEAR(existence.confidence(), 1.0 / (1.0 + std::exp(1.0)), 1e-12);
+  existence.walked.way = 0.35;
+  existence.fidgets = Fidgets::kEach;
+  existence.row = RowOfPosts::kRow;
+  existence.clutter = -1.0;
+  EXPECT_NEAR(existence.log_odds(), -1.0 + 2.0 + 2.0 - 2.0 - 1.0, 1e-12);
+}
+
+// One leg stands still: a possible person within 2 s, never a confirmed one. It is set aside twice: confirmed, with
+// the same id.
+TEST(Evidence, OneLegThatStandsIsPossibleUntilItFidgets) {
+  Stage stage;
+  Tracker tracker({});
+  for (int k = 0; k < 300; ++k) {
+    stage.begin(0.1 * k);
+    stage.add({3.0, k < 200 || k >= 230 ? 0.0 : 0.1}, 0.8);
+    const auto& people = tracker.update(stage.set());
+    if (k < 20) continue;
+    ASSERT_EQ(people.size(), 1U) << k;
+    EXPECT_EQ(people[0].id, 1U);
+    EXPECT_LE(people[0].velocity.norm(), 0.15);
+    if (k < 200) {
+      EXPECT_LT(people[0].confidence, kConfirmed) << k;
+    }
+  }
+  EXPECT_GE(tracker.people()[0].confidence, kConfirmed);
+}
+
+// Who walked and stands is a person, and who is hidden for half a second no less.
+TEST(Evidence, WhoWalkedStaysAPerson) {
+  Stage stage;
+  Tracker tracker({});
+  walk(stage, tracker, 0, 15);
+  ASSERT_EQ(tracker.people().size(), 1U);
+  const double walking = tracker.people()[0].confidence;
+  EXPECT_GE(walking, 0.99);
+  for (int k = 15; k < 20; ++k) {
+    stage.begin(0.1 * k);
+    stage.hide({3.0, -2.0 + 0.1 * k}, 0.8, 1.5);
+    ASSERT_EQ(tracker.update(stage.set()).size(), 1U);
+    EXPECT_EQ(tracker.people()[0].confidence, walking);
+  }
+  for (int k = 20; k < 300; ++k) {
+    stage.begin(0.1 * k);
+    stage.walker(0.0, 0.0, 0.0, 0.6);
+    tracker.update(stage.set());
+  }
+  ASSERT_EQ(tracker.people().size(), 1U);
+  EXPECT_EQ(tracker.people()[0].id, 1U);
+  EXPECT_GE(tracker.people()[0].confidence, 0.99);
+}
+
+}  // namespace
+}  // namespace bw::people

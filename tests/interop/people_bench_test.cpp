@@ -1,0 +1,74 @@
+// A drive of the hallway is recorded and scored by two commands: the bag holds the truth, so no labels are needed.
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "tests/interop/process.hpp"
+
+namespace bw::test {
+namespace {
+
+using testing::HasSubstr;
+
+class BenchPeopleVerb : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  static Outcome bandwagon(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), BANDWAGON_PROGRAM);
+    return run_to_end(arguments, std::chrono::seconds(120));
+  }
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string content(const std::string& name) const {
+    std::ifstream in(file(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / ("bench_people_" + std::to_string(getpid()));
+};
+
+TEST_F(BenchPeopleVerb, ScoresARecordedHallway) {
+  const std::string graph = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml";
+  const Outcome drive = bandwagon(
+      {"run", graph, "--clock", "lockstep", "--seed", "7", "--for", "10", "--record", file("drive")});
+  ASSERT_TRUE(std::filesystem::exists(file("drive"))) << drive.err;
+  const std::vector<std::string> bench = {"bench", "people", file("drive"), "--graph", graph};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), bench.begin(), bench.end());
+    return bandwagon(more);
+  };
+  const Outcome first = with({"--json", file("a.json"), "--svg", file("a.svg"), "--errors"});
+  ASSERT_EQ(first.status, 0) << first.err;
+  EXPECT_THAT(first.out, HasSubstr("/sim/ground_truth: "));
+  const Outcome second = with({"--json", file("b.json"), "--svg", file("b.svg"), "--errors"});
+  EXPECT_EQ(first.out, second.out);
+  EXPECT_EQ(content("a.json"), content("b.json"));
+  EXPECT_EQ(content("a.svg"), content("b.svg"));
+  EXPECT_THAT(content("a.svg"), HasSubstr("distance from the robot [m]"));
+
+  const auto json = nlohmann::json::parse(content("a.json"));
+  EXPECT_TRUE(json["truth"]);
+  ASSERT_EQ(json["stretches"].size(), 1U);
+  EXPECT_GT(json["stretches"][0]["places"],
+            200);  // some of eight people within 6 m, ten times a second for 10 s
+  EXPECT_GT(json["stretches"][0]["mota"], 0.6);
+  EXPECT_LT(json["stretches"][0]["motp_m"], 0.15);
+
+  std::ofstream(file("bad.csv")) << "time,id,x,y,frame\n1,1,0,0,map\n0.5,1,0,0,map\n";
+  const Outcome bad = with({"--labels", file("bad.csv")});
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_THAT(bad.err, HasSubstr("bad.csv:3: column time: is before that of line 2: times must not fall"));
+}
+
+}  // namespace
+}  // namespace bw::test
