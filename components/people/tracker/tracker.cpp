@@ -179,7 +179,7 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     person.score =
         options_.death.kScoreMemory * person.score + (1.0 - options_.death.kScoreMemory) * d.human_score();
     const Sighting seen = sighting_of(d);
-    person.existence.looks.add(d.human_score(), seen.bearing);
+    person.existence.looks.add(seen.likeness(), seen.bearing);
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
     if (d.human_score() >= options_.hidden.kLikeness) person.sure = state_of(person);
