@@ -135,7 +135,6 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   const double since_own = order_.add(sweep.source, sweep.time, options_.longest_gap);
   const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
   ++sweep_;
-  const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
   predict_to(sweep.time);
   transform_to_S(sweep);
   select_detections(sweep_in_S_, options_.most_detections, options_.association, detections_);
