@@ -37,11 +37,12 @@ struct Ranger {
 
 /// What the driver knows of its base before it is heard.
 struct BaseFacts {
-  bool has_gyro = false;       ///< tells Readings::gyro
-  bool has_battery = false;    ///< tells Readings::battery
-  double response = 0.1;       ///< from command() to the counts that show it, at most [s]
-  double battery_low = 0.0;    ///< warned of below [V]; 0: not known
-  double battery_empty = 0.0;  ///< not driven below [V]; 0: not known
+  bool has_gyro = false;         ///< tells Readings::gyro
+  bool has_battery = false;      ///< tells Readings::battery
+  double response = 0.1;         ///< from command() to the counts that show it, at most [s]
+  double velocity_window = 0.0;  ///< over which speed from its counts must be averaged at least [s]
+  double battery_low = 0.0;      ///< warned of below [V]; 0: not known
+  double battery_empty = 0.0;    ///< not driven below [V]; 0: not known
 };
 
 class Driver {

@@ -51,7 +51,7 @@ struct OdometryOptions {
       {.unit = "s",
        .min = 0.001,
        .max = 1,
-       .doc = "time over which speed is averaged; raise it for coarse encoders"});
+       .doc = "time over which speed is averaged; raise it for coarse encoders (a driver may ask for more)"});
   }
 };
 

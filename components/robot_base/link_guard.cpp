@@ -27,7 +27,7 @@ LinkHealth LinkGuard::judge(Time now) {
     reason_ = name + " is not connected" + (link_.fault.empty() ? "" : ": " + link_.fault);
     return heard_ ? LinkHealth::lost : LinkHealth::unheard;
   }
-  const bool is_anew = heard_ && link_.openings != openings_;
+  const bool is_anew = heard_ && openings_ != 0 && link_.openings != openings_;
   openings_ = link_.openings;
   if (is_anew) {
     reason_ = name + " was opened anew";

@@ -41,10 +41,11 @@ class LinkGuard {
   void told(Time now, bool is_through);
   LinkHealth look(Time now) {
     const LinkHealth health = judge(now);
-    if (health == LinkHealth::unheard && is_beginning(now)) reason_.clear();
+    if (health == LinkHealth::unheard && (link_.is_opening || is_beginning(now))) reason_.clear();
     return health;
   }
-  /// Why it is not heard, for people; empty also in the first second: a base may take its time to begin.
+  /// Why it is not heard, for people; empty also while its cable is being opened and in the first second: a base
+  /// may take its time to begin.
   const std::string& reason() const { return reason_; }
 
  private:

@@ -12,6 +12,7 @@ namespace bw {
 
 struct LinkState {
   bool is_open = false;
+  bool is_opening = false;     ///< not open yet, and nothing is wrong with that so far
   std::string device;          ///< as people name it: /dev/ttyUSB0
   std::string fault;           ///< why it is not open; empty while it is
   std::uint64_t openings = 0;  ///< so often it was opened: who sees a new number starts anew with the device

@@ -1,5 +1,6 @@
 #include "runtime/serial/device_link.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "runtime/dds/participant.hpp"
@@ -11,10 +12,15 @@
 namespace bw {
 namespace {
 
+/// An emulator in a process of its own starts beside its host.
+constexpr Duration kEmulatorStarts = Duration::milliseconds(5000);
+
 std::string topic(const std::string& name, const char* direction) { return "sim/" + name + "/" + direction; }
 
 std::string path_of(const Setup& setup, const std::string& name) {
-  return emulator_path(name, setup.network().domain_id).string();
+  std::string of_robot = setup.frame(name);  // among several by its prefix: "robot1/base"
+  std::ranges::replace(of_robot, '/', '-');
+  return emulator_path(of_robot, setup.network().domain_id).string();
 }
 
 }  // namespace
@@ -29,7 +35,7 @@ std::unique_ptr<ByteLink> device_link(Setup& setup, const std::string& name, con
     return std::make_unique<TopicLink>(setup, topic(name, "from_device"), topic(name, "to_device"));
   PortOptions terminal = options;
   terminal.port = path_of(setup, name);
-  return std::make_unique<SerialPort>(terminal, "the emulator of the " + name);
+  return std::make_unique<SerialPort>(terminal, "the emulator of the " + name, kEmulatorStarts);
 }
 
 std::unique_ptr<ByteLink> emulator_link(Setup& setup, const std::string& name) {

@@ -15,6 +15,7 @@ namespace bw {
 namespace {
 
 constexpr Duration kBetweenAttempts = Duration::milliseconds(500);
+constexpr Duration kWhilePatient = Duration::milliseconds(50);
 /// More than any device sends between two calls, and no more than a lane copies in a moment.
 constexpr std::size_t kMostAtOnce = 65'536;
 constexpr const char* kGone = "the line is gone: cable pulled, or the device lost its power";
@@ -26,13 +27,15 @@ struct SerialPort::Attempt {
   std::atomic<bool> is_done = false;
 };
 
-SerialPort::SerialPort(PortOptions options, std::string name, SystemFolders folders)
+SerialPort::SerialPort(PortOptions options, std::string name, Duration patience, SystemFolders folders)
     : options_(std::move(options)),
       name_(std::move(name)),
+      patience_(patience),
       folders_(std::move(folders)),
       buffer_(kMostAtOnce) {
   state_.device = name_.empty() ? options_.port : name_;
   state_.fault = "not opened yet";
+  state_.is_opening = true;
 }
 
 SerialPort::~SerialPort() {
@@ -45,12 +48,14 @@ SerialPort::~SerialPort() {
 }
 
 const LinkState& SerialPort::update(Time now) {
-  if (attempt_ && attempt_->is_done) look_at_attempt();
+  if (!first_update_) first_update_ = now;
+  if (attempt_ && attempt_->is_done) look_at_attempt(now);
   if (descriptor_ >= 0) {
     pollfd line{.fd = descriptor_, .events = POLLIN, .revents = 0};
     if (poll(&line, 1, 0) > 0 && (line.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) lose(kGone);
   }
-  const bool is_due = !tried_ || now - *tried_ >= kBetweenAttempts || now < *tried_;
+  const Duration wait = state_.is_opening ? kWhilePatient : kBetweenAttempts;
+  const bool is_due = !tried_ || now - *tried_ >= wait || now < *tried_;
   if (descriptor_ < 0 && !attempt_ && is_due) begin_attempt(now);
   return state_;
 }
@@ -64,11 +69,17 @@ void SerialPort::begin_attempt(Time now) {
   });
 }
 
-void SerialPort::look_at_attempt() {
+/// Before it was ever open.
+bool SerialPort::is_patient(Time now) const {
+  return state_.openings == 0 && now >= *first_update_ && now - *first_update_ < patience_;
+}
+
+void SerialPort::look_at_attempt(Time now) {
   const OpenedLine line = attempt_->line;
   attempt_.reset();
   if (name_.empty()) state_.device = line.device;
   state_.fault = line.fault;
+  state_.is_opening = !line.fault.empty() && is_patient(now);
   if (!line.fault.empty()) return;
   descriptor_ = line.descriptor;
   state_.is_open = true;

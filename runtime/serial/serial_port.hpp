@@ -17,8 +17,10 @@ namespace bw {
 
 class SerialPort final : public ByteLink {
  public:
-  /// Opens nothing yet. `name` is for people where the port's own says little.
-  explicit SerialPort(PortOptions options, std::string name = {}, SystemFolders folders = {});
+  /// Opens nothing yet. `name` is for people where the port's own says little. A device that is not there is no fault for so long as
+  /// `patience` since the first update(), and is looked for more often: who makes it may only be starting.
+  explicit SerialPort(PortOptions options, std::string name = {}, Duration patience = {},
+                      SystemFolders folders = {});
   /// Bytes written before still go out, for 0.1 s at most.
   ~SerialPort() override;
   SerialPort(const SerialPort&) = delete;
@@ -33,16 +35,19 @@ class SerialPort final : public ByteLink {
 
  private:
   struct Attempt;
-  void look_at_attempt();
+  void look_at_attempt(Time now);
+  bool is_patient(Time now) const;
   void begin_attempt(Time now);
   void lose(const std::string& why);
   void give_up_descriptor();
 
   PortOptions options_;
   std::string name_;
+  Duration patience_;
   SystemFolders folders_;
   LinkState state_;
   int descriptor_ = -1;
+  std::optional<Time> first_update_;
   std::optional<Time> tried_;  ///< the last time, or when it was closed
   std::shared_ptr<Attempt> attempt_;
   std::vector<std::uint8_t> buffer_;

@@ -51,8 +51,15 @@ BANDWAGON_LOG_DIR=$folder/logs "$bringup" "$root/config/robots/kobuki.yaml" --em
 running=$!
 seen 'Up: base, laser and all components.' || fail "is not up"
 grep -q '^base: pid' "$folder/logs/manifest.yaml" || fail "the base has no process of its own"
-"$program" topic echo /base_state --once --for 5 >"$folder/state"
-grep -q 'is_latched: false' "$folder/state" || fail "is latched: $(cat "$folder/state")"
+# What config/robots/README.md has its reader type while the robot is up, and what it says of the answers.
+answers() { # answers WORDS COMMAND...
+  "$program" "${@:2}" >"$folder/answer" 2>&1 || fail "status $? of ${*:2}: $(cat "$folder/answer")"
+  grep -q -- "$1" "$folder/answer" || fail "'${*:2}' does not say '$1': $(cat "$folder/answer")"
+}
+answers 'is_latched: false' topic echo /base_state --once --for 5
+answers 'child_frame_id: base_link' topic echo /odom --once --for 5
+answers 'success: true' service call /release_stop
+answers 'real-time\|memory' doctor --ports
 kill -TERM "$running"
 status=0
 wait "$running" || status=$?

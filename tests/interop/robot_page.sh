@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
-# robot_page.sh PROGRAM README: every command in the page's fenced blocks is one that would be taken: scripts and files are there, verbs and options
-# are known to the program. What is run for real: bringup_test.sh.
+# robot_page.sh PROGRAM README LEAST [HEADING]: every command in the page's fenced blocks, or in those of its section HEADING, and every one that begins
+# with the program or a script in the text is one that would be taken: scripts and files are there, verbs and options are known to the program. LEAST commands
+# are expected. What is run for real: bringup_test.sh.
 set -euo pipefail
 program=$1
 page=$2
+least=$3
+heading=${4:-}
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root"
 broken=0
@@ -11,6 +14,10 @@ complain() {
   echo "$1"
   broken=1
 }
+
+text=$(mktemp)
+trap 'rm -f "$text"' EXIT
+awk -v heading="$heading" 'heading == "" || $0 == heading { inside = 1 } /^## / && $0 != heading && heading != "" { inside = 0 } inside' "$page" >"$text"
 
 check_program() { # the words behind `bandwagon`
   local verb=() word help
@@ -51,7 +58,7 @@ while read -r line; do
     sudo) [[ ${words[1]} != cp ]] || [[ -f ${words[2]} ]] || complain "no file ${words[2]}" ;;
     *) complain "a command of nobody's: $line" ;;
   esac
-done < <(awk '/^```/ { inside = !inside; next } inside' "$page"; grep -oP '\x60bandwagon [^\x60]*' "$page" | tr -d '\140')
+done < <(awk '/^```/ { inside = !inside; next } inside' "$text"; grep -oP '\x60(bandwagon|launch_scripts/[a-z_]+\.sh) [^\x60]*' "$text" | tr -d '\140')
 echo "$count commands of $page looked at"
-((count >= 15)) || complain "fewer than 15: is this the page?"
+((count >= least)) || complain "fewer than $least: is this the page?"
 exit "$broken"

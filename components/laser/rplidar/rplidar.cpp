@@ -35,6 +35,7 @@ std::vector<Revolution> Rplidar::poll(Time now) {
     state_ = State::closed;
     rate_ = 0.0;
     closed_why_ = link.fault;
+    is_opening_ = link.is_opening;
     return {};
   }
   if (state_ == State::closed || link.openings != openings_ || clock_went_back) {
@@ -237,10 +238,15 @@ RplidarStatus Rplidar::status() const {
     say(attempts_ == 0 ? Level::warning : Level::error, waiting_text());
     status.is_starting = attempts_ == 0;
   };
+  const auto say_opening = [&] {
+    say(Level::warning, "being opened");
+    status.is_starting = true;
+  };
   const bool is_sick = health_ && health_->status != Health::Status::good;
   const std::string sickness = is_sick ? " (code " + std::to_string(health_->code) + ")" : "";
   if (state_ == State::closed) {
     say(Level::error, closed_why_.empty() ? "not open" : closed_why_);
+    if (is_opening_) say_opening();
   } else if (state_ == State::refused) {
     say(Level::error, refusal_);
   } else if (is_sick && health_->status == Health::Status::error) {

@@ -42,10 +42,10 @@ struct RplidarOptions {
 struct RplidarStatus {
   enum class Level : std::uint8_t { good, warning, error };
   Level level = Level::warning;
-  bool is_starting = false;             ///< a warning that is in the course of things
-  std::string text = "not opened yet";  ///< for people
-  double rate = 0.0;                    ///< of the last revolution [Hz]; 0: none came lately
-  std::size_t points = 0;               ///< in it
+  bool is_starting = false;  ///< a warning that is in the course of things
+  std::string text;          ///< for people
+  double rate = 0.0;         ///< of the last revolution [Hz]; 0: none came lately
+  std::size_t points = 0;    ///< in it
   std::map<std::string, std::uint64_t> counters;
 };
 
@@ -103,6 +103,7 @@ class Rplidar {
   std::uint64_t restarts_ = 0, resets_ = 0, silences_ = 0, revolutions_ = 0;
   std::string refusal_;
   std::string closed_why_;
+  bool is_opening_ = true;  ///< closed, and nothing is wrong with that so far
   std::vector<Revolution> over_;
 };
 

@@ -24,7 +24,7 @@ struct BandWeights {
   double inflation = 0.1;
   double dynamic_obstacle = 50.0;
   double dynamic_inflation = 2.0;
-  double possible_inflation = 0.1;
+  double possible_inflation = 0.02;
 
   template <class Visitor>
   void fields(Visitor& v) {

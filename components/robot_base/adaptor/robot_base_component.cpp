@@ -1,4 +1,5 @@
 // Adaptor of the base: wheel commands to the driver as the guard allows, and what the driver tells to topics.
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -43,9 +44,10 @@ class RobotBaseComponent final : public Component {
     robot_ = setup.shared<Robot>("robot");
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
-    odometry_ = {setup, robot_, options.odometry, Duration::seconds(options.link.silence)};
     driver_ = make_chosen_driver(setup, robot_, [this](Time now) { work(now); });
     const BaseFacts facts = driver_->facts();
+    options.odometry.velocity_window = std::max(options.odometry.velocity_window, facts.velocity_window);
+    odometry_ = {setup, robot_, options.odometry, Duration::seconds(options.link.silence)};
     if (options.battery.low == 0.0) options.battery.low = facts.battery_low;
     if (options.battery.empty == 0.0) options.battery.empty = facts.battery_empty;
     guard_.emplace(options, robot_, facts.response);

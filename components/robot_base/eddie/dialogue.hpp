@@ -16,6 +16,7 @@ namespace bw::eddie {
 
 enum class Request {
   stop,
+  reason,
   verbose,
   version,
   hardware,

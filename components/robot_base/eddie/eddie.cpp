@@ -29,6 +29,14 @@ Time middle(const Reply& reply) {
   return reply.sent + Duration{(reply.arrived - reply.sent).nanoseconds / 2};
 }
 
+/// Of counters that wrap.
+std::int32_t sum(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+}
+std::int32_t difference(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+}
+
 }  // namespace
 
 Eddie::Eddie(const EddieOptions& options, const Robot& robot, std::unique_ptr<ByteLink> link)
@@ -50,6 +58,7 @@ std::vector<Ranger> Eddie::rangers() const { return rangers_of(options_); }
 BaseFacts Eddie::facts() const {
   return {.has_battery = true,
           .response = 0.25,
+          .velocity_window = options_.velocity_window,
           .battery_low = options_.battery_low,
           .battery_empty = options_.battery_empty};
 }
@@ -106,6 +115,7 @@ void Eddie::take_start(Time now, const Reply& reply) {
   const bool is_version = reply.request == Request::version || reply.request == Request::hardware;
   const auto numbers = is_version ? numbers_of(reply.text, 4) : std::nullopt;
   const bool has_number = numbers && numbers->size() == 1;
+  const bool is_question = reply.request == Request::reason;  // any error will do
   const bool is_needed = reply.request == Request::stop || reply.request == Request::version;
   const bool is_sound = !reply.is_timeout && (reason       ? !is_needed
                                               : is_version ? has_number
@@ -118,7 +128,9 @@ void Eddie::take_start(Time now, const Reply& reply) {
     }
     return;
   }
-  if (reason) {
+  if (is_question) {
+    take_mark(now, reason && !reason->empty());
+  } else if (reason) {
     ++errors_;
     if (reply.request == Request::watch) {
       has_watch_ = false;
@@ -135,6 +147,20 @@ void Eddie::take_start(Time now, const Reply& reply) {
   heard_ = now;
 }
 
+/// VERB 1 is forgotten when the board loses its power, and its counts are: the same error then has no reason any more.
+void Eddie::take_mark(Time now, bool has_reason) {
+  if (start_sequence().at(start_step_ - 1) == Request::verbose) {
+    is_marked_ = has_reason;
+    return;
+  }
+  if (!is_marked_ || has_reason || !distances_) return;
+  is_marked_ = false;
+  has_restarted_ = true;
+  ++restarts_;
+  faults_.say(now, "counts",
+              "the board restarted while it was not heard: how far its wheels turned meanwhile is not known");
+}
+
 bool Eddie::take_running(Time now, const Reply& reply, Readings& readings) {
   if (reply.request == Request::counts) return take_counts(now, reply, readings);
   if (reply.request == Request::analog) return take_analog(reply, readings);
@@ -149,6 +175,12 @@ bool Eddie::take_counts(Time now, const Reply& reply, Readings& readings) {
   const auto distances = distances_of(reply.text);
   if (!distances) return false;
   const Time time = middle(reply);
+  if (has_restarted_) {
+    base_ = {difference(sum(distances_->left, base_.left), distances->left),
+             difference(sum(distances_->right, base_.right), distances->right)};
+    distances_.reset();
+    has_restarted_ = false;
+  }
   const auto old = std::exchange(distances_, distances);
   const auto moved = [&](std::int32_t Distances::*wheel) {
     const auto difference =
@@ -168,7 +200,7 @@ bool Eddie::take_counts(Time now, const Reply& reply, Readings& readings) {
     }
   }
   distances_time_ = time;
-  readings.counts.push_back({time, distances->left, distances->right});
+  readings.counts.push_back({time, sum(distances->left, base_.left), sum(distances->right, base_.right)});
   const WheelSpeeds travel = {distances->left * metres_per_count_.left,
                               distances->right * metres_per_count_.right};
   const std::string contradiction = check_.measured(time, travel);
@@ -248,14 +280,16 @@ void Eddie::tell(Time now, Readings& readings) {
                        {"errors", errors_},
                        {"encoder jumps", jumps_},
                        {"contradictions", contradictions_},
+                       {"restarts", restarts_},
                        {"starts", starts_}};
   if (version_) readings.counters["firmware version"] = *version_;
   if (hardware_) readings.counters["hardware version"] = *hardware_;
 }
 
 std::vector<Request> Eddie::start_sequence() const {
-  std::vector<Request> sequence = {Request::stop,     Request::verbose, Request::version,
-                                   Request::hardware, Request::watch,   Request::acceleration};
+  std::vector<Request> sequence = {Request::stop,   Request::reason,      Request::verbose,
+                                   Request::reason, Request::version,     Request::hardware,
+                                   Request::watch,  Request::acceleration};
   if (!options_.sonar_pins.empty()) sequence.push_back(Request::sonars);
   return sequence;
 }
@@ -264,6 +298,8 @@ std::string Eddie::text_of(Request request) const {
   switch (request) {
     case Request::stop:
       return eddie::command("STOP", {0});
+    case Request::reason:
+      return eddie::command("VERB");  // too few parameters: an error that changes nothing
     case Request::verbose:
       return eddie::command("VERB", {1});
     case Request::version:

@@ -47,6 +47,7 @@ class Eddie : public Driver {
   void begin_session(Time now);
   void take(Time now, const Reply& reply, Readings& readings);
   void take_start(Time now, const Reply& reply);
+  void take_mark(Time now, bool has_reason);
   bool take_running(Time now, const Reply& reply, Readings& readings);
   bool take_counts(Time now, const Reply& reply, Readings& readings);
   bool take_analog(const Reply& reply, Readings& readings) const;
@@ -79,11 +80,14 @@ class Eddie : public Driver {
   bool was_sent_ = false;
   std::optional<Distances> distances_;
   Time distances_time_;
+  bool is_marked_ = false;      ///< the board told the reason of an error: it knows of our VERB 1
+  bool has_restarted_ = false;  ///< since the newest distances
+  Distances base_;              ///< added to the board's, so that counts go on over its restart
   bool has_watch_ = true;
   int drive_refusals_ = 0;
   std::string settings_refused_;
   ToldForAWhile faults_;
-  std::uint64_t errors_ = 0, malformed_ = 0, jumps_ = 0, starts_ = 0, contradictions_ = 0;
+  std::uint64_t errors_ = 0, malformed_ = 0, jumps_ = 0, starts_ = 0, contradictions_ = 0, restarts_ = 0;
   std::optional<std::uint32_t> version_, hardware_;
 };
 

@@ -40,6 +40,7 @@ struct EddieOptions {
   double acceleration = 3.0;
   double reply_timeout = 0.08;
   double silence = 0.2;
+  double velocity_window = 0.12;
   RateOptions rates;
   std::vector<std::int64_t> sonar_pins;
   std::vector<std::string> sonar_frames;
@@ -82,6 +83,11 @@ struct EddieOptions {
       {.unit = "s", .min = 0.02, .max = 0.5, .doc = "longest wait for a reply"});
     v("silence", silence,
       {.unit = "s", .min = 0.1, .max = 1, .doc = "without a reply after which the base counts as lost"});
+    v("velocity_window", velocity_window,
+      {.unit = "s",
+       .min = 0,
+       .max = 1,
+       .doc = "time over which speed is averaged at least: a count is 3.3 mm, or 13 mm"});
     v("rates", rates, {.doc = "how often what is asked; the line takes about 100 requests a second"});
     v("sonar_pins", sonar_pins, {.min = 0, .max = 15, .doc = "with a PING))) sensor, ascending"});
     v("sonar_frames", sonar_frames, {.doc = "their frames, of the robot's sensors"});

@@ -9,6 +9,7 @@
 
 #include "components/evaluation/axis_ticks.hpp"
 #include "components/evaluation/svg_writer.hpp"
+#include "components/tools/bench/diagram_axes.hpp"
 #include "components/tools/bench/people_report.hpp"
 
 namespace bw {
@@ -18,8 +19,9 @@ using people::TrackError;
 
 constexpr double kLeft = 70.0;     // of every diagram [px]
 constexpr double kWidth = 1400.0;  // of those over time [px]
-constexpr double kPanel = 420.0;   // of a view from above [px]
+constexpr double kPanel = 420.0;   // height of a view from above [px]
 constexpr double kRow = 18.0;      // of a track's life [px]
+constexpr double kBetween = 65.0;  // views side by side [px]
 constexpr double kPause = 0.3;     // a line is interrupted where a track is not reported for longer [s]
 constexpr const char* kLegend = R"(font-size="14")";
 
@@ -49,51 +51,6 @@ std::string color_of(std::uint32_t id) {
                                                       "#56b4e9", "#6a3d9a", "#444444", "#b00020"};
   return kColors[id % kColors.size()];
 }
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-
-  void hold(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  double length() const { return high - low; }
-  double middle() const { return 0.5 * (low + high); }
-};
-
-/// A frame with ticks, its units in the names of the axes.
-struct Axes {
-  Vector2 corner;
-  double width, height;
-  Range h, v;
-
-  Vector2 at(double x, double y) const {
-    return corner + Vector2(width * (x - h.low) / h.length(), height * (v.high - y) / v.length());
-  }
-
-  void draw_ticks_v(SvgWriter& svg) const {
-    const double step = round_step(v.low, v.high, 8);
-    for (const double y : ticks_between(v.low, v.high, step)) {
-      svg.line(at(h.low, y), at(h.high, y), R"(stroke="#e4e4e4")");
-      svg.text(at(h.low, y) + Vector2(-6, 4), tick_text(y, step), R"(font-size="12" text-anchor="end")");
-    }
-  }
-
-  void draw(SvgWriter& svg, const std::string& name_h, const std::string& name_v,
-            bool has_ticks_v = true) const {
-    const double step_h = round_step(h.low, h.high, width > 1.5 * kPanel ? 14 : 8);
-    for (const double x : ticks_between(h.low, h.high, step_h)) {
-      svg.line(at(x, v.low), at(x, v.high), R"(stroke="#e4e4e4")");
-      svg.text(at(x, v.low) + Vector2(0, 16), tick_text(x, step_h), R"(font-size="12" text-anchor="middle")");
-    }
-    if (has_ticks_v) draw_ticks_v(svg);
-    svg.rectangle(corner, width, height, R"(fill="none" stroke="#444")");
-    svg.text(corner + Vector2(width / 2, height + 33), name_h, R"(font-size="13" text-anchor="middle")");
-    svg.text(corner + Vector2(0, -6), name_v, R"(font-size="13")");
-  }
-};
 
 void draw_cross(SvgWriter& svg, const Vector2& p) {
   svg.line(p - Vector2(3, 3), p + Vector2(3, 3), R"(stroke="#000")");
@@ -196,8 +153,8 @@ std::pair<Range, Range> bounds_of(const PeopleRun& run, const Tracks& tracks, co
 }
 
 /// Equal steps along both axes, everything in.
-Axes axes_of(const PeopleRun& run, const Tracks& tracks, const View& view, const Vector2& corner,
-             double width) {
+DiagramAxes axes_of(const PeopleRun& run, const Tracks& tracks, const View& view, const Vector2& corner,
+                    double width) {
   const auto [x, y] = bounds_of(run, tracks, view);
   const double px_per_m =
       std::min(width / std::max(x.length() + 0.6, 1.0), kPanel / std::max(y.length() + 0.6, 1.0));
@@ -212,7 +169,7 @@ Axes axes_of(const PeopleRun& run, const Tracks& tracks, const View& view, const
 
 void draw_view(SvgWriter& svg, const PeopleRun& run, const Tracks& tracks, const View& view,
                const Vector2& corner, double width) {
-  const Axes axes = axes_of(run, tracks, view, corner, width);
+  const DiagramAxes axes = axes_of(run, tracks, view, corner, width);
   svg.text(corner + Vector2(0, -44), view.title, R"(font-size="14" font-weight="bold")");
   svg.text(corner + Vector2(0, -26), view.score, R"(font-size="13")");
   axes.draw(svg, "x in odom [m]", "y in odom [m]");
@@ -258,7 +215,7 @@ void draw_legend(SvgWriter& svg) {
   svg.text({1082, 29}, "labelled; colours of tracks as in the lowest diagram", kLegend);
 }
 
-void shade(SvgWriter& svg, const Axes& axes, const PeopleRun& run) {
+void shade(SvgWriter& svg, const DiagramAxes& axes, const PeopleRun& run) {
   for (const LabelledStretch& stretch : run.stretches) {
     if (stretch.labels.empty()) continue;
     const Range times = times_of(stretch);
@@ -273,7 +230,7 @@ void draw_distances(SvgWriter& svg, const PeopleRun& run, const Tracks& tracks, 
   for (const auto& [id, track] : tracks)
     for (const Sighting& s : track) distances.hold(s.distance);
   const Range times{0.0, std::max(run.duration, 1.0)};
-  const Axes axes{{kLeft, top}, kWidth, 240, times, {0.0, round_end(distances.high)}};
+  const DiagramAxes axes{{kLeft, top}, kWidth, 240, times, {0.0, round_end(distances.high)}};
   shade(svg, axes, run);
   axes.draw(svg, "time since the first scan [s]", "distance from the robot [m]");
   for (const auto& [id, track] : tracks)
@@ -298,7 +255,7 @@ void draw_lives(SvgWriter& svg, const PeopleRun& run, const std::vector<TrackLif
                 const std::vector<std::size_t>& rows, double top) {
   const Range times{0.0, std::max(run.duration, 1.0)};
   const double count = rows.empty() ? 1.0 : 1.0 + static_cast<double>(*std::ranges::max_element(rows));
-  const Axes axes{{kLeft, top}, kWidth, kRow * count, times, {0.0, count}};
+  const DiagramAxes axes{{kLeft, top}, kWidth, kRow * count, times, {0.0, count}};
   shade(svg, axes, run);
   axes.draw(svg, "time since the first scan [s]",
             "lives of tracks: possible (thin), confirmed (thick); number and length", false);

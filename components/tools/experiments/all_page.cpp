@@ -65,7 +65,7 @@ std::string outcome(const AllRun& run) {
       missed += "<li>" + part.experiments + ": " + xml_text(part.trouble) + "</li>\n";
     for (const Criterion& c : criteria_of(part)) {
       if (c.met || !c.not_judged.empty()) continue;
-      missed += "<li>" + part.experiments + ", " + xml_text(c.name) + ": " + sensible(c.measured) +
+      missed += "<li>" + part.experiments + ", " + xml_text(c.name) + ": " + sensible(c.measured, c.asked) +
                 ", asked " + xml_text(c.asked) + "</li>\n";
     }
   }
@@ -86,27 +86,28 @@ double number_of(const nlohmann::json& json, const char* key) {
                                                    : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// "0.0934 (0.081 to 0.11)"
-std::string in_words(const nlohmann::json& spread) {
+/// "0.0934 (0.081 to 0.11)"; counts where `published` is one.
+std::string in_words(const nlohmann::json& spread, const std::string& published) {
   const double low = number_of(spread, "low"), high = number_of(spread, "high");
-  std::string text = sensible(number_of(spread, "mean"));
-  if (low == low && high == high) text += " (" + sensible(low) + " to " + sensible(high) + ")";
+  std::string text = sensible(number_of(spread, "mean"), published);
+  if (low == low && high == high)
+    text += " (" + sensible(low, published) + " to " + sensible(high, published) + ")";
   return text;
 }
 
 std::string published_table(const AllPart& part) {
   Table table({"what", "source", "published", "here", "seeds", "by another reading"});
   for (const nlohmann::json& value : part.results.at("published")) {
-    const std::string unit = value.at("unit");
+    const std::string unit = value.at("unit"), published = value.at("published");
     std::string others;
     for (const nlohmann::json& other : value.at("others")) {
       if (!others.empty()) others += "<br>";
-      others += xml_text(other.at("name").get<std::string>()) + ": " + in_words(other);
+      others += xml_text(other.at("name").get<std::string>()) + ": " + in_words(other, published);
     }
     table.row({xml_text(value.at("what").get<std::string>() + (unit.empty() ? "" : " [" + unit + "]")),
-               xml_text(value.at("source").get<std::string>()),
-               xml_text(value.at("published").get<std::string>()), in_words(value.at("here")),
-               std::to_string(value.at("here").at("seeds").get<int>()), others});
+               xml_text(value.at("source").get<std::string>()), xml_text(published),
+               in_words(value.at("here"), published), std::to_string(value.at("here").at("seeds").get<int>()),
+               others});
   }
   return table.html();
 }

@@ -79,8 +79,8 @@ std::string outcome(const FirstScreen& screen) {
   for (const Criterion& c : screen.criteria) {
     any_judged = any_judged || c.not_judged.empty();
     if (c.met || !c.not_judged.empty()) continue;
-    missed +=
-        "<li>" + xml_text(c.name) + ": " + sensible(c.measured) + ", asked " + xml_text(c.asked) + "</li>\n";
+    missed += "<li>" + xml_text(c.name) + ": " + sensible(c.measured, c.asked) + ", asked " +
+              xml_text(c.asked) + "</li>\n";
   }
   const std::string color = !any_judged ? "" : missed.empty() ? " all" : " some";
   return "<div class=\"outcome" + color + "\">\n<p><b>Judged: " + xml_text(screen.judged) + ".</b> " +
@@ -109,6 +109,12 @@ std::string sensible(double value) {
   constexpr int kDigits = 3;
   const int before_point = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
   return fixed(value, std::clamp(kDigits - before_point, 0, 6));
+}
+
+std::string sensible(double value, std::string_view like) {
+  const bool is_count =
+      std::isfinite(value) && value == std::round(value) && like.find('.') == std::string_view::npos;
+  return is_count ? fixed(value, 0) : sensible(value);
 }
 
 Table::Table(std::vector<std::string> headings)
@@ -145,7 +151,7 @@ std::string verdict(bool met) {
 std::string criteria_table(const std::vector<Criterion>& criteria) {
   Table table({"criterion", "asked", "measured", "verdict"});
   for (const Criterion& c : criteria)
-    table.row({xml_text(c.name), xml_text(c.asked), sensible(c.measured), verdict_of(c)});
+    table.row({xml_text(c.name), xml_text(c.asked), sensible(c.measured, c.asked), verdict_of(c)});
   return table.html();
 }
 

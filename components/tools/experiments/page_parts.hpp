@@ -4,6 +4,7 @@
 
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "components/tools/experiments/criterion.hpp"
@@ -17,6 +18,8 @@ std::string closing();
 /// With three significant digits, none of them after a whole number of four: 37.4, 0.0218, 1520. What is not finite
 /// is a dash.
 std::string sensible(double value);
+/// As sensible(), but a whole number without decimals where none are in `like`, such as "20 of 20": a count.
+std::string sensible(double value, std::string_view like);
 
 /// A table whose rows become cards on a narrow screen.
 class Table {

@@ -271,6 +271,10 @@ TEST(Evaluation, TellsComfortByTracksWhereThereIsNoTruth) {
           track.position(to_point({1.0, 2.0 + t - 0.2}));
           track.velocity(to_vector3({0.0, 1.0}));
           people.tracks().push_back(track);
+          track.id(6);  // nearer, and perhaps furniture
+          track.confidence(0.4);
+          track.position(to_point({1.0, 1.0}));
+          people.tracks().push_back(track);
           tracks.publish(people);
         };
       },

@@ -96,6 +96,19 @@ TEST(PlannerMarkers, PredictionsAreDotsWithGrowingEllipses) {
   EXPECT_NEAR(std::remainder(yaw_of(ellipses[0].pose().orientation()) - angle, std::numbers::pi), 0.0, 1e-9);
 }
 
+// 0.2 of the opacity at confidence 0, all of it from 0.5 on, 0.6 half way.
+TEST(PlannerMarkers, PossiblePeopleArePale) {
+  PlanningProblem problem;
+  problem.movers.resize(3);
+  problem.movers[0].confidence = 0.0;
+  problem.movers[1].confidence = 0.25;
+  problem.movers[2].confidence = 0.5;
+  const auto marks = of(to_markers(problem, {}, "odom"), "predictions");
+  ASSERT_EQ(marks.size(), 3U);
+  EXPECT_NEAR(marks[0].color().a() / marks[2].color().a(), 0.2, 1e-6);
+  EXPECT_NEAR(marks[1].color().a() / marks[2].color().a(), 0.6, 1e-6);
+}
+
 // Ten predictions a second would hide each other: about two are shown, and none beyond 3 s.
 TEST(PlannerMarkers, DensePredictionsAreThinnedOut) {
   PlanningProblem problem;

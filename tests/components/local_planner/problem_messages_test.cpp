@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -62,6 +63,16 @@ TEST(ProblemMessages, OldTracksMoveAlongTheirPrediction) {
   ASSERT_EQ(mover.predictions.size(), 2U);
   EXPECT_NEAR(mover.predictions[0].time, 0.15, 1e-9);
   EXPECT_NEAR(mover.predictions[1].time, 0.45, 1e-9);
+}
+
+TEST(ProblemMessages, WhatDoesNotTellItsConfidenceIsAPerson) {
+  for (const auto& [told, taken] :
+       {std::pair{0.0, 0.0}, {0.3, 0.3}, {1.0, 1.0}, {std::nan(""), 1.0}, {-0.1, 1.0}, {7.0, 1.0}}) {
+    Tracks tracks = one_track(5.0);
+    tracks.tracks()[0].confidence(told);
+    EXPECT_EQ(to_movers(tracks, {}, Time::seconds(5.0)).at(0).confidence, taken) << told;
+    EXPECT_EQ(tells_confidence(tracks.tracks()[0]), told == taken) << told;
+  }
 }
 
 TEST(ProblemMessages, TracksFromTheFutureStay) {

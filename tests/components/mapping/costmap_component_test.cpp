@@ -58,6 +58,7 @@ LaserScan sweep_at(double t) {
 struct Setting {
   std::string parameters;
   bool tracks = true;
+  double confidence = 1.0;  ///< of the track
   bool odometry = true;
   std::function<bool(LaserScan&)> fault = [](LaserScan&) {
     return true;
@@ -99,7 +100,7 @@ Seen run(const Setting& setting) {
                     bandwagon_msgs::msg::Tracks message;
                     message.header(make_header("map", tick.now));
                     bandwagon_msgs::msg::Track track;
-                    track.confidence(1.0);
+                    track.confidence(setting.confidence);
                     track.position(to_point(kX_MO * person_at(t).center));
                     track.velocity(to_vector3(rotate(kX_MO, Vector2(0.4, 0.0))));
                     track.radius(0.2);
@@ -160,6 +161,19 @@ TEST(LocalCostmapComponent, MarksPeopleNobodyTracks) {
   const Seen seen = run({.tracks = false});
   const Vector2 front = person_at(seen.last()).center - Vector2(0.19, 0.0);
   EXPECT_GE(value_at(seen.costmaps.back(), front), 99);
+}
+
+// Who may be furniture takes no marks away; what does not say how sure it is does.
+TEST(LocalCostmapComponent, MarksWhoMayBeFurniture) {
+  for (const double confidence : {0.0, 0.49, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
+    const Seen seen = run({.confidence = confidence});
+    const Vector2 front = person_at(seen.last()).center - Vector2(0.19, 0.0);
+    if (confidence < kConfirmed) {
+      EXPECT_GE(value_at(seen.costmaps.back(), front), 99) << confidence;
+    } else {
+      EXPECT_EQ(value_at(seen.costmaps.back(), front), 0) << confidence;
+    }
+  }
 }
 
 TEST(LocalCostmapComponent, TakesTheMapWhereNobodyLooked) {

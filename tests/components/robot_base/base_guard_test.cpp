@@ -94,6 +94,18 @@ TEST(BaseGuard, ADeviceThatWasOpenedAnewHearsAStopFirst) {
   EXPECT_EQ(base.output().wheels, kAhead);
 }
 
+// Drivers say that it is open when the base has answered, so that its first counts come with the first opening.
+TEST(BaseGuard, TheFirstOpeningIsNoneAnew) {
+  GuardedBase base;
+  base.readings.link = {
+      .is_open = false, .is_opening = true, .device = "/dev/base", .fault = "not opened yet"};
+  base.is_silent = true;
+  base.run(2.0, std::nullopt, [&] { ASSERT_EQ(base.output().reason, ""); });
+  base.readings.link = {.is_open = true, .device = "/dev/base", .openings = 1};
+  base.is_silent = false;
+  base.run(1.0, std::nullopt, [&] { ASSERT_EQ(base.output().reason, ""); });
+}
+
 TEST(BaseGuard, CommandsThatDoNotGetThroughAreALostBase) {
   GuardedBase base = driving();
   base.is_deaf = true;

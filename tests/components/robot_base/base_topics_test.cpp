@@ -7,6 +7,7 @@
 #include <bandwagon_msgs/msg/base_state.hpp>
 #include <diagnostic_msgs/msg/diagnostic_array.hpp>
 #include <gtest/gtest.h>
+#include <nav_msgs/msg/odometry.hpp>
 #include <sensor_msgs/msg/battery_state.hpp>
 #include <sensor_msgs/msg/imu.hpp>
 #include <sensor_msgs/msg/range.hpp>
@@ -36,9 +37,11 @@ Bench* g_bench = nullptr;
 
 struct BenchOptions {
   double speed_scale = 1.0;
+  double velocity_window = 0.0;
   template <class Visitor>
   void fields(Visitor& v) {
     v("speed_scale", speed_scale, {.min = 0, .max = 2, .doc = "wheels turn this much of what they are told"});
+    v("velocity_window", velocity_window, {.unit = "s", .min = 0, .max = 1, .doc = "that it asks for"});
   }
 };
 
@@ -46,6 +49,7 @@ class BenchDriver final : public Driver {
  public:
   BenchDriver(const BenchOptions& options, const DriverContext& context)
       : scale_(options.speed_scale),
+        velocity_window_(options.velocity_window),
         ticks_per_metre_(2578.0 / (2.0 * 3.14159265 * context.robot.wheel_radius)) {}
   Readings poll(Time now) override {
     Bench& bench = *g_bench;
@@ -72,11 +76,15 @@ class BenchDriver final : public Driver {
             {.frame = "ir0", .is_infrared = true, .field_of_view = 0.05, .min_range = 0.1, .max_range = 0.8}};
   }
   BaseFacts facts() const override {
-    return {.has_gyro = true, .has_battery = true, .battery_low = 14.0, .battery_empty = 13.2};
+    return {.has_gyro = true,
+            .has_battery = true,
+            .velocity_window = velocity_window_,
+            .battery_low = 14.0,
+            .battery_empty = 13.2};
   }
 
  private:
-  double scale_, ticks_per_metre_;
+  double scale_, velocity_window_, ticks_per_metre_;
   WheelSpeeds wheels_;
   std::uint64_t frames_ = 0;
 };
@@ -217,13 +225,15 @@ TEST_F(BaseTopics, SilenceNamesTheCableAndSaysWhatOdometryMissed) {
       4.0,
       [&](bw::Setup& setup) {
         setup.input<diagnostic_msgs::msg::DiagnosticArray>(
-            "/diagnostics", Qos::standard(), [&](const auto& m, const Tick&) {
+            "/diagnostics", Qos::standard(),
+            [&](const auto& m, const Tick&) {
               for (const auto& status : m.status()) {
                 if (status.name().find("robot_base") == std::string::npos) continue;
                 told.push_back(status.message());
                 for (const auto& value : status.values()) told.push_back(value.key() + "=" + value.value());
               }
-            }, Need::optional);
+            },
+            Need::optional);
       },
       [&](double t) {
         if (is_at(t, 1.0)) bench_.is_mute = true;
@@ -254,6 +264,34 @@ TEST_F(BaseTopics, AnUnknownDriverIsRefusedWithTheNearestName) {
     FAIL() << "not refused";
   } catch (const std::exception& error) {
     EXPECT_NE(std::string(error.what()).find("bench"), std::string::npos) << error.what();
+  }
+}
+
+// Readings come every 10 ms; while the wheels speed up with 1 m/s^2, the mean of the last 0.2 s is 0.07 m/s less than that of the last
+// 0.06 s, which the parameter says.
+TEST_F(BaseTopics, SpeedIsAveragedForAsLongAsTheDriverAsks) {
+  for (const bool asks : {true, false}) {
+    bench_ = {};
+    std::vector<nav_msgs::msg::Odometry> told;
+    run(
+        1.5,
+        [&](bw::Setup& setup) {
+          setup.input<nav_msgs::msg::Odometry>("odom", Qos::sensor(),
+                                               [&](const auto& m, const Tick&) { told.push_back(m); });
+        },
+        {}, asks ? "driver: bench, velocity_window: 0.2" : "driver: bench");
+    ASSERT_GT(told.size(), 100U);
+    const auto mean = [&](std::size_t i, std::size_t readings) {
+      const double way =
+          told[i].pose().pose().position().x() - told[i - readings].pose().pose().position().x();
+      return way / (0.01 * static_cast<double>(readings));
+    };
+    double most_beside = 0.0;
+    for (std::size_t i = 20; i < told.size(); ++i) {
+      ASSERT_NEAR(told[i].twist().twist().linear().x(), mean(i, asks ? 20 : 6), 1e-6) << i;
+      most_beside = std::max(most_beside, std::abs(mean(i, 20) - mean(i, 6)));
+    }
+    EXPECT_GT(most_beside, 0.04);
   }
 }
 

@@ -177,6 +177,33 @@ TEST(DriverAndFirmware, AnEddieOfTheOtherUnitIsToldWithinASecondOfDriving) {
   EXPECT_THAT(slow.bench.fault, HasSubstr("count positions per second"));
 }
 
+// Its power fails for a second after 0.09 m, 27 positions: it counts from zero again, which the wheels could have turned back to meanwhile.
+TEST(DriverAndFirmware, AnEddieThatLostItsPowerInSilenceIsNoticed) {
+  const Robot robot = eddie_robot();
+  ScriptedLink::Wire wire;
+  eddie::Eddie driver({}, robot, std::make_unique<ScriptedLink>(wire));
+  EddieFirmware firmware({}, robot);
+  Bench bench(robot, wire, driver, firmware);
+  bench.run(3.0, [](double t) { return t < 1.0 || t > 1.5 ? WheelSpeeds{} : WheelSpeeds{0.2, 0.2}; });
+  ASSERT_EQ(bench.fault, "");
+  const EncoderCounts before = bench.counts.back();
+  ASSERT_GT(before.left, 10);
+  for (int i = 0; i < 100; ++i) {
+    bench.now = bench.now + Duration::milliseconds(10);
+    static_cast<void>(driver.poll(bench.now));
+    driver.command(bench.now, {});
+    wire.from_host.clear();
+  }
+  EddieFirmware again({}, robot);
+  Bench after(robot, wire, driver, again);
+  after.now = bench.now;
+  after.run(1.0, [](double) { return WheelSpeeds{}; });
+  EXPECT_THAT(after.fault, HasSubstr("the board restarted while it was not heard"));
+  ASSERT_FALSE(after.counts.empty());
+  EXPECT_EQ(after.counts.back().left, before.left);
+  EXPECT_EQ(after.counters.at("restarts"), 1U);
+}
+
 TEST(DriverAndFirmware, AnEddieWithoutWatchDrivesAndSaysSo) {
   const EddieRun run({}, {.has_watch = false}, 15.0);
   const Bench& bench = run.bench;

@@ -1,6 +1,7 @@
 // A base in real time behind a cable that this test holds: pulled at random moments at full speed and put back, and a planner that falls
 // silent. What is asked: declared, reported, and a decelerating stop on the wire within 300 ms; after reconnection the first frame is a
-// stop, and motion needs a new command.
+// stop, and motion needs a new command. What the robot itself does without its cable is looked at in the world: an Eddie stands by its
+// WATCH, a Kobuki drives on.
 //
 // Five pulls and five silences in all, which tell how long they took and, on a machine that has much else to do, are let off with a second;
 // BANDWAGON_PULLS=300 makes it 300 of each with each base, and 300 ms.
@@ -10,6 +11,7 @@
 #include <random>
 
 #include <bandwagon_msgs/msg/base_state.hpp>
+#include <bandwagon_msgs/msg/ground_truth.hpp>
 #include <geometry_msgs/msg/twist.hpp>
 #include <gtest/gtest.h>
 
@@ -25,6 +27,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using bandwagon_msgs::msg::BaseState;
+using bandwagon_msgs::msg::GroundTruth;
 using geometry_msgs::msg::Twist;
 namespace base = bandwagon_msgs::msg::BaseState_Constants;
 using std::chrono::milliseconds;
@@ -45,6 +48,7 @@ struct Figures {
 struct Model {
   const char* name;
   int pulls;  ///< where nobody asks for more
+  bool stands_by_itself;
 };
 
 class BehindACable : public testing::TestWithParam<Model> {
@@ -83,6 +87,7 @@ class BehindACable : public testing::TestWithParam<Model> {
       plugging_ = command.plugging;
       sent_.push_back(command);
     }
+    if (const auto truth = truths_.take_newest()) speed_ = truth->twist().linear().x();
     if (auto state = states_.take_newest()) {
       state_ = *state;
       heard_ = Clock::now();
@@ -126,6 +131,7 @@ class BehindACable : public testing::TestWithParam<Model> {
   dds::Participant participant_{local()};
   cli::TopicWriter<Twist> commands_{participant_, "/cmd_vel", Qos::command()};
   cli::TopicReader<BaseState> states_{participant_, "/base_state", Qos::standard(100)};
+  cli::TopicReader<GroundTruth> truths_{participant_, "/sim/ground_truth", Qos::standard(100)};
   std::unique_ptr<WireReader> wire_ = std::make_unique<KobukiWire>();
   std::mt19937 random_{7};
   Clock::time_point commanded_, heard_;
@@ -133,10 +139,14 @@ class BehindACable : public testing::TestWithParam<Model> {
   std::uint64_t plugging_ = 0;
   WireCommand first_;  ///< since the cable was put in
   BaseState state_;
+  double speed_ = 0.0;  ///< of the robot on its floor [m/s]
 };
 
+// WATCH: motors off when nothing was heard for a second. The emulator's wheels then run down with a time constant of 0.1 s: from 0.3 to 0.01 m/s
+// in 0.1 ln 30 = 0.34 s. What it heard last is at most a request's period old, 25 ms, when the cable goes.
 TEST_P(BehindACable, PulledAndPutBack) {
-  Figures declared, back;
+  constexpr double kWatch = 1000.0, kRunsDown = 340.0, kLastByte = 25.0, kAmple = 1500.0;
+  Figures declared, stands, back;
   std::uniform_real_distribution<double> moment(0.0, 300.0);
   for (int i = 0; i < times(); ++i) {
     ASSERT_TRUE(is_driving()) << i << ": " << state_.reason() << host_.err();
@@ -146,6 +156,15 @@ TEST_P(BehindACable, PulledAndPutBack) {
     declared.ms.push_back(ms_between(pulled, heard_));
     EXPECT_LE(declared.ms.back(), limit_ms()) << "pull " << i;
     EXPECT_NE(state_.device(), "") << "it names the cable";
+    if (GetParam().stands_by_itself) {
+      ASSERT_TRUE(until([&] { return std::abs(speed_) < 0.01; }, false)) << "pull " << i << ": it drives on";
+      stands.ms.push_back(ms_between(pulled, Clock::now()));
+      EXPECT_GE(stands.ms.back(), kWatch - kLastByte) << "pull " << i << ": not by WATCH";
+      EXPECT_LE(stands.ms.back(), kWatch + kRunsDown + limit_ms()) << "pull " << i;
+    } else if (i == 0) {
+      ASSERT_TRUE(wait(kAmple, false));
+      EXPECT_GT(speed_, 0.25) << "who drives on is not to be relied on, and is told so on the robots' page";
+    }
 
     cable_.put_back();
     const auto put_back = Clock::now();
@@ -161,6 +180,7 @@ TEST_P(BehindACable, PulledAndPutBack) {
   ASSERT_TRUE(is_driving()) << "a new command moves it";
   std::printf("%s, cable pulled:\n", GetParam().name);
   declared.print("until base_state says LINK");
+  if (GetParam().stands_by_itself) stands.print("until it stands by itself");
   back.print("from putting back until it may be driven");
 }
 
@@ -184,7 +204,8 @@ TEST_P(BehindACable, ASilentPlannerIsAStopOnTheWire) {
   stopped.print("until it is a stop, after the ramp");
 }
 
-INSTANTIATE_TEST_SUITE_P(Bases, BehindACable, testing::Values(Model{"kobuki", 3}, Model{"eddie", 2}),
+INSTANTIATE_TEST_SUITE_P(Bases, BehindACable,
+                         testing::Values(Model{"kobuki", 3, false}, Model{"eddie", 2, true}),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

@@ -85,6 +85,35 @@ TEST(SerialPort, TriesAgainEveryHalfSecondOfItsClock) {
   EXPECT_TRUE(eventually([&] { return host.update(start + Duration::milliseconds(500)).is_open; }));
 }
 
+// An emulator starts beside its host: within the patience, 2 s here, its absence is no fault, and it is looked for every 50 ms.
+TEST(SerialPort, WaitsWithPatienceForADeviceThatIsStarting) {
+  Folder folder;
+  const Time start = Time::seconds(100.0);
+  SerialPort host({.port = (folder / "cable").string()}, "the emulator", Duration::seconds(2.0));
+  EXPECT_TRUE(host.update(start).is_opening);
+  ASSERT_TRUE(eventually([&] { return host.update(start).fault.starts_with("no such device"); }));
+  EXPECT_TRUE(host.update(start).is_opening);
+  PseudoTerminal device(folder / "cable");
+  device.update(start);
+  for (int i = 0; i < 200; ++i) EXPECT_FALSE(host.update(start + Duration::milliseconds(49)).is_open);
+  EXPECT_TRUE(eventually([&] { return host.update(start + Duration::milliseconds(50)).is_open; }));
+  EXPECT_FALSE(host.update(start + Duration::milliseconds(50)).is_opening);
+  device.pull();
+  EXPECT_FALSE(host.update(start + Duration::milliseconds(60)).is_opening)
+      << "a line that is lost is a fault";
+}
+
+TEST(SerialPort, PatienceEnds) {
+  Folder folder;
+  const Time start = Time::seconds(100.0);
+  SerialPort host({.port = (folder / "cable").string()}, "the emulator", Duration::seconds(2.0));
+  EXPECT_TRUE(host.update(start).is_opening);
+  EXPECT_TRUE(eventually([&] { return !host.update(start + Duration::seconds(2.0)).is_opening; }));
+  SerialPort without({.port = (folder / "cable").string()});
+  EXPECT_TRUE(without.update(start).is_opening) << "nothing was tried yet";
+  EXPECT_TRUE(eventually([&] { return !without.update(start).is_opening; }));
+}
+
 TEST(SerialPort, AClockThatGoesBackKeepsNobodyWaiting) {
   Folder folder;
   SerialPort host({.port = (folder / "cable").string()});
@@ -217,7 +246,7 @@ TEST(SerialPort, ADeviceThatHangsHoldsNobodyUp) {
   const fs::path product = machine.folders.sys / "devices" / "pci0000:00" / "usb1" / "1-1" / "product";
   fs::remove(product);
   ASSERT_EQ(mkfifo(product.c_str(), 0600), 0);
-  SerialPort host({.port = "usb:HANGS"}, {}, machine.folders);
+  SerialPort host({.port = "usb:HANGS"}, {}, {}, machine.folders);
   host.update(now());
   for (int i = 0; i < 1000; ++i) {
     EXPECT_FALSE(host.update(now()).is_open);

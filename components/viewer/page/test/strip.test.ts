@@ -71,6 +71,15 @@ test("distance and index from tracks, where nobody tells them", () => {
   assert.ok(data.isFromCentre);
 });
 
+test("of tracks only people count: who may be furniture is nobody, who does not say is somebody", () => {
+  const data = new StripData();
+  const near = { position: { x: 1, y: 0 }, radius: 0.3 };
+  data.add("odom", message(1, odometry(0, 0)));
+  for (const [i, confidence] of [0.4, 0.5, NaN, undefined].entries())
+    data.add("tracks", message(1 + 0.1 * i, { header: { frame_id: "odom" }, tracks: [{ ...near, confidence }] }));
+  assert.deepEqual(data.curves.person.values, [NaN, 0.7, 0.7, 0.7]);
+});
+
 test("the index reaches its limits where collision_index.hpp says", () => {
   const data = new StripData();
   const truth = (distance: number) => ({

@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 2817;
 constexpr double kJustPossible = 0.499;
+constexpr double kFarEnough = 1.2;  // [m] between centres
 
 std::string scene_text(int scene) {
   return "seed " + std::to_string(kSeed) + " scene " + std::to_string(scene);
@@ -66,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(PossiblePeople, AnyPlanner, testing::ValuesIn(planner_n
 // To the last bit.
 TEST_P(AnyPlanner, ForgetsWhomNobodyBelievesIn) {
   Random random(kSeed);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 8; ++i) {
     const PlanningProblem scene = random_scene(random);
     EXPECT_EQ(difference(first_plan(with_confidence(scene, 0.0)), first_plan(without_movers(scene))), "")
         << scene_text(i);
@@ -78,7 +79,7 @@ TEST_P(AnyPlanner, FindsAWayWhereverThereIsOneWithoutPossiblePeople) {
   const bool is_band = GetParam().find("teb") != std::string_view::npos;
   Random random(kSeed);
   int ways = 0;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 16; ++i) {
     const PlanningProblem scene = random_scene(random);
     const PlanningResult without = first_plan(without_movers(scene));
     const PlanningResult with = first_plan(with_confidence(scene, kJustPossible));
@@ -90,12 +91,12 @@ TEST_P(AnyPlanner, FindsAWayWhereverThereIsOneWithoutPossiblePeople) {
     EXPECT_EQ(with.status, PlanningStatus::ok) << scene_text(i);
     EXPECT_EQ(with.reason, "") << scene_text(i);
   }
-  EXPECT_GT(ways, 10) << "hardly a scene has a way at all";
+  EXPECT_GT(ways, 4) << "hardly a scene has a way at all";
 }
 
 TEST_P(AnyPlanner, CommutesWithMirroringAmongPossiblePeople) {
   Random random(kSeed);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 6; ++i) {
     PlanningProblem scene = random_scene(random);
     for (Mover& mover : scene.movers) mover.confidence = random.uniform();
     const Twist2 command = first_plan(scene).command;
@@ -119,10 +120,11 @@ double smallest_distance(const PlanningResult& result, const Mover& mover) {
   return smallest;
 }
 
-// Somebody stands or walks slowly beside a straight way. One solve of a band ends within its tolerance: 3 cm.
+// Somebody stands or walks slowly beside a straight way. One solve of a band ends within its tolerance: 3 cm. Both radii and the
+// comfortable distance are 1.2 m: who is further away is far enough.
 TEST_P(AnyPlanner, ComesNoNearerWithMoreConfidence) {
   Random random(kSeed);
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 12; ++i) {
     PlanningProblem scene;
     scene.now = Time::seconds(1.0);
     scene.twist = {0.6, 0.0};
@@ -135,7 +137,7 @@ TEST_P(AnyPlanner, ComesNoNearerWithMoreConfidence) {
     for (const double confidence : {0.0, 0.1, 0.2, 0.3, 0.4, kJustPossible, 0.5, 0.75, 1.0}) {
       mover.confidence = confidence;
       scene.movers = {mover};
-      const double distance = smallest_distance(first_plan(scene), mover);
+      const double distance = std::min(kFarEnough, smallest_distance(first_plan(scene), mover));
       text += " " + std::to_string(distance);
       EXPECT_GE(distance, before - 0.03) << scene_text(i) << " confidence " << confidence << text;
       before = std::max(before, distance);

@@ -57,13 +57,15 @@ class Bench {
     for (int i = 0; i < count; ++i) readings = step(wheels);
     return readings;
   }
-  /// Until the start is over: 80 ms, and seven requests of 10 ms.
+  /// Until the start is over: 80 ms, and nine requests of 10 ms.
   void start() {
     steps(20);
     ASSERT_TRUE(took);
     sent.clear();
   }
-  std::string answer(const std::string& line) const {
+  std::string answer(const std::string& line) {
+    if (line == "VERB 1\r") tells_reasons = true;
+    if (line == "VERB\r") return tells_reasons ? "ERROR - Too few parameters\r" : "ERROR\r";
     const std::string word = line.substr(0, line.find_first_of(" \r"));
     const auto found = answers.find(word);
     return found == answers.end() ? "ERROR - Invalid command\r" : found->second;
@@ -84,6 +86,7 @@ class Bench {
   Eddie eddie;
   Time now = Time::seconds(50.0);
   bool took = false, is_silent = false;
+  bool tells_reasons = false;  ///< by VERB 1, until the board loses its power
   std::vector<std::string> sent;
   std::vector<EncoderCounts> counts;
   std::vector<RangeReading> ranges;
@@ -92,10 +95,10 @@ class Bench {
 
 TEST(Eddie, NothingMovesAtConnect) {
   Bench bench;
-  bench.steps(15, {0.3, 0.3});
+  bench.steps(17, {0.3, 0.3});
   // 3 m/s^2 / 3.3249 mm = 902 = 386; pins 0 and 1 are mask 3.
-  EXPECT_THAT(bench.sent, ElementsAre("STOP 0\r", "STOP 0\r", "VERB 1\r", "VER\r", "HWVER\r", "WATCH 1\r",
-                                      "ACC 386\r", "SPNG 3\r"));
+  EXPECT_THAT(bench.sent, ElementsAre("STOP 0\r", "STOP 0\r", "VERB\r", "VERB 1\r", "VERB\r", "VER\r",
+                                      "HWVER\r", "WATCH 1\r", "ACC 386\r", "SPNG 3\r"));
   // 0.3 / 0.0033249 = 90.2 = 5A.
   const Readings readings = bench.steps(2, {0.3, 0.3});
   EXPECT_TRUE(readings.link.is_open);
@@ -115,7 +118,7 @@ TEST(Eddie, TheFirstFrameAfterEachOpeningIsAStop) {
     bench.sent.clear();
     bench.steps(8, {0.3, 0.3});
     EXPECT_THAT(bench.sent, ElementsAre("STOP 0\r"));
-    bench.steps(13, {0.3, 0.3});
+    bench.steps(15, {0.3, 0.3});
     EXPECT_TRUE(bench.took);
   }
 }
@@ -284,6 +287,46 @@ TEST(Eddie, CountsThatJumpAreToldForASecond) {
   EXPECT_THAT(readings.fault, HasSubstr("DIST jumped by 10000"));
   EXPECT_EQ(readings.counters.at("encoder jumps"), 1U);
   EXPECT_EQ(bench.steps(120).fault, "");
+}
+
+// 0x10 is not far from 0, and a second is long: by the counts alone it could have driven there.
+TEST(Eddie, ABoardThatRestartedInSilenceIsToldByTheVerbosityItForgot) {
+  Bench bench;
+  bench.answers["DIST"] = "00000010 00000010\r";
+  bench.start();
+  bench.steps(10);
+  const EncoderCounts before = bench.counts.back();
+  bench.is_silent = true;
+  bench.steps(100);
+  bench.is_silent = false;
+  bench.tells_reasons = false;
+  bench.answers["DIST"] = "00000000 00000000\r";
+  std::string fault;
+  for (int i = 0; i < 60; ++i)
+    if (const Readings readings = bench.step(); readings.link.is_open && fault.empty())
+      fault = readings.fault;
+  EXPECT_THAT(fault, HasSubstr("the board restarted while it was not heard"));
+  EXPECT_GT(bench.counts.back().time, before.time);
+  EXPECT_EQ(bench.counts.back().left, before.left) << "no motion of it";
+  bench.answers["DIST"] = "00000001 00000002\r";
+  const Readings readings = bench.steps(120);
+  EXPECT_EQ(bench.counts.back().left, before.left + 1);
+  EXPECT_EQ(bench.counts.back().right, before.right + 2);
+  EXPECT_EQ(readings.fault, "");
+  EXPECT_EQ(readings.counters.at("restarts"), 1U);
+}
+
+TEST(Eddie, ABoardThatWasOnlySilentTellsWhatItTurnedMeanwhile) {
+  Bench bench;
+  bench.start();
+  bench.steps(10);
+  bench.is_silent = true;
+  bench.steps(100);
+  bench.is_silent = false;
+  bench.answers["DIST"] = "00000010 00000010\r";
+  const Readings readings = bench.steps(60);
+  EXPECT_EQ(bench.counts.back().left, 16);
+  EXPECT_EQ(readings.counters.at("restarts"), 0U);
 }
 
 // 90 positions a second are told; 180 are done.

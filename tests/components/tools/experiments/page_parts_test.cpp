@@ -20,6 +20,14 @@ TEST(Sensible, HasThreeSignificantDigits) {
   EXPECT_EQ(sensible(NAN), "–");
 }
 
+TEST(Sensible, ACountHasNoDecimals) {
+  EXPECT_EQ(sensible(1.0, "20 of 20"), "1");
+  EXPECT_EQ(sensible(17.0, "<= 20"), "17");
+  EXPECT_EQ(sensible(1.0, "<= 0.04"), "1.00");
+  EXPECT_EQ(sensible(17.25, "20 of 20"), "17.2");
+  EXPECT_EQ(sensible(NAN, "20 of 20"), "–");
+}
+
 TEST(Table, NamesTheColumnInEveryCellForNarrowScreens) {
   Table table({"way", "error < 1 [m]"});
   EXPECT_EQ(table.html(), "");
