@@ -27,16 +27,17 @@ struct PersonTrack {
   std::optional<HeadingFilter> heading;  ///< what is reported in place of the walker, if anything
   Time born;
   Time confirmed;
-  Time last_seen;              ///< by a laser
+  Time last_seen;                     ///< by a laser
+  double since_seen = 0.0;            ///< from the time before to that [s]
   std::optional<Whereabouts> hidden;  ///< where they may be while not seen for sure
-  PastState sure;              ///< when they were last seen as a person or a leg plainly is
-  PastState settled;           ///< when their legs last went like those of one person
-  double score = 0.5;          ///< smoothed human score of what was seen
-  Fidgets fidgets;             ///< of the way from leg to leg
-  Existence existence;         ///< how sure it is that they are a person
-  double empty_seconds = 0.0;  ///< for so long the laser saw through where they should be [s]
-  double heard = 0.0;          ///< how sure other detectors are that they are there, 0 to 1
-  Time last_heard;             ///< when one of them told of this person last, if `heard` is not 0
+  PastState sure;                     ///< when they were last seen as a person or a leg plainly is
+  PastState settled;                  ///< when their legs last went like those of one person
+  double score = 0.5;                 ///< smoothed human score of what was seen
+  Fidgets fidgets;                    ///< of the way from leg to leg
+  Existence existence;                ///< how sure it is that they are a person
+  double empty_seconds = 0.0;         ///< for so long the laser saw through where they should be [s]
+  double heard = 0.0;                 ///< how sure other detectors are that they are there, 0 to 1
+  Time last_heard;                    ///< when one of them told of this person last, if `heard` is not 0
   // Of each leg:
   std::array<int, 2> unseen{};                      ///< sweeps since it was seen, or the whole
   std::array<std::optional<ClusterTrack>, 2> legs;  ///< what was seen of it lately
@@ -44,6 +45,8 @@ struct PersonTrack {
   /// `leg` 0 or 1. What is too far from where the leg was, or too late, is the first sight of another.
   void remember_leg(std::size_t leg, const Sighting& seen);
 
+  /// Whom no laser has seen yet was born later than they were seen.
+  bool is_known_to_lasers() const { return last_seen >= born; }
   Time last_known() const { return std::max(last_seen, last_heard); }
 
   bool both_legs_seen(std::int64_t sweep) const {
