@@ -28,6 +28,7 @@ struct PersonTrack {
   Time born;
   Time confirmed;
   Time last_seen;                     ///< by a laser
+  double since_seen = 0.0;            ///< from the time before to that [s]
   std::optional<Whereabouts> hidden;  ///< where they may be while not seen for sure
   double there = 1.0;          ///< how probably they are near where they are tracked, if they are somebody
   PastState sure;              ///< when they were last seen as a person or a leg plainly is
@@ -45,6 +46,8 @@ struct PersonTrack {
   /// `leg` 0 or 1. What is too far from where the leg was, or too late, is the first sight of another.
   void remember_leg(std::size_t leg, const Sighting& seen);
 
+  /// Whom no laser has seen yet was born later than they were seen.
+  bool is_known_to_lasers() const { return last_seen >= born; }
   Time last_known() const { return std::max(last_seen, last_heard); }
 
   bool both_legs_seen(std::int64_t sweep) const {

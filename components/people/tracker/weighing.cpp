@@ -103,7 +103,9 @@ double Weighing::row_at(const ClusterTrack& thing, const ClusterTrack* other) {
 
 void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
   const Sighting& seen = cluster.last();
-  if (still_) cluster.fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kTurn);
+  // Another laser sees it a little elsewhere: that is no fidget.
+  if (still_ && seen.source == cluster.source())
+    cluster.fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kTurn);
   cluster.existence.fidgets = cluster.fidgets.log_odds();
   if (cluster.existence.looks.log_odds() > kLeastLooks && seen.width <= kThin && stands(cluster))
     cluster.existence.row += gain * (row_at(cluster, nullptr) - cluster.existence.row);
@@ -120,7 +122,7 @@ void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, 
     for (const auto& leg : person.legs)
       if (leg && leg->last().sweep == sweep) walk = walk_of_single(*leg, options);
   }
-  if (walk) existence.walked.way += walk->speed * dt;
+  if (walk) existence.walked.way += walk->speed * std::min(dt, person.since_seen);
   existence.clutter =
       existence.prior == Existence::kTwoLegs ? Existence::kEachOther * std::max(0.0, clutter_ - 1.0) : 0.0;
   if (!both || existence.walked.way >= kWalkedFree) return;

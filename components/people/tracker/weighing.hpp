@@ -23,7 +23,8 @@ bool may_be_somebody(const ClusterTrack& cluster);
 
 class Weighing {
  public:
-  /// Sweep number `sweep` at `time` [s], `dt` [s] after the one before, seen from `sensor`.
+  /// Sweep number `sweep` at `time` [s], `dt` [s] after the same sensor's before. `sensor`: where it is, or the first
+  /// of several.
   void weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>& clusters, std::int64_t sweep,
              double time, double dt, const Vector2& sensor, const BirthOptions& options);
 
