@@ -46,8 +46,6 @@ struct PersonTrack {
   /// `leg` 0 or 1. What is too far from where the leg was, or too late, is the first sight of another.
   void remember_leg(std::size_t leg, const Sighting& seen);
 
-  /// Whom no laser has seen yet was born later than they were seen.
-  bool is_known_to_lasers() const { return last_seen >= born; }
   Time last_known() const { return std::max(last_seen, last_heard); }
 
   bool both_legs_seen(std::int64_t sweep) const {

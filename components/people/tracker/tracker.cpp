@@ -181,6 +181,7 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     person.score =
         options_.death.kScoreMemory * person.score + (1.0 - options_.death.kScoreMemory) * d.human_score();
     const Sighting seen = sighting_of(d);
+    if (person.existence.prior == Existence::kUnseen) person.existence.prior = Existence::kOneLeg;
     person.existence.looks.add(seen.likeness(), seen.bearing);
     if (person.last_seen != *now_) person.since_seen = (*now_ - person.last_seen).to_seconds();
     person.last_seen = *now_;
@@ -440,12 +441,10 @@ bool Tracker::Impl::follow_legs_near(PersonTrack& person) {
   const ClusterTrack first = clusters_[static_cast<std::size_t>(legs.first)];
   std::optional<ClusterTrack> second;
   if (legs.second >= 0) second = clusters_[static_cast<std::size_t>(legs.second)];
-  const ClusterTrack* other = second ? &*second : nullptr;
+  follow_legs(person, first, second ? &*second : nullptr);
   const BirthKind kind = second ? BirthKind::standing_pair : BirthKind::standing_single;
-  const auto shown = existence_of({.kind = kind}, first, other);
-  person.existence =
-      person.is_known_to_lasers() ? existence_of_returned(person.existence, shown, kind) : shown;
-  follow_legs(person, first, other);
+  person.existence = existence_of_returned(
+      person.existence, existence_of({.kind = kind}, first, second ? &*second : nullptr), kind);
   person.score = first.last().human_score();
   std::vector<int> used{legs.first};
   if (second) used.push_back(legs.second);

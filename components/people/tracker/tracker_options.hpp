@@ -231,8 +231,7 @@ struct HiddenOptions {
       {.unit = "s",
        .min = 0,
        .max = 60,
-       .doc =
-           "somebody not seen for sure for this long is hidden, and may come back as somebody who appears"});
+       .doc = "somebody not seen for sure for this long is hidden, and may come back as somebody who appears"});
     v("remembered", remembered,
       {.unit = "s", .min = 0, .max = 60, .doc = "who appears so long after somebody was lost may be them"});
     v("guesses", guesses,
@@ -243,10 +242,7 @@ struct HiddenOptions {
        .max = 5,
        .doc = "standard deviation of a velocity when somebody is lost from sight, per axis"});
     v("wander", wander,
-      {.unit = "rad/s/sqrt(Hz)",
-       .min = 0,
-       .max = 10,
-       .doc = "how fast people out of sight change direction"});
+      {.unit = "rad/s/sqrt(Hz)", .min = 0, .max = 10, .doc = "how fast people out of sight change direction"});
     v("keeps_way", keeps_way,
       {.unit = "s", .min = 0.1, .max = 1000, .doc = "mean time until somebody out of sight goes elsewhere"});
     v("overlooked", overlooked,
