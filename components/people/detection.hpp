@@ -16,6 +16,7 @@ struct Detection {
   Eigen::Matrix2d covariance = 0.01 * Eigen::Matrix2d::Identity();  ///< of the position [m^2]
   double width = 0.0;                                               ///< from the first to the last point [m]
   int points = 0;
+  /// Among as many human things as others (detector/classifier.hpp); both together are at most 1.
   double leg_score = 0.0;   ///< how likely it is one leg, 0 to 1
   double body_score = 0.0;  ///< how likely it is a whole person: two legs in one, 0 to 1
   bool occluded = false;    ///< something nearer hides an edge of it: it may be larger

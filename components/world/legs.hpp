@@ -1,12 +1,15 @@
 // The two legs a laser near the floor sees of a person: discs that swing against each other as the person
-// walks.
+// walks, and, if asked for, sway and take small steps while they stand.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "components/model/obstacles.hpp"
+#include "components/model/random.hpp"
 #include "components/world/person.hpp"
 #include "runtime/base/field.hpp"
 
@@ -18,6 +21,8 @@ struct LegOptions {
   double stride = 1.4;
   double swing = 0.18;
   double full_swing_speed = 1.3;
+  double sway = 0.0;
+  double shift_every = 0.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -30,10 +35,21 @@ struct LegOptions {
       {.unit = "m", .min = 0, .max = 1, .doc = "reach of a leg to the front and to the back at full swing"});
     v("full_swing_speed", full_swing_speed,
       {.unit = "m/s", .min = 0.1, .max = 10, .doc = "below this speed the swing shrinks in proportion"});
+    v("sway", sway,
+      {.unit = "m",
+       .min = 0,
+       .max = 0.1,
+       .doc = "standard deviation of the wandering of a leg of who stands; 0: like a statue"});
+    v("shift_every", shift_every,
+      {.unit = "s",
+       .min = 0,
+       .max = 1000,
+       .doc = "who stands sets a foot 0.05 to 0.15 m aside after so long on average; 0: never"});
   }
 };
 
-/// Remembers how far everybody has walked, and which way those who stand were facing.
+/// Remembers how far everybody has walked, which way those who stand were facing, and where they have set their
+/// feet since. The same people and times give the same legs.
 class Legs {
  public:
   explicit Legs(const LegOptions& options) : options_(options) {}
@@ -44,10 +60,23 @@ class Legs {
   std::vector<Disc> discs(const std::vector<Person>& people) const;
 
  private:
+  struct Foot {
+    Vector2 from{0.0, 0.0};    ///< where it was set before, beside where it belongs [m]
+    Vector2 to{0.0, 0.0};      ///< and where it is now, or on its way to
+    Vector2 wander{0.0, 0.0};  ///< of the leg above it [m]
+  };
   struct Gait {
     double walked = 0.0;  ///< [m]
     Vector2 facing{1.0, 0.0};
+    std::optional<Random> random;  ///< of who sways or shifts
+    std::array<Foot, 2> feet;
+    double step = 1.0;        ///< share of the last step that is done
+    double until_next = 0.0;  ///< step [s]; 0: not standing
   };
+
+  void stand(double dt, std::uint32_t id, Gait& gait) const;
+  void set_foot(Gait& gait) const;
+  static void come_home(double dt, Foot& foot);
 
   LegOptions options_;
   std::map<std::uint32_t, Gait> gaits_;

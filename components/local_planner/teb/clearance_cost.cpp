@@ -137,7 +137,7 @@ ObstacleField nearby_obstacles(const StaticObstacles& statics, const std::vector
   std::vector<Capsule> capsules;
   capsules.reserve(statics.size() + (time_indexed ? 0 : 2 * movers.size()));
   for (const Mover& m : movers) {
-    if (m.confidence == 0.0) continue;
+    if (presence(m) == 0.0) continue;
     if (time_indexed) {
       moving.push_back(m);
     } else if (!is_confirmed(m)) {

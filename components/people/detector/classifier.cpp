@@ -1,5 +1,6 @@
 #include "components/people/detector/classifier.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bw::people {
@@ -15,8 +16,17 @@ double probability(std::span<const DecisionTree> trees, float bias, const Featur
   return 1.0 / (1.0 + std::exp(-static_cast<double>(sum)));
 }
 
+HumanScores at_even_odds(const HumanScores& trained, double human) {
+  const double weight = (1.0 - human) / human;
+  const double both = weight * (trained.leg + trained.body);
+  const double sum = both + std::max(0.0, 1.0 - trained.leg - trained.body);
+  return {weight * trained.leg / sum, weight * trained.body / sum};
+}
+
 HumanScores classify(const Features& features) {
-  return {probability(kLegTrees, kLegBias, features), probability(kBodyTrees, kBodyBias, features)};
+  return at_even_odds(
+      {probability(kLegTrees, kLegBias, features), probability(kBodyTrees, kBodyBias, features)},
+      kHumanShare);
 }
 
 }  // namespace bw::people

@@ -31,7 +31,9 @@ const DetectionSet& Detector::detect(const LaserSweep& sweep, const Surroundings
   local_.learn(beams_, sweep.time, surroundings.people);
   find_background(surroundings);
   find_clusters(beams_, is_background_, options_.clusters, clusters_);
-  for (const Cluster& cluster : clusters_.all) result_.detections.push_back(describe(cluster));
+  const std::vector<Neighbours>& neighbours = neighbours_.find(beams_, clusters_);
+  for (std::size_t i = 0; i < clusters_.all.size(); ++i)
+    result_.detections.push_back(describe(clusters_.all[i], neighbours[i]));
   return result_;
 }
 
@@ -45,7 +47,7 @@ void Detector::find_background(const Surroundings& surroundings) {
   }
 }
 
-Detection Detector::describe(const Cluster& cluster) {
+Detection Detector::describe(const Cluster& cluster, const Neighbours& neighbours) {
   read_outline(beams_, clusters_, cluster, outline_);
   Detection detection;
   detection.width = outline_.width();
@@ -65,7 +67,7 @@ Detection Detector::describe(const Cluster& cluster) {
     return detection;
   }
   DiscFit fit = fit_disc(outline_, options_.legs);
-  const HumanScores scores = classify(features_of(outline_, fit));
+  const HumanScores scores = classify(features_of(outline_, fit, neighbours));
   detection.leg_score = scores.leg;
   detection.body_score = scores.body;
   if (scores.body > scores.leg) fit = fit_two_discs(outline_, options_.legs);

@@ -13,6 +13,7 @@
 #include "components/people/detector/clusters.hpp"
 #include "components/people/detector/detector_options.hpp"
 #include "components/people/detector/local_background.hpp"
+#include "components/people/detector/neighbours.hpp"
 #include "components/people/detector/outline.hpp"
 #include "components/people/detector/static_map.hpp"
 
@@ -42,10 +43,11 @@ class Detector {
   /// The parts of the last sweep, for those who train and test.
   const Beams& beams() const { return beams_; }
   const Clusters& clusters() const { return clusters_; }  ///< one for each detection, in the same order
+  const std::vector<Neighbours>& neighbours() const { return neighbours_.last(); }  ///< and so these
 
  private:
   void find_background(const Surroundings& surroundings);
-  Detection describe(const Cluster& cluster);
+  Detection describe(const Cluster& cluster, const Neighbours& neighbours);
 
   DetectorOptions options_;
   StaticMap map_;
@@ -53,6 +55,7 @@ class Detector {
   Beams beams_;
   std::vector<std::uint8_t> is_background_;
   Clusters clusters_;
+  NeighbourSearch neighbours_;
   Outline outline_;
   DetectionSet result_;
 };

@@ -27,7 +27,12 @@ const std::array<const char*, kFeatures> kFeatureNames = {"points",
                                                           "bulge",
                                                           "right_jump",
                                                           "left_jump",
-                                                          "least_jump"};
+                                                          "least_jump",
+                                                          "spacing",
+                                                          "nearest",
+                                                          "second_nearest",
+                                                          "nearest_width",
+                                                          "about"};
 
 namespace {
 
@@ -134,7 +139,7 @@ void add_boundary(const Outline& outline, Features& f) {
 
 }  // namespace
 
-Features features_of(const Outline& outline, const DiscFit& leg) {
+Features features_of(const Outline& outline, const DiscFit& leg, const Neighbours& neighbours) {
   constexpr double kFarJump = 2.0;
   Features f;
   add_extents(outline, f);
@@ -145,6 +150,11 @@ Features features_of(const Outline& outline, const DiscFit& leg) {
   f[Feature::right_jump] = bounded(outline.right.jump, kFarJump);
   f[Feature::left_jump] = bounded(outline.left.jump, kFarJump);
   f[Feature::least_jump] = std::min(f[Feature::right_jump], f[Feature::left_jump]);
+  f[Feature::spacing] = static_cast<float>(outline.spacing);
+  f[Feature::nearest] = static_cast<float>(neighbours.nearest);
+  f[Feature::second_nearest] = static_cast<float>(neighbours.second);
+  f[Feature::nearest_width] = static_cast<float>(neighbours.width);
+  f[Feature::about] = static_cast<float>(neighbours.about);
   return f;
 }
 

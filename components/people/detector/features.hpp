@@ -1,10 +1,12 @@
-// What the outline of a cluster looks like, in numbers: after Arras, Martinez Mozos and Burgard, ICRA 2007.
+// What the outline of a cluster looks like, in numbers: after Arras, Martinez Mozos and Burgard, ICRA 2007; and
+// what stands about it.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
 #include "components/people/detector/disc_fit.hpp"
+#include "components/people/detector/neighbours.hpp"
 #include "components/people/detector/outline.hpp"
 
 namespace bw::people {
@@ -31,7 +33,12 @@ enum class Feature : std::size_t {
   bulge,             ///< of the middle over the chord, towards the scanner positive, as a share of the width
   right_jump,        ///< how much farther the neighbouring beam sees, at most 2 either way [m]
   left_jump,
-  least_jump,  ///< the smaller of both
+  least_jump,      ///< the smaller of both
+  spacing,         ///< between beams at that distance [m]
+  nearest,         ///< distance of the nearest narrow cluster beside it, at most 2 [m]
+  second_nearest,  ///< of the next one [m]
+  nearest_width,   ///< of the nearest [m]
+  about,           ///< how many there are within 1 m
   count
 };
 
@@ -45,6 +52,6 @@ struct Features {
 };
 
 /// All finite. `leg` is the disc fitted to the outline.
-Features features_of(const Outline& outline, const DiscFit& leg);
+Features features_of(const Outline& outline, const DiscFit& leg, const Neighbours& neighbours);
 
 }  // namespace bw::people

@@ -27,6 +27,8 @@ struct Sighting {
   std::int64_t nth = 0;  ///< counts all sightings of the same thing
 
   double human_score() const { return std::max(leg_score, body_score); }
+  /// At even odds: its log odds are what it says for a part of a person, of either kind.
+  double likeness() const { return std::min(1.0, leg_score + body_score); }
 };
 
 class ClusterTrack {

@@ -99,6 +99,7 @@ PersonTrack person_of(const HeardPerson& heard, double deviation, Time now, cons
                      .confirmed = now,
                      .last_seen = now - Duration::seconds(options.hidden.remembered),
                      .score = 0.0};
+  person.existence.prior = Existence::kUnseen;
   if (options.motion == MotionFilter::heading) {
     Eigen::Vector4d motion;
     motion << person.walker.position(), person.walker.velocity();

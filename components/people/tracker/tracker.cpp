@@ -179,7 +179,7 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     person.score =
         options_.death.kScoreMemory * person.score + (1.0 - options_.death.kScoreMemory) * d.human_score();
     const Sighting seen = sighting_of(d);
-    person.existence.looks.add(d.human_score(), seen.bearing);
+    person.existence.looks.add(seen.likeness(), seen.bearing);
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
     if (d.human_score() >= options_.hidden.kLikeness) person.sure = state_of(person);
@@ -432,6 +432,9 @@ bool Tracker::Impl::follow_legs_near(PersonTrack& person) {
   std::optional<ClusterTrack> second;
   if (legs.second >= 0) second = clusters_[static_cast<std::size_t>(legs.second)];
   follow_legs(person, first, second ? &*second : nullptr);
+  const BirthKind kind = second ? BirthKind::standing_pair : BirthKind::standing_single;
+  person.existence = existence_of_returned(
+      person.existence, existence_of({.kind = kind}, first, second ? &*second : nullptr), kind);
   person.score = first.last().human_score();
   std::vector<int> used{legs.first};
   if (second) used.push_back(legs.second);

@@ -19,7 +19,7 @@ class Scoring {
   void add(const TrainingRoom& room, const RoomSweep& sweep, const Detector& detector,
            const DetectionSet& set) {
     const Pose2 X_MO = sweep.X_MO();
-    const auto seen = visibility(room, sweep, detector);
+    const auto seen = visibility(sweep, detector);
     const auto labels = label_clusters(room, sweep, detector);
     std::vector<bool> found(sweep.people.size(), false);
     for (std::size_t i = 0; i < set.detections.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "components/world/ray.hpp"
 
@@ -10,34 +11,31 @@ namespace {
 
 constexpr double kMajority = 0.8;
 
-/// The leg on whose rim the point lies, within the noise; -1 when the furniture is nearer or nothing fits.
-int leg_at(const TrainingRoom& room, const RoomSweep& sweep, const Vector2& p_M) {
-  const double tolerance = 4.0 * room.laser().range_noise + 0.02;
-  double nearest = tolerance;
-  int leg = -1;
-  for (std::size_t i = 0; i < sweep.legs.size(); ++i) {
-    const Disc& disc = sweep.legs[i];
-    const double distance = std::abs((p_M - disc.center).norm() - disc.radius);
-    if (distance >= nearest) continue;
-    nearest = distance;
-    leg = static_cast<int>(i);
+/// What most likely returned the beams: the furniture nearest to the middle of where they truly ended.
+Piece piece_at(const TrainingRoom& room, const RoomSweep& sweep, std::span<const int> beams) {
+  Vector2 sum{0.0, 0.0};
+  int count = 0;
+  for (const int beam : beams) {
+    const double range = sweep.exact.ranges[static_cast<std::size_t>(beam)];
+    if (!std::isfinite(range)) continue;
+    const double bearing = sweep.exact.angle_min + beam * sweep.exact.angle_increment;
+    sum += sweep.X_ML * (range * direction(bearing));
+    ++count;
   }
-  if (leg >= 0 && room.scene().clearance(p_M, tolerance) < nearest) return -1;
-  return leg;
+  return count > 0 ? room.furniture().nearest(sum / count) : Piece::wall;
 }
 
 }  // namespace
 
 std::vector<Label> label_clusters(const TrainingRoom& room, const RoomSweep& sweep,
                                   const Detector& detector) {
-  const Pose2 X_MO = sweep.X_MO();
   std::vector<Label> labels;
   std::vector<int> on_leg(sweep.legs.size());
   for (const Cluster& cluster : detector.clusters().all) {
     std::fill(on_leg.begin(), on_leg.end(), 0);
     int human = 0;
     for (const int beam : detector.clusters().beams_of(cluster)) {
-      const int leg = leg_at(room, sweep, X_MO * detector.beams().points[static_cast<std::size_t>(beam)]);
+      const int leg = sweep.leg_of[static_cast<std::size_t>(beam)];
       if (leg < 0) continue;
       ++on_leg[static_cast<std::size_t>(leg)];
       ++human;
@@ -49,14 +47,15 @@ std::vector<Label> label_clusters(const TrainingRoom& room, const RoomSweep& swe
       const int other_leg = on_leg[static_cast<std::size_t>(label.leg ^ 1)];
       const double enough = kMajority * cluster.count;
       label.kind = *most >= enough ? Kind::leg : *most + other_leg >= enough ? Kind::body : Kind::mixed;
+    } else {
+      label.piece = piece_at(room, sweep, detector.clusters().beams_of(cluster));
     }
     labels.push_back(label);
   }
   return labels;
 }
 
-std::vector<Visibility> visibility(const TrainingRoom& room, const RoomSweep& sweep,
-                                   const Detector& detector) {
+std::vector<Visibility> visibility(const RoomSweep& sweep, const Detector& detector) {
   const Pose2 X_MO = sweep.X_MO();
   std::vector<Visibility> people(sweep.people.size());
   const Beams& beams = detector.beams();
@@ -69,7 +68,7 @@ std::vector<Visibility> visibility(const TrainingRoom& room, const RoomSweep& sw
       if (crosses) ++people[person].expected;
     }
     if (beams.kinds[beam] != BeamKind::hit) continue;
-    const int leg = leg_at(room, sweep, X_MO * beams.points[beam]);
+    const int leg = sweep.leg_of[beam];
     if (leg >= 0) ++people[static_cast<std::size_t>(leg / 2)].seen;
   }
   return people;

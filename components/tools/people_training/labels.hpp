@@ -18,6 +18,7 @@ enum class Kind : std::uint8_t {
 struct Label {
   Kind kind = Kind::other;
   int leg = -1;  ///< index into RoomSweep::legs of the leg with most points; leg / 2 is the person
+  Piece piece = Piece::wall;  ///< what it is, of the kind other
 };
 
 /// For each cluster of the detector's last sweep, which must be that of the room.
@@ -28,7 +29,6 @@ struct Visibility {
   int seen = 0;
   int expected = 0;
 };
-std::vector<Visibility> visibility(const TrainingRoom& room, const RoomSweep& sweep,
-                                   const Detector& detector);
+std::vector<Visibility> visibility(const RoomSweep& sweep, const Detector& detector);
 
 }  // namespace bw::people

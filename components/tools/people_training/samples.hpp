@@ -12,16 +12,17 @@ namespace bw::people {
 struct Sample {
   Features features;
   Kind kind = Kind::other;
+  Piece piece = Piece::wall;  ///< of the kind other
 };
 
 struct Collection {
   std::uint64_t first_seed = 1;
   int rooms = 1;
-  int sweeps = 120;  ///< of each room
-  int every = 4;     ///< so many sweeps apart outlines are taken: neighbours are nearly alike
+  double seconds = 12.0;  ///< of each room
+  double every = 0.4;     ///< so long apart outlines are taken: neighbours are nearly alike [s]
 };
 
-/// Outlines no wider than kWidestPerson whose kind is clear. The same seeds give the same samples.
+/// Outlines no wider than kWidestPerson whose kind is clear, of walls a third. The same seeds give the same samples.
 std::vector<Sample> collect(const Collection& collection);
 
 }  // namespace bw::people

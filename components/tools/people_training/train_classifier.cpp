@@ -1,31 +1,25 @@
-// Trains the table of classifier.cpp and says how good it is:
-//   train_people_classifier components/people/detector/classifier_table.inc
-// Rooms of other seeds judge than train. The same program gives the same table.
+// Trains the table of classifier.cpp, and reports how good it is:
+//   train_people_classifier components/people/detector/classifier_table.inc components/people/detector/classifier_report.txt
+// Rooms of other seeds judge than train. The same program gives the same bytes.
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <string>
 
 #include "components/tools/people_training/boosting.hpp"
-#include "components/tools/people_training/figures.hpp"
-#include "components/tools/people_training/samples.hpp"
+#include "components/tools/people_training/report.hpp"
 
 namespace bw::people {
 namespace {
 
-constexpr Collection kTraining{.first_seed = 100'000, .rooms = 400, .sweeps = 120, .every = 4};
-constexpr Collection kJudging{.first_seed = 200'000, .rooms = 100, .sweeps = 120, .every = 4};
+constexpr Collection kTraining{.first_seed = 100'000, .rooms = 600};
+constexpr Collection kJudging{.first_seed = 200'000, .rooms = 150};
 
 std::vector<Features> features_of_all(const std::vector<Sample>& samples) {
   std::vector<Features> features;
   for (const Sample& sample : samples) features.push_back(sample.features);
   return features;
-}
-
-std::vector<std::uint8_t> is(Kind kind, const std::vector<Sample>& samples) {
-  std::vector<std::uint8_t> flags;
-  for (const Sample& sample : samples) flags.push_back(sample.kind == kind);
-  return flags;
 }
 
 template <std::size_t N>
@@ -54,46 +48,51 @@ void write(std::ostream& out, const std::string& name, const BoostedTrees& boost
   out << "}};\n";
 }
 
-std::string judged(const std::string& name, const BoostedTrees& boosted, Kind kind,
-                   const std::vector<Sample>& samples) {
-  std::vector<double> scores;
-  for (const Sample& sample : samples)
-    scores.push_back(probability(boosted.trees, boosted.bias, sample.features));
-  const ClassifierFigures f = figures_of(scores, is(kind, samples));
-  char text[200];
-  std::snprintf(text, sizeof text, "%s: ROC area %.4f, precision %.3f and recall %.3f at 0.5 (%d of %d)",
-                name.c_str(), f.area, f.precision, f.recall, f.positives, f.positives + f.negatives);
-  return text;
+double human_share(const std::vector<Sample>& samples) {
+  const auto others = std::ranges::count(samples, Kind::other, &Sample::kind);
+  return 1.0 - static_cast<double>(others) / static_cast<double>(samples.size());
 }
 
-int train(const char* path) {
+std::string report(const BoostedTrees& leg, const BoostedTrees& body, double human,
+                   const std::vector<Sample>& samples) {
+  std::vector<HumanScores> scores;
+  for (const Sample& sample : samples)
+    scores.push_back(at_even_odds({probability(leg.trees, leg.bias, sample.features),
+                                   probability(body.trees, body.bias, sample.features)},
+                                  human));
+  return report_of(samples, scores);
+}
+
+int train(const char* table, const char* report_file) {
   const std::vector<Sample> training = collect(kTraining);
   const std::vector<Sample> judging = collect(kJudging);
   const std::vector<Features> features = features_of_all(training);
   const BoostedTrees leg = boost(features, is(Kind::leg, training), {.trees = 120});
   const BoostedTrees body = boost(features, is(Kind::body, training), {});
-  const std::string leg_text = judged("leg", leg, Kind::leg, judging);
-  const std::string body_text = judged("body", body, Kind::body, judging);
-  std::cout << training.size() << " outlines trained, " << judging.size() << " judged\n"
-            << "on training rooms  " << judged("leg", leg, Kind::leg, training) << "\n"
-            << "on training rooms  " << judged("body", body, Kind::body, training) << "\n"
-            << leg_text << "\n"
-            << body_text << "\n";
-  std::ofstream out(path);
-  out << "// Written by training/train_classifier.cpp; not by hand. On rooms that were not trained on:\n"
-      << "//   " << leg_text << "\n//   " << body_text << "\n// clang-format off\n";
+  const double human = human_share(training);
+
+  std::ofstream text(report_file);
+  text << "Written by components/tools/people_training/train_classifier.cpp; not by hand.\n"
+       << training.size() << " outlines of " << kTraining.rooms << " rooms trained, " << judging.size()
+       << " of " << kJudging.rooms << " other rooms judged.\n\n"
+       << report(leg, body, human, judging);
+  std::ofstream out(table);
+  out << "// Written by components/tools/people_training/train_classifier.cpp; not by hand.\n// clang-format off\n";
+  char share[32];
+  std::snprintf(share, sizeof share, "%.5g", human);
+  out << "constexpr double kHumanShare = " << share << ";\n";
   write(out, "Leg", leg);
   write(out, "Body", body);
-  return out.good() ? 0 : 1;
+  return out.good() && text.good() ? 0 : 1;
 }
 
 }  // namespace
 }  // namespace bw::people
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "train_people_classifier <file to write>\n";
+  if (argc != 3) {
+    std::cerr << "train_people_classifier <table to write> <report to write>\n";
     return 1;
   }
-  return bw::people::train(argv[1]);
+  return bw::people::train(argv[1], argv[2]);
 }

@@ -1,5 +1,5 @@
-// Rooms drawn from a seed, with everything in them that a detector of people meets: walls, boxes, pillars,
-// legs of chairs and tables, people who walk and stand, a scanner that drives through. Frame M: the room.
+// Rooms drawn from a seed, with everything in them that a detector of people meets: walls, furniture, people
+// who walk and stand, a scanner that drives through. Frame M: the room.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "components/people/detector/beams.hpp"
-#include "components/world/laser_scanner.hpp"
-#include "components/world/legs.hpp"
-#include "components/world/person.hpp"
+#include "components/tools/people_training/furniture.hpp"
+#include "components/tools/people_training/scanner_model.hpp"
+#include "components/tools/people_training/training_people.hpp"
 #include "components/world/static_scene.hpp"
 
 namespace bw::people {
@@ -17,16 +17,18 @@ namespace bw::people {
 struct RoomOptions {
   int most_people = 20;
   bool furnished = true;
-  bool varied_scanner = true;  ///< else 720 beams over 270 degrees, noise 0.02 m, 10 m; legs as usual
+  bool varied_scanner = true;  ///< in any height; else the usual one, and legs as usual
   bool moving = true;          ///< the scanner drives
 };
 
 /// One sweep, and the truth behind it.
 struct RoomSweep {
   Time time;
-  Pose2 X_ML;  ///< true pose of the scanner
-  Pose2 X_OL;  ///< as wheels that err a little (0.4 % between them) tell it
-  LaserScan scan;
+  Pose2 X_ML;                  ///< true pose of the scanner
+  Pose2 X_OL;                  ///< as wheels that err a little (0.4 % between them) tell it
+  LaserScan exact;             ///< without noise
+  LaserScan scan;              ///< as measured
+  std::vector<int> leg_of;     ///< by beam: index into `legs` of the one it meets; -1: none
   std::vector<Person> people;  ///< in M
   std::vector<Disc> legs;      ///< in M: left, then right leg of each person
 
@@ -37,15 +39,15 @@ class TrainingRoom {
  public:
   TrainingRoom(const RoomOptions& options, std::uint64_t seed);
 
-  const RoomSweep& next();  ///< ten per second
+  const RoomSweep& next();  ///< as often as the scanner turns
   LaserSweep view() const;  ///< of the last one
 
-  const StaticScene& scene() const { return *scene_; }
-  const LaserOptions& laser() const { return laser_options_; }
+  const Furniture& furniture() const { return furniture_; }
+  double period() const { return 1.0 / scanner_model_.laser.rate; }  ///< between sweeps [s]
 
  private:
-  void furnish(StaticObstacles& shapes);
-  void people(const RoomOptions& options);
+  void furnish();
+  void find_legs();
   Vector2 free_place(double clearance);
   void drive(double dt);
 
@@ -53,11 +55,11 @@ class TrainingRoom {
   double length_;
   double width_;
   bool moving_;
+  Furniture furniture_;
   std::unique_ptr<StaticScene> scene_;
-  LaserOptions laser_options_;
+  ScannerModel scanner_model_;
   std::unique_ptr<LaserScanner> scanner_;
-  std::unique_ptr<Legs> legs_;
-  std::vector<std::unique_ptr<PeopleModel>> groups_;
+  std::unique_ptr<TrainingPeople> people_;
   Pose2 X_ML_;
   Pose2 X_OL_;
   Vector2 goal_{0.0, 0.0};

@@ -96,12 +96,12 @@ TEST(PlannerMarkers, PredictionsAreDotsWithGrowingEllipses) {
   EXPECT_NEAR(std::remainder(yaw_of(ellipses[0].pose().orientation()) - angle, std::numbers::pi), 0.0, 1e-9);
 }
 
-// 0.2 of the opacity at confidence 0, all of it from 0.5 on, 0.6 half way.
+// 0.2 of the opacity up to confidence 0.3, all of it from 0.5 on, 0.6 half way.
 TEST(PlannerMarkers, PossiblePeopleArePale) {
   PlanningProblem problem;
   problem.movers.resize(3);
   problem.movers[0].confidence = 0.0;
-  problem.movers[1].confidence = 0.25;
+  problem.movers[1].confidence = 0.4;
   problem.movers[2].confidence = 0.5;
   const auto marks = of(to_markers(problem, {}, "odom"), "predictions");
   ASSERT_EQ(marks.size(), 3U);

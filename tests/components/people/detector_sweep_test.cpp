@@ -1,4 +1,5 @@
 // Beams, clusters and what is done with sweeps that are none.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -7,6 +8,7 @@
 
 #include "components/people/detector/clusters.hpp"
 #include "components/people/detector/detector.hpp"
+#include "components/people/detector/neighbours.hpp"
 #include "tests/components/people/detector_scan.hpp"
 
 namespace bw::people {
@@ -163,6 +165,36 @@ TEST(DetectorFuzz, NoSweepBreaksItAndWhatComesOutIsFinite) {
       ASSERT_TRUE(d.leg_score >= 0.0 && d.leg_score <= 1.0 && d.body_score >= 0.0 && d.body_score <= 1.0);
     }
   }
+}
+
+TEST(DetectorSweep, NarrowThingsKnowWhatIsNarrowBesideThem) {
+  // At 2 m, three beams each 0.01 rad apart: middles at beams 11, 31 and 81, 2 cos(0.01) m away; and a thing of 60
+  // beams, 1.2 m, that is not narrow.
+  std::vector<float> ranges(300, 5.0F);
+  for (const std::size_t middle : {11, 31, 81})
+    for (std::size_t i = middle - 1; i <= middle + 1; ++i) ranges[i] = 2.0F;
+  std::fill(ranges.begin() + 100, ranges.begin() + 160, 2.0F);
+  Beams beams;
+  read_beams(sweep_of(ranges), beams);
+  Clusters clusters;
+  find_clusters(beams, std::vector<std::uint8_t>(ranges.size(), 0), {}, clusters);
+  NeighbourSearch search;
+  const std::vector<Neighbours>& found = search.find(beams, clusters);
+  std::vector<Neighbours> narrow;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (clusters.all[i].count == 3) narrow.push_back(found[i]);
+  ASSERT_EQ(narrow.size(), 3U);
+  const auto apart = [](double beams_between) {
+    return 2.0 * 2.0 * std::cos(0.01) * std::sin(0.01 * beams_between / 2.0);
+  };
+  EXPECT_NEAR(narrow[0].nearest, apart(20), 1e-6);  // 0.40 m
+  EXPECT_NEAR(narrow[0].second, apart(70), 1e-6);   // 1.37 m
+  EXPECT_EQ(narrow[0].about, 1);
+  EXPECT_NEAR(narrow[1].second, apart(50), 1e-6);  // 0.99 m
+  EXPECT_EQ(narrow[1].about, 2);
+  EXPECT_NEAR(narrow[2].nearest, apart(50), 1e-6);
+  EXPECT_NEAR(narrow[2].width, 2.0 * 2.0 * std::sin(0.01), 1e-6);
+  EXPECT_EQ(narrow[2].about, 1);
 }
 
 }  // namespace

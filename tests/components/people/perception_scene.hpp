@@ -1,5 +1,6 @@
 // Rooms for measuring perception of people: drawn from a seed, with furniture that looks like legs, people
-// who stand and walk, and a robot that stands or drives about with wheels that err.
+// who walk, or stand and shift their feet now and then, and a robot that stands or drives about with wheels that
+// err.
 #pragma once
 
 #include <algorithm>
@@ -150,6 +151,8 @@ class SceneMaker {
     people.social.speed_max = 1.4;
     people.social.forces.social_factor = 5.1;
     people.social.forces.obstacle_sigma = 0.3;
+    people.legs.sway = 0.003;
+    people.legs.shift_every = 15.0;
     for (int i = 0; i < options_.people; ++i) {
       const Vector2 start = spot(0.9);
       if (random_.uniform() < options_.standing_share) {

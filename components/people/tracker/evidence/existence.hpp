@@ -17,6 +17,7 @@ struct Existence {
   static constexpr double kTwoLegs = -1.0;     ///< two that stand as legs do
   static constexpr double kWalker = -2.2;      ///< two that were first noticed walking
   static constexpr double kLoneWalker = -4.5;  ///< one of which that is so
+  static constexpr double kUnseen = -30.0;     ///< whom no laser has shown yet
   /// Of two legs that only stand, by each other thing about that looks like a leg, beyond the first.
   static constexpr double kEachOther = -0.5;
 

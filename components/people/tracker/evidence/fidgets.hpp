@@ -10,8 +10,8 @@ namespace bw::people {
 /// from about the same side: another one, or something in front of it, moves the middle of anything.
 class Fidgets {
  public:
-  static constexpr double kEach = 2.0;  ///< log odds of one shift
-  static constexpr double kMost = 4.0;
+  static constexpr double kEach = 4.0;  ///< log odds of one shift
+  static constexpr double kMost = 8.0;
 
   /// `whole`: nothing hides an edge; `bearing` along which it is seen [rad], which may turn by `turn`.
   void add(double time, const Vector2& place, bool whole, double bearing, double turn);

@@ -38,10 +38,11 @@ PlanningProblem without_movers(PlanningProblem problem) {
   return problem;
 }
 
-// s(c) = min(1, c / 0.5), at its corners.
+// s(c) = min(1, max(0, c - 0.3) / 0.2), at its corners and half way.
 TEST(MoverWeight, RisesToAPersonAtHalf) {
   EXPECT_EQ(presence(0.0), 0.0);
-  EXPECT_EQ(presence(0.25), 0.5);
+  EXPECT_EQ(presence(0.3), 0.0);
+  EXPECT_NEAR(presence(0.4), 0.5, 1e-12);
   EXPECT_EQ(presence(0.5), 1.0);
   EXPECT_EQ(presence(1.0), 1.0);
   EXPECT_FALSE(is_confirmed(kJustPossible));
@@ -69,8 +70,11 @@ TEST_P(AnyPlanner, ForgetsWhomNobodyBelievesIn) {
   Random random(kSeed);
   for (int i = 0; i < 8; ++i) {
     const PlanningProblem scene = random_scene(random);
-    EXPECT_EQ(difference(first_plan(with_confidence(scene, 0.0)), first_plan(without_movers(scene))), "")
-        << scene_text(i);
+    const PlanningResult without = first_plan(without_movers(scene));
+    for (const double confidence : {0.0, kFurniture}) {
+      EXPECT_EQ(difference(first_plan(with_confidence(scene, confidence)), without), "")
+          << scene_text(i) << " confidence " << confidence;
+    }
   }
 }
 
@@ -134,7 +138,7 @@ TEST_P(AnyPlanner, ComesNoNearerWithMoreConfidence) {
     mover.velocity = {random.uniform(-0.2, 0.2), 0.0};
     double before = 0.0;
     std::string text;
-    for (const double confidence : {0.0, 0.1, 0.2, 0.3, 0.4, kJustPossible, 0.5, 0.75, 1.0}) {
+    for (const double confidence : {0.0, 0.35, 0.4, 0.45, kJustPossible, 0.5, 0.75, 1.0}) {
       mover.confidence = confidence;
       scene.movers = {mover};
       const double distance = std::min(kFarEnough, smallest_distance(first_plan(scene), mover));
@@ -145,7 +149,7 @@ TEST_P(AnyPlanner, ComesNoNearerWithMoreConfidence) {
   }
 }
 
-constexpr std::array kRising{0.0, 1e-3, 0.1, 0.25, 0.4, kJustPossible, 0.5, 0.8, 1.0};
+constexpr std::array kRising{0.0, 0.2, 0.301, 0.35, 0.4, 0.45, kJustPossible, 0.5, 0.8, 1.0};
 
 double clearance_cost(const PlanningProblem& scene, const teb::Band& band,
                       const teb::PredictionOptions& prediction) {

@@ -110,7 +110,10 @@ TEST(PossiblePeople, NeverCostAGapThatIsPassableAsAnObstacle) {
     const std::vector<CourseDrive> without = drives_without(courses, planner);
     for (const Senses with : senses()) {
       const Comparison all = compare(courses, without, planner, with);
-      EXPECT_EQ(all.slower, 0) << planner << " " << text_of(with);
+      // Any push, as any start some centimetres aside, may turn a choice of bands that is a toss-up: some drives of tracks on
+      // every post then take 2 s more, others 2 s less. The mean says whether they cost anything.
+      EXPECT_LE(all.slower, with == Senses::own ? 0 : all.count / 10) << planner << " " << text_of(with);
+      EXPECT_LE(all.sum / all.count, 1.05) << planner << " " << text_of(with);
       EXPECT_EQ(all.passed_with, all.passed_without) << planner << " " << text_of(with);
       EXPECT_EQ(all.passed_without, all.count) << "the course itself is too hard: it says nothing";
     }

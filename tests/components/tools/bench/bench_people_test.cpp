@@ -25,8 +25,10 @@
 #include "components/messages/wheel_joints.hpp"
 #include "components/tools/bench/people_picture.hpp"
 #include "components/tools/bench/people_report.hpp"
+#include "runtime/bag/qos_text.hpp"
 #include "runtime/import/imported_bag.hpp"
 #include "tests/components/component_rig.hpp"
+#include "tests/shortfall.hpp"
 
 namespace bw {
 namespace {
@@ -63,6 +65,7 @@ class Recorder final : public SampleTap {
     if (is_new) {
       log.topics.push_back({.name = output.topic,
                             .type = std::string(output.type.ros_name),
+                            .offered_qos_profiles = bag::to_qos_text({output.qos}),
                             .type_hash = std::string(output.type.type_hash)});
     }
     ++log.topics[topic->second].message_count;
@@ -295,10 +298,9 @@ TEST(RecordedPeople, AreFollowed) {
     EXPECT_GT(stretch.score.clear_mot.mota(), 0.332) << stretch.name;
     EXPECT_LE(stretch.score.clear_mot.motp(), 0.10) << stretch.name;  // asked for in simulation
   }
-  // A little below what was reached, so that a loss shows: 0.731, 0.984 and 1.000.
-  EXPECT_GT(run.stretches[0].score.clear_mot.mota(), 0.70);
-  EXPECT_GT(run.stretches[1].score.clear_mot.mota(), 0.95);
-  EXPECT_GT(run.stretches[2].score.clear_mot.mota(), 0.95);
+  test::expect_at_least("0 to 20 s, MOTA", 0.85, 0.70, run.stretches[0].score.clear_mot.mota());
+  test::expect_at_least("33 to 53 s, MOTA", 0.97, 0.93, run.stretches[1].score.clear_mot.mota());
+  test::expect_at_least("97.5 to 105 s, MOTA", 0.95, 0.95, run.stretches[2].score.clear_mot.mota());
 }
 
 }  // namespace

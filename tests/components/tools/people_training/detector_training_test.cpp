@@ -1,5 +1,7 @@
 // The committed table, on rooms that it was not trained on; the trainer itself; the detector as a whole.
 // BANDWAGON_PEOPLE_ROOMS=<n> asks for longer studies than the few rooms of every day.
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -7,7 +9,7 @@
 
 #include "components/tools/people_training/boosting.hpp"
 #include "components/tools/people_training/figures.hpp"
-#include "components/tools/people_training/samples.hpp"
+#include "components/tools/people_training/report.hpp"
 
 namespace bw::people {
 namespace {
@@ -15,12 +17,6 @@ namespace {
 int rooms_or(int few) {
   const char* text = std::getenv("BANDWAGON_PEOPLE_ROOMS");
   return text != nullptr ? std::atoi(text) : few;
-}
-
-std::vector<std::uint8_t> is(Kind kind, const std::vector<Sample>& samples) {
-  std::vector<std::uint8_t> flags;
-  for (const Sample& sample : samples) flags.push_back(sample.kind == kind);
-  return flags;
 }
 
 TEST(ClassifierFigures, OfFourScoresByHand) {
@@ -33,27 +29,70 @@ TEST(ClassifierFigures, OfFourScoresByHand) {
   EXPECT_DOUBLE_EQ(figures.recall, 0.5);
 }
 
+TEST(CalibrationError, OfFourScoresByHand) {
+  // 0.9 and 0.95, one of them positive: mean 0.925 against 0.5. 0.1 and 0.12, none: 0.11. (0.425 + 0.11) / 2.
+  const std::vector<double> scores = {0.9, 0.95, 0.1, 0.12};
+  const std::vector<std::uint8_t> positive = {1, 0, 0, 0};
+  EXPECT_NEAR(calibration_error(scores, positive, std::vector<double>(4, 1.0)), 0.2675, 1e-12);
+  // The positive counts three times: (3 * 0.9 + 0.95) / 4 = 0.9125 against 0.75; weights 4 and 2.
+  EXPECT_NEAR(calibration_error(scores, positive, std::vector<double>{3.0, 1.0, 1.0, 1.0}),
+              (4.0 * 0.1625 + 2.0 * 0.11) / 6.0, 1e-12);
+}
+
 TEST(Classifier, KnowsLegsAndBodiesInRoomsItHasNotSeen) {
-  // The trainer measured areas of 0.967 and 0.994, precision 0.83 and recall 0.83 of legs over 100 rooms; how
-  // many thin legs of people and of chairs twelve rooms hold moves the latter two by 0.1.
-  const std::vector<Sample> samples = collect({.first_seed = 500'000, .rooms = rooms_or(12), .sweeps = 80});
+  // classifier_report.txt, 150 rooms: areas of 0.952 and 0.963, calibration error of humans 0.02 or less. How many
+  // thin legs of people and of chairs twenty rooms hold moves them.
+  const std::vector<Sample> samples = collect({.first_seed = 500'000, .rooms = rooms_or(20), .seconds = 8.0});
+  std::vector<HumanScores> scores;
   std::vector<double> legs;
   std::vector<double> bodies;
   for (const Sample& sample : samples) {
-    const HumanScores scores = classify(sample.features);
-    legs.push_back(scores.leg);
-    bodies.push_back(scores.body);
+    scores.push_back(classify(sample.features));
+    legs.push_back(scores.back().leg);
+    bodies.push_back(scores.back().body);
+    ASSERT_LE(legs.back() + bodies.back(), 1.0 + 1e-12);
   }
   const ClassifierFigures leg = figures_of(legs, is(Kind::leg, samples));
   const ClassifierFigures body = figures_of(bodies, is(Kind::body, samples));
   ASSERT_GT(leg.positives, 500);
   ASSERT_GT(body.positives, 50);
-  EXPECT_GT(leg.area, 0.95);
-  EXPECT_GT(body.area, 0.98);
-  EXPECT_GT(leg.precision, 0.65);
-  EXPECT_GT(leg.recall, 0.70);
-  std::printf("legs: ROC area %.4f precision %.3f recall %.3f; bodies: %.4f %.3f %.3f\n", leg.area,
-              leg.precision, leg.recall, body.area, body.precision, body.recall);
+  EXPECT_GT(leg.area, 0.93);
+  EXPECT_GT(body.area, 0.93);
+  std::printf("%s", report_of(samples, scores).c_str());
+}
+
+TEST(Classifier, AtEvenOddsWhatIsAsCommonAsAmongAllSaysNothing) {
+  // A fifth is human. 0.15 and 0.05 of a leg and a body are that fifth: 0.375 and 0.125, one half.
+  const HumanScores nothing = at_even_odds({0.15, 0.05}, 0.2);
+  EXPECT_NEAR(nothing.leg, 0.375, 1e-12);
+  EXPECT_NEAR(nothing.body, 0.125, 1e-12);
+  // Odds of 9 against odds of 1/4 among all: 36 times likelier.
+  const HumanScores sure = at_even_odds({0.9, 0.0}, 0.2);
+  EXPECT_NEAR(sure.leg / (1.0 - sure.leg), 36.0, 1e-9);
+}
+
+TEST(ScannerModel, MixesAtEdgesAndLosesBeamsOnTrousersOnly) {
+  const LaserScan exact{0.0, 0.01, std::vector<float>(1000, 2.0F)};
+  LaserScan edges = exact;
+  for (std::size_t i = 0; i < 1000; ++i) edges.ranges[i] = i / 10 % 2 == 0 ? 2.0F : 3.0F;  // 99 edges of 1 m
+  const std::vector<std::uint8_t> nobody(1000, 0);
+  Random random(4);
+  const LaserScan mixed = as_measured(edges, nobody, {.noise = 0.0, .mixed = 1.0}, random);
+  int between = 0;
+  for (std::size_t i = 0; i < 1000; ++i) {
+    ASSERT_GE(mixed.ranges[i], 2.0F);
+    ASSERT_LE(mixed.ranges[i], 3.0F);
+    if (mixed.ranges[i] != edges.ranges[i]) ++between;
+  }
+  EXPECT_EQ(between, 99);
+  // Of 1000 beams on trousers a tenth is lost: standard error 9.5, five of them.
+  const ScannerModel losing{.noise = 0.0, .lost = 0.1};
+  const auto lost = [&](const std::vector<std::uint8_t>& on_leg) {
+    const LaserScan scan = as_measured(exact, on_leg, losing, random);
+    return std::ranges::count_if(scan.ranges, [](float range) { return std::isinf(range); });
+  };
+  EXPECT_NEAR(static_cast<double>(lost(std::vector<std::uint8_t>(1000, 1))), 100.0, 48.0);
+  EXPECT_EQ(lost(nobody), 0);
 }
 
 TEST(Boosting, LearnsWhatOneThresholdCannotAndIsTheSameEveryTime) {
@@ -81,7 +120,7 @@ TEST(Boosting, LearnsWhatOneThresholdCannotAndIsTheSameEveryTime) {
 }
 
 TEST(TrainingRooms, TheSameSeedGivesTheSameSamples) {
-  const Collection collection{.first_seed = 42, .rooms = 1, .sweeps = 20};
+  const Collection collection{.first_seed = 42, .rooms = 1, .seconds = 2.0};
   const std::vector<Sample> a = collect(collection);
   const std::vector<Sample> b = collect(collection);
   ASSERT_GT(a.size(), 50U);
@@ -108,21 +147,20 @@ void expect_figures(const Trial& trial, double recall, double precision) {
 }
 
 // Single sweeps, without a tracker's memory; people within 6 m at least half in view, up to 20 of them among
-// furniture. 20 rooms measured recall 0.986 and precision 0.911 driving (furniture that has not stood in view
-// for 2.5 s), 0.972 and 0.976 standing.
+// furniture. 20 rooms measured recall 0.933 and precision 0.817 driving (furniture that has not stood in view
+// for 2.5 s), 0.958 and 0.917 standing.
 TEST(DetectorInRooms, FindsPeopleFromAMovingRobot) {
-  expect_figures({.first_seed = 600'000, .rooms = rooms_or(10), .varied_scanner = false}, 0.96, 0.85);
+  expect_figures({.first_seed = 600'000, .rooms = rooms_or(10), .varied_scanner = false}, 0.90, 0.72);
 }
 
 TEST(DetectorInRooms, FindsPeopleFromAStandingRobot) {
   expect_figures({.first_seed = 610'000, .rooms = rooms_or(10), .varied_scanner = false, .moving = false},
-                 0.94, 0.93);
+                 0.92, 0.88);
 }
 
-// Ankles of 0.025 to 0.055 m in every third room, scanners with up to 1 degree between beams: 0.808 and
-// 0.916.
+// All scanners, legs of 0.025 to 0.095 m: 0.761 and 0.795.
 TEST(DetectorInRooms, FindsPeopleWithOtherScannersAndOtherLegs) {
-  expect_figures({.first_seed = 620'000, .rooms = rooms_or(10)}, 0.75, 0.80);
+  expect_figures({.first_seed = 620'000, .rooms = rooms_or(10)}, 0.72, 0.72);
 }
 
 }  // namespace
