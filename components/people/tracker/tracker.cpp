@@ -351,9 +351,11 @@ void Tracker::Impl::initiate_tracks() {
     const Sighting& oldest = first.sighting(first.remembered() - 1);
     const Walker walker = walker_of(first, second, options_.walker);
     auto person = take_returned(people_, lost_, oldest, walker.velocity(), seconds(), options_.hidden);
-    const Existence existence = existence_of(candidate.birth, first, second);
+    Existence existence = existence_of(candidate.birth, first, second);
+    existence.clutter = weighing_.clutter_against(existence);
     if (person) {
       person->existence = existence_of_returned(person->existence, existence, candidate.birth.kind);
+      person->existence.clutter = weighing_.clutter_against(person->existence);
     } else {
       person = PersonTrack{.id = id_of(first, second),
                            .walker = walker,

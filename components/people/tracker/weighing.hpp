@@ -28,6 +28,9 @@ class Weighing {
   void weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>& clusters, std::int64_t sweep,
              double time, double dt, const Vector2& sensor, const BirthOptions& options);
 
+  /// What the other things about that look like legs say of somebody, in log odds.
+  double clutter_against(const Existence& existence) const;
+
  private:
   void find_posts(const std::vector<PersonTrack>& people, const std::vector<ClusterTrack>& clusters,
                   std::int64_t sweep);

@@ -110,8 +110,8 @@ TEST(Evidence, ConfidenceIsTheLogisticOfTheSum) {
   EXPECT_NEAR(existence.log_odds(), -1.0 + 2.0 + 4.0 - 2.0 - 1.0, 1e-12);
 }
 
-// One leg stands still: a possible person within 2 s, never a confirmed one. It is set aside: confirmed, with the
-// same id.
+// One leg stands still: a possible person within 2 s, never a confirmed one. It is set aside and back: confirmed,
+// with the same id.
 TEST(Evidence, OneLegThatStandsIsPossibleUntilItFidgets) {
   Stage stage;
   Tracker tracker({});
