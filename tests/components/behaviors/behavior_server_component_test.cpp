@@ -251,6 +251,7 @@ TEST(BehaviorServer, ThingsAndPeopleInTheWayEndItAndTimeDoes) {
   person.tracks.tracks().resize(1);
   auto& track = person.tracks.tracks()[0];
   track.radius(0.3F);
+  track.confidence(1.0);
   track.position().x(1.0);
   track.position().y(-1.5);
   track.velocity().y(0.8);

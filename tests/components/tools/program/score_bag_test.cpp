@@ -63,6 +63,7 @@ class RecordedDrive : public testing::Test {
         Tracks seen;
         seen.header(make_header("odom", now));
         Track person;
+        person.confidence(1.0);
         person.id(4);
         person.position(to_point(inverse(X_MO) * Vector2(2.0, 1.0)));
         person.radius(0.3);
