@@ -331,6 +331,8 @@ void Tracker::Impl::delete_tracks() {
   std::erase_if(people_, gone);
   const Duration remembered = Duration::seconds(options_.hidden.remembered);
   std::erase_if(lost_, [&](const PersonTrack& person) { return *now_ > person.last_known() + remembered; });
+  if (lost_.size() > HiddenOptions::kMostLost)  // who was let go last stays
+    lost_.erase(lost_.begin(), lost_.end() - static_cast<std::ptrdiff_t>(HiddenOptions::kMostLost));
 }
 
 /// Somebody new keeps the id by which a part of them was told of.

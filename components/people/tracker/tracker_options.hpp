@@ -212,6 +212,8 @@ struct UntangleOptions {
 struct HiddenOptions {
   /// score of a detection that shows somebody for sure
   static constexpr double kLikeness = 0.5;
+  /// how many people let go are remembered at most, which bounds a sweep's cost
+  static constexpr std::size_t kMostLost = 20;
   double absent = 0.25;
   double remembered = 20.0;
   int guesses = 100;
