@@ -71,7 +71,7 @@ struct BirthOptions {
   double within = 0.45;
   double travel = 0.2;
   double separation = 0.6;
-  double misfit = 0.05;
+  double misfit = 0.08;
   double walking_score = 0.4;
   double standing_time = 0.3;
   /// [m] from leg to leg, at most, while standing
