@@ -11,7 +11,7 @@ constexpr double kRounding = 1e-6;
 }  // namespace
 
 ClusterTrack::ClusterTrack(const Sighting& first)
-    : position_(first.position), p_(first.variance), born_(first.time) {
+    : position_(first.position), p_(first.variance), source_(first.source), born_(first.time) {
   remember(first);
 }
 

@@ -14,6 +14,7 @@ namespace bw::people {
 
 /// One sweep's view of a cluster.
 struct Sighting {
+  int source = 0;          ///< of several sensors
   std::int64_t sweep = 0;  ///< counts sweeps
   double time = 0.0;       ///< [s], from the tracker's own origin
   Vector2 position{0.0, 0.0};
@@ -49,7 +50,8 @@ class ClusterTrack {
 
   /// How many sightings are remembered, and the k-th latest of them (0: the last).
   int remembered() const { return count_ < kRemembered ? static_cast<int>(count_) : kRemembered; }
-  double born() const { return born_; }  ///< first sighting [s]
+  int source() const { return source_; }  ///< that saw it first
+  double born() const { return born_; }   ///< first sighting [s]
   const Sighting& sighting(int k) const { return ring_[(count_ - 1 - k) % kRemembered]; }
   const Sighting& last() const { return sighting(0); }
 
@@ -65,6 +67,7 @@ class ClusterTrack {
   double p_;         ///< variance of the position [m^2]
   double pv_ = 0.0;  ///< with the velocity
   double vv_ = 1.0;  ///< of the velocity [m^2/s^2]: legs swing at up to 2.5 m/s
+  int source_;
   double born_;
   std::int64_t count_ = 0;  ///< remembered or forgotten
   Sighting ring_[kRemembered];

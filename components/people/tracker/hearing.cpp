@@ -57,12 +57,13 @@ double believed(double belief, double reliability, const HearingOptions& options
   return 1.0 - (1.0 - belief) * (1.0 - options.trust * reliability);
 }
 
-NearLegs legs_near(const Vector2& place, double reach, const std::vector<ClusterTrack>& clusters,
-                   double since, const HearingOptions& options) {
+NearLegs legs_near(const Vector2& place, double now, const std::vector<ClusterTrack>& clusters,
+                   const HearingOptions& options) {
   std::vector<int> near;
+  const double reach = 2.0 * options.position_deviation;
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     const Sighting& last = clusters[i].last();
-    if (last.time >= since && last.human_score() >= options.leg_score &&
+    if (now - last.time <= options.seen && last.human_score() >= options.leg_score &&
         (clusters[i].position() - place).norm() <= reach)
       near.push_back(static_cast<int>(i));
   }

@@ -24,14 +24,14 @@ std::vector<int> match_heard(const std::vector<HeardPerson>& heard, const std::v
 /// Belief after one more message.
 double believed(double belief, double reliability, const HearingOptions& options);
 
-/// Clusters seen at `since` [s] or later that may be the legs of somebody told to be at `place`; -1: none. Two whom one sweep
+/// Clusters seen within `seen` before `now` [s], two deviations away at most, that may be the legs of somebody told to be at `place`; -1: none. Two whom one sweep
 /// showed come before one.
 struct NearLegs {
   int first = -1;
   int second = -1;
 };
-NearLegs legs_near(const Vector2& place, double reach, const std::vector<ClusterTrack>& clusters,
-                   double since, const HearingOptions& options);
+NearLegs legs_near(const Vector2& place, double now, const std::vector<ClusterTrack>& clusters,
+                   const HearingOptions& options);
 
 /// Somebody new of whom nothing is known but this, by a laser not seen for as long as anybody is remembered; `deviation` of the place [m].
 PersonTrack person_of(const HeardPerson& heard, double deviation, Time now, const TrackerOptions& options);

@@ -27,8 +27,10 @@ struct PersonTrack {
   std::optional<HeadingFilter> heading;  ///< what is reported in place of the walker, if anything
   Time born;
   Time confirmed;
-  Time last_seen;              ///< by a laser
+  Time last_seen;                     ///< by a laser
+  double since_seen = 0.0;            ///< from the time before to that [s]
   std::optional<Whereabouts> hidden;  ///< where they may be while not seen for sure
+  double there = 1.0;          ///< how probably they are near where they are tracked, if they are somebody
   PastState sure;              ///< when they were last seen as a person or a leg plainly is
   PastState settled;           ///< when their legs last went like those of one person
   double score = 0.5;          ///< smoothed human score of what was seen

@@ -8,6 +8,7 @@ namespace bw::people {
 void follow_hidden(PersonTrack& person, const Surroundings& about, bool known, Random& random,
                    const TrackerOptions& options) {
   const HiddenOptions& hidden = options.hidden;
+  person.there = 1.0;
   const double away = about.now - person.sure.time;
   if (away <= hidden.absent) {
     person.hidden.reset();
@@ -23,6 +24,7 @@ void follow_hidden(PersonTrack& person, const Surroundings& about, bool known, R
   }
   if (known) return;
   const Whereabouts::Moments moments = person.hidden->moments();
+  person.there = person.hidden->chance_near(moments.mean.head<2>());
   person.walker.place_middle(moments.mean, moments.covariance);
   if (person.heading) person.heading.emplace(moments.mean, moments.covariance, options.heading);
 }

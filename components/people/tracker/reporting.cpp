@@ -26,11 +26,12 @@ TrackedPerson report_of(const PersonTrack& person, const Pose2& X_OS, double rad
   Eigen::Matrix4d R = Eigen::Matrix4d::Zero();
   R.topLeftCorner<2, 2>() = R.bottomRightCorner<2, 2>() = Eigen::Rotation2Dd(X_OS.theta).toRotationMatrix();
   const auto [position, velocity, covariance] = motion_of(person);
+  const double seen = person.there * person.existence.confidence();
   return {{.id = person.id,
            .position = X_OS * position,
            .velocity = rotate(X_OS, velocity),
            .radius = radius,
-           .confidence = 1.0 - (1.0 - person.existence.confidence()) * (1.0 - person.heard)},
+           .confidence = 1.0 - (1.0 - seen) * (1.0 - person.heard)},
           R * covariance * R.transpose(),
           person.born,
           person.confirmed,

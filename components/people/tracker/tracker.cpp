@@ -80,7 +80,8 @@ class Tracker::Impl {
   TrackerOptions options_;
   SensorOrder order_;
   SweepAlignment alignment_;
-  Pose2 X_SO_;  ///< S: odom without its errors from sweep to sweep; tracks live in S
+  Vector2 leading_sensor_{0.0, 0.0};  ///< of several the one that tells odometry's errors, in S
+  Pose2 X_SO_;                        ///< S: odom without its errors from sweep to sweep; tracks live in S
   DetectionSet sweep_in_S_;
   std::optional<Time> now_;
   Time origin_;
@@ -142,7 +143,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   correct_clusters();
   correct_people();
   untangle();
-  weighing_.weigh(people_, clusters_, sweep_, seconds(), dt, sweep_in_S_.sensor, options_.birth);
+  weighing_.weigh(people_, clusters_, sweep_, seconds(), since_own, leading_sensor_, options_.birth);
   watch_for_absence(sweep_in_S_, since_own);
   follow_hidden_people(dt, since_own);
   initiate_tracks();
@@ -156,6 +157,7 @@ void Tracker::Impl::transform_to_S(const DetectionSet& sweep) {
   if (order_.leads(sweep.source, sweep.time, is_new_leader)) {
     if (is_new_leader) alignment_.reset();
     X_SO_ = X_SO_ * alignment_.align(sweep);
+    leading_sensor_ = X_SO_ * sweep.sensor;
   }
   sweep_in_S_ = sweep;
   sweep_in_S_.sensor = X_SO_ * sweep.sensor;
@@ -179,7 +181,9 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     person.score =
         options_.death.kScoreMemory * person.score + (1.0 - options_.death.kScoreMemory) * d.human_score();
     const Sighting seen = sighting_of(d);
+    if (person.existence.prior == Existence::kUnseen) person.existence.prior = Existence::kOneLeg;
     person.existence.looks.add(seen.likeness(), seen.bearing);
+    if (person.last_seen != *now_) person.since_seen = (*now_ - person.last_seen).to_seconds();
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
     if (d.human_score() >= options_.hidden.kLikeness) person.sure = state_of(person);
@@ -214,7 +218,8 @@ void Tracker::Impl::correct_heading(PersonTrack& person, const LegMatch& match) 
 
 Sighting Tracker::Impl::sighting_of(const Detection& d) const {
   const Vector2 seen_along = d.position - sweep_in_S_.sensor;
-  return {.sweep = sweep_,
+  return {.source = sweep_in_S_.source,
+          .sweep = sweep_,
           .time = seconds(),
           .position = d.position,
           .variance = d.covariance.trace() / 2.0,
@@ -319,9 +324,7 @@ void Tracker::Impl::delete_tracks() {
     if (is_told_of(person)) return person.walker.position_sigma() > death.sigma;
     if (is_of_others && person.heard < HearingOptions::kForgotten) return true;
     return person.empty_seconds >= death.unseen - 1e-9 || person.walker.position_sigma() > death.sigma ||
-           (person.hidden && is_out_of_sight(person) &&
-            (person.hidden->existence() < options_.hidden.believed ||
-             *now_ - person.last_seen > Duration::seconds(options_.hidden.coast))) ||
+           person.there < options_.hidden.believed ||
            (person.score < death.unlike_score && person.walker.velocity().norm() < death.kUnlikeSpeed);
   };
   std::ranges::copy_if(people_, std::back_inserter(lost_), gone);
@@ -348,9 +351,11 @@ void Tracker::Impl::initiate_tracks() {
     const Sighting& oldest = first.sighting(first.remembered() - 1);
     const Walker walker = walker_of(first, second, options_.walker);
     auto person = take_returned(people_, lost_, oldest, walker.velocity(), seconds(), options_.hidden);
-    const Existence existence = existence_of(candidate.birth, first, second);
+    Existence existence = existence_of(candidate.birth, first, second);
+    existence.clutter = weighing_.clutter_against(existence);
     if (person) {
       person->existence = existence_of_returned(person->existence, existence, candidate.birth.kind);
+      person->existence.clutter = weighing_.clutter_against(person->existence);
     } else {
       person = PersonTrack{.id = id_of(first, second),
                            .walker = walker,
@@ -413,10 +418,19 @@ void Tracker::Impl::begin_with(const HeardPerson& told, double late) {
   std::vector<PersonTrack> nobody;
   const Sighting place{.time = seconds(), .position = there.position};
   const auto velocity = told.velocity.squaredNorm() > 0.0 ? std::optional(told.velocity) : std::nullopt;
-  const auto lost = take_returned(nobody, lost_, place, velocity, seconds(), options_.hidden);
-  person.id = lost ? lost->id : ++last_id_;
-  if (lost) person.born = lost->born;
-  if (lost) person.confirmed = lost->confirmed;
+  if (auto lost = take_returned(nobody, lost_, place, velocity, seconds(), options_.hidden)) {
+    lost->walker = person.walker;
+    lost->heading = person.heading;
+    lost->legs = {};
+    lost->empty_seconds = 0.0;
+    lost->hidden.reset();
+    person = *lost;
+  } else {
+    const NearLegs legs = legs_near(person.walker.position(), seconds(), clusters_, options_.hearing);
+    const ClusterTrack* second =
+        legs.second < 0 ? nullptr : &clusters_[static_cast<std::size_t>(legs.second)];
+    person.id = legs.first < 0 ? ++last_id_ : id_of(clusters_[static_cast<std::size_t>(legs.first)], second);
+  }
   person.settled = state_of(person);
   people_.insert(std::ranges::upper_bound(people_, person.id, {}, &PersonTrack::id), person);
   believe(told, late, *std::ranges::find(people_, person.id, &PersonTrack::id));
@@ -424,9 +438,7 @@ void Tracker::Impl::begin_with(const HeardPerson& told, double late) {
 
 /// What stands where they are told to be are their legs, also if it does not walk or look like a person's yet.
 bool Tracker::Impl::follow_legs_near(PersonTrack& person) {
-  const HearingOptions& hearing = options_.hearing;
-  const NearLegs legs = legs_near(person.walker.position(), 2.0 * hearing.position_deviation, clusters_,
-                                  seconds() - hearing.seen, hearing);
+  const NearLegs legs = legs_near(person.walker.position(), seconds(), clusters_, options_.hearing);
   if (legs.first < 0) return false;
   const ClusterTrack first = clusters_[static_cast<std::size_t>(legs.first)];
   std::optional<ClusterTrack> second;

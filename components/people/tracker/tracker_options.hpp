@@ -219,8 +219,7 @@ struct HiddenOptions {
   double wander = 0.5;
   double keeps_way = 5.0;
   double overlooked = 0.33;
-  double believed = 0.3;
-  double coast = 3.0;
+  double believed = 0.04;
   double margin = 0.15;
   double place_kernel = 0.35;
   double velocity_kernel = 0.5;
@@ -254,9 +253,8 @@ struct HiddenOptions {
     v("believed", believed,
       {.min = 0,
        .max = 1,
-       .doc = "somebody hidden is no longer reported when they are less probably where they can be"});
-    v("coast", coast,
-      {.unit = "s", .min = 0, .max = 60, .doc = "nor when they were not seen for longer than this"});
+       .doc =
+           "somebody hidden is no longer reported when they are less probably near where they are tracked"});
     v("margin", margin,
       {.unit = "m",
        .min = 0,

@@ -20,6 +20,7 @@ constexpr double kSensorStill = 0.05;    // [m] a laser that moves less stands
 constexpr double kSensorStood = 1.0;     // [s]
 constexpr double kOfWayLost = 0.3;       // [m] of the way walked by somebody lost
 constexpr double kClutterMemory = 10.0;  // [s] in which things out of view are forgotten
+constexpr double kOfOneLeg = 0.5;        // share of what shifts say where no other leg is seen
 constexpr double kNoticed = 1.0;         // [s] after which what stands is told of
 constexpr double kLeastLooks = -0.5;
 constexpr double kFurniture = -6.0;  // log odds of what is no longer told of
@@ -103,10 +104,19 @@ double Weighing::row_at(const ClusterTrack& thing, const ClusterTrack* other) {
 
 void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
   const Sighting& seen = cluster.last();
-  if (still_) cluster.fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kTurn);
-  cluster.existence.fidgets = cluster.fidgets.log_odds();
+  // Another laser sees it a little elsewhere: that is no fidget.
+  if (still_ && !seen.on_static && seen.source == cluster.source())
+    cluster.fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kTurn);
+  cluster.existence.fidgets = kOfOneLeg * cluster.fidgets.log_odds();
   if (cluster.existence.looks.log_odds() > kLeastLooks && seen.width <= kThin && stands(cluster))
     cluster.existence.row += gain * (row_at(cluster, nullptr) - cluster.existence.row);
+}
+
+double Weighing::clutter_against(const Existence& existence) const {
+  if (existence.walked.way >= kWalkedFree) return 0.0;
+  const double others = std::max(0.0, clutter_ - 1.0);
+  if (existence.prior == Existence::kTwoLegs) return Existence::kEachOther * others;
+  return existence.prior == Existence::kWalker ? Existence::kEachOtherWalking * others : 0.0;
 }
 
 void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, double gain,
@@ -120,9 +130,8 @@ void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, 
     for (const auto& leg : person.legs)
       if (leg && leg->last().sweep == sweep) walk = walk_of_single(*leg, options);
   }
-  if (walk) existence.walked.way += walk->speed * dt;
-  existence.clutter =
-      existence.prior == Existence::kTwoLegs ? Existence::kEachOther * std::max(0.0, clutter_ - 1.0) : 0.0;
+  if (walk) existence.walked.way += walk->speed * std::min(dt, person.since_seen);
+  existence.clutter = clutter_against(existence);
   if (!both || existence.walked.way >= kWalkedFree) return;
   const Sighting& a = person.legs[0]->last();
   const Sighting& b = person.legs[1]->last();

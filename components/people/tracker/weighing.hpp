@@ -23,9 +23,13 @@ bool may_be_somebody(const ClusterTrack& cluster);
 
 class Weighing {
  public:
-  /// Sweep number `sweep` at `time` [s], `dt` [s] after the one before, seen from `sensor`.
+  /// Sweep number `sweep` at `time` [s], `dt` [s] after the same sensor's before. `sensor`: where it is, or the first
+  /// of several.
   void weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>& clusters, std::int64_t sweep,
              double time, double dt, const Vector2& sensor, const BirthOptions& options);
+
+  /// What the other things about that look like legs say of somebody, in log odds.
+  double clutter_against(const Existence& existence) const;
 
  private:
   void find_posts(const std::vector<PersonTrack>& people, const std::vector<ClusterTrack>& clusters,

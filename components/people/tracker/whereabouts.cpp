@@ -10,11 +10,25 @@ namespace bw::people {
 namespace {
 
 constexpr double kPosition = 0.08;  // [m] error of where they were, per axis
+constexpr double kPace = 0.07;      // [m] less than a wall is thick
+constexpr double kNear = 0.75;      // [m]
 constexpr double kBody = 0.2;       // [m] the middle of somebody comes no nearer to a wall
 
 Vector2 turned(const Vector2& v, double angle) {
   const Vector2 a = direction(angle);
   return {a.x() * v.x() - a.y() * v.y(), a.y() * v.x() + a.x() * v.y()};
+}
+
+/// Whether a wall stands on the way, or so near beyond it that nobody gets there.
+bool is_barred(const Vector2& from, const Vector2& step, const DetectionSet& sweep, const SeenWalls& walls,
+               double margin) {
+  const double way = step.norm();
+  if (!(way > 0.0)) return false;
+  for (double s = kPace; s < way + kBody + kPace; s += kPace) {
+    const Vector2 ahead = from + s / way * step;
+    if (walls.contains(ahead) && !seen_empty(sweep, ahead, margin)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -41,9 +55,7 @@ void Whereabouts::walk(double dt, double looked, const DetectionSet& sweep, cons
         turned(guess.velocity, elsewhere ? random.uniform(-std::numbers::pi, std::numbers::pi)
                                          : wander * random.normal());
     const Vector2 step = dt * guess.velocity;
-    const double way = step.norm();
-    const Vector2 front = guess.position + step * (way > 0.0 ? 1.0 + kBody / way : 0.0);
-    if (walls.contains(front) && !seen_empty(sweep, front, options.margin)) {
+    if (is_barred(guess.position, step, sweep, walls, options.margin)) {
       const double side = random.uniform() < 0.5 ? 1.0 : -1.0;
       guess.velocity = turned(guess.velocity, side * random.uniform(0.3, 1.0) * std::numbers::pi);
     } else {
@@ -87,6 +99,13 @@ Whereabouts::Moments Whereabouts::moments() const {
   m.covariance -= m.mean * m.mean.transpose();
   m.covariance.diagonal().array() += 1e-4;  // guesses that are all the same know no better than this
   return m;
+}
+
+double Whereabouts::chance_near(const Vector2& place) const {
+  double sum = 0.0;
+  for (const Guess& guess : guesses_)
+    if ((guess.position - place).squaredNorm() < kNear * kNear) sum += guess.weight;
+  return existence_ * sum;
 }
 
 double Whereabouts::density(const Vector2& place, std::optional<Vector2> velocity, double ago,

@@ -27,6 +27,9 @@ class Whereabouts {
   /// How probably they are still somewhere about: it falls where places are seen empty. 0 to 1.
   double existence() const { return existence_; }
 
+  /// How probably they are within 0.75 m of `place`.
+  double chance_near(const Vector2& place) const;
+
   /// Mean of the guesses as (x, y, vx, vy), and their covariance.
   struct Moments {
     Eigen::Vector4d mean;

@@ -276,7 +276,9 @@ void draw_lives(SvgWriter& svg, const PeopleRun& run, const std::vector<TrackLif
     } else if (begin.x() > kLeft + 70) {
       svg.text(begin + Vector2(-4, 4), text, R"(font-size="11" text-anchor="end")");
     } else {
-      svg.text(begin + Vector2(6, 4), text, R"svg(font-size="11" fill="#fff" font-weight="bold")svg");
+      const bool is_on_bar = life.confirmed && axes.at(*life.confirmed, row).x() < kLeft + 60;
+      svg.text(begin + Vector2(6, is_on_bar ? 4 : -3), text,
+               is_on_bar ? R"svg(font-size="11" fill="#fff" font-weight="bold")svg" : R"(font-size="11")");
     }
   }
 }

@@ -22,6 +22,9 @@ struct SceneOptions {
   bool driving = true;
   double laser_rate = 10.0;  ///< [Hz]
   int beams = 720;           ///< over 270 degrees
+  bool front = false;        ///< the laser looks half a turn to the front
+  bool rear = false;         ///< so does a second one to the rear
+  bool camera = false;       ///< tells of whole people in front
   double length = 14.0;      ///< of the room [m]
   double width = 10.0;
 };
@@ -50,6 +53,8 @@ class SceneMaker {
     scene.options.laser.beams = options_.beams;
     scene.options.laser.range_noise = 0.02;
     scene.options.laser.range_max = 10.0;
+    if (options_.front) scene.options.laser.field_of_view = std::numbers::pi;
+    if (options_.rear) look_back(scene);
     scene.options.imu.rate = 0.0;
     scene.options.gps.rate = 0.0;
     scene.options.drive.mismatch = 0.004;
@@ -61,6 +66,16 @@ class SceneMaker {
   Vector2 anywhere(double from_wall) {
     const double x = random_.uniform(from_wall, options_.length - from_wall);
     return {x, random_.uniform(from_wall, options_.width - from_wall)};
+  }
+
+  /// Each laser 0.2 m from the middle.
+  static void look_back(Scene& scene) {
+    LaserOptions& front = scene.options.laser;
+    scene.robot.sensors = {{front.frame, 0.2, 0.0, 0.0}, {"laser_rear", -0.2, 0.0, std::numbers::pi}};
+    MoreLaserOptions rear;
+    static_cast<LaserOptions&>(rear) = front;
+    rear.frame = "laser_rear";
+    scene.options.more_lasers = {rear};
   }
 
   void room(Scene& scene) {

@@ -15,6 +15,7 @@
 #include "components/robot_base/encoder_odometry.hpp"
 #include "components/world/random_streams.hpp"
 #include "tests/components/people/perception_scene.hpp"
+#include "tests/components/people/scene_camera.hpp"
 
 namespace bw::people::test {
 
@@ -49,9 +50,13 @@ class Trial {
         legs_(scene_.options.people.legs),
         odometry_(scene_.robot, {}),
         chauffeur_(scene_, seed),
-        detector_(detector),
+        camera_(seed),
         tracker_(tracker) {
     legs_.step(0.0, world_.people());
+    eyes_.push_back(
+        {scene_.options.laser, scene_.robot.mount_of(scene_.options.laser.frame), Detector(detector)});
+    for (const MoreLaserOptions& one : scene_.options.more_lasers)
+      eyes_.push_back({one, scene_.robot.mount_of(one.frame), Detector(detector)});
   }
 
   std::function<void(const DetectionSet&, const std::vector<TruePerson>&, const std::vector<TrackedPerson>&)>
@@ -69,6 +74,7 @@ class Trial {
       record_.driven += (world_.pose().position() - before).norm();
       legs_.step(world_.physics_step().to_seconds(), world_.people());
       if (sample.ticks) odometry_.add({stamp(sample.time), sample.ticks->left, sample.ticks->right});
+      if (scene_options_.camera) camera_.look(world_, inverse(X_MO()), stamp(sample.time));
       if (sample.scan) sweep(sample);
     }
     keeper_.close();
@@ -89,26 +95,35 @@ class Trial {
     world_.command({speeds.left / scene_.robot.wheel_radius, speeds.right / scene_.robot.wheel_radius});
   }
 
+  /// All lasers sweep at once, one update each.
   void sweep(const WorldSample& sample) {
-    const Pose2 X_ML = world_.pose();  // the laser sits on base_link
-    const Pose2 X_OL = odometry_.state().X_OB;
-    const LaserOptions& laser = scene_.options.laser;
-    const LaserSweep seen{stamp(sample.time),     X_OL,
-                          sample.scan->angle_min, sample.scan->angle_increment,
-                          laser.range_min,        laser.range_max,
-                          sample.scan->ranges};
-    const double before = thread_milliseconds();
-    const std::vector<Vector2> keep = tracker_.keep_out();
-    const DetectionSet& detections = detector_.detect(seen, {std::nullopt, keep});
-    const std::vector<TrackedPerson>& tracks = tracker_.update(detections);
-    record_.milliseconds.push_back(thread_milliseconds() - before);
-    record_.clusters += static_cast<double>(detections.detections.size());
+    const Pose2 X_MB = world_.pose();
+    const Pose2 X_OB = odometry_.state().X_OB;
+    std::vector<const LaserScan*> scans = {&*sample.scan};
+    for (const auto& more : sample.more_scans) scans.push_back(&*more);
+    const DetectionSet* detections = nullptr;
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+      const LaserOptions& laser = eyes_[i].options;
+      const LaserSweep seen{stamp(sample.time),        X_OB * eyes_[i].X_BL, scans[i]->angle_min,
+                            scans[i]->angle_increment, laser.range_min,      laser.range_max,
+                            scans[i]->ranges};
+      const double before = thread_milliseconds();
+      const std::vector<Vector2> keep = tracker_.keep_out();
+      seen_ = eyes_[i].detector.detect(seen, {std::nullopt, keep});
+      seen_.source = static_cast<int>(i);
+      tracker_.update(seen_);
+      record_.milliseconds.push_back(thread_milliseconds() - before);
+      record_.clusters += static_cast<double>(seen_.detections.size());
+      detections = &seen_;
+    }
+    for (const HeardSet& heard : camera_.due(stamp(sample.time))) tracker_.hear(heard);
+    const std::vector<TrackedPerson>& tracks = tracker_.people();
 
-    const std::vector<TruePerson> truth = truth_in(X_OL * inverse(X_ML), X_ML, *sample.scan);
-    const auto counts = [&](const Vector2& p_O) { return (p_O - X_OL.position()).norm() <= kCountedRange; };
+    const std::vector<TruePerson> truth = truth_in(X_OB * inverse(X_MB), X_MB, scans);
+    const auto counts = [&](const Vector2& p_O) { return (p_O - X_OB.position()).norm() <= kCountedRange; };
     keeper_.add(sample.time.to_seconds(), truth, tracks, counts);
     accuse(truth, tracks);
-    if (watch) watch(detections, truth, tracks);
+    if (watch) watch(*detections, truth, tracks);
   }
 
   void accuse(const std::vector<TruePerson>& truth, const std::vector<TrackedPerson>& tracks) {
@@ -126,11 +141,34 @@ class Trial {
     record_.most_possible = std::max(record_.most_possible, possible);
   }
 
-  /// Counted: within range and view, the way to the middle not barred by walls or furniture. Unoccluded: at
-  /// least three beams ended on one of the legs.
-  std::vector<TruePerson> truth_in(const Pose2& X_OM, const Pose2& X_ML, const LaserScan& scan) const {
+  /// Counted: within range and view of a laser, the way from it to the middle not barred by walls or furniture. Unoccluded:
+  /// at least three beams ended on one of the legs.
+  std::vector<TruePerson> truth_in(const Pose2& X_OM, const Pose2& X_MB,
+                                   const std::vector<const LaserScan*>& scans) const {
     const std::vector<Person>& people = world_.people();
     const std::vector<Disc> legs = legs_.discs(people);
+    std::vector<char> counted(people.size(), 0);
+    std::vector<char> plain(people.size(), 0);
+    for (std::size_t eye = 0; eye < scans.size(); ++eye) {
+      const Pose2 X_ML = X_MB * eyes_[eye].X_BL;
+      const std::vector<int> hits = hits_on(legs, X_ML, *scans[eye]);
+      for (std::size_t i = 0; i < people.size(); ++i) {
+        const Vector2 way = people[i].position - X_ML.position();
+        const double bearing = wrap_angle(std::atan2(way.y(), way.x()) - X_ML.theta);
+        const bool in_view = std::abs(bearing) < eyes_[eye].options.field_of_view / 2.0;
+        const bool is_near = (people[i].position - X_MB.position()).norm() <= kCountedRange;
+        if (is_near && in_view && !barred(X_ML.position(), people[i].position)) counted[i] = 1;
+        if (std::max(hits[2 * i], hits[2 * i + 1]) >= 3) plain[i] = 1;
+      }
+    }
+    std::vector<TruePerson> truth;
+    for (std::size_t i = 0; i < people.size(); ++i)
+      truth.push_back({people[i].id, X_OM * people[i].position, rotate(X_OM, people[i].velocity),
+                       counted[i] != 0, plain[i] != 0});
+    return truth;
+  }
+
+  static std::vector<int> hits_on(const std::vector<Disc>& legs, const Pose2& X_ML, const LaserScan& scan) {
     std::vector<int> hits(legs.size(), 0);
     for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
       const double angle = X_ML.theta + scan.angle_min + static_cast<double>(i) * scan.angle_increment;
@@ -139,17 +177,7 @@ class Trial {
         if (std::abs(range - static_cast<double>(scan.ranges[i])) < 0.08) ++hits[k];
       }
     }
-    std::vector<TruePerson> truth;
-    for (std::size_t i = 0; i < people.size(); ++i) {
-      const Vector2 way = people[i].position - X_ML.position();
-      const double distance = way.norm();
-      const double bearing = wrap_angle(std::atan2(way.y(), way.x()) - X_ML.theta);
-      const bool in_view = std::abs(bearing) < scene_.options.laser.field_of_view / 2.0;
-      truth.push_back({people[i].id, X_OM * people[i].position, rotate(X_OM, people[i].velocity),
-                       distance <= kCountedRange && in_view && !barred(X_ML.position(), people[i].position),
-                       std::max(hits[2 * i], hits[2 * i + 1]) >= 3});
-    }
-    return truth;
+    return hits;
   }
 
   bool barred(const Vector2& from, const Vector2& to) const {
@@ -160,13 +188,21 @@ class Trial {
            std::ranges::any_of(world_.scene().discs(), bars);
   }
 
+  struct Eye {
+    LaserOptions options;
+    Pose2 X_BL;
+    Detector detector;
+  };
+
   SceneOptions scene_options_;
   Scene scene_;
   World world_;
   Legs legs_;
   EncoderOdometry odometry_;
   Chauffeur chauffeur_;
-  Detector detector_;
+  SceneCamera camera_;
+  std::vector<Eye> eyes_;
+  DetectionSet seen_;
   Tracker tracker_;
   ScoreKeeper keeper_;
   TrialRecord record_;

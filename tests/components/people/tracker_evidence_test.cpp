@@ -110,8 +110,8 @@ TEST(Evidence, ConfidenceIsTheLogisticOfTheSum) {
   EXPECT_NEAR(existence.log_odds(), -1.0 + 2.0 + 4.0 - 2.0 - 1.0, 1e-12);
 }
 
-// One leg stands still: a possible person within 2 s, never a confirmed one. It is set aside: confirmed, with the
-// same id.
+// One leg stands still: a possible person within 2 s, never a confirmed one. It is set aside and back: confirmed,
+// with the same id.
 TEST(Evidence, OneLegThatStandsIsPossibleUntilItFidgets) {
   Stage stage;
   Tracker tracker({});
@@ -141,7 +141,7 @@ TEST(Evidence, WhoWalkedStaysAPerson) {
     stage.begin(0.1 * k);
     stage.hide({3.0, -2.0 + 0.1 * k}, 0.8, 1.5);
     ASSERT_EQ(tracker.update(stage.set()).size(), 1U);
-    EXPECT_EQ(tracker.people()[0].confidence, walking);
+    EXPECT_NEAR(tracker.people()[0].confidence, walking, 0.02);  // few guesses have gone 0.75 m astray
   }
   for (int k = 20; k < 300; ++k) {
     stage.begin(0.1 * k);

@@ -45,7 +45,8 @@ TEST(Reappearance, TheMostLikelyIsTaken) {
 // Of two at the same place: who was going that way. Nothing known of the velocity: either.
 TEST(Reappearance, TheWayTheyGoTells) {
   std::vector<PersonTrack> people;
-  const std::vector<PersonTrack> two{hidden_at(3, {0.1, 0.0}, {1.0, 0.0}), hidden_at(4, {0.1, 0.0}, {-1.0, 0.0})};
+  const std::vector<PersonTrack> two{hidden_at(3, {0.1, 0.0}, {1.0, 0.0}),
+                                     hidden_at(4, {0.1, 0.0}, {-1.0, 0.0})};
   for (const double way : {1.0, -1.0}) {
     std::vector<PersonTrack> lost = two;
     EXPECT_EQ(id_of(take_returned(people, lost, kFirst, Vector2(way, 0.0), 2.0, {})), way > 0.0 ? 3U : 4U);

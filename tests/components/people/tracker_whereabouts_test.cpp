@@ -1,8 +1,7 @@
 // Where somebody hidden may be: before walls that were seen, not where the laser sees that nobody is.
-#include "components/people/tracker/whereabouts.hpp"
-
 #include <gtest/gtest.h>
 
+#include "components/people/tracker/whereabouts.hpp"
 #include "tests/components/people/tracker_stage.hpp"
 
 namespace bw::people {

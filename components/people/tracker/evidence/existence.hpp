@@ -17,16 +17,18 @@ struct Existence {
   static constexpr double kTwoLegs = -1.0;     ///< two that stand as legs do
   static constexpr double kWalker = -2.2;      ///< two that were first noticed walking
   static constexpr double kLoneWalker = -4.5;  ///< one of which that is so
-  static constexpr double kUnseen = -30.0;     ///< whom no laser has shown yet
+  static constexpr double kUnseen = -60.0;     ///< whom no laser has shown yet
   /// Of two legs that only stand, by each other thing about that looks like a leg, beyond the first.
   static constexpr double kEachOther = -0.5;
+  /// The same of two legs that have walked less than a metre.
+  static constexpr double kEachOtherWalking = -0.25;
 
   double prior = kOneLeg;
   Walked walked;
   Looks looks;
   double fidgets = 0.0;  ///< log odds (fidgets.hpp)
   double row = 0.0;      ///< log odds (row_of_posts.hpp), lately
-  double clutter = 0.0;  ///< log odds by how many things about look like legs; nothing for who walks
+  double clutter = 0.0;  ///< log odds by how many things about look like legs
 
   double log_odds() const { return prior + walked.log_odds() + looks.log_odds() + fidgets + row + clutter; }
   double confidence() const { return 1.0 / (1.0 + std::exp(-log_odds())); }

@@ -31,10 +31,10 @@ TEST(Sensible, ACountHasNoDecimals) {
 TEST(Table, NamesTheColumnInEveryCellForNarrowScreens) {
   Table table({"way", "error < 1 [m]"});
   EXPECT_EQ(table.html(), "");
-  table.row({"sinus", "<b>0.2</b>"});  // words are set to the left, figures to the right
+  table.row({"sinus", "0.2"});  // words are set to the left, and their headings; figures to the right
   EXPECT_EQ(table.html(),
-            "<table><thead><tr><th>way</th><th>error &lt; 1 [m]</th></tr></thead><tbody>\n"
-            "<tr><td data-is=\"way\">sinus</td><td data-is=\"error &lt; 1 [m]\"><b>0.2</b></td></tr>\n"
+            "<table><thead><tr><th class=\"text\">way</th><th>error &lt; 1 [m]</th></tr></thead><tbody>\n"
+            "<tr><td data-is=\"way\">sinus</td><td data-is=\"error &lt; 1 [m]\">0.2</td></tr>\n"
             "</tbody></table>\n");
 }
 
