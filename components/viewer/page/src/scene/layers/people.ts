@@ -43,7 +43,7 @@ const PALE = 0.35; // of who is not confirmed
 export class PeopleLayer extends TopicLayer<Tracks> {
   readonly id = "people";
   readonly name = "People";
-  readonly legend: Legend = { shape: "disc", colors: (palette) => [palette.people], note: "arrow: 1 s ahead; ring: 86 %; pale, with ?: may be furniture" };
+  readonly legend: Legend = { shape: "disc", colors: (palette) => [palette.people], note: "ring: 86 %; pale: unsure" };
   private readonly bodies = new Triangles(50, { hasDepth: true, areBodies: true });
   private readonly discs = new Discs(51);
   private readonly lines = new Lines(52);
