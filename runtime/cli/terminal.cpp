@@ -1,11 +1,10 @@
 #include "runtime/cli/terminal.hpp"
 
-#include <algorithm>
 #include <array>
 #include <iostream>
 #include <string_view>
+#include <utility>
 
-#include <poll.h>
 #include <unistd.h>
 
 namespace bw::cli {
@@ -25,8 +24,11 @@ void ProgressLine::show(const std::string& text) {
 Keyboard::Keyboard() {
   termios now{};
   // A job in the background would be stopped by touching the terminal.
-  if (isatty(STDIN_FILENO) == 0 || tcgetpgrp(STDIN_FILENO) != getpgrp() || tcgetattr(STDIN_FILENO, &now) != 0)
+  if (isatty(STDIN_FILENO) == 0 || tcgetpgrp(STDIN_FILENO) != getpgrp() ||
+      tcgetattr(STDIN_FILENO, &now) != 0) {
+    input_.ignore();
     return;
+  }
   before_ = now;
   now.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
   for (const int name : {VQUIT, VSUSP}) now.c_cc[name] = _POSIX_VDISABLE;
@@ -38,19 +40,11 @@ Keyboard::~Keyboard() {
 }
 
 std::optional<Key> Keyboard::wait(Duration limit) {
-  constexpr std::int64_t kSecond = 1'000'000'000;
   if (!pressed_.empty()) return next_key();
-  const std::int64_t ns = std::max<std::int64_t>(limit.nanoseconds, 0);
-  const timespec timeout{.tv_sec = ns / kSecond, .tv_nsec = ns % kSecond};
-  pollfd input{.fd = is_there() ? STDIN_FILENO : -1, .events = POLLIN, .revents = 0};
-  if (ppoll(&input, 1, &timeout, nullptr) <= 0) return std::nullopt;
-  std::array<char, 64> bytes{};
-  const ssize_t size = read(STDIN_FILENO, bytes.data(), bytes.size());
-  if (size <= 0) {
-    before_.reset();  // the terminal is gone
-    return std::nullopt;
-  }
-  pressed_.assign(bytes.data(), static_cast<std::size_t>(size));
+  auto bytes = input_.wait(limit);
+  if (input_.is_over()) before_.reset();  // the terminal is gone
+  if (!bytes) return std::nullopt;
+  pressed_ = std::move(*bytes);
   return next_key();
 }
 

@@ -7,6 +7,7 @@
 #include <termios.h>
 
 #include "runtime/base/time.hpp"
+#include "runtime/cli/standard_input.hpp"
 
 namespace bw::cli {
 
@@ -45,6 +46,7 @@ class Keyboard {
  private:
   Key next_key();
 
+  StandardInput input_;
   std::optional<termios> before_;
   std::string pressed_;  ///< and not yet returned
 };

@@ -1,22 +1,10 @@
 #include "components/tools/calibrate/lines.hpp"
 
-#include <array>
-
-#include <poll.h>
-#include <unistd.h>
-
 namespace bw {
 
 std::optional<std::string> Lines::wait(Duration limit) {
-  constexpr std::int64_t kSecond = 1'000'000'000;
   if (auto line = next()) return line;
-  const timespec timeout{.tv_sec = limit.nanoseconds / kSecond, .tv_nsec = limit.nanoseconds % kSecond};
-  pollfd input{.fd = is_over_ ? -1 : STDIN_FILENO, .events = POLLIN, .revents = 0};
-  if (ppoll(&input, 1, &timeout, nullptr) <= 0) return std::nullopt;
-  std::array<char, 256> block{};
-  const ssize_t size = read(STDIN_FILENO, block.data(), block.size());
-  if (size <= 0) is_over_ = true;
-  if (size > 0) read_.append(block.data(), static_cast<std::size_t>(size));
+  if (const auto text = input_.wait(limit)) read_ += *text;
   return next();
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "runtime/base/time.hpp"
+#include "runtime/cli/standard_input.hpp"
 
 namespace bw {
 
@@ -12,13 +13,13 @@ class Lines {
  public:
   /// The next whole line; nothing when none came within `limit`.
   std::optional<std::string> wait(Duration limit);
-  bool is_over() const { return is_over_; }
+  bool is_over() const { return input_.is_over(); }
 
  private:
   std::optional<std::string> next();
 
+  cli::StandardInput input_;
   std::string read_;
-  bool is_over_ = false;
 };
 
 }  // namespace bw
