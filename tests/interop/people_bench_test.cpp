@@ -8,8 +8,8 @@
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
+#include "tests/folder.hpp"
 #include "tests/interop/process.hpp"
 
 namespace bw::test {
@@ -19,9 +19,6 @@ using testing::HasSubstr;
 
 class BenchPeopleVerb : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   static Outcome bandwagon(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), BANDWAGON_PROGRAM);
     return run_to_end(arguments, std::chrono::seconds(120));
@@ -33,8 +30,7 @@ class BenchPeopleVerb : public testing::Test {
   }
 
  private:
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / ("bench_people_" + std::to_string(getpid()));
+  Folder folder_;
 };
 
 TEST_F(BenchPeopleVerb, ScoresARecordedHallway) {

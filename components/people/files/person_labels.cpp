@@ -27,14 +27,6 @@ std::vector<std::string_view> cells_of(std::string_view text) {
   }
 }
 
-/// Printable start of a text from a file that may hold anything.
-std::string quoted(std::string_view text) {
-  std::string shown(text.substr(0, 40));
-  std::ranges::replace_if(
-      shown, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return "'" + shown + (text.size() > 40 ? "...'" : "'");
-}
-
 class Reader {
  public:
   Reader(std::istream& input, const std::string& file) : input_(input) { labels_.file = file; }
@@ -62,7 +54,7 @@ class Reader {
     place_.fill(-1);
     for (std::size_t i = 0; i < names.size(); ++i) {
       const auto known = std::ranges::find(kNames, names[i]);
-      const std::string here = "column " + std::to_string(i + 1) + ", " + quoted(names[i]) + ", ";
+      const std::string here = "column " + std::to_string(i + 1) + ", " + excerpt(names[i]) + ", ";
       if (known == kNames.end())
         fail(here + "is unknown: columns are time or stamp, id, x, y, frame, visible");
       int& place = place_[static_cast<std::size_t>(known - kNames.begin())];
@@ -110,16 +102,16 @@ class Reader {
     try {
       return to_number(cell, labels_.file, line_);
     } catch (const std::runtime_error&) {
-      fail(column, quoted(cell) + " is not a finite number");
+      fail(column, excerpt(cell) + " is not a finite number");
     }
   }
 
   double whole(Column column, const std::vector<std::string_view>& cells, double least, double most) const {
     const double value = number(column, cells);
     if (value != std::floor(value) || value < least || value > most) {
-      fail(column, quoted(cells[static_cast<std::size_t>(place_[column])]) + " must be a whole number from " +
-                       std::to_string(static_cast<std::uint64_t>(least)) + " to " +
-                       std::to_string(static_cast<std::uint64_t>(most)));
+      fail(column, excerpt(cells[static_cast<std::size_t>(place_[column])]) +
+                       " must be a whole number from " + std::to_string(static_cast<std::uint64_t>(least)) +
+                       " to " + std::to_string(static_cast<std::uint64_t>(most)));
     }
     return value;
   }

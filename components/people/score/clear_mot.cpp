@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <iterator>
 
+#include "components/model/mover_weight.hpp"
+
 namespace bw::people {
 
 void Score::add(const Score& other) {
@@ -30,7 +32,7 @@ void ScoreKeeper::add(double now, const std::vector<TruePerson>& truth,
                       const std::function<bool(const Vector2&)>& counts_if_false) {
   confirmed_.clear();
   std::ranges::copy_if(tracks, std::back_inserter(confirmed_),
-                       [](const TrackedPerson& track) { return track.confidence >= kConfirmed; });
+                       [](const TrackedPerson& track) { return is_confirmed(track); });
   match(truth);
   for (std::size_t i = 0; i < truth.size(); ++i) judge(now, truth[i], match_[i]);
   false_tracks_.clear();

@@ -8,6 +8,8 @@
 
 #include <Eigen/LU>
 
+#include "components/model/mover_weight.hpp"
+
 namespace bw::people {
 namespace {
 
@@ -84,14 +86,13 @@ class StretchJudge {
     for (const TrackedPerson& track : tracks) {
       const bool is_somebody = std::ranges::any_of(
           instant.people, [&](const TruePerson& person) { return is_near(person.position, track.position); });
-      if (track.confidence < kConfirmed && !is_somebody && is_judged(track.position))
-        ++score_.possible_elsewhere;
+      if (!is_confirmed(track) && !is_somebody && is_judged(track.position)) ++score_.possible_elsewhere;
     }
   }
 
   void miss(double time, const TruePerson& person, const std::vector<TrackedPerson>& tracks) {
     const bool is_possible = std::ranges::any_of(tracks, [&](const TrackedPerson& track) {
-      return track.confidence < kConfirmed && is_near(track.position, person.position);
+      return !is_confirmed(track) && is_near(track.position, person.position);
     });
     score_.errors.push_back({time, TrackError::miss, person.id, person.position, is_possible});
     if (is_possible) ++score_.possible_at_misses;

@@ -11,20 +11,13 @@
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 
-#include "components/people/tracker/birth.hpp"
-#include "components/people/tracker/cluster_track.hpp"
 #include "components/people/tracker/heading_track.hpp"
-#include "components/people/tracker/hearing.hpp"
-#include "components/people/tracker/matching.hpp"
-#include "components/people/tracker/person_track.hpp"
 #include "components/people/tracker/reappearance.hpp"
 #include "components/people/tracker/reporting.hpp"
 #include "components/people/tracker/selection.hpp"
-#include "components/people/tracker/sensor_order.hpp"
-#include "components/people/tracker/sweep_alignment.hpp"
+#include "components/people/tracker/tracker_impl.hpp"
 #include "components/people/tracker/untangle.hpp"
 #include "components/people/tracker/visibility.hpp"
-#include "components/people/tracker/weighing.hpp"
 
 namespace bw::people {
 namespace {
@@ -32,72 +25,6 @@ namespace {
 constexpr double kKeptOut = 0.25;  // confidence of who must not become background
 
 }  // namespace
-
-class Tracker::Impl {
- public:
-  explicit Impl(const TrackerOptions& options) : options_(options), alignment_(options.alignment) {}
-  void set_options(const TrackerOptions& options) { options_ = options; }
-
-  const std::vector<TrackedPerson>& update(const DetectionSet& sweep);
-  const std::vector<TrackedPerson>& hear(const HeardSet& heard);
-  const std::vector<TrackedPerson>& people() const { return reported_; }
-  std::size_t cluster_count() const { return clusters_.size(); }
-  void reset();
-
- private:
-  void begin_at(Time time);
-  void predict_to(Time time);
-  void transform_to_S(const DetectionSet& sweep);
-  void believe(const HeardPerson& told, double late, PersonTrack& person);
-  void begin_with(const HeardPerson& told, double late);
-  bool follow_legs_near(PersonTrack& person);
-  bool is_told_of(const PersonTrack& person) const {
-    return person.heard > 0.0 && person.last_heard + Duration::seconds(HearingOptions::kTold) >= *now_;
-  }
-  void correct_people();
-  void correct_heading(PersonTrack& person, const LegMatch& match);
-  void correct_person(PersonTrack& person, const LegMatch& match);
-  void correct_clusters();
-  void untangle();
-  void pair_legs_anew(std::initializer_list<std::size_t> of_people);
-  void forget_clusters(std::vector<int>& used);
-  double seconds() const { return (*now_ - origin_).to_seconds(); }
-  Sighting sighting_of(const Detection& d) const;
-  std::uint32_t id_of(const ClusterTrack& first, const ClusterTrack* second);
-  PastState state_of(const PersonTrack& person) const {
-    return {seconds(), person.walker.position(), person.walker.velocity()};
-  }
-  void follow_legs(PersonTrack& person, const ClusterTrack& first, const ClusterTrack* second) const;
-  bool is_out_of_sight(const PersonTrack& person) const {
-    return *now_ - person.last_seen > Duration::seconds(options_.hidden.absent);
-  }
-  void follow_hidden_people(double dt, double since_own);
-  void watch_for_absence(const DetectionSet& sweep, double dt);
-  void delete_tracks();
-  void initiate_tracks();
-  void report();
-
-  TrackerOptions options_;
-  SensorOrder order_;
-  SweepAlignment alignment_;
-  Vector2 leading_sensor_{0.0, 0.0};  ///< of several the one that tells odometry's errors, in S
-  Pose2 X_SO_;                        ///< S: odom without its errors from sweep to sweep; tracks live in S
-  DetectionSet sweep_in_S_;
-  std::optional<Time> now_;
-  Time origin_;
-  std::int64_t sweep_ = 0;
-  std::uint32_t last_id_ = 0;
-  std::vector<PersonTrack> people_;
-  std::vector<PersonTrack> lost_;  ///< let go lately
-  std::vector<ClusterTrack> clusters_;
-  std::vector<Detection> detections_;
-  Matching matching_;
-  Weighing weighing_;
-  std::vector<Candidate> candidates_;
-  SeenWalls walls_;
-  Random random_{1};
-  std::vector<TrackedPerson> reported_;
-};
 
 void Tracker::Impl::reset() {
   now_.reset();
@@ -354,106 +281,22 @@ void Tracker::Impl::initiate_tracks() {
     const Walker walker = walker_of(first, second, options_.walker);
     auto person = take_returned(people_, lost_, oldest, walker.velocity(), seconds(), options_.hidden);
     Existence existence = existence_of(candidate.birth, first, second);
-    existence.clutter = weighing_.clutter_against(existence);
     if (person) {
-      person->existence = existence_of_returned(person->existence, existence, candidate.birth.kind);
-      person->existence.clutter = weighing_.clutter_against(person->existence);
+      existence = existence_of_returned(person->existence, existence, candidate.birth.kind);
     } else {
       person = PersonTrack{.id = id_of(first, second),
                            .walker = walker,
                            .born = origin_ + Duration::seconds(oldest.time),
                            .confirmed = *now_};
-      person->existence = existence;
     }
+    existence.clutter = weighing_.clutter_against(existence);
+    existence.keep_belief();
+    person->existence = existence;
     person->score = first.last().human_score();
     follow_legs(*person, first, second);
     people_.insert(std::ranges::upper_bound(people_, person->id, {}, &PersonTrack::id), *person);
   }
   forget_clusters(used);
-}
-
-/// A message that is late is compared with where the tracks were then; what it corrects, with where they are.
-const std::vector<TrackedPerson>& Tracker::Impl::hear(const HeardSet& heard) {
-  if (now_ && heard.time < *now_ - Duration::seconds(options_.longest_gap)) return reported_;
-  begin_at(heard.time);
-  if (!now_ || heard.time > *now_) predict_to(heard.time);
-  const double late = (*now_ - heard.time).to_seconds();
-  std::vector<HeardPerson> told = without_doubles(heard.people, options_.person_radius);
-  for (HeardPerson& person : told) {
-    person.position = X_SO_ * person.position;
-    person.velocity = rotate(X_SO_, person.velocity);
-  }
-  const std::vector<int> whose =
-      match_heard(told, people_, late, options_.hearing.position_deviation, options_.association);
-  for (std::size_t i = 0; i < told.size(); ++i)
-    if (whose[i] >= 0) believe(told[i], late, people_[static_cast<std::size_t>(whose[i])]);
-  for (std::size_t i = 0; i < told.size(); ++i)
-    if (whose[i] < 0) begin_with(told[i], late);
-  delete_tracks();
-  report();
-  return reported_;
-}
-
-void Tracker::Impl::believe(const HeardPerson& told, double late, PersonTrack& person) {
-  const HearingOptions& hearing = options_.hearing;
-  person.last_heard = *now_;
-  person.heard = believed(person.heard, told.reliability, hearing);
-  if (person.empty_seconds >= options_.death.unseen)
-    person.heard = std::min(person.heard, hearing.unseen_limit);
-  if (person.last_seen + Duration::seconds(hearing.seen) >= *now_) return;
-  HeardPerson there = told;
-  there.position += late * person.walker.velocity();
-  correct_by(there, hearing.position_deviation, options_, person);
-  if (follow_legs_near(person)) return;
-  // Legs that appear here are theirs: as of somebody who was out of sight just long enough.
-  person.sure = {seconds() - options_.hidden.absent,
-                 person.walker.position() - options_.hidden.absent * person.walker.velocity(),
-                 person.walker.velocity()};
-}
-
-void Tracker::Impl::begin_with(const HeardPerson& told, double late) {
-  const double unsure = late * HearingOptions::kUntoldSpeed;
-  const double deviation = std::hypot(options_.hearing.position_deviation, unsure);
-  HeardPerson there = told;
-  there.position += late * told.velocity;
-  PersonTrack person = person_of(there, deviation, *now_, options_);
-  std::vector<PersonTrack> nobody;
-  const Sighting place{.time = seconds(), .position = there.position};
-  const auto velocity = told.velocity.squaredNorm() > 0.0 ? std::optional(told.velocity) : std::nullopt;
-  if (auto lost = take_returned(nobody, lost_, place, velocity, seconds(), options_.hidden)) {
-    lost->walker = person.walker;
-    lost->heading = person.heading;
-    lost->legs = {};
-    lost->empty_seconds = 0.0;
-    lost->hidden.reset();
-    person = *lost;
-  } else {
-    const NearLegs legs = legs_near(person.walker.position(), seconds(), clusters_, options_.hearing);
-    const ClusterTrack* second =
-        legs.second < 0 ? nullptr : &clusters_[static_cast<std::size_t>(legs.second)];
-    person.id = legs.first < 0 ? ++last_id_ : id_of(clusters_[static_cast<std::size_t>(legs.first)], second);
-  }
-  person.settled = state_of(person);
-  people_.insert(std::ranges::upper_bound(people_, person.id, {}, &PersonTrack::id), person);
-  believe(told, late, *std::ranges::find(people_, person.id, &PersonTrack::id));
-}
-
-/// What stands where they are told to be are their legs, also if it does not walk or look like a person's yet.
-bool Tracker::Impl::follow_legs_near(PersonTrack& person) {
-  const NearLegs legs = legs_near(person.walker.position(), seconds(), clusters_, options_.hearing);
-  if (legs.first < 0) return false;
-  const ClusterTrack first = clusters_[static_cast<std::size_t>(legs.first)];
-  std::optional<ClusterTrack> second;
-  if (legs.second >= 0) second = clusters_[static_cast<std::size_t>(legs.second)];
-  follow_legs(person, first, second ? &*second : nullptr);
-  const BirthKind kind = second ? BirthKind::standing_pair : BirthKind::standing_single;
-  person.existence = existence_of_returned(
-      person.existence, existence_of({.kind = kind}, first, second ? &*second : nullptr), kind);
-  person.score = first.last().human_score();
-  std::vector<int> used{legs.first};
-  if (second) used.push_back(legs.second);
-  forget_clusters(used);
-  return true;
 }
 
 void Tracker::Impl::report() {

@@ -11,14 +11,15 @@ namespace {
 constexpr double kStood = 0.5;       // [s] what has stood so long is a post
 constexpr double kStill = 0.15;      // [m] its places differ less
 constexpr double kThin = 0.25;       // [m] and it is less wide
-constexpr double kWalkedFree = 1.0;  // [m] who has walked so far has no legs of furniture
 constexpr double kReach = 2.5;       // [m] farther furniture is not theirs: the diagonal of a table and more
 constexpr double kSlowly = 1.0;      // [s] in which patterns gain and lose belief
 constexpr double kTurn = 0.1;        // [rad] of the line of sight to a leg that may shift
 constexpr double kTurnOfPair = 0.4;  // to a pair
 constexpr double kSensorStill = 0.05;    // [m] a laser that moves less stands
 constexpr double kSensorStood = 1.0;     // [s]
-constexpr double kOfWayLost = 0.3;       // [m] of the way walked by somebody lost
+constexpr double kWhileMoving = 0.4;     // share of what shifts of a pair say while the laser moves
+constexpr double kTaken = -14.0;         // log odds of legs that stand where something stood before
+constexpr double kOfWayLost = 0.6;       // [m] of the way walked by somebody lost
 constexpr double kClutterMemory = 10.0;  // [s] in which things out of view are forgotten
 constexpr double kOfOneLeg = 0.5;        // share of what shifts say where no other leg is seen
 constexpr double kNoticed = 1.0;         // [s] after which what stands is told of
@@ -85,7 +86,7 @@ void Weighing::find_posts(const std::vector<PersonTrack>& people, const std::vec
   for (const ClusterTrack& cluster : clusters)
     if (is_post(cluster, sweep)) posts_.push_back(post_of(cluster));
   for (const PersonTrack& person : people) {
-    if (person.existence.walked.way >= kWalkedFree) continue;
+    if (person.existence.walked.way >= Walked::kFree) continue;
     for (const auto& leg : person.legs)
       if (leg && is_post(*leg, sweep)) posts_.push_back(post_of(*leg));
   }
@@ -113,10 +114,24 @@ void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
 }
 
 double Weighing::clutter_against(const Existence& existence) const {
-  if (existence.walked.way >= kWalkedFree) return 0.0;
+  if (existence.walked.way >= Walked::kFree) return 0.0;
   const double others = std::max(0.0, clutter_ - 1.0);
   if (existence.prior == Existence::kTwoLegs) return Existence::kEachOther * others;
   return existence.prior == Existence::kWalker ? Existence::kEachOtherWalking * others : 0.0;
+}
+
+/// Nothing becomes background where somebody walks up to: what is background under their feet is not theirs.
+void Weighing::weigh_place(PersonTrack& person, std::int64_t sweep, double gain) {
+  if (person.existence.walked.way < Walked::kFree) return;
+  double seen = 0.0;
+  double on_background = 0.0;
+  for (const auto& leg : person.legs) {
+    if (!leg || leg->last().sweep != sweep) continue;
+    seen += 1.0;
+    on_background += leg->last().on_static ? 1.0 : 0.0;
+  }
+  if (seen == 0.0) return;
+  person.existence.taken += gain * (kTaken * on_background / seen - person.existence.taken);
 }
 
 void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, double gain,
@@ -132,11 +147,11 @@ void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, 
   }
   if (walk) existence.walked.way += walk->speed * std::min(dt, person.since_seen);
   existence.clutter = clutter_against(existence);
-  if (!both || existence.walked.way >= kWalkedFree) return;
+  if (!both || existence.walked.way >= Walked::kFree) return;
   const Sighting& a = person.legs[0]->last();
   const Sighting& b = person.legs[1]->last();
   person.fidgets.add(a.time, a.position - b.position, !a.occluded && !b.occluded, a.bearing, kTurnOfPair);
-  existence.fidgets = std::max(existence.fidgets, person.fidgets.log_odds());
+  existence.fidgets = std::max(existence.fidgets, (still_ ? 1.0 : kWhileMoving) * person.fidgets.log_odds());
   double row = 0.0;
   if (stands(*person.legs[0]) && stands(*person.legs[1]))
     row = std::min(row_at(*person.legs[0], &*person.legs[1]), row_at(*person.legs[1], &*person.legs[0]));
@@ -160,7 +175,11 @@ void Weighing::weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>
     if (is_post(cluster, sweep) && cluster.existence.looks.log_odds() > 0.0) leglike += 1.0;
   }
   clutter_ += std::min(1.0, dt / (leglike > clutter_ ? kSlowly : kClutterMemory)) * (leglike - clutter_);
-  for (PersonTrack& person : people) weigh_person(person, sweep, dt, gain, options);
+  for (PersonTrack& person : people) {
+    weigh_person(person, sweep, dt, gain, options);
+    weigh_place(person, sweep, gain);
+    person.existence.keep_belief();
+  }
 }
 
 }  // namespace bw::people

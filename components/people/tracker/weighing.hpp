@@ -36,6 +36,7 @@ class Weighing {
                   std::int64_t sweep);
   double row_at(const ClusterTrack& thing, const ClusterTrack* other);
   void weigh_cluster(ClusterTrack& cluster, double gain);
+  void weigh_place(PersonTrack& person, std::int64_t sweep, double gain);
   void weigh_person(PersonTrack& person, std::int64_t sweep, double dt, double gain,
                     const BirthOptions& options);
 

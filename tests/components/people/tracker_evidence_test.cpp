@@ -102,12 +102,60 @@ TEST(Evidence, FurnitureStandsInPatterns) {
 
 TEST(Evidence, ConfidenceIsTheLogisticOfTheSum) {
   Existence existence{.prior = Existence::kTwoLegs};
-  EXPECT_NEAR(existence.confidence(), 1.0 / (1.0 + std::exp(1.0)), 1e-12);
+  EXPECT_NEAR(existence.confidence(), 1.0 / (1.0 + std::exp(-Existence::kTwoLegs)), 1e-12);
   existence.walked.way = 0.35;
   existence.fidgets = Fidgets::kEach;
   existence.row = RowOfPosts::kRow;
   existence.clutter = -1.0;
-  EXPECT_NEAR(existence.log_odds(), -1.0 + 2.0 + 4.0 - 2.0 - 1.0, 1e-12);
+  EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs + 2.0 + 4.0 - 2.0 - 1.0, 1e-12);
+}
+
+// More things that look like legs come into view: who was confirmed stays so, who was not is doubted. Plain doubt, beyond
+// what was kept, ends it, and then it is as for anybody.
+TEST(Evidence, WhoWasConfirmedIsNotGivenUpForADoubt) {
+  Existence existence{.prior = 0.5};
+  existence.keep_belief();
+  existence.clutter = -2.0;
+  EXPECT_GE(existence.log_odds(), 0.0);
+  Existence new_one{.prior = 0.5, .clutter = -2.0};
+  new_one.keep_belief();
+  EXPECT_LT(new_one.log_odds(), 0.0);
+  existence.clutter = -0.6 - Existence::kKept;
+  existence.keep_belief();
+  existence.clutter = -2.0;
+  EXPECT_NEAR(existence.log_odds(), -1.5, 1e-12);
+}
+
+// Score 0.9 for ever: looks of 20 ln 9 / 22 = 1.997. Of a pair that walks what is beyond 1 counts twice until it has
+// walked a metre; of one that stands nothing is.
+TEST(Evidence, LooksOfWalkersSayMoreUntilTheyHaveWalked) {
+  Existence walker{.prior = Existence::kWalker};
+  for (int k = 0; k < 500; ++k) walker.looks.add(0.9, 0.1);
+  const double looks = 20.0 * std::log(9.0) / 22.0;
+  EXPECT_NEAR(walker.log_odds(), Existence::kWalker + looks + (looks - 1.0), 1e-4);
+  walker.walked.way = Walked::kFree;
+  EXPECT_NEAR(walker.log_odds(), Existence::kWalker + looks + Walked::kMost, 1e-4);
+  Existence standing{.prior = Existence::kTwoLegs, .looks = walker.looks};
+  EXPECT_NEAR(standing.log_odds(), Existence::kTwoLegs + looks, 1e-4);
+}
+
+// Somebody walks 2 m and stops. Where they stand is no background, as the detector keeps it free: they stay. If what is
+// seen there stood before, it is furniture that they walked up to.
+TEST(Evidence, WhatStoodBeforeIsNotWhoWalkedUpToIt) {
+  for (const bool stood_before : {false, true}) {
+    Stage stage;
+    Tracker tracker({});
+    walk(stage, tracker, 0, 20);
+    ASSERT_EQ(tracker.people().size(), 1U);
+    for (int k = 20; k < 60; ++k) {
+      stage.begin(0.1 * k);
+      stage.walker(0.0, 0.0, 0.0);
+      for (Detection& leg : stage.set().detections) leg.on_static = stood_before;
+      tracker.update(stage.set());
+    }
+    const bool confirmed = !tracker.people().empty() && tracker.people()[0].confidence >= kConfirmed;
+    EXPECT_EQ(confirmed, !stood_before);
+  }
 }
 
 // One leg stands still: a possible person within 2 s, never a confirmed one. It is set aside and back: confirmed,

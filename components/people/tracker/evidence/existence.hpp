@@ -14,14 +14,20 @@ namespace bw::people {
 struct Existence {
   // Priors, by what it began as.
   static constexpr double kOneLeg = -3.5;      ///< one thing that may be a leg, or two in one
-  static constexpr double kTwoLegs = -1.0;     ///< two that stand as legs do
+  static constexpr double kTwoLegs = -1.4;     ///< two that stand as legs do
   static constexpr double kWalker = -2.2;      ///< two that were first noticed walking
-  static constexpr double kLoneWalker = -4.5;  ///< one of which that is so
+  static constexpr double kLoneWalker = -5.5;  ///< one of which that is so
   static constexpr double kUnseen = -60.0;     ///< whom no laser has shown yet
   /// Of two legs that only stand, by each other thing about that looks like a leg, beyond the first.
   static constexpr double kEachOther = -0.5;
   /// The same of two legs that have walked less than a metre.
   static constexpr double kEachOtherWalking = -0.25;
+
+  /// Of somebody who was confirmed: what was believed once is not given up for a doubt, such as more things about.
+  static constexpr double kKept = 2.5;
+  /// Of what looks say of two legs first noticed walking, or of one, beside the whole of it, before they have walked a metre.
+  static constexpr double kLooksOfWalkers = 1.0;
+  static constexpr double kUsualLooks = 1.0;  ///< log odds between furniture that seems to walk and people
 
   double prior = kOneLeg;
   Walked walked;
@@ -29,9 +35,23 @@ struct Existence {
   double fidgets = 0.0;  ///< log odds (fidgets.hpp)
   double row = 0.0;      ///< log odds (row_of_posts.hpp), lately
   double clutter = 0.0;  ///< log odds by how many things about look like legs
+  double taken = 0.0;    ///< log odds of who walked and is seen where something stood before
+  double kept = 0.0;     ///< kKept of somebody confirmed
 
-  double log_odds() const { return prior + walked.log_odds() + looks.log_odds() + fidgets + row + clutter; }
+  /// To be called when the evidence of a sweep is complete.
+  void keep_belief() { kept = log_odds() >= 0.0 ? kKept : 0.0; }
+
+  double log_odds() const {
+    return prior + walked.log_odds() + looks.log_odds() + looks_of_walker() + fidgets + row + clutter +
+           taken + kept;
+  }
   double confidence() const { return 1.0 / (1.0 + std::exp(-log_odds())); }
+
+ private:
+  double looks_of_walker() const {
+    const bool walks = prior == kWalker || prior == kLoneWalker;
+    return walks && walked.way < Walked::kFree ? kLooksOfWalkers * (looks.log_odds() - kUsualLooks) : 0.0;
+  }
 };
 
 }  // namespace bw::people

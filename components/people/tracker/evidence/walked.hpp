@@ -11,6 +11,7 @@ struct Walked {
   static constexpr double kSlip = 0.15;      ///< [m]
   static constexpr double kPerMetre = 10.0;  ///< [1/m]
   static constexpr double kMost = 7.0;
+  static constexpr double kFree = 1.0;  ///< [m] who has walked so far has no legs of furniture
 
   double way = 0.0;  ///< [m]
 
