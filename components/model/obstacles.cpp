@@ -47,4 +47,17 @@ double Mover::sigma_at(double t) const {
   return sigma + std::max(rate, 0.0) * (t - t0);
 }
 
+double Mover::top_speed() const {
+  double speed = velocity.norm();
+  double t0 = 0.0;
+  Vector2 p0 = position;
+  for (const PredictedPosition& next : predictions) {
+    if (next.time <= t0) continue;
+    speed = std::max(speed, (next.position - p0).norm() / (next.time - t0));
+    t0 = next.time;
+    p0 = next.position;
+  }
+  return speed;
+}
+
 }  // namespace bw

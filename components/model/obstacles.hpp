@@ -54,6 +54,9 @@ struct Mover {
   /// Largest standard deviation [m] of the position at `t` [s]: from the predictions' covariances, linear
   /// between them and growing on at the last rate; 0 without any.
   double sigma_at(double t) const;
+
+  /// [m/s] at any time.
+  double top_speed() const;
 };
 
 }  // namespace bw

@@ -82,7 +82,8 @@ struct PlanningResult {
   std::vector<VelocityCone> velocity_cones;  ///< those the planner looked at
   std::optional<Vector2> velocity_wanted;    ///< the best velocity outside them
   int iterations = 0;                        ///< spent of the budget
-  bool class_switched = false;               ///< drives another class than until now
+  std::size_t obstacles_left_out = 0;  ///< times that one near a pose of the plan did not count in its cost
+  bool class_switched = false;         ///< drives another class than until now
 };
 
 class LocalPlanner {

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "components/model/differential_drive.hpp"
+#include "components/model/footprint_field.hpp"
 #include "components/model/limits.hpp"
 #include "runtime/base/field.hpp"
 #include "runtime/base/pose2.hpp"
@@ -48,7 +50,8 @@ struct Robot {
   double wheel_separation = 0.39;            ///< distance b between the wheels [m]
   std::int64_t ticks_per_revolution = 2578;  ///< encoder counts per wheel turn
   double wheel_speed_max = 2.0;              ///< top ground speed of one wheel [m/s]
-  double radius = 0.3;                       ///< footprint: disc around base_link [m]
+  double radius = 0.3;    ///< footprint: disc around base_link [m], unless there is a polygon
+  std::string footprint;  ///< polygon as text; read it by outline()
   Limits limits;
   std::vector<SensorMount> sensors;  ///< one that is not listed sits at base_link
   DeviceChoice base{.driver = "simulated"};
@@ -67,6 +70,12 @@ struct Robot {
       if (mount.frame == frame) return {mount.x, mount.y, mount.theta};
     }
     return {};
+  }
+
+  /// Its footprint while nothing else is said.
+  Footprint outline() const {
+    FootprintResult polygon = footprint_of(footprint, radius);
+    return polygon.fault.empty() ? std::move(polygon.footprint) : Footprint{radius, {}};
   }
 
   /// From top speed, and a little more: while it brakes, a run goes on.
@@ -90,7 +99,16 @@ struct Robot {
        .min = 0.01,
        .max = 20,
        .doc = "top ground speed of one wheel; bounds v and omega together"});
-    v("radius", radius, {.unit = "m", .min = 0.02, .max = 5, .doc = "radius of the robot's disc footprint"});
+    v("radius", radius,
+      {.unit = "m",
+       .min = 0.02,
+       .max = 5,
+       .doc = "radius of the robot's disc footprint; of no effect beside a footprint"});
+    footprint_field(
+        v, "footprint", footprint,
+        {.unit = "m",
+         .doc = "outline as corners in base_link, \"[[x, y], [x, y], [x, y]]\", convex and around "
+                "base_link; empty: the disc of radius"});
     v("limits", limits, {.doc = "motion limits of the base"});
     v("sensors", sensors, {.doc = "where the sensors sit; published on /tf_static"});
     v("base", base, {.doc = "wheels and what else the base has: its driver"});
