@@ -5,6 +5,8 @@
 
 #include "components/local_planner/command_limits.hpp"
 #include "components/local_planner/problem_check.hpp"
+#include "components/model/footprint_outline.hpp"
+#include "components/model/footprint_way.hpp"
 #include "components/model/mover_weight.hpp"
 
 namespace bw {
@@ -18,24 +20,31 @@ double free_way(const Vector2& p_B, double radius) {
   return std::max(0.0, -p_B.x() - std::sqrt(radius * radius - p_B.y() * p_B.y()));
 }
 
+/// The same for a footprint with a disc of `radius` around the point.
+double free_way(const Vector2& p_B, const Footprint& footprint, double radius) {
+  if (!footprint.is_polygon()) return free_way(p_B, footprint.radius + radius);
+  return std::min(kFarAway, first_touch({-1.0, 0.0}, padded(footprint, radius).polygon, p_B).way);
+}
+
 double free_way_behind(const PlanningProblem& problem) {
   const Pose2 X_BO = inverse(problem.pose);
-  const double radius = problem.footprint.radius;
+  const Footprint& footprint = problem.footprint;
   double way = kFarAway;
-  for (const Vector2& p : problem.obstacles.points) way = std::min(way, free_way(X_BO * p, radius));
+  for (const Vector2& p : problem.obstacles.points) way = std::min(way, free_way(X_BO * p, footprint, 0.0));
   for (const Disc& disc : problem.obstacles.discs)
-    way = std::min(way, free_way(X_BO * disc.center, radius + disc.radius));
+    way = std::min(way, free_way(X_BO * disc.center, footprint, disc.radius));
   for (const Segment& segment : problem.obstacles.segments) {
     const double length = (segment.b - segment.a).norm();
     const int steps = 1 + static_cast<int>(length / 0.05);
     for (int i = 0; i <= steps; ++i) {
-      way = std::min(way, free_way(X_BO * Vector2(segment.a + (segment.b - segment.a) * i / steps), radius));
+      const Vector2 at = segment.a + (segment.b - segment.a) * i / steps;
+      way = std::min(way, free_way(X_BO * at, footprint, 0.0));
     }
   }
   for (const Mover& mover : problem.movers) {
     if (!is_confirmed(mover)) continue;
     for (const double t : {0.0, 0.5, 1.0})
-      way = std::min(way, free_way(X_BO * mover.position_at(t), radius + mover.radius));
+      way = std::min(way, free_way(X_BO * mover.position_at(t), footprint, mover.radius));
   }
   return way;
 }

@@ -21,8 +21,11 @@ constexpr double kShortestPeriod = 0.05;                // [s] of the simulation
 constexpr std::array kFirstPhases{0.3, 0.6, 1.0, 1.5};  // [s]
 constexpr std::array kSecondPhases{0.5, 1.0};           // [s]; the third lasts as long as the horizon
 constexpr double kGapWeight = 100.0;  // metres of progress that a metre of gap is worth below enough_gap
-constexpr double kTestTime = 0.06;    // [s] at most between gap tests
+constexpr double kNoCloser =
+    0.01;  // [m] of what is too near already, by which a motion that comes closer is told
+constexpr double kTestTime = 0.06;             // [s] at most between gap tests
 constexpr std::size_t kMostLooks = 2'000'000;  // of all moves; bounds the time of a search
+constexpr std::size_t kLooksOfStep = 40;       // as long as these takes a step of the simulation
 constexpr double kWorthMoving = 0.2;  // [s] of later contact for which a robot that could stop moves instead
 
 double approach(double now, double target, double speeding_up, double slowing_down, double period) {
@@ -31,12 +34,18 @@ double approach(double now, double target, double speeding_up, double slowing_do
   return std::clamp(target, now - change, now + change);
 }
 
-// A motion so far and what it has met.
+// How far a motion has come, and what it has met. Its points are the first of those that the search has in hand.
 struct Motion {
-  std::vector<TrajectoryPoint> trajectory;
+  std::size_t points = 0;
   double gap = kInfinity;
   double mover_gap = kInfinity;
   double contact_time = kInfinity;
+};
+
+// One that is kept.
+struct Kept {
+  Motion motion;
+  std::vector<TrajectoryPoint> trajectory;
 };
 
 // Depth-first over the phases: moves that begin alike are simulated once, and given up when they fall behind.
@@ -48,7 +57,8 @@ class Search {
         options_(options),
         tests_(static_cast<int>(std::ceil(options.period / kTestTime))),
         steps_(std::max(1, static_cast<int>(std::lround(options.horizon / options.period)))),
-        gaps_(problem, steps_ * options.period, options.period / tests_, options.enough_gap) {
+        gaps_(problem, steps_ * options.period, options.period / tests_, options.enough_gap),
+        top_speed_(std::max({problem.limits.v_max, problem.limits.v_back_max, std::abs(problem.twist.v)})) {
     const Limits& limits = problem.limits;
     const auto add = [&](const auto& turns, std::vector<Twist2>& targets) {
       for (const double turn : turns) {
@@ -59,16 +69,19 @@ class Search {
     };
     add(kTurnShares, first_targets_);
     add(kLaterTurns, later_targets_);
+    const double now = gaps_.at(problem.pose, 0, gaps_.farthest()).all;
+    options_.asked_gap = std::min(options.asked_gap, std::max(0.0, now - kNoCloser));
   }
 
   EvasiveMove run() {
-    Motion stop = start();
-    extend(stop, {}, steps_);
-    if (stop.gap >= options_.enough_gap) return as_move(stop);
+    Motion motion = start();
+    extend(motion, {}, steps_);
+    const Kept stop{motion, points_};
+    if (motion.gap >= options_.enough_gap) return as_move(stop);
     latest_ = stop;
-    consider(stop);
+    consider(motion);
     for (const Twist2& first : first_targets_) {
-      Motion motion = start();
+      motion = start();
       for (const double phase : kFirstPhases) {
         extend(motion, first, steps_until(phase));
         if (is_pruned(motion)) break;
@@ -77,16 +90,16 @@ class Search {
     }
     if (best_score_ > -kInfinity) return as_move(best_);
     const double stopping = std::abs(latest_.trajectory[1].twist.v) / problem_.limits.stop_deceleration;
-    const bool worth_it = latest_.contact_time > stop.contact_time + kWorthMoving &&
-                          latest_.contact_time > options_.period + stopping + kWorthMoving;
+    const double contact_time = latest_.motion.contact_time;
+    const bool worth_it = contact_time > stop.motion.contact_time + kWorthMoving &&
+                          contact_time > options_.period + stopping + kWorthMoving;
     return as_move(worth_it ? latest_ : stop);
   }
 
  private:
   Motion start() {
-    Motion motion;
-    motion.trajectory.reserve(static_cast<std::size_t>(steps_) + 1);
-    motion.trajectory.push_back({0.0, problem_.pose, problem_.twist});
+    points_.assign(1, {0.0, problem_.pose, problem_.twist});
+    Motion motion{.points = 1};
     test(motion, problem_.pose, 0);
     return motion;
   }
@@ -96,7 +109,7 @@ class Search {
   }
 
   void second_phase(const Motion& so_far) {
-    const int begin = static_cast<int>(so_far.trajectory.size()) - 1;
+    const int begin = static_cast<int>(so_far.points) - 1;
     for (const Twist2& second : later_targets_) {
       Motion motion = so_far;
       for (const double phase : kSecondPhases) {
@@ -118,56 +131,66 @@ class Search {
   // Simulates up to `last` steps from the start.
   void extend(Motion& motion, const Twist2& target, int last) {
     const Limits& limits = problem_.limits;
-    const double h = options_.period / tests_;
-    while (static_cast<int>(motion.trajectory.size()) <= last && !is_pruned(motion)) {
-      const TrajectoryPoint from = motion.trajectory.back();
-      const auto i = motion.trajectory.size();
-      const double period = options_.period;
+    const double period = options_.period;
+    points_.resize(motion.points);  // what else begins like this one has gone on from here
+    while (static_cast<int>(motion.points) <= last && !is_pruned(motion)) {
+      const TrajectoryPoint from = points_.back();
       const Twist2 twist{
           approach(from.twist.v, target.v, limits.acc_max, limits.stop_deceleration, period),
           approach(from.twist.omega, target.omega, limits.alpha_max, limits.alpha_max, period)};
+      const std::size_t before = (motion.points - 1) * static_cast<std::size_t>(tests_);
+      Pose2 pose;
       for (int test_step = 1; test_step <= tests_; ++test_step) {
-        test(motion, advance_exact(from.pose, twist, test_step * h),
-             (i - 1) * static_cast<std::size_t>(tests_) + static_cast<std::size_t>(test_step));
+        pose = advance_exact(from.pose, twist, test_step == tests_ ? period : test_step * (period / tests_));
+        test(motion, pose, before + static_cast<std::size_t>(test_step));
       }
-      motion.trajectory.push_back(
-          {static_cast<double>(i) * period, advance_exact(from.pose, twist, period), twist});
+      points_.push_back({static_cast<double>(motion.points) * period, pose, twist});
+      ++motion.points;
+      looks_ += kLooksOfStep;
     }
-    if (motion.contact_time < kInfinity && motion.contact_time > latest_.contact_time) latest_ = motion;
+    if (motion.contact_time < kInfinity && motion.contact_time > latest_.motion.contact_time)
+      latest_ = {motion, points_};
   }
 
   void test(Motion& motion, const Pose2& pose, std::size_t k) {
-    const TimedGaps::Gap gap = gaps_.at(pose, k);
+    const TimedGaps::Gap most = gaps_.farthest();
+    const TimedGaps::Gap gap =
+        gaps_.at(pose, k, {std::min(motion.gap, most.all), std::min(motion.mover_gap, most.movers), 0});
     looks_ += gap.looks;
-    motion.gap = std::min(motion.gap, gap.all);
-    motion.mover_gap = std::min(motion.mover_gap, gap.movers);
+    motion.gap = gap.all;
+    motion.mover_gap = gap.movers;
     if (gap.all < options_.asked_gap)
       motion.contact_time = std::min(motion.contact_time, static_cast<double>(k) * options_.period / tests_);
   }
 
   // It met something, can no longer win, or there is no time left to see.
   bool is_pruned(const Motion& motion) const {
-    if (best_score_ == -kInfinity && latest_.trajectory.empty())
-      return false;  // the stop is simulated to its end
-    return motion.contact_time < kInfinity || kGapWeight * motion.gap < best_score_ || looks_ > kMostLooks;
+    if (latest_.trajectory.empty()) return false;  // the stop is simulated to its end
+    if (motion.contact_time < kInfinity || looks_ > kMostLooks) return true;
+    if (best_score_ == -kInfinity) return false;
+    const double left = static_cast<double>(steps_ + 1 - static_cast<int>(motion.points)) * options_.period;
+    const double nearest = distance_to_goal() - top_speed_ * left - kRounding;
+    return kGapWeight * motion.gap - std::max(0.0, nearest) < best_score_;
   }
 
-  double score(const Motion& motion) const {
-    return kGapWeight * motion.gap - (motion.trajectory.back().pose.position() - goal_).norm();
-  }
+  double distance_to_goal() const { return (points_.back().pose.position() - goal_).norm(); }
+
+  double score(const Motion& motion) const { return kGapWeight * motion.gap - distance_to_goal(); }
 
   void consider(const Motion& motion) {
     if (motion.contact_time < kInfinity) return;
-    if (static_cast<int>(motion.trajectory.size()) <= steps_) return;  // given up
+    if (static_cast<int>(motion.points) <= steps_) return;  // given up
     const double s = score(motion);
     if (s <= best_score_) return;
     best_score_ = s;
-    best_ = motion;
+    best_ = {motion, points_};
   }
 
-  static EvasiveMove as_move(const Motion& motion) {
-    return {motion.gap, motion.mover_gap, motion.contact_time, motion.trajectory};
+  static EvasiveMove as_move(const Kept& kept) {
+    return {kept.motion.gap, kept.motion.mover_gap, kept.motion.contact_time, kept.trajectory};
   }
+
+  static constexpr double kRounding = 1e-9;  // [m]
 
   const PlanningProblem& problem_;
   Vector2 goal_;
@@ -177,8 +200,10 @@ class Search {
   TimedGaps gaps_;
   std::vector<Twist2> first_targets_;
   std::vector<Twist2> later_targets_;
-  Motion best_;
-  Motion latest_;
+  double top_speed_;
+  std::vector<TrajectoryPoint> points_;
+  Kept best_;
+  Kept latest_;
   double best_score_ = -kInfinity;
   std::size_t looks_ = 0;
 };

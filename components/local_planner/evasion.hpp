@@ -19,7 +19,9 @@ struct EvasionOptions {
   double horizon = 3.0;  ///< simulated time [s]
   double period = 0.1;  ///< of control [s]: the step of the simulation (at least 0.05), so that point 1 holds
                         ///< the command
-  double asked_gap = 0.0;   ///< below it the move counts as contact [m]
+  double asked_gap =
+      0.0;  ///< below it the move counts as contact [m]; where something is nearer already, what
+            ///< comes a centimetre closer
   double enough_gap = 0.3;  ///< gaps beyond it count as equal [m]
 };
 

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
+#include "components/model/capsule_index.hpp"
+#include "components/model/footprint_distance.hpp"
 #include "components/model/mover_weight.hpp"
 
 namespace bw {
@@ -11,65 +15,84 @@ namespace {
 
 constexpr double kTimeStep = 0.1;  // [s] between tests of a standing robot: movers come to it
 constexpr double kMostTestsPerSegment = 100.0;
+constexpr double kNearBy = 1.0;     // [m] gap from which on an obstacle is not looked at
+constexpr double kRounding = 1e-6;  // [m]
 
-double distance(const Vector2& p, const Vector2& a, const Vector2& b) {
-  const Vector2 d = b - a;
-  const double s = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-18), 0.0, 1.0);
-  return (p - a - s * d).norm();
-}
-
-bool cross_each_other(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
-  const double side_a = cross(d - c, a - c);
-  const double side_b = cross(d - c, b - c);
-  const double side_c = cross(b - a, c - a);
-  const double side_d = cross(b - a, d - a);
-  return side_a * side_b < 0.0 && side_c * side_d < 0.0;
-}
-
-// Signed distance of a counter-clockwise polygon to segment a-b; -1 mm is enough to say "contact".
-double polygon_distance(const std::vector<Vector2>& polygon, const Vector2& a, const Vector2& b) {
-  double nearest = std::numeric_limits<double>::infinity();
-  bool inside = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2& p = polygon[i];
-    const Vector2& q = polygon[(i + 1) % polygon.size()];
-    if (cross_each_other(p, q, a, b)) return -1e-3;
-    nearest = std::min({nearest, distance(p, a, b), distance(a, p, q), distance(b, p, q)});
-    if ((p.y() > a.y()) != (q.y() > a.y()) &&
-        a.x() < (q.x() - p.x()) * (a.y() - p.y()) / (q.y() - p.y()) + p.x()) {
-      inside = !inside;
-    }
-  }
-  return inside ? -nearest - 1e-3 : nearest;
+double gap_to_mover(const Pose2& pose, double time, const Footprint& footprint, const Mover& mover,
+                    double enough) {
+  const Vector2 p = mover.position_at(time);
+  return std::min(enough, gap_to(footprint, pose, {p, p, mover.radius}, enough));
 }
 
 double gap_to_movers(const Pose2& pose, double time, const Footprint& footprint,
                      const std::vector<Mover>& movers) {
   double gap = std::numeric_limits<double>::infinity();
   for (const Mover& m : movers) {
-    if (!is_confirmed(m)) continue;
-    const Vector2 p = m.position_at(time);
-    gap = std::min(gap, gap_to(pose, footprint, p, p, m.radius));
+    if (is_confirmed(m)) gap = gap_to_mover(pose, time, footprint, m, gap);
   }
   return gap;
 }
 
-}  // namespace
+// What a motion over `horizon` seconds can come near to: the rest is looked at once, not at every pose.
+class NearMotion {
+ public:
+  NearMotion(const std::vector<TrajectoryPoint>& trajectory, double horizon, const PlanningProblem& problem)
+      : footprint_(problem.footprint) {
+    low_ = high_ = trajectory.front().pose.position();
+    for (std::size_t i = 1; i < trajectory.size() && trajectory[i - 1].time < horizon; ++i) {
+      low_ = low_.cwiseMin(trajectory[i].pose.position());
+      high_ = high_.cwiseMax(trajectory[i].pose.position());
+    }
+    std::vector<Capsule> near;
+    for (const Capsule& c : capsules_of(problem.obstacles)) {
+      if (is_near(c.a.cwiseMin(c.b), c.a.cwiseMax(c.b), c.radius)) near.push_back(c);
+    }
+    statics_ = CapsuleIndex(std::move(near));
+    for (const Mover& m : problem.movers) {
+      const double aside = m.radius + std::max(horizon, 0.0) * m.top_speed();
+      if (is_confirmed(m) && is_near(m.position, m.position, aside)) movers_.push_back(&m);
+    }
+  }
 
-double gap_to(const Pose2& pose, const Footprint& footprint, const Vector2& a, const Vector2& b,
-              double radius) {
-  const double disc_gap = distance(pose.position(), a, b) - footprint.radius - radius;
-  if (footprint.polygon.size() < 3 || disc_gap > 0.0) return disc_gap;
-  const Pose2 X_BO = inverse(pose);
-  return polygon_distance(footprint.polygon, X_BO * a, X_BO * b) - radius;
-}
+  /// At most `enough`.
+  double gap_to_statics(const Pose2& pose, double enough) const {
+    double gap = enough;
+    statics_.visit_near(pose.position(), std::min(gap, kNearBy) + footprint_.radius + kRounding,
+                        [&](const CapsuleIndex::Group& group) {
+                          for (const std::uint32_t i : statics_.members(group))
+                            gap = std::min(gap, gap_to(footprint_, pose, statics_.capsules()[i], gap));
+                        });
+    return gap;
+  }
+
+  double gap_to_movers(const Pose2& pose, double time) const {
+    double gap = std::numeric_limits<double>::infinity();
+    for (const Mover* m : movers_) gap = gap_to_mover(pose, time, footprint_, *m, gap);
+    return gap;
+  }
+
+ private:
+  bool is_near(const Vector2& low, const Vector2& high, double radius) const {
+    const double aside = radius + footprint_.radius + kNearBy;
+    return (low_ - high).maxCoeff() <= aside && (low - high_).maxCoeff() <= aside;
+  }
+
+  const Footprint& footprint_;
+  Vector2 low_, high_;  // of the box of its positions
+  CapsuleIndex statics_;
+  std::vector<const Mover*> movers_;
+};
+
+}  // namespace
 
 double gap_to_statics(const Pose2& pose, const Footprint& footprint, const StaticObstacles& statics) {
   double gap = std::numeric_limits<double>::infinity();
-  for (const Vector2& p : statics.points) gap = std::min(gap, gap_to(pose, footprint, p, p, 0.0));
-  for (const Disc& d : statics.discs)
-    gap = std::min(gap, gap_to(pose, footprint, d.center, d.center, d.radius));
-  for (const Segment& s : statics.segments) gap = std::min(gap, gap_to(pose, footprint, s.a, s.b, 0.0));
+  const auto look_at = [&](const Capsule& capsule) {
+    gap = std::min(gap, gap_to(footprint, pose, capsule, gap));
+  };
+  for (const Vector2& p : statics.points) look_at({p, p, 0.0});
+  for (const Disc& d : statics.discs) look_at({d.center, d.center, d.radius});
+  for (const Segment& s : statics.segments) look_at({s.a, s.b, 0.0});
   return gap;
 }
 
@@ -82,9 +105,11 @@ MotionGap gap_along(const std::vector<TrajectoryPoint>& trajectory, double horiz
                     double asked_gap, const PlanningProblem& problem) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   MotionGap result{kNever, kNever, kNever};
+  if (trajectory.empty()) return result;
+  const NearMotion near(trajectory, horizon, problem);
   const auto test = [&](const Pose2& pose, double time) {
-    const double mover_gap = gap_to_movers(pose, time, problem.footprint, problem.movers);
-    const double gap = std::min(mover_gap, gap_to_statics(pose, problem.footprint, problem.obstacles));
+    const double mover_gap = near.gap_to_movers(pose, time);
+    const double gap = near.gap_to_statics(pose, std::min(result.gap, mover_gap));
     result.mover_gap = std::min(result.mover_gap, mover_gap);
     result.gap = std::min(result.gap, gap);
     if (gap < asked_gap) result.contact_time = std::min(result.contact_time, time);
@@ -105,8 +130,7 @@ MotionGap gap_along(const std::vector<TrajectoryPoint>& trajectory, double horiz
            time);
     }
   }
-  if (!trajectory.empty() && trajectory.back().time <= horizon)
-    test(trajectory.back().pose, trajectory.back().time);
+  if (trajectory.back().time <= horizon) test(trajectory.back().pose, trajectory.back().time);
   return result;
 }
 

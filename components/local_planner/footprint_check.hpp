@@ -6,21 +6,14 @@
 
 namespace bw {
 
-/// Gap [m] between the footprint at `pose` and all points within `radius` of segment a-b, which is a point
-/// when a and b are equal. Negative on contact (a lower bound of the depth). Where the enclosing disc of a
-/// polygon is clear, the gap of that disc.
-double gap_to(const Pose2& pose, const Footprint& footprint, const Vector2& a, const Vector2& b,
-              double radius);
-
-/// The smallest of these to static obstacles; infinite without any.
+/// Smallest gap [m] between the footprint at `pose` and static obstacles; negative on contact, infinite without any.
 double gap_to_statics(const Pose2& pose, const Footprint& footprint, const StaticObstacles& statics);
 
-/// Smallest gap [m] between the footprint at `pose` and the obstacles `time` seconds from now; negative on
-/// contact (a lower bound of the depth). Infinite without obstacles.
+/// The same to the movers as well, where they are `time` seconds from now.
 double gap_at(const Pose2& pose, double time, const Footprint& footprint, const StaticObstacles& statics,
               const std::vector<Mover>& movers);
 
-/// What a motion meets.
+/// What a motion meets. Gaps from 1 m on are as good as infinite.
 struct MotionGap {
   double gap = 0.0;           ///< smallest gap [m]
   double mover_gap = 0.0;     ///< smallest gap to a mover [m]

@@ -1,9 +1,12 @@
 // Gaps around the footprint at equally spaced times, for searches that ask for very many of them: obstacles
-// out of reach are dropped and movers placed beforehand.
+// out of reach are dropped, movers placed beforehand, and what is around a place found once.
 #pragma once
 
 #include <vector>
 
+#include <Eigen/Core>
+
+#include "components/model/capsule_index.hpp"
 #include "components/model/planning.hpp"
 
 namespace bw {
@@ -11,38 +14,42 @@ namespace bw {
 class TimedGaps {
  public:
   struct Gap {
-    double all = 0.0;       ///< [m]; at most `reach`
-    double movers = 0.0;    ///< [m] to movers alone; at most `reach`
-    std::size_t looks = 0;  ///< pairs of an obstacle and an edge of the footprint looked at
+    double all = 0.0;       ///< [m]
+    double movers = 0.0;    ///< [m] to movers alone
+    std::size_t looks = 0;  ///< at obstacles, or at groups of them, that it took
   };
 
   /// For times 0, step, 2 step, ... up to `horizon` [s] and gaps up to `reach` [m]. Keeps a reference to the
   /// footprint.
   TimedGaps(const PlanningProblem& problem, double horizon, double step, double reach);
 
-  /// At `pose`, which the robot can be at by time `k` * step.
-  Gap at(const Pose2& pose, std::size_t k) const;
+  /// At `pose`, which the robot can be at by time `k` * step. `known` are gaps that are larger than reach or were met
+  /// already: smaller ones are looked for alone, and these come back where there are none. Not for several threads.
+  Gap at(const Pose2& pose, std::size_t k, const Gap& known);
+  /// Larger ones are not looked for.
+  Gap farthest() const { return {reach_, reach_, 0}; }
 
  private:
+  /// Movers at one time.
   struct Placed {
-    Vector2 position;
-    double radius;
+    Eigen::ArrayXd x, y;
+    Eigen::ArrayXd radius;  ///< with that of the disc around the footprint
   };
-  /// Everything within `radius` of a-b (a point when a == b).
-  struct Core {
-    Vector2 a;
-    Vector2 b;
-    double radius;
+  /// What is around a cell; found when the robot first comes there.
+  struct Around {
+    bool found = false;
+    std::vector<CapsuleIndex::Group> groups;
   };
 
-  std::size_t cell_of(const Vector2& position) const;
+  const Around& around(const Vector2& position);
 
   const Footprint& footprint_;
   double reach_;
   Vector2 corner_{0.0, 0.0};  ///< of the square that the robot cannot leave before the horizon
   int cells_per_side_ = 1;
-  std::vector<std::vector<Core>> statics_;   ///< by cell
-  std::vector<std::vector<Placed>> movers_;  ///< by time
+  CapsuleIndex statics_;
+  std::vector<Around> cells_;
+  std::vector<Placed> movers_;  ///< by time
 };
 
 }  // namespace bw

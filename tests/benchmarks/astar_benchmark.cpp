@@ -2,6 +2,7 @@
 // side apart. Counters: median and largest time of one plan [ms], cells expanded. `HeapAStar` is the plain
 // textbook search on the same grid and trips, to compare machines and maps with.
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <functional>
 #include <queue>
@@ -18,7 +19,7 @@ namespace {
 
 constexpr int kMaps = 8;
 constexpr int kTripsPerMap = 12;
-constexpr double kRadius = 0.3;
+const Footprint kRobot{0.3, {}};
 
 double cpu_ms() {
   timespec t{};
@@ -41,7 +42,7 @@ std::vector<Course>& courses(int side) {
   for (int i = 0; i < kMaps; ++i) {
     Random random(static_cast<std::uint64_t>(1000 + i));
     Course course{.map = test::random_floor(random, side)};
-    course.planner.set_map(course.map, kRadius);
+    course.planner.set_map(course.map, kRobot);
     for (int k = 0; k < kTripsPerMap; ++k) {
       course.trips.push_back(test::random_trip(random, course.planner.grid(), course.map));
     }
@@ -98,10 +99,22 @@ void SetMap(benchmark::State& state) {
   std::vector<Course>& list = courses(static_cast<int>(state.range(0)));
   for ([[maybe_unused]] auto _ : state) {
     Planner planner;
-    benchmark::DoNotOptimize(planner.set_map(list[0].map, kRadius));
+    benchmark::DoNotOptimize(planner.set_map(list[0].map, kRobot));
   }
 }
 BENCHMARK(SetMap)->Arg(400)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+// The same for a rectangle, which also has headings.
+void SetMapOfARectangle(benchmark::State& state) {
+  std::vector<Course>& list = courses(static_cast<int>(state.range(0)));
+  const Footprint rectangle{std::hypot(0.255, 0.215),
+                            {{0.255, 0.215}, {-0.255, 0.215}, {-0.255, -0.215}, {0.255, -0.215}}};
+  for ([[maybe_unused]] auto _ : state) {
+    Planner planner;
+    benchmark::DoNotOptimize(planner.set_map(list[0].map, rectangle));
+  }
+}
+BENCHMARK(SetMapOfARectangle)->Arg(400)->Arg(1000)->Unit(benchmark::kMillisecond);
 
 void HeapAStar(benchmark::State& state) {
   measure(state, [](Course& course, const test::Trip& trip) {

@@ -47,7 +47,7 @@ struct Cycle {
               .range_min = 0.05,
               .range_max = 20.0,
               .ranges = r.scan.ranges},
-             r.X_OB, 0.3, r.people);
+             r.X_OB, {0.3, {}}, r.people);
   }
   Vector2 robot() const { return grid.cells().origin + Vector2(5.0, 5.0); }
 };

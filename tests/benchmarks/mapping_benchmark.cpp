@@ -13,16 +13,13 @@ void ExtractObstacles(benchmark::State& state) {
   Random random(1);
   const OccupancyGrid map = test::random_floor(random, 400);
   std::size_t shapes = 0;
-  std::size_t dropped = 0;
   for ([[maybe_unused]] auto _ : state) {
     const Vector2 position = map.origin + Vector2{random.uniform(4.0, 16.0), random.uniform(4.0, 16.0)};
     const ExtractionResult result = extract_obstacles(map, position, {});
     shapes += result.obstacles.size();
-    dropped += result.dropped;
   }
   const auto runs = static_cast<double>(state.iterations());
   state.counters["shapes"] = static_cast<double>(shapes) / runs;
-  state.counters["dropped"] = static_cast<double>(dropped) / runs;
 }
 BENCHMARK(ExtractObstacles)->Unit(benchmark::kMillisecond);
 

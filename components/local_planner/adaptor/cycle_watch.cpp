@@ -70,7 +70,7 @@ void CycleWatch::end(const PlanningResult& result) {
   iteration_budget_.observe(result.iterations, time.to_seconds());
 }
 
-void CycleWatch::report(const PlanningResult& result, bool idle, DiagnosticReporter& diagnostics) const {
+void CycleWatch::report(const PlanningResult& result, bool idle, DiagnosticReporter& diagnostics) {
   using Level = DiagnosticReporter::Level;
   if (idle) {
     diagnostics.report(Level::ok, "idle");
@@ -82,6 +82,10 @@ void CycleWatch::report(const PlanningResult& result, bool idle, DiagnosticRepor
   diagnostics.set_value("candidates", fmt::to_string(result.candidates.size()));
   diagnostics.set_value("iterations", fmt::to_string(result.iterations));
   diagnostics.set_value("iteration_budget", fmt::to_string(budget().max_iterations));
+  if (result.obstacles_left_out > 0 || has_left_out_) {
+    diagnostics.set_value("obstacles_left_out", fmt::to_string(result.obstacles_left_out));
+    has_left_out_ = true;
+  }
   if (!real_time_) return;
   diagnostics.set_value("cycle_p95_ms", fmt::format("{:.2f}", times_.quantile_ms(0.95)));
   diagnostics.set_value("cycle_max_ms", fmt::format("{:.2f}", times_.max().to_seconds() * 1e3));

@@ -26,7 +26,7 @@ class CycleWatch {
   /// Not called for a cycle that had nothing to plan.
   void end(const PlanningResult& result);
   /// The state of the planner and its figures, those of time up to the last cycle that ended.
-  void report(const PlanningResult& result, bool idle, DiagnosticReporter& diagnostics) const;
+  void report(const PlanningResult& result, bool idle, DiagnosticReporter& diagnostics);
 
  private:
   double period_;
@@ -38,6 +38,7 @@ class CycleWatch {
   Duration cpu_began_;
   DurationHistogram times_;  ///< of the whole run, by the steady clock: workers and waiting included
   std::uint64_t overruns_ = 0;
+  bool has_left_out_ = false;  ///< any obstacle: the figure is among the others from then on
 };
 
 }  // namespace bw

@@ -9,7 +9,6 @@
 namespace bw {
 
 void PlanningInputs::listen(Setup& setup, const Robot& robot) {
-  robot_ = robot;
   odom_frame_ = setup.frame("odom");
   map_frame_ = setup.frame("map");
   odometry_ = setup.latest<nav_msgs::msg::Odometry>("odom", Qos::command());
@@ -17,6 +16,7 @@ void PlanningInputs::listen(Setup& setup, const Robot& robot) {
   obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::command());
   transforms_ = setup.transforms();
   speed_.listen(setup, robot.limits);
+  footprint_.listen(setup, robot);
 }
 
 std::optional<Pose2> PlanningInputs::pose_in_odom(const std::string& frame, std::string& missing) const {
@@ -47,7 +47,7 @@ std::size_t PlanningInputs::tracks_without_confidence() const {
 }
 
 PlanningProblem PlanningInputs::problem(Time now, std::string& missing) const {
-  PlanningProblem problem{.now = now, .footprint = {.radius = robot_.radius}, .limits = speed_.limits()};
+  PlanningProblem problem{.now = now, .footprint = footprint_.now(), .limits = speed_.limits()};
   if (!odometry_) {
     missing = "no odometry yet";
     return problem;

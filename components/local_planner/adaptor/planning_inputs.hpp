@@ -9,6 +9,7 @@
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 
+#include "components/messages/current_footprint.hpp"
 #include "components/messages/speed_limit.hpp"
 #include "components/model/planning.hpp"
 #include "components/model/robot.hpp"
@@ -40,7 +41,7 @@ class PlanningInputs {
   const std::string& map_frame() const { return map_frame_; }
 
  private:
-  Robot robot_;
+  CurrentFootprint footprint_;
   std::string odom_frame_;
   std::string map_frame_;
   LimitedSpeed speed_;

@@ -54,7 +54,10 @@ PlanningResult DwaPlanner::drive(const PlanningProblem& problem) {
                 {options_.heading_weight, options_.clearance_weight, options_.velocity_weight},
                 normalisation_of(options_.profile), {gap_cap(options_), problem.limits.v_max});
   choose(samples, scores, problem, result);
-  if (result.trajectory.empty()) evade(problem, driving(), result);
+  // An arc is left in time, so walls at its end do not count; people on it do.
+  Safety safety;
+  if (!result.trajectory.empty()) safety = {true, safety_of(result.trajectory, problem, driving()).comfort};
+  evade(problem, driving(), safety, result);
   if (guidance.advice) {
     result.velocity_cones = guidance.advice->cones;
     result.velocity_wanted = guidance.advice->velocity;

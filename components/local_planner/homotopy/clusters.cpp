@@ -14,6 +14,7 @@ namespace bw::homotopy {
 namespace {
 
 constexpr double kSmallestCell = 1e-3;  // [m]
+constexpr double kRounding = 1e-9;      // [m]
 
 class DisjointSets {
  public:
@@ -41,8 +42,9 @@ bool before(const Vector2& l, const Vector2& r) {
 }
 
 bool part_before(const Part& l, const Part& r) {
+  if (l.axis.a.x() != r.axis.a.x()) return l.axis.a.x() < r.axis.a.x();  // nearly always: no tuple
   const auto key = [](const Part& p) {
-    return std::make_tuple(p.axis.a.x(), p.axis.a.y(), p.axis.b.x(), p.axis.b.y(), p.radius);
+    return std::make_tuple(p.axis.a.y(), p.axis.b.x(), p.axis.b.y(), p.radius);
   };
   return key(l) < key(r);
 }
@@ -114,18 +116,37 @@ void join_points(const std::vector<Part>& parts, std::size_t count, double wides
   }
 }
 
+// Discs and segments, which come after `points` points, with whatever is near.
+void join_others(const std::vector<Part>& parts, std::size_t points, double widest_gap, DisjointSets& sets) {
+  if (points == parts.size()) return;
+  const CapsuleIndex index(capsules_of(parts));
+  for (std::size_t i = points; i < parts.size(); ++i) {
+    const Segment& axis = parts[i].axis;
+    const double reach_of_axis = 0.5 * (axis.b - axis.a).norm() + widest_gap + parts[i].radius + kRounding;
+    index.visit_near(0.5 * (axis.a + axis.b), reach_of_axis, [&](const CapsuleIndex::Group& group) {
+      for (const std::uint32_t k : index.members(group)) {
+        if (k == i || sets.joined(i, k)) continue;
+        const double reach = widest_gap + parts[i].radius + parts[k].radius;
+        if (squared_distance(axis, parts[k].axis) <= reach * reach) sets.join(i, k);
+      }
+    });
+  }
+}
+
 }  // namespace
+
+std::vector<Capsule> capsules_of(const std::vector<Part>& parts) {
+  std::vector<Capsule> capsules;
+  capsules.reserve(parts.size());
+  for (const Part& part : parts) capsules.push_back({part.axis.a, part.axis.b, part.radius});
+  return capsules;
+}
 
 std::vector<std::vector<Part>> clusters_of(const StaticObstacles& obstacles, double widest_gap) {
   const std::vector<Part> parts = sorted_parts(obstacles);
   DisjointSets sets(parts.size());
   join_points(parts, obstacles.points.size(), widest_gap, sets);
-  for (std::size_t i = obstacles.points.size(); i < parts.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      const double reach = widest_gap + parts[i].radius + parts[k].radius;
-      if (squared_distance(parts[i].axis, parts[k].axis) <= reach * reach) sets.join(i, k);
-    }
-  }
+  join_others(parts, obstacles.points.size(), widest_gap, sets);
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> cluster_of_root(parts.size(), kNone);
   std::vector<std::vector<Part>> clusters;

@@ -10,9 +10,10 @@ namespace bw::homotopy {
 struct Course {
   Vector2 start{0.0, 0.0};
   Vector2 goal{0.0, 0.0};
-  double robot_radius = 0.3;  ///< [m]
-  double clearance = 0.2;     ///< wanted gap [m] to obstacles: the band's min_obstacle_dist
-  double v_max = 1.0;         ///< [m/s], above zero: tells when the robot meets a mover
+  double robot_radius =
+      0.3;  ///< of the largest disc in the footprint [m]: a band may turn the rest out of the way
+  double clearance = 0.2;  ///< wanted gap [m] to obstacles: the band's min_obstacle_dist
+  double v_max = 1.0;      ///< [m/s], above zero: tells when the robot meets a mover
 
   double length() const { return (goal - start).norm(); }
   /// Unit vector to the goal; zero when start and goal coincide.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "components/local_planner/homotopy/segment_distance.hpp"
 
@@ -12,6 +13,8 @@ namespace {
 constexpr double kPredictionStep = 0.4;  // [s] within which a predicted motion is taken as straight
 constexpr int kMostSteps = 64;           // of one edge
 constexpr double kRounding = 1e-9;       // [m]
+constexpr std::size_t kManyParts = 32;   // of a body, from which on those near an edge are looked for
+constexpr double kPiece = 0.5;           // [m] of an edge for which they are
 
 }  // namespace
 
@@ -19,26 +22,28 @@ EdgeCheck::EdgeCheck(const Course& course, const std::vector<Body>& bodies, doub
     : course_(course), clearance_(clearance) {
   watched_.reserve(bodies.size());
   for (const Body& body : bodies) {
-    Watched w{&body, {body.representative, body.representative}, 0.0, 0.0};
+    Watched w{&body, {body.representative, body.representative}, 0.0, 0.0, {}};
+    if (!body.motion && body.parts.size() > kManyParts) w.parts = CapsuleIndex(capsules_of(body.parts));
     for (const Part& part : body.parts) {
       const Vector2 reach{part.radius, part.radius};
       w.box.low = w.box.low.cwiseMin(part.axis.a - reach).cwiseMin(part.axis.b - reach);
       w.box.high = w.box.high.cwiseMax(part.axis.a + reach).cwiseMax(part.axis.b + reach);
     }
-    w.at_start = gap(body, course.start, course.start, -std::numeric_limits<double>::infinity());
-    w.at_goal = gap(body, course.goal, course.goal, -std::numeric_limits<double>::infinity());
-    watched_.push_back(w);
+    w.at_start = gap(w, course.start, course.start, clearance);
+    w.at_goal = gap(w, course.goal, course.goal, clearance);
+    watched_.push_back(std::move(w));
   }
 }
 
-// Smallest gap along the edge; the search ends once it is below `enough`.
-double EdgeCheck::gap(const Body& body, const Vector2& from, const Vector2& to, double enough) const {
+// Smallest gap along the edge, if it is below `wanted`.
+double EdgeCheck::gap(const Watched& watched, const Vector2& from, const Vector2& to, double wanted) const {
+  const Body& body = *watched.body;
   double smallest = std::numeric_limits<double>::infinity();
   if (!body.motion) {
+    if (watched.parts.size() > 0) return gap_to_many(watched.parts, {from, to}, wanted);
     for (const Part& part : body.parts) {
       const double distance = std::sqrt(squared_distance(Segment{from, to}, part.axis));
       smallest = std::min(smallest, distance - part.radius - course_.robot_radius);
-      if (smallest < enough) break;
     }
     return smallest;
   }
@@ -54,8 +59,26 @@ double EdgeCheck::gap(const Body& body, const Vector2& from, const Vector2& to, 
     const Vector2 next = from + s * (to - from) - body.position_at(start_time + s * duration);
     const double distance = std::sqrt(squared_distance(Vector2(0.0, 0.0), Segment{last, next}));
     smallest = std::min(smallest, distance - body.motion->radius - course_.robot_radius);
-    if (smallest < enough) break;
     last = next;
+  }
+  return smallest;
+}
+
+// The way in short pieces: around a long one there would be much that is not near it.
+double EdgeCheck::gap_to_many(const CapsuleIndex& parts, const Segment& way, double wanted) const {
+  double smallest = std::numeric_limits<double>::infinity();
+  const Vector2 whole = way.b - way.a;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(whole.norm() / kPiece)));
+  const double reach = 0.5 * whole.norm() / pieces + std::max(0.0, course_.robot_radius + wanted) + kRounding;
+  for (int i = 0; i < pieces; ++i) {
+    parts.visit_near(way.a + whole * ((i + 0.5) / pieces), reach, [&](const CapsuleIndex::Group& group) {
+      for (const std::uint32_t k : parts.members(group)) {
+        const Capsule& part = parts.capsules()[k];
+        const double distance = std::sqrt(squared_distance(way, Segment{part.a, part.b}));
+        smallest = std::min(smallest, distance - part.radius - course_.robot_radius);
+      }
+    });
+    if (smallest < wanted) break;
   }
   return smallest;
 }
@@ -77,7 +100,7 @@ bool EdgeCheck::clear(const Vector2& from, const Vector2& to) const {
     if (leaves_start) allow_from(w.at_start);
     if (enters_goal) allow_from(w.at_goal);
     needed -= kRounding;
-    if (gap(*w.body, from, to, needed) < needed) return false;
+    if (gap(w, from, to, needed) < needed) return false;
   }
   return true;
 }

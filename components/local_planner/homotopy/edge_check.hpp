@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "components/local_planner/homotopy/obstacle_bodies.hpp"
+#include "components/model/capsule_index.hpp"
 
 namespace bw::homotopy {
 
@@ -24,10 +25,12 @@ class EdgeCheck {
   struct Watched {
     const Body* body;
     Box box;          // of the parts
-    double at_start;  // gap [m] between robot and body there
+    double at_start;  // gap [m] between robot and body there, where it is below the clearance
     double at_goal;
+    CapsuleIndex parts;  // of a body of many that stands
   };
-  double gap(const Body& body, const Vector2& from, const Vector2& to, double enough) const;
+  double gap(const Watched& watched, const Vector2& from, const Vector2& to, double wanted) const;
+  double gap_to_many(const CapsuleIndex& parts, const Segment& way, double wanted) const;
 
   Course course_;
   double clearance_;

@@ -106,8 +106,8 @@ bool same_class(const Signature& l, const Signature& r, const HomotopyOptions& o
 Exploration explore(const PlanningProblem& problem, double clearance, const std::vector<Route>& in_use,
                     const HomotopyOptions& options) {
   Exploration result;
-  result.course = {problem.pose.position(), problem.plan.back().position(), problem.footprint.radius,
-                   clearance, problem.limits.v_max};
+  result.course = {problem.pose.position(), problem.plan.back().position(),
+                   inscribed_radius(problem.footprint), clearance, problem.limits.v_max};
   result.bodies = bodies_of(problem.obstacles, problem.movers, result.course, options);
   for (const Route& route : in_use) {
     result.in_use.push_back(signature_of(route, result.bodies, result.course, options));

@@ -61,24 +61,11 @@ Vector2 middle_of(const std::vector<Part>& parts, const Course& course) {
   return *best;
 }
 
-double top_speed(const Mover& mover) {
-  double speed = mover.velocity.norm();
-  double time = 0.0;
-  Vector2 position = mover.position;
-  for (const PredictedPosition& next : mover.predictions) {
-    if (next.time <= time) continue;
-    speed = std::max(speed, (next.position - position).norm() / (next.time - time));
-    time = next.time;
-    position = next.position;
-  }
-  return speed;
-}
-
 // When a robot that heads for the mover at v_max meets it, if that is before it could be at the goal. Steps
 // by the time in which the gap cannot close.
 std::optional<double> meeting_time(const Mover& mover, const Course& course) {
   const double last = course.earliest_time(course.goal);
-  const double closing_speed = course.v_max + top_speed(mover);
+  const double closing_speed = course.v_max + mover.top_speed();
   double time = 0.0;
   for (int step = 0; step < kMeetingSteps && time <= last; ++step) {
     const double gap = (mover.position_at(time) - course.start).norm() - course.v_max * time;

@@ -36,6 +36,14 @@ struct Band {
 /// Point at fraction s in [0, 1] of the arc from a to b (of the line, if they do not lie on one arc).
 Pose2 interpolate(const Pose2& a, const Pose2& b, double s);
 
+/// Where a clearance term looks at the robot: at share `fraction` of the way from `a` to `b`, states (x, y, theta, ...),
+/// place and heading taken apart.
+inline Pose2 between(const double* a, const double* b, double fraction) {
+  const double rest = 1.0 - fraction;
+  return {rest * a[0] + fraction * b[0], rest * a[1] + fraction * b[1],
+          fraction == 0.0 ? a[2] : a[2] + fraction * wrap_angle(b[2] - a[2])};
+}
+
 /// A first band: from `start` along the rest of `path` (its last pose is the goal) at top speed. The path
 /// holds at least one pose.
 Band band_along(const std::vector<Pose2>& path, const Pose2& start, const Limits& limits,

@@ -4,7 +4,7 @@
 
 #include "components/local_planner/teb/band.hpp"
 #include "components/local_planner/teb/band_options.hpp"
-#include "components/local_planner/teb/clearance_cost.hpp"
+#include "components/local_planner/teb/obstacle_field.hpp"
 #include "components/model/limits.hpp"
 
 namespace bw::teb {
@@ -22,6 +22,8 @@ struct BandReport {
   double cost = 0.0;           ///< sum of squared weighted residuals, without growth of the obstacle weights
   double obstacle_cost = 0.0;  ///< the part of `cost` that obstacles cause
   int iterations = 0;
+  std::size_t left_out =
+      0;  ///< times that an obstacle which costs something near a pose found no place there
 };
 
 /// A band with trust_radius 0 gets the outer and inner iterations of a first plan, any other those of a warm

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::teb {
@@ -78,6 +79,15 @@ struct BandWeights {
   }
 };
 
+/// What solves the least-squares problem of a band: the same costs, the same minimum.
+enum class Solver {
+  ceres,   ///< the Ceres library
+  banded,  ///< Levenberg's method on the block-banded normal equations: less time
+};
+constexpr auto choice_table(Solver) {
+  return choices<Solver>({{Solver::ceres, "ceres"}, {Solver::banded, "banded"}});
+}
+
 /// Fewer poses have none that could move: start and goal stay.
 inline constexpr int kFewestPoses = 3;
 
@@ -89,20 +99,21 @@ struct BandOptions {
   double min_obstacle_dist = 0.2;
   double inflation_dist = 0.3;
   double dynamic_obstacle_inflation_dist = 0.6;
+  double narrow_passage_dist = 0.03;
   double clearance_step = 0.25;
-  int max_obstacles = 200;
   int max_obstacles_per_pose = 8;
 
   double penalty_epsilon = 0.02;
   bool consistent_motion = true;
 
-  int no_outer_iterations = 3;
-  int no_inner_iterations = 7;
-  int warm_outer_iterations = 2;
-  int warm_inner_iterations = 8;
+  int no_outer_iterations = 2;
+  int no_inner_iterations = 8;
+  int warm_outer_iterations = 1;
+  int warm_inner_iterations = 10;
   double function_tolerance = 1e-4;
-  double weight_adapt_factor = 2.0;
+  double weight_adapt_factor = 3.0;
   BandWeights weights;
+  Solver solver = Solver::ceres;  ///< the parameter teb.solver, beside teb.band
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -124,17 +135,25 @@ struct BandOptions {
       {.unit = "m", .min = 0, .max = 10, .doc = "gap below which a static obstacle begins to cost a little"});
     v("dynamic_obstacle_inflation_dist", dynamic_obstacle_inflation_dist,
       {.unit = "m", .min = 0, .max = 10, .doc = "gap below which a mover begins to cost a little"});
+    v("narrow_passage_dist", narrow_passage_dist,
+      {.unit = "m",
+       .min = 0,
+       .max = 10,
+       .doc =
+           "between two obstacles that leave less than min_obstacle_dist at either side of the robot, but not less "
+           "than this, half of what they leave is wanted; min_obstacle_dist: as teb_local_planner, which "
+           "often waits in front of them"});
     v("clearance_step", clearance_step,
       {.unit = "m",
        .min = 0.02,
        .max = 10,
        .doc = "motion relative to an obstacle between two clearance tests"});
-    v("max_obstacles", max_obstacles,
-      {.min = 1,
-       .max = 1000,
-       .doc = "how many obstacles, the nearest ones, a cycle looks at; the time of a cycle grows with it"});
     v("max_obstacles_per_pose", max_obstacles_per_pose,
-      {.min = 1, .max = 100, .doc = "how many obstacles, the nearest ones, count in the cost of one pose"});
+      {.min = 1,
+       .max = 100,
+       .doc =
+           "how many obstacles of each kind (static, movers), the nearest ones, count in the cost of one pose; "
+           "what is left out is told"});
     v("penalty_epsilon", penalty_epsilon,
       {.min = 0,
        .max = 1,

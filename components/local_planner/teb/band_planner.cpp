@@ -53,6 +53,7 @@ PlanningResult report(const std::vector<BandCandidate>& candidates, std::size_t 
     result.velocity_wanted = term.advice->velocity;
   }
   result.trajectory = candidates[chosen].trajectory;
+  result.obstacles_left_out = candidates[chosen].report.left_out;
   return result;
 }
 
@@ -88,9 +89,8 @@ void BandPlanner::remember(const CheckedPlanner& earlier) {
 PlanningResult BandPlanner::drive(const PlanningProblem& problem) {
   const BandOptions& band = options_.teb.band;
   Cycle cycle{.problem = problem,
-              .field = nearby_obstacles(problem.obstacles, problem.movers, problem.pose.position(),
-                                        problem.footprint.radius,
-                                        static_cast<std::size_t>(band.max_obstacles), options_.field),
+              .field = field_of(problem.obstacles, problem.movers, problem.pose.position(), problem.footprint,
+                                options_.field),
               .along_plan = band_along(problem.plan, problem.pose, problem.limits, band)};
   cycle.candidates = kept_candidates(problem);
   cycle.as_driven = driven_of(cycle.candidates);

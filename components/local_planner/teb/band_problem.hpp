@@ -1,9 +1,9 @@
 // The least-squares problem of one band with its obstacle association frozen: what every solver of it sees.
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "components/local_planner/teb/association.hpp"
 #include "components/local_planner/teb/band_optimizer.hpp"
 #include "components/local_planner/teb/segment_cost.hpp"
 
@@ -20,19 +20,15 @@ struct BandCost {
 struct BandProblem {
   BandProblem(const Band& band, const BandScene& scene, const BandOptions& options, double obstacle_growth);
 
-  const Band& band;
+  std::size_t poses;
   BandScene scene;
   SegmentModel segment_model;
   ClearanceModel clearance_model;
   std::vector<PoseTerms> terms;
 
-  std::size_t segments() const { return band.size() - 1; }
-  /// Segment k with its states read from `poses` (band.size() of them).
-  SegmentStates segment(std::size_t k, const BandPose* poses) const;
-  BandCost cost(const BandPose* poses) const;
-  /// Largest diagonal entry of J'J over the free variables, x and y of a pose taken together: the scale of
-  /// the damping, in every frame the same.
-  double largest_information() const;
+  std::size_t segments() const { return poses - 1; }
+  /// Of a band at as many poses.
+  BandCost cost(const BandPose* at) const;
 };
 
 }  // namespace bw::teb

@@ -14,11 +14,18 @@ constexpr double kWithoutObstacle = 2.0;  // [m] ahead, when none is
 
 double clearance_at(const ObstacleField& field, const TrajectoryPoint& point) {
   double nearest = std::numeric_limits<double>::infinity();
-  const Vector2 p = point.pose.position();
-  for (const Capsule& c : field.statics) nearest = std::min(nearest, clearance_to(c, p).distance);
+  const auto look_at = [&](const Capsule& capsule) {
+    nearest = std::min(nearest, gap_to(field.footprint, point.pose, capsule, nearest));
+  };
+  field.statics.visit_near(point.pose.position(), kNear + field.footprint.radius,
+                           [&](const CapsuleIndex::Group& group) {
+                             for (const std::uint32_t i : field.statics.members(group))
+                               look_at(field.statics.capsules()[i]);
+                           });
   for (const Mover& m : field.movers) {
     if (!is_confirmed(m)) continue;
-    nearest = std::min(nearest, (m.position_at(point.time) - p).norm() - m.radius);
+    const Vector2 p = m.position_at(point.time);
+    look_at({p, p, m.radius});
   }
   return nearest;
 }

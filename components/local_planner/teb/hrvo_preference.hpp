@@ -4,7 +4,7 @@
 
 #include "components/local_planner/hrvo/hrvo.hpp"
 #include "components/local_planner/teb/choice_term.hpp"
-#include "components/local_planner/teb/clearance_cost.hpp"
+#include "components/local_planner/teb/obstacle_field.hpp"
 
 namespace bw::teb {
 

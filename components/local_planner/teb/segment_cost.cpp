@@ -21,18 +21,9 @@ enum Residual : std::size_t {
   kFirstAcceleration,
   kFirstTurnAcceleration,
 };
-enum Column { kX, kY, kTheta, kDt, kNextX, kNextY, kNextTheta, kSegmentInputs };
+enum Column : std::size_t { kX, kY, kTheta, kDt, kNextX, kNextY, kNextTheta };
 
-// A quantity of one segment with its derivatives.
-struct Quantity {
-  double value = 0.0;
-  std::array<double, kSegmentInputs> gradient{};
-};
-
-struct Motion {
-  Quantity v;
-  Quantity omega;
-};
+using Quantity = SegmentMotion::Quantity;
 
 struct Hinge {
   double value;
@@ -48,14 +39,6 @@ Hinge outside(double z, double low, double high, double epsilon) {
   if (above > 0.0) return {above, 1.0};
   return {0.0, 0.0};
 }
-
-// One pose with the direction of its heading: computed once per evaluation, as it is what takes longest.
-struct Heading {
-  const double* pose;
-  Vector2 u;
-};
-
-Heading heading_of(const double* pose) { return {pose, direction(pose[2])}; }
 
 // dir(theta_a + turn / 2): the bisector of both headings, unless they are too far apart to have one.
 Vector2 mean_direction(const Heading& a, const Heading& b, double turn) {
@@ -82,33 +65,23 @@ void signed_length_speed(const Vector2& d, const Vector2& u, double dt, Quantity
   v.gradient = {-slope.x(), -slope.y(), sign_slope * cross(u, d), -v.value / dt, slope.x(), slope.y(), 0.0};
 }
 
-Motion motion_of(const Heading& a, const Heading& b, bool consistent_motion) {
-  const Vector2 d(b.pose[0] - a.pose[0], b.pose[1] - a.pose[1]);
-  const double turn = wrap_angle(b.pose[2] - a.pose[2]);
-  const double dt = a.pose[3];
-  Motion m;
-  if (consistent_motion) {
-    project_speed(d, mean_direction(a, b, turn), dt, m.v);
-  } else {
-    signed_length_speed(d, a.u, dt, m.v);
-  }
-  m.omega.value = turn / dt;
-  m.omega.gradient = {0.0, 0.0, -1.0 / dt, -m.omega.value / dt, 0.0, 0.0, 1.0 / dt};
-  return m;
-}
-
-// Writes weight * hinge of a quantity of the segment whose first column is `offset`.
-void add_row(double* row, double scale, const Quantity& q, int offset) {
-  for (int i = 0; i < kSegmentInputs; ++i) row[offset + i] += scale * q.gradient[static_cast<std::size_t>(i)];
-}
-
 // Where an evaluation goes: residuals, and their derivatives if they are asked for.
 struct Output {
-  double* residuals;
-  double* jacobian;
+  std::array<double, kSegmentResiduals>& residuals;
+  SegmentRows* rows;
 
-  double* row(Residual r) const { return jacobian == nullptr ? nullptr : jacobian + r * kSegmentColumns; }
+  double* new_row(Residual r) const {
+    rows->of_row[rows->active] = r;
+    std::array<double, kSegmentColumns>& row = rows->jacobian[rows->active++];
+    row.fill(0.0);
+    return row.data();
+  }
 };
+
+// Adds scale times the gradient of a quantity of the segment whose first column is `offset`.
+void add(double* row, double scale, const Quantity& q, std::size_t offset) {
+  for (std::size_t i = 0; i < SegmentMotion::kInputs; ++i) row[offset + i] += scale * q.gradient[i];
+}
 
 // What accelerations are held to.
 struct AccelerationLimit {
@@ -123,11 +96,11 @@ void evaluate_change(const Quantity& q, const Quantity& next, double dt_sum, con
   const double acceleration = 2.0 * (next.value - q.value) / dt_sum;
   const Hinge hinge = outside(acceleration, -allowed.limit, allowed.limit, allowed.epsilon);
   out.residuals[r] = allowed.weight * hinge.value;
-  double* row = out.row(r);
-  if (row == nullptr || hinge.slope == 0.0) return;
+  if (out.rows == nullptr || hinge.slope == 0.0) return;
   const double scale = allowed.weight * hinge.slope * 2.0 / dt_sum;
-  add_row(row, -scale, q, 0);
-  add_row(row, scale, next, 4);
+  double* row = out.new_row(r);
+  add(row, -scale, q, 0);
+  add(row, scale, next, 4);
   row[3] -= allowed.weight * hinge.slope * acceleration / dt_sum;
   row[7] -= allowed.weight * hinge.slope * acceleration / dt_sum;
 }
@@ -145,9 +118,9 @@ void evaluate_end(const Quantity& q, double reference, const BandEnd& end, const
   const double acceleration = end.sign * (q.value - reference) / end.span;
   const Hinge hinge = outside(acceleration, -allowed.limit, allowed.limit, allowed.epsilon);
   out.residuals[r] = allowed.weight * hinge.value;
-  double* row = out.row(r);
-  if (row == nullptr || hinge.slope == 0.0) return;
-  add_row(row, allowed.weight * hinge.slope * end.sign / end.span, q, 0);
+  if (out.rows == nullptr || hinge.slope == 0.0) return;
+  double* row = out.new_row(r);
+  add(row, allowed.weight * hinge.slope * end.sign / end.span, q, 0);
   row[kDt] -= allowed.weight * hinge.slope * acceleration / end.dt;
 }
 
@@ -159,57 +132,62 @@ void evaluate_shape(const SegmentModel& model, const Heading& a, const Heading& 
   out.residuals[kTime] = model.time * a.pose[3];
   out.residuals[kKinematics] = model.kinematics_nh * cross(u_sum, d);
   out.residuals[kForward] = model.forward_drive * std::max(0.0, -forward);
-  if (out.jacobian == nullptr) return;
-  out.row(kTime)[kDt] = model.time;
+  if (out.rows == nullptr) return;
+  out.new_row(kTime)[kDt] = model.time;
   const double w = model.kinematics_nh;
-  double* h = out.row(kKinematics);
-  h[0] = w * u_sum.y();
-  h[1] = -w * u_sum.x();
-  h[2] = -w * a.u.dot(d);
-  h[4] = -h[0];
-  h[5] = -h[1];
-  h[6] = -w * b.u.dot(d);
+  double* h = out.new_row(kKinematics);
+  h[kX] = w * u_sum.y();
+  h[kY] = -w * u_sum.x();
+  h[kTheta] = -w * a.u.dot(d);
+  h[kNextX] = -h[kX];
+  h[kNextY] = -h[kY];
+  h[kNextTheta] = -w * b.u.dot(d);
   if (!(forward < 0.0)) return;
   const double f = model.forward_drive;
-  double* backward = out.row(kForward);
-  backward[0] = f * a.u.x();
-  backward[1] = f * a.u.y();
-  backward[2] = -f * cross(a.u, d);
-  backward[4] = -backward[0];
-  backward[5] = -backward[1];
+  double* backward = out.new_row(kForward);
+  backward[kX] = f * a.u.x();
+  backward[kY] = f * a.u.y();
+  backward[kTheta] = -f * cross(a.u, d);
+  backward[kNextX] = -backward[kX];
+  backward[kNextY] = -backward[kY];
 }
 
-void evaluate_speeds(const SegmentModel& model, const Motion& motion, const Output& out) {
+void evaluate_speeds(const SegmentModel& model, const SegmentMotion& motion, const Output& out) {
   const Limits& limits = model.limits;
   const Hinge v = outside(motion.v.value, -limits.v_back_max, limits.v_max, model.epsilon);
   const Hinge omega = outside(motion.omega.value, -limits.omega_max, limits.omega_max, model.epsilon);
   out.residuals[kSpeed] = model.max_vel_x * v.value;
   out.residuals[kTurnRate] = model.max_vel_theta * omega.value;
-  if (out.jacobian == nullptr) return;
-  if (v.slope != 0.0) add_row(out.row(kSpeed), model.max_vel_x * v.slope, motion.v, 0);
-  if (omega.slope != 0.0) add_row(out.row(kTurnRate), model.max_vel_theta * omega.slope, motion.omega, 0);
+  if (out.rows == nullptr) return;
+  if (v.slope != 0.0) add(out.new_row(kSpeed), model.max_vel_x * v.slope, motion.v, 0);
+  if (omega.slope != 0.0) add(out.new_row(kTurnRate), model.max_vel_theta * omega.slope, motion.omega, 0);
 }
 
 // To the next segment or to rest, and from the start velocity.
-void evaluate_accelerations(const SegmentModel& model, const SegmentStates& states, const Motion& motion,
-                            const Heading& at_b, const Output& out) {
+void evaluate_accelerations(const SegmentModel& model, const SegmentStates& states, const Output& out) {
   const AccelerationLimit linear{model.limits.acc_max, model.acc_lim_x, model.epsilon};
   const AccelerationLimit angular{model.limits.alpha_max, model.acc_lim_theta, model.epsilon};
-  const double dt = states.a[3];
-  const double span = model.consistent_motion ? dt / 2.0 : dt;
+  const SegmentMotion& motion = states.motion;
+  const double span = model.consistent_motion ? motion.dt / 2.0 : motion.dt;
   if (states.end == SegmentEnd::next_segment) {
-    const Motion next = motion_of(at_b, heading_of(states.c), model.consistent_motion);
-    const double dt_sum = dt + states.b[3];
-    evaluate_change(motion.v, next.v, dt_sum, linear, kAcceleration, out);
-    evaluate_change(motion.omega, next.omega, dt_sum, angular, kTurnAcceleration, out);
+    const double dt_sum = motion.dt + states.next->dt;
+    evaluate_change(motion.v, states.next->v, dt_sum, linear, kAcceleration, out);
+    evaluate_change(motion.omega, states.next->omega, dt_sum, angular, kTurnAcceleration, out);
   } else if (states.end == SegmentEnd::rest) {
-    evaluate_end(motion.v, 0.0, {-1.0, span, dt}, linear, kAcceleration, out);
-    evaluate_end(motion.omega, 0.0, {-1.0, span, dt}, angular, kTurnAcceleration, out);
+    evaluate_end(motion.v, 0.0, {-1.0, span, motion.dt}, linear, kAcceleration, out);
+    evaluate_end(motion.omega, 0.0, {-1.0, span, motion.dt}, angular, kTurnAcceleration, out);
   }
   if (states.start_twist == nullptr) return;
-  evaluate_end(motion.v, states.start_twist->v, {1.0, span, dt}, linear, kFirstAcceleration, out);
-  evaluate_end(motion.omega, states.start_twist->omega, {1.0, span, dt}, angular, kFirstTurnAcceleration,
-               out);
+  const BandEnd start{1.0, span, motion.dt};
+  evaluate_end(motion.v, states.start_twist->v, start, linear, kFirstAcceleration, out);
+  evaluate_end(motion.omega, states.start_twist->omega, start, angular, kFirstTurnAcceleration, out);
+}
+
+void evaluate(const SegmentModel& model, const SegmentStates& states, const Output& out) {
+  out.residuals.fill(0.0);
+  evaluate_shape(model, states.a, states.b, out);
+  evaluate_speeds(model, states.motion, out);
+  evaluate_accelerations(model, states, out);
 }
 
 }  // namespace
@@ -226,20 +204,33 @@ SegmentModel::SegmentModel(const BandOptions& options, const Limits& motion_limi
       acc_lim_x(std::sqrt(options.weights.acc_lim_x)),
       acc_lim_theta(std::sqrt(options.weights.acc_lim_theta)) {}
 
-bool evaluate_segment(const SegmentModel& model, const SegmentStates& states, double* residuals,
-                      double* jacobian) {
-  const bool has_next = states.end == SegmentEnd::next_segment;
-  if (!(states.a[3] > kShortestInterval) || (has_next && !(states.b[3] > kShortestInterval))) return false;
-  std::fill(residuals, residuals + kSegmentResiduals, 0.0);
-  if (jacobian != nullptr) std::fill(jacobian, jacobian + kSegmentResiduals * kSegmentColumns, 0.0);
-  const Output out{residuals, jacobian};
-  const Heading at_a = heading_of(states.a);
-  const Heading at_b = heading_of(states.b);
-  evaluate_shape(model, at_a, at_b, out);
-  const Motion motion = motion_of(at_a, at_b, model.consistent_motion);
-  evaluate_speeds(model, motion, out);
-  evaluate_accelerations(model, states, motion, at_b, out);
+bool evaluate_motion(const SegmentModel& model, const Heading& a, const Heading& b, SegmentMotion& motion) {
+  const double dt = a.pose[3];
+  if (!(dt > kShortestInterval)) return false;
+  const Vector2 d(b.pose[0] - a.pose[0], b.pose[1] - a.pose[1]);
+  const double turn = wrap_angle(b.pose[2] - a.pose[2]);
+  motion.dt = dt;
+  if (model.consistent_motion) {
+    project_speed(d, mean_direction(a, b, turn), dt, motion.v);
+  } else {
+    signed_length_speed(d, a.u, dt, motion.v);
+  }
+  motion.omega.value = turn / dt;
+  motion.omega.gradient = {0.0, 0.0, -1.0 / dt, -motion.omega.value / dt, 0.0, 0.0, 1.0 / dt};
   return true;
+}
+
+void evaluate_segment(const SegmentModel& model, const SegmentStates& states, SegmentRows& rows) {
+  rows.active = 0;
+  evaluate(model, states, {rows.residuals, &rows});
+}
+
+double segment_cost(const SegmentModel& model, const SegmentStates& states) {
+  std::array<double, kSegmentResiduals> residuals;
+  evaluate(model, states, {residuals, nullptr});
+  double sum = 0.0;
+  for (const double r : residuals) sum += r * r;
+  return sum;
 }
 
 }  // namespace bw::teb

@@ -1,7 +1,8 @@
 // Residuals of one segment of the band: time, kinematics, speed and acceleration (book 6.1), with analytic
-// Jacobians. Plain C++ shared by the solver, the tests and the oracle.
+// Jacobians. Plain C++ shared by both solvers and the tests.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "components/local_planner/teb/band_options.hpp"
@@ -27,23 +28,54 @@ struct SegmentModel {
 /// What follows the segment: another one, rest at the goal, or nothing that its speed would have to match.
 enum class SegmentEnd { next_segment, rest, free };
 
-/// Poses a, b, c = (x, y, theta, dt) of segment a-b and of the next one b-c (c is read only for
-/// `next_segment`). `start_twist`: body velocity at a, for the first segment of the band; else null.
+/// A pose (x, y, theta, dt) with the direction of its heading, which takes longest: once per pose.
+struct Heading {
+  explicit Heading(const double* pose_in) : pose(pose_in), u(direction(pose_in[2])) {}
+
+  const double* pose;
+  Vector2 u;
+};
+
+/// Speed and turn rate of the segment from pose a to pose b, each by x, y, theta, dt of a and x, y, theta of b. False,
+/// and nothing is written, when the interval is too short to divide by.
+struct SegmentMotion {
+  static constexpr std::size_t kInputs = 7;
+  struct Quantity {
+    double value;
+    std::array<double, kInputs> gradient;
+  };
+
+  double dt;  // [s]
+  Quantity v, omega;
+};
+bool evaluate_motion(const SegmentModel& model, const Heading& a, const Heading& b, SegmentMotion& motion);
+
+/// Segment a-b with its motion and that of the next one (read only for `next_segment`). `start_twist`: body velocity at
+/// a, for the first segment of the band; else null.
 struct SegmentStates {
-  const double* a;
-  const double* b;
-  const double* c;
+  const Heading& a;
+  const Heading& b;
+  const SegmentMotion& motion;
+  const SegmentMotion* next;
   SegmentEnd end;
   const Twist2* start_twist;
 };
 
 inline constexpr std::size_t kSegmentResiduals =
     9;  ///< time, non-holonomic, forward, v, omega, a, alpha, first a, first alpha
-inline constexpr std::size_t kSegmentColumns = 12;  ///< d / d (a, b, c)
+inline constexpr std::size_t kSegmentColumns = 12;  ///< d / d (a, b, c), c the end of the next segment
 
-/// residuals: kSegmentResiduals values. jacobian: row-major kSegmentResiduals x kSegmentColumns, or null.
-/// False, and nothing is written, when an interval is too short to divide by.
-bool evaluate_segment(const SegmentModel& model, const SegmentStates& states, double* residuals,
-                      double* jacobian);
+/// Residuals and, of those that vary here (the penalties that act), rows of the Jacobian: `active` of them, row i of
+/// residual `of_row[i]`.
+struct SegmentRows {
+  std::array<double, kSegmentResiduals> residuals;
+  std::size_t active;
+  std::array<std::size_t, kSegmentResiduals> of_row;
+  std::array<std::array<double, kSegmentColumns>, kSegmentResiduals> jacobian;
+};
+void evaluate_segment(const SegmentModel& model, const SegmentStates& states, SegmentRows& rows);
+
+/// The sum of the squared residuals alone.
+double segment_cost(const SegmentModel& model, const SegmentStates& states);
 
 }  // namespace bw::teb

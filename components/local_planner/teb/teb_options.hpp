@@ -19,6 +19,9 @@ struct TebOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("band", band, {.doc = "the elastic band and its optimiser"});
+    v("solver", band.solver,
+      {.doc =
+           "ceres: the Ceres library; banded: the solver made for bands, of the same result in less time"});
     v("force_reinit_new_goal_dist", force_reinit_new_goal_dist,
       {.unit = "m", .min = 0, .max = 100, .doc = "a goal that moved further starts a new band"});
     v("force_reinit_new_goal_angular", force_reinit_new_goal_angular,

@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
-#include "components/local_planner/teb/band_functions.hpp"
+#include "components/local_planner/teb/band_evaluation.hpp"
 #include "components/model/random.hpp"
+#include "tests/components/local_planner/dense_segment.hpp"
+#include "tests/components/local_planner/random_band.hpp"
 
 namespace bw::teb {
 namespace {
@@ -118,26 +120,27 @@ TEST(BandJacobian, OfASegmentInBothModelsAtEveryEnd) {
     const SegmentModel model(options, tight_limits());
     for (const SegmentEnd end : {SegmentEnd::next_segment, SegmentEnd::rest, SegmentEnd::free}) {
       for (const bool first : {false, true}) {
-        const auto evaluate = [&](const Row& s, double* jacobian) {
-          Row r(kSegmentResiduals);
-          const double* c = end == SegmentEnd::next_segment ? &s[8] : nullptr;
-          EXPECT_TRUE(
-              evaluate_segment(model, {&s[0], &s[4], c, end, first ? &start : nullptr}, r.data(), jacobian));
-          return r;
+        const auto evaluate = [&](const Row& s) {
+          const auto segment = dense_segment(model, s.data(), end, first ? &start : nullptr);
+          EXPECT_TRUE(segment);
+          return segment.value_or(DenseSegment{});
         };
-        Row J(kSegmentResiduals * kSegmentColumns);
-        evaluate(variables, J.data());
+        const DenseSegment at = evaluate(variables);
         std::vector<Row> analytic;
-        for (auto row = J.begin(); row != J.end(); row += kSegmentColumns)
+        for (auto row = at.jacobian.begin(); row != at.jacobian.end(); row += kSegmentColumns)
           analytic.emplace_back(row, row + kSegmentColumns);
-        all.add([&](const Row& s) { return evaluate(s, nullptr); }, variables, analytic,
-                [&](std::size_t r) {
-                  const Vector2 u = direction(variables[2]);
-                  const bool angular = r == 4 || r == 6 || r == 8;
-                  const double slope =
-                      angular ? analytic[r][2] : analytic[r][0] * u.x() + analytic[r][1] * u.y();
-                  ++sides[{options.consistent_motion, end, r, slope > 0.0}];
-                });
+        all.add(
+            [&](const Row& s) {
+              const auto r = evaluate(s).residuals;
+              return Row(r.begin(), r.end());
+            },
+            variables, analytic,
+            [&](std::size_t r) {
+              const Vector2 u = direction(variables[2]);
+              const bool angular = r == 4 || r == 6 || r == 8;
+              const double slope = angular ? analytic[r][2] : analytic[r][0] * u.x() + analytic[r][1] * u.y();
+              ++sides[{options.consistent_motion, end, r, slope > 0.0}];
+            });
       }
     }
   }
@@ -155,130 +158,73 @@ TEST(BandJacobian, OfASegmentInBothModelsAtEveryEnd) {
   }
 }
 
+// A disc of the size of a point, one of 0.2 m, and a rectangle whose middle is not base_link.
+std::vector<Footprint> footprints() {
+  return {{0.0, {}}, {0.2, {}}, {0.5, {{-0.1, -0.2}, {0.4, -0.2}, {0.4, 0.2}, {-0.1, 0.2}}}};
+}
+
 TEST(BandJacobian, OfClearanceToPointsCapsulesAndMovers) {
   Random random(kSeed);
-  const ClearanceModel model(BandOptions{}, 2.0);
   Comparison all;
-  int only_inflation = 0, inside = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const auto point = [&] {
-      const double x = random.uniform(-1.0, 1.0);
-      return Vector2(x, random.uniform(-1.0, 1.0));
-    };
-    ClearanceTerm term;
-    term.capsule.a = point();
-    term.capsule.b = i % 2 == 0 ? term.capsule.a : point();
-    term.capsule.radius = i % 5 == 0 ? 0.0 : random.uniform(0.0, 0.5);
-    term.moving = i % 3 == 0;
-    const Vector2 p = point();
-    Vector2 gradient;
-    evaluate_clearance(model, term, p, &gradient);
-    all.add(
-        [&](const Row& x) {
-          return Row{evaluate_clearance(model, term, {x[0], x[1]}, nullptr)};
-        },
-        {p.x(), p.y()}, {{gradient.x(), gradient.y()}},
-        [&](std::size_t) {
-          const double distance = clearance_to(term.capsule, p).distance;
-          only_inflation += distance > model.min_dist;
-          inside += distance < 0.0;
-        });
+  for (const Footprint& footprint : footprints()) {
+    const ClearanceModel model(BandOptions{}, footprint, 2.0);
+    int only_inflation = 0, inside = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const auto point = [&] {
+        const double x = random.uniform(-1.0, 1.0);
+        return Vector2(x, random.uniform(-1.0, 1.0));
+      };
+      ClearanceTerm term;
+      term.capsule.a = point();
+      term.capsule.b = i % 2 == 0 ? term.capsule.a : point();
+      term.capsule.radius = i % 5 == 0 ? 0.0 : random.uniform(0.0, 0.5);
+      term.moving = i % 3 == 0;
+      const Vector2 p = point();
+      const Pose2 pose{p.x(), p.y(), random.uniform(-3.0, 3.0)};
+      Eigen::Vector3d gradient;
+      evaluate_clearance(model, term, pose, &gradient);
+      all.add(
+          [&](const Row& x) {
+            return Row{evaluate_clearance(model, term, {x[0], x[1], x[2]}, nullptr)};
+          },
+          {pose.x, pose.y, pose.theta}, {{gradient.x(), gradient.y(), gradient.z()}},
+          [&](std::size_t) {
+            const double distance = gap_to(footprint, pose, term.capsule);
+            only_inflation += distance > model.min_dist;
+            inside += distance < 0.0;
+          });
+    }
+    EXPECT_GT(only_inflation, 500);
+    EXPECT_GT(inside, 500);
   }
   all.expect_within_bound();
-  EXPECT_GT(only_inflation, 500);
-  EXPECT_GT(inside, 500);
 }
 
-// All free variables of a band in a row, and the function's blocks among them.
-std::vector<std::vector<double*>> blocks_of(Band& band, std::size_t first, std::size_t last) {
-  std::vector<std::vector<double*>> blocks;
-  for (std::size_t k = first; k <= last && k + 1 < band.size(); ++k) {
-    BandPose& p = band.poses[k];
-    blocks.push_back(k == 0 ? std::vector<double*>{&p.dt}
-                            : std::vector<double*>{&p.x, &p.y, &p.theta, &p.dt});
-  }
-  return blocks;
-}
-
-void compare(const ceres::CostFunction& function, const std::vector<std::vector<double*>>& blocks,
-             Comparison& all) {
-  Row variables;
-  for (const auto& block : blocks) {
-    for (const double* x : block) variables.push_back(*x);
-  }
-  ASSERT_EQ(function.parameter_block_sizes().size(), blocks.size());
-  const auto rows = static_cast<std::size_t>(function.num_residuals());
-  const auto evaluate = [&](const Row& x, std::vector<Row>* jacobians) {
-    std::vector<const double*> parameters;
-    std::vector<double*> out;
-    std::size_t offset = 0;
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-      EXPECT_EQ(static_cast<std::size_t>(function.parameter_block_sizes()[b]), blocks[b].size());
-      parameters.push_back(&x[offset]);
-      if (jacobians != nullptr) out.push_back(jacobians->emplace_back(rows * blocks[b].size()).data());
-      offset += blocks[b].size();
-    }
-    Row r(rows);
-    EXPECT_TRUE(function.Evaluate(parameters.data(), r.data(), jacobians == nullptr ? nullptr : out.data()));
-    return r;
-  };
-  std::vector<Row> jacobians;
-  jacobians.reserve(blocks.size());
-  evaluate(variables, &jacobians);
-  std::vector<Row> analytic(rows);
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const auto size = static_cast<std::ptrdiff_t>(blocks[b].size());
-    for (std::size_t r = 0; r < rows; ++r) {
-      const auto first = jacobians[b].begin() + static_cast<std::ptrdiff_t>(r) * size;
-      analytic[r].insert(analytic[r].end(), first, first + size);
-    }
-  }
-  all.add([&](const Row& x) { return evaluate(x, nullptr); }, variables, analytic);
-}
-
-// The smallest band (one free pose) and longer ones: both ends fixed, at rest or in motion at the goal.
-TEST(BandJacobian, OfTheCostFunctionsThatCeresSees) {
+// The smallest band (one free pose) and longer ones: at rest or in motion at the goal.
+TEST(BandJacobian, OfTheWholeCostAsBothSolversSeeIt) {
   Random random(kSeed);
-  Comparison segments, at_poses, along_segments;
-  for (int i = 0; i < 150; ++i) {
-    Band band;
-    const std::size_t count = 3 + static_cast<std::size_t>(i % 4);
-    for (std::size_t k = 0; k < count; ++k) {
-      const double x = 0.35 * static_cast<double>(k) + random.uniform(-0.1, 0.1);
-      const double y = random.uniform(-0.2, 0.2), theta = random.uniform(-0.8, 0.8);
-      band.poses.push_back({x, y, theta, random.uniform(0.1, 0.6)});
+  Comparison all;
+  for (int i = 0; i < 300; ++i) {
+    RandomBand scene(random, i, footprints()[static_cast<std::size_t>(i) % 3]);
+    const BandProblem problem(scene.band, scene.scene, scene.options, 2.0);
+    BandEvaluation evaluation(problem);
+    ASSERT_TRUE(evaluation.evaluate(scene.band.poses.data()));
+    NormalEquations equations;
+    evaluation.linearise(equations);
+    Row variables, gradient;
+    for (std::size_t v = 3; v < 4 * scene.band.size() - 4; ++v) {
+      variables.push_back(scene.variable(v));
+      gradient.push_back(equations.gradient[v / 4][v % 4]);
     }
-    ObstacleField field;
-    for (int j = 0; j < 6; ++j) {
-      const Vector2 a(random.uniform(0.0, 1.5), random.uniform(-0.6, 0.6));
-      const Vector2 b = j % 2 == 0 ? a : Vector2(a + Vector2(0.3, random.uniform(-0.3, 0.3)));
-      field.statics.push_back({a, b, random.uniform(0.0, 0.2)});
-      Mover mover;
-      mover.position = {random.uniform(0.0, 1.5), random.uniform(-1.0, 1.0)};
-      mover.velocity = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
-      field.movers.push_back(mover);
-    }
-    BandOptions options;
-    options.consistent_motion = i % 2 == 0;
-    options.clearance_step = 0.1;
-    const BandScene scene{
-        tight_limits(), {random.uniform(-0.2, 0.5), random.uniform(-0.3, 0.3)}, i % 3 != 0, &field};
-    const BandProblem problem(band, scene, options, 2.0);
-    for (std::size_t k = 0; k < problem.segments(); ++k) {
-      compare(SegmentFunction(problem, k), blocks_of(band, k, k + 2), segments);
-      const std::size_t first = std::max<std::size_t>(k, 1);  // a place of the start is not free
-      if (!problem.terms[k].at_pose.empty())
-        compare(ClearanceFunction(problem, k, false), blocks_of(band, first, k), at_poses);
-      if (!problem.terms[k].along_segment.empty())
-        compare(ClearanceFunction(problem, k, true), blocks_of(band, first, k + 1), along_segments);
-    }
+    const auto half_cost = [&](const Row& x) {
+      Band moved = scene.band;
+      for (std::size_t v = 0; v < x.size(); ++v) RandomBand::variable(moved, v + 3) = x[v];
+      return Row{problem.cost(moved.poses.data()).total() / 2.0};
+    };
+    all.add(half_cost, variables, {gradient});
   }
-  segments.expect_within_bound();
-  at_poses.expect_within_bound();
-  along_segments.expect_within_bound();
-  EXPECT_GT(segments.rows, 2000);
-  EXPECT_GT(at_poses.rows, 1000);
-  EXPECT_GT(along_segments.rows, 1000);
+  EXPECT_LE(all.worst, kBound) << "seed " << kSeed;
+  EXPECT_GT(all.rows, 200);
 }
 
 }  // namespace

@@ -43,6 +43,21 @@ TEST(CycleWatch, InLockstepTheBudgetIsThatOfTheParameters) {
   EXPECT_EQ(reported.values, expected);
 }
 
+// Nothing is told of obstacles left out until there were any; from then on the figure is up to date.
+TEST(CycleWatch, TellsWhenObstaclesAreLeftOut) {
+  CycleWatch watch(0.1, 0.04, 100, false);
+  PlanningResult result = cycle(PlanningStatus::ok, 20);
+  Reported reported;
+  watch.report(result, false, reported);
+  EXPECT_FALSE(reported.values.contains("obstacles_left_out"));
+  result.obstacles_left_out = 3;
+  watch.report(result, false, reported);
+  EXPECT_EQ(reported.values["obstacles_left_out"], "3");
+  result.obstacles_left_out = 0;
+  watch.report(result, false, reported);
+  EXPECT_EQ(reported.values["obstacles_left_out"], "0");
+}
+
 // What is driven is told, not what is cheapest; a planner without candidates has neither class nor cost.
 TEST(CycleWatch, TheMessageTellsWhatIsDriven) {
   namespace value = bandwagon_msgs::msg::PlannerCycle_Constants;
@@ -102,7 +117,7 @@ TEST(CycleWatch, InRealTimeCyclesAreMeasured) {
 
 TEST(CycleWatch, TellsTheStateInWords) {
   using Level = DiagnosticReporter::Level;
-  const CycleWatch watch(0.1, 0.05, 100, false);
+  CycleWatch watch(0.1, 0.05, 100, false);
   Reported reported;
   watch.report(cycle(PlanningStatus::ok, 0), false, reported);
   EXPECT_EQ(reported.message, "following");

@@ -46,5 +46,20 @@ TEST(Evasion, KeepsAccelerationLimits) {
   }
 }
 
+// Somebody overtakes the robot 5 cm beside it: nearer than asked at time 0, and going away. To drive on is as clear as
+// a stop, and leads to the goal.
+TEST(Evasion, DrivesOnBesideWhoIsNearAndGoesAway) {
+  PlanningProblem problem = driving_at(0.5);
+  Mover mover;
+  mover.position = {0.0, 0.65};
+  mover.velocity = {1.2, 0.2};
+  problem.movers = {mover};
+  EvasionOptions options;
+  options.asked_gap = 0.1;
+  const EvasiveMove move = best_evasive_move(problem, {10.0, 0.0}, options);
+  EXPECT_TRUE(std::isinf(move.contact_time));
+  EXPECT_GT(move.trajectory[1].twist.v, 0.5);
+}
+
 }  // namespace
 }  // namespace bw

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "components/local_planner/teb/clearance_cost.hpp"
+#include "components/local_planner/teb/association.hpp"
 
 namespace bw::teb {
 namespace {
+
+const Footprint kRobot{.radius = 0.2};
 
 Mover walker() {
   Mover m;
@@ -23,32 +25,31 @@ Eigen::Matrix2d covariance(double xx, double xy, double yy) {
 }
 
 TEST(Prediction, TimeIndexedKeepsMovers) {
-  const ObstacleField field = nearby_obstacles({}, {walker()}, {0, 0}, 0.2, 10);
+  const ObstacleField field = field_of({}, {walker()}, {0, 0}, kRobot);
   ASSERT_EQ(field.movers.size(), 1U);
-  EXPECT_TRUE(field.statics.empty());
-  EXPECT_DOUBLE_EQ(field.movers[0].radius, 0.5);
+  EXPECT_TRUE(field.statics.capsules().empty());
+  EXPECT_DOUBLE_EQ(field.movers[0].radius, 0.3);
 }
 
 TEST(Prediction, PresentIsADiscWhereTheMoverStands) {
-  const ObstacleField field =
-      nearby_obstacles({}, {walker()}, {0, 0}, 0.2, 10, {.prediction = Prediction::present});
+  const ObstacleField field = field_of({}, {walker()}, {0, 0}, kRobot, {.prediction = Prediction::present});
   EXPECT_TRUE(field.movers.empty());
   ASSERT_EQ(field.statics.size(), 1U);
-  EXPECT_EQ(field.statics[0].a, Vector2(2.0, 0.0));
-  EXPECT_DOUBLE_EQ(field.statics[0].radius, 0.5);
+  EXPECT_EQ(field.statics.capsules()[0].a, Vector2(2.0, 0.0));
+  EXPECT_DOUBLE_EQ(field.statics.capsules()[0].radius, 0.3);
 }
 
 TEST(Prediction, DoubledAddsTheFuturePlaceGrownByItsUncertainty) {
   // 1.6 s at 1 m/s is 1.6 m away; 1 sigma at 0.1 m/s is 0.16 m.
-  const ObstacleField field = nearby_obstacles({}, {walker()}, {0, 0}, 0.2, 10,
-                                               {.prediction = Prediction::doubled,
-                                                .prediction_time = 1.6,
-                                                .uncertainty_factor = 1.0,
-                                                .uncertainty_growth = 0.1});
+  const ObstacleField field = field_of({}, {walker()}, {0, 0}, kRobot,
+                                       {.prediction = Prediction::doubled,
+                                        .prediction_time = 1.6,
+                                        .uncertainty_factor = 1.0,
+                                        .uncertainty_growth = 0.1});
   ASSERT_EQ(field.statics.size(), 2U);
-  EXPECT_EQ(field.statics[0].a, Vector2(2.0, 0.0));
-  EXPECT_NEAR(field.statics[1].a.y(), 1.6, 1e-12);
-  EXPECT_NEAR(field.statics[1].radius, 0.5 + 0.16, 1e-12);
+  EXPECT_EQ(field.statics.capsules()[0].a, Vector2(2.0, 0.0));
+  EXPECT_NEAR(field.statics.capsules()[1].a.y(), 1.6, 1e-12);
+  EXPECT_NEAR(field.statics.capsules()[1].radius, 0.3 + 0.16, 1e-12);
 }
 
 TEST(Prediction, GrowthIsCapped) {
@@ -85,7 +86,7 @@ TEST(Prediction, InflationGrowsAlongTheBand) {
   m.velocity = {0.0, 0.0};
   BandOptions options;
   const auto unsure_at_pose_5 = [&](const PredictionOptions& prediction) {
-    const ObstacleField field = nearby_obstacles({}, {m}, {0, 0}, 0.2, 10, prediction);
+    const ObstacleField field = field_of({}, {m}, {0, 0}, kRobot, prediction);
     return associate(band, field, options)[5].at_pose.at(0).unsure;
   };
   EXPECT_DOUBLE_EQ(unsure_at_pose_5({}), 0.0);

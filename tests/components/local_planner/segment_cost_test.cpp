@@ -6,27 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/components/local_planner/dense_segment.hpp"
+
 namespace bw::teb {
 namespace {
 
 using States = std::array<double, 12>;
-using Residuals = std::array<double, kSegmentResiduals>;
-
-struct Case {
-  SegmentEnd end;
-  bool consistent_motion;
-  bool at_start;
-};
-
-Residuals evaluate(const SegmentModel& model, const States& s, const Case& c, const Twist2& start,
-                   double* jacobian) {
-  Residuals r{};
-  const SegmentStates states{&s[0], &s[4], c.end == SegmentEnd::next_segment ? &s[8] : nullptr, c.end,
-                             c.at_start ? &start : nullptr};
-  EXPECT_TRUE(evaluate_segment(model, states, r.data(), jacobian));
-  return r;
-}
-
 TEST(SegmentCost, CoincidentPosesGiveFiniteDerivatives) {
   const Limits limits;
   for (const bool consistent : {false, true}) {
@@ -34,10 +19,11 @@ TEST(SegmentCost, CoincidentPosesGiveFiniteDerivatives) {
     options.consistent_motion = consistent;
     const SegmentModel model(options, limits);
     const States states{1, 2, 0.5, 0.3, 1, 2, 0.5, 0.3, 1, 2, 0.5, 0.3};
-    std::array<double, kSegmentResiduals * kSegmentColumns> J{};
-    const Residuals r = evaluate(model, states, {SegmentEnd::next_segment, consistent, true}, {}, J.data());
-    for (const double value : r) EXPECT_TRUE(std::isfinite(value));
-    for (const double value : J) EXPECT_TRUE(std::isfinite(value));
+    const Twist2 start;
+    const auto segment = dense_segment(model, states.data(), SegmentEnd::next_segment, &start);
+    ASSERT_TRUE(segment);
+    for (const double value : segment->residuals) EXPECT_TRUE(std::isfinite(value));
+    for (const double value : segment->jacobian) EXPECT_TRUE(std::isfinite(value));
   }
 }
 
@@ -49,7 +35,9 @@ TEST(SegmentCost, VanishesApartFromTimeOnAnArcWithinLimits) {
            0, 0, 2 * turn, 0.3};
   s[8] = s[4] + chord * std::cos(1.5 * turn);
   s[9] = s[5] + chord * std::sin(1.5 * turn);
-  const Residuals r = evaluate(model, s, {SegmentEnd::next_segment, true, false}, {}, nullptr);
+  const auto segment = dense_segment(model, s.data(), SegmentEnd::next_segment, nullptr);
+  ASSERT_TRUE(segment);
+  const auto& r = segment->residuals;
   EXPECT_DOUBLE_EQ(r[0], 0.3);
   for (std::size_t i = 1; i < r.size(); ++i) EXPECT_NEAR(r[i], 0.0, 1e-12) << i;
 }
@@ -58,9 +46,7 @@ TEST(SegmentCost, RefusesIntervalsTooShortToDivideBy) {
   const SegmentModel model(BandOptions{}, Limits{});
   for (const double dt : {0.0, -0.1, 1e-4, std::nan("")}) {
     const States s{0, 0, 0, dt, 0.1, 0, 0, 0.3, 0.2, 0, 0, 0.3};
-    Residuals r{};
-    EXPECT_FALSE(
-        evaluate_segment(model, {&s[0], &s[4], &s[8], SegmentEnd::next_segment, nullptr}, r.data(), nullptr));
+    EXPECT_FALSE(dense_segment(model, s.data(), SegmentEnd::next_segment, nullptr));
   }
 }
 

@@ -189,7 +189,7 @@ TEST(HrvoPreference, LooksAtThePointWhereTheBandPassesTheFirstObstacle) {
   for (int i = 0; i <= 10; ++i)
     way.push_back({0.3 * i, {0.3 * i, std::max(0.0, 0.3 * i - 1.5), 0.0}, {1.0, 0.0}});
   teb::ObstacleField field;
-  field.statics = {{{2.1, 0.0}, {2.1, 0.0}, 0.3}};
+  field.statics = CapsuleIndex({{{2.1, 0.0}, {2.1, 0.0}, 0.3}});
   // Nearest pose to (2.1, 0) on the line y = x - 1.5 among multiples of 0.3: (1.8, 0.3), at 0.424 m.
   EXPECT_NEAR(teb::hrvo_cost(advice, way, field, 1.0), std::atan2(0.3, 1.8), 1e-9);
 }

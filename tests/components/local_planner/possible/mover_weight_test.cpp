@@ -14,7 +14,7 @@
 #include "components/local_planner/homotopy/obstacle_bodies.hpp"
 #include "components/local_planner/hrvo/neighbours.hpp"
 #include "components/local_planner/planner_factory.hpp"
-#include "components/local_planner/teb/clearance_cost.hpp"
+#include "components/local_planner/teb/association.hpp"
 #include "tests/components/local_planner/planner_scenes.hpp"
 
 namespace bw {
@@ -154,17 +154,18 @@ constexpr std::array kRising{0.0, 0.2, 0.301, 0.35, 0.4, 0.45, kJustPossible, 0.
 double clearance_cost(const PlanningProblem& scene, const teb::Band& band,
                       const teb::PredictionOptions& prediction) {
   const teb::BandOptions options;
-  const teb::ObstacleField field = teb::nearby_obstacles(scene.obstacles, scene.movers, scene.pose.position(),
-                                                         scene.footprint.radius, 200, prediction);
-  const teb::ClearanceModel model(options, 1.0);
+  const teb::ObstacleField field =
+      teb::field_of(scene.obstacles, scene.movers, scene.pose.position(), scene.footprint, prediction);
+  const teb::ClearanceModel model(options, field.footprint, 1.0);
   double cost = 0.0;
   const std::vector<teb::PoseTerms> terms = associate(band, field, options);
   for (std::size_t k = 0; k + 1 < band.size(); ++k) {
-    const Vector2 p = band.poses[k].position();
-    const Vector2 step = band.poses[k + 1].position() - p;
     for (const auto* list : {&terms[k].at_pose, &terms[k].along_segment}) {
       for (const teb::ClearanceTerm& term : *list)
-        cost += std::pow(evaluate_clearance(model, term, p + term.fraction * step, nullptr), 2);
+        cost += std::pow(
+            evaluate_clearance(model, term,
+                               teb::between(&band.poses[k].x, &band.poses[k + 1].x, term.fraction), nullptr),
+            2);
     }
   }
   return cost;
@@ -205,13 +206,13 @@ TEST(PossiblePeople, TakeNoPlaceFromObstaclesOfABand) {
     scene.movers.push_back({.id = static_cast<std::uint32_t>(i), .position = {1.0, 0.2}, .confidence = 0.4});
   teb::Band band;
   for (int k = 0; k <= 8; ++k) band.poses.push_back({0.3 * k, 0.0, 0.0, 0.3});
-  const teb::ObstacleField field = teb::nearby_obstacles(scene.obstacles, scene.movers, {0.0, 0.0}, 0.3, 200);
+  const teb::ObstacleField field = teb::field_of(scene.obstacles, scene.movers, {0.0, 0.0}, {.radius = 0.3});
   int statics = 0;
   for (const teb::PoseTerms& terms : associate(band, field, {})) {
     for (const teb::ClearanceTerm& term : terms.at_pose) statics += term.moving ? 0 : 1;
   }
   scene.movers.clear();
-  const teb::ObstacleField alone = teb::nearby_obstacles(scene.obstacles, {}, {0.0, 0.0}, 0.3, 200);
+  const teb::ObstacleField alone = teb::field_of(scene.obstacles, {}, {0.0, 0.0}, {.radius = 0.3});
   int statics_alone = 0;
   for (const teb::PoseTerms& terms : associate(band, alone, {})) {
     for (const teb::ClearanceTerm& term : terms.at_pose) statics_alone += term.moving ? 0 : 1;

@@ -1,0 +1,27 @@
+// The solvers of a band's least-squares problem: Ceres, and Levenberg's method on the band of blocks, by hand. Both see
+// the same costs and normal equations, damp every variable alike, and end at the same minimum.
+#pragma once
+
+#include "components/local_planner/teb/band_evaluation.hpp"
+
+namespace bw::teb {
+
+struct SolveLimits {
+  int max_iterations = 0;
+  double function_tolerance = 0.0;  ///< relative gain of an iteration below which the solve ends
+};
+
+struct SolveReport {
+  bool usable = false;  ///< false: failed at the start, and the band is as it was
+  int iterations = 0;   ///< steps tried, those rejected among them
+  bool converged = false;
+};
+
+/// Minimises over the free variables of the band that the evaluation was made for, and leaves it there with the damping of
+/// the last step. `evaluation` and `equations`: working space, and what they have to say at the band as it is.
+SolveReport solve_with_ceres(Band& band, BandEvaluation& evaluation, NormalEquations& equations,
+                             const SolveLimits& limits);
+SolveReport solve_banded(Band& band, BandEvaluation& evaluation, NormalEquations& equations,
+                         const SolveLimits& limits);
+
+}  // namespace bw::teb
