@@ -1,6 +1,7 @@
 #include "components/global_planner/astar.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <limits>
 
@@ -11,12 +12,26 @@ constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 // Beyond this g a step and the heuristic could overflow.
 constexpr std::uint32_t kFarthest = kNever - kMaxStep - SearchGrid::kMaxSide * kDiagonalUnit;
 
-// After a step in direction d the three cells behind are dearer than from where the step began, so no search
-// goes there.
-constexpr std::uint8_t onward_moves(unsigned d) {
-  const unsigned behind = 1u << (d + 3) % 8 | 1u << (d + 4) % 8 | 1u << (d + 5) % 8;
-  return static_cast<std::uint8_t>(~behind);
+// After a step in direction d the cell it came from is dearer than before it, and so are the two beside that one where a step leads
+// to them from there: no search goes back. By d and the moves of where the step began.
+using OnwardMoves = std::array<std::array<std::uint8_t, 256>, 8>;
+
+constexpr OnwardMoves onward_moves() {
+  OnwardMoves table{};
+  for (unsigned d = 0; d < 8; ++d) {
+    const unsigned beside =
+        d % 2 == 0 ? 2 : 1;  // steps of an eighth turn from d to the cells beside, from where it began
+    for (unsigned moves = 0; moves < 256; ++moves) {
+      unsigned behind = 1u << (d + 4) % 8;
+      if ((moves >> (d + beside) % 8 & 1u) != 0) behind |= 1u << (d + 3) % 8;
+      if ((moves >> (d + 8 - beside) % 8 & 1u) != 0) behind |= 1u << (d + 5) % 8;
+      table[d][moves] = static_cast<std::uint8_t>(~behind);
+    }
+  }
+  return table;
 }
+
+constexpr OnwardMoves kOnward = onward_moves();
 
 std::uint32_t octile(int x, int y, const GridCell& goal) {
   const auto dx = static_cast<std::uint32_t>(std::abs(x - goal.x));
@@ -105,7 +120,9 @@ GridPath AStar::search(SearchGrid& grid, GridCell start, GridCell goal) {
       if (n == goal_index) {
         best = g;
       } else {
-        queue_.push(f, {{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)}, g, onward_moves(d)});
+        queue_.push(
+            f,
+            {{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)}, g, kOnward[d][cells[i].moves]});
       }
     }
   }

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "components/global_planner/options.hpp"
+#include "components/model/footprint_options.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
 
 struct GlobalCostmapParameters {
   double publish_frequency = 1.0;  ///< [Hz]
-  GlobalPlannerOptions planner;    ///< what costs follow from: give it the planner's own values
+  FootprintOptions footprint;
+  GlobalPlannerOptions planner;  ///< what costs follow from: give it the planner's own values
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -17,6 +19,7 @@ struct GlobalCostmapParameters {
        .min = 0.1,
        .max = 20,
        .doc = "of published_footprint; costs are told when they change"});
+    footprint.fields(v);
     planner.cost_fields(v);
   }
 };

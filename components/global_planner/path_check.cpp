@@ -21,7 +21,7 @@ std::size_t nearest_pose(const std::vector<Pose2>& path, const Vector2& robot) {
 bool is_free(const SearchGrid& grid, const Pose2& pose) {
   if (!is_finite(pose) || !grid.on_map(pose.position())) return false;
   const auto [x, y] = grid.cell_of(pose.position());
-  return grid.free(x, y);
+  return grid.free(x, y) && (grid.narrow(x, y) == nullptr || grid.holds(pose.position()));
 }
 
 }  // namespace

@@ -28,6 +28,19 @@ struct Axis {
   }
 };
 
+// In narrow cells the footprint must fit all along the line.
+bool passes(const SearchGrid& grid, const Vector2& a, const Vector2& b, double from, double to,
+            double heading) {
+  constexpr double kStep = 0.02;  // [m]
+  const double length = (b - a).norm() * (to - from);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(length / kStep)));
+  for (int i = 0; i <= pieces; ++i) {
+    const Vector2 p = a + (from + (to - from) * i / pieces) * (b - a);
+    if (!grid.fits({p.x(), p.y(), heading})) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 LineOfSight line_of_sight(const SearchGrid& grid, const Vector2& from, const Vector2& to) {
@@ -35,19 +48,24 @@ LineOfSight line_of_sight(const SearchGrid& grid, const Vector2& from, const Vec
   const Vector2 a = grid.to_cells(from);
   const Vector2 b = grid.to_cells(to);
   const double length = (to - from).norm();
+  const double heading = std::atan2(to.y() - from.y(), to.x() - from.x());
   Axis x(a.x(), b.x());
   Axis y(a.y(), b.y());
   LineOfSight result{.clearance = std::numeric_limits<float>::infinity()};
   for (double t = 0.0;;) {
     if (!grid.free(x.cell, y.cell)) return result;
     const double next = std::min({x.next, y.next, 1.0});
+    const NarrowCell* narrow = grid.narrow(x.cell, y.cell);
+    if (narrow != nullptr && !passes(grid, from, to, t, std::max(t, next), heading)) return result;
     const double share = std::max(next - t, 0.0) * length;
     result.cost += share * grid.cells()[grid.index(x.cell, y.cell)].cost / kUnit;
     result.clearance = std::min(result.clearance, grid.clearance(x.cell, y.cell));
     if (next >= 1.0) break;
     t = next;
     if (std::abs(x.next - y.next) < kCorner) {
-      if (!grid.free(x.cell + x.step, y.cell) || !grid.free(x.cell, y.cell + y.step)) return result;
+      if (narrow == nullptr && (!grid.free(x.cell + x.step, y.cell) || !grid.free(x.cell, y.cell + y.step))) {
+        return result;
+      }
       x.advance();
       y.advance();
     } else if (x.next < y.next) {
@@ -65,7 +83,7 @@ std::vector<Vector2> shorten(const SearchGrid& grid, const GridPath& path, const
   const std::size_t last = path.cells.size() - 1;
   const auto point = [&](std::size_t i) -> Vector2 {
     if (i == 0) return start;
-    return i == last ? goal : grid.center(path.cells[i].x, path.cells[i].y);
+    return i == last ? goal : grid.place(path.cells[i].x, path.cells[i].y);
   };
   const auto may_skip = [&](std::size_t from, std::size_t to) {
     const LineOfSight line = line_of_sight(grid, point(from), point(to));

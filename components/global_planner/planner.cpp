@@ -111,7 +111,8 @@ std::string_view to_string(PathStatus status) {
   return "unknown";
 }
 
-std::string Planner::set_map(const OccupancyGrid& map, double robot_radius) {
+std::string Planner::set_map(const OccupancyGrid& map, const Footprint& footprint,
+                             const StaticObstacles& shapes) {
   if (map.width <= 0 || map.height <= 0) return "the map has no cells";
   if (map.width > SearchGrid::kMaxSide || map.height > SearchGrid::kMaxSide) {
     return "the map has more than " + std::to_string(SearchGrid::kMaxSide) + " cells on a side";
@@ -121,11 +122,11 @@ std::string Planner::set_map(const OccupancyGrid& map, double robot_radius) {
   if (!std::isfinite(map.resolution) || map.resolution <= 0.0)
     return "the map's resolution is not a positive number";
   if (!map.origin.allFinite()) return "the map's origin is not finite";
-  if (!std::isfinite(robot_radius) || robot_radius < 0.0)
+  if (!std::isfinite(footprint.radius) || footprint.radius < 0.0)
     return "the robot's radius is not a positive number";
   grid_ = {};
   search_.grid_changed();
-  grid_.build(map, robot_radius, options_);
+  grid_.build(map, footprint, options_, shapes);
   return {};
 }
 
@@ -226,8 +227,9 @@ PathResult Planner::plan_unblocked(const Pose2& start, const Pose2& goal, bool h
   }
 
   const bool start_moved = *from != to_cell(grid_.cell_of(start.position()));
-  const Vector2 first = start_moved ? grid_.center(from->x, from->y) : start.position();
-  const Vector2 last = *to == asked ? goal.position() : grid_.center(to->x, to->y);
+  const Vector2 first = start_moved ? grid_.place(from->x, from->y) : start.position();
+  const bool is_kept = *to == asked && (grid_.narrow(to->x, to->y) == nullptr || grid_.fits(goal));
+  const Vector2 last = is_kept ? goal.position() : grid_.place(to->x, to->y);
   std::vector<Vector2> corners = shorten(grid_, cells, first, last);
   if (cells.cells.size() == 1) corners.push_back(last);
   if (start_moved) corners.insert(corners.begin(), start.position());

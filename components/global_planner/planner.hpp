@@ -49,9 +49,10 @@ class Planner {
   /// What the map was prepared with (clearance, what is an obstacle) stays until the next map.
   void set_options(const GlobalPlannerOptions& options) { options_ = options; }
 
-  /// Prepares a map for a disc robot of this radius [m]. Returns why it cannot be used (sizes, numbers), or
-  /// nothing. The map before stays when it cannot.
-  std::string set_map(const OccupancyGrid& map, double robot_radius);
+  /// Prepares a map, and exact `shapes` beside its cells (in the map's frame), for a robot. Returns why it cannot be used (sizes,
+  /// numbers), or nothing. The map before stays when it cannot.
+  std::string set_map(const OccupancyGrid& map, const Footprint& footprint,
+                      const StaticObstacles& shapes = {});
 
   /// Path from `start` to `goal`, around `temporary` discs (people who stand in the way) as well.
   PathResult plan(const Pose2& start, const Pose2& goal, const std::vector<Disc>& temporary = {});

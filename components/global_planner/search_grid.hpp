@@ -5,7 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "components/global_planner/narrow_cell.hpp"
 #include "components/global_planner/options.hpp"
+#include "components/model/capsule_index.hpp"
+#include "components/model/footprint.hpp"
 #include "components/model/obstacles.hpp"
 #include "components/model/occupancy_grid.hpp"
 
@@ -44,12 +47,15 @@ class SearchGrid {
  public:
   static constexpr int kMaxSide = 65'000;  ///< coordinates fit 16 bits
 
-  /// A cell is blocked where its clearance is below `robot_radius` [m]. Clearance is the distance between
-  /// cell centres less half a cell, which is where the surface of the obstacle cell begins. The map's sides
-  /// must not exceed kMaxSide. A cell costs (book 7.4)
+  /// Obstacles are the map's cells, half a cell around their middles and what joins neighbours, and `shapes` (in map, exact). Clearance is the distance
+  /// from a place to the nearest of them. A cell is free where the footprint is, at the place of the cell with the most clearance and
+  /// in some heading: everywhere from the footprint's outer radius on, nowhere below its inscribed one. It costs (book 7.4)
   ///
-  ///   1 + weight ((range - clearance) / (range - radius))^2   below the range, else 1
-  void build(const OccupancyGrid& map, double robot_radius, const GlobalPlannerOptions& options);
+  ///   1 + weight ((range - clearance) / (range - inscribed radius))^2   below the range, else 1
+  ///
+  /// The map's sides must not exceed kMaxSide.
+  void build(const OccupancyGrid& map, const Footprint& footprint, const GlobalPlannerOptions& options,
+             const StaticObstacles& shapes = {});
 
   bool empty() const { return cells_.empty(); }
   double resolution() const { return resolution_; }
@@ -64,32 +70,59 @@ class SearchGrid {
   /// (x, y) of the cell that holds a point on the map.
   std::pair<int, int> cell_of(const Vector2& p) const;
   Vector2 center(int x, int y) const { return origin_ + Vector2{x - 0.5, y - 0.5} * resolution_; }
+  /// Where in the cell the robot is to be: the middle, but in narrow cells.
+  Vector2 place(int x, int y) const {
+    const NarrowCell* cell = narrow(x, y);
+    return cell == nullptr ? center(x, y) : cell->place;
+  }
+  /// What is known of a cell in which place or heading matters; nullptr for all others.
+  const NarrowCell* narrow(int x, int y) const {
+    const std::uint32_t i = narrow_.empty() ? 0 : narrow_[index(x, y)];
+    return i == 0 ? nullptr : &narrow_cells_[i - 1];
+  }
+  /// Whether the footprint is free, to a millimetre.
+  bool fits(const Pose2& pose) const;
+  /// The same for the disc that the footprint holds.
+  bool holds(const Vector2& place) const;
   Vector2 to_cells(const Vector2& p) const { return (p - origin_) / resolution_ + Vector2{1.0, 1.0}; }
   bool free(int x, int y) const { return cells_[index(x, y)].cost != 0; }
-  /// Distance [m] from the obstacle cells themselves, without the robot's radius; 0 inside one.
+  /// Distance [m] of the cell's middle from the obstacles themselves, without the robot; 0 inside one.
   float clearance(int x, int y) const { return clearance_[index(x, y)]; }
   /// Equal for two free cells exactly when a path joins them (before temporary obstacles).
   std::uint32_t component(int x, int y) const { return component_[index(x, y)]; }
   std::uint32_t max_cost() const { return max_cost_; }
 
-  /// Blocks, until unblock(), every cell whose centre is closer than disc radius + robot radius to a disc's
+  /// Blocks, until unblock(), every cell whose centre is closer than disc radius + outer radius of the robot to a disc's
   /// centre.
   void block(const std::vector<Disc>& discs);
   void unblock();
 
  private:
+  void take_map(const OccupancyGrid& map, const GlobalPlannerOptions& options);
+  std::vector<Capsule> outlines() const;
+  void take_shape(const Capsule& shape, double range);
+  /// Appends those within `reach` [m] of a point, perhaps some twice.
+  void find(const Vector2& point, double reach, std::vector<Capsule>& found) const;
+  void price(const GlobalPlannerOptions& options);
+  bool look_closely(int x, int y, NarrowCell& cell) const;
+  bool may_step(int x, int y, const GridStep& step) const;
   void set_moves(int x, int y);
   void label_components();
 
   double resolution_ = 0.0;
   Vector2 origin_{0.0, 0.0};
-  double robot_radius_ = 0.0;
+  Footprint footprint_;
+  double inscribed_ = 0.0;
   int stride_ = 0;
   int rows_ = 0;
   std::uint32_t max_cost_ = kUnit;
   std::vector<SearchCell> cells_;
   std::vector<float> clearance_;
   std::vector<std::uint32_t> component_;
+  CapsuleIndex obstacles_;
+  std::vector<std::uint32_t>
+      narrow_;  ///< of each cell its number in narrow_cells_ from 1; empty where there is none
+  std::vector<NarrowCell> narrow_cells_;
   std::vector<std::pair<std::size_t, SearchCell>> replaced_;
 };
 

@@ -13,7 +13,7 @@
 #include "components/global_planner/global_costmap_parameters.hpp"
 #include "components/mapping/costmap/inflation.hpp"
 #include "components/messages/costmap.hpp"
-#include "components/messages/footprint.hpp"
+#include "components/messages/footprint_source.hpp"
 #include "components/messages/grid.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
@@ -24,20 +24,31 @@ namespace bw {
 class GlobalCostmapComponent final : public Component {
  public:
   void configure(Setup& setup) override {
-    parameters_ = setup.parameters<GlobalCostmapParameters>();
-    robot_radius_ = setup.shared<Robot>("robot").radius;
+    parameters_ = setup.parameters<GlobalCostmapParameters>(
+        [this](const GlobalCostmapParameters& changed, const Tick& tick) {
+          footprint_.set_options(changed.footprint, tick);
+        },
+        {"publish_frequency", "clearance_range", "clearance_weight", "unknown_is_obstacle", "occupied_at"});
+    footprint_.offer(setup, setup.shared<Robot>("robot"), parameters_.footprint,
+                     [this](const Footprint&) { has_new_footprint_ = true; });
     log_ = setup.log();
     base_frame_ = setup.frame("base_link");
     transforms_ = setup.transforms();
     costmap_ = setup.output<nav_msgs::msg::OccupancyGrid>("costmap", Qos::latched());
     costmap_raw_ = setup.output<nav2_msgs::msg::Costmap>("costmap_raw", Qos::latched());
-    footprint_ = setup.output<geometry_msgs::msg::PolygonStamped>("published_footprint");
+    published_footprint_ = setup.output<geometry_msgs::msg::PolygonStamped>("published_footprint");
     setup.input<nav_msgs::msg::OccupancyGrid>(
         "map", Qos::latched(), [this](const auto& message, const Tick& tick) { on_map(message, tick.now); });
     setup.every(Duration::seconds(1.0 / parameters_.publish_frequency), "footprint",
-                [this](const Tick& tick) { publish_footprint(tick.now); });
+                [this](const Tick& tick) {
+                  if (std::exchange(has_new_footprint_, false) && !map_frame_.empty())
+                    publish_costs(tick.now);
+                  publish_footprint(tick.now);
+                });
     offer_services(setup);
   }
+
+  void activate(const Tick& tick) override { footprint_.activate(tick); }
 
  private:
   void offer_services(Setup& setup) {
@@ -66,11 +77,15 @@ class GlobalCostmapComponent final : public Component {
       log_.warn("the map is not used: {}", fault);
       return;
     }
-    SearchGrid grid;
-    grid.build(map, robot_radius_, parameters_.planner);
-    costs_ = costs_of(grid, map, parameters_.planner.clearance_weight);
     map_ = std::move(map);
     map_frame_ = message.header().frame_id();
+    publish_costs(now);
+  }
+
+  void publish_costs(Time now) {
+    SearchGrid grid;
+    grid.build(map_, footprint_.now(), parameters_.planner);
+    costs_ = costs_of(grid, map_, parameters_.planner.clearance_weight);
     costmap_raw_.publish(costs(now));
     OccupancyGrid shown = map_;
     for (std::size_t i = 0; i < costs_.size(); ++i) shown.cells[i] = costmap::occupancy_of(costs_[i]);
@@ -83,13 +98,16 @@ class GlobalCostmapComponent final : public Component {
   }
 
   void publish_footprint(Time now) {
-    if (map_frame_.empty() || !footprint_.has_readers()) return;
+    if (map_frame_.empty() || !published_footprint_.has_readers()) return;
     const std::optional<Pose2> X_MB = transforms_->lookup_planar(map_frame_, base_frame_);
-    if (X_MB) footprint_.publish(to_footprint(*X_MB, robot_radius_, make_header(map_frame_, now)));
+    if (X_MB)
+      published_footprint_.publish(
+          to_published_footprint(*X_MB, footprint_.now(), make_header(map_frame_, now)));
   }
 
   GlobalCostmapParameters parameters_;
-  double robot_radius_ = 0.0;
+  FootprintSource footprint_;
+  bool has_new_footprint_ = false;
   Logger log_;
   bool has_told_ = false;
   OccupancyGrid map_;
@@ -99,7 +117,7 @@ class GlobalCostmapComponent final : public Component {
   std::shared_ptr<const TransformTree> transforms_;
   Output<nav_msgs::msg::OccupancyGrid> costmap_;
   Output<nav2_msgs::msg::Costmap> costmap_raw_;
-  Output<geometry_msgs::msg::PolygonStamped> footprint_;
+  Output<geometry_msgs::msg::PolygonStamped> published_footprint_;
 };
 
 BW_COMPONENT(GlobalCostmapComponent, "global_costmap")

@@ -1,11 +1,13 @@
 #include "components/global_planner/adaptor/map_planner.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
+#include "components/messages/obstacles.hpp"
 #include "components/model/mover_weight.hpp"
 #include "components/model/robot.hpp"
 
@@ -27,13 +29,15 @@ void MapPlanner::configure(Setup& setup) {
         parameters_ = changed;
         planner_.set_options(changed.planner);
       },
-      {"clearance_range", "clearance_weight", "unknown_is_obstacle", "occupied_at"});
-  robot_radius_ = setup.shared<Robot>("robot").radius;
+      {"clearance_range", "clearance_weight", "unknown_is_obstacle", "occupied_at", "plan_around_obstacles"});
+  footprint_.listen(setup, setup.shared<Robot>("robot"), [this](const Footprint&) { prepare(); });
   planner_ = Planner(parameters_.planner);
   log_ = setup.log();
   base_frame_ = setup.frame("base_link");
   transforms_ = setup.transforms();
   tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::standard(), Need::optional);
+  if (parameters_.plan_around_obstacles)
+    obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::standard(), Need::optional);
   setup.input<nav_msgs::msg::OccupancyGrid>("map", Qos::latched(),
                                             [this](const auto& message, const Tick&) { keep_map(message); });
 }
@@ -41,12 +45,24 @@ void MapPlanner::configure(Setup& setup) {
 void MapPlanner::keep_map(const nav_msgs::msg::OccupancyGrid& message) {
   OccupancyGrid grid;
   std::string fault = read_grid(message, grid);
-  if (fault.empty()) fault = planner_.set_map(grid, robot_radius_);
+  if (fault.empty()) fault = planner_.set_map(grid, footprint_.now());
   if (!fault.empty()) {
     log_.warn("the map is not used: {}", fault);
     return;
   }
   map_frame_ = message.header().frame_id();
+  map_ = std::move(grid);
+}
+
+/// The map with what was seen last, at the place where its frame is in the map now.
+void MapPlanner::prepare() {
+  if (map_frame_.empty()) return;
+  StaticObstacles seen;
+  if (obstacles_) {
+    const auto X_MO = transforms_->lookup_planar(map_frame_, obstacles_->header().frame_id());
+    if (X_MO) seen = to_obstacles(*obstacles_, *X_MO);
+  }
+  planner_.set_map(map_, footprint_.now(), seen);
 }
 
 PathResult MapPlanner::plan(const RouteRequest& request, Time now) {
@@ -64,6 +80,7 @@ PathResult MapPlanner::plan(const RouteRequest& request, Time now) {
     if (!stop) return unplaced(name_of(stops.size(), request.stops.size()), reason);
     stops.push_back(*stop);
   }
+  if (parameters_.plan_around_obstacles) prepare();
   const std::vector<Disc> standing = standing_people(*start, now);
   PathResult result = planner_.plan_through(*start, stops, standing);
   // People move: a path that has to wait for them is better than none.

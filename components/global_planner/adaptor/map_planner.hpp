@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <bandwagon_msgs/msg/obstacles.hpp>
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <geometry_msgs/msg/pose_stamped.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
@@ -13,6 +14,7 @@
 
 #include "components/global_planner/global_planner_parameters.hpp"
 #include "components/global_planner/planner.hpp"
+#include "components/messages/current_footprint.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/transform_tree.hpp"
 
@@ -29,7 +31,7 @@ struct RouteRequest {
 
 class MapPlanner {
  public:
-  /// Declares the inputs map, tracks and /tf, and reads the parameters.
+  /// Declares the inputs map, obstacles (if they are planned around), tracks and /tf, and reads the parameters.
   void configure(Setup& setup);
 
   PathResult plan(const RouteRequest& request, Time now);
@@ -47,14 +49,18 @@ class MapPlanner {
                               std::string& reason) const;
   std::vector<Disc> standing_people(const Pose2& start, Time now) const;
 
+  void prepare();
+
   GlobalPlannerParameters parameters_;
-  double robot_radius_ = 0.0;
+  CurrentFootprint footprint_;
+  OccupancyGrid map_;
   Planner planner_;
   Logger log_;
   std::string map_frame_;
   std::string base_frame_;
   std::shared_ptr<const TransformTree> transforms_;
   Latest<bandwagon_msgs::msg::Tracks> tracks_;
+  Latest<bandwagon_msgs::msg::Obstacles> obstacles_;
 };
 
 }  // namespace bw

@@ -17,7 +17,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr double kRadius = 0.3;
+const Footprint kRobot{0.3, {}};
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 OccupancyGrid floor_with_wall() {
@@ -29,7 +29,7 @@ OccupancyGrid floor_with_wall() {
 
 Planner planner_on(const OccupancyGrid& map) {
   Planner planner;
-  EXPECT_EQ(planner.set_map(map, kRadius), "");
+  EXPECT_EQ(planner.set_map(map, kRobot), "");
   return planner;
 }
 
@@ -99,7 +99,8 @@ TEST(PlannerCosts, AreNav2sNumbers) {
   ASSERT_EQ(costs.size(), map.cells.size());
   const auto at = [&](int column, int row) { return costs[map.index(column, row)]; };
   EXPECT_EQ(at(50, 30), kLethalCost);
-  EXPECT_EQ(at(47, 30), kInscribedCost);
+  EXPECT_EQ(at(48, 30), kInscribedCost);
+  EXPECT_EQ(at(47, 30), 252);        // at its far side there is 0.3 m
   EXPECT_EQ(at(46, 30), 217);        // 252 (0.65 / 0.7)^2
   EXPECT_EQ(at(43, 30), 63);         // 252 (0.35 / 0.7)^2
   EXPECT_EQ(at(39, 30), kFreeCost);  // 1.05 m

@@ -23,7 +23,7 @@ TEST(LineOfSight, AgreesWithDenseSampling) {
   Random random(11);
   const OccupancyGrid map = test::random_floor(random, 200);
   SearchGrid grid;
-  grid.build(map, 0.2, {});
+  grid.build(map, Footprint{0.2, {}}, {});
   int free_lines = 0;
   for (int i = 0; i < 2000; ++i) {
     const auto point = [&]() -> Vector2 {
@@ -58,7 +58,7 @@ TEST(LineOfSight, DoesNotPassBetweenTwoCellsThatTouchAtACorner) {
   map.cells.assign(16, OccupancyGrid::kFree);
   map.cells[map.index(1, 2)] = OccupancyGrid::kOccupied;
   SearchGrid grid;
-  grid.build(map, 0.1, {});
+  grid.build(map, Footprint{0.1, {}}, {});
   EXPECT_FALSE(line_of_sight(grid, {1.5, 1.5}, {2.5, 2.5}).free);
   EXPECT_TRUE(line_of_sight(grid, {1.5, 1.5}, {3.5, 1.5}).free);
 }
@@ -71,7 +71,7 @@ TEST(Shorten, NeverLeavesFreeSpaceNorTheClearanceOfTheSearch) {
     Random random(seed);
     const OccupancyGrid map = test::random_floor(random, 200);
     SearchGrid grid;
-    grid.build(map, 0.25, {});
+    grid.build(map, Footprint{0.25, {}}, {});
     const test::Trip trip = test::random_trip(random, grid, map);
     const GridPath path = AStar().search(grid, cell_at(grid, trip.start), cell_at(grid, trip.goal));
     const std::vector<Vector2> corners = shorten(grid, path, trip.start.position(), trip.goal.position());

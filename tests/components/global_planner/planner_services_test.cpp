@@ -97,7 +97,8 @@ TEST(PlannerServices, GlobalCostmapIsShownAndCleared) {
   EXPECT_EQ(map.metadata().size_y(), 60U);
   ASSERT_EQ(map.data().size(), 6000U);
   EXPECT_EQ(map.data()[3050], kLethalCost);
-  EXPECT_EQ(map.data()[3047], kInscribedCost);
+  EXPECT_EQ(map.data()[3048], kInscribedCost);
+  EXPECT_EQ(map.data()[3047], 252);  // its far edge is as far from the wall as the robot's radius
   EXPECT_EQ(map.data()[3046], 217);
   EXPECT_EQ(map.data()[3020], kFreeCost);
   EXPECT_EQ(maps[1].map().data(), map.data());
@@ -113,7 +114,7 @@ TEST(PlannerServices, InLyricalWhoClearsIsToldThatItIsDone) {
   EXPECT_TRUE(entirely[0].success());
 }
 
-// Nav2's table: 254 is shown as 100, 253 as 99, 0 as 0. The footprint is a 16-gon of 0.3 m around the robot, once a second.
+// Nav2's table: 254 is shown as 100, 253 as 99, 252 as 98, 0 as 0. The footprint is a 16-gon of 0.3 m around the robot, once a second.
 TEST(GlobalCostmap, IsPublishedAsNav2Does) {
   std::vector<nav_msgs::msg::OccupancyGrid> grids;
   std::vector<nav2_msgs::msg::Costmap> raw;
@@ -132,7 +133,8 @@ TEST(GlobalCostmap, IsPublishedAsNav2Does) {
   EXPECT_EQ(grids[0].header().frame_id(), "map");
   EXPECT_EQ(raw[0].data()[3050], kLethalCost);
   EXPECT_EQ(grids[0].data()[3050], 100);
-  EXPECT_EQ(grids[0].data()[3047], 99);
+  EXPECT_EQ(grids[0].data()[3048], 99);
+  EXPECT_EQ(grids[0].data()[3047], 98);
   EXPECT_EQ(grids[0].data()[3020], 0);
   ASSERT_EQ(footprints.size(), 3U);
   EXPECT_EQ(footprints[0].header().frame_id(), "map");

@@ -12,7 +12,7 @@
 namespace bw {
 namespace {
 
-constexpr double kRadius = 0.3;
+const Footprint kRobot{0.3, {}};
 
 OccupancyGrid open_floor(double width, double height) {
   OccupancyGrid map{
@@ -32,7 +32,7 @@ OccupancyGrid two_rooms() {
 
 Planner planner_on(const OccupancyGrid& map, GlobalPlannerOptions options = {}) {
   Planner planner(options);
-  EXPECT_EQ(planner.set_map(map, kRadius), "");
+  EXPECT_EQ(planner.set_map(map, kRobot), "");
   return planner;
 }
 
@@ -67,7 +67,7 @@ TEST(Planner, SaysWhyThereIsNoPath) {
   EXPECT_EQ(planner.plan(left, {9.0, 6.5, 0.0}).status, PathStatus::goal_outside);
   EXPECT_EQ(planner.plan({1e300, 1.0, 0.0}, right).status, PathStatus::start_outside);
   draw_segment(map, {{5.0, 4.0}, {5.0, 5.0}});
-  ASSERT_EQ(planner.set_map(map, kRadius), "");
+  ASSERT_EQ(planner.set_map(map, kRobot), "");
   const PathResult result = planner.plan(left, right);
   EXPECT_EQ(result.status, PathStatus::disconnected);
   EXPECT_EQ(result.expanded, 0u);  // known from the components, without a search
@@ -114,14 +114,15 @@ TEST(Planner, RefusesNumbersThatAreNotFinite) {
 
 TEST(Planner, RefusesMapsThatMakeNoSense) {
   Planner planner;
-  EXPECT_NE(planner.set_map({}, kRadius), "");
+  EXPECT_NE(planner.set_map({}, kRobot), "");
   OccupancyGrid map = open_floor(1.0, 1.0);
   map.cells.pop_back();
-  EXPECT_NE(planner.set_map(map, kRadius), "");
+  EXPECT_NE(planner.set_map(map, kRobot), "");
   map = open_floor(1.0, 1.0);
   map.resolution = 0.0;
-  EXPECT_NE(planner.set_map(map, kRadius), "");
-  EXPECT_NE(planner.set_map(open_floor(1.0, 1.0), std::numeric_limits<double>::quiet_NaN()), "");
+  EXPECT_NE(planner.set_map(map, kRobot), "");
+  EXPECT_NE(planner.set_map(open_floor(1.0, 1.0), Footprint{std::numeric_limits<double>::quiet_NaN(), {}}),
+            "");
   EXPECT_EQ(planner.plan({}, {}).status, PathStatus::no_map);
 }
 
@@ -222,7 +223,7 @@ TEST(Planner, KeepsItsMapWhenAnotherIsRefused) {
   Planner planner = planner_on(two_rooms());
   OccupancyGrid broken = open_floor(1.0, 1.0);
   broken.cells.pop_back();
-  EXPECT_NE(planner.set_map(broken, kRadius), "");
+  EXPECT_NE(planner.set_map(broken, kRobot), "");
   EXPECT_EQ(planner.plan({1.0, 1.0, 0.3}, {9.0, 1.0, 2.0}).status, PathStatus::ok);
 }
 
@@ -232,7 +233,7 @@ TEST(Planner, TakesAnotherMap) {
   OccupancyGrid moved = open_floor(2.0, 2.0);
   moved.origin = {100.0, -50.0};
   moved.resolution = 0.1;
-  EXPECT_EQ(planner.set_map(moved, kRadius), "");
+  EXPECT_EQ(planner.set_map(moved, kRobot), "");
   EXPECT_EQ(planner.plan({1.0, 1.0, 0.3}, {9.0, 1.0, 2.0}).status, PathStatus::start_outside);
   EXPECT_EQ(planner.plan({101.0, -49.0, 0.0}, {103.0, -47.0, 0.0}).status, PathStatus::ok);
 }

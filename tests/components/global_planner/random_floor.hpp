@@ -62,6 +62,7 @@ inline Trip random_trip(Random& random, const SearchGrid& grid, const OccupancyG
     if (!grid.free(x0, y0) || !grid.free(x1, y1) || grid.component(x0, y0) != grid.component(x1, y1))
       continue;
     if (std::hypot(x1 - x0, y1 - y0) <= map.width / 2.0) continue;
+    if (grid.narrow(x0, y0) != nullptr || grid.narrow(x1, y1) != nullptr) continue;
     const Vector2 a = grid.center(x0, y0);
     const Vector2 b = grid.center(x1, y1);
     return {{a.x(), a.y(), 0.0}, {b.x(), b.y(), 1.0}};

@@ -36,7 +36,7 @@ TEST_P(RecordedMaps, AnswersEveryPairInTheLargestRegion) {
   if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED is not set";
   const OccupancyGrid map = load_map(std::filesystem::path(shared) / "data" / GetParam());
   Planner planner;
-  ASSERT_EQ(planner.set_map(map, 0.25), "");
+  ASSERT_EQ(planner.set_map(map, Footprint{0.25, {}}), "");
   const SearchGrid& grid = planner.grid();
   const std::uint32_t region = largest_component(grid, map);
   Random random(1);
@@ -44,7 +44,7 @@ TEST_P(RecordedMaps, AnswersEveryPairInTheLargestRegion) {
     for (;;) {
       const int x = 1 + static_cast<int>(random.uniform(0, map.width));
       const int y = 1 + static_cast<int>(random.uniform(0, map.height));
-      if (!grid.free(x, y) || grid.component(x, y) != region) continue;
+      if (!grid.free(x, y) || grid.component(x, y) != region || grid.narrow(x, y) != nullptr) continue;
       const Vector2 p = grid.center(x, y);
       return {p.x(), p.y(), random.uniform(-3.0, 3.0)};
     }
@@ -80,7 +80,7 @@ TEST(RecordedMapTb3Sandbox, CrossesTheArena) {
   if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED is not set";
   Planner planner;
   ASSERT_EQ(planner.set_map(load_map(std::filesystem::path(shared) / "data/map_tb3_sandbox/tb3_sandbox.yaml"),
-                            0.22),
+                            Footprint{0.22, {}}),
             "");
   const PathResult result = planner.plan({-2.0, -0.5, 0.0}, {2.0, 0.5, 0.0});
   ASSERT_EQ(result.status, PathStatus::ok) << result.reason;
