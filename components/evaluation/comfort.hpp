@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "components/evaluation/truth_sample.hpp"
+#include "components/model/footprint.hpp"
 
 namespace bw {
 
@@ -16,7 +17,7 @@ struct Comfort {
   double collision_index = 0.0;                 ///< book 7.7, of the sigma that judges
 };
 
-/// Nothing for a sample with a place that is not finite. `robot_radius` [m].
-std::optional<Comfort> comfort_of(const TruthSample& sample, double robot_radius);
+/// Nothing for a sample with a place that is not finite.
+std::optional<Comfort> comfort_of(const TruthSample& sample, const Footprint& robot);
 
 }  // namespace bw

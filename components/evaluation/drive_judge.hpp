@@ -27,10 +27,10 @@ class DriveJudge {
  public:
   enum class Lasts { until_goal, until_end_of_run };
 
-  /// `robot_radius` [m], `top_speed` [m/s].
-  DriveJudge(const EvaluationOptions& options, double robot_radius, double top_speed,
+  /// `top_speed` [m/s].
+  DriveJudge(const EvaluationOptions& options, const Footprint& robot, double top_speed,
              Lasts lasts = Lasts::until_goal)
-      : lasts_(lasts), keeper_(options, robot_radius), recorder_(robot_radius, top_speed) {}
+      : lasts_(lasts), keeper_(options, robot), recorder_(robot, top_speed) {}
 
   /// A drive without a goal, such as that of a recording, lasts until end_run().
   void begin_run(Time now);
@@ -38,6 +38,11 @@ class DriveJudge {
   /// True when it ends the drive, or one of the goals of a whole run.
   bool on_goal(const GoalNews& news, Time now);
   void on_truth(const TruthSample& sample);
+  /// The robot's outline from now on.
+  void on_footprint(const Footprint& footprint) {
+    keeper_.set_footprint(footprint);
+    recorder_.set_footprint(footprint);
+  }
   /// Where the robot believes to be in map at `time`.
   void on_pose(Time time, const Pose2& X_MB);
 

@@ -11,8 +11,8 @@ constexpr std::size_t kMostMoments = 6000;  // ten minutes at full detail; then 
 
 }  // namespace
 
-RunRecorder::RunRecorder(double robot_radius, double top_speed) : period_(kPeriod) {
-  recording_.robot_radius = robot_radius;
+RunRecorder::RunRecorder(const Footprint& robot, double top_speed) : period_(kPeriod) {
+  recording_.robot = robot;
   recording_.top_speed = top_speed;
 }
 

@@ -8,6 +8,7 @@
 
 #include "components/evaluation/score_keeper.hpp"
 #include "components/evaluation/truth_sample.hpp"
+#include "components/model/footprint.hpp"
 #include "components/model/obstacles.hpp"
 #include "components/model/occupancy_grid.hpp"
 
@@ -22,7 +23,7 @@ struct RecordedMoment {
 
 /// All in map.
 struct RunRecording {
-  double robot_radius = 0.3;
+  Footprint robot;         ///< its outline; where that changes, the last
   double top_speed = 1.0;  ///< of the robot, end of the colour scale [m/s]
   std::optional<OccupancyGrid> map;
   StaticObstacles shapes;  ///< the world's walls and pillars
@@ -32,7 +33,7 @@ struct RunRecording {
 
 class RunRecorder {
  public:
-  RunRecorder(double robot_radius, double top_speed);
+  RunRecorder(const Footprint& robot, double top_speed);
 
   /// Forgets moments and goals, keeps map and shapes.
   void start(Time now);
@@ -52,6 +53,7 @@ class RunRecorder {
     has_true_map_ = true;
   }
   void set_shapes(StaticObstacles shapes) { recording_.shapes = std::move(shapes); }
+  void set_footprint(const Footprint& footprint) { recording_.robot = footprint; }
   const RunRecording& recording() const { return recording_; }
 
  private:

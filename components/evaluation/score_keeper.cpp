@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "components/evaluation/collision_index.hpp"
+#include "components/model/rim_gap.hpp"
 
 namespace bw {
 namespace {
@@ -17,7 +18,7 @@ constexpr const char* kFalseClaim = "the robot claims the goal but is not there"
 }  // namespace
 
 void ScoreKeeper::start(Time now, const Vector2& goal, const GoalTolerance& tolerance) {
-  ScoreKeeper fresh(options_, radius_);
+  ScoreKeeper fresh(options_, footprint_);
   fresh.running_ = true;
   fresh.goal_ = goal;
   fresh.tolerance_ = tolerance;
@@ -35,7 +36,7 @@ void ScoreKeeper::add(const TruthSample& sample) {
 
   card_.min_distance = std::min(card_.min_distance, sample.wall_gap);
   for (const TruePerson& person : sample.people) {
-    const double gap = (person.position - sample.X_MB.position()).norm() - person.radius - radius_;
+    const double gap = rim_gap(footprint_, sample.X_MB, person.position, person.radius);
     card_.min_distance = std::min(card_.min_distance, gap);
     if (!card_.closest || gap < card_.closest->gap) {
       card_.closest = Encounter{elapsed, gap, person.id, person.position, person.radius, sample.X_MB};
@@ -66,7 +67,7 @@ void ScoreKeeper::count_contacts(const TruthSample& sample) {
   const bool fast = before > kMovingSpeed || std::abs(sample.twist.v) > kMovingSpeed;
   touch(kWall, sample.wall_gap, fast);
   for (const TruePerson& person : sample.people) {
-    touch(person.id, (person.position - sample.X_MB.position()).norm() - person.radius - radius_, fast);
+    touch(person.id, rim_gap(footprint_, sample.X_MB, person.position, person.radius), fast);
   }
   for (auto contact = touching_.begin(); contact != touching_.end();) {  // people who left the scene
     const std::int64_t key = contact->first;

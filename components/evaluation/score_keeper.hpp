@@ -6,9 +6,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "components/evaluation/rms_jerk.hpp"
 #include "components/evaluation/truth_sample.hpp"
+#include "components/model/footprint.hpp"
 #include "components/model/goal_tolerance.hpp"
 #include "runtime/base/field.hpp"
 
@@ -60,9 +62,8 @@ struct EvaluationOptions {
 
 class ScoreKeeper {
  public:
-  /// `robot_radius` [m].
-  ScoreKeeper(const EvaluationOptions& options, double robot_radius)
-      : options_(options), radius_(robot_radius) {}
+  ScoreKeeper(const EvaluationOptions& options, Footprint robot)
+      : options_(options), footprint_(std::move(robot)) {}
 
   /// Opens a fresh card; the drive lasts until finish(). `tolerance`: the navigator's.
   void start(Time now, const Vector2& goal, const GoalTolerance& tolerance = {});
@@ -85,6 +86,9 @@ class ScoreKeeper {
   /// `claimed`: the robot says that it stands at the goal.
   void finish(Time now, bool claimed, const std::string& reason);
 
+  /// The robot's outline from now on.
+  void set_footprint(const Footprint& footprint) { footprint_ = footprint; }
+
   bool running() const { return running_; }
   const ScoreCard& card() const { return card_; }
   const Vector2& goal() const { return goal_; }
@@ -100,7 +104,7 @@ class ScoreKeeper {
   void touch(std::int64_t key, double gap, bool fast);
 
   EvaluationOptions options_;
-  double radius_;
+  Footprint footprint_;
   bool running_ = false;
   bool missed_a_leg_ = false;
   ScoreCard card_;

@@ -8,6 +8,8 @@
 
 #include "components/evaluation/picture_view.hpp"
 #include "components/evaluation/svg_writer.hpp"
+#include "components/model/footprint_outline.hpp"
+#include "components/model/footprint_way.hpp"
 
 namespace bw {
 namespace {
@@ -132,13 +134,32 @@ void draw_person(SvgWriter& svg, const PictureView& view, const TruePerson& pers
   svg.text(at + Vector2(0, 4), label, label_style(kPeople, 11, "middle"));
 }
 
+void draw_footprint(SvgWriter& svg, const PictureView& view, const Footprint& robot, const Pose2& X_MB,
+                    const std::string& look) {
+  if (!robot.is_polygon() || !std::isfinite(X_MB.theta))  // else the truth has no heading
+    return svg.circle(view(X_MB.position()), robot.radius * view.scale, look);
+  std::string data;
+  for (const Vector2& corner : outline(robot, X_MB, 0)) {
+    const Vector2 at = view(corner);
+    data += (data.empty() ? "M" : "L") + fixed(at.x(), 1) + " " + fixed(at.y(), 1);
+  }
+  svg.path(data + "Z", look);
+}
+
+/// Of the outline, on the line that the robot looks along [m].
+double front_of(const Footprint& robot) {
+  if (!robot.is_polygon()) return robot.radius;
+  return -first_touch({1.0, 0.0}, robot.polygon, {2.0 * robot.radius, 0.0}).way + 2.0 * robot.radius;
+}
+
 void draw_robot(SvgWriter& svg, const PictureView& view, const RunRecording& recording,
                 const RecordedMoment& moment, const std::string& label) {
   const Vector2 at = view(moment.X_MB.position());
-  const Vector2 front = view(moment.X_MB * Vector2(recording.robot_radius, 0.0));
+  const Vector2 front = view(moment.X_MB * Vector2(front_of(recording.robot), 0.0));
   const std::string color = speed_color(moment.speed / recording.top_speed);
-  svg.circle(at, recording.robot_radius * view.scale,
-             style({{"fill", "#ffffff"}, {"fill-opacity", "0.6"}, {"stroke", color}, {"stroke-width", "2"}}));
+  draw_footprint(
+      svg, view, recording.robot, moment.X_MB,
+      style({{"fill", "#ffffff"}, {"fill-opacity", "0.6"}, {"stroke", color}, {"stroke-width", "2"}}));
   if (front.allFinite())  // else the truth has no heading
     svg.line(at + (front - at) * 0.55, front, style({{"stroke", color}, {"stroke-width", "3"}}));
   svg.text(at + Vector2(0, 4), label, label_style(kInk, 11, "middle", 600));
@@ -147,7 +168,7 @@ void draw_robot(SvgWriter& svg, const PictureView& view, const RunRecording& rec
 /// Everybody every footprint_period, numbered by the second; whoever stands is drawn once.
 void draw_bodies(SvgWriter& svg, const RunRecording& recording, const PictureView& view,
                  const PictureOptions& options) {
-  const bool has_room = recording.robot_radius * view.scale > 11.0;
+  const bool has_room = recording.robot.radius * view.scale > 11.0;
   std::map<std::uint32_t, Vector2> drawn;
   std::optional<Vector2> robot_drawn;
   const auto stands = [](const Vector2& before, const Vector2& now, double radius) {
@@ -166,7 +187,7 @@ void draw_bodies(SvgWriter& svg, const RunRecording& recording, const PictureVie
       draw_person(svg, view, person, label);
       drawn[person.id] = person.position;
     }
-    if (robot_drawn && stands(*robot_drawn, robot, recording.robot_radius)) continue;
+    if (robot_drawn && stands(*robot_drawn, robot, recording.robot.radius)) continue;
     draw_robot(svg, view, recording, moment, label);
     robot_drawn = robot;
   }
@@ -182,7 +203,7 @@ void draw_ends(SvgWriter& svg, const RunRecording& recording, const PictureView&
   }
   if (recording.moments.empty()) return;
   const Vector2 start = view(recording.moments.front().X_MB.position());
-  svg.text(start + Vector2(0, -recording.robot_radius * view.scale - 7), "start",
+  svg.text(start + Vector2(0, -recording.robot.radius * view.scale - 7), "start",
            label_style(kInk, 13, "middle", 600));
 }
 
@@ -194,7 +215,7 @@ void draw_encounter(SvgWriter& svg, const RunRecording& recording, const Encount
                                   {"fill-opacity", "0.14"},
                                   {"stroke", std::string(kAlarm)},
                                   {"stroke-width", "2.2"}});
-  svg.circle(robot, recording.robot_radius * view.scale, ring);
+  draw_footprint(svg, view, recording.robot, encounter.X_MB, ring);
   svg.circle(person, encounter.person_radius * view.scale, ring);
   svg.line(robot, person,
            style({{"stroke", std::string(kAlarm)}, {"stroke-width", "1.8"}, {"stroke-dasharray", "4 3"}}));

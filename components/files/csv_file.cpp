@@ -11,15 +11,6 @@ namespace {
 
 constexpr std::size_t kLongestLine = 4096;
 
-/// Printable start of a text from a file that may hold anything.
-std::string excerpt(std::string_view text) {
-  std::string shown(text.substr(0, 40));
-  for (char& c : shown) {
-    if (c < ' ' || c > '~') c = '?';
-  }
-  return "'" + shown + (text.size() > 40 ? "...'" : "'");
-}
-
 /// The first column in which two headers differ, as a sentence: tables may have hundreds of columns.
 std::string first_difference(std::string_view expected, std::string_view found) {
   const auto name = [](std::string_view rest) { return rest.substr(0, rest.find(',')); };
@@ -42,6 +33,14 @@ std::string first_difference(std::string_view expected, std::string_view found) 
 }
 
 }  // namespace
+
+std::string excerpt(std::string_view text) {
+  std::string shown(text.substr(0, 40));
+  for (char& c : shown) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return "'" + shown + (text.size() > 40 ? "...'" : "'");
+}
 
 void fail_at(const std::string& file, std::size_t line, const std::string& what) {
   throw std::runtime_error(file + ":" + std::to_string(line) + ": " + what);

@@ -35,6 +35,9 @@ double to_number(std::string_view text, const std::string& file, std::size_t lin
 /// Next line without its line end; false at the end of the file, a complaint when it is far too long.
 bool next_line(std::istream& input, std::string& text, const std::string& file, std::size_t line);
 
+/// Printable start, quoted, of a text from a file that may hold anything: for complaints.
+std::string excerpt(std::string_view text);
+
 [[noreturn]] void fail_at(const std::string& file, std::size_t line, const std::string& what);
 
 }  // namespace bw

@@ -28,8 +28,8 @@ bandwagon_msgs::msg::Comfort to_message(const Comfort& comfort, const TruthSampl
 
 }  // namespace
 
-void ComfortOutput::offer(Setup& setup, double robot_radius) {
-  robot_radius_ = robot_radius;
+void ComfortOutput::offer(Setup& setup, const CurrentFootprint& robot) {
+  robot_ = &robot;
   map_frame_ = setup.frame("map");
   odometry_ = setup.latest<nav_msgs::msg::Odometry>("odom", Qos::command(), Need::optional);
   tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::command(), Need::optional);
@@ -67,7 +67,7 @@ void ComfortOutput::tell(int contacts) {
   namespace source = bandwagon_msgs::msg::Comfort_Constants;
   const std::optional<TruthSample> sample = has_truth_ ? std::exchange(truth_, std::nullopt) : believed();
   if (!sample || (!has_truth_ && told_ == sample->time)) return;
-  const std::optional<Comfort> comfort = comfort_of(*sample, robot_radius_);
+  const std::optional<Comfort> comfort = comfort_of(*sample, robot_->now());
   if (!comfort) return;
   told_ = sample->time;
   bandwagon_msgs::msg::Comfort message = to_message(*comfort, *sample);

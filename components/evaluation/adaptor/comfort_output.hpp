@@ -10,6 +10,7 @@
 #include <nav_msgs/msg/odometry.hpp>
 
 #include "components/evaluation/truth_sample.hpp"
+#include "components/messages/current_footprint.hpp"
 #include "runtime/component.hpp"
 
 namespace bw {
@@ -17,8 +18,8 @@ namespace bw {
 /// Lives in the component whose setup it is given.
 class ComfortOutput {
  public:
-  /// `robot_radius` [m].
-  void offer(Setup& setup, double robot_radius);
+  /// `robot` must outlive it.
+  void offer(Setup& setup, const CurrentFootprint& robot);
   void on_truth(const TruthSample& sample);
   /// Where the robot believes to be in map.
   void on_pose(const nav_msgs::msg::Odometry& odometry) { filtered_ = odometry; }
@@ -30,7 +31,7 @@ class ComfortOutput {
   /// much older than the other.
   std::optional<TruthSample> believed() const;
 
-  double robot_radius_ = 0.0;
+  const CurrentFootprint* robot_ = nullptr;
   std::string map_frame_;
   bool has_truth_ = false;
   std::optional<TruthSample> truth_;  ///< not told yet

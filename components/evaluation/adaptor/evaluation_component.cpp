@@ -35,10 +35,11 @@ class EvaluationComponent final : public Component {
     is_run_ = parameters_.scored == Scored::run;
     svg_path_ = setup.file_parameter("svg");
     const auto robot = setup.shared<Robot>("robot");
-    judge_.emplace(parameters_, robot.radius, robot.limits.v_max,
+    judge_.emplace(parameters_, robot.outline(), robot.limits.v_max,
                    parameters_.scored == Scored::drives ? DriveJudge::Lasts::until_end_of_run
                                                         : DriveJudge::Lasts::until_goal);
-    comfort_.offer(setup, robot.radius);
+    footprint_.listen(setup, robot, [this](const Footprint& now) { judge_->on_footprint(now); });
+    comfort_.offer(setup, footprint_);
     log_ = setup.log();
     map_frame_ = setup.frame("map");
     card_ = setup.output<bandwagon_msgs::msg::ScoreCard>("score_card");
@@ -130,6 +131,7 @@ class EvaluationComponent final : public Component {
   EvaluationParameters parameters_;
   std::filesystem::path svg_path_;
   std::optional<DriveJudge> judge_;
+  CurrentFootprint footprint_;
   ComfortOutput comfort_;
   bool is_run_ = false;
   Time activated_;

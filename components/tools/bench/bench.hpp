@@ -23,6 +23,7 @@ struct BenchTebArguments {
   std::string scene;   ///< name (or its beginning) of one scene; empty: all
   std::string planner = "teb";
   int repetitions = 20;
+  bool with_samples = false;  ///< every cycle of the first run goes into the JSON
   std::vector<BenchWeights> weights = {BenchWeights::file, BenchWeights::defaults};
   std::function<void(LocalPlannerOptions&)> adjust;  ///< last word on the options; may be empty
   std::string json;                                  ///< output file; empty: none
@@ -36,9 +37,10 @@ struct BenchCrowdArguments {
   std::vector<std::string> planners = {"teb"};
   BenchWeights weights = BenchWeights::defaults;
   std::function<void(LocalPlannerOptions&)> adjust;  ///< last word on the options; may be empty
-  int jobs = 1;              ///< episodes at a time; above 1 the times are those of their threads
-  std::string write_scenes;  ///< scenes driven are written here as YAML; empty: not
-  std::string json;          ///< output file; empty: none
+  int jobs = 1;               ///< episodes at a time; above 1 the times are those of their threads
+  bool with_samples = false;  ///< every period of every drive goes into the JSON
+  std::string write_scenes;   ///< scenes driven are written here as YAML; empty: not
+  std::string json;           ///< output file; empty: none
 };
 
 /// Open loop: one cold plan and the warm cycles of every scene. Prints a table to stdout, writes JSON.

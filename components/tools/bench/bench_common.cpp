@@ -57,6 +57,7 @@ LocalPlannerOptions options_for(const SceneFile& file, BenchWeights weights, Loc
   band.inflation_dist = std::max(0.0, file.inflation_dist - robot_radius);
   band.dynamic_obstacle_inflation_dist = std::max(0.0, file.dynamic_inflation_dist - robot_radius);
   if (weights == BenchWeights::defaults) return options;
+  band.narrow_passage_dist = band.min_obstacle_dist;  // the rules ask for it everywhere
   const SceneWeights& w = file.weights;
   band.penalty_epsilon = w.penalty_epsilon;
   band.consistent_motion = false;

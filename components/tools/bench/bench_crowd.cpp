@@ -8,8 +8,10 @@
 
 #include "components/tools/bench/bench.hpp"
 #include "components/tools/bench/bench_common.hpp"
+#include "components/tools/bench/bench_conditions.hpp"
 #include "components/tools/bench/crowd_generator.hpp"
 #include "components/tools/bench/crowd_report.hpp"
+#include "components/tools/bench/crowd_samples.hpp"
 #include "components/tools/bench/scene_writer.hpp"
 #include "runtime/atomic_file.hpp"
 
@@ -41,7 +43,7 @@ class CrowdRun {
   using PlannerMaker = std::function<std::unique_ptr<LocalPlanner>()>;
 
   CrowdRun(const SceneFile& file, PlannerMaker make)
-      : file_(file), make_(std::move(make)), episodes_(file.scenes.size()) {}
+      : file_(file), make_(std::move(make)), episodes_(file.scenes.size()), samples_(file.scenes.size()) {}
 
   std::vector<CrowdEpisode> run(int jobs) {
     if (jobs <= 1) {
@@ -58,11 +60,14 @@ class CrowdRun {
     return episodes;
   }
 
+  /// Of each episode, after run().
+  const std::vector<std::vector<CrowdSample>>& samples() const { return samples_; }
+
  private:
   void work(const CpuClock& clock) {
     while (const std::optional<std::size_t> index = next()) {
       const std::unique_ptr<LocalPlanner> planner = make_();
-      finish(*index, drive_crowd(file_.scenes[*index], file_, *planner, clock));
+      finish(*index, drive_crowd_sampled(file_.scenes[*index], file_, *planner, clock, samples_[*index]));
     }
   }
 
@@ -86,6 +91,7 @@ class CrowdRun {
   std::size_t next_ = 0;
   std::size_t printed_ = 0;
   std::vector<std::optional<CrowdEpisode>> episodes_;
+  std::vector<std::vector<CrowdSample>> samples_;
 };
 
 }  // namespace
@@ -98,14 +104,18 @@ int bench_crowd(const BenchCrowdArguments& arguments) {
   for (const std::string& planner : arguments.planners) make_planner(planner, options);
   if (!arguments.write_scenes.empty()) write_file_atomically(arguments.write_scenes, to_yaml(file));
 
+  const BenchConditions conditions{arguments.weights, options, file.limits, Budget{}.max_iterations};
   std::vector<CrowdSummary> summaries;
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   for (const std::string& planner : arguments.planners) {
-    std::printf("%s\n", planner.c_str());
+    std::printf("%s; %s\n", planner.c_str(), in_a_line(conditions).c_str());
     CrowdRun run(file, [&] { return make_planner(planner, options); });
     const std::vector<CrowdEpisode> episodes = run.run(arguments.jobs);
     summaries.push_back(summarize(planner, episodes));
     results.push_back(to_json(summaries.back(), episodes));
+    results.back()["conditions"] = to_json(conditions);
+    for (std::size_t i = 0; arguments.with_samples && i < episodes.size(); ++i)
+      results.back()["episodes"][i]["samples"] = to_json(run.samples()[i]);
   }
   std::fputs(("\n" + table(summaries)).c_str(), stdout);
   if (results.size() == 1) {

@@ -1,19 +1,24 @@
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
+#include "components/local_planner/teb/band_optimizer.hpp"
 #include "components/local_planner/teb/band_trajectory.hpp"
 #include "components/tools/bench/band_evaluator.hpp"
-#include "components/tools/bench/banded_solver.hpp"
 #include "components/tools/bench/bench.hpp"
 #include "components/tools/bench/bench_common.hpp"
+#include "components/tools/bench/bench_conditions.hpp"
 #include "runtime/base/quantile.hpp"
 
 namespace bw {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr int kMaxIterations = 1000;
+constexpr double kComparableInterval = 0.05;  // of dt_ref: the time term falls when a band is cut finer
 
 PlanningProblem problem_for(const Scene& scene, const SceneFile& file) {
   PlanningProblem problem;
@@ -22,7 +27,7 @@ PlanningProblem problem_for(const Scene& scene, const SceneFile& file) {
   problem.plan = {scene.start, scene.goal};
   problem.footprint.radius = 0.0;  // the scenes treat the robot as a point that keeps min_dist
   problem.limits = file.limits;
-  problem.budget.max_iterations = 1000;
+  problem.budget.max_iterations = kMaxIterations;
   return problem;
 }
 
@@ -67,23 +72,46 @@ void follow(const std::vector<EvaluatedPose>& band, double time, PlanningProblem
 }
 
 constexpr int kCandidates = 4;
+constexpr int kUnlimited = 1000;  // iterations
 
 struct Plan {
   std::vector<EvaluatedPose> band;
   BandQuality quality;
   int iterations = 0;
   std::size_t candidates = 0;  ///< bands optimised
+
+  double mean_dt() const {
+    return band.size() > 1 ? quality.time / static_cast<double>(band.size() - 1) : 0.0;
+  }
+  bool is_comparable(const SceneFile& file) const {
+    return std::abs(mean_dt() - file.dt_ref) <= kComparableInterval * file.dt_ref;
+  }
+  /// The total with the time term of intervals that are all dt_ref long: that of bands cut otherwise compares.
+  double cost_at_dt_ref(const SceneFile& file) const {
+    return quality.cost.total() - quality.cost.time + file.weights.time * file.dt_ref * quality.time;
+  }
+};
+
+/// One call of the planner.
+struct Sample {
+  double time = 0.0;  ///< since the first one [s]; obstacles are where they are then
+  Pose2 start;
+  Twist2 start_twist;
+  std::vector<TrajectoryPoint> plan;
 };
 
 struct SceneRun {
   Plan cold, warm;
   std::vector<double> cold_ms, warm_ms;
+  std::vector<Sample> samples;  ///< of the first repetition
 };
 
-// One band as `teb` keeps it, solved by the banded oracle and never checked: the time to compare with.
+// One band as `teb` keeps it, solved by the banded solver and never checked: the time to compare with.
 class LimitPlanner final : public LocalPlanner {
  public:
-  explicit LimitPlanner(const teb::BandOptions& options) : options_(options) {}
+  explicit LimitPlanner(const teb::BandOptions& options) : options_(options) {
+    options_.solver = teb::Solver::banded;
+  }
 
   PlanningResult plan(const PlanningProblem& problem) override {
     if (band_.empty()) {
@@ -92,11 +120,10 @@ class LimitPlanner final : public LocalPlanner {
       teb::advance(band_, problem.pose, 1.0, options_);
     }
     const teb::ObstacleField field =
-        teb::nearby_obstacles(problem.obstacles, problem.movers, problem.pose.position(), 0.0,
-                              static_cast<std::size_t>(options_.max_obstacles));
+        teb::field_of(problem.obstacles, problem.movers, problem.pose.position(), problem.footprint);
     PlanningResult result;
     result.iterations =
-        teb::optimize_banded(band_, {problem.limits, problem.twist, true, &field}, options_).iterations;
+        teb::optimize(band_, {problem.limits, problem.twist, true, &field}, options_, kUnlimited).iterations;
     result.trajectory = teb::to_trajectory(band_, problem.twist, true);
     return result;
   }
@@ -127,6 +154,8 @@ SceneRun run(const Scene& scene, const SceneFile& file, int repetitions, const P
         (cycle == 0 ? run.cold : run.warm) = {band, evaluate_band(band, problem.twist, file, obstacles),
                                               result.iterations, result.candidates.size()};
       }
+      if (repetition == 0)
+        run.samples.push_back({cycle * file.replan_period, problem.pose, problem.twist, result.trajectory});
       follow(band, file.replan_period, problem);
       problem.now = problem.now + Duration::seconds(file.replan_period);
     }
@@ -134,12 +163,27 @@ SceneRun run(const Scene& scene, const SceneFile& file, int repetitions, const P
   return run;
 }
 
-Json to_json(const Plan& plan) {
+Json to_json(const std::vector<Sample>& samples) {
+  Json list = Json::array();
+  for (const Sample& s : samples) {
+    Json plan = Json::array();
+    for (const TrajectoryPoint& p : s.plan)
+      plan.push_back({p.time, p.pose.x, p.pose.y, p.pose.theta, p.twist.v, p.twist.omega});
+    list.push_back({{"t", s.time},
+                    {"start", {s.start.x, s.start.y, s.start.theta}},
+                    {"start_twist", {s.start_twist.v, s.start_twist.omega}},
+                    {"plan", std::move(plan)}});
+  }
+  return list;
+}
+
+Json to_json(const Plan& plan, const SceneFile& file) {
   const BandQuality& q = plan.quality;
   Json poses = Json::array();
   for (const EvaluatedPose& p : plan.band) poses.push_back({p.pose.x, p.pose.y, p.pose.theta, p.dt});
   return {{"time_s", q.time},
-          {"mean_dt_s", plan.band.size() > 1 ? q.time / static_cast<double>(plan.band.size() - 1) : 0.0},
+          {"mean_dt_s", plan.mean_dt()},
+          {"comparable", plan.is_comparable(file)},
           {"iterations", plan.iterations},
           {"max_nonholonomic", q.max_nonholonomic},
           {"max_excess",
@@ -152,7 +196,8 @@ Json to_json(const Plan& plan) {
             {"velocity", q.cost.velocity},
             {"acceleration", q.cost.acceleration},
             {"obstacle", q.cost.obstacle},
-            {"total", q.cost.total()}}},
+            {"total", q.cost.total()},
+            {"total_at_dt_ref", plan.cost_at_dt_ref(file)}}},
           {"plan", std::move(poses)}};
 }
 
@@ -160,17 +205,27 @@ Json times(const std::vector<double>& ms) {
   return {{"median", quantile(ms, 0.5)}, {"p99", quantile(ms, 0.99)}};
 }
 
-const char* name_of(BenchWeights weights) { return weights == BenchWeights::file ? "file" : "default"; }
-
-void print(const char* which, const Plan& plan, const std::vector<double>& ms) {
+void print(const char* which, const Plan& plan, const std::vector<double>& ms, const SceneFile& file) {
   const BandQuality& q = plan.quality;
   std::printf(
       "  %-4s %zu bands %3zu poses %3d it  %6.2f ms (p99 %6.2f)  T %6.2f dt %.3f  h %.4f  excess v %.3f w "
-      "%.3f a %.3f al %.3f  clear %.3f/%.3f  cost %.2f+%.2f+%.2f+%.2f+%.2f = %.3f\n",
+      "%.3f a %.3f al %.3f  clear %.3f/%.3f  cost %.2f+%.2f+%.2f+%.2f+%.2f = %.3f, %.3f at dt_ref%s\n",
       which, plan.candidates, plan.band.size(), plan.iterations, quantile(ms, 0.5), quantile(ms, 0.99),
-      q.time, q.time / static_cast<double>(plan.band.size() - 1), q.max_nonholonomic, q.excess_v,
-      q.excess_omega, q.excess_a, q.excess_alpha, q.clearance_poses, q.clearance_segments, q.cost.time,
-      q.cost.nonholonomic, q.cost.velocity, q.cost.acceleration, q.cost.obstacle, q.cost.total());
+      q.time, plan.mean_dt(), q.max_nonholonomic, q.excess_v, q.excess_omega, q.excess_a, q.excess_alpha,
+      q.clearance_poses, q.clearance_segments, q.cost.time, q.cost.nonholonomic, q.cost.velocity,
+      q.cost.acceleration, q.cost.obstacle, q.cost.total(), plan.cost_at_dt_ref(file),
+      plan.is_comparable(file) ? "" : "; NOT COMPARABLE: mean dt off by more than 5 %");
+}
+
+// Of one planner: figures and, if asked for, every cycle.
+Json to_json(const SceneRun& run, const SceneFile& file, bool with_samples) {
+  Json json = {{"count", run.warm.candidates},
+               {"cold_ms", quantile(run.cold_ms, 0.5)},
+               {"warm_ms", quantile(run.warm_ms, 0.5)},
+               {"cold", to_json(run.cold, file)},
+               {"warm", to_json(run.warm, file)}};
+  if (with_samples) json["samples"] = to_json(run.samples);
+  return json;
 }
 
 }  // namespace
@@ -190,30 +245,29 @@ int bench_teb(const BenchTebArguments& arguments) {
                                  [&] { return std::make_unique<LimitPlanner>(options.teb.band); });
       const SceneRun several =
           run(scene, file, arguments.repetitions, [&] { return make_planner("teb_homotopy", options); });
-      std::printf("%s, %s weights\n", scene.name.c_str(), name_of(weights));
-      print("cold", result.cold, result.cold_ms);
-      print("warm", result.warm, result.warm_ms);
+      const BenchConditions conditions{weights, options, file.limits, kMaxIterations};
+      std::printf("%s; %s\n", scene.name.c_str(), in_a_line(conditions).c_str());
+      print("cold", result.cold, result.cold_ms, file);
+      print("warm", result.warm, result.warm_ms, file);
       std::printf("  up to %d candidates (teb_homotopy)\n", options.homotopy.max_number_classes);
-      print("cold", several.cold, several.cold_ms);
-      print("warm", several.warm, several.warm_ms);
-      std::printf("  banded oracle %.2f ms cold (cost %.3f), %.2f ms warm (cost %.3f)\n",
+      print("cold", several.cold, several.cold_ms, file);
+      print("warm", several.warm, several.warm_ms, file);
+      std::printf("  banded limit %.2f ms cold (cost %.3f), %.2f ms warm (cost %.3f)\n",
                   quantile(limit.cold_ms, 0.5), limit.cold.quality.cost.total(), quantile(limit.warm_ms, 0.5),
                   limit.warm.quality.cost.total());
-      rows.push_back(
-          {{"name", scene.name},
-           {"weights", name_of(weights)},
-           {"poses", result.cold.band.size()},
-           {"cold_ms", times(result.cold_ms)},
-           {"warm_ms", times(result.warm_ms)},
-           {"candidates",
-            {{"count", several.warm.candidates},
-             {"cold_ms", quantile(several.cold_ms, 0.5)},
-             {"warm_ms", quantile(several.warm_ms, 0.5)},
-             {"cold", to_json(several.cold)},
-             {"warm", to_json(several.warm)}}},
-           {"limit_ms", {{"cold", quantile(limit.cold_ms, 0.5)}, {"warm", quantile(limit.warm_ms, 0.5)}}},
-           {"cold", to_json(result.cold)},
-           {"warm", to_json(result.warm)}});
+      Json row = {
+          {"name", scene.name},
+          {"conditions", to_json(conditions)},
+          {"weights", name_of(weights)},
+          {"poses", result.cold.band.size()},
+          {"cold_ms", times(result.cold_ms)},
+          {"warm_ms", times(result.warm_ms)},
+          {"candidates", to_json(several, file, arguments.with_samples)},
+          {"limit_ms", {{"cold", quantile(limit.cold_ms, 0.5)}, {"warm", quantile(limit.warm_ms, 0.5)}}},
+          {"cold", to_json(result.cold, file)},
+          {"warm", to_json(result.warm, file)}};
+      if (arguments.with_samples) row["samples"] = to_json(result.samples);
+      rows.push_back(std::move(row));
     }
   }
   write_json(arguments.json, {{"planner", arguments.planner}, {"scenes", std::move(rows)}});

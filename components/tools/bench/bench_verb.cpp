@@ -3,7 +3,9 @@
 
 #include "components/tools/bench/bench.hpp"
 #include "components/tools/bench/bench_bag.hpp"
+#include "components/tools/bench/bench_course.hpp"
 #include "components/tools/bench/bench_people.hpp"
+#include "components/tools/bench/scaling.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/parameters/overrides.hpp"
 #include "runtime/parameters/parameters.hpp"
@@ -39,6 +41,8 @@ void add_teb(CLI::App* bench, int& status) {
   teb_verb->add_option("--set", *teb_set, "Planner parameter, as teb.band.dt_ref=0.28; as often as needed")
       ->allow_extra_args(false);
   teb_verb->add_option("--json", teb->json, "Writes the figures and plans here");
+  teb_verb->add_flag("--samples", teb->with_samples,
+                     "Start, start speeds and plan of every cycle go into the JSON");
   teb_verb->callback([teb, teb_set, &status] {
     teb->adjust = [teb_set](LocalPlannerOptions& options) { apply_overrides(options, *teb_set); };
     status = bench_teb(*teb);
@@ -70,6 +74,8 @@ void add_crowd(CLI::App* bench, int& status) {
           "file or defaults")
       ->check(CLI::IsMember({"file", "defaults"}));
   crowd_verb->add_option("--json", crowd->json, "Writes the figures here");
+  crowd_verb->add_flag("--samples", crowd->with_samples,
+                       "Pose, command, applied velocity and walkers of every period go into the JSON");
   crowd_verb->callback([crowd, set, &status] {
     crowd->adjust = [set](LocalPlannerOptions& options) { apply_overrides(options, *set); };
     status = bench_crowd(*crowd);
@@ -94,6 +100,25 @@ void add_bag(CLI::App* bench, int& status) {
   verb->add_flag("--keep", bag->keep, "Leaves the large bag");
   verb->add_option("--json", bag->json, "Writes the figures here");
   verb->callback([bag, &status] { status = bench_bag(*bag); });
+}
+
+void add_course(CLI::App* bench, int& status) {
+  auto course = std::make_shared<BenchCourseArguments>();
+  CLI::App* verb = bench->add_subcommand(
+      "course", "Whole robots through fields of cylinders, 10 m without a map; success, time and score");
+  verb->add_option("--worlds", course->worlds, "Folder of worlds, a CSV x_m,y_m,radius_m each")
+      ->check(CLI::ExistingDirectory);
+  verb->add_option("--only", course->only, "Only worlds whose name begins so");
+  verb->add_option("--generate", course->generate, "This many as hard as the given ones, from seeds")
+      ->check(CLI::Range(1, 100000));
+  verb->add_option("--first-seed", course->first_seed, "Seed of the first generated one");
+  verb->add_option("--planner", course->planners, "Planner names, separated by commas")->delimiter(',');
+  verb->add_option("--graph", course->graph, "Graph file (config/graphs/course.yaml)");
+  verb->add_option("--set", course->set, "component.parameter=value, as often as needed")
+      ->allow_extra_args(false);
+  verb->add_option("--svg", course->svg, "Folder for a picture of each drive");
+  verb->add_option("--json", course->json, "Writes the figures here");
+  verb->callback([course, &status] { status = bench_course(*course); });
 }
 
 void add_people(CLI::App* bench, int& status) {
@@ -125,6 +150,18 @@ void add_people(CLI::App* bench, int& status) {
   verb->callback([people, &status] { status = bench_people(*people); });
 }
 
+void add_scaling(CLI::App* bench, int& status) {
+  auto scaling = std::make_shared<BenchScalingArguments>();
+  CLI::App* verb = bench->add_subcommand("scaling", "Planning among more and more obstacles; process CPU ms");
+  verb->add_option("--planner", scaling->planners, "Planner names, separated by commas")->delimiter(',');
+  verb->add_option("--repetitions", scaling->repetitions, "Scenes of every number")
+      ->check(CLI::Range(1, 10000));
+  verb->add_option("--drives", scaling->drives, "Drives through every corridor of points")
+      ->check(CLI::Range(0, 10000));
+  verb->add_option("--json", scaling->json, "Writes the figures here");
+  verb->callback([scaling, &status] { status = bench_scaling(*scaling); });
+}
+
 CLI::App* add_bench(CLI::App& app, int& status) {
   CLI::App* bench =
       app.add_subcommand("bench",
@@ -132,8 +169,10 @@ CLI::App* add_bench(CLI::App& app, int& status) {
           ->require_subcommand(1);
   add_teb(bench, status);
   add_crowd(bench, status);
+  add_scaling(bench, status);
   add_bag(bench, status);
   add_people(bench, status);
+  add_course(bench, status);
   return bench;
 }
 

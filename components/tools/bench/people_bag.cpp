@@ -17,6 +17,7 @@
 #include "components/messages/laser.hpp"
 #include "components/people/score/sweep_view.hpp"
 #include "runtime/bag/known_type.hpp"
+#include "runtime/transforms/transform_message.hpp"
 
 namespace bw {
 namespace {
@@ -119,13 +120,8 @@ class PlaceReader {
     for (const auto& t : transforms_.transforms()) {
       const bool is_base = t.child_frame_id() == topics_.base_frame;
       if (is_base && topics_.odometry != OdometrySource::transforms) continue;  // the odometry tells
-      const auto& p = t.transform().translation();
-      const auto& q = t.transform().rotation();
-      Eigen::Isometry3d X_PC = Eigen::Isometry3d::Identity();
-      X_PC.translation() << p.x(), p.y(), p.z();
-      X_PC.linear() = Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z()).toRotationMatrix();
-      places.frames.set(t.header().frame_id(), t.child_frame_id(), from_stamp(t.header().stamp()), X_PC,
-                        is_static);
+      places.frames.set(t.header().frame_id(), t.child_frame_id(), from_stamp(t.header().stamp()),
+                        to_isometry(t.transform()), is_static);
     }
   }
 

@@ -9,6 +9,7 @@
 
 #include "components/evaluation/axis_ticks.hpp"
 #include "components/evaluation/svg_writer.hpp"
+#include "components/model/mover_weight.hpp"
 #include "components/tools/bench/diagram_axes.hpp"
 #include "components/tools/bench/people_report.hpp"
 
@@ -40,7 +41,7 @@ Tracks tracks_of(const PeopleRun& run) {
     for (const TrackedPerson& person : sweep.people) {
       const double distance =
           run.robot[i] ? (person.position - *run.robot[i]).norm() : std::numeric_limits<double>::quiet_NaN();
-      tracks[person.id].push_back({sweep.time, person.position, distance, person.confidence >= kConfirmed});
+      tracks[person.id].push_back({sweep.time, person.position, distance, is_confirmed(person)});
     }
   }
   return tracks;

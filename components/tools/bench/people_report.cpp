@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "components/model/mover_weight.hpp"
 #include "runtime/base/quantile.hpp"
 
 namespace bw {
@@ -172,7 +173,7 @@ std::vector<TrackLife> lives_of(const std::vector<people::TrackedSweep>& sweeps)
           lives.try_emplace(track.id, TrackLife{.id = track.id, .begin = sweep.time}).first->second;
       life.end = sweep.time;
       ++life.sweeps;
-      if (track.confidence < kConfirmed) continue;
+      if (!is_confirmed(track)) continue;
       ++life.confirmed_sweeps;
       if (!life.confirmed) life.confirmed = sweep.time;
     }

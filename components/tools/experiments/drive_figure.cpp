@@ -4,8 +4,9 @@
 #include <cmath>
 #include <map>
 
-#include "components/evaluation/picture_view.hpp"
 #include "components/evaluation/axis_ticks.hpp"
+#include "components/evaluation/picture_view.hpp"
+#include "components/model/rim_gap.hpp"
 #include "components/tools/experiments/figure.hpp"
 #include "components/tools/experiments/line_plot.hpp"
 #include "components/tools/experiments/path_plot.hpp"
@@ -25,7 +26,7 @@ void add_bodies(PathPlot& plot, const RunRecording& course) {
     if (moment.time + 1e-6 < next) continue;
     next = (std::floor(moment.time / kBetweenBodies + 1e-6) + 1.0) * kBetweenBodies;
     const Vector2 robot = moment.X_MB.position();
-    plot.discs.push_back({robot, course.robot_radius, kBlue, fixed(moment.time, 0)});
+    plot.discs.push_back({robot, course.robot.radius, kBlue, fixed(moment.time, 0)});
     for (const TruePerson& person : moment.people) {
       if ((person.position - robot).norm() <= kNear)
         plot.discs.push_back({person.position, person.radius, kPurple, fixed(moment.time, 0)});
@@ -79,8 +80,7 @@ LinePlot distance_plot(const RunRecording& course, double end) {
   for (const RecordedMoment& moment : course.moments) {
     double gap = kFarthest;
     for (const TruePerson& person : moment.people)
-      gap = std::min(gap,
-                     (person.position - moment.X_MB.position()).norm() - person.radius - course.robot_radius);
+      gap = std::min(gap, rim_gap(course.robot, moment.X_MB, person.position, person.radius));
     plot.curves[0].points.emplace_back(moment.time, std::max(gap, 0.0));
   }
   return plot;

@@ -24,13 +24,17 @@ struct ScoreOptions {
 };
 
 /// From the robot file that the bag carries.
-std::optional<double> recorded_radius(const bag::Bag& recording) {
+std::optional<Footprint> recorded_footprint(const bag::Bag& recording) {
   const auto file = recording.attachment("robot.yaml");
   if (!file) return std::nullopt;
   const ConfigNode root =
       parse_yaml({reinterpret_cast<const char*>(file->data()), file->size()}, "robot.yaml in the bag");
-  const ConfigNode* radius = root.find("radius");
-  return radius == nullptr || !radius->is_scalar() ? std::nullopt : parse_number(radius->scalar);
+  Robot robot;
+  std::vector<Violation> violations;
+  ParameterReader reader(root, "robot", violations);
+  robot.fields(reader);  // what else is in the file need not be known here
+  const bool is_told = root.find("radius") != nullptr || root.find("footprint") != nullptr;
+  return is_told && violations.empty() ? std::optional(robot.outline()) : std::nullopt;
 }
 
 nlohmann::json to_json(const ScoredDrive& drive) {
@@ -42,19 +46,20 @@ nlohmann::json to_json(const ScoredDrive& drive) {
 
 int score(const ScoreOptions& options) {
   const auto recording = bag::open_bag(options.path);
-  double radius = options.robot_radius;
-  std::string radius_from = "given";
-  if (radius == 0.0) {
-    const auto recorded = recorded_radius(*recording);
-    radius_from = recorded ? "the bag's robot file" : "the usual one";
-    radius = recorded.value_or(Robot{}.radius);
+  Footprint robot{options.robot_radius, {}};
+  std::string known_from = "given";
+  if (robot.radius == 0.0) {
+    const auto recorded = recorded_footprint(*recording);
+    known_from = recorded ? "the bag's robot file" : "the usual one";
+    robot = recorded.value_or(Robot{}.outline());
   }
-  const BagScore score = score_bag(*recording, radius);
+  const BagScore score = score_bag(*recording, robot);
   nlohmann::json json = {{"bag", options.path},
                          {"judged_by", score.judged_by},
-                         {"robot_radius_m", radius},
+                         {"robot_radius_m", robot.radius},
                          {"notes", score.notes},
                          {"drives", nlohmann::json::array()}};
+  if (robot.is_polygon()) json["robot_footprint_m"] = to_text(robot);
   bool all_reached = !score.drives.empty();
   for (const ScoredDrive& drive : score.drives) {
     json["drives"].push_back(to_json(drive));
@@ -64,8 +69,8 @@ int score(const ScoreOptions& options) {
     std::cout << json.dump(2) << "\n";
     return all_reached ? 0 : 1;
   }
-  std::cout << fmt::format("Judged by {}; robot of radius {:.2f} m ({}).\n", score.judged_by, radius,
-                           radius_from);
+  std::cout << fmt::format("Judged by {}; robot of radius {:.2f} m ({}).\n", score.judged_by, robot.radius,
+                           known_from);
   for (const std::string& note : score.notes) std::cout << "note: " << note << "\n";
   if (score.drives.empty()) std::cout << "No drive is in the bag: no goal was set.\n";
   for (const auto& drive : json["drives"]) std::cout << in_words(drive);

@@ -16,6 +16,7 @@
 #include <nav_msgs/msg/odometry.hpp>
 
 #include "components/evaluation/adaptor/truth_messages.hpp"
+#include "components/messages/footprint.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/model/mover_weight.hpp"
 #include "runtime/bag/known_type.hpp"
@@ -26,6 +27,7 @@ namespace {
 using bandwagon_msgs::msg::GroundTruth;
 using bandwagon_msgs::msg::NavigationStatus;
 using bandwagon_msgs::msg::Tracks;
+using geometry_msgs::msg::PolygonStamped;
 using nav_msgs::msg::Odometry;
 
 constexpr double kTopSpeed = 1.0;  // only a picture's colours need it [m/s]
@@ -52,22 +54,30 @@ std::optional<std::size_t> find_topic(const bag::Bag& recording, std::string_vie
   return any;
 }
 
+/// Number of the topic of exactly this name and type.
+std::optional<std::size_t> find_named(const bag::Bag& recording, std::string_view type,
+                                      const std::string& name) {
+  const auto found = find_topic(recording, type, {name});
+  return found && recording.topics()[*found].name == name ? found : std::nullopt;
+}
+
 /// Which topics tell what.
 struct Sources {
-  std::optional<std::size_t> truth, status, belief, odometry, tracks;
+  std::optional<std::size_t> truth, status, belief, odometry, tracks, footprint;
 
   explicit Sources(const bag::Bag& recording)
       : truth(find_topic(recording, "bandwagon_msgs/msg/GroundTruth")),
         status(find_topic(recording, "bandwagon_msgs/msg/NavigationStatus")),
         belief(find_topic(recording, "nav_msgs/msg/Odometry", {"/odometry/filtered", "/odom"})),
         odometry(find_topic(recording, "nav_msgs/msg/Odometry", {"/odom"})),
-        tracks(find_topic(recording, "bandwagon_msgs/msg/Tracks")) {}
+        tracks(find_topic(recording, "bandwagon_msgs/msg/Tracks")),
+        footprint(find_named(recording, "geometry_msgs/msg/PolygonStamped", "/robot_footprint")) {}
 };
 
 class Scorer {
  public:
-  Scorer(const bag::Bag& recording, double robot_radius)
-      : recording_(recording), from_(recording), judge_({}, robot_radius, kTopSpeed) {
+  Scorer(const bag::Bag& recording, const Footprint& robot)
+      : recording_(recording), from_(recording), judge_({}, robot, kTopSpeed) {
     if (!from_.truth && !from_.belief)
       throw std::runtime_error(
           "the bag holds neither a ground truth nor an odometry: nothing tells where the robot was");
@@ -109,6 +119,8 @@ class Scorer {
     now_ = m.log_time;
     if (m.topic == from_.truth)
       read<GroundTruth>(m, [&](const auto& message) { on_truth(to_truth(message)); });
+    if (m.topic == from_.footprint)
+      read<PolygonStamped>(m, [&](const auto& message) { on_footprint(message); });
     if (m.topic == from_.status) read<NavigationStatus>(m, [&](const auto& message) { on_status(message); });
     if (m.topic == from_.tracks && !from_.truth)
       read<Tracks>(m, [&](const auto& message) { on_tracks(message); });
@@ -124,6 +136,11 @@ class Scorer {
     } else {
       ++malformed_;
     }
+  }
+
+  void on_footprint(const PolygonStamped& message) {
+    const FootprintResult told = to_polygon_or_disc(message.polygon());
+    if (told.fault.empty()) judge_.on_footprint(told.footprint);
   }
 
   void on_status(const NavigationStatus& message) {
@@ -205,8 +222,8 @@ class Scorer {
 
 }  // namespace
 
-BagScore score_bag(const bag::Bag& recording, double robot_radius) {
-  return Scorer(recording, robot_radius).run();
+BagScore score_bag(const bag::Bag& recording, const Footprint& robot) {
+  return Scorer(recording, robot).run();
 }
 
 }  // namespace bw

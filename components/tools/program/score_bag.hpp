@@ -24,7 +24,7 @@ struct BagScore {
   std::vector<ScoredDrive> drives;
 };
 
-/// `robot_radius` [m]. Throws std::runtime_error when the bag holds neither a truth nor an odometry.
-[[nodiscard]] BagScore score_bag(const bag::Bag& recording, double robot_radius);
+/// Of a robot with this outline. Throws std::runtime_error when the bag holds neither a truth nor an odometry.
+[[nodiscard]] BagScore score_bag(const bag::Bag& recording, const Footprint& robot);
 
 }  // namespace bw

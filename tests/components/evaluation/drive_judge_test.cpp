@@ -11,7 +11,8 @@ Time at(double seconds) { return Time::seconds(10.0 + seconds); }
 
 class Drive {
  public:
-  explicit Drive(DriveJudge::Lasts lasts = DriveJudge::Lasts::until_goal) : judge({}, 0.3, 1.0, lasts) {}
+  explicit Drive(DriveJudge::Lasts lasts = DriveJudge::Lasts::until_goal)
+      : judge({}, {0.3, {}}, 1.0, lasts) {}
 
   DriveJudge judge;
 

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "components/evaluation/collision_index.hpp"
+#include "components/evaluation/comfort.hpp"
+#include "components/model/footprint_outline.hpp"
 
 namespace bw {
 namespace {
@@ -24,7 +26,7 @@ TruthSample sample(double t, double x, double v, std::vector<TruePerson> people 
 TruePerson person(std::uint32_t id, double x, double y) { return {id, {x, y}, {0.0, 0.0}, 0.3}; }
 
 ScoreKeeper started(double at = 0.0, const Vector2& goal = {10.0, 0.0}) {
-  ScoreKeeper keeper({}, kRobotRadius);
+  ScoreKeeper keeper({}, {kRobotRadius, {}});
   keeper.start(Time::seconds(at), goal);
   return keeper;
 }
@@ -75,6 +77,30 @@ TEST(ScoreKeeper, TheClosestEncounterIsFound) {
   EXPECT_NEAR(card.min_distance, 0.5, 1e-9);
   EXPECT_NEAR(card.max_collision_index, std::exp(-1.21 / 0.72), 1e-9);
   EXPECT_NEAR(card.max_collision_index_045, std::exp(-1.21 / 0.405), 1e-9);
+}
+
+// Somebody of 0.3 m stands 0.53 m beside the line that a rectangle of 0.51 x 0.43 m drives on: its side passes at 0.53 - 0.3 - 0.215 =
+// 0.015 m, the disc around it would touch. Padded by 0.02 m the rectangle touches, too.
+TEST(ScoreKeeper, ARectangleIsJudgedByItsSides) {
+  const Footprint rectangle =
+      footprint_of("[[0.255, 0.215], [-0.255, 0.215], [-0.255, -0.215], [0.255, -0.215]]", 0.0).footprint;
+  const auto drive = [](const Footprint& footprint) {
+    ScoreKeeper keeper({}, footprint);
+    keeper.start(Time::seconds(0.0), {2.0, 0.0});
+    for (int i = 0; i <= 100; ++i) keeper.add(sample(0.02 * i, 0.02 * i, 1.0, {person(7, 1.0, 0.53)}));
+    return keeper.card();
+  };
+  EXPECT_EQ(drive(rectangle).collisions, 0);
+  EXPECT_NEAR(drive(rectangle).closest->gap, 0.015, 1e-12);
+  EXPECT_NEAR(drive(rectangle).min_distance, 0.015, 1e-12);
+  EXPECT_EQ(drive({rectangle.radius, {}}).collisions, 1);
+  EXPECT_EQ(drive(padded(rectangle, 0.02)).collisions, 1);
+  EXPECT_NEAR(comfort_of(sample(1.0, 1.0, 1.0, {person(7, 1.0, 0.53)}), rectangle)->closest_person, 0.015,
+              1e-12);
+  // A truth without heading: the disc around it.
+  TruthSample unturned = sample(1.0, 1.0, 1.0, {person(7, 1.0, 1.0)});
+  unturned.X_MB.theta = std::nan("");
+  EXPECT_NEAR(comfort_of(unturned, rectangle)->closest_person, 0.7 - rectangle.radius, 1e-12);
 }
 
 TEST(ScoreKeeper, SharesOfTimeAreWeightedByTime) {
@@ -156,7 +182,7 @@ TEST(ScoreKeeper, AFailureKeepsItsReason) {
 }
 
 TEST(ScoreKeeper, OnlyTheDriveCountsAndANewOneBeginsAfresh) {
-  ScoreKeeper keeper({}, kRobotRadius);
+  ScoreKeeper keeper({}, {kRobotRadius, {}});
   keeper.add(sample(0.0, 0.0, 1.0, {person(1, 0.1, 0.0)}));
   EXPECT_EQ(keeper.card().collisions, 0);
   keeper.start(Time::seconds(1.0), {5.0, 0.0});

@@ -34,7 +34,7 @@ OccupancyGrid hallway(double length, double width) {
 }
 
 RunRecording drive() {
-  RunRecorder recorder(0.3, 1.0);
+  RunRecorder recorder({0.3, {}}, 1.0);
   recorder.set_map(hallway(20.0, 6.0));
   recorder.start(Time::seconds(50.0), {19.0, 0.0});
   for (int i = 0; i <= 900; ++i) {
@@ -125,7 +125,7 @@ TEST(PictureView, WhatLiesBesideTheDriveCutsNothingOffIt) {
 
 TEST(RunRecorder, TheWorldsMapComesBeforeTheRobots) {
   for (const bool truth_first : {true, false}) {
-    RunRecorder recorder(0.3, 1.0);
+    RunRecorder recorder({0.3, {}}, 1.0);
     if (truth_first) recorder.set_true_map(hallway(20.0, 6.0));
     recorder.set_map(hallway(10.0, 6.0));
     if (!truth_first) recorder.set_true_map(hallway(20.0, 6.0));
@@ -148,7 +148,7 @@ TEST(PictureView, CellsBecomeMergedRectanglesOfTheSameArea) {
 }
 
 TEST(RunRecorder, KeepsTenLooksASecondAndABoundedNumber) {
-  RunRecorder recorder(0.3, 1.0);
+  RunRecorder recorder({0.3, {}}, 1.0);
   recorder.start(Time::seconds(1.0), {0.0, 0.0});
   for (int i = 0; i <= 50 * 60 * 30; ++i) {  // half an hour at 50 Hz
     TruthSample s;
@@ -197,6 +197,21 @@ TEST(SvgPicture, ADriveThatWasNotDecidedIsTitledAsAsked) {
   ScoreCard late = card();
   late.finished = false;
   EXPECT_THAT(svg_picture(drive(), late, {.unfinished = "timeout"}), HasSubstr(">timeout<"));
+}
+
+TEST(SvgPicture, APolygonIsDrawnAsOne) {
+  RunRecording recording = drive();
+  EXPECT_THAT(svg_picture(recording, card()), testing::Not(HasSubstr("Z\"")));
+  recording.robot = {0.5, {{0.4, 0.3}, {-0.4, 0.3}, {-0.4, -0.3}, {0.4, -0.3}}};
+  const std::string svg = svg_picture(recording, card());
+  EXPECT_TRUE(is_well_formed(svg));
+  // The ring at the closest encounter: the robot stood at (9.5, 0), heading 0.
+  const PictureView view = view_of(recording, 1280.0 - 2.0 * 28.0, {28.0, 92.0});
+  const auto at = [&](double x, double y) {
+    return fixed(view({x, y}).x(), 1) + " " + fixed(view({x, y}).y(), 1);
+  };
+  EXPECT_THAT(svg, HasSubstr("d=\"M" + at(9.9, 0.3) + "L" + at(9.1, 0.3) + "L" + at(9.1, -0.3) + "L" +
+                             at(9.9, -0.3) + "Z\""));
 }
 
 TEST(SvgPicture, WallsAndPillarsWithoutAMapAreDrawn) {

@@ -1,5 +1,6 @@
 #include "components/tools/bench/bench.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
@@ -130,6 +131,103 @@ TEST(BenchCrowd, RefusesToDriveNothing) {
   EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
   arguments.planners = {};
   EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
+}
+
+// What is written is enough to judge the drive again: the applied velocity, integrated by the rule of the README, leads
+// from each pose to the next, and is the command within what one period may change.
+TEST(BenchCrowd, SamplesSayWhatWasDriven) {
+  BenchCrowdArguments arguments;
+  arguments.scene = "seed1_";
+  EXPECT_FALSE(crowd_result(arguments)["episodes"][0].contains("samples"));
+  arguments.with_samples = true;
+  const nlohmann::json result = crowd_result(arguments);
+  const nlohmann::json& samples = result["episodes"][0]["samples"];
+  ASSERT_NEAR(static_cast<double>(samples.size()), result["episodes"][0]["time_s"].get<double>() / 0.1, 1e-6);
+  const auto number = [&](std::size_t k, const char* key, std::size_t i) {
+    return samples[k][key][i].get<double>();
+  };
+  const double dv = 2.0 * 1.0 * 0.1;  // of the rule, with its acc_max
+  for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
+    double x = number(k, "pose", 0), y = number(k, "pose", 1), theta = number(k, "pose", 2);
+    const double v = number(k, "applied", 0), omega = number(k, "applied", 1);
+    for (int step = 0; step < 5; ++step) {
+      x += 0.02 * v * std::cos(theta + 0.01 * omega);
+      y += 0.02 * v * std::sin(theta + 0.01 * omega);
+      theta += 0.02 * omega;
+    }
+    ASSERT_NEAR(number(k + 1, "pose", 0), x, 1e-9) << k;
+    ASSERT_NEAR(number(k + 1, "pose", 1), y, 1e-9) << k;
+    EXPECT_EQ(samples[k + 1]["twist"], samples[k]["applied"]) << k;
+    EXPECT_LE(std::abs(v - number(k, "twist", 0)), dv + 1e-12) << k;
+    EXPECT_EQ(samples[k]["walkers"].size(), samples[0]["walkers"].size());
+  }
+}
+
+TEST(BenchCrowd, SaysUnderWhichConditions) {
+  BenchCrowdArguments arguments;
+  arguments.scene = "seed1_";
+  arguments.adjust = [](LocalPlannerOptions& options) {
+    options.teb.band.warm_outer_iterations = 2;
+    options.teb.band.warm_inner_iterations = 5;
+    options.driving.evasion_horizon = 0.0;
+  };
+  const nlohmann::json conditions = crowd_result(arguments)["conditions"];
+  EXPECT_EQ(conditions["weights_set"], "default");
+  EXPECT_EQ(conditions["weights"]["kinematics_nh"], 1000.0);
+  EXPECT_EQ(conditions["budget"]["warm"], (nlohmann::json{{"outer", 2}, {"inner", 5}}));
+  EXPECT_EQ(conditions["budget"]["max_iterations"], 100);
+  EXPECT_EQ(conditions["layers"]["evasion_horizon_s"], 0.0);
+  EXPECT_EQ(conditions["limits"]["v_max"], 1.0);
+}
+
+// The start of a cycle lies on the plan of the one before, replan_period on, and the last plan is the one that is judged.
+TEST_F(SharedScenes, TebSamplesAreEveryCycle) {
+  BenchTebArguments arguments;
+  arguments.scenes = folder_ + "teb_scenes.yaml";
+  arguments.scene = "a_";
+  arguments.repetitions = 1;
+  arguments.weights = {BenchWeights::file};
+  arguments.with_samples = true;
+  arguments.json = json_;
+  ASSERT_EQ(bench_teb(arguments), 0);
+  const nlohmann::json row = result()["scenes"][0];
+  for (const nlohmann::json& run : {row, row["candidates"]}) {
+    const nlohmann::json& samples = run["samples"];
+    ASSERT_EQ(samples.size(), 21U);
+    for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
+      EXPECT_NEAR(samples[k + 1]["t"].get<double>(), 0.1 * static_cast<double>(k + 1), 1e-12);
+      const nlohmann::json& plan = samples[k]["plan"];
+      std::size_t i = 0;
+      while (plan[i + 1][0].get<double>() < 0.1) ++i;
+      const double t0 = plan[i][0], t1 = plan[i + 1][0];
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double a = plan[i][axis + 1], b = plan[i + 1][axis + 1];
+        EXPECT_NEAR(samples[k + 1]["start"][axis].get<double>(), a + (0.1 - t0) / (t1 - t0) * (b - a), 1e-9);
+      }
+    }
+    EXPECT_EQ(samples.back()["plan"].size(), run["warm"]["plan"].size());
+    EXPECT_EQ(samples.back()["plan"][1][1], run["warm"]["plan"][1][0]);
+  }
+}
+
+// A finer band has a lower time term: it is told that its cost does not compare, and what it would be at dt_ref.
+TEST_F(SharedScenes, OtherIntervalsAreMarkedAsNotComparable) {
+  BenchTebArguments arguments;
+  arguments.scenes = folder_ + "teb_scenes.yaml";
+  arguments.scene = "a_";
+  arguments.repetitions = 1;
+  arguments.weights = {BenchWeights::file};
+  arguments.json = json_;
+  ASSERT_EQ(bench_teb(arguments), 0);
+  const nlohmann::json usual = result()["scenes"][0]["warm"];
+  EXPECT_EQ(usual["comparable"], true);
+  arguments.adjust = [](LocalPlannerOptions& options) { options.teb.band.dt_ref = 0.25; };
+  ASSERT_EQ(bench_teb(arguments), 0);
+  const nlohmann::json finer = result()["scenes"][0]["warm"];
+  EXPECT_EQ(finer["comparable"], false);
+  EXPECT_LT(finer["cost"]["total"], 0.9 * usual["cost"]["total"].get<double>());
+  EXPECT_NEAR(finer["cost"]["total_at_dt_ref"].get<double>(), usual["cost"]["total_at_dt_ref"].get<double>(),
+              0.1);
 }
 
 TEST_F(SharedScenes, UnknownNamesAreRefused) {

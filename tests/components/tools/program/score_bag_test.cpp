@@ -85,7 +85,7 @@ class RecordedDrive : public testing::Test {
     writer_->close();
   }
 
-  BagScore score() { return score_bag(*bag::open_bag(path_), 0.3); }
+  BagScore score() { return score_bag(*bag::open_bag(path_), {0.3, {}}); }
 
   std::filesystem::path path_;
   std::optional<bag::BagWriter> writer_;
