@@ -6,6 +6,7 @@
 
 #include "components/mapping/costmap/costmap_options.hpp"
 #include "components/mapping/obstacle_extraction.hpp"
+#include "components/model/footprint_options.hpp"
 
 namespace bw::costmap {
 
@@ -15,6 +16,7 @@ struct LocalCostmapParameters {
   double tracks_timeout = 0.5;
   bool use_map = false;
   bool nav2_names = false;
+  FootprintOptions footprint;
   GridOptions grid;
   InflationOptions inflation;
   ExtractionOptions obstacles{.tolerance_cells = 0.3};
@@ -32,6 +34,7 @@ struct LocalCostmapParameters {
       {.doc =
            "topics and services as those of the costmap inside Nav2's controller_server, for a node in the namespace "
            "local_costmap: costmap, costmap_raw, published_footprint, get_costmap, clear_..."});
+    footprint.fields(v);
     grid.fields(v);
     inflation.fields(v);
     v("obstacles", obstacles, {.doc = "shapes for the local planner"});

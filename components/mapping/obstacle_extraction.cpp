@@ -218,14 +218,12 @@ ExtractionResult extract_obstacles(const OccupancyGrid& grid, const Vector2& pos
   }
   std::stable_sort(shapes.begin(), shapes.end(),
                    [](const Shape& a, const Shape& b) { return a.distance < b.distance; });
-  const std::size_t kept = std::min(shapes.size(), static_cast<std::size_t>(options.max_obstacles));
-  result.dropped = shapes.size() - kept;
-  for (std::size_t i = 0; i < kept; ++i) {
-    if (const Disc* disc = std::get_if<Disc>(&shapes[i].form)) {
+  for (const Shape& shape : shapes) {
+    if (const Disc* disc = std::get_if<Disc>(&shape.form)) {
       result.obstacles.discs.push_back(*disc);
       continue;
     }
-    const Segment& segment = std::get<Segment>(shapes[i].form);
+    const Segment& segment = std::get<Segment>(shape.form);
     if (segment.a == segment.b) {
       result.obstacles.points.push_back(segment.a);
     } else {

@@ -15,7 +15,6 @@ namespace bw {
 struct ExtractionOptions {
   double radius = 4.0;           ///< boundary cells farther than this from the robot are left out [m]
   double tolerance_cells = 0.5;  ///< largest distance of a boundary cell's centre from its shape [cells]
-  int max_obstacles = 200;       ///< the nearest this many shapes are kept
   int occupied_at = 65;          ///< smallest occupancy that is an obstacle
   bool face_unknown = false;     ///< outline obstacles towards unknown cells too
 
@@ -28,8 +27,6 @@ struct ExtractionOptions {
        .min = 0.1,
        .max = 2,
        .doc = "how closely segments follow the cells; raise it for fewer"});
-    v("max_obstacles", max_obstacles,
-      {.min = 1, .max = 10000, .doc = "how many shapes are given, the nearest ones"});
     v("occupied_at", occupied_at,
       {.min = 1, .max = 100, .doc = "smallest occupancy of a map cell that is an obstacle"});
     v("face_unknown", face_unknown,
@@ -39,13 +36,12 @@ struct ExtractionOptions {
 
 struct ExtractionResult {
   StaticObstacles obstacles;       ///< in the frame of the grid; each list nearest first
-  std::size_t dropped = 0;         ///< farthest shapes left out because of max_obstacles
   std::size_t boundary_cells = 0;  ///< that the shapes stand for
 };
 
 /// Boundary cells (obstacle cells beside a free cell, seen along rows and columns) whose centre lies within
 /// `radius` of `position` are chained to contours. A small round contour becomes a disc, others the fewest
-/// segments that doubling strides find, a single cell a point. Unless shapes were dropped, every boundary
+/// segments that doubling strides find, a single cell a point. Every boundary
 /// cell's centre lies within the tolerance of a shape (of its rim, for a disc). Shapes run through cell
 /// centres: the surface may stand half a cell before them. With `surface`, the place of the surface in each
 /// cell from its centre [cells], shapes run through those places instead. Deterministic. A position that is

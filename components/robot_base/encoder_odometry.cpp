@@ -6,14 +6,10 @@
 
 #include "components/model/arc.hpp"
 #include "components/model/wheel_step.hpp"
+#include "components/robot_base/wrapping_counts.hpp"
 
 namespace bw {
 namespace {
-
-/// Difference of two wrapping counters, the short way round.
-std::int64_t difference(std::int32_t from, std::int32_t to) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from));
-}
 
 double metres_per_tick(double radius, const Robot& robot) {
   return 2.0 * std::numbers::pi * radius / static_cast<double>(robot.ticks_per_revolution);
@@ -67,8 +63,10 @@ CountsStatus EncoderOdometry::add(const EncoderCounts& counts) {
     from = &*suspect_;
     status = CountsStatus::rebased;
   }
-  const double ds_left = static_cast<double>(difference(from->left, counts.left)) * left_metres_per_tick_;
-  const double ds_right = static_cast<double>(difference(from->right, counts.right)) * right_metres_per_tick_;
+  const double ds_left =
+      static_cast<double>(wrapping_difference(from->left, counts.left)) * left_metres_per_tick_;
+  const double ds_right =
+      static_cast<double>(wrapping_difference(from->right, counts.right)) * right_metres_per_tick_;
   if (status == CountsStatus::rebased) {
     const Travelled last = history_[history_size_ - 1];
     history_[0] = {from->time, last.distance, last.turn};
@@ -96,8 +94,8 @@ bool EncoderOdometry::possible(const EncoderCounts& from, const EncoderCounts& t
   constexpr double kRoundingTicks = 2.0;
   const double seconds = (to.time - from.time).to_seconds();
   const double reach = options_.speed_margin * wheel_speed_max_ * seconds / metres_per_tick_ + kRoundingTicks;
-  return static_cast<double>(std::abs(difference(from.left, to.left))) <= reach &&
-         static_cast<double>(std::abs(difference(from.right, to.right))) <= reach;
+  return static_cast<double>(std::abs(wrapping_difference(from.left, to.left))) <= reach &&
+         static_cast<double>(std::abs(wrapping_difference(from.right, to.right))) <= reach;
 }
 
 void EncoderOdometry::integrate(double ds_left, double ds_right) {

@@ -6,12 +6,16 @@
 #include <numbers>
 
 #include "components/model/differential_drive.hpp"
+#include "components/model/footprint_outline.hpp"
+#include "components/model/footprint_way.hpp"
 #include "components/model/sweep_motion.hpp"
 
 namespace bw::safety {
 namespace {
 
-constexpr double kStanding = 0.02;        // [m/s]: slower is at rest, and no speed worth driving
+constexpr double kStanding = 0.02;  // [m/s]: slower is at rest, and no speed worth driving
+constexpr double kTurning = 0.02;   // [rad/s]: the same of a turn
+constexpr double kShortestLever = 1e-3;
 constexpr double kFreely = 0.9;           // share of the sector of travel that must be covered
 constexpr double kLongestSweepAge = 0.2;  // [s]: a stamp that is older is of another clock
 
@@ -25,7 +29,8 @@ std::string_view cause_of(LaserState state) {
 
 CollisionMonitor::CollisionMonitor(const Robot& robot, const CollisionMonitorOptions& options)
     : limits_(robot.limits),
-      robot_radius_(robot.radius),
+      wheel_separation_(robot.wheel_separation),
+      footprint_(robot.outline()),
       empty_sight_(options.sweep),
       watch_(Duration::seconds(options.source_timeout)),
       hold_(Duration::seconds(options.clear_after), robot.limits.acc_max) {
@@ -34,13 +39,20 @@ CollisionMonitor::CollisionMonitor(const Robot& robot, const CollisionMonitorOpt
 
 void CollisionMonitor::set_options(const CollisionMonitorOptions& options) {
   options_ = options;
-  radius_ = robot_radius_ + options.stopping.padding;
+  set_footprint(footprint_);
   stopping_ = {options.stopping.reaction_time, limits_.stop_deceleration, options.stopping.approach_speed};
   zones_.clear();
   for (const ZoneOptions& zone : options_.polygons) {
     if (zone.enabled) zones_.emplace_back(zone);
   }
   held_cause_.cause = kStoppingDistance;  // it may have been the name of a zone
+}
+
+void CollisionMonitor::set_footprint(const Footprint& footprint) {
+  footprint_ = footprint;
+  kept_free_ = padded(footprint, options_.stopping.padding);
+  core_ = padded(kept_free_, -options_.stopping.graze);
+  wide_ = padded(kept_free_, options_.stopping.narrow_margin);
 }
 
 void CollisionMonitor::odometry(Time time, const Pose2& X_OB, const Twist2& twist) {
@@ -104,15 +116,41 @@ CollisionMonitor::Ahead CollisionMonitor::ahead_at(Time now) const {
   return ahead;
 }
 
-/// Speed along the arc of `along` that the stopping distance allows.
+/// Speed along the arc of `along` that the stopping distance allows; of a turn on the spot the turn rate.
 double CollisionMonitor::rule_speed(const Twist2& along, const Ahead& ahead) const {
+  return kept_free_.is_polygon() ? polygon_speed(along, ahead) : disc_speed(along, ahead);
+}
+
+/// Each point on its own: the side that touches it goes its own way, `lever` times that of base_link. Both wheels brake by one
+/// factor, so that the faster one has all of the deceleration.
+double CollisionMonitor::polygon_speed(const Twist2& along, const Ahead& ahead) const {
+  const StoppingOptions& rule = options_.stopping;
+  const double pace = along.v != 0.0 ? std::abs(along.v) : std::abs(along.omega);
+  const double wheel = std::abs(along.v) + 0.5 * wheel_separation_ * std::abs(along.omega);
+  double speed = std::numeric_limits<double>::infinity();
+  for (const SeenPoint& point : ahead.points) {
+    const TouchOnArc touch = first_touch(along, kept_free_.polygon, point.position);
+    if (std::isinf(touch.way)) continue;
+    const bool is_deep = std::isfinite(first_touch(along, core_.polygon, point.position).way);
+    const double lever = std::max(touch.lever, kShortestLever);
+    const Stopping stopping{stopping_.reaction_time, stopping_.deceleration * pace / wheel,
+                            stopping_.approach_speed / lever};
+    const double way = touch.way - (rule.margin + ahead.nearer) / lever;
+    const double end_speed =
+        is_deep ? 0.0 : rule.graze_speed / (along.v != 0.0 ? std::max(1.0, lever) : lever);
+    speed = std::min(speed, speed_within(way, stopping, end_speed));
+  }
+  return speed;
+}
+
+double CollisionMonitor::disc_speed(const Twist2& along, const Ahead& ahead) const {
   const StoppingOptions& rule = options_.stopping;
   double way = std::numeric_limits<double>::infinity();
   double deep_way = way;
   for (const SeenPoint& point : ahead.points) {
-    const double touch = free_way(along, radius_, point.position);
+    const double touch = free_way(along, kept_free_.radius, point.position);
     way = std::min(way, touch);
-    if (std::isfinite(free_way(along, radius_ - rule.graze, point.position)))
+    if (std::isfinite(free_way(along, kept_free_.radius - rule.graze, point.position)))
       deep_way = std::min(deep_way, touch);
   }
   const double kept = rule.margin + ahead.nearer;
@@ -126,7 +164,7 @@ double CollisionMonitor::narrow_speed(const Twist2& along, const Ahead& ahead) c
   double way = std::numeric_limits<double>::infinity();
   for (const SeenPoint& point : ahead.points) {
     if (!point.is_narrow) continue;
-    way = std::min(way, free_way_to_walker(along, radius_ + rule.narrow_margin, point.position));
+    way = std::min(way, free_way_to_walker(along, wide_, point.position));
   }
   return speed_within(way - ahead.nearer, stopping_, rule.narrow_speed);
 }
@@ -156,14 +194,38 @@ CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted, const A
   return bound;
 }
 
+/// Of a turn on the spot, what the stopping distance leaves.
+double CollisionMonitor::turn_share(double omega, const Ahead& ahead) const {
+  if (!kept_free_.is_polygon() || omega == 0.0) return 1.0;
+  return std::min(1.0, rule_speed({0.0, omega}, ahead) / std::abs(omega));
+}
+
 /// `wanted` at `speed` on the same path. While the robot brakes its turn rate follows its speed; at rest it
 /// may turn on the spot.
-Twist2 CollisionMonitor::shrink(const Twist2& wanted, double speed) const {
+Twist2 CollisionMonitor::shrink(const Twist2& wanted, double speed, const Ahead& ahead) const {
   if (speed < kStanding) speed = 0.0;
   const bool at_rest = speed == 0.0 && std::abs(twist_.v) < kStanding;
   const double share = speed / std::abs(wanted.v);
-  const double turn_share = at_rest ? 1.0 : std::max(share, std::abs(twist_.v) / std::abs(wanted.v));
-  return {wanted.v * share, wanted.omega * std::min(1.0, turn_share)};
+  const double turning =
+      at_rest ? turn_share(wanted.omega, ahead) : std::max(share, std::abs(twist_.v) / std::abs(wanted.v));
+  return {wanted.v * share, wanted.omega * std::min(1.0, turning)};
+}
+
+/// Of a turn on the spot.
+Verdict CollisionMonitor::judge_turn(const Twist2& wanted, const Ahead& ahead) const {
+  Verdict verdict{wanted, Action::do_nothing, ""};
+  const auto consider = [&](double share, Action action, std::string_view cause) {
+    if (std::abs(share * wanted.omega) < std::abs(verdict.allowed.omega))
+      verdict = {{0.0, share * wanted.omega}, action, cause};
+  };
+  for (const Zone& zone : zones_)
+    consider(zone.share_left(wanted, ahead.points), zone.options().action_type, zone.options().name);
+  consider(turn_share(wanted.omega, ahead), Action::approach, kStoppingDistance);
+  // What it does now must fit as well.
+  if (std::abs(twist_.omega) > std::abs(verdict.allowed.omega) + kTurning &&
+      turn_share(twist_.omega, ahead) < 1.0)
+    return {verdict.allowed, Action::approach, kStoppingDistance};
+  return verdict;
 }
 
 Verdict CollisionMonitor::judge(Time now, const Twist2& wanted) {
@@ -177,17 +239,13 @@ Verdict CollisionMonitor::judge(Time now, const Twist2& wanted) {
                                       wanted.v > 0.0 ? 1 : -1);
     if (bound.speed <= speed) held_cause_ = bound;
     if (speed < std::abs(wanted.v)) {
-      verdict.allowed = shrink(wanted, speed);
+      verdict.allowed = shrink(wanted, speed, ahead);
       verdict.action = speed < kStanding ? Action::stop : held_cause_.action;
       verdict.cause = held_cause_.cause;
       return verdict;
     }
   } else {
-    for (const Zone& zone : zones_) {
-      const double share = zone.share_left(wanted, ahead.points);
-      if (std::abs(share * wanted.omega) >= std::abs(verdict.allowed.omega)) continue;
-      verdict = {{0.0, share * wanted.omega}, zone.options().action_type, zone.options().name};
-    }
+    verdict = judge_turn(wanted, ahead);
   }
   // The command asks for less than the robot still does: what it does now must fit as well, or it brakes
   // hard.

@@ -1,15 +1,15 @@
 // The last look before the wheels: passes a wanted velocity on only as far as the laser shows room for it.
 // Knows no map, no plan, no people and no place, so that none of them can be wrong.
 //
-//   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's disc
-//           along the wanted arc (free_way.hpp); v and omega shrink together, so the path stays
+//   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's footprint
+//           along the wanted arc (free_way.hpp, footprint_way.hpp); v and omega shrink together, so the path stays
 //   graze   what the side of the robot would touch by less than `graze` is passed at graze_speed
 //   body    around narrow things (legs) the robot is down to narrow_speed narrow_margin earlier
 //   sight   into a sector the laser does not see it creeps; into one whose beams are broken it stops
 //   zones   of nav2_collision_monitor (zone.hpp)
 //   laser   silent, frozen or unsound for source_timeout: a stop
 //
-// Turning on the spot is always free for a disc. A motion that leads away from what is too near is free.
+// Turning on the spot is always free for a disc; a polygon's sides come round, and are judged as on any arc. A motion that leads away from what is too near is free.
 #pragma once
 
 #include <optional>
@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "components/model/footprint.hpp"
 #include "components/model/robot.hpp"
 #include "components/safety/action.hpp"
 #include "components/safety/collision_monitor_options.hpp"
@@ -57,6 +58,10 @@ class CollisionMonitor {
   /// New zones, stopping distances and sight; what watches the laser stays as it was constructed. Causes of verdicts given
   /// before are no longer valid.
   void set_options(const CollisionMonitorOptions& options);
+  /// The robot's outline from now on.
+  void set_footprint(const Footprint& footprint);
+  /// It, and its padding.
+  const Footprint& kept_free() const { return kept_free_; }
 
   /// Where the encoders say the robot is, and its true body velocity, at `time`.
   void odometry(Time time, const Pose2& X_OB, const Twist2& twist);
@@ -95,14 +100,21 @@ class CollisionMonitor {
   Pose2 pose_at(Time time) const;
   Ahead ahead_at(Time now) const;
   double rule_speed(const Twist2& along, const Ahead& ahead) const;
+  double disc_speed(const Twist2& along, const Ahead& ahead) const;
+  double polygon_speed(const Twist2& along, const Ahead& ahead) const;
   double narrow_speed(const Twist2& along, const Ahead& ahead) const;
   Bound tightest(const Twist2& wanted, const Ahead& ahead) const;
   double sight_speed(double v) const;
-  Twist2 shrink(const Twist2& wanted, double speed) const;
+  Twist2 shrink(const Twist2& wanted, double speed, const Ahead& ahead) const;
+  double turn_share(double omega, const Ahead& ahead) const;
+  Verdict judge_turn(const Twist2& wanted, const Ahead& ahead) const;
 
   Limits limits_;
-  double robot_radius_;
-  double radius_ = 0.0;  ///< with padding
+  double wheel_separation_;  ///< [m]
+  Footprint footprint_;
+  Footprint kept_free_;  ///< with padding
+  Footprint core_;       ///< what is touched deeper than by a graze
+  Footprint wide_;       ///< kept free of narrow things
   CollisionMonitorOptions options_;
   Stopping stopping_;
   std::vector<Zone> zones_;

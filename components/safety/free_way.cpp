@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "components/model/footprint_way.hpp"
+
 namespace bw::safety {
 namespace {
 
@@ -33,6 +35,16 @@ double arc_way(double rho, double radius, const Vector2& p) {
   return turn_radius * (angle_ahead(rho, p) - std::acos(std::min(1.0, cosine)));
 }
 
+/// `way` to the touch, `front` of the body ahead of its centre.
+double way_to_walker(const Twist2& twist, double way, double front, const Vector2& point) {
+  if (std::isinf(way) || way == 0.0) return way;
+  const Vector2 ahead(twist.v > 0.0 ? point.x() : -point.x(), point.y());
+  const double curvature = twist.omega / twist.v;
+  const double abreast =
+      std::abs(curvature) < kStraight ? ahead.x() : angle_ahead(1.0 / curvature, ahead) / std::abs(curvature);
+  return std::clamp(abreast - front, 0.0, way);
+}
+
 }  // namespace
 
 double free_way(const Twist2& twist, double radius, const Vector2& point) {
@@ -47,13 +59,15 @@ double free_way(const Twist2& twist, double radius, const Vector2& point) {
 }
 
 double free_way_to_walker(const Twist2& twist, double radius, const Vector2& point) {
-  const double way = free_way(twist, radius, point);
-  if (std::isinf(way) || way == 0.0) return way;
-  const Vector2 ahead(twist.v > 0.0 ? point.x() : -point.x(), point.y());
-  const double curvature = twist.omega / twist.v;
-  const double abreast =
-      std::abs(curvature) < kStraight ? ahead.x() : angle_ahead(1.0 / curvature, ahead) / std::abs(curvature);
-  return std::clamp(abreast - radius, 0.0, way);
+  return way_to_walker(twist, free_way(twist, radius, point), radius, point);
+}
+
+double free_way_to_walker(const Twist2& twist, const Footprint& footprint, const Vector2& point) {
+  if (!footprint.is_polygon()) return free_way_to_walker(twist, footprint.radius, point);
+  double front = 0.0;
+  for (const Vector2& corner : footprint.polygon)
+    front = std::max(front, twist.v > 0.0 ? corner.x() : -corner.x());
+  return way_to_walker(twist, first_touch(twist, footprint.polygon, point).way, front, point);
 }
 
 double speed_within(double way, const Stopping& stopping, double end_speed) {

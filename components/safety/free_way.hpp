@@ -1,6 +1,7 @@
-// How far a disc can drive along its present arc until it touches a point, and how fast it may drive there.
+// How far a robot can drive along its present arc until it touches a point, and how fast it may drive there.
 #pragma once
 
+#include "components/model/footprint.hpp"
 #include "runtime/base/pose2.hpp"
 
 namespace bw::safety {
@@ -18,6 +19,7 @@ double free_way(const Twist2& twist, double radius, const Vector2& point);
 /// The same for a point that may walk across: once it is anywhere in the way of the disc, as if it stood in
 /// the middle of it, where the disc's front reaches it first.
 double free_way_to_walker(const Twist2& twist, double radius, const Vector2& point);
+double free_way_to_walker(const Twist2& twist, const Footprint& footprint, const Vector2& point);
 
 /// What a stop costs.
 struct Stopping {

@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "components/model/footprint.hpp"
 #include "components/world/person.hpp"
 #include "runtime/base/time.hpp"
 
@@ -28,8 +29,8 @@ class ContactLog {
   /// `held_by_wall`: the base was stopped by a wall in this step; `wall_gap` [m]: from the robot's rim to the
   /// nearest wall; `speed_before` [m/s]: ground speed as the step began, before a wall took it; `others`: people and
   /// other robots.
-  void step(Duration now, const RobotBody& robot, double speed_before, bool held_by_wall, double wall_gap,
-            const std::vector<Person>& others);
+  void step(Duration now, const Footprint& footprint, const Pose2& pose, double speed_before,
+            bool held_by_wall, double wall_gap, const std::vector<Person>& others);
 
   const std::vector<Contact>& contacts() const { return contacts_; }
   int count(ContactKind kind) const;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "components/world/wall_gap.hpp"
+
 namespace bw {
 namespace {
 
@@ -14,7 +16,7 @@ double approach(double value, double target, double most) {
 }  // namespace
 
 DriveModel::DriveModel(const DriveOptions& options, const Robot& robot, const Pose2& start, Random random)
-    : options_(options), robot_(robot), pose_(start), random_(random) {
+    : options_(options), robot_(robot), footprint_(robot.outline()), pose_(start), random_(random) {
   robot_.wheel_separation *= 1.0 + options.separation_error;
 }
 
@@ -44,13 +46,19 @@ bool DriveModel::step(double dt, const StaticScene& scene) {
     return to_wheel_speeds({0.0, to_twist(rim, robot_.wheel_separation).omega}, robot_.wheel_separation);
   };
   Pose2 next = moved_by(mean);
-  const double clearance = scene.clearance(next.position(), robot_.radius);
-  const bool blocked =
-      clearance < robot_.radius && clearance < scene.clearance(pose_.position(), robot_.radius);
+  const auto goes_deeper = [&](const Pose2& to) {
+    const double gap = wall_gap(scene, footprint_, to, 0.0);
+    return gap < 0.0 && gap < wall_gap(scene, footprint_, pose_, 0.0);
+  };
+  const bool blocked = goes_deeper(next);
   if (blocked) {
     rim_ = without_translation(rim_);
     mean = without_translation(mean);
     next = moved_by(mean);
+  }
+  if (blocked && footprint_.is_polygon() && goes_deeper(next)) {
+    rim_ = mean = {};
+    next = pose_;
   }
   pose_ = next;
 

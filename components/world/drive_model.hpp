@@ -7,7 +7,8 @@
 //   measured = true (1 + scale + s e / 2) + N(0, k |true|)   with s = +1 right, -1 left
 //
 // then whole ticks in a counter that wraps at 32 bits. A wall stops the base: a step that would bring its
-// disc further into a wall keeps the turn and loses the rest, and the wheels stall.
+// footprint further into a wall keeps the turn and loses the rest, and the wheels stall; of a polygon the turn as well
+// where that alone goes further in.
 #pragma once
 
 #include <cstdint>
@@ -79,11 +80,14 @@ class DriveModel {
 
   const Pose2& pose() const { return pose_; }  ///< of base_link in map
   Twist2 twist() const;                        ///< true body velocity now
+  const Footprint& footprint() const { return footprint_; }
+  void set_footprint(const Footprint& footprint) { footprint_ = footprint; }
   EncoderTicks ticks() const;
 
  private:
   DriveOptions options_;
   Robot robot_;
+  Footprint footprint_;
   Pose2 pose_;
   Random random_;
   WheelSpeeds target_;          ///< rim speeds asked for [m/s]

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "components/world/ray.hpp"
 
@@ -109,6 +110,37 @@ double GridScene::ray_hit(const Vector2& origin, const Vector2& unit_direction, 
     }
   }
   return kNoHit;
+}
+
+std::vector<Segment> GridScene::edges_within(const Vector2& point, double reach) const {
+  std::vector<Segment> edges;
+  const auto solid = [&](int column, int row) {
+    return column >= 0 && column < width_ && row >= 0 && row < height_ && strides(column, row) == 0;
+  };
+  const auto first = [&](double value, double low) {
+    return static_cast<int>(std::max(0.0, std::floor((value - reach - low) / resolution_)));
+  };
+  const auto end = [&](double value, double low, int cells) {
+    return static_cast<int>(
+        std::clamp(std::ceil((value + reach - low) / resolution_), 0.0, static_cast<double>(cells)));
+  };
+  const int last_row = end(point.y(), origin_.y(), height_),
+            last_column = end(point.x(), origin_.x(), width_);
+  for (int row = first(point.y(), origin_.y()); row < last_row; ++row) {
+    for (int column = first(point.x(), origin_.x()); column < last_column;) {
+      const int free = strides(column, row);
+      const int here = std::exchange(column, column + std::max(1, free));
+      if (free > 0) continue;
+      const Vector2 low = origin_ + resolution_ * Vector2(here, row);
+      const Vector2 high = origin_ + resolution_ * Vector2(here + 1, row + 1);
+      if ((point.cwiseMax(low).cwiseMin(high) - point).norm() > reach) continue;
+      if (!solid(here - 1, row)) edges.push_back({low, {low.x(), high.y()}});
+      if (!solid(here + 1, row)) edges.push_back({{high.x(), low.y()}, high});
+      if (!solid(here, row - 1)) edges.push_back({low, {high.x(), low.y()}});
+      if (!solid(here, row + 1)) edges.push_back({{low.x(), high.y()}, high});
+    }
+  }
+  return edges;
 }
 
 std::optional<Vector2> GridScene::nearest_point(const Vector2& point, double limit) const {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "components/world/random_streams.hpp"
+#include "components/world/wall_gap.hpp"
 
 namespace bw {
 namespace {
@@ -56,11 +57,14 @@ void World::add_robot(const StartOptions& start, std::uint64_t seed) {
                              ") is nearer to " + why);
   };
   const Pose2 pose{start.x, start.y, wrap_angle(start.theta)};
-  if (scene_.clearance(pose.position(), robot_.radius) < robot_.radius)
-    refuse("a wall than the robot's radius of " + std::to_string(robot_.radius) + " m");
+  const Footprint footprint = robot_.outline();
+  if (bw::wall_gap(scene_, footprint, pose, 0.0) < 0.0)
+    refuse(footprint.is_polygon()
+               ? std::string("a wall than the robot's footprint")
+               : "a wall than the robot's radius of " + std::to_string(footprint.radius) + " m");
   for (const SimulatedRobot& other : robots_) {
-    if ((other.drive.pose().position() - pose.position()).norm() < 2.0 * robot_.radius)
-      refuse("another robot's than two radii of " + std::to_string(robot_.radius) + " m");
+    if ((other.drive.pose().position() - pose.position()).norm() < 2.0 * footprint.radius)
+      refuse("another robot's than two radii of " + std::to_string(footprint.radius) + " m");
   }
   const std::uint64_t own_seed = robot_seed(seed, robots_.size());
   std::vector<LaserScanner> more;
@@ -112,11 +116,11 @@ std::string World::push_person(std::uint32_t id, const Vector2& velocity_change)
 }
 
 RobotBody World::body(std::size_t robot) const {
-  return {pose(robot).position(), direction(pose(robot).theta) * twist(robot).v, robot_.radius};
+  return {pose(robot).position(), direction(pose(robot).theta) * twist(robot).v, footprint(robot).radius};
 }
 
 double World::wall_gap(double limit, std::size_t robot) const {
-  return scene_.clearance(pose(robot).position(), robot_.radius + limit) - robot_.radius;
+  return bw::wall_gap(scene_, footprint(robot), pose(robot), limit);
 }
 
 std::vector<Person> World::others(std::size_t robot) const {
@@ -185,7 +189,7 @@ const WorldSample& World::step() {
   }
   move_people(options_.physics_step);
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    robots_[i].contacts.step(time(), body(i), speed_before[i], is_held_by_wall[i],
+    robots_[i].contacts.step(time(), footprint(i), pose(i), speed_before[i], is_held_by_wall[i],
                              wall_gap(2.0 * ContactLog::kApart, i), others(i));
     samples_[i] = {};
     read_sensors(i, samples_[i]);
@@ -197,7 +201,7 @@ const WorldSample& World::step() {
 std::vector<Disc> World::movers_about(std::size_t robot) const {
   std::vector<Disc> movers = legs_.discs(people_);
   for (std::size_t i = 0; i < robots_.size(); ++i)
-    if (i != robot) movers.push_back({pose(i).position(), robot_.radius});
+    if (i != robot) movers.push_back({pose(i).position(), footprint(i).radius});
   return movers;
 }
 

@@ -79,6 +79,11 @@ class World {
   /// Everybody a robot may meet: people, then the other robots with ids from kFirstRobotId on.
   std::vector<Person> others(std::size_t robot) const;
   const ContactLog& contacts(std::size_t robot = 0) const { return robots_[robot].contacts; }
+  const Footprint& footprint(std::size_t robot = 0) const { return robots_[robot].drive.footprint(); }
+  /// The robot's outline from now on.
+  void set_footprint(const Footprint& footprint, std::size_t robot = 0) {
+    robots_[robot].drive.set_footprint(footprint);
+  }
   /// From the robot's rim to the nearest wall, at most `limit` [m].
   double wall_gap(double limit, std::size_t robot = 0) const;
   const StaticScene& scene() const { return scene_; }

@@ -33,11 +33,11 @@ class CostmapTopics {
   }
   /// `costs` are those of `cells`, X_OB is the robot in their frame.
   void publish(OccupancyGrid cells, const std::vector<std::uint8_t>& costs, const Pose2& X_OB,
-               double robot_radius, const std_msgs::msg::Header& header) const {
+               const Footprint& footprint, const std_msgs::msg::Header& header) const {
     const Time stamp = from_stamp(header.stamp());
     if (raw_) {
       raw_->publish(to_costmap(cells, costs, header.frame_id(), stamp));
-      footprint_->publish(to_footprint(X_OB, robot_radius, header));
+      footprint_->publish(to_published_footprint(X_OB, footprint, header));
     }
     for (std::size_t i = 0; i < costs.size(); ++i) cells.cells[i] = occupancy_of(costs[i]);
     shown_.publish(to_message(cells, header.frame_id(), stamp));

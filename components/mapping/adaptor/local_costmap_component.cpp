@@ -11,6 +11,7 @@
 #include "components/mapping/costmap/inflation.hpp"
 #include "components/mapping/costmap/local_grid.hpp"
 #include "components/mapping/local_costmap_parameters.hpp"
+#include "components/messages/footprint_source.hpp"
 #include "components/messages/laser.hpp"
 #include "components/messages/obstacles.hpp"
 #include "components/messages/placed.hpp"
@@ -27,15 +28,17 @@ class LocalCostmapComponent final : public Component {
  public:
   void configure(Setup& setup) override {
     parameters_ = setup.parameters<LocalCostmapParameters>(
-        [this](const LocalCostmapParameters& changed, const Tick&) {
+        [this](const LocalCostmapParameters& changed, const Tick& tick) {
+          footprint_.set_options(changed.footprint, tick);
           parameters_ = changed;
           grid_->set_options(changed.grid);
-          inflation_.emplace(changed.inflation, robot_radius_, changed.grid.resolution);
+          inflate_around(footprint_.now());
         },
         {"use_map", "nav2_names", "width", "height", "resolution"});
-    robot_radius_ = setup.shared<Robot>("robot").radius;
+    footprint_.offer(setup, setup.shared<Robot>("robot"), parameters_.footprint,
+                     [this](const Footprint& footprint) { inflate_around(footprint); });
     grid_.emplace(parameters_.grid);
-    inflation_.emplace(parameters_.inflation, robot_radius_, parameters_.grid.resolution);
+    inflate_around(footprint_.now());
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
     odom_frame_ = setup.frame("odom");
@@ -55,7 +58,13 @@ class LocalCostmapComponent final : public Component {
                    {.grid = grid_, .X_OB = X_OB_, .costs = [this](Time now) { return costs(now); }});
   }
 
+  void activate(const Tick& tick) override { footprint_.activate(tick); }
+
  private:
+  void inflate_around(const Footprint& footprint) {
+    inflation_.emplace(parameters_.inflation, inscribed_radius(footprint), parameters_.grid.resolution);
+  }
+
   void take_in(Time now) {
     waiting_.hand_over([&](const sensor_msgs::msg::LaserScan& scan, Time received) {
       const Time stamp = time_of(scan);
@@ -80,7 +89,7 @@ class LocalCostmapComponent final : public Component {
       return transforms_->lookup_planar(odom_frame_, base_frame_, time);
     });
     sweep.beam_poses = poses;
-    const SweepFault fault = grid_->add(sweep, X_OB, robot_radius_, people_at(stamp));
+    const SweepFault fault = grid_->add(sweep, X_OB, footprint_.now(), people_at(stamp));
     note(fault == SweepFault::none ? std::string() : to_text(fault));
     if (fault != SweepFault::none) return;
     swept_ = stamp;
@@ -100,9 +109,9 @@ class LocalCostmapComponent final : public Component {
         extract_obstacles(cells_, X_OB_.position(), parameters_.obstacles, grid_->surface());
     obstacles_.publish(to_message(near.obstacles, {}, odom_frame_, stamp));
     diagnostics_->set_value("shapes", std::to_string(near.obstacles.size()));
-    diagnostics_->set_value("shapes_dropped", std::to_string(near.dropped));
     if (!topics_.has_readers()) return;
-    topics_.publish(cells_, inflation_->costs(cells_), X_OB_, robot_radius_, make_header(odom_frame_, stamp));
+    topics_.publish(cells_, inflation_->costs(cells_), X_OB_, footprint_.now(),
+                    make_header(odom_frame_, stamp));
   }
 
   nav2_msgs::msg::Costmap costs(Time now) {
@@ -129,7 +138,7 @@ class LocalCostmapComponent final : public Component {
   }
 
   LocalCostmapParameters parameters_;
-  double robot_radius_ = 0.0;
+  FootprintSource footprint_;
   std::optional<LocalGrid> grid_;
   std::optional<Inflation> inflation_;
   OccupancyGrid cells_;

@@ -57,10 +57,6 @@ class ObstaclesComponent final : public Component {
     if (!X_OM || !X_MB) return;
     const ExtractionResult near = extract_obstacles(grid_, X_MB->position(), options_.extraction);
     obstacles_.publish(to_message(near.obstacles, *X_OM, odom_frame_, now));
-    if (near.dropped > 0 && !dropping_) {
-      log_.warn("the farthest {} obstacles are left out (max_obstacles)", near.dropped);
-    }
-    dropping_ = near.dropped > 0;
   }
 
   ObstaclesOptions options_;
@@ -69,7 +65,6 @@ class ObstaclesComponent final : public Component {
   std::string base_frame_;
   std::string map_frame_;  ///< empty until a usable map came
   OccupancyGrid grid_;
-  bool dropping_ = false;
   std::shared_ptr<const TransformTree> transforms_;
   Output<bandwagon_msgs::msg::Obstacles> obstacles_;
 };

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "components/mapping/costmap/cell_walk.hpp"
+#include "components/model/footprint_distance.hpp"
 
 namespace bw::costmap {
 namespace {
@@ -71,7 +72,7 @@ void LocalGrid::clear_square(const Vector2& center, double edge, bool inside) {
   }
 }
 
-SweepFault LocalGrid::add(const LaserSweep& sweep, const Pose2& X_OB, double robot_radius,
+SweepFault LocalGrid::add(const LaserSweep& sweep, const Pose2& X_OB, const Footprint& footprint,
                           const std::vector<Disc>& people) {
   if (const SweepFault fault = fault_of(sweep); fault != SweepFault::none) return fault;
   if (!is_finite(X_OB) || (X_OB.position() - sweep.X_FL.position()).norm() > 100.0)
@@ -87,8 +88,7 @@ SweepFault LocalGrid::add(const LaserSweep& sweep, const Pose2& X_OB, double rob
 
   std::fill(marks_.begin(), marks_.end(), kNothing);
   for (const Disc& person : people) mark_disc(person.center, person.radius + options_.people_margin, kPerson);
-  // A cell less than the radius: the robot may stand close to a wall.
-  mark_disc(X_OB.position(), robot_radius - grid_.resolution, kUnderRobot);
+  mark_under(footprint, X_OB);
   draw(sweep);
   judge(dt);
   find_surface();
@@ -110,6 +110,24 @@ void LocalGrid::roll_to(const Vector2& center) {
   column0_ = column0;
   row0_ = row0;
   grid_.origin = Vector2(static_cast<double>(column0), static_cast<double>(row0)) * grid_.resolution;
+}
+
+/// A cell less than the outline: the robot may stand close to a wall.
+void LocalGrid::mark_under(const Footprint& footprint, const Pose2& X_OB) {
+  if (!footprint.is_polygon())
+    return mark_disc(X_OB.position(), footprint.radius - grid_.resolution, kUnderRobot);
+  const Vector2 reach = Vector2::Constant(footprint.radius);
+  const Vector2 low = (to_cells(X_OB.position() - reach)).array().floor().max(0.0);
+  const Vector2 high = to_cells(X_OB.position() + reach);
+  const int columns = std::min(grid_.width, static_cast<int>(std::max(0.0, high.x() + 1.0)));
+  const int rows = std::min(grid_.height, static_cast<int>(std::max(0.0, high.y() + 1.0)));
+  for (int row = static_cast<int>(low.y()); row < rows; ++row) {
+    for (int column = static_cast<int>(low.x()); column < columns; ++column) {
+      const Vector2 center = grid_.center(column, row);
+      if (gap_to(footprint, X_OB, {center, center, 0.0}, 0.0) <= -grid_.resolution)
+        raise(grid_.index(column, row), kUnderRobot);
+    }
+  }
 }
 
 void LocalGrid::mark_disc(const Vector2& center, double radius, Mark mark) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "components/mapping/costmap/costmap_options.hpp"
+#include "components/model/footprint.hpp"
 #include "components/model/laser_sweep.hpp"
 #include "components/model/obstacles.hpp"
 #include "components/model/occupancy_grid.hpp"
@@ -28,11 +29,11 @@ class LocalGrid {
   void set_options(const GridOptions& options) { options_ = options; }
 
   /// Takes a sweep in, its scanner in odom. `X_OB`: base_link at that time; the window rolls to have it in
-  /// the middle, and a disc of `robot_radius` [m] around it is free. `people`: where they are at that time,
+  /// the middle, and what lies under `footprint` is free. `people`: where they are at that time,
   /// in odom; cells whose centre lies within radius + people_margin are neither marked nor kept. A sweep that
   /// is refused changes nothing; one that is earlier than the last by a second or more first forgets
   /// everything.
-  SweepFault add(const LaserSweep& sweep, const Pose2& X_OB, double robot_radius,
+  SweepFault add(const LaserSweep& sweep, const Pose2& X_OB, const Footprint& footprint,
                  const std::vector<Disc>& people);
 
   void clear();  ///< forgets everything; the next sweep may have any time
@@ -71,6 +72,7 @@ class LocalGrid {
   void roll_to(const Vector2& center);
   void clear_square(const Vector2& center, double edge, bool inside);
   void mark_disc(const Vector2& center, double radius, Mark mark);
+  void mark_under(const Footprint& footprint, const Pose2& X_OB);
   void draw(const LaserSweep& sweep);
   void cross(const Vector2& from, const Vector2& unit, double range, bool hit);
   void hit(const Vector2& point, Mark mark);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "components/robot_base/eddie/rangers.hpp"
+#include "components/robot_base/wrapping_counts.hpp"
 
 namespace bw::eddie {
 namespace {
@@ -27,14 +28,6 @@ Duration period(double rate) { return Duration::seconds(1.0 / rate); }
 
 Time middle(const Reply& reply) {
   return reply.sent + Duration{(reply.arrived - reply.sent).nanoseconds / 2};
-}
-
-/// Of counters that wrap.
-std::int32_t sum(std::int32_t a, std::int32_t b) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
-}
-std::int32_t difference(std::int32_t a, std::int32_t b) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
 }  // namespace
@@ -176,16 +169,14 @@ bool Eddie::take_counts(Time now, const Reply& reply, Readings& readings) {
   if (!distances) return false;
   const Time time = middle(reply);
   if (has_restarted_) {
-    base_ = {difference(sum(distances_->left, base_.left), distances->left),
-             difference(sum(distances_->right, base_.right), distances->right)};
+    base_ = {wrapping_difference(distances->left, wrapping_sum(distances_->left, base_.left)),
+             wrapping_difference(distances->right, wrapping_sum(distances_->right, base_.right))};
     distances_.reset();
     has_restarted_ = false;
   }
   const auto old = std::exchange(distances_, distances);
   const auto moved = [&](std::int32_t Distances::*wheel) {
-    const auto difference =
-        static_cast<std::uint32_t>((*distances).*wheel) - static_cast<std::uint32_t>((*old).*wheel);
-    return std::abs(static_cast<double>(static_cast<std::int32_t>(difference)));
+    return std::abs(static_cast<double>(wrapping_difference((*old).*wheel, (*distances).*wheel)));
   };
   if (old) {
     const double seconds = std::max(0.0, (time - distances_time_).to_seconds());
@@ -200,7 +191,8 @@ bool Eddie::take_counts(Time now, const Reply& reply, Readings& readings) {
     }
   }
   distances_time_ = time;
-  readings.counts.push_back({time, sum(distances->left, base_.left), sum(distances->right, base_.right)});
+  readings.counts.push_back(
+      {time, wrapping_sum(distances->left, base_.left), wrapping_sum(distances->right, base_.right)});
   const WheelSpeeds travel = {distances->left * metres_per_count_.left,
                               distances->right * metres_per_count_.right};
   const std::string contradiction = check_.measured(time, travel);

@@ -10,6 +10,7 @@
 #include <sensor_msgs/msg/laser_scan.hpp>
 #include <std_msgs/msg/empty.hpp>
 
+#include "components/messages/current_footprint.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/laser.hpp"
 #include "components/messages/velocity_output.hpp"
@@ -41,6 +42,7 @@ class CollisionMonitorComponent final : public Component {
         {"enable_stamped_cmd_vel", "source_timeout", "clear_after", "resume", "sweep"});
     robot_ = setup.shared<Robot>("robot");
     monitor_.emplace(robot_, options_);
+    footprint_.listen(setup, robot_, [this](const Footprint& now) { monitor_->set_footprint(now); });
     for (SensorMount& mount : robot_.sensors) mount.frame = setup.frame(mount.frame);
     base_frame_ = setup.frame("base_link");
     frames_ = {robot_, base_frame_, setup.log()};
@@ -114,7 +116,7 @@ class CollisionMonitorComponent final : public Component {
         (!drawn_at_ || tick.now - *drawn_at_ >= kMarkerPeriod || tick.now < *drawn_at_)) {
       drawn_at_ = tick.now;
       markers_.publish(
-          safety::to_markers(options_, robot_.radius, verdict, make_header(base_frame_, tick.now)));
+          safety::to_markers(options_, monitor_->kept_free(), verdict, make_header(base_frame_, tick.now)));
     }
   }
 
@@ -146,6 +148,7 @@ class CollisionMonitorComponent final : public Component {
   safety::CollisionMonitorOptions options_;
   Robot robot_;  ///< its sensors by the frames their messages name
   std::optional<safety::CollisionMonitor> monitor_;
+  CurrentFootprint footprint_;
   std::string base_frame_;
   Twist2 wanted_;
   std::optional<Time> wanted_at_;

@@ -1,13 +1,12 @@
 #include "components/safety/adaptor/zone_markers.hpp"
 
-#include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/markers.hpp"
+#include "components/model/footprint_outline.hpp"
 
 namespace bw::safety {
 namespace {
@@ -33,31 +32,35 @@ Marker marker(const std::string& ns, int id, int type, const Color& color,
   return m;
 }
 
-std::vector<geometry_msgs::msg::Point> circle(double radius) {
-  constexpr int kCorners = 48;
+std::vector<geometry_msgs::msg::Point> closed(const std::vector<Vector2>& corners) {
   std::vector<geometry_msgs::msg::Point> points;
-  for (int i = 0; i <= kCorners; ++i)
-    points.push_back(to_point(radius * direction(2.0 * std::numbers::pi * i / kCorners)));
-  return points;
-}
-
-std::vector<geometry_msgs::msg::Point> outline(const ZoneOptions& zone) {
-  if (zone.type == ZoneShape::circle) return circle(zone.radius);
-  std::vector<geometry_msgs::msg::Point> points;
-  for (const CornerOptions& corner : zone.points) points.push_back(to_point(Vector2(corner.x, corner.y)));
+  for (const Vector2& corner : corners) points.push_back(to_point(corner));
   points.push_back(points.front());
   return points;
 }
 
+std::vector<geometry_msgs::msg::Point> line_around(const Footprint& footprint) {
+  constexpr int kCornersOfDisc = 48;
+  return closed(outline(footprint, {}, kCornersOfDisc));
+}
+
+std::vector<geometry_msgs::msg::Point> line_around(const ZoneOptions& zone) {
+  if (zone.type == ZoneShape::circle) return line_around(Footprint{.radius = zone.radius, .polygon = {}});
+  std::vector<Vector2> corners;
+  for (const CornerOptions& corner : zone.points) corners.emplace_back(corner.x, corner.y);
+  return closed(corners);
+}
+
 }  // namespace
 
-visualization_msgs::msg::MarkerArray to_markers(const CollisionMonitorOptions& options, double robot_radius,
-                                                const Verdict& verdict, const std_msgs::msg::Header& header) {
+visualization_msgs::msg::MarkerArray to_markers(const CollisionMonitorOptions& options,
+                                                const Footprint& kept_free, const Verdict& verdict,
+                                                const std_msgs::msg::Header& header) {
   visualization_msgs::msg::MarkerArray array;
   const Color color = color_of(verdict.action);
-  Marker disc = marker("footprint", 0, constants::LINE_STRIP, color, header);
-  disc.points(circle(robot_radius + options.stopping.padding));
-  array.markers().push_back(std::move(disc));
+  Marker robot = marker("footprint", 0, constants::LINE_STRIP, color, header);
+  robot.points(line_around(kept_free));
+  array.markers().push_back(std::move(robot));
   if (!verdict.cause.empty()) {
     Marker text = marker("footprint", 1, constants::TEXT_VIEW_FACING, color, header);
     text.pose().position().z(0.5);
@@ -70,7 +73,7 @@ visualization_msgs::msg::MarkerArray to_markers(const CollisionMonitorOptions& o
     if (!zone.enabled) continue;
     Marker line =
         marker("zones", id++, constants::LINE_STRIP, zone.name == verdict.cause ? color : kIdle, header);
-    line.points(outline(zone));
+    line.points(line_around(zone));
     array.markers().push_back(std::move(line));
   }
   return array;

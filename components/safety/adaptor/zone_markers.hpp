@@ -7,10 +7,11 @@
 
 namespace bw::safety {
 
-/// In base_link: namespace `footprint` is the disc that must stay free (green, yellow while limited, red at a
+/// In base_link: namespace `footprint` is the outline that must stay free (green, yellow while limited, red at a
 /// stop) with the cause written above; `zones` the outlines of the enabled zones, the one that is the cause
 /// in the same colour.
-visualization_msgs::msg::MarkerArray to_markers(const CollisionMonitorOptions& options, double robot_radius,
-                                                const Verdict& verdict, const std_msgs::msg::Header& header);
+visualization_msgs::msg::MarkerArray to_markers(const CollisionMonitorOptions& options,
+                                                const Footprint& kept_free, const Verdict& verdict,
+                                                const std_msgs::msg::Header& header);
 
 }  // namespace bw::safety

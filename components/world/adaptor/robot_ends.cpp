@@ -14,11 +14,13 @@ void send(const Output<Message>& output, Message message, const std::string& fra
 }  // namespace
 
 RobotEnds::RobotEnds(Setup& setup, World& world, std::size_t robot, const std::string& name,
-                     const WorldOptions& options)
+                     const Robot& kind, const WorldOptions& options)
     : world_(&world), robot_(robot), log_(setup.log()), map_frame_(setup.frame("map")) {
   const std::string below = name.empty() ? "" : name + "/";
   setup.input<sensor_msgs::msg::JointState>(below + "sim/wheel_commands", Qos::command(),
                                             [this](const auto& message, const Tick&) { command(message); });
+  footprint_.listen(
+      setup, kind, [this](const Footprint& now) { world_->set_footprint(now, robot_); }, below);
   ticks_ = setup.output<bandwagon_msgs::msg::WheelTicks>(below + "sim/wheel_ticks");
   truth_ = setup.output<bandwagon_msgs::msg::GroundTruth>(below + "sim/ground_truth");
   scan_ = setup.output<sensor_msgs::msg::LaserScan>(below + "scan");

@@ -6,6 +6,7 @@
 
 #include <sensor_msgs/msg/joint_state.hpp>
 
+#include "components/messages/current_footprint.hpp"
 #include "components/world/adaptor/world_messages.hpp"
 #include "components/world/world.hpp"
 #include "runtime/component.hpp"
@@ -15,7 +16,8 @@ namespace bw {
 class RobotEnds {
  public:
   /// `name`: of one of several, below which its topics and frames are; empty: the only one. `world` must outlive it.
-  RobotEnds(Setup& setup, World& world, std::size_t robot, const std::string& name,
+  /// `kind`: what each of the robots is.
+  RobotEnds(Setup& setup, World& world, std::size_t robot, const std::string& name, const Robot& kind,
             const WorldOptions& options);
 
   const std::string& base_frame() const { return base_frame_; }
@@ -27,6 +29,7 @@ class RobotEnds {
 
   World* world_;
   std::size_t robot_;
+  CurrentFootprint footprint_;
   bool was_usable_ = true;
   Logger log_;
   std::string map_frame_;

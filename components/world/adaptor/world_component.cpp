@@ -52,7 +52,7 @@ class WorldComponent final : public Component {
     if (!options_.robots.empty()) names.clear();
     for (const WorldRobotOptions& one : options_.robots) names.push_back(one.name);
     for (std::size_t i = 0; i < names.size(); ++i)
-      robots_.push_back(std::make_unique<RobotEnds>(setup, *world_, i, names[i], options_));
+      robots_.push_back(std::make_unique<RobotEnds>(setup, *world_, i, names[i], robot, options_));
     obstacles_ = setup.output<bandwagon_msgs::msg::Obstacles>("sim/obstacles", Qos::latched());
     if (map_) true_map_ = setup.output<nav_msgs::msg::OccupancyGrid>("sim/map", Qos::latched());
     for (const std::string& name : names) place_unlisted_sensors(setup, robot, name);

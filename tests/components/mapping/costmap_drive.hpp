@@ -48,7 +48,7 @@ class CostmapDrive {
         for (const Person& p : world_.people()) people.push_back({inverse(X_MO()) * p.position, p.radius});
       }
       scan_ = *sample.scan;
-      fault_ = grid_.add(view(now), X_OB_, robot_.radius, people);
+      fault_ = grid_.add(view(now), X_OB_, robot_.outline(), people);
       done = true;
     }
   }

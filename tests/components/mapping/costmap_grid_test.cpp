@@ -50,7 +50,7 @@ std::int8_t value_at(const LocalGrid& grid, const Vector2& p) {
 }
 
 SweepFault add(LocalGrid& grid, const Sweep& sweep, const std::vector<Disc>& people = {}) {
-  return grid.add(sweep.scan, sweep.scan.X_FL, 0.3, people);
+  return grid.add(sweep.scan, sweep.scan.X_FL, {0.3, {}}, people);
 }
 
 // The rules of the header applied to every beam and every cell by slabs, over four sweeps from places that
@@ -85,7 +85,7 @@ TEST(LocalGrid, EqualsBruteForceOn200RandomMaps) {
         sweep.ranges[static_cast<std::size_t>(random.uniform(0, 60))] = odd;
       const std::vector<Disc> people{
           {middle + Vector2{random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(0.0, 0.3)}};
-      ASSERT_EQ(grid.add(sweep.scan, X_OB, 0.25, people), SweepFault::none);
+      ASSERT_EQ(grid.add(sweep.scan, X_OB, {0.25, {}}, people), SweepFault::none);
       oracle.add(sweep.scan, X_OB, 0.25, people, grid.cells());
       for (int row = 0; row < grid.cells().height; ++row) {
         for (int column = 0; column < grid.cells().width; ++column) {

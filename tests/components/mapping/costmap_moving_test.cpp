@@ -23,7 +23,7 @@ Marked marked(bool each_from_its_place) {
   LocalGrid grid({});
   for (int i = 0; i < 3; ++i) {
     sweep.time = moving.time + Duration::milliseconds(143 * i);
-    EXPECT_EQ(grid.add(sweep, {}, 0.2, {}), SweepFault::none);
+    EXPECT_EQ(grid.add(sweep, {}, {0.2, {}}, {}), SweepFault::none);
   }
   Marked cells;
   for (int row = 0; row < grid.cells().height; ++row) {

@@ -6,6 +6,7 @@
 
 #include "components/model/robot.hpp"
 #include "runtime/parameters/read_parameters.hpp"
+#include "runtime/parameters/write_parameters.hpp"
 #include "runtime/parameters/yaml_file.hpp"
 
 namespace bw {
@@ -50,6 +51,51 @@ TEST(RobotFiles, EveryRobotCanTurnAtTopSpeed) {
     EXPECT_GT(r.wheel_speed_max, r.limits.v_max) << name;
     EXPECT_GE(r.limits.stop_deceleration, r.limits.acc_max) << name;
   }
+}
+
+Robot robot_of(const std::string& yaml) {
+  Robot values;
+  read_into(values, parse_yaml(yaml, "robot.yaml"), "robot");
+  return values;
+}
+
+TEST(RobotFiles, TheFootprintIsATextOrAList) {
+  const std::string corners = "[[0.255, 0.215], [-0.255, 0.215], [-0.255, -0.215], [0.255, -0.215]]";
+  const Robot of_text = robot_of("footprint: '" + corners + "'\nradius: 0.2\n");
+  const Robot of_list = robot_of(
+      "footprint:\n  - [0.255, 0.215]\n  - [-0.255, 0.215]\n  - [-0.255, -0.215]\n  - [0.255, -0.215]\n");
+  EXPECT_EQ(of_text.footprint, corners);
+  EXPECT_EQ(of_list.outline().polygon, of_text.outline().polygon);
+  EXPECT_EQ(of_text.outline().polygon.size(), 4U);
+  EXPECT_NEAR(of_text.outline().radius, 0.33354, 1e-5) << "encloses it, whatever radius says";
+  EXPECT_FALSE(robot_of("radius: 0.2").outline().is_polygon());
+  EXPECT_EQ(robot_of("radius: 0.2").outline().radius, 0.2);
+  // As it is read back from a run's manifest.
+  Robot again;
+  read_into(again, parse_yaml(to_yaml(of_list), "again.yaml"), "robot");
+  EXPECT_EQ(again.outline().polygon, of_text.outline().polygon);
+}
+
+TEST(RobotFiles, AFootprintThatIsNoneIsRefusedWhereItStands) {
+  const auto refusal = [](const std::string& yaml) -> std::string {
+    try {
+      robot_of(yaml);
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(
+      refusal("name: X\nfootprint: '[[0.2, 0.2], [-0.2, 0.2]]'\n"),
+      "robot.yaml:2: robot.footprint = \"[[0.2, 0.2], [-0.2, 0.2]]\": must have three corners at least that are not "
+      "on one line");
+  EXPECT_EQ(refusal("footprint: [[0.5, 0.0], [-0.5, 0.4], [-0.2, 0.0], [-0.5, -0.4]]\n"),
+            "robot.yaml:1: robot.footprint = a list: must be convex: the outline turns inwards at a corner");
+  EXPECT_EQ(
+      refusal("footprint: '[[1.5, 0.2], [1.1, 0.2], [1.1, -0.2]]'\n"),
+      "robot.yaml:1: robot.footprint = \"[[1.5, 0.2], [1.1, 0.2], [1.1, -0.2]]\": must have base_link, [0, 0], inside "
+      "and 1 mm from every side at least");
+  EXPECT_NE(refusal("footprint: {x: 1}\n").find("robot.footprint = a map"), std::string::npos);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ class BaseEmulatorComponent final : public Component {
         make_firmware(options_, robot_, robot_.base.driver == "eddie" ? "kobuki" : "eddie", setup.seed());
     line_.emplace(setup.seed() + 1);
     link_ = emulator_link(setup, "base");
-    body_.emplace(setup, robot_.radius, options_.bumper_gap, firmware_->beams());
+    body_.emplace(setup, inscribed_radius(robot_.outline()), options_.bumper_gap, firmware_->beams());
     wheels_ = setup.command<sensor_msgs::msg::JointState>("sim/wheel_commands");
     setup.input<bandwagon_msgs::msg::WheelTicks>("sim/wheel_ticks", Qos::standard(),
                                                  [this](const auto& ticks, const Tick& tick) {
