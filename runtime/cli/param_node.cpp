@@ -90,7 +90,10 @@ int get_parameter(const std::string& node, const std::string& name) {
 }
 
 int set_parameter(const std::string& node, const std::string& name, const std::string& value) {
-  const auto typed = parameter_value_of(parse_yaml(value, "VALUE"));
+  const ConfigNode given = parse_yaml(value, "VALUE");
+  auto typed = parameter_value_of(given);
+  if (!typed && given.is_sequence())
+    typed = value;  // as ros2 param: lists of lists, such as footprints, are texts
   if (!typed) throw std::runtime_error(value + " is no bool, number, text, nor a list of one of these");
   Outside outside;
   ParameterClient client(outside.participant(), node);

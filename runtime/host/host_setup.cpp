@@ -45,7 +45,10 @@ std::uint64_t HostSetup::seed() const {
 
 bool HostSetup::is_lockstep() const { return host_.options_.clock == ClockMode::lockstep; }
 
-bool HostSetup::accepts_inputs() const { return !is_lockstep() || host_.options_.accept_inputs; }
+// What a replay is given may hold what came from outside.
+bool HostSetup::accepts_inputs() const {
+  return !is_lockstep() || host_.options_.accept_inputs || host_.options_.source != nullptr;
+}
 
 dds::Network HostSetup::network() const { return host_.network(); }
 

@@ -1,6 +1,7 @@
 #include <tf2_msgs/msg/tf_message.hpp>
 
 #include "runtime/component.hpp"
+#include "runtime/transforms/transform_message.hpp"
 #include "runtime/transforms/transform_tree.hpp"
 
 namespace bw {
@@ -8,13 +9,8 @@ namespace {
 
 void add_all(TransformTree& tree, const tf2_msgs::msg::TFMessage& message, bool is_static) {
   for (const auto& t : message.transforms()) {
-    const auto& p = t.transform().translation();
-    const auto& q = t.transform().rotation();
-    Eigen::Isometry3d X_PC = Eigen::Isometry3d::Identity();
-    X_PC.translation() << p.x(), p.y(), p.z();
-    X_PC.linear() = Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z()).toRotationMatrix();
     const Time stamp{t.header().stamp().sec() * std::int64_t{1'000'000'000} + t.header().stamp().nanosec()};
-    tree.set(t.header().frame_id(), t.child_frame_id(), stamp, X_PC, is_static);
+    tree.set(t.header().frame_id(), t.child_frame_id(), stamp, to_isometry(t.transform()), is_static);
   }
 }
 

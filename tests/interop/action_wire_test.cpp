@@ -251,7 +251,7 @@ TYPED_TEST(ActionServerOnTheWire, APreemptedGoalIsAbortedAndItsWaitingClientIsTo
   ASSERT_TRUE(eventually([&] { return (result = client.take_result(waiting)).has_value(); }));
   EXPECT_EQ(to_hex(result->bytes),
             result_hex<TypeParam>(GoalStatus::aborted, kPreempted, "another goal came"));
-  EXPECT_EQ(client.history(second.id).back(), GoalStatus::executing);
+  EXPECT_TRUE(eventually([&] { return client.history(second.id).back() == GoalStatus::executing; }));
   ASSERT_TRUE(client.cancel({.id = second.id}).has_value());
   this->expect_result(client, second, GoalStatus::canceled);
 }

@@ -55,6 +55,23 @@ TEST_F(Param, SetChangesWhatGetTells) {
   EXPECT_EQ(param({"get", "local_planner", "use_sim_time"}).out, "Boolean value is: false\n");
 }
 
+// As Nav2's users give it; what is accepted every component is told (tests/components/footprints).
+TEST_F(Param, AFootprintIsGivenAsAListAndIsAText) {
+  const std::string rectangle = "[[0.3, 0.2], [-0.3, 0.2], [-0.3, -0.2], [0.3, -0.2]]";
+  const Outcome set = param({"set", "/local_costmap", "footprint", rectangle});
+  EXPECT_EQ(set.out, "Set parameter successful\n") << set.err;
+  EXPECT_THAT(param({"get", "/local_costmap", "footprint"}).out, HasSubstr(rectangle));
+  const Outcome told = run_to_end({BANDWAGON_PROGRAM, "topic", "echo", "/robot_footprint", "--once"},
+                                  std::chrono::seconds(60));
+  EXPECT_THAT(told.out, HasSubstr("frame_id: base_link"));
+  EXPECT_THAT(told.out, HasSubstr("x: 0.3"));
+  const Outcome arrow =
+      param({"set", "/local_costmap", "footprint", "[[0.5, 0.0], [-0.5, 0.4], [-0.2, 0.0], [-0.5, -0.4]]"});
+  EXPECT_EQ(arrow.status, 1);
+  EXPECT_THAT(arrow.err, HasSubstr("must be convex: the outline turns inwards at a corner"));
+  EXPECT_EQ(param({"set", "/local_costmap", "footprint", "\"\""}).status, 0);
+}
+
 TEST_F(Param, SetSaysWhyNot) {
   const auto refusal = [](const std::string& name, const std::string& value) {
     const Outcome set = param({"set", "/local_planner", name, value});

@@ -33,7 +33,7 @@ class OtherRobotsComponent final : public Component {
   void configure(Setup& setup) override {
     options_ = setup.parameters<OtherRobotsOptions>(
         [this](const OtherRobotsOptions& changed, const Tick&) { options_ = changed; }, {"robots"});
-    own_radius_ = setup.shared<Robot>("robot").radius;
+    own_radius_ = setup.shared<Robot>("robot").outline().radius;
     map_frame_ = setup.frame("map");
     base_frame_ = setup.frame("base_link");
     log_ = setup.log();
