@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "components/model/nearest_point.hpp"
 
@@ -36,7 +37,7 @@ std::vector<Wall> nearest(const Agent& agent, std::vector<Wall> list) {
 
 }  // namespace
 
-Choice advise(const Agent& agent, const std::vector<Neighbour>& neighbours, const std::vector<Wall>& walls,
+Advice advise(const Agent& agent, const std::vector<Neighbour>& neighbours, const std::vector<Wall>& walls,
               const Rule& rule) {
   std::vector<HalfPlane> half_planes;
   for (const Wall& wall : nearest(agent, walls)) {
@@ -47,7 +48,8 @@ Choice advise(const Agent& agent, const std::vector<Neighbour>& neighbours, cons
     const MovingDisc seen{n.position - agent.position, n.velocity, agent.radius + n.radius};
     half_planes.push_back(clear_of(seen, agent.velocity, n.share, rule.horizon, rule.time_step));
   }
-  return best_velocity(half_planes, walls.size(), agent.wanted, agent.v_max);
+  const Choice choice = best_velocity(half_planes, walls.size(), agent.wanted, agent.v_max);
+  return {choice.velocity, choice.free, std::move(half_planes)};
 }
 
 }  // namespace bw::orca

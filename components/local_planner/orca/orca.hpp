@@ -41,9 +41,15 @@ struct Wall {
   double radius = 0.3;
 };
 
+struct Advice {
+  Vector2 velocity{0.0, 0.0};          ///< [m/s], at most v_max
+  bool free = true;                    ///< within all half planes
+  std::vector<HalfPlane> half_planes;  ///< of the walls, then of the neighbours, each nearest first
+};
+
 /// The neighbours' half planes may be violated when there is no other way, those of the walls never. The order of `neighbours` and `walls`
 /// does not matter.
-Choice advise(const Agent& agent, const std::vector<Neighbour>& neighbours, const std::vector<Wall>& walls,
+Advice advise(const Agent& agent, const std::vector<Neighbour>& neighbours, const std::vector<Wall>& walls,
               const Rule& rule);
 
 }  // namespace bw::orca

@@ -84,9 +84,9 @@ TEST(Orca, DiscsThatAllFollowItNeverTouch) {
 TEST(Orca, BrakesBeforeAWallAndSlidesAlongIt) {
   const Wall wall{{{2.0, -50.0}, {2.0, 50.0}}, 0.3};
   const Rule rule{.wall_horizon = 2.0};
-  const Choice ahead = advise(agent_at({0, 0}, {0.8, 0.0}, {1.0, 0.0}), {}, {wall}, rule);
+  const Advice ahead = advise(agent_at({0, 0}, {0.8, 0.0}, {1.0, 0.0}), {}, {wall}, rule);
   EXPECT_NEAR(ahead.velocity.x(), 0.85, 1e-9);
-  const Choice along = advise(agent_at({0, 0}, {0.5, 0.5}, {0.9, 0.4}), {}, {wall}, rule);
+  const Advice along = advise(agent_at({0, 0}, {0.5, 0.5}, {0.9, 0.4}), {}, {wall}, rule);
   EXPECT_TRUE(along.velocity.isApprox(Vector2(0.85, 0.4), 1e-9)) << along.velocity.transpose();
 }
 
@@ -94,7 +94,7 @@ TEST(Orca, BrakesBeforeAWallAndSlidesAlongIt) {
 TEST(Orca, IsNotPushedThroughAWall) {
   const Wall wall{{{0.35, -50.0}, {0.35, 50.0}}, 0.3};
   const Neighbour pusher{{-0.7, 0.0}, {1.0, 0.0}, 0.3, 1.0};
-  const Choice choice = advise(agent_at({0, 0}, {0, 0}, {0, 0}), {pusher}, {wall}, {.wall_horizon = 1.0});
+  const Advice choice = advise(agent_at({0, 0}, {0, 0}, {0, 0}), {pusher}, {wall}, {.wall_horizon = 1.0});
   EXPECT_LE(choice.velocity.x(), 0.05 + 1e-9);
 }
 
