@@ -10,7 +10,7 @@
 namespace bw::orca {
 
 struct OrcaOptions {
-  double margin = 0.1;
+  double margin = 0.2;
   double neighbour_range = 10.0;
   double view_angle = 2.0 * std::numbers::pi;
   std::int64_t max_neighbours = 10;

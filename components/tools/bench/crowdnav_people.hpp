@@ -1,4 +1,4 @@
-// Who walks in CrowdNav's scenes: everybody by ORCA, deciding every quarter of a second (book 5.6, 8.10). Metres, seconds.
+// Who walks in CrowdNav's scenes: everybody by ORCA, deciding every quarter of a second (book 5.6, 8.11). Metres, seconds.
 #pragma once
 
 #include <vector>
