@@ -9,14 +9,15 @@
 namespace bw {
 
 /// What a stream is for. The values are part of what a seed means: append, never renumber. `more_lasers` is of the first of them,
-/// 7 of the second and so on: it stays the last.
+/// 7 of the second and so on: what comes new has a value far above.
 enum class RandomPurpose : std::uint64_t {
   wheels = 1,
   laser = 2,
   imu = 3,
   gps = 4,
   walkers = 5,
-  more_lasers = 6
+  more_lasers = 6,
+  orca_walkers = 1'000'000
 };
 
 /// The stream of `purpose` under `seed` (finaliser of SplitMix64 over both, so that near seeds share

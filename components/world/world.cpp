@@ -42,11 +42,15 @@ World::World(const WorldOptions& options, const Robot& robot, const WorldFiles& 
   groups_.push_back(std::make_unique<ScriptedPeople>(people.scripted, next_id));
   next_id += static_cast<std::uint32_t>(people.scripted.size());
   groups_.push_back(std::make_unique<ReplayedPeople>(
-      people.replay, files.tracks, next_id - 1 + static_cast<std::uint32_t>(people.social.walkers.size())));
+      people.replay, files.tracks,
+      next_id - 1 + static_cast<std::uint32_t>(people.social.walkers.size() + people.orca.walkers.size())));
   auto walkers = std::make_unique<SocialWalkers>(people.social, scene_, next_id,
                                                  random_stream(seed, RandomPurpose::walkers));
   walkers_ = walkers.get();
   groups_.push_back(std::move(walkers));
+  next_id += static_cast<std::uint32_t>(people.social.walkers.size());
+  groups_.push_back(std::make_unique<OrcaWalkers>(people.orca, scene_, next_id,
+                                                  random_stream(seed, RandomPurpose::orca_walkers)));
   next_id_ = first_free_id(files.tracks);
   move_people(0.0);  // everybody is there before the first step
 }
@@ -83,7 +87,9 @@ void World::add_robot(const StartOptions& start, std::uint64_t seed) {
 
 /// Behind everybody who is there or will be.
 std::uint32_t World::first_free_id(const std::vector<Track>& tracks) const {
-  const std::size_t others = options_.people.scripted.size() + options_.people.social.walkers.size();
+  const PeopleOptions& people = options_.people;
+  const std::size_t others =
+      people.scripted.size() + people.social.walkers.size() + people.orca.walkers.size();
   auto last = static_cast<std::uint32_t>(others);
   for (const Track& track : tracks) last = std::max(last, track.id + static_cast<std::uint32_t>(others));
   return last + 1;

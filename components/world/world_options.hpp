@@ -13,6 +13,7 @@
 #include "components/world/imu.hpp"
 #include "components/world/laser_scanner.hpp"
 #include "components/world/legs.hpp"
+#include "components/world/orca_walkers.hpp"
 #include "components/world/replayed_people.hpp"
 #include "components/world/scripted_people.hpp"
 #include "components/world/social_walkers.hpp"
@@ -48,6 +49,7 @@ struct WorldRobotOptions {
 struct PeopleOptions {
   std::vector<ScriptedPersonOptions> scripted;
   SocialWalkersOptions social;
+  OrcaWalkersOptions orca;
   ReplayOptions replay;
   LegOptions legs;
 
@@ -55,6 +57,7 @@ struct PeopleOptions {
   void fields(Visitor& v) {
     v("scripted", scripted, {.doc = "people who follow waypoints or stand"});
     v("social", social, {.doc = "people who walk by the social force model"});
+    v("orca", orca, {.doc = "people who walk by ORCA"});
     v("replay", replay, {.doc = "recorded people"});
     v("legs", legs, {.doc = "what the laser sees of a person"});
   }

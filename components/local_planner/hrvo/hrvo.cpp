@@ -1,25 +1,10 @@
 #include "components/local_planner/hrvo/hrvo.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "components/local_planner/hrvo/best_velocity.hpp"
 #include "components/local_planner/hrvo/cones.hpp"
 #include "components/local_planner/hrvo/neighbours.hpp"
 
 namespace bw::hrvo {
-namespace {
-
-Vector2 velocity_towards(const Vector2& goal, const PlanningProblem& problem, double time_step) {
-  const Vector2 way = goal - problem.pose.position();
-  const double distance = way.norm();
-  if (distance == 0.0) return {0.0, 0.0};
-  double speed = std::min(problem.limits.v_max, distance / time_step);
-  if (problem.goal_is_final) speed = std::min(speed, std::sqrt(2.0 * problem.limits.acc_max * distance));
-  return (speed / distance) * way;
-}
-
-}  // namespace
 
 Advice advise(const PlanningProblem& problem, const Vector2& goal, const HrvoOptions& options,
               const std::optional<Vector2>& last) {

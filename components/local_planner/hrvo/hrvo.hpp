@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "components/local_planner/hrvo/hrvo_options.hpp"
+#include "components/local_planner/velocity_tracking.hpp"
 #include "components/model/planning.hpp"
 
 namespace bw::hrvo {
 
-/// A velocity below this [m/s] has no direction: the robot is blocked (book 5.3).
-inline constexpr double kNoDirection = 0.02;
+using bw::kNoDirection;
 
 /// What the rule says at one moment. Velocities in the planning frame [m/s].
 struct Advice {

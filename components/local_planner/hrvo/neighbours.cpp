@@ -52,21 +52,6 @@ void keep_nearest(std::vector<Neighbour>& list, std::int64_t count) {
   if (static_cast<std::int64_t>(list.size()) > count) list.resize(static_cast<std::size_t>(count));
 }
 
-std::vector<Neighbour> movers(const PlanningProblem& problem, const HrvoOptions& options) {
-  std::vector<Neighbour> list;
-  for (const Mover& m : problem.movers) {
-    if (!is_confirmed(m)) continue;
-    const double distance = (m.position - problem.pose.position()).norm();
-    const double radius = problem.footprint.radius + m.radius + options.margin;
-    if (distance > options.neighbour_range || !in_view(problem, m.position, options.view_angle)) continue;
-    if (radius < kSmallestRadius) continue;
-    const bool shares = m.reciprocal || options.reciprocity == Reciprocity::all;
-    list.push_back({{m.position, m.position}, radius, m.velocity, shares, distance});
-  }
-  keep_nearest(list, options.max_neighbours);
-  return list;
-}
-
 class StaticNeighbours {
  public:
   StaticNeighbours(const PlanningProblem& problem, const Vector2& goal, const HrvoOptions& options)
@@ -130,14 +115,34 @@ class StaticNeighbours {
 
 }  // namespace
 
-std::vector<Neighbour> neighbours(const PlanningProblem& problem, const Vector2& goal,
-                                  const HrvoOptions& options) {
+std::vector<Neighbour> moving_neighbours(const PlanningProblem& problem, const HrvoOptions& options) {
+  std::vector<Neighbour> list;
+  for (const Mover& m : problem.movers) {
+    if (!is_confirmed(m)) continue;
+    const double distance = (m.position - problem.pose.position()).norm();
+    const double radius = problem.footprint.radius + m.radius + options.margin;
+    if (distance > options.neighbour_range || !in_view(problem, m.position, options.view_angle)) continue;
+    if (radius < kSmallestRadius) continue;
+    const bool shares = m.reciprocal || options.reciprocity == Reciprocity::all;
+    list.push_back({{m.position, m.position}, radius, m.velocity, shares, distance});
+  }
+  keep_nearest(list, options.max_neighbours);
+  return list;
+}
+
+std::vector<Neighbour> static_neighbours(const PlanningProblem& problem, const Vector2& goal,
+                                         const HrvoOptions& options) {
   StaticNeighbours statics(problem, goal, options);
   for (const Disc& d : problem.obstacles.discs) statics.add({d.center, d.center}, d.radius);
   for (const Segment& s : problem.obstacles.segments) statics.add(s, 0.0);
   statics.add_points(problem.obstacles.points);
-  std::vector<Neighbour> all = movers(problem, options);
-  const std::vector<Neighbour> still = std::move(statics).nearest();
+  return std::move(statics).nearest();
+}
+
+std::vector<Neighbour> neighbours(const PlanningProblem& problem, const Vector2& goal,
+                                  const HrvoOptions& options) {
+  std::vector<Neighbour> all = moving_neighbours(problem, options);
+  const std::vector<Neighbour> still = static_neighbours(problem, goal, options);
   all.insert(all.end(), still.begin(), still.end());
   keep_nearest(all, static_cast<std::int64_t>(all.size()));
   return all;

@@ -4,6 +4,7 @@
 #include "components/tools/bench/bench.hpp"
 #include "components/tools/bench/bench_bag.hpp"
 #include "components/tools/bench/bench_course.hpp"
+#include "components/tools/bench/bench_crowdnav.hpp"
 #include "components/tools/bench/bench_people.hpp"
 #include "components/tools/bench/scaling.hpp"
 #include "runtime/cli/verb.hpp"
@@ -79,6 +80,42 @@ void add_crowd(CLI::App* bench, int& status) {
   crowd_verb->callback([crowd, set, &status] {
     crowd->adjust = [set](LocalPlannerOptions& options) { apply_overrides(options, *set); };
     status = bench_crowd(*crowd);
+  });
+}
+
+void add_crowdnav(CLI::App* bench, int& status) {
+  auto crowdnav = std::make_shared<BenchCrowdNavArguments>();
+  CLI::App* verb =
+      bench->add_subcommand("crowdnav", "CrowdNav's circle and square: five people who avoid each other");
+  verb->add_option_function<std::string>(
+          "--scene",
+          [crowdnav](const std::string& name) {
+            crowdnav->crossing = name == "circle" ? CrowdNavCrossing::circle : CrowdNavCrossing::square;
+          },
+          "circle (default) or square")
+      ->check(CLI::IsMember({"circle", "square"}));
+  verb->add_flag("--visible", crowdnav->visible, "People see the robot and avoid it as one of them");
+  verb->add_option("--first-case", crowdnav->first_case, "First of the 500 test cases (0)")
+      ->check(CLI::Range(0, kCrowdNavCases - 1));
+  verb->add_option("--cases", crowdnav->cases, "How many from it on (500)")
+      ->check(CLI::Range(1, kCrowdNavCases));
+  verb->add_option(
+          "--planner", crowdnav->planners,
+          "Planner names, separated by commas; orca_holonomic is CrowdNav's own, which moves any way")
+      ->delimiter(',');
+  verb->add_option("--safety-space", crowdnav->safety_space,
+                   "By which orca_holonomic widens everybody [m] (0)")
+      ->check(CLI::Range(0.0, 1.0));
+  auto set = std::make_shared<std::vector<std::string>>();
+  verb->add_option("--set", *set, "Planner parameter, as teb.band.weights.time=2; as often as needed")
+      ->allow_extra_args(false);
+  verb->add_option("--jobs", crowdnav->jobs, "Cases at a time; above 1 in thread CPU ms")
+      ->check(CLI::Range(1, 64));
+  verb->add_option("--json", crowdnav->json, "Writes the figures here");
+  verb->add_flag("--samples", crowdnav->with_samples, "Robot and people of every step go into the JSON");
+  verb->callback([crowdnav, set, &status] {
+    crowdnav->adjust = [set](LocalPlannerOptions& options) { apply_overrides(options, *set); };
+    status = bench_crowdnav(*crowdnav);
   });
 }
 
@@ -169,6 +206,7 @@ CLI::App* add_bench(CLI::App& app, int& status) {
           ->require_subcommand(1);
   add_teb(bench, status);
   add_crowd(bench, status);
+  add_crowdnav(bench, status);
   add_scaling(bench, status);
   add_bag(bench, status);
   add_people(bench, status);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "components/tools/bench/crowd_walk.hpp"
+#include "components/tools/bench/unicycle.hpp"
 
 namespace bw {
 namespace {
@@ -56,31 +57,6 @@ void judge(const Scene& scene, const ClosedLoop& rule, double time, const Pose2&
   if (std::abs(twist.v) > kStandingSpeed) episode.collision_at_speed = true;
 }
 
-// The command within the limits and within what one period may change.
-Twist2 applied(const Twist2& command, const Twist2& last, const Limits& limits, double period) {
-  const double dv = 2.0 * limits.acc_max * period;
-  const double domega = 2.0 * limits.alpha_max * period;
-  return {std::clamp(std::clamp(command.v, -limits.v_back_max, limits.v_max), last.v - dv, last.v + dv),
-          std::clamp(std::clamp(command.omega, -limits.omega_max, limits.omega_max), last.omega - domega,
-                     last.omega + domega)};
-}
-
-Pose2 unicycle_step(const Pose2& pose, const Twist2& twist, double h) {
-  const double heading = pose.theta + twist.omega * h / 2.0;
-  return {pose.x + twist.v * h * std::cos(heading), pose.y + twist.v * h * std::sin(heading),
-          wrap_angle(pose.theta + twist.omega * h)};
-}
-
-double rms_jerk(const std::vector<double>& accelerations, double period) {
-  if (accelerations.size() < 2) return 0.0;
-  double squares = 0.0;
-  for (std::size_t i = 1; i < accelerations.size(); ++i) {
-    const double jerk = (accelerations[i] - accelerations[i - 1]) / period;
-    squares += jerk * jerk;
-  }
-  return std::sqrt(squares / static_cast<double>(accelerations.size() - 1));
-}
-
 }  // namespace
 
 CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner& planner,
@@ -104,7 +80,7 @@ CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner
     if (plan_observer) plan_observer(begin, problem, result);
 
     const Twist2 last = twist;
-    twist = applied(result.command, last, file.limits, period);
+    twist = applied_twist(result.command, last, file.limits, period);
     accelerations.push_back((twist.v - last.v) / period);
     const double h = period / kStepsPerPeriod;
     for (int step = 1; step <= kStepsPerPeriod; ++step) {

@@ -1,0 +1,64 @@
+#include "components/local_planner/orca/orca_planner.hpp"
+
+#include <algorithm>
+
+#include "components/local_planner/carrot.hpp"
+#include "components/local_planner/hrvo/neighbours.hpp"
+#include "components/local_planner/orca/orca.hpp"
+#include "components/local_planner/planner_registry.hpp"
+#include "components/local_planner/velocity_tracking.hpp"
+
+namespace bw::orca {
+namespace {
+
+// HRVO and ORCA look at the same neighbours, and differ in what they make of them.
+hrvo::HrvoOptions who_is_looked_at(const OrcaOptions& options) {
+  return {.margin = options.margin,
+          .neighbour_range = options.neighbour_range,
+          .view_angle = options.view_angle,
+          .max_neighbours = options.max_neighbours,
+          .point_spacing = options.point_spacing,
+          .reciprocity = options.reciprocity};
+}
+
+Advice advise_robot(const PlanningProblem& problem, const Vector2& aim, const OrcaOptions& options) {
+  const hrvo::HrvoOptions looking = who_is_looked_at(options);
+  // Radii of neighbours are those of both together here: the robot is a point.
+  const Agent robot{.position = problem.pose.position(),
+                    .velocity = problem.twist.v * direction(problem.pose.theta),
+                    .radius = 0.0,
+                    .wanted = velocity_towards(aim, problem, options.time_step),
+                    .v_max = problem.limits.v_max};
+  std::vector<Neighbour> movers;
+  for (const hrvo::Neighbour& n : hrvo::moving_neighbours(problem, looking))
+    movers.push_back({n.core.a, n.velocity, n.radius, n.shares ? 0.5 : 1.0});
+  std::vector<Wall> walls;
+  for (const hrvo::Neighbour& n : hrvo::static_neighbours(problem, aim, looking))
+    walls.push_back({n.core, n.radius});
+  return advise(robot, movers, walls,
+                {.neighbour_range = options.neighbour_range,
+                 .max_neighbours = options.max_neighbours,
+                 .horizon = options.horizon,
+                 .wall_horizon = options.static_horizon,
+                 .time_step = options.time_step});
+}
+
+}  // namespace
+
+PlanningResult OrcaPlanner::drive(const PlanningProblem& problem) {
+  // The point aimed at is no goal to brake for unless it is the last one.
+  const double braking = problem.limits.v_max * problem.limits.v_max / (2.0 * problem.limits.acc_max);
+  const Vector2 aim = carrot(problem.plan, problem.pose.position(), std::max(options_.lookahead, braking));
+  const Advice advice = advise_robot(problem, aim, options_);
+  PlanningResult result;
+  result.iterations = 1;
+  for (const HalfPlane& h : advice.half_planes)
+    result.velocity_cones.push_back({h.point, -h.direction, h.direction});
+  result.velocity_wanted = advice.velocity;
+  track_velocity(problem, driving(), advice.velocity, aim, result);
+  return result;
+}
+
+BW_PLANNER(OrcaPlanner, OrcaOptions, "orca")
+
+}  // namespace bw::orca

@@ -1,0 +1,20 @@
+// The ideal base of the closed-loop benches: a unicycle that drives a command within its limits. Metres, seconds, radians.
+#pragma once
+
+#include <vector>
+
+#include "components/model/limits.hpp"
+#include "runtime/base/pose2.hpp"
+
+namespace bw {
+
+/// `command` within the limits, and within 2 acc_max `period` and 2 alpha_max `period` of `last`.
+Twist2 applied_twist(const Twist2& command, const Twist2& last, const Limits& limits, double period);
+
+/// After `h` [s] of `twist`, by (1.1).
+Pose2 unicycle_step(const Pose2& pose, const Twist2& twist, double h);
+
+/// Root mean square of the differences of accelerations [m/s^2], `period` [s] apart; 0 when there are not two.
+double rms_jerk(const std::vector<double>& accelerations, double period);
+
+}  // namespace bw
