@@ -28,7 +28,7 @@ bool turns_too_fast(const Twist2& twist, double contact, const Limits& limits) {
 }
 
 VelocityWindow window_of(const PlanningProblem& problem, const DwaOptions& options) {
-  return velocity_window(problem.twist, problem.limits, speed_towards_end(problem, options.arc_to_goal),
+  return velocity_window(problem.twist, problem.limits, speed_towards_end(problem, options.arc_to_goal, 0.0),
                          problem.command_lead);
 }
 

@@ -11,8 +11,9 @@ constexpr double kSlack =
 
 }  // namespace
 
-Course course_of(const PlanningProblem& problem, const CriticOptions& options) {
-  Course course{PlanLine(problem.plan, problem.pose.position(), options.forward_point_distance)};
+Course course_of(const std::vector<Pose2>& plan, const PlanningProblem& problem,
+                 const CriticOptions& options) {
+  Course course{PlanLine(plan, problem.pose.position(), options.forward_point_distance)};
   course.along = course.line.nearest(problem.pose.position(), 0.0, course.line.length()).along;
   return course;
 }

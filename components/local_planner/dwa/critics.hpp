@@ -1,6 +1,8 @@
 // What the end of a roll-out costs (book 5.9): path, goal, obstacles, speed.
 #pragma once
 
+#include <vector>
+
 #include "components/local_planner/dwa/critic_options.hpp"
 #include "components/local_planner/dwa/roll_out.hpp"
 #include "components/local_planner/plan_line.hpp"
@@ -24,8 +26,9 @@ struct Course {
   double along = 0.0;
 };
 
-/// Of the plan of `problem`, which is not empty.
-Course course_of(const PlanningProblem& problem, const CriticOptions& options);
+/// `plan` is not empty.
+Course course_of(const std::vector<Pose2>& plan, const PlanningProblem& problem,
+                 const CriticOptions& options);
 
 /// A place of the plan counts as near to the end of a roll-out only if the way driven can have led so far along it: where the plan
 /// comes back on the other side of a wall is no shortcut.

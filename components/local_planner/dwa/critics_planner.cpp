@@ -6,6 +6,7 @@
 
 #include "components/local_planner/carrot.hpp"
 #include "components/local_planner/dwa/goal_speed.hpp"
+#include "components/local_planner/dwa/led_plan.hpp"
 #include "components/local_planner/dwa/sample_label.hpp"
 #include "components/local_planner/dwa/stopping_motion.hpp"
 #include "components/local_planner/dwa/velocity_window.hpp"
@@ -37,7 +38,7 @@ std::optional<HrvoGuide> CriticsPlanner::guide_of(const PlanningProblem& problem
 
 PlanningResult CriticsPlanner::drive(const PlanningProblem& problem) {
   const CriticOptions& critics = options_.critics;
-  const Course course = course_of(problem, critics);
+  const Course course = course_of(led_plan(problem, critics.margin), problem, critics);
   const std::optional<HrvoGuide> guide = guide_of(problem);
   RollOuts roll_outs(problem, {.horizon = critics.sim_time,
                                .way = course.line.length() - course.along,
@@ -65,7 +66,8 @@ std::vector<CriticsPlanner::Judged> CriticsPlanner::judged(const PlanningProblem
                                                            std::optional<double> turn) const {
   const CriticOptions& critics = options_.critics;
   const VelocityWindow window = velocity_window(
-      problem.twist, problem.limits, speed_towards_end(problem, options_.arc_to_goal), problem.command_lead);
+      problem.twist, problem.limits, speed_towards_end(problem, options_.arc_to_goal, problem.command_lead),
+      problem.command_lead);
   std::vector<Judged> all;
   for (const Twist2& twist : velocity_samples(window, problem.twist, static_cast<int>(critics.vx_samples),
                                               static_cast<int>(critics.vtheta_samples))) {

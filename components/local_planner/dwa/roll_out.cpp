@@ -12,6 +12,7 @@ namespace {
 constexpr double kStep = 0.05;       // [m] that any point of the footprint moves between two looks
 constexpr double kMostSteps = 200;   // a base that is faster than any gets longer ones
 constexpr double kMoverStep = 0.1;   // [s] between places of movers
+constexpr double kMostTurn = 3.0;    // [rad]; a heading reached by turning on would look like one not left
 constexpr double kNoCloser = 0.001;  // [m] by which a motion inside the margin may come closer
 
 // Movers that stand where they are become discs.
@@ -56,7 +57,7 @@ RollOut RollOuts::along(const Twist2& held) {
   RollOut out{.twist = held, .end = problem_.pose, .gap = gap_now_};
   // No gap changes faster than the footprint moves, and movers.
   double surely = rules_.predict_movers ? 0.0 : gap_now_;
-  for (int i = 0; i < static_cast<int>(steps) && out.travel < rules_.way; ++i) {
+  for (int i = 0; i < static_cast<int>(steps) && out.travel < rules_.way && out.turn < kMostTurn; ++i) {
     const Twist2 twist = velocity_at(held, (i + 0.5) * dt);
     const Pose2 next = advance_exact(out.end, twist, dt);
     surely -= std::abs(twist.v) * dt + std::abs(twist.omega) * dt * problem_.footprint.radius;

@@ -18,7 +18,7 @@ struct RollOutRules {
 
 struct RollOut {
   Twist2 twist;         ///< that is held
-  Pose2 end;            ///< at the horizon, at the end of the way, or before the contact
+  Pose2 end;            ///< at the horizon, at the end of the way, after 3 rad, or before the contact
   double time = 0.0;    ///< until there [s]
   double travel = 0.0;  ///< until there [m]
   double turn = 0.0;    ///< until there, either way [rad]

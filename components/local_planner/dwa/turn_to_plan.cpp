@@ -1,5 +1,6 @@
 #include "components/local_planner/dwa/turn_to_plan.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -14,9 +15,11 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 std::optional<double> TurnToPlan::angle(const PlanningProblem& problem, const Course& course,
                                         const CriticOptions& options) {
+  const double v = std::abs(problem.twist.v);
+  const double stopping = v * problem.command_lead + v * v / (2.0 * problem.limits.acc_max);
+  const double ahead = std::max(options.rotate_sampling_distance, stopping);
   const Vector2 way =
-      course.line.at(std::min(course.along + options.rotate_sampling_distance, course.line.length())) -
-      problem.pose.position();
+      course.line.at(std::min(course.along + ahead, course.line.length())) - problem.pose.position();
   const double bearing =
       way.norm() < kTooNear ? 0.0 : wrap_angle(std::atan2(way.y(), way.x()) - problem.pose.theta);
   if (std::abs(bearing) <= (side_ == 0.0 ? options.rotate_threshold : kAhead)) {
@@ -32,8 +35,9 @@ std::optional<double> TurnToPlan::angle(const PlanningProblem& problem, const Co
 }
 
 double turn_left_over(const Twist2& held, double angle, const PlanningProblem& problem) {
-  const double coming = held.omega * problem.control_period +
-                        held.omega * std::abs(held.omega) / (2.0 * problem.limits.alpha_max);
+  const double late = std::max(problem.control_period, problem.command_lead);
+  const double coming =
+      held.omega * late + held.omega * std::abs(held.omega) / (2.0 * problem.limits.alpha_max);
   return std::abs(angle - coming);
 }
 

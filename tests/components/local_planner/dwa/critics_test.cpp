@@ -19,10 +19,9 @@ RollOut ending_at(const Pose2& end, double travel) {
 TEST(Critics, MeasurePlanAndGoal) {
   const PlanningProblem problem = problem_to({8, 0, 0});
   const CriticOptions options;
-  const Course course = course_of(problem, options);
+  const Course course = course_of(problem.plan, problem, options);
   // 1 m on, 0.2 m to the left, turned left by 90 degrees: the point 0.325 m before it is 0.525 m beside the plan.
-  const Critique c =
-      critique(ending_at({1.0, 0.2, std::numbers::pi / 2.0}, 1.1), course, problem, options);
+  const Critique c = critique(ending_at({1.0, 0.2, std::numbers::pi / 2.0}, 1.1), course, problem, options);
   EXPECT_NEAR(c.path_dist, 0.2, 1e-12);
   EXPECT_NEAR(c.path_align, 0.525, 1e-12);
   EXPECT_NEAR(c.goal_dist, 7.0, 1e-12);
@@ -39,9 +38,11 @@ TEST(Critics, MeasurePlanAndGoal) {
 TEST(Critics, AtTheGoalWhoLooksAlongThePlanIsAligned) {
   const PlanningProblem problem = problem_to({1, 0, 0});
   const CriticOptions options;
-  const Critique c = critique(ending_at({1.0, 0.0, 0.0}, 1.0), course_of(problem, options), problem, options);
+  const Critique c =
+      critique(ending_at({1.0, 0.0, 0.0}, 1.0), course_of(problem.plan, problem, options), problem, options);
   EXPECT_NEAR(c.path_dist + c.path_align + c.goal_dist + c.goal_align, 0.0, 1e-12);
-  const Critique beyond = critique(ending_at({1.2, 0.0, 0.0}, 1.2), course_of(problem, options), problem, options);
+  const Critique beyond =
+      critique(ending_at({1.2, 0.0, 0.0}, 1.2), course_of(problem.plan, problem, options), problem, options);
   EXPECT_NEAR(beyond.path_dist, 0.2, 1e-12) << "past the goal is beside the plan";
 }
 
@@ -51,7 +52,8 @@ TEST(Critics, ThePlanOnTheOtherSideOfAWallIsNoShortcut) {
   PlanningProblem problem = problem_to({0, 0.5, 0});
   problem.plan = {{0, 0, 0}, {3, 0, 0}, {3, 0.5, 0}, {0, 0.5, 0}};
   const CriticOptions options;
-  const Critique c = critique(ending_at({0.5, 0.4, 0.0}, 0.7), course_of(problem, options), problem, options);
+  const Critique c =
+      critique(ending_at({0.5, 0.4, 0.0}, 0.7), course_of(problem.plan, problem, options), problem, options);
   EXPECT_NEAR(c.path_dist, 0.4, 1e-12);
   EXPECT_NEAR(c.goal_dist, 6.0, 1e-12);
 }

@@ -16,9 +16,7 @@ namespace {
 constexpr double kLook = 0.05;  // [m] between two looks
 
 // 0.5 x 0.4 m.
-Footprint box() {
-  return {std::hypot(0.25, 0.2), {{0.25, 0.2}, {-0.25, 0.2}, {-0.25, -0.2}, {0.25, -0.2}}};
-}
+Footprint box() { return {std::hypot(0.25, 0.2), {{0.25, 0.2}, {-0.25, 0.2}, {-0.25, -0.2}, {0.25, -0.2}}}; }
 
 RollOutRules rules() { return {.horizon = 2.0, .way = 100.0, .margin = 0.0, .reach = 0.5}; }
 

@@ -17,7 +17,7 @@ PlanningProblem leading_off_at(double angle) {
 
 std::optional<double> angle_of(TurnToPlan& turn, const PlanningProblem& problem) {
   const CriticOptions options;
-  return turn.angle(problem, course_of(problem, options), options);
+  return turn.angle(problem, course_of(problem.plan, problem, options), options);
 }
 
 TEST(TurnToPlan, BeginsBeyondItsThresholdAndEndsWhenThePlanLiesAhead) {
@@ -26,7 +26,8 @@ TEST(TurnToPlan, BeginsBeyondItsThresholdAndEndsWhenThePlanLiesAhead) {
   EXPECT_NEAR(angle_of(turn, leading_off_at(1.1)).value(), 1.1, 1e-9);
   EXPECT_NEAR(angle_of(turn, leading_off_at(0.3)).value(), 0.3, 1e-9) << "it goes on";
   EXPECT_FALSE(angle_of(turn, leading_off_at(0.15)).has_value());
-  EXPECT_FALSE(angle_of(turn, leading_off_at(0.3)).has_value()) << "and begins anew beyond the threshold alone";
+  EXPECT_FALSE(angle_of(turn, leading_off_at(0.3)).has_value())
+      << "and begins anew beyond the threshold alone";
 }
 
 TEST(TurnToPlan, KeepsItsSideWhenThePlanIsBehind) {
