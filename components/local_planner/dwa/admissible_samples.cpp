@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "components/local_planner/dwa/goal_speed.hpp"
 #include "components/local_planner/dwa/velocity_window.hpp"
 
 namespace bw::dwa {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kTeachingSampleCap = 2.0;  // [m] in common copies of the MATLAB sample
 constexpr double kNoCloser = 0.001;         // [m] by which an arc inside the margin may come closer
 
@@ -28,22 +27,9 @@ bool turns_too_fast(const Twist2& twist, double contact, const Limits& limits) {
   return twist.omega * twist.omega > 2.0 * turn_left * limits.alpha_max;
 }
 
-// What a final goal allows: braking before it and, if asked, reaching it on one arc, whose radius is
-// d / (2 sin e) for a goal d away at e from the heading.
-double speed_towards(const Pose2& goal, const PlanningProblem& problem, const DwaOptions& options) {
-  const Vector2 way = goal.position() - problem.pose.position();
-  const double braking = std::sqrt(2.0 * problem.limits.acc_max * way.norm());
-  if (!options.arc_to_goal) return braking;
-  const double error = wrap_angle(std::atan2(way.y(), way.x()) - problem.pose.theta);
-  const double sine = std::abs(error) < kPi / 2.0 ? std::abs(std::sin(error)) : 1.0;
-  const double turning = problem.limits.omega_max * way.norm() / (2.0 * std::max(sine, 1e-9));
-  return std::min(braking, turning);
-}
-
 VelocityWindow window_of(const PlanningProblem& problem, const DwaOptions& options) {
-  const double v_cap =
-      problem.goal_is_final ? speed_towards(problem.plan.back(), problem, options) : problem.limits.v_max;
-  return velocity_window(problem.twist, problem.limits, v_cap, problem.command_lead);
+  return velocity_window(problem.twist, problem.limits, speed_towards_end(problem, options.arc_to_goal, 0.0),
+                         problem.command_lead);
 }
 
 // What surrounds the robot in this cycle.

@@ -4,20 +4,23 @@
 
 #include <cstdint>
 
+#include "components/local_planner/dwa/critic_options.hpp"
 #include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::dwa {
 
-/// How the columns of scores are made comparable (D8).
+/// How samples are judged: by DWB's critics, or as published, where columns of scores are made comparable (D8) by:
 enum class Profile {
+  critics,  ///< plan, footprint and turns on the spot (book 5.9)
   fixed_scales,
   sum,              ///< each by its sum
   minmax,           ///< each by its range (Fox, Burgard, Thrun 1997)
   teaching_sample,  ///< the MATLAB sample that Table 3.1's constants come from: by sums, gap of the end pose
 };
 constexpr auto choice_table(Profile) {
-  return choices<Profile>({{Profile::fixed_scales, "default"},
+  return choices<Profile>({{Profile::critics, "critics"},
+                           {Profile::fixed_scales, "scales"},
                            {Profile::sum, "sum"},
                            {Profile::minmax, "minmax"},
                            {Profile::teaching_sample, "sample"}});
@@ -36,7 +39,8 @@ constexpr auto choice_table(EdwaHeading) {
 }
 
 struct DwaOptions {
-  Profile profile = Profile::fixed_scales;
+  Profile profile = Profile::critics;
+  CriticOptions critics;
   double heading_weight = 3.0;
   double clearance_weight = 0.1;
   double velocity_weight = 0.1;
@@ -58,8 +62,11 @@ struct DwaOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("profile", profile,
-      {.doc = "how the terms of the score are made comparable: by fixed scales (default), by each "
-              "column's sum, by its range (minmax); sample: the MATLAB teaching sample"});
+      {.doc =
+           "how samples are judged: critics, by plan and footprint, as DWB's users know it; else (3.1), its "
+           "terms made comparable by fixed scales, by each column's sum, by its range (minmax); sample: "
+           "the MATLAB teaching sample"});
+    v("critics", critics, {.doc = "profile critics"});
     v("heading_weight", heading_weight,
       {.min = 0,
        .max = 1000,
@@ -125,6 +132,9 @@ struct EdwaOptions {
   EdwaHeading heading = EdwaHeading::hrvo;
   double heading_time = 1.0;
   bool hrvo_speed = true;
+  double mover_horizon = 3.0;
+  double heading_scale = 60.0;
+  double advised_speed_scale = 30.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -136,6 +146,21 @@ struct EdwaOptions {
        .max = 10,
        .doc = "the heading that a sample has after this time is compared with the HRVO direction"});
     v("hrvo_speed", hrvo_speed, {.doc = "the best speed is that of HRVO; false: the highest"});
+    v("mover_horizon", mover_horizon,
+      {.unit = "s",
+       .min = 0,
+       .max = 20,
+       .doc =
+           "profile critics: HRVO leads while the robot could meet somebody within this time, else the plan "
+           "does"});
+    v("heading_scale", heading_scale,
+      {.unit = "1/rad",
+       .min = 0,
+       .max = 1000,
+       .doc =
+           "profile critics: cost of heading elsewhere than HRVO advises; raise it to leave the plan sooner"});
+    v("advised_speed_scale", advised_speed_scale,
+      {.unit = "s/m", .min = 0, .max = 1000, .doc = "profile critics: cost of another speed than HRVO's"});
   }
 };
 

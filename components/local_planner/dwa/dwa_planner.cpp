@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <numeric>
 
 #include "components/local_planner/carrot.hpp"
+#include "components/local_planner/dwa/sample_label.hpp"
 #include "components/local_planner/dwa/sample_score.hpp"
 #include "components/local_planner/dwa/stopping_motion.hpp"
 
@@ -14,12 +14,6 @@ namespace bw::dwa {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-std::string label_of(const Twist2& twist) {
-  char text[48];
-  std::snprintf(text, sizeof text, "v %.2f w %.2f", twist.v, twist.omega);
-  return text;
-}
 
 std::vector<TrajectoryPoint> rolled_out(const Sample& sample, double step) {
   std::vector<TrajectoryPoint> trajectory;

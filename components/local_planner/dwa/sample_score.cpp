@@ -8,6 +8,7 @@ namespace bw::dwa {
 
 Normalisation normalisation_of(Profile profile) {
   switch (profile) {
+    case Profile::critics:  // no columns
     case Profile::fixed_scales:
       return Normalisation::scale;
     case Profile::sum:

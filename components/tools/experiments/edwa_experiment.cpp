@@ -73,6 +73,7 @@ std::string to_string(const EdwaPairing& pairing) {
 
 LocalPlannerOptions published_edwa_options() {
   LocalPlannerOptions options;
+  options.dwa.profile = dwa::Profile::fixed_scales;
   options.dwa.carrot_distance = 0.0;
   options.dwa.arc_to_goal = false;
   options.dwa.check_movers = false;

@@ -55,18 +55,19 @@ Json rows_json(const EdwaTable& table) {
 std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t last_seed) {
   const EdwaExperimentOptions base{.first_seed = first_seed, .last_seed = last_seed};
   std::vector<EdwaVariant> variants(
-      7, EdwaVariant{"default", "The reading of every decision that is the default here, Table 3.1.", base});
+      8, EdwaVariant{"default", "The reading of every decision that is the default here, Table 3.1.", base});
   variants[1].name = "held braking";
   variants[1].meaning =
       "Braking is judged with the command held for one more period; arcs that lead out of the contact margin "
       "are admissible.";
   variants[1].options.planners.dwa.hold_before_braking = true;
   variants[1].options.planners.dwa.leave_margin = true;
-  variants[2].name = "as driven here";
+  variants[2].name = "guarded";
   variants[2].meaning =
-      "Bandwagon's defaults: besides held braking, a velocity must leave room to brake clear of where the "
-      "others will be, the goal is reached on one arc, and evasive moves.";
+      "Besides held braking, a velocity must leave room to brake clear of where the others will be, the goal is "
+      "reached on one arc, and evasive moves.";
   variants[2].options.planners.dwa = {};
+  variants[2].options.planners.dwa.profile = dwa::Profile::fixed_scales;
   variants[2].options.planners.dwa.carrot_distance = 0.0;
   variants[2].options.planners.driving.evasion_horizon = DrivingOptions{}.evasion_horizon;
   variants[3].name = "sum";
@@ -83,6 +84,11 @@ std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t l
   variants[6].name = "as printed";
   variants[6].meaning = "The heading term (3.4) as printed.";
   variants[6].options.planners.edwa.heading = dwa::EdwaHeading::hrvo_printed;
+  variants[7].name = "as driven here";
+  variants[7].meaning =
+      "Bandwagon's defaults: the plan leads, HRVO's direction and speed while somebody could be met.";
+  variants[7].options.planners.dwa = {};
+  variants[7].options.planners.driving.evasion_horizon = DrivingOptions{}.evasion_horizon;
   return variants;
 }
 

@@ -29,6 +29,7 @@ Graph navigation_graph(const Suite& suite, std::size_t episode, const Navigation
     set("emulate=true");
   }
   set("local_planner.algorithm=" + pair.planner);
+  set("local_planner.dwa.profile=scales");  // EDWA as published, not led by the plan
   return graph;
 }
 

@@ -1,0 +1,119 @@
+#include "components/local_planner/dwa/critics_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "components/local_planner/carrot.hpp"
+#include "components/local_planner/dwa/goal_speed.hpp"
+#include "components/local_planner/dwa/led_plan.hpp"
+#include "components/local_planner/dwa/sample_label.hpp"
+#include "components/local_planner/dwa/stopping_motion.hpp"
+#include "components/local_planner/dwa/velocity_window.hpp"
+
+namespace bw::dwa {
+namespace {
+
+// One more control period, then braking on the same curve.
+bool can_brake(const RollOut& out, const PlanningProblem& problem) {
+  if (!out.meets) return true;
+  const Limits& limits = problem.limits;
+  const double v = std::abs(out.twist.v);
+  if (v > 0.0) return v * problem.control_period + v * v / (2.0 * limits.acc_max) <= out.travel;
+  const double omega = std::abs(out.twist.omega);
+  return omega * problem.control_period + omega * omega / (2.0 * limits.alpha_max) <= out.turn;
+}
+
+}  // namespace
+
+void CriticsPlanner::remember(const CheckedPlanner& earlier) {
+  if (const auto* same = dynamic_cast<const CriticsPlanner*>(&earlier)) turn_ = same->turn_;
+}
+
+std::optional<HrvoGuide> CriticsPlanner::guide_of(const PlanningProblem& problem) const {
+  if (!edwa_ || !somebody_within(problem, edwa_->mover_horizon)) return std::nullopt;
+  const Vector2 aim = carrot(problem.plan, problem.pose.position(), options_.carrot_distance);
+  return HrvoGuide(problem, hrvo::advise(problem, aim, hrvo_), *edwa_);
+}
+
+PlanningResult CriticsPlanner::drive(const PlanningProblem& problem) {
+  const CriticOptions& critics = options_.critics;
+  const Course course = course_of(led_plan(problem, critics.margin), problem, critics);
+  const std::optional<HrvoGuide> guide = guide_of(problem);
+  RollOuts roll_outs(problem, {.horizon = critics.sim_time,
+                               .way = course.line.length() - course.along,
+                               .margin = critics.margin,
+                               .reach = std::max(critics.inflation_radius, critics.margin),
+                               .predict_movers = options_.predict_movers});
+  const std::optional<double> turn =
+      guide && guide->has_direction() ? std::nullopt : turn_.angle(problem, course, critics);
+  PlanningResult result;
+  result.iterations = 1;
+  choose(judged(problem, course, roll_outs, guide, turn), roll_outs, problem, result);
+  Safety safety;
+  if (!result.trajectory.empty()) safety = {true, safety_of(result.trajectory, problem, driving()).comfort};
+  evade(problem, driving(), safety, result);
+  if (guide) {
+    result.velocity_cones = guide->advice().cones;
+    result.velocity_wanted = guide->advice().velocity;
+  }
+  return result;
+}
+
+std::vector<CriticsPlanner::Judged> CriticsPlanner::judged(const PlanningProblem& problem,
+                                                           const Course& course, RollOuts& roll_outs,
+                                                           const std::optional<HrvoGuide>& guide,
+                                                           std::optional<double> turn) const {
+  const CriticOptions& critics = options_.critics;
+  const VelocityWindow window = velocity_window(
+      problem.twist, problem.limits, speed_towards_end(problem, options_.arc_to_goal, problem.command_lead),
+      problem.command_lead);
+  std::vector<Judged> all;
+  for (const Twist2& twist : velocity_samples(window, problem.twist, static_cast<int>(critics.vx_samples),
+                                              static_cast<int>(critics.vtheta_samples))) {
+    const RollOut out = roll_outs.along(twist);
+    if (!can_brake(out, problem)) continue;
+    const Critique c = critique(out, course, problem, critics);
+    double costs = cost(c, critics);
+    if (turn) {
+      // Slower first, then the turn; what else they cost tells equals apart.
+      costs = 1e3 * (twist.v - window.v.low) + 1e2 * turn_left_over(twist, *turn, problem) + 1e-3 * costs;
+    } else if (guide && guide->has_direction()) {
+      costs = cost_without_align(c, critics) + guide->cost(out);
+    }
+    all.push_back({out, costs});
+  }
+  std::sort(all.begin(), all.end(), [](const Judged& a, const Judged& b) {
+    if (a.cost != b.cost) return a.cost < b.cost;
+    // Of equals the straightest, so that a mirrored scene is driven mirrored.
+    return std::abs(a.roll_out.twist.omega) < std::abs(b.roll_out.twist.omega);
+  });
+  return all;
+}
+
+void CriticsPlanner::choose(const std::vector<Judged>& judged, const RollOuts& roll_outs,
+                            const PlanningProblem& problem, PlanningResult& result) const {
+  const auto shown = static_cast<std::size_t>(options_.shown_candidates);
+  for (const Judged& one : judged) {
+    const Twist2& twist = one.roll_out.twist;
+    const bool chosen = result.trajectory.empty() && can_stop_among_movers(twist, problem);
+    if (result.candidates.size() < shown || chosen) {
+      result.candidates.push_back(
+          {label_of(twist), one.cost, chosen, roll_outs.trajectory(twist, one.roll_out.time)});
+    }
+    if (chosen) {
+      result.status = PlanningStatus::ok;
+      result.command = twist;
+      result.trajectory = result.candidates.back().trajectory;
+    }
+    if (result.candidates.size() >= shown && !result.trajectory.empty()) break;
+  }
+}
+
+bool CriticsPlanner::can_stop_among_movers(const Twist2& twist, const PlanningProblem& problem) const {
+  if (!options_.check_movers) return true;
+  return is_free(stopping_motion({problem.pose, twist}, problem.control_period, problem.limits.acc_max),
+                 problem, driving());
+}
+
+}  // namespace bw::dwa

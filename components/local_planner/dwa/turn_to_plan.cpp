@@ -1,0 +1,44 @@
+#include "components/local_planner/dwa/turn_to_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bw::dwa {
+namespace {
+
+constexpr double kAhead = 0.2;     // [rad] at which a turn ends
+constexpr double kTooNear = 0.05;  // [m] from where a point has no bearing
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+}  // namespace
+
+std::optional<double> TurnToPlan::angle(const PlanningProblem& problem, const Course& course,
+                                        const CriticOptions& options) {
+  const double v = std::abs(problem.twist.v);
+  const double stopping = v * problem.command_lead + v * v / (2.0 * problem.limits.acc_max);
+  const double ahead = std::max(options.rotate_sampling_distance, stopping);
+  const Vector2 way =
+      course.line.at(std::min(course.along + ahead, course.line.length())) - problem.pose.position();
+  const double bearing =
+      way.norm() < kTooNear ? 0.0 : wrap_angle(std::atan2(way.y(), way.x()) - problem.pose.theta);
+  if (std::abs(bearing) <= (side_ == 0.0 ? options.rotate_threshold : kAhead)) {
+    side_ = 0.0;
+    return std::nullopt;
+  }
+  if (side_ == 0.0) side_ = std::copysign(1.0, bearing);
+  // Behind the robot left and right are equally far.
+  const double behind = std::numbers::pi - std::abs(bearing);
+  if (side_ * bearing < 0.0 && behind < 1.0) return bearing + side_ * kTwoPi;
+  side_ = std::copysign(1.0, bearing);
+  return bearing;
+}
+
+double turn_left_over(const Twist2& held, double angle, const PlanningProblem& problem) {
+  const double late = std::max(problem.control_period, problem.command_lead);
+  const double coming =
+      held.omega * late + held.omega * std::abs(held.omega) / (2.0 * problem.limits.alpha_max);
+  return std::abs(angle - coming);
+}
+
+}  // namespace bw::dwa

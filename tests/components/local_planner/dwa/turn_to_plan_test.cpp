@@ -1,0 +1,61 @@
+#include "components/local_planner/dwa/turn_to_plan.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/components/local_planner/planner_drive.hpp"
+
+namespace bw::dwa {
+namespace {
+
+// Looks along x; the plan leads away at `angle`.
+PlanningProblem leading_off_at(double angle) {
+  return problem_to({8.0 * std::cos(angle), 8.0 * std::sin(angle), 0.0});
+}
+
+std::optional<double> angle_of(TurnToPlan& turn, const PlanningProblem& problem) {
+  const CriticOptions options;
+  return turn.angle(problem, course_of(problem.plan, problem, options), options);
+}
+
+TEST(TurnToPlan, BeginsBeyondItsThresholdAndEndsWhenThePlanLiesAhead) {
+  TurnToPlan turn;
+  EXPECT_FALSE(angle_of(turn, leading_off_at(0.9)).has_value()) << "1 rad is the threshold";
+  EXPECT_NEAR(angle_of(turn, leading_off_at(1.1)).value(), 1.1, 1e-9);
+  EXPECT_NEAR(angle_of(turn, leading_off_at(0.3)).value(), 0.3, 1e-9) << "it goes on";
+  EXPECT_FALSE(angle_of(turn, leading_off_at(0.15)).has_value());
+  EXPECT_FALSE(angle_of(turn, leading_off_at(0.3)).has_value())
+      << "and begins anew beyond the threshold alone";
+}
+
+TEST(TurnToPlan, KeepsItsSideWhenThePlanIsBehind) {
+  TurnToPlan turn;
+  EXPECT_NEAR(angle_of(turn, leading_off_at(3.0)).value(), 3.0, 1e-9);
+  // A little later the plan is seen a little to the right of straight behind.
+  EXPECT_NEAR(angle_of(turn, leading_off_at(-3.0)).value(), 2.0 * std::numbers::pi - 3.0, 1e-9);
+  turn.forget();
+  EXPECT_NEAR(angle_of(turn, leading_off_at(-3.0)).value(), -3.0, 1e-9);
+}
+
+TEST(TurnToPlan, LooksASamplingDistanceAhead) {
+  // A corner 0.2 m ahead: half a metre on, the plan is at (0.2, 0.3).
+  PlanningProblem problem = problem_to({0, 0, 0});
+  problem.plan = {{0, 0, 0}, {0.2, 0, 0}, {0.2, 5, 0}};
+  TurnToPlan turn;
+  EXPECT_FALSE(angle_of(turn, problem).has_value()) << "56 degrees";
+  problem.pose.theta = -0.2;
+  EXPECT_NEAR(angle_of(turn, problem).value(), std::atan2(0.3, 0.2) + 0.2, 1e-9);
+}
+
+TEST(TurnToPlan, ATurnCostsWhatIsLeftWhenItIsStopped) {
+  // 0.6 rad/s for 0.1 s and stopped at 1.5 rad/s^2: 0.06 + 0.12.
+  const PlanningProblem problem = problem_to({8, 0, 0});
+  EXPECT_NEAR(turn_left_over({0.0, 0.6}, 1.0, problem), 0.82, 1e-12);
+  EXPECT_NEAR(turn_left_over({0.0, 0.6}, -1.0, problem), 1.18, 1e-12);
+  EXPECT_NEAR(turn_left_over({0.0, -0.6}, -1.0, problem), 0.82, 1e-12);
+}
+
+}  // namespace
+}  // namespace bw::dwa
