@@ -19,6 +19,8 @@ RunRecorder::RunRecorder(const Footprint& robot, double top_speed) : period_(kPe
 void RunRecorder::start(Time now) {
   recording_.moments.clear();
   recording_.goals.clear();
+  recording_.contacts.clear();
+  diary_ = {};
   started_ = now;
   period_ = kPeriod;
   last_.reset();
@@ -31,11 +33,15 @@ double RunRecorder::speed_to(const RecordedMoment& moment) const {
 }
 
 void RunRecorder::add(const TruthSample& sample) {
+  diary_.add((sample.time - started_).to_seconds(), sample, recording_.robot);
+  recording_.contacts = diary_.contacts();
   if (!sample.X_MB.position().allFinite() || (last_ && sample.time - *last_ < period_)) return;
   last_ = sample.time;
   RecordedMoment moment{(sample.time - started_).to_seconds(), sample.X_MB, std::abs(sample.twist.v),
                         sample.people};
   if (!std::isfinite(moment.speed)) moment.speed = speed_to(moment);
+  moment.twist = {std::isfinite(sample.twist.v) ? sample.twist.v : moment.speed,
+                  std::isfinite(sample.twist.omega) ? sample.twist.omega : 0.0};
   recording_.moments.push_back(std::move(moment));
   if (recording_.moments.size() < kMostMoments) return;
   std::vector<RecordedMoment> kept;

@@ -6,9 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "components/evaluation/contact_diary.hpp"
 #include "components/evaluation/score_keeper.hpp"
 #include "components/evaluation/truth_sample.hpp"
 #include "components/model/footprint.hpp"
+#include "components/model/limits.hpp"
 #include "components/model/obstacles.hpp"
 #include "components/model/occupancy_grid.hpp"
 
@@ -19,6 +21,7 @@ struct RecordedMoment {
   Pose2 X_MB;
   double speed = 0.0;  ///< [m/s]
   std::vector<TruePerson> people;
+  Twist2 twist{};  ///< 0 where the truth has no speed and the moment before tells none
 };
 
 /// All in map.
@@ -29,13 +32,15 @@ struct RunRecording {
   StaticObstacles shapes;  ///< the world's walls and pillars
   std::vector<Vector2> goals;
   std::vector<RecordedMoment> moments;
+  std::vector<ContactRecord> contacts;  ///< with people and other robots, of every sample
+  std::optional<Limits> limits;         ///< of the robot, where they are known
 };
 
 class RunRecorder {
  public:
   RunRecorder(const Footprint& robot, double top_speed);
 
-  /// Forgets moments and goals, keeps map and shapes.
+  /// Forgets moments, contacts and goals, keeps map and shapes.
   void start(Time now);
   void start(Time now, const Vector2& goal) {
     start(now);
@@ -54,6 +59,7 @@ class RunRecorder {
   }
   void set_shapes(StaticObstacles shapes) { recording_.shapes = std::move(shapes); }
   void set_footprint(const Footprint& footprint) { recording_.robot = footprint; }
+  void set_limits(const Limits& limits) { recording_.limits = limits; }
   const RunRecording& recording() const { return recording_; }
 
  private:
@@ -62,6 +68,7 @@ class RunRecorder {
 
   RunRecording recording_;
   bool has_true_map_ = false;
+  ContactDiary diary_;
   Time started_;
   Duration period_;
   std::optional<Time> last_;

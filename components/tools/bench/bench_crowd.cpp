@@ -12,6 +12,7 @@
 #include "components/tools/bench/crowd_generator.hpp"
 #include "components/tools/bench/crowd_report.hpp"
 #include "components/tools/bench/crowd_samples.hpp"
+#include "components/tools/bench/crowd_verdict.hpp"
 #include "components/tools/bench/scene_writer.hpp"
 #include "runtime/atomic_file.hpp"
 
@@ -67,7 +68,10 @@ class CrowdRun {
   void work(const CpuClock& clock) {
     while (const std::optional<std::size_t> index = next()) {
       const std::unique_ptr<LocalPlanner> planner = make_();
-      finish(*index, drive_crowd_sampled(file_.scenes[*index], file_, *planner, clock, samples_[*index]));
+      const Scene& scene = file_.scenes[*index];
+      CrowdEpisode episode = drive_crowd_sampled(scene, file_, *planner, clock, samples_[*index]);
+      episode.judged = judge_crowd(scene, file_, episode);
+      finish(*index, std::move(episode));
     }
   }
 
@@ -106,18 +110,20 @@ int bench_crowd(const BenchCrowdArguments& arguments) {
 
   const BenchConditions conditions{arguments.weights, options, file.limits, Budget{}.max_iterations};
   std::vector<CrowdSummary> summaries;
+  std::string failed;
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   for (const std::string& planner : arguments.planners) {
     std::printf("%s; %s\n", planner.c_str(), in_a_line(conditions).c_str());
     CrowdRun run(file, [&] { return make_planner(planner, options); });
     const std::vector<CrowdEpisode> episodes = run.run(arguments.jobs);
     summaries.push_back(summarize(planner, episodes));
+    failed += failures(planner, episodes);
     results.push_back(to_json(summaries.back(), episodes));
     results.back()["conditions"] = to_json(conditions);
     for (std::size_t i = 0; arguments.with_samples && i < episodes.size(); ++i)
       results.back()["episodes"][i]["samples"] = to_json(run.samples()[i]);
   }
-  std::fputs(("\n" + table(summaries)).c_str(), stdout);
+  std::fputs(("\n" + failed + table(summaries)).c_str(), stdout);
   if (results.size() == 1) {
     write_json(arguments.json, results.front());
   } else {

@@ -11,7 +11,6 @@ namespace {
 
 constexpr int kStepsPerPeriod = 5;
 constexpr double kCollisionIndexSigma = 0.6;  // [m] book 7.7
-constexpr double kStandingSpeed = 0.1;        // [m/s]
 
 PlanningProblem problem_at(const Scene& scene, const SceneFile& file, double time, const Pose2& pose,
                            const Twist2& twist) {
@@ -39,6 +38,18 @@ PlanningProblem problem_at(const Scene& scene, const SceneFile& file, double tim
     problem.movers.push_back(mover);
   }
   return problem;
+}
+
+TruthSample truth_at(const Scene& scene, const SceneBox& box, double time, const Pose2& pose,
+                     const Twist2& twist) {
+  TruthSample sample;
+  sample.time = Time::seconds(time);
+  sample.X_MB = pose;
+  sample.twist = twist;
+  std::uint32_t id = 0;
+  for (const SceneObstacle& o : scene.obstacles)
+    sample.people.push_back({++id, position_at(o, box, time), velocity_at(o, box, time), o.radius});
+  return sample;
 }
 
 void judge(const Scene& scene, const ClosedLoop& rule, double time, const Pose2& pose, const Twist2& twist,
@@ -69,6 +80,8 @@ CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner
   Pose2 pose = scene.start;
   Twist2 twist;
   std::vector<double> accelerations;
+  ContactDiary diary;
+  const Footprint footprint{rule.robot_radius, {}};
   const int cycles = static_cast<int>(std::lround(rule.timeout / period));
   for (int cycle = 0; cycle < cycles; ++cycle) {
     const double begin = cycle * period;
@@ -79,6 +92,7 @@ CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner
     if (result.status != PlanningStatus::ok) ++episode.not_ok;
     if (plan_observer) plan_observer(begin, problem, result);
 
+    episode.states.push_back({begin, pose, twist});
     const Twist2 last = twist;
     twist = applied_twist(result.command, last, file.limits, period);
     accelerations.push_back((twist.v - last.v) / period);
@@ -86,15 +100,18 @@ CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner
     for (int step = 1; step <= kStepsPerPeriod; ++step) {
       pose = unicycle_step(pose, twist, h);
       judge(scene, rule, begin + step * h, pose, twist, episode);
+      diary.add(begin + step * h, truth_at(scene, rule.box, begin + step * h, pose, twist), footprint);
       if (observer) observer(begin + step * h, pose, twist);
     }
     episode.time = begin + period;
     if ((pose.position() - scene.goal.position()).norm() <= rule.goal_tolerance) {
+      episode.reached = true;
       episode.success = !episode.collision;
       break;
     }
   }
   episode.rms_jerk = rms_jerk(accelerations, period);
+  episode.contacts = diary.contacts();
   return episode;
 }
 

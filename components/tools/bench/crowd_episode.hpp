@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "components/evaluation/judged_contact.hpp"
 #include "components/model/planning.hpp"
 #include "components/tools/bench/scene_file.hpp"
 
@@ -15,6 +16,7 @@ namespace bw {
 struct CrowdEpisode {
   std::string name;
   bool success = false;             ///< goal reached in time without any contact
+  bool reached = false;             ///< goal reached in time
   bool collision = false;           ///< some clearance fell below the robot's radius
   bool collision_at_speed = false;  ///< and the robot was faster than 0.1 m/s then
   double time = 0.0;                ///< [s] to the goal, or the timeout
@@ -23,6 +25,14 @@ struct CrowdEpisode {
   double rms_jerk = 0.0;                                           ///< [m/s^3] of the applied commands
   int not_ok = 0;                                                  ///< cycles without a feasible trajectory
   std::vector<double> ms;                                          ///< CPU time of every planner call
+  std::vector<ContactRecord> contacts;  ///< with walkers and discs; `person` is the obstacle's number from 1
+  std::vector<possible::MotionState> states;  ///< at the beginning of every control period
+  std::vector<JudgedContact> judged;          ///< judge_crowd() fills it
+
+  /// It failed, and success was impossible (book 8.10).
+  bool is_excused() const {
+    return reached && bw::is_excused(judged, static_cast<int>(contacts.size()), false);
+  }
 };
 
 /// CPU time so far [ms].

@@ -22,6 +22,8 @@ std::vector<double> figures(const std::vector<CrowdEpisode>& episodes, double Cr
 Json to_json(const CrowdEpisode& e) {
   return {{"name", e.name},
           {"success", e.success},
+          {"possible", !e.is_excused()},
+          {"contacts", to_json(e.judged)},
           {"collision", e.collision},
           {"collision_at_speed", e.collision_at_speed},
           {"time_s", e.time},
@@ -46,9 +48,12 @@ CrowdSummary summarize(const std::string& planner, const std::vector<CrowdEpisod
     s.contacts += e.collision ? 1 : 0;
     s.contacts_at_speed += e.collision_at_speed ? 1 : 0;
     s.timeouts += e.success || e.collision ? 0 : 1;
+    s.possible += e.is_excused() ? 0 : 1;
+    for (const ContactRecord& contact : e.contacts) s.hits.add(contact);
     ms.insert(ms.end(), e.ms.begin(), e.ms.end());
   }
   s.wilson = wilson95(s.successes, s.episodes);
+  s.wilson_possible = wilson95(s.successes, s.possible);
   s.mean_time = mean(figures(episodes, &CrowdEpisode::time));
   const std::vector<double> clearances = figures(episodes, &CrowdEpisode::min_clearance);
   s.mean_min_clearance = mean(clearances);
@@ -72,6 +77,9 @@ Json to_json(const CrowdSummary& s, const std::vector<CrowdEpisode>& episodes) {
            {{"episodes", s.episodes},
             {"successes", s.successes},
             {"wilson95", {s.wilson.low, s.wilson.high}},
+            {"possible", s.possible},
+            {"wilson95_possible", {s.wilson_possible.low, s.wilson_possible.high}},
+            {"hits", s.hits.to_json()},
             {"contacts", s.contacts},
             {"contacts_at_speed", s.contacts_at_speed},
             {"timeouts", s.timeouts},
@@ -96,19 +104,35 @@ std::string in_a_line(const CrowdEpisode& e) {
 }
 
 std::string table(const std::vector<CrowdSummary>& summaries) {
-  std::string out = fmt::format("{:<14} {:>10} {:>15} {:>8} {:>8} {:>8} {:>6} {:>13} {:>13} {:>6} {:>20}\n",
-                                "planner", "success", "Wilson 95 %", "contacts", "at speed", "timeouts",
-                                "time s", "clearance m", "CI", "jerk", "cycle ms");
-  out += fmt::format("{:<14} {:>10} {:>15} {:>8} {:>8} {:>8} {:>6} {:>13} {:>13} {:>6} {:>20}\n", "", "", "",
-                     "", "", "", "mean", "mean / min", "mean / max", "rms", "mean / p95 / max");
+  constexpr auto kRow =
+      "{:<14} {:>10} {:>15} {:>10} {:>15} {:>8} {:>8} {:>8} {:>6} {:>13} {:>13} {:>6} {:>20}\n";
+  const auto interval = [](const Interval& i) { return fmt::format("{:.3f} - {:.3f}", i.low, i.high); };
+  std::string out =
+      fmt::format(kRow, "planner", "success", "Wilson 95 %", "possible", "Wilson 95 %", "contacts",
+                  "at speed", "timeouts", "time s", "clearance m", "CI", "jerk", "cycle ms");
+  out += fmt::format(kRow, "", "", "", "", "", "", "", "", "mean", "mean / min", "mean / max", "rms",
+                     "mean / p95 / max");
   for (const CrowdSummary& s : summaries) {
-    out += fmt::format(
-        "{:<14} {:>10} {:>15} {:>8} {:>8} {:>8} {:>6.2f} {:>13} {:>13} {:>6.2f} {:>20}\n", s.planner,
-        fmt::format("{} of {}", s.successes, s.episodes),
-        fmt::format("{:.3f} - {:.3f}", s.wilson.low, s.wilson.high), s.contacts, s.contacts_at_speed,
-        s.timeouts, s.mean_time, fmt::format("{:.3f} / {:.3f}", s.mean_min_clearance, s.min_clearance),
-        fmt::format("{:.3f} / {:.3f}", s.mean_max_collision_index, s.max_collision_index), s.mean_rms_jerk,
-        fmt::format("{:.2f} / {:.2f} / {:.1f}", s.mean_ms, s.p95_ms, s.max_ms));
+    out += fmt::format(kRow, s.planner, fmt::format("{} of {}", s.successes, s.episodes), interval(s.wilson),
+                       fmt::format("{} of {}", s.successes, s.possible), interval(s.wilson_possible),
+                       s.contacts, s.contacts_at_speed, s.timeouts, fmt::format("{:.2f}", s.mean_time),
+                       fmt::format("{:.3f} / {:.3f}", s.mean_min_clearance, s.min_clearance),
+                       fmt::format("{:.3f} / {:.3f}", s.mean_max_collision_index, s.max_collision_index),
+                       fmt::format("{:.2f}", s.mean_rms_jerk),
+                       fmt::format("{:.2f} / {:.2f} / {:.1f}", s.mean_ms, s.p95_ms, s.max_ms));
+  }
+  for (const CrowdSummary& s : summaries)
+    out += fmt::format("contacts of {}: {}\n", s.planner, s.hits.in_words());
+  return out;
+}
+
+std::string failures(const std::string& planner, const std::vector<CrowdEpisode>& episodes) {
+  std::string out;
+  for (const CrowdEpisode& e : episodes) {
+    if (e.success) continue;
+    out += fmt::format("failed: {} {}: {}{}\n", planner, e.name, e.collision ? "contact" : "timeout",
+                       e.is_excused() ? ", could not succeed" : "");
+    for (const Json& contact : to_json(e.judged)) out += "  " + contact_in_words(contact) + "\n";
   }
   return out;
 }

@@ -8,6 +8,7 @@
 
 #include "components/tools/bench/bench_common.hpp"
 #include "components/tools/bench/crowd_episode.hpp"
+#include "components/tools/contacts/contact_report.hpp"
 
 namespace bw {
 
@@ -16,6 +17,9 @@ struct CrowdSummary {
   std::string planner;
   int episodes = 0, successes = 0, contacts = 0, contacts_at_speed = 0, timeouts = 0;
   Interval wilson;
+  int possible = 0;          ///< episodes in which success was possible (book 8.10)
+  Interval wilson_possible;  ///< of the successes among them
+  HitCounts hits;
   double mean_time = 0.0;
   double mean_min_clearance = 0.0, min_clearance = 0.0;
   double mean_max_collision_index = 0.0, max_collision_index = 0.0;
@@ -31,7 +35,10 @@ nlohmann::ordered_json to_json(const CrowdSummary& summary, const std::vector<Cr
 /// One episode on one line.
 std::string in_a_line(const CrowdEpisode& episode);
 
-/// One row per planner below a head.
+/// One row per planner below a head, then the contacts of each by who hit whom.
 std::string table(const std::vector<CrowdSummary>& summaries);
+
+/// The episodes that failed, each with its contacts and their verdicts; empty when none did.
+std::string failures(const std::string& planner, const std::vector<CrowdEpisode>& episodes);
 
 }  // namespace bw

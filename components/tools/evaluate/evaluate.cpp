@@ -127,6 +127,7 @@ std::string file_stem(const EvaluateOptions& options, const Suite& suite, const 
 std::string page_of(const EvaluateOptions& options, const Suite& suite, const Job& job,
                     DriveSettings settings, const std::string& samples_sha256) {
   settings.svg.clear();
+  settings.contacts = false;
   settings.html = std::filesystem::path(options.html_dir) / (file_stem(options, suite, job) + ".html");
   const DriveResult again = drive(graph_of(suite, job, options.set), settings);
   if (cli::interrupted()) return "";
@@ -141,6 +142,7 @@ EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, cons
   settings.host.clock = ClockMode::lockstep;
   settings.host.seed = static_cast<std::uint64_t>(job.seed);
   settings.longest = Duration::seconds(suite.options.time_limit);
+  settings.contacts = true;
   if (!options.svg_dir.empty())
     settings.svg = std::filesystem::path(options.svg_dir) / (file_stem(options, suite, job) + ".svg");
   const nlohmann::json card = drive(graph_of(suite, job, options.set), settings).json;

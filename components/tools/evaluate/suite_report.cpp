@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "components/tools/bench/bench_common.hpp"
+#include "components/tools/contacts/contact_report.hpp"
 #include "runtime/base/quantile.hpp"
 
 namespace bw {
@@ -75,19 +76,35 @@ std::vector<std::pair<std::string, std::vector<const EpisodeResult*>>> by_planne
   return groups;
 }
 
+HitCounts hits_of(const std::vector<const EpisodeResult*>& drives) {
+  HitCounts hits;
+  for (const EpisodeResult* drive : drives) {
+    const auto contacts = drive->card.find("contacts");
+    if (contacts == drive->card.end() || !contacts->is_array()) continue;
+    for (const nlohmann::json& contact : *contacts) hits.add(nlohmann::ordered_json(contact));
+  }
+  return hits;
+}
+
 nlohmann::json summary(const std::vector<const EpisodeResult*>& drives) {
   std::vector<const EpisodeResult*> reached;
   int successes = 0;
+  int possible = 0;
   for (const EpisodeResult* drive : drives) {
     if (drive->card.value("reached", false)) reached.push_back(drive);
     if (drive->succeeded()) ++successes;
+    if (!drive->is_excused()) ++possible;
   }
   const Interval wilson = wilson95(successes, static_cast<int>(drives.size()));
+  const Interval where_possible = wilson95(successes, possible);
   const std::vector<double> index = figures(drives, "max_collision_index");
   return {{"episodes", drives.size()},
           {"reached", reached.size()},
           {"successes", successes},
           {"wilson95", {wilson.low, wilson.high}},
+          {"possible", possible},
+          {"wilson95_possible", {where_possible.low, where_possible.high}},
+          {"hits", nlohmann::json(hits_of(drives).to_json())},
           {"contacts", total(drives, "collisions")},
           {"contacts_at_speed", total(drives, "collisions_at_speed")},
           {"min_distance_m", smallest(figures(drives, "min_distance_m"))},
@@ -123,6 +140,7 @@ nlohmann::json to_json(const SuiteResult& result) {
     episode["seed"] = drive.seed;
     episode["planner"] = drive.planner;
     episode["success"] = drive.succeeded();
+    episode["possible"] = !drive.is_excused();
     if (!drive.page.empty()) episode["page"] = drive.page;
     episode.erase("callbacks");
     if (drive.succeeded())
@@ -138,19 +156,24 @@ std::string in_words(const std::vector<SuiteResult>& results) {
   std::string out;
   for (const SuiteResult& result : results) {
     for (const EpisodeResult& drive : result.episodes) {
-      if (!drive.succeeded()) out += "failed: " + in_a_line(drive) + "\n";
+      if (drive.succeeded()) continue;
+      out += "failed: " + in_a_line(drive) + (drive.is_excused() ? ", could not succeed" : "") + "\n" +
+             contacts_in_words(drive.card, "  ");
     }
   }
   constexpr auto kRow =
-      "{:<11} {:<13} {:>9} {:>11} {:>8} {:>8} {:>8} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6} {:>7} {:>7} {:>7}\n";
-  out += fmt::format(kRow, "suite", "planner", "success", "Wilson 95 %", "contacts", "at speed", "person m",
-                     "CI max", "median", "time s", "jerk", "pose m", "max", "ms mean", "p95", "max");
+      "{:<11} {:<13} {:>9} {:>11} {:>9} {:>11} {:>8} {:>8} {:>8} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6} {:>7} {:>7} {:>7}\n";
+  out += fmt::format(kRow, "suite", "planner", "success", "Wilson 95 %", "possible", "Wilson 95 %",
+                     "contacts", "at speed", "person m", "CI max", "median", "time s", "jerk", "pose m",
+                     "max", "ms mean", "p95", "max");
   for (const SuiteResult& result : results) {
     for (const auto& [planner, drives] : by_planner(result)) {
       const nlohmann::json row = summary(drives);
       out += fmt::format(kRow, std::filesystem::path(result.suite).stem().string(), planner,
                          fmt::format("{} of {}", row["successes"].get<int>(), row["episodes"].get<int>()),
                          text(row["wilson95"][0], 2) + "-" + text(row["wilson95"][1], 2),
+                         fmt::format("{} of {}", row["successes"].get<int>(), row["possible"].get<int>()),
+                         text(row["wilson95_possible"][0], 2) + "-" + text(row["wilson95_possible"][1], 2),
                          row["contacts"].get<int>(), row["contacts_at_speed"].get<int>(),
                          text(row["closest_person_m"], 2), text(row["max_collision_index"]["max"], 2),
                          text(row["max_collision_index"]["median"], 2), text(row["mean_time_s"], 1),
@@ -159,6 +182,10 @@ std::string in_words(const std::vector<SuiteResult>& results) {
                          text(row["planner_ms"]["p95"], 2), text(row["planner_ms"]["max"], 2));
     }
   }
+  for (const SuiteResult& result : results)
+    for (const auto& [planner, drives] : by_planner(result))
+      out += fmt::format("contacts in {} of {}: {}\n", std::filesystem::path(result.suite).stem().string(),
+                         planner, hits_of(drives).in_words());
   return out;
 }
 

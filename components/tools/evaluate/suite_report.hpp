@@ -19,6 +19,8 @@ struct EpisodeResult {
   std::string page = {};  ///< file that plays the drive; empty: none
 
   bool succeeded() const;
+  /// It failed, and success was impossible for people who walk as they did (book 8.10).
+  bool is_excused() const { return !succeeded() && !card.value("possible", true); }
 };
 
 /// The drives of one suite.
@@ -28,15 +30,16 @@ struct SuiteResult {
 };
 
 /// Of one suite; the verb adds {planned, driven, complete}, which count drives:
-/// {suite, summary: {planner: {episodes, reached, successes, wilson95, contacts, contacts_at_speed,
+/// {suite, summary: {planner: {episodes, reached, successes, wilson95, possible, wilson95_possible, hits, contacts, contacts_at_speed,
 /// min_distance_m, closest_person_m, max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3,
 /// localization: {mean_rms_m, max_m}, planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner,
-/// success, ... score card}]}. Times and jerk are means over reached goals and over all drives; p95 of the
+/// success, possible, ... score card}]}. `possible`: episodes in which success was possible; `hits`: contacts with somebody by who
+/// hit whom (contact_report.hpp). Times and jerk are means over reached goals and over all drives; p95 of the
 /// planner's time is that of the worst drive. The robot's way is told of drives that failed, and their `page` where there is one.
 nlohmann::json to_json(const SuiteResult& result);
 
-/// The drives that failed, and one table: a row for each suite and planner, planners in the order they were
-/// driven.
+/// The drives that failed with their contacts, and one table: a row for each suite and planner, planners in the order they were
+/// driven. Below it who hit whom.
 std::string in_words(const std::vector<SuiteResult>& results);
 
 /// One drive on one line.

@@ -14,6 +14,7 @@ namespace bw {
 void CourseObserver::configure(Setup& setup) {
   const auto robot = setup.shared<Robot>("robot");
   course_->emplace(robot.outline(), robot.limits.v_max);
+  (*course_)->set_limits(robot.limits);
   hear_goals(setup);
   hear_place(setup);
   setup.input<bandwagon_msgs::msg::GroundTruth>(

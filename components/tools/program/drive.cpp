@@ -14,6 +14,8 @@
 #include <sys/resource.h>
 
 #include "components/evaluation/evaluation_parameters.hpp"
+#include "components/evaluation/judged_contact.hpp"
+#include "components/tools/contacts/contact_report.hpp"
 #include "components/tools/drive_page/drive_page.hpp"
 #include "components/tools/program/bag_description.hpp"
 #include "components/tools/program/course_observer.hpp"
@@ -258,7 +260,7 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
          .component = std::make_unique<RunObserver>(seen, options.show_progress, options.stays, planner_ms),
          .node_namespace = evaluation->node_namespace});
   }
-  const auto course = observe_course(options.course ? evaluation : nullptr, extra);
+  const auto course = observe_course(options.course || options.contacts ? evaluation : nullptr, extra);
   HostOptions host_options = options.host;
   Bags bags(graph, options);
   bags.join(host_options, extra);
@@ -283,8 +285,9 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
                        .has_goal = result.has_goal,
                        .stays = options.stays};
   result.card = seen->card();
-  if (*course) result.course = (*course)->recording();
+  if (*course && options.course) result.course = (*course)->recording();
   result.json = to_json(result.card, facts_of(facts, host, slowest(host, planners)), host.statistics());
+  if (*course && options.contacts) add_contacts(result.json, judge_contacts((*course)->recording()));
   bags.add_to(result.json);
   if (options.host.clock == ClockMode::lockstep)
     result.json["inputs"] = host.was_changed_from_outside() ? "outside" : "graph";

@@ -26,6 +26,7 @@ struct DriveSettings {
   bool snapshots = false;      ///< as the graph says; else its section `snapshot` is not looked at
   bool show_progress = false;  ///< one refreshing line on stderr
   bool course = false;         ///< keeps what a figure of the drive needs: DriveResult::course
+  bool contacts = false;       ///< the card tells who hit whom, and whether it could have been avoided
   bool stays = false;          ///< the run goes on for further goals when one is decided
 };
 

@@ -68,6 +68,7 @@ int run(const RunOptions& options) {
              .record_options = options.record.writer_options(),
              .snapshots = true,
              .show_progress = options.progress || isatty(STDERR_FILENO) != 0,
+             .contacts = true,
              .stays = options.stay});
   if (!options.json.empty()) write_file_atomically(options.json, result.json.dump(2) + "\n");
   if (result.judged) std::cout << in_words(result.json);

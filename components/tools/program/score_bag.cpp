@@ -11,13 +11,16 @@
 
 #include <bandwagon_msgs/msg/ground_truth.hpp>
 #include <bandwagon_msgs/msg/navigation_status.hpp>
+#include <bandwagon_msgs/msg/obstacles.hpp>
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <fmt/format.h>
+#include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 
 #include "components/evaluation/adaptor/truth_messages.hpp"
 #include "components/messages/footprint.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/messages/obstacles.hpp"
 #include "components/model/mover_weight.hpp"
 #include "runtime/bag/known_type.hpp"
 
@@ -63,7 +66,7 @@ std::optional<std::size_t> find_named(const bag::Bag& recording, std::string_vie
 
 /// Which topics tell what.
 struct Sources {
-  std::optional<std::size_t> truth, status, belief, odometry, tracks, footprint;
+  std::optional<std::size_t> truth, status, belief, odometry, tracks, footprint, map, true_map, shapes;
 
   explicit Sources(const bag::Bag& recording)
       : truth(find_topic(recording, "bandwagon_msgs/msg/GroundTruth")),
@@ -71,13 +74,17 @@ struct Sources {
         belief(find_topic(recording, "nav_msgs/msg/Odometry", {"/odometry/filtered", "/odom"})),
         odometry(find_topic(recording, "nav_msgs/msg/Odometry", {"/odom"})),
         tracks(find_topic(recording, "bandwagon_msgs/msg/Tracks")),
-        footprint(find_named(recording, "geometry_msgs/msg/PolygonStamped", "/robot_footprint")) {}
+        footprint(find_named(recording, "geometry_msgs/msg/PolygonStamped", "/robot_footprint")),
+        map(find_named(recording, "nav_msgs/msg/OccupancyGrid", "/map")),
+        true_map(find_named(recording, "nav_msgs/msg/OccupancyGrid", "/sim/map")),
+        shapes(find_named(recording, "bandwagon_msgs/msg/Obstacles", "/sim/obstacles")) {}
 };
 
 class Scorer {
  public:
-  Scorer(const bag::Bag& recording, const Footprint& robot)
+  Scorer(const bag::Bag& recording, const Footprint& robot, const std::optional<Limits>& limits)
       : recording_(recording), from_(recording), judge_({}, robot, kTopSpeed) {
+    if (limits) judge_.recorder().set_limits(*limits);
     if (!from_.truth && !from_.belief)
       throw std::runtime_error(
           "the bag holds neither a ground truth nor an odometry: nothing tells where the robot was");
@@ -119,6 +126,7 @@ class Scorer {
     now_ = m.log_time;
     if (m.topic == from_.truth)
       read<GroundTruth>(m, [&](const auto& message) { on_truth(to_truth(message)); });
+    if (m.topic == from_.map || m.topic == from_.true_map || m.topic == from_.shapes) hear_place(m);
     if (m.topic == from_.footprint)
       read<PolygonStamped>(m, [&](const auto& message) { on_footprint(message); });
     if (m.topic == from_.status) read<NavigationStatus>(m, [&](const auto& message) { on_status(message); });
@@ -136,6 +144,21 @@ class Scorer {
     } else {
       ++malformed_;
     }
+  }
+
+  /// What stands about; of use beside the truth, which is in map too.
+  void hear_place(const bag::BagMessage& m) {
+    if (!from_.truth) return;
+    if (m.topic == from_.shapes) {
+      read<bandwagon_msgs::msg::Obstacles>(
+          m, [&](const auto& message) { judge_.recorder().set_shapes(to_obstacles(message, Pose2{})); });
+      return;
+    }
+    read<nav_msgs::msg::OccupancyGrid>(m, [&](const auto& message) {
+      const std::optional<OccupancyGrid> map = to_grid(message);
+      if (map && m.topic == from_.true_map) judge_.recorder().set_true_map(*map);
+      if (map && m.topic == from_.map) judge_.recorder().set_map(*map);
+    });
   }
 
   void on_footprint(const PolygonStamped& message) {
@@ -194,7 +217,10 @@ class Scorer {
     return people;
   }
 
-  void keep() { score_.drives.push_back({judge_.card(), judge_.pose_errors(), from_.status.has_value()}); }
+  void keep() {
+    score_.drives.push_back({judge_.card(), judge_.pose_errors(),
+                             judge_contacts(judge_.recorder().recording()), from_.status.has_value()});
+  }
 
   void finish() {
     if (judge_.running()) {
@@ -222,8 +248,8 @@ class Scorer {
 
 }  // namespace
 
-BagScore score_bag(const bag::Bag& recording, const Footprint& robot) {
-  return Scorer(recording, robot).run();
+BagScore score_bag(const bag::Bag& recording, const Footprint& robot, const std::optional<Limits>& limits) {
+  return Scorer(recording, robot, limits).run();
 }
 
 }  // namespace bw

@@ -2,12 +2,15 @@
 // believed (its odometry) and saw (its tracks).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "components/evaluation/drive_judge.hpp"
+#include "components/evaluation/judged_contact.hpp"
+#include "components/model/limits.hpp"
 #include "runtime/bag/bag.hpp"
 
 namespace bw {
@@ -15,6 +18,7 @@ namespace bw {
 struct ScoredDrive {
   ScoreCard card;
   PoseErrors pose_errors;
+  std::vector<JudgedContact> contacts;
   bool has_goal = true;  ///< false: nobody said where the robot goes, the whole bag is one drive
 };
 
@@ -24,7 +28,8 @@ struct BagScore {
   std::vector<ScoredDrive> drives;
 };
 
-/// Of a robot with this outline. Throws std::runtime_error when the bag holds neither a truth nor an odometry.
-[[nodiscard]] BagScore score_bag(const bag::Bag& recording, const Footprint& robot);
+/// Of a robot with this outline; without `limits` contacts are not judged. Throws std::runtime_error when the bag holds neither a truth nor an odometry.
+[[nodiscard]] BagScore score_bag(const bag::Bag& recording, const Footprint& robot,
+                                 const std::optional<Limits>& limits = std::nullopt);
 
 }  // namespace bw

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "components/tools/contacts/contact_report.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {
@@ -72,6 +73,16 @@ std::string company_in_words(const nlohmann::json& card) {
              100.0 * value("share_ci_above_0_54")) +
          fmt::format("Mean speed {:.2f} m/s, RMS jerk {:.2f} m/s^3.\n", value("mean_speed_mps"),
                      value("rms_jerk_mps3"));
+}
+
+/// Who hit whom, and what could have been done; empty without a contact with somebody.
+std::string contacts_of(const nlohmann::json& card) {
+  const std::string lines = contacts_in_words(card, "  ");
+  if (lines.empty()) return "";
+  return std::string(card.value("possible", true)
+                         ? "Contacts:\n"
+                         : "Success was not possible for people who walk as they did. Contacts:\n") +
+         lines;
 }
 
 /// Of a run that nobody drove.
@@ -187,6 +198,7 @@ std::string in_words(const nlohmann::json& card) {
     text = fmt::format("{} robots, the worst of each figure. {}", card["robots"].size(), text);
   text += fmt::format(" over {}, {} contacts ({} while the robot moved).\n", meters(card["path_length_m"]),
                       card["collisions"].get<int>(), card["collisions_at_speed"].get<int>());
+  text += contacts_of(card);
   text += company_in_words(card);
   text += pose_error_in_words(card);
   if (const auto planner = card.value("planner", nlohmann::json()); planner.is_object()) {

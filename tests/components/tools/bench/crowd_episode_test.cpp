@@ -6,6 +6,7 @@
 
 #include "components/tools/bench/crowd_generator.hpp"
 #include "components/tools/bench/crowd_report.hpp"
+#include "components/tools/bench/crowd_verdict.hpp"
 #include "components/tools/bench/crowd_walk.hpp"
 
 namespace bw {
@@ -82,6 +83,51 @@ TEST(CrowdEpisode, CollisionIndexIsThatOfTheNearestApproach) {
   EXPECT_NEAR(episode.max_collision_index, std::exp(-0.81 / 0.72), 1e-9);
   EXPECT_FALSE(episode.collision);
   EXPECT_FALSE(episode.success);
+}
+
+std::vector<JudgedContact> judged_drive(const std::vector<SceneObstacle>& obstacles, double speed) {
+  ConstantPlanner planner({speed, 0.0});
+  const Scene scene{"hand made", {}, {12.0, 0.0, 0.0}, obstacles};
+  const SceneFile file = crowd_rules();
+  return judge_crowd(scene, file, drive_crowd(scene, file, planner, no_time));
+}
+
+// The robot reaches 1 m/s after 0.5 s and 0.3 m. A disc at 6 m is touched at 5.4 m, and half a metre is enough to stop.
+TEST(CrowdVerdict, ADiscInTheWayCouldBeAvoided) {
+  const std::vector<JudgedContact> judged = judged_drive({{{6.0, 0.0}, 0.3, {0.0, 0.0}}}, 1.0);
+  ASSERT_EQ(judged.size(), 1U);
+  EXPECT_EQ(judged[0].record.person, 1U);
+  EXPECT_EQ(judged[0].record.closing.who, WhoHit::robot_closing);
+  EXPECT_NEAR(judged[0].record.time, 5.6, 0.021);
+  EXPECT_EQ(judged[0].verdict.avoidance, possible::Avoidance::avoidable);
+  EXPECT_NEAR(*judged[0].verdict.saveable_until, 5.1, 0.25);
+}
+
+// 0.2 m before the rim of a robot that stands, and 1.2 m/s: 0.17 s. In that time 2 m/s^2 move it by 3 cm.
+TEST(CrowdVerdict, WhoStandsBeforeARunnerIsLost) {
+  const std::vector<JudgedContact> judged = judged_drive({{{0.8, 0.0}, 0.3, {-1.2, 0.0}}}, 0.0);
+  ASSERT_GE(judged.size(), 1U);
+  EXPECT_EQ(judged[0].record.closing.who, WhoHit::robot_standing);
+  EXPECT_EQ(judged[0].verdict.avoidance, possible::Avoidance::not_avoidable);
+}
+
+// Two of three succeed and the third could not: 2 of 2 where possible. One that is late failed all the same.
+TEST(CrowdSummary, TellsSuccessWhereItWasPossible) {
+  const CrowdEpisode good{.name = "good", .success = true, .reached = true};
+  CrowdEpisode lost{.name = "lost", .reached = true, .collision = true};
+  lost.contacts.resize(1);
+  lost.judged = {{lost.contacts[0], true, {.avoidance = possible::Avoidance::not_avoidable}}};
+  const CrowdSummary s = summarize("x", {good, good, lost});
+  EXPECT_EQ(s.successes, 2);
+  EXPECT_EQ(s.possible, 2);
+  EXPECT_NE(table({s}).find("2 of 2"), std::string::npos);
+  EXPECT_NE(failures("x", {good, lost}).find("failed: x lost: contact, could not succeed"),
+            std::string::npos);
+  lost.reached = false;
+  EXPECT_EQ(summarize("x", {good, good, lost}).possible, 3);
+  lost.reached = true;
+  lost.judged[0].verdict.avoidance = possible::Avoidance::undecided;
+  EXPECT_EQ(summarize("x", {good, good, lost}).possible, 3);
 }
 
 TEST(CrowdSummary, CountsAndMeansOfHandMadeEpisodes) {

@@ -138,6 +138,49 @@ TEST(SuiteReport, SumsUpByPlanner) {
   EXPECT_NE(words.find("2 of 4"), std::string::npos) << words;
 }
 
+nlohmann::json contact(const char* who, bool begins_mid_floor) {
+  return {{"t", 3.0},
+          {"person", 4},
+          {"who", who},
+          {"robot_closing_mps", 0.1},
+          {"person_closing_mps", 0.9},
+          {"there_for_s", 0.4},
+          {"begins_mid_floor", begins_mid_floor},
+          {"ends_mid_floor", false},
+          {"verdict", "not avoidable"},
+          {"saveable_until_s", nullptr},
+          {"lost_since_s", 2.6}};
+}
+
+// Of four drives three succeed and one could not: 3 of 4, and 3 of 3 where possible. Wilson 95 % of 3 of 3: from
+// 1 / (1 + z^2 / 3) = 0.438 on.
+TEST(SuiteReport, TellsSuccessWhereItWasPossible) {
+  EpisodeResult lost = drive("lost", true, 2, 1, 0.6);
+  lost.card["possible"] = false;
+  lost.card["contacts"] = {contact("person_side", true), contact("person_behind", false)};
+  const SuiteResult result{
+      "suite.yaml",
+      {drive("a", true, 0, 0, 0.1), drive("b", true, 0, 0, 0.1), drive("c", true, 0, 0, 0.1), lost}};
+  const nlohmann::json json = to_json(result);
+  const nlohmann::json& row = json["summary"]["teb"];
+  EXPECT_EQ(row["successes"], 3);
+  EXPECT_EQ(row["possible"], 3);
+  EXPECT_NEAR(row["wilson95_possible"][0].get<double>(), 0.438, 5e-4);
+  EXPECT_EQ(row["hits"]["mid_floor"], 1);
+  EXPECT_EQ(row["hits"]["person_side"], 0);
+  EXPECT_EQ(row["hits"]["person_behind"], 1);
+  EXPECT_EQ(json["episodes"][3]["possible"], false);
+  EXPECT_EQ(json["episodes"][0]["possible"], true);
+  const std::string words = in_words({result});
+  EXPECT_NE(words.find("3 of 3"), std::string::npos) << words;
+  EXPECT_NE(
+      words.find("could not succeed\n  3.00 s person 4: person_side (robot 0.10, person 0.90 m/s), there for "
+                 "0.40 s, not avoidable, lost since 2.6 s"),
+      std::string::npos)
+      << words;
+  EXPECT_NE(words.find("contacts in suite of teb: 1 person_behind, 1 mid_floor"), std::string::npos) << words;
+}
+
 // One row for each suite and planner, planners in the order of --planners and not of the alphabet.
 TEST(SuiteReport, OneTableForAllSuitesAndPlanners) {
   const auto by = [](const std::string& planner) {
@@ -155,7 +198,7 @@ TEST(SuiteReport, OneTableForAllSuitesAndPlanners) {
     fields >> suite >> planner >> successes >> of >> drives;
     rows.push_back(suite + " " + planner + " " + successes + "/" + drives);
   }
-  ASSERT_EQ(rows.size(), 4U) << words;
+  ASSERT_EQ(rows.size(), 7U) << words;  // and one line of contacts for each
   EXPECT_EQ(rows[1], "hall teb 2/2");
   EXPECT_EQ(rows[2], "hall dwa 1/1");
   EXPECT_EQ(rows[3], "eth teb_homotopy 1/1");

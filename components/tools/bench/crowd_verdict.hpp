@@ -1,0 +1,14 @@
+// Whether the contacts of a drive among walkers could have been avoided (book 8.10).
+#pragma once
+
+#include <vector>
+
+#include "components/tools/bench/crowd_episode.hpp"
+
+namespace bw {
+
+/// Of each contact of `episode`, which was driven in `scene`. Walkers are known at any time: they react to nobody.
+std::vector<JudgedContact> judge_crowd(const Scene& scene, const SceneFile& file,
+                                       const CrowdEpisode& episode);
+
+}  // namespace bw
