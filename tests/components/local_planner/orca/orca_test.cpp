@@ -44,8 +44,8 @@ TEST(Orca, DoesNotDependOnTheOrderOfNeighbours) {
   }
 }
 
-// On a circle, each to the opposite place: the rule's promise is that nobody touches. Not that all arrive: more than two can wait for each other
-// in the middle.
+// On a circle, each to the opposite place: the rule promises that nobody touches. Not that all arrive: more than two can wait for each
+// other in the middle.
 TEST(Orca, DiscsThatAllFollowItNeverTouch) {
   for (const int count : {2, 3, 10}) {
     std::vector<Agent> agents;
