@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "components/local_planner/dwa/led_plan.hpp"
 #include "components/model/mover_weight.hpp"
 
 namespace bw::dwa {
@@ -17,7 +18,7 @@ bool somebody_within(const PlanningProblem& problem, double horizon) {
   const double speed = std::max(problem.limits.v_max, std::abs(problem.twist.v));
   const int steps = static_cast<int>(std::ceil(horizon / kStep));
   for (const Mover& m : problem.movers) {
-    if (!is_confirmed(m)) continue;
+    if (!is_confirmed(m) || m.velocity.norm() < kStanding) continue;
     for (int i = 0; i <= steps; ++i) {
       const double time = std::min(i * kStep, horizon);
       const double apart = (m.position_at(time) - problem.pose.position()).norm();

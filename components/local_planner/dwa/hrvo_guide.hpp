@@ -10,7 +10,8 @@
 
 namespace bw::dwa {
 
-/// Could the robot, driving anywhere at v_max, meet somebody within `horizon` [s]? Confirmed movers alone.
+/// Could the robot, driving anywhere at v_max, meet somebody who walks within `horizon` [s]? Confirmed movers alone; who stands is
+/// in the way as any obstacle is.
 bool somebody_within(const PlanningProblem& problem, double horizon);
 
 class HrvoGuide {

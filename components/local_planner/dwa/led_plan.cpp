@@ -23,7 +23,6 @@ constexpr double kLook = 0.05;      // [m] between two looks along a line
 constexpr double kRejoin = 0.4;     // [m] after the last blocked place
 constexpr double kComfort = 0.15;   // [m] more than needed, for which a way may be twice as long
 constexpr double kOwnPlace = 0.25;  // [m] around the robot that is free whatever stands there
-constexpr double kStanding = 0.15;  // [m/s]
 constexpr int kFar = std::numeric_limits<int>::max();
 
 class Obstacles {

@@ -17,10 +17,11 @@ PlanningProblem with_mover(const Vector2& position, const Vector2& velocity) {
 }
 
 TEST(SomebodyWithin, IsWhoCouldBeMet) {
-  // Robot and person 0.3 m each, v_max 1 m/s, 3 s: who stands counts up to 3.6 m, who comes at 1 m/s up to 6.6 m, who walks away at
-  // 1 m/s up to 0.6 m.
-  EXPECT_TRUE(somebody_within(with_mover({3.5, 0}, {0, 0}), 3.0));
-  EXPECT_FALSE(somebody_within(with_mover({3.7, 0}, {0, 0}), 3.0));
+  // Robot and person 0.3 m each, v_max 1 m/s, 3 s: who comes at 1 m/s counts up to 6.6 m, who walks away at 1 m/s up to 0.6 m, who
+  // crosses at 0.5 m/s up to where sqrt(d^2 + 1.5^2) is 3.6 m, and who stands never.
+  EXPECT_TRUE(somebody_within(with_mover({3.2, 0}, {0, 0.5}), 3.0));
+  EXPECT_FALSE(somebody_within(with_mover({3.3, 0}, {0, 0.5}), 3.0));
+  EXPECT_FALSE(somebody_within(with_mover({1.0, 0}, {0, 0.1}), 3.0));
   EXPECT_TRUE(somebody_within(with_mover({-6.5, 0}, {1, 0}), 3.0)) << "from behind as well";
   EXPECT_FALSE(somebody_within(with_mover({6.7, 0}, {-1, 0}), 3.0));
   EXPECT_TRUE(somebody_within(with_mover({0.5, 0}, {1, 0}), 3.0));
@@ -29,7 +30,8 @@ TEST(SomebodyWithin, IsWhoCouldBeMet) {
 }
 
 TEST(SomebodyWithin, IsNobodyWhoIsNotConfirmed) {
-  PlanningProblem problem = with_mover({1, 0}, {0, 0});
+  PlanningProblem problem = with_mover({1, 0}, {0, 1});
+  EXPECT_TRUE(somebody_within(problem, 3.0));
   problem.movers[0].confidence = 0.45;
   EXPECT_FALSE(somebody_within(problem, 3.0));
 }

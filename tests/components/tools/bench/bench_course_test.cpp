@@ -32,5 +32,18 @@ TEST(BenchCourse, DrivesACourseWithoutContactInTime) {
   EXPECT_EQ(drive_course(course, "eteb", arguments).samples_sha256, outcome.samples_sha256);
 }
 
+// The baselines drive too. Within 4 OT, a quarter of the score, however they get by what the laser takes for people.
+TEST(BenchCourse, DwaAndEdwaDriveACourse) {
+  BenchCourseArguments arguments;
+  arguments.graph = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/course.yaml";
+  GeneratedCourse drawn = generate_course(2);
+  const Course course{std::move(drawn.world), drawn.measures};
+  for (const char* planner : {"dwa", "edwa"}) {
+    const CourseOutcome outcome = drive_course(course, planner, arguments);
+    EXPECT_TRUE(outcome.success()) << planner << " " << outcome.reason;
+    EXPECT_GE(outcome.score, 0.25) << planner << " " << outcome.time;
+  }
+}
+
 }  // namespace
 }  // namespace bw
