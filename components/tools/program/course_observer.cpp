@@ -12,20 +12,25 @@
 namespace bw {
 
 void CourseObserver::configure(Setup& setup) {
+  listener_.listen(setup);
+  setup.input<bandwagon_msgs::msg::GroundTruth>(
+      listener_.topics().truth, Qos::standard(),
+      [this](const auto& truth, const Tick&) { listener_.on_truth(truth); }, Need::optional);
+}
+
+void CourseListener::listen(Setup& setup) {
   const auto robot = setup.shared<Robot>("robot");
   course_->emplace(robot.outline(), robot.limits.v_max);
   (*course_)->set_limits(robot.limits);
   hear_goals(setup);
   hear_place(setup);
-  setup.input<bandwagon_msgs::msg::GroundTruth>(
-      topics_.truth, Qos::standard(),
-      [this](const auto& truth, const Tick&) {
-        if (started_) (*course_)->add(to_truth(truth));
-      },
-      Need::optional);
 }
 
-void CourseObserver::hear_goals(Setup& setup) {
+void CourseListener::on_truth(const bandwagon_msgs::msg::GroundTruth& truth) {
+  if (started_) (*course_)->add(to_truth(truth));
+}
+
+void CourseListener::hear_goals(Setup& setup) {
   setup.input<bandwagon_msgs::msg::NavigationStatus>(
       topics_.status, Qos::standard(),
       [this](const auto& message, const Tick& tick) {
@@ -39,7 +44,7 @@ void CourseObserver::hear_goals(Setup& setup) {
       Need::optional);
 }
 
-void CourseObserver::hear_place(Setup& setup) {
+void CourseListener::hear_place(Setup& setup) {
   setup.input<nav_msgs::msg::OccupancyGrid>(
       topics_.map, Qos::latched(),
       [this](const auto& message, const Tick&) {

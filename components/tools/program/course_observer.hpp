@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include <bandwagon_msgs/msg/ground_truth.hpp>
+
 #include "components/evaluation/run_recorder.hpp"
 #include "runtime/component.hpp"
 
@@ -21,13 +23,17 @@ struct CourseTopics {
   std::string shapes = "sim/obstacles";
 };
 
-class CourseObserver final : public Component {
+/// Fills a recorder from within a component.
+class CourseListener {
  public:
-  /// `course` begins with the first goal, and is read after the run; it has the robot's size and speed from the graph.
-  CourseObserver(std::shared_ptr<std::optional<RunRecorder>> course, CourseTopics topics)
+  /// `course` begins with the first goal, and is read after the run; it has the robot's size, speed and limits from the graph.
+  CourseListener(std::shared_ptr<std::optional<RunRecorder>> course, CourseTopics topics)
       : course_(std::move(course)), topics_(std::move(topics)) {}
 
-  void configure(Setup& setup) override;
+  /// Goals and what stands about. Who calls it hears the truth, and passes it on.
+  void listen(Setup& setup);
+  void on_truth(const bandwagon_msgs::msg::GroundTruth& truth);
+  const CourseTopics& topics() const { return topics_; }
 
  private:
   void hear_goals(Setup& setup);
@@ -37,6 +43,18 @@ class CourseObserver final : public Component {
   CourseTopics topics_;
   std::uint64_t goal_id_ = 0;
   bool started_ = false;
+};
+
+/// A component that does nothing else.
+class CourseObserver final : public Component {
+ public:
+  CourseObserver(std::shared_ptr<std::optional<RunRecorder>> course, CourseTopics topics)
+      : listener_(std::move(course), std::move(topics)) {}
+
+  void configure(Setup& setup) override;
+
+ private:
+  CourseListener listener_;
 };
 
 }  // namespace bw

@@ -199,19 +199,23 @@ std::vector<RobotObservation> observed(const Graph& graph) {
   return robots;
 }
 
-/// The course of whom `evaluation` judges; stays empty with nullptr.
+/// Where the course of whom `evaluation` judges is heard.
+CourseTopics course_topics(const ComponentNode& evaluation) {
+  const CourseTopics declared;
+  return {.truth = evaluation.topic_of(declared.truth),
+          .status = evaluation.topic_of(declared.status),
+          .map = evaluation.topic_of(declared.map),
+          .true_map = evaluation.topic_of(declared.true_map),
+          .shapes = evaluation.topic_of(declared.shapes)};
+}
+
+/// A component of its own for the course of whom `evaluation` judges; stays empty with nullptr.
 std::shared_ptr<std::optional<RunRecorder>> observe_course(const ComponentNode* evaluation,
                                                            std::vector<ExtraComponent>& extra) {
   auto course = std::make_shared<std::optional<RunRecorder>>();
   if (evaluation == nullptr) return course;
-  const CourseTopics declared;
-  const CourseTopics topics{.truth = evaluation->topic_of(declared.truth),
-                            .status = evaluation->topic_of(declared.status),
-                            .map = evaluation->topic_of(declared.map),
-                            .true_map = evaluation->topic_of(declared.true_map),
-                            .shapes = evaluation->topic_of(declared.shapes)};
   extra.push_back({.name = "course_observer",
-                   .component = std::make_unique<CourseObserver>(course, topics),
+                   .component = std::make_unique<CourseObserver>(course, course_topics(*evaluation)),
                    .node_namespace = evaluation->node_namespace});
   return course;
 }
@@ -247,6 +251,7 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
 
   DriveResult result{.judged = evaluation != nullptr};
   auto seen = std::make_shared<Observation>();
+  auto heard = std::make_shared<std::optional<RunRecorder>>();
   Host* running = nullptr;
   std::vector<ExtraComponent> extra;
   if (result.judged) {
@@ -255,12 +260,15 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
       if (running == nullptr || planners.empty()) return 0.0;
       return planner_cycle(running->statistics(), planners.begin()->second).run.quantile_ms(0.5);
     };
-    extra.push_back(
-        {.name = "run_observer",
-         .component = std::make_unique<RunObserver>(seen, options.show_progress, options.stays, planner_ms),
-         .node_namespace = evaluation->node_namespace});
+    // Contacts are heard by a component that is there anyway: what the run publishes stays the same to the byte.
+    std::optional<CourseListener> listener;
+    if (options.contacts) listener.emplace(heard, course_topics(*evaluation));
+    extra.push_back({.name = "run_observer",
+                     .component = std::make_unique<RunObserver>(seen, options.show_progress, options.stays,
+                                                                planner_ms, std::move(listener)),
+                     .node_namespace = evaluation->node_namespace});
   }
-  const auto course = observe_course(options.course || options.contacts ? evaluation : nullptr, extra);
+  const auto course = observe_course(options.course ? evaluation : nullptr, extra);
   HostOptions host_options = options.host;
   Bags bags(graph, options);
   bags.join(host_options, extra);
@@ -285,9 +293,9 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
                        .has_goal = result.has_goal,
                        .stays = options.stays};
   result.card = seen->card();
-  if (*course && options.course) result.course = (*course)->recording();
+  if (*course) result.course = (*course)->recording();
   result.json = to_json(result.card, facts_of(facts, host, slowest(host, planners)), host.statistics());
-  if (*course && options.contacts) add_contacts(result.json, judge_contacts((*course)->recording()));
+  if (*heard) add_contacts(result.json, judge_contacts((*heard)->recording()));
   bags.add_to(result.json);
   if (options.host.clock == ClockMode::lockstep)
     result.json["inputs"] = host.was_changed_from_outside() ? "outside" : "graph";

@@ -23,6 +23,7 @@ std::optional<bandwagon_msgs::msg::ScoreCard> Observation::card() const {
 
 void RunObserver::configure(Setup& setup) {
   finish_run_ = setup.finish_run();
+  if (course_) course_->listen(setup);
   for (RobotObservation& robot : seen_->robots) listen(setup, robot);
 }
 
@@ -38,7 +39,8 @@ void RunObserver::listen(Setup& setup, RobotObservation& robot) {
       });
   setup.input<bandwagon_msgs::msg::GroundTruth>(
       robot.truth_topic, Qos::standard(),
-      [&robot](const auto& truth, const Tick&) {
+      [this, &robot](const auto& truth, const Tick&) {
+        if (course_ && &robot == &seen_->robots.front()) course_->on_truth(truth);
         const Time time = from_stamp(truth.header().stamp());
         if (!robot.path.empty() && time - robot.path.back().time < kPathPeriod) return;
         robot.path.push_back({time, from_pose(truth.pose())});

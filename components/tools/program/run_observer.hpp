@@ -10,6 +10,7 @@
 
 #include <bandwagon_msgs/msg/score_card.hpp>
 
+#include "components/tools/program/course_observer.hpp"
 #include "runtime/base/pose2.hpp"
 #include "runtime/component.hpp"
 
@@ -43,14 +44,15 @@ constexpr Duration kPathPeriod = Duration::milliseconds(100);
 
 class RunObserver final : public Component {
  public:
-  /// `planner_ms`: the planner's last known median cycle time, for the progress line. `show_progress`: write
+  /// `course`: fills that of the first robot; may be nothing. `planner_ms`: the planner's last known median cycle time, for the progress line. `show_progress`: write
   /// that line to stderr. With `stays` the run goes on when the goal is decided.
   RunObserver(std::shared_ptr<Observation> seen, bool show_progress, bool stays,
-              std::function<double()> planner_ms)
+              std::function<double()> planner_ms, std::optional<CourseListener> course = std::nullopt)
       : seen_(std::move(seen)),
         show_progress_(show_progress),
         stays_(stays),
-        planner_ms_(std::move(planner_ms)) {}
+        planner_ms_(std::move(planner_ms)),
+        course_(std::move(course)) {}
 
   void configure(Setup& setup) override;
 
@@ -62,6 +64,7 @@ class RunObserver final : public Component {
   bool show_progress_;
   bool stays_;
   std::function<double()> planner_ms_;
+  std::optional<CourseListener> course_;
   std::optional<Time> started_;
   std::function<void(bool, const std::string&)> finish_run_;
 };

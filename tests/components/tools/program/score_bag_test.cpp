@@ -75,6 +75,13 @@ class RecordedDrive : public testing::Test {
       true_state.pose(to_pose(X_MB));
       true_state.twist().linear().x(1.0);
       true_state.wall_clearance(2.0);
+      if (someone_) {
+        GroundTruthPerson person;
+        person.id(9);
+        person.position(to_point(*someone_));
+        person.radius(0.3);
+        true_state.people().push_back(person);
+      }
       if (with_truth) write(truth, now, true_state);
       message.header(make_header("map", now));
       message.pose().pose(to_pose({X_MB.x, 0.1, 0.0}));
@@ -85,10 +92,13 @@ class RecordedDrive : public testing::Test {
     writer_->close();
   }
 
-  BagScore score() { return score_bag(*bag::open_bag(path_), {0.3, {}}); }
+  BagScore score(const std::optional<Limits>& limits = std::nullopt) {
+    return score_bag(*bag::open_bag(path_), {0.3, {}}, limits);
+  }
 
   std::filesystem::path path_;
   std::optional<bag::BagWriter> writer_;
+  std::optional<Vector2> someone_;  ///< stands there all the time
 };
 
 TEST_F(RecordedDrive, ByTheTruth) {
@@ -101,6 +111,24 @@ TEST_F(RecordedDrive, ByTheTruth) {
   EXPECT_NEAR(card.path_length, 5.0, 1e-9);
   EXPECT_NEAR(card.min_distance, 2.0, 1e-9) << "the truth knows nobody, only walls";
   EXPECT_NEAR(score.drives[0].pose_errors.rms_position(), 0.1, 1e-9);
+}
+
+// Somebody stands 0.5 m beside the way at x = 2: touched from x = 2 - sqrt(0.6^2 - 0.5^2) = 1.67 on, the first of ten looks a
+// second at 1.7.
+TEST_F(RecordedDrive, TellsWhoHitWhomAndJudgesByTheRobotsLimits) {
+  someone_ = Vector2(2.0, 0.5);
+  drive(true, true, true);
+  const BagScore unknown = score();
+  ASSERT_EQ(unknown.drives.at(0).contacts.size(), 1U);
+  EXPECT_FALSE(unknown.drives[0].contacts[0].is_judged);
+  const BagScore judged = score(Limits{});
+  const JudgedContact& contact = judged.drives.at(0).contacts.at(0);
+  EXPECT_EQ(contact.record.person, 9U);
+  EXPECT_NEAR(contact.record.time, 1.7, 1e-6);
+  EXPECT_EQ(contact.record.closing.who, WhoHit::robot_closing);
+  EXPECT_TRUE(contact.is_judged);
+  EXPECT_EQ(contact.verdict.avoidance, possible::Avoidance::avoidable);
+  EXPECT_FALSE(is_excused(judged.drives[0].contacts, judged.drives[0].card.collisions_at_speed, true));
 }
 
 // The robot believes to drive along y = 0.1 and sees the person where it is from there: 1.0 - 0.3 - 0.3 m aside.
