@@ -27,7 +27,15 @@ bool can_brake(const RollOut& out, const PlanningProblem& problem) {
 }  // namespace
 
 void CriticsPlanner::remember(const CheckedPlanner& earlier) {
-  if (const auto* same = dynamic_cast<const CriticsPlanner*>(&earlier)) turn_ = same->turn_;
+  const auto* same = dynamic_cast<const CriticsPlanner*>(&earlier);
+  if (same == nullptr) return;
+  turn_ = same->turn_;
+  recovery_ = same->recovery_;
+}
+
+void CriticsPlanner::forget() {
+  turn_.forget();
+  recovery_.forget();
 }
 
 std::optional<HrvoGuide> CriticsPlanner::guide_of(const PlanningProblem& problem) const {
@@ -53,6 +61,7 @@ PlanningResult CriticsPlanner::drive(const PlanningProblem& problem) {
   Safety safety;
   if (!result.trajectory.empty()) safety = {true, safety_of(result.trajectory, problem, driving()).comfort};
   evade(problem, driving(), safety, result);
+  recovery_.apply(problem, result);
   if (guide) {
     result.velocity_cones = guide->advice().cones;
     result.velocity_wanted = guide->advice().velocity;
