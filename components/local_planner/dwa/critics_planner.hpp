@@ -44,7 +44,7 @@ class CriticsPlanner final : public CheckedPlanner {
                              const std::optional<HrvoGuide>& guide, std::optional<double> turn) const;
   void choose(const std::vector<Judged>& judged, const RollOuts& roll_outs, const PlanningProblem& problem,
               PlanningResult& result) const;
-  bool can_stop_among_movers(const Twist2& twist, const PlanningProblem& problem) const;
+  bool can_stop_among(const PlanningProblem& walkers, const Twist2& twist) const;
 
   DwaOptions options_;
   std::optional<EdwaOptions> edwa_;
