@@ -10,9 +10,19 @@
 #include "components/local_planner/dwa/sample_label.hpp"
 #include "components/local_planner/dwa/stopping_motion.hpp"
 #include "components/local_planner/dwa/velocity_window.hpp"
+#include "components/model/mover_weight.hpp"
 
 namespace bw::dwa {
 namespace {
+
+// Who walks, alone: whatever stands is met by the roll-outs.
+PlanningProblem with_walkers_alone(const PlanningProblem& problem) {
+  PlanningProblem walkers = problem;
+  walkers.obstacles = {};
+  std::erase_if(walkers.movers,
+                [](const Mover& m) { return !is_confirmed(m) || m.velocity.norm() < kStanding; });
+  return walkers;
+}
 
 // One more control period, then braking on the same curve.
 bool can_brake(const RollOut& out, const PlanningProblem& problem) {
@@ -27,7 +37,15 @@ bool can_brake(const RollOut& out, const PlanningProblem& problem) {
 }  // namespace
 
 void CriticsPlanner::remember(const CheckedPlanner& earlier) {
-  if (const auto* same = dynamic_cast<const CriticsPlanner*>(&earlier)) turn_ = same->turn_;
+  const auto* same = dynamic_cast<const CriticsPlanner*>(&earlier);
+  if (same == nullptr) return;
+  turn_ = same->turn_;
+  recovery_ = same->recovery_;
+}
+
+void CriticsPlanner::forget() {
+  turn_.forget();
+  recovery_.forget();
 }
 
 std::optional<HrvoGuide> CriticsPlanner::guide_of(const PlanningProblem& problem) const {
@@ -53,6 +71,7 @@ PlanningResult CriticsPlanner::drive(const PlanningProblem& problem) {
   Safety safety;
   if (!result.trajectory.empty()) safety = {true, safety_of(result.trajectory, problem, driving()).comfort};
   evade(problem, driving(), safety, result);
+  recovery_.apply(problem, result);
   if (guide) {
     result.velocity_cones = guide->advice().cones;
     result.velocity_wanted = guide->advice().velocity;
@@ -94,9 +113,10 @@ std::vector<CriticsPlanner::Judged> CriticsPlanner::judged(const PlanningProblem
 void CriticsPlanner::choose(const std::vector<Judged>& judged, const RollOuts& roll_outs,
                             const PlanningProblem& problem, PlanningResult& result) const {
   const auto shown = static_cast<std::size_t>(options_.shown_candidates);
+  const PlanningProblem walkers = with_walkers_alone(problem);
   for (const Judged& one : judged) {
     const Twist2& twist = one.roll_out.twist;
-    const bool chosen = result.trajectory.empty() && can_stop_among_movers(twist, problem);
+    const bool chosen = result.trajectory.empty() && can_stop_among(walkers, twist);
     if (result.candidates.size() < shown || chosen) {
       result.candidates.push_back(
           {label_of(twist), one.cost, chosen, roll_outs.trajectory(twist, one.roll_out.time)});
@@ -110,10 +130,10 @@ void CriticsPlanner::choose(const std::vector<Judged>& judged, const RollOuts& r
   }
 }
 
-bool CriticsPlanner::can_stop_among_movers(const Twist2& twist, const PlanningProblem& problem) const {
-  if (!options_.check_movers) return true;
-  return is_free(stopping_motion({problem.pose, twist}, problem.control_period, problem.limits.acc_max),
-                 problem, driving());
+bool CriticsPlanner::can_stop_among(const PlanningProblem& walkers, const Twist2& twist) const {
+  if (!options_.check_movers || walkers.movers.empty()) return true;
+  return is_free(stopping_motion({walkers.pose, twist}, walkers.control_period, walkers.limits.acc_max),
+                 walkers, driving());
 }
 
 }  // namespace bw::dwa

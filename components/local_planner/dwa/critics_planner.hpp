@@ -9,6 +9,7 @@
 #include "components/local_planner/dwa/critics.hpp"
 #include "components/local_planner/dwa/dwa_options.hpp"
 #include "components/local_planner/dwa/hrvo_guide.hpp"
+#include "components/local_planner/dwa/stuck_recovery.hpp"
 #include "components/local_planner/dwa/turn_to_plan.hpp"
 #include "components/local_planner/hrvo/hrvo_options.hpp"
 #include "components/model/planning.hpp"
@@ -17,8 +18,8 @@ namespace bw::dwa {
 
 /// Each call: the velocities in reach, of those the ones that can brake before the footprint touches anything, of those the
 /// cheapest (critics.hpp) from which it can brake clear of where people will be. Where the plan leads off by more than
-/// rotate_threshold: a turn on the spot. If none is admissible: as every planner, an evasive move or a stop, status infeasible.
-/// Remembers which way it turns.
+/// rotate_threshold: a turn on the spot. If none is admissible: as every planner, an evasive move or a stop, status infeasible; a robot
+/// that stands long backs off. Remembers which way it turns and how long it stands.
 class CriticsPlanner final : public CheckedPlanner {
  public:
   /// With options of EDWA it is EDWA.
@@ -35,7 +36,7 @@ class CriticsPlanner final : public CheckedPlanner {
   };
 
   PlanningResult drive(const PlanningProblem& problem) override;
-  void forget() override { turn_.forget(); }
+  void forget() override;
   void remember(const CheckedPlanner& earlier) override;
 
   std::optional<HrvoGuide> guide_of(const PlanningProblem& problem) const;
@@ -43,12 +44,13 @@ class CriticsPlanner final : public CheckedPlanner {
                              const std::optional<HrvoGuide>& guide, std::optional<double> turn) const;
   void choose(const std::vector<Judged>& judged, const RollOuts& roll_outs, const PlanningProblem& problem,
               PlanningResult& result) const;
-  bool can_stop_among_movers(const Twist2& twist, const PlanningProblem& problem) const;
+  bool can_stop_among(const PlanningProblem& walkers, const Twist2& twist) const;
 
   DwaOptions options_;
   std::optional<EdwaOptions> edwa_;
   hrvo::HrvoOptions hrvo_;
   TurnToPlan turn_;
+  StuckRecovery recovery_;
 };
 
 }  // namespace bw::dwa

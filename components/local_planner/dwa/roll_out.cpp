@@ -59,8 +59,10 @@ RollOut RollOuts::along(const Twist2& held) {
   double surely = rules_.predict_movers ? 0.0 : gap_now_;
   for (int i = 0; i < static_cast<int>(steps) && out.travel < rules_.way && out.turn < kMostTurn; ++i) {
     const Twist2 twist = velocity_at(held, (i + 0.5) * dt);
-    const Pose2 next = advance_exact(out.end, twist, dt);
-    surely -= std::abs(twist.v) * dt + std::abs(twist.omega) * dt * problem_.footprint.radius;
+    const double way_left = rules_.way - out.travel;
+    const double step = std::abs(twist.v) * dt > way_left ? way_left / std::abs(twist.v) : dt;
+    const Pose2 next = advance_exact(out.end, twist, step);
+    surely -= (std::abs(twist.v) + std::abs(twist.omega) * problem_.footprint.radius) * step;
     if (surely < out.gap) {
       const double gap = gap_at(next, (i + 1) * dt);
       surely = rules_.predict_movers ? 0.0 : gap;
@@ -71,9 +73,9 @@ RollOut RollOuts::along(const Twist2& held) {
       out.gap = std::min(out.gap, gap);
     }
     out.end = next;
-    out.time = (i + 1) * dt;
-    out.travel += std::abs(twist.v) * dt;
-    out.turn += std::abs(twist.omega) * dt;
+    out.time = i * dt + step;
+    out.travel += std::abs(twist.v) * step;
+    out.turn += std::abs(twist.omega) * step;
   }
   return out;
 }

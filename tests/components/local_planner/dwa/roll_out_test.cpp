@@ -2,7 +2,6 @@
 #include "components/local_planner/dwa/roll_out.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -39,7 +38,8 @@ TEST(RollOut, EndsWhereTheWayEnds) {
   RollOutRules short_way = rules();
   short_way.way = 0.7;
   const RollOut out = RollOuts(problem, short_way).along({1.0, 0.0});
-  EXPECT_NEAR(out.travel, 0.7, kLook);
+  EXPECT_NEAR(out.travel, 0.7, 1e-9);
+  EXPECT_NEAR(out.end.x, 0.7, 1e-9);
   EXPECT_FALSE(out.meets);
 }
 
@@ -61,16 +61,15 @@ TEST(RollOut, TheFootprintItselfMeetsAWall) {
 }
 
 TEST(RollOut, ATurnOnTheSpotMeetsWhatTheCornersReach) {
-  // A point 0.3 m to the left. The front left corner, at atan2(0.2, 0.25) from the heading and 0.32 m away, reaches no point nearer
-  // than the side, which is 0.2 m away; the corner's circle holds the point: it is met when the side does.
+  // A point 0.3 m to the left of a body that reaches 0.2 m to that side: turned by phi it is seen at 0.3 m (sin phi, cos phi), and
+  // the side meets it when 0.3 cos phi = 0.2.
   PlanningProblem problem = problem_to({9, 0, 0});
   problem.footprint = box();
   problem.obstacles.points = {{0.0, 0.3}};
   problem.twist = {0.0, 1.0};
   const RollOut out = RollOuts(problem, rules()).along({0.0, 1.0});
   ASSERT_TRUE(out.meets);
-  // The front edge x = 0.25 contains a point 0.3 m away at the angle acos(0.25 / 0.3) from the heading: the edge turned to it.
-  const double turn = std::numbers::pi / 2.0 - std::acos(0.25 / 0.3);
+  const double turn = std::acos(0.2 / 0.3);
   EXPECT_NEAR(out.turn, turn, kLook / 0.3);
   EXPECT_LE(out.turn, turn + 1e-9);
 }
