@@ -127,7 +127,6 @@ std::string file_stem(const EvaluateOptions& options, const Suite& suite, const 
 std::string page_of(const EvaluateOptions& options, const Suite& suite, const Job& job,
                     DriveSettings settings, const std::string& samples_sha256) {
   settings.svg.clear();
-  settings.contacts = false;
   settings.html = std::filesystem::path(options.html_dir) / (file_stem(options, suite, job) + ".html");
   const DriveResult again = drive(graph_of(suite, job, options.set), settings);
   if (cli::interrupted()) return "";

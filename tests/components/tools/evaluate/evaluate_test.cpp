@@ -48,10 +48,10 @@ TEST(Evaluate, DrivesTheHallwayAndTellsAll) {
   EXPECT_EQ(episode["seed"], 3);
   EXPECT_EQ(episode["planner"], "teb");
   EXPECT_TRUE(episode["reached"].get<bool>());
-  for (const char* field :
-       {"success", "reason", "time_to_goal_s", "path_length_m", "min_distance_m", "collisions",
-        "collisions_at_speed", "max_collision_index", "share_ci_above_0_54", "mean_speed_mps",
-        "rms_jerk_mps3", "planner_ms", "realtime_factor", "samples_sha256", "graph"}) {
+  for (const char* field : {"success", "reason", "time_to_goal_s", "path_length_m", "min_distance_m",
+                            "collisions", "collisions_at_speed", "max_collision_index", "share_ci_above_0_54",
+                            "mean_speed_mps", "rms_jerk_mps3", "planner_ms", "realtime_factor",
+                            "samples_sha256", "graph", "contacts", "possible"}) {
     EXPECT_TRUE(episode.contains(field)) << field;
   }
   // From (1, 0) to (19, 0), within the goal tolerance of 0.3 m.
