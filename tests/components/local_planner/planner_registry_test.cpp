@@ -83,8 +83,8 @@ std::string refusal(const std::string& yaml) {
 }
 
 TEST(PlannerRegistry, NamesThePlannersOfTheTreeAndTheNewOne) {
-  EXPECT_THAT(planner_names(),
-              testing::ElementsAre("circler", "dwa", "edwa", "eteb", "hrvo", "pteb", "teb", "teb_homotopy"));
+  EXPECT_THAT(planner_names(), testing::ElementsAre("circler", "dwa", "edwa", "eteb", "hrvo", "mppi", "pteb",
+                                                    "teb", "teb_homotopy"));
 }
 
 TEST(PlannerRegistry, MakesItWithItsParameters) {
