@@ -11,6 +11,7 @@
 #include "components/local_planner/dwa/dwa_options.hpp"
 #include "components/local_planner/homotopy/homotopy_options.hpp"
 #include "components/local_planner/hrvo/hrvo_options.hpp"
+#include "components/local_planner/mppi/mppi_options.hpp"
 #include "components/local_planner/teb/prediction_options.hpp"
 #include "components/local_planner/teb/teb_options.hpp"
 #include "components/model/planning.hpp"
@@ -55,6 +56,7 @@ struct LocalPlannerOptions {
   dwa::DwaOptions dwa;
   dwa::EdwaOptions edwa;
   hrvo::HrvoOptions hrvo;
+  mppi::MppiOptions mppi;
   teb::TebOptions teb;
   homotopy::HomotopyOptions homotopy;
   PtebOptions pteb;
@@ -67,6 +69,7 @@ struct LocalPlannerOptions {
     v("dwa", dwa, {.doc = "dynamic window approach"});
     v("edwa", edwa, {.doc = "what EDWA changes in it"});
     v("hrvo", hrvo, {.doc = "hybrid reciprocal velocity obstacles"});
+    v("mppi", mppi, {.doc = "model predictive path integral, as Nav2 ships it"});
     v("teb", teb, {.doc = "timed elastic band; teb_homotopy, pteb and eteb too"});
     v("homotopy", homotopy, {.doc = "bands in several topologies: teb_homotopy, pteb, eteb"});
     v("pteb", pteb, {.doc = "what PTEB adds: the HRVO direction in the choice"});

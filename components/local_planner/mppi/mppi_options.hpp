@@ -1,0 +1,119 @@
+// Parameters of MPPI (book 5.8), named and preset as in the parameter file that Nav2 ships (Jazzy). Speeds and accelerations
+// are the robot's (PlanningProblem::limits).
+#pragma once
+
+#include <cstdint>
+
+#include "components/local_planner/mppi/critic_options.hpp"
+#include "runtime/base/field.hpp"
+
+namespace bw::mppi {
+
+/// What each pose costs by its distance to the nearest obstacle, as Nav2's inflation layer has it.
+struct InflationOptions {
+  double inflation_radius = 0.7;
+  double cost_scaling_factor = 3.0;
+  double resolution = 0.05;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("inflation_radius", inflation_radius,
+      {.unit = "m",
+       .min = 0,
+       .max = 5,
+       .doc = "places nearer than this to an obstacle cost; raise it to keep further away"});
+    v("cost_scaling_factor", cost_scaling_factor,
+      {.unit = "1/m",
+       .min = 0,
+       .max = 100,
+       .doc = "how fast the cost falls with the distance; lower keeps further away"});
+    v("resolution", resolution,
+      {.unit = "m", .min = 0.01, .max = 0.5, .doc = "side of a cell of the costmap"});
+  }
+};
+
+struct MppiOptions {
+  std::int64_t batch_size = 2000;
+  std::int64_t time_steps = 56;
+  double model_dt = 0.05;
+  std::int64_t iteration_count = 1;
+  double temperature = 0.3;
+  double gamma = 0.015;
+  double vx_std = 0.2;
+  double wz_std = 0.4;
+  double prune_distance = 1.7;
+  std::int64_t retry_attempt_limit = 1;
+  bool clamp_raw_controls = true;
+  bool regenerate_noises = true;
+  std::int64_t seed = 1;
+  bool predict_movers = false;
+  bool check_motion = false;
+  std::int64_t shown_candidates = 5;
+  InflationOptions inflation;
+  ConstraintOptions constraint;
+  CostOptions cost;
+  GoalOptions goal;
+  GoalAngleOptions goal_angle;
+  PathAlignOptions path_align;
+  PathFollowOptions path_follow;
+  PathAngleOptions path_angle;
+  PreferForwardOptions prefer_forward;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("batch_size", batch_size,
+      {.min = 2, .max = 20000, .doc = "sampled motions; the time of a cycle grows with it"});
+    v("time_steps", time_steps, {.min = 2, .max = 400, .doc = "steps of a motion"});
+    v("model_dt", model_dt, {.unit = "s", .min = 0.01, .max = 1, .doc = "length of a step"});
+    v("iteration_count", iteration_count,
+      {.min = 1,
+       .max = 100,
+       .doc =
+           "sampled, scored and averaged so often in each model_dt of the control period, 4 times as often at most"});
+    v("temperature", temperature,
+      {.min = 0.001,
+       .max = 1000,
+       .doc = "difference of cost that a weight falls by a factor of e for; lower follows the best sample "
+              "alone"});
+    v("gamma", gamma,
+      {.min = 0,
+       .max = 100,
+       .doc = "cost of leaving the motion of the last cycle; raise it for steadier driving"});
+    v("vx_std", vx_std, {.unit = "m/s", .min = 0.001, .max = 10, .doc = "spread of the sampled speeds"});
+    v("wz_std", wz_std,
+      {.unit = "rad/s", .min = 0.001, .max = 20, .doc = "spread of the sampled turn rates"});
+    v("prune_distance", prune_distance,
+      {.unit = "m",
+       .min = 0.1,
+       .max = 100,
+       .doc =
+           "length of the plan that is looked at; at least 0.3 m more than the way of a motion at top speed"});
+    v("retry_attempt_limit", retry_attempt_limit,
+      {.min = 0, .max = 10, .doc = "new tries from standing when every sample collides"});
+    v("clamp_raw_controls", clamp_raw_controls,
+      {.doc =
+           "the mean is taken of what the accelerations leave of the samples, as in Jazzy; false: of the samples, as in "
+           "Lyrical, which speeds up and turns in sooner where accelerations are low"});
+    v("regenerate_noises", regenerate_noises,
+      {.doc = "other samples in every cycle; false: the same ones, which costs less time"});
+    v("seed", seed, {.min = 0, .doc = "of the samples"});
+    v("predict_movers", predict_movers,
+      {.doc = "people where they will be at the time of each pose; false: as shipped, where they are now"});
+    v("check_motion", check_motion,
+      {.doc =
+           "a motion that is not free or passes people too closely is left for an evasive move, as by the other "
+           "planners; false: as shipped, only when every sample collides, and then it stops"});
+    v("shown_candidates", shown_candidates, {.min = 0, .max = 15, .doc = "of the best samples, on the page"});
+    v("inflation", inflation, {.doc = "the costmap"});
+    v("constraint", constraint, {.doc = "critic of speeds outside the limits"});
+    v("cost", cost, {.doc = "critic of the costmap"});
+    v("goal", goal, {.doc = "critic of the distance to the goal"});
+    v("goal_angle", goal_angle, {.doc = "critic of the heading at the goal"});
+    v("path_align", path_align, {.doc = "critic of the distance to the plan"});
+    v("path_follow", path_follow, {.doc = "critic of progress along the plan"});
+    v("path_angle", path_angle, {.doc = "critic of the heading towards the plan"});
+    v("prefer_forward", prefer_forward, {.doc = "critic of driving back"});
+  }
+};
+
+}  // namespace bw::mppi
