@@ -28,6 +28,15 @@ TEST(MppiPlanner, ArrivesInTheOpen) {
   }
 }
 
+// Where path_follow and the deviation cost balance (book 5.8): 5 0.05 (0.2)^2 / 0.015 = 2/3 m/s, although 1 m/s is allowed.
+TEST(MppiPlanner, DrivesAsFastAsItsWeightsBalance) {
+  MppiPlanner planner = planner_with({});
+  const Drive drive = bw::drive(planner, problem_to({40.0, 0.0, 0.0}), 120);
+  double mean = 0.0;
+  for (std::size_t i = 100; i < 120; ++i) mean += drive.twists[i].v / 20.0;
+  EXPECT_NEAR(mean, 2.0 / 3.0, 0.05);
+}
+
 // A wall across the way with a gap of 1.4 m, through which the plan leads.
 TEST(MppiPlanner, DrivesThroughAGapInAWall) {
   PlanningProblem problem = problem_to({4.0, 0.0, 0.0});
