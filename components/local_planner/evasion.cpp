@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
+#include "components/local_planner/footprint_check.hpp"
 #include "components/local_planner/timed_gaps.hpp"
 #include "components/model/differential_drive.hpp"
 
@@ -22,7 +24,8 @@ constexpr std::array kFirstPhases{0.3, 0.6, 1.0, 1.5};  // [s]
 constexpr std::array kSecondPhases{0.5, 1.0};           // [s]; the third lasts as long as the horizon
 constexpr double kGapWeight = 100.0;  // metres of progress that a metre of gap is worth below enough_gap
 constexpr double kNoCloser =
-    0.01;  // [m] of what is too near already, by which a motion that comes closer is told
+    0.01;                      // [m] of what is too near already, by which a motion that comes closer is told
+constexpr double kGain = 0.1;  // [m/s] by which a gap that is too small is asked to grow
 constexpr double kTestTime = 0.06;             // [s] at most between gap tests
 constexpr std::size_t kMostLooks = 2'000'000;  // of all moves; bounds the time of a search
 constexpr std::size_t kLooksOfStep = 40;       // as long as these takes a step of the simulation
@@ -40,12 +43,38 @@ struct Motion {
   double gap = kInfinity;
   double mover_gap = kInfinity;
   double contact_time = kInfinity;
+  double shortfall = 0.0;  // [m] of the gap wanted, at the worst moment
 };
 
 // One that is kept.
 struct Kept {
   Motion motion;
   std::vector<TrajectoryPoint> trajectory;
+};
+
+PlanningProblem without_touched(const PlanningProblem& problem) {
+  PlanningProblem others;
+  others.pose = problem.pose;
+  others.twist = problem.twist;
+  others.footprint = problem.footprint;
+  others.limits = problem.limits;
+  for (const Mover& mover : problem.movers) {
+    if (gap_at(problem.pose, 0.0, problem.footprint, {}, {mover}) >= 0.0) others.movers.push_back(mover);
+  }
+  if (others.movers.size() < problem.movers.size()) others.obstacles = problem.obstacles;
+  return others;
+}
+
+// Of who is touched already every motion would be a contact from the start, and none better than a stop in front of
+// them. So these count by how far the robot gets out from under their feet alone; contact is with the others.
+struct Others {
+  Others(PlanningProblem without, double horizon, double step, double reach)
+      : problem(std::move(without)), gaps(problem, horizon, step, reach) {}
+  Others(const Others&) = delete;
+  Others& operator=(const Others&) = delete;
+
+  PlanningProblem problem;
+  TimedGaps gaps;
 };
 
 // Depth-first over the phases: moves that begin alike are simulated once, and given up when they fall behind.
@@ -69,8 +98,14 @@ class Search {
     };
     add(kTurnShares, first_targets_);
     add(kLaterTurns, later_targets_);
-    const double now = gaps_.at(problem.pose, 0, gaps_.farthest()).all;
-    options_.asked_gap = std::min(options.asked_gap, std::max(0.0, now - kNoCloser));
+    now_ = gaps_.at(problem.pose, 0, gaps_.farthest()).all;
+    double nearest = now_;
+    if (PlanningProblem others = without_touched(problem); others.movers.size() < problem.movers.size()) {
+      const double step = options.period / tests_;
+      others_.emplace(std::move(others), steps_ * options.period, step, options.enough_gap);
+      nearest = others_->gaps.at(problem.pose, 0, gaps_.farthest()).all;
+    }
+    options_.asked_gap = std::min(options.asked_gap, std::max(0.0, nearest - kNoCloser));
   }
 
   EvasiveMove run() {
@@ -152,15 +187,29 @@ class Search {
       latest_ = {motion, points_};
   }
 
+  bool is_touched() const { return others_.has_value(); }
+
+  double wanted(double time) const {
+    return is_touched() ? std::min(options_.enough_gap, now_ + kGain * time) : options_.enough_gap;
+  }
+
   void test(Motion& motion, const Pose2& pose, std::size_t k) {
-    const TimedGaps::Gap most = gaps_.farthest();
-    const TimedGaps::Gap gap =
-        gaps_.at(pose, k, {std::min(motion.gap, most.all), std::min(motion.mover_gap, most.movers), 0});
+    const double time = static_cast<double>(k) * options_.period / tests_;
+    // Only what makes the motion worse is looked for.
+    const double worse = std::min(options_.enough_gap, std::max(motion.gap, wanted(time) - motion.shortfall));
+    const double nearer = std::max(worse, std::min(options_.enough_gap, motion.mover_gap));
+    const TimedGaps::Gap gap = gaps_.at(pose, k, {worse, nearer, 0});
     looks_ += gap.looks;
-    motion.gap = gap.all;
-    motion.mover_gap = gap.movers;
-    if (gap.all < options_.asked_gap)
-      motion.contact_time = std::min(motion.contact_time, static_cast<double>(k) * options_.period / tests_);
+    motion.gap = std::min(motion.gap, gap.all);
+    motion.mover_gap = std::min(motion.mover_gap, gap.movers);
+    motion.shortfall = std::max(motion.shortfall, wanted(time) - gap.all);
+    double contact_gap = gap.all;
+    if (is_touched()) {
+      const TimedGaps::Gap other = others_->gaps.at(pose, k, gaps_.farthest());
+      looks_ += other.looks;
+      contact_gap = other.all;
+    }
+    if (contact_gap < options_.asked_gap) motion.contact_time = std::min(motion.contact_time, time);
   }
 
   // It met something, can no longer win, or there is no time left to see.
@@ -170,12 +219,12 @@ class Search {
     if (best_score_ == -kInfinity) return false;
     const double left = static_cast<double>(steps_ + 1 - static_cast<int>(motion.points)) * options_.period;
     const double nearest = distance_to_goal() - top_speed_ * left - kRounding;
-    return kGapWeight * motion.gap - std::max(0.0, nearest) < best_score_;
+    return -kGapWeight * motion.shortfall - std::max(0.0, nearest) < best_score_;
   }
 
   double distance_to_goal() const { return (points_.back().pose.position() - goal_).norm(); }
 
-  double score(const Motion& motion) const { return kGapWeight * motion.gap - distance_to_goal(); }
+  double score(const Motion& motion) const { return -kGapWeight * motion.shortfall - distance_to_goal(); }
 
   void consider(const Motion& motion) {
     if (motion.contact_time < kInfinity) return;
@@ -198,6 +247,8 @@ class Search {
   int tests_;
   int steps_;
   TimedGaps gaps_;
+  std::optional<Others> others_;  // when somebody is touched
+  double now_ = 0.0;              // gap [m], at most enough_gap
   std::vector<Twist2> first_targets_;
   std::vector<Twist2> later_targets_;
   double top_speed_;

@@ -61,5 +61,21 @@ TEST(Evasion, DrivesOnBesideWhoIsNearAndGoesAway) {
   EXPECT_GT(move.trajectory[1].twist.v, 0.5);
 }
 
+// Somebody who walks faster than the robot has run into it from behind. To drive on takes it out of the way; a stop, or
+// to stand as if every motion were a contact, leaves it under their feet.
+TEST(Evasion, DrivesAwayFromWhoTouchesItFromBehind) {
+  for (const double speed : {0.0, 0.5}) {
+    for (const double gap : {-0.05, -0.005}) {
+      PlanningProblem problem = driving_at(speed);
+      Mover mover;
+      mover.position = {-0.6 - gap, 0.0};
+      mover.velocity = {0.8, 0.0};
+      problem.movers = {mover};
+      const EvasiveMove move = best_evasive_move(problem, {10.0, 0.0}, {});
+      EXPECT_GT(move.trajectory[1].twist.v, speed) << "gap " << gap;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bw

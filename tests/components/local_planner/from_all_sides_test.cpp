@@ -1,0 +1,142 @@
+// People who come from the side or from behind and react to nobody: one who turns into the robot's way, one who
+// overtakes, one who walks over the place where the robot waits. Closed loop, ideal unicycle, true places and
+// velocities; nobody tells the planner that somebody is about to turn.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "components/local_planner/footprint_check.hpp"
+#include "components/local_planner/planner_factory.hpp"
+#include "components/model/differential_drive.hpp"
+#include "tests/shortfall.hpp"
+
+namespace bw {
+namespace {
+
+constexpr double kPeriod = 0.1;   // [s]
+constexpr double kStep = 0.02;    // [s]
+constexpr double kFast = 0.9;     // [m/s] of a robot that is under way
+constexpr double kWalking = 1.3;  // [m/s]
+
+/// Velocity of somebody `time` seconds after the start.
+using Gait = std::function<Vector2(double time)>;
+
+struct Walker {
+  Vector2 position{0.0, 0.0};
+  Gait gait;
+};
+
+struct Outcome {
+  double smallest_gap = 1e9;  ///< [m]
+  bool reached = false;
+};
+
+/// What commands the robot in a period.
+using Driver = std::function<Twist2(const PlanningProblem& problem)>;
+
+Outcome drive_among(std::vector<Walker> walkers, double speed, double duration, const Driver& driver) {
+  PlanningProblem problem;
+  problem.plan = {{0.0, 0.0, 0.0}, {10.0, 0.0, 0.0}};
+  problem.twist = {speed, 0.0};
+  problem.movers.resize(walkers.size());
+  Outcome outcome;
+  for (double time = 0.0; time < duration && !outcome.reached; time += kPeriod) {
+    problem.now = Time::seconds(1.0 + time);
+    for (std::size_t i = 0; i < walkers.size(); ++i) {
+      problem.movers[i].id = static_cast<std::uint32_t>(i + 1);
+      problem.movers[i].position = walkers[i].position;
+      problem.movers[i].velocity = walkers[i].gait(time);
+    }
+    problem.twist = driver(problem);
+    for (double t = 0.0; t < kPeriod - 1e-9; t += kStep) {
+      problem.pose = advance_exact(problem.pose, problem.twist, kStep);
+      for (std::size_t i = 0; i < walkers.size(); ++i) {
+        walkers[i].position += kStep * walkers[i].gait(time + t);
+        problem.movers[i].position = walkers[i].position;
+      }
+      outcome.smallest_gap =
+          std::min(outcome.smallest_gap, gap_at(problem.pose, 0.0, problem.footprint, {}, problem.movers));
+    }
+    outcome.reached = (problem.pose.position() - problem.plan.back().position()).norm() < 0.2;
+  }
+  return outcome;
+}
+
+Outcome drive_eteb(const std::vector<Walker>& walkers, double speed, double duration) {
+  const std::unique_ptr<LocalPlanner> planner = make_planner("eteb", {});
+  return drive_among(walkers, speed, duration,
+                     [&](const PlanningProblem& problem) { return planner->plan(problem).command; });
+}
+
+/// Whoever drives straight on as fast as it can.
+Outcome drive_on(const std::vector<Walker>& walkers, double speed, double duration) {
+  return drive_among(walkers, speed, duration, [](const PlanningProblem& problem) {
+    return Twist2{std::min(problem.limits.v_max, problem.twist.v + problem.limits.acc_max * kPeriod), 0.0};
+  });
+}
+
+/// Along x, and from `begin` on within 1.5 s a quarter of a turn to the right.
+Gait turning_right(double begin) {
+  return [=](double time) {
+    const double share = std::clamp((time - begin) / 1.5, 0.0, 1.0);
+    return Vector2(kWalking * direction(-share * std::numbers::pi / 2.0));
+  };
+}
+
+// Somebody walks along to the left of the robot and turns into its way. None should meet it; the kept figures are
+// what the planner reaches.
+TEST(FromAllSides, OneWhoTurnsIntoTheWay) {
+  int scenes = 0, contacts = 0, needless = 0;
+  for (int ahead = -4; ahead <= 4; ++ahead) {
+    for (const double aside : {1.2, 1.6, 2.0}) {
+      for (const double begin : {0.5, 1.5}) {
+        const std::vector<Walker> walkers = {{{0.25 * ahead, aside}, turning_right(begin)}};
+        const bool contact = drive_eteb(walkers, kFast, 8.0).smallest_gap < 0.0;
+        ++scenes;
+        contacts += contact ? 1 : 0;
+        needless += contact && drive_on(walkers, kFast, 8.0).smallest_gap > 0.0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_EQ(scenes, 54);
+  test::expect_at_most("contacts with one who turns, of 54", 0, 16, contacts);
+  test::expect_at_most("of these where driving on would have cleared", 0, 1, needless);
+}
+
+// From 2 m behind, in its lane and beside it, faster than the robot can be.
+TEST(FromAllSides, OneWhoOvertakesFindsRoom) {
+  for (int aside = -3; aside <= 3; ++aside) {
+    for (const double behind : {2.0, 3.0}) {
+      for (const double faster : {1.3, 1.6}) {
+        const Outcome outcome =
+            drive_eteb({{{-behind, 0.2 * aside}, [=](double) { return Vector2(faster, 0.0); }}}, kFast, 25.0);
+        EXPECT_GT(outcome.smallest_gap, 0.0)
+            << "from " << -behind << " " << 0.2 * aside << " with " << faster;
+        EXPECT_TRUE(outcome.reached);
+      }
+    }
+  }
+}
+
+// A line of people crosses before the robot, which has to wait; one more comes over the place where it waits.
+TEST(FromAllSides, TheWaitingRobotMakesRoom) {
+  for (const double place : {0.2, 0.6, 1.0}) {
+    for (const double arrival : {4.0, 6.0}) {
+      std::vector<Walker> walkers;
+      for (int i = 0; i < 12; ++i)
+        walkers.push_back({{2.0, -1.1 * i}, [](double) { return Vector2(0.0, 1.2); }});
+      walkers.push_back({{place, 1.2 * arrival}, [](double) { return Vector2(0.0, -1.2); }});
+      const Outcome outcome = drive_eteb(walkers, 0.0, 30.0);
+      EXPECT_GT(outcome.smallest_gap, 0.0) << "at " << place << " m after " << arrival << " s";
+      EXPECT_TRUE(outcome.reached);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bw
