@@ -165,6 +165,8 @@ std::vector<Pose2> led_plan(const PlanningProblem& problem, double margin) {
   const Obstacles obstacles(problem);
   const double fits = inscribed_radius(problem.footprint);
   const double needed = fits + margin;
+  // Of a robot that is wider than the grid, or inside of something, no way leads anywhere.
+  if (needed > kAside || obstacles.distance(robot, fits) < 0.0) return problem.plan;
   double last_blocked = -1.0;
   const int looks = static_cast<int>((end - begin) / kLook);
   for (int i = 0; i <= looks; ++i) {

@@ -13,6 +13,7 @@ constexpr double kStep = 0.05;       // [m] that any point of the footprint move
 constexpr double kMostSteps = 200;   // a base that is faster than any gets longer ones
 constexpr double kMoverStep = 0.1;   // [s] between places of movers
 constexpr double kMostTurn = 3.0;    // [rad]; a heading reached by turning on would look like one not left
+constexpr double kDeepest = 0.3;     // [m] that it may be inside of something and leave
 constexpr double kNoCloser = 0.001;  // [m] by which a motion inside the margin may come closer
 
 // Movers that stand where they are become discs.
@@ -35,7 +36,7 @@ RollOuts::RollOuts(const PlanningProblem& problem, const RollOutRules& rules)
       rules_(rules),
       gaps_(problem_, rules.horizon, kMoverStep, rules.reach) {
   gap_now_ = gap_at(problem.pose, 0.0);
-  margin_ = std::clamp(gap_now_ - kNoCloser, 0.0, rules.margin);
+  margin_ = std::clamp(gap_now_ - kNoCloser, -kDeepest, rules.margin);
 }
 
 double RollOuts::gap_at(const Pose2& pose, double time) {

@@ -37,7 +37,8 @@ class RollOuts {
   std::vector<TrajectoryPoint> trajectory(const Twist2& held, double time) const;
   /// Here and now [m]; at most the reach.
   double gap_now() const { return gap_now_; }
-  /// What counts as contact [m]: the margin, or less where the robot is nearer already.
+  /// What counts as contact [m]: the margin, or less where the robot is nearer already; negative where something is said to stand
+  /// in it, as a post that is taken for somebody wider: it may leave.
   double margin() const { return margin_; }
 
  private:

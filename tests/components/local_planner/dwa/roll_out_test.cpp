@@ -86,6 +86,10 @@ TEST(RollOut, InsideTheMarginNothingMayComeCloser) {
   EXPECT_TRUE(roll_outs.along({0.5, 0.0}).meets);
   problem.obstacles.points = {{-0.34, 0.0}};
   EXPECT_FALSE(RollOuts(problem, wide).along({0.5, 0.0}).meets) << "behind it: it leads away";
+  problem.obstacles.points = {{-0.25, 0.0}};  // 5 cm inside of it
+  EXPECT_FALSE(RollOuts(problem, wide).along({0.5, 0.0}).meets) << "it may leave";
+  problem.obstacles.points = {{0.25, 0.0}};
+  EXPECT_TRUE(RollOuts(problem, wide).along({0.5, 0.0}).meets);
 }
 
 TEST(RollOut, MoversStandOrWalk) {
