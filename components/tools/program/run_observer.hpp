@@ -44,8 +44,8 @@ constexpr Duration kPathPeriod = Duration::milliseconds(100);
 
 class RunObserver final : public Component {
  public:
-  /// `course`: fills that of the first robot; may be nothing. `planner_ms`: the planner's last known median cycle time, for the progress line. `show_progress`: write
-  /// that line to stderr. With `stays` the run goes on when the goal is decided.
+  /// `show_progress`: write the progress line to stderr, with `planner_ms`, the planner's last known median cycle time. With `stays`
+  /// the run goes on when the goal is decided. `course`: fills that of the first robot; may be nothing.
   RunObserver(std::shared_ptr<Observation> seen, bool show_progress, bool stays,
               std::function<double()> planner_ms, std::optional<CourseListener> course = std::nullopt)
       : seen_(std::move(seen)),
