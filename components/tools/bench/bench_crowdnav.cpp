@@ -38,7 +38,10 @@ class CrowdNavBench {
       const auto drive = [&](std::size_t i, const CpuClock& clock) {
         return drive_case(planner, static_cast<int>(i), clock, samples[i]);
       };
-      const auto tell = [](const CrowdNavEpisode& e) { std::fputs(in_a_line(e).c_str(), stdout); };
+      const auto tell = [](const CrowdNavEpisode& episode) {
+        std::fputs(in_a_line(episode).c_str(), stdout);
+        std::fflush(stdout);
+      };
       const std::vector<CrowdNavEpisode> episodes =
           run_in_order(static_cast<std::size_t>(cases_), arguments_.jobs, drive, tell);
       summaries.push_back(summarize(planner, episodes));
