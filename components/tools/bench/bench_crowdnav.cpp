@@ -31,6 +31,7 @@ class CrowdNavBench {
 
   int run() {
     std::vector<CrowdNavSummary> summaries;
+    std::string failed;
     Json rows = Json::array();
     for (const std::string& planner : arguments_.planners) {
       std::printf("%s; %s\n", planner.c_str(), conditions_of(planner).c_str());
@@ -45,14 +46,16 @@ class CrowdNavBench {
       const std::vector<CrowdNavEpisode> episodes =
           run_in_order(static_cast<std::size_t>(cases_), arguments_.jobs, drive, tell);
       summaries.push_back(summarize(planner, episodes));
+      if (planner != kHolonomicOrca) failed += failures(planner, episodes);
       rows.push_back(to_json(summaries.back(), episodes));
       if (planner != kHolonomicOrca) rows.back()["conditions"] = to_json(bench_conditions());
       for (std::size_t i = 0; arguments_.with_samples && i < samples.size(); ++i)
         rows.back()["episodes"][i]["samples"] = std::move(samples[i]);
     }
     const char* scene = arguments_.crossing == CrowdNavCrossing::circle ? "circle" : "square";
-    std::printf("\n%s, robot %s, cases %d to %d\n%s", scene, arguments_.visible ? "visible" : "invisible",
-                arguments_.first_case, arguments_.first_case + cases_ - 1, table(summaries).c_str());
+    std::printf("\n%s%s, robot %s, cases %d to %d\n%s", failed.c_str(), scene,
+                arguments_.visible ? "visible" : "invisible", arguments_.first_case,
+                arguments_.first_case + cases_ - 1, table(summaries).c_str());
     write_json(arguments_.json,
                {{"scene", scene}, {"visible", arguments_.visible}, {"planners", std::move(rows)}});
     return 0;

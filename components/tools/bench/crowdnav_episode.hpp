@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "components/evaluation/judged_contact.hpp"
 #include "components/tools/bench/crowdnav_robot.hpp"
 #include "components/tools/bench/crowdnav_scene.hpp"
 
@@ -21,6 +22,12 @@ struct CrowdNavEpisode {
   double min_gap = std::numeric_limits<double>::infinity();  ///< [m] to anybody
   double rms_jerk = 0.0;                                     ///< [m/s^3]
   std::vector<double> ms;                                    ///< CPU time of every decision
+  std::vector<JudgedContact> judged;  ///< of a base with limits; people who do not see it go on for 6 s
+
+  /// It ended with a contact that could not have been avoided.
+  bool is_excused() const {
+    return outcome == CrowdNavOutcome::collision && bw::is_excused(judged, 1, false);
+  }
 };
 
 /// What is at the beginning of a step.

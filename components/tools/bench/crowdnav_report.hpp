@@ -8,13 +8,16 @@
 
 #include "components/tools/bench/bench_common.hpp"
 #include "components/tools/bench/crowdnav_episode.hpp"
+#include "components/tools/contacts/contact_report.hpp"
 
 namespace bw {
 
 struct CrowdNavSummary {
   std::string planner;
   int episodes = 0, successes = 0, collisions = 0, timeouts = 0;
-  Interval wilson;
+  int possible = 0;  ///< episodes less those whose contact could not have been avoided (book 8.10)
+  Interval wilson, wilson_possible;
+  HitCounts hits;
   double mean_time = 0.0;                    ///< [s] of the successes
   double discomfort = 0.0;                   ///< share of all steps
   double mean_min_gap = 0.0, min_gap = 0.0;  ///< [m]
@@ -34,7 +37,10 @@ nlohmann::ordered_json to_json(const CrowdNavSample& sample);
 
 std::string in_a_line(const CrowdNavEpisode& episode);
 
-/// One row per planner below a head.
+/// Every failure with its verdict, a line each.
+std::string failures(const std::string& planner, const std::vector<CrowdNavEpisode>& episodes);
+
+/// One row per planner below a head, and who hit whom.
 std::string table(const std::vector<CrowdNavSummary>& summaries);
 
 }  // namespace bw

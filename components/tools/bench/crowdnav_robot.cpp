@@ -72,7 +72,8 @@ class PlannerRobot final : public CrowdNavRobot {
         planner_(planner),
         clock_(std::move(clock)),
         limits_(crowd_rules().limits),
-        plan_{scene.start, {scene.goal.x(), scene.goal.y(), scene.start.theta}} {}
+        plan_{scene.start, {scene.goal.x(), scene.goal.y(), scene.start.theta}},
+        motion_{{0.0, scene.start, {}}} {}
 
   Pose2 pose() const override { return pose_; }
   CrowdNavAgent agent() const override { return {pose_.position(), twist_.v * direction(pose_.theta)}; }
@@ -89,6 +90,7 @@ class PlannerRobot final : public CrowdNavRobot {
   }
 
   double rms_jerk() const override { return bw::rms_jerk(accelerations_, kPeriod); }
+  std::vector<possible::MotionState> motion() const override { return motion_; }
 
  private:
   void replan(const std::vector<CrowdNavAgent>& people) {
@@ -128,6 +130,7 @@ class PlannerRobot final : public CrowdNavRobot {
       p.position += h * p.velocity;
     }
     pose_ = next;
+    motion_.push_back({static_cast<double>(motion_.size()) * h, pose_, twist_});
     return gap;
   }
 
@@ -137,6 +140,7 @@ class PlannerRobot final : public CrowdNavRobot {
   CpuClock clock_;
   Limits limits_;
   std::vector<Pose2> plan_;
+  std::vector<possible::MotionState> motion_;
   int ticks_ = 0;  // so far
   std::vector<double> accelerations_;
 };

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "components/evaluation/possible/search_scene.hpp"
 #include "components/model/limits.hpp"
 #include "components/model/planning.hpp"
 #include "components/tools/bench/crowd_episode.hpp"
@@ -23,6 +24,8 @@ class CrowdNavRobot {
   virtual double step(const std::vector<CrowdNavAgent>& people, const std::vector<Vector2>& velocities) = 0;
   /// Of what was driven so far [m/s^3].
   virtual double rms_jerk() const = 0;
+  /// How it moved, every 0.01 s since the start; empty for one that no limits bind.
+  virtual std::vector<possible::MotionState> motion() const { return {}; }
   /// CPU time of every decision.
   const std::vector<double>& ms() const { return ms_; }
 

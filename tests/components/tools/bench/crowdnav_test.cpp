@@ -152,6 +152,20 @@ TEST(CrowdNavEpisode, SeesAContactWithinAStep) {
   EXPECT_NEAR(e.min_gap, -0.1, 1e-6);
   EXPECT_EQ(planner.movers.size(), 5u);
   EXPECT_NEAR(planner.movers[0].velocity.y(), -1.0, 1e-9);
+  // The robot had 2.4 s to get out of the way of somebody who comes at 1 m/s.
+  ASSERT_EQ(e.judged.size(), 1u);
+  EXPECT_EQ(e.judged[0].record.person, 1u);
+  EXPECT_EQ(e.judged[0].record.closing.who, WhoHit::robot_standing);
+  EXPECT_EQ(e.judged[0].verdict.avoidance, possible::Avoidance::avoidable);
+  EXPECT_FALSE(e.is_excused());
+  // A centimetre away at the start: nobody gets out of the way in that time.
+  scene.people[0] = {{0.0, -3.39}, {0.0, -9.0}};
+  const CrowdNavEpisode lost = run_crowdnav(scene, *planner_robot(scene, planner, no_time), false);
+  ASSERT_EQ(lost.judged.size(), 1u);
+  EXPECT_EQ(lost.judged[0].verdict.avoidance, possible::Avoidance::not_avoidable);
+  EXPECT_TRUE(lost.is_excused());
+  EXPECT_EQ(summarize("stands", {lost, e}).possible, 1);
+  scene.people[0] = {{0.0, -1.0}, {0.0, -9.0}};
   // Seen, they walk round it.
   ConstantPlanner seen({0.0, 0.0});
   EXPECT_EQ(run_crowdnav(scene, *planner_robot(scene, seen, no_time), true).outcome,
