@@ -6,15 +6,25 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace bw::cli {
 
-// Opened once more, so that not to block is ours and not that of the shell that shares it. A socket can't be: it's read as it is.
-StandardInput::StandardInput()
-    : descriptor_(open("/proc/self/fd/0", O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {
-  if (descriptor_ < 0) descriptor_ = STDIN_FILENO;
+namespace {
+
+// Opened once more, so that not to block is ours and not that of the shell that shares it. A file keeps its place and blocks nobody;
+// what cannot be opened (a socket, a terminal of somebody else's) is read as it is.
+int reopened() {
+  struct stat status {};
+  if (fstat(STDIN_FILENO, &status) != 0 || S_ISREG(status.st_mode)) return STDIN_FILENO;
+  const int descriptor = open("/proc/self/fd/0", O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  return descriptor < 0 ? STDIN_FILENO : descriptor;
 }
+
+}  // namespace
+
+StandardInput::StandardInput() : descriptor_(reopened()) {}
 
 StandardInput::~StandardInput() {
   if (descriptor_ != STDIN_FILENO) close(descriptor_);

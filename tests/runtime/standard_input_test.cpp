@@ -3,6 +3,7 @@
 #include "runtime/cli/standard_input.hpp"
 
 #include <array>
+#include <cstdio>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -78,6 +79,21 @@ TEST(StandardInput, IsOverWhenItsPipeIs) {
   EXPECT_EQ(input.wait(kLong), "last");
   EXPECT_EQ(input.wait(kLong), std::nullopt);
   EXPECT_TRUE(input.is_over());
+}
+
+// A script that has read the first line of its input itself, and leaves the rest to the program.
+TEST(StandardInput, GoesOnInAFileWhereOthersStopped) {
+  std::FILE* file = std::tmpfile();
+  ASSERT_NE(file, nullptr);
+  std::fputs("first\nsecond\n", file);
+  std::fflush(file);
+  const AsStdin as(fileno(file));
+  lseek(STDIN_FILENO, 6, SEEK_SET);
+  StandardInput input;
+  EXPECT_EQ(input.wait(kLong), "second\n");
+  EXPECT_EQ(input.wait(kLong), std::nullopt);
+  EXPECT_TRUE(input.is_over());
+  std::fclose(file);
 }
 
 }  // namespace
