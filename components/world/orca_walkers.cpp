@@ -1,7 +1,6 @@
 #include "components/world/orca_walkers.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "components/local_planner/orca/orca.hpp"
 #include "components/model/nearest_point.hpp"
@@ -31,46 +30,30 @@ std::vector<orca::Wall> walls_near(const StaticScene& scene, const Vector2& plac
 
 OrcaWalkers::OrcaWalkers(const OrcaWalkersOptions& options, const StaticScene& scene, std::uint32_t first_id,
                          Random random)
-    : options_(options), scene_(scene) {
-  for (const WalkerOptions& walker : options_.walkers) {
-    const double jitter = options_.start_jitter;
-    const double dx = random.uniform(-jitter, jitter);
-    const double dy = random.uniform(-jitter, jitter);
-    const Vector2 start{walker.x + dx, walker.y + dy};
-    walkers_.push_back({{first_id++, start, {0.0, 0.0}, options_.radius},
-                        {walker.goal_x, walker.goal_y},
-                        start,
-                        random.uniform(options_.speed_min, options_.speed_max)});
-  }
-}
+    : options_(options), scene_(scene), walkers_(walkers_at_start<GoalWalker>(options, first_id, random)) {}
 
-bool OrcaWalkers::displace(std::uint32_t id, const Vector2& by) {
-  const auto walker = std::ranges::find(walkers_, id, [](const Walker& w) { return w.body.id; });
-  if (walker == walkers_.end()) return false;
-  walker->body.position += by;
-  return true;
-}
+bool OrcaWalkers::displace(std::uint32_t id, const Vector2& by) { return displace_one(walkers_, id, by); }
 
-Vector2 OrcaWalkers::decision_of(const Walker& walker, const Surroundings& surroundings) const {
+Vector2 OrcaWalkers::decision_of(const GoalWalker& walker, const Surroundings& surroundings) const {
   const Person& me = walker.body;
   orca::Agent agent{.position = me.position,
                     .velocity = me.velocity,
                     .radius = me.radius + options_.margin,
                     .wanted = {0.0, 0.0},
-                    .v_max = walker.top_speed};
+                    .v_max = walker.speed};
   const Vector2 way = walker.goal - me.position;
   const double distance = way.norm();
-  if (!walker.arrived && distance > 0.0) agent.wanted = way * (walker.top_speed / std::max(distance, 1.0));
+  if (!walker.arrived && distance > 0.0) agent.wanted = way * (walker.speed / std::max(distance, 1.0));
   std::vector<orca::Neighbour> others;
   const auto add = [&](const auto& body, double share) {
     others.push_back({body.position, body.velocity, body.radius + options_.margin, share});
   };
-  for (const Walker& other : walkers_) {
+  for (const GoalWalker& other : walkers_) {
     if (&other != &walker) add(other.body, 0.5);
   }
   for (const Person& other : surroundings.others) add(other, 1.0);
   for (const RobotBody& robot : surroundings.robots) add(robot, options_.robots_share ? 0.5 : 1.0);
-  const double reach = walker.top_speed * options_.wall_horizon + me.radius;
+  const double reach = walker.speed * options_.wall_horizon + me.radius;
   return orca::advise(agent, others, walls_near(scene_, me.position, reach, me.radius),
                       {.neighbour_range = options_.neighbour_range,
                        .max_neighbours = options_.max_neighbours,
@@ -84,14 +67,8 @@ void OrcaWalkers::decide(const Surroundings& surroundings) {
   // All from one instant.
   std::vector<Vector2> velocities;
   velocities.reserve(walkers_.size());
-  for (const Walker& walker : walkers_) velocities.push_back(decision_of(walker, surroundings));
+  for (const GoalWalker& walker : walkers_) velocities.push_back(decision_of(walker, surroundings));
   for (std::size_t i = 0; i < walkers_.size(); ++i) walkers_[i].body.velocity = velocities[i];
-}
-
-void OrcaWalkers::check_goal(Walker& walker) const {
-  if ((walker.goal - walker.body.position).norm() > options_.goal_tolerance) return;
-  walker.arrived = !options_.turn_round;
-  if (options_.turn_round) std::swap(walker.goal, walker.next_goal);
 }
 
 void OrcaWalkers::step(double dt, const Surroundings& surroundings, std::vector<Person>& people) {
@@ -100,9 +77,9 @@ void OrcaWalkers::step(double dt, const Surroundings& surroundings, std::vector<
     until_decision_ = options_.period;
   }
   until_decision_ -= dt;
-  for (Walker& walker : walkers_) {
+  for (GoalWalker& walker : walkers_) {
     walker.body.position += dt * walker.body.velocity;
-    if (!walker.arrived) check_goal(walker);
+    if (!walker.arrived) turn_at_goal(walker, options_);
     people.push_back(walker.body);
   }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "components/model/random.hpp"
+#include "components/world/goal_walker.hpp"
 #include "components/world/person.hpp"
 #include "components/world/social_walkers.hpp"
 #include "components/world/static_scene.hpp"
@@ -90,21 +91,12 @@ class OrcaWalkers final : public PeopleModel {
   bool displace(std::uint32_t id, const Vector2& by) override;
 
  private:
-  struct Walker {
-    Person body;
-    Vector2 goal;
-    Vector2 next_goal;
-    double top_speed;
-    bool arrived = false;
-  };
-
-  Vector2 decision_of(const Walker& walker, const Surroundings& surroundings) const;
+  Vector2 decision_of(const GoalWalker& walker, const Surroundings& surroundings) const;
   void decide(const Surroundings& surroundings);
-  void check_goal(Walker& walker) const;
 
   OrcaWalkersOptions options_;
   const StaticScene& scene_;
-  std::vector<Walker> walkers_;
+  std::vector<GoalWalker> walkers_;
   double until_decision_ = 0.0;  ///< [s]
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace bw {
 namespace {
@@ -17,26 +16,16 @@ SocialWalkers::SocialWalkers(const SocialWalkersOptions& options, const StaticSc
     : options_(options), scene_(scene) {
   const SocialForceOptions& forces = options_.forces;
   wall_reach_ = forces.obstacle_sigma * std::log(std::max(1.0, forces.obstacle_factor / kNegligible));
-  for (const WalkerOptions& walker : options_.walkers) {
-    const double jitter = options_.start_jitter;
-    const double dx = random.uniform(-jitter, jitter);
-    const double dy = random.uniform(-jitter, jitter);
-    const Vector2 start{walker.x + dx, walker.y + dy};
-    walkers_.push_back({{first_id++, start, {0.0, 0.0}, options_.radius},
-                        {walker.goal_x, walker.goal_y},
-                        start,
-                        random.uniform(options_.speed_min, options_.speed_max)});
-  }
+  walkers_ = walkers_at_start<Walker>(options_, first_id, random);
   forces_.resize(walkers_.size());
 }
 
 void SocialWalkers::add(std::uint32_t id, const NewPerson& person) {
-  Walker walker{{id, person.position, {0.0, 0.0}, person.radius},
-                person.goal.value_or(person.position),
-                person.position,
-                person.velocity.norm()};
-  if (person.goal && walker.desired_speed == 0.0)
-    walker.desired_speed = 0.5 * (options_.speed_min + options_.speed_max);
+  Walker walker{{{id, person.position, {0.0, 0.0}, person.radius},
+                 person.goal.value_or(person.position),
+                 person.position,
+                 person.velocity.norm()}};
+  if (person.goal && walker.speed == 0.0) walker.speed = 0.5 * (options_.speed_min + options_.speed_max);
   if (!person.goal) {
     walker.course = person.velocity;
     walker.body.velocity = person.velocity;
@@ -45,19 +34,14 @@ void SocialWalkers::add(std::uint32_t id, const NewPerson& person) {
   forces_.resize(walkers_.size());
 }
 
-bool SocialWalkers::displace(std::uint32_t id, const Vector2& by) {
-  const auto walker = std::ranges::find(walkers_, id, [](const Walker& w) { return w.body.id; });
-  if (walker == walkers_.end()) return false;
-  walker->body.position += by;
-  return true;
-}
+bool SocialWalkers::displace(std::uint32_t id, const Vector2& by) { return displace_one(walkers_, id, by); }
 
 Vector2 SocialWalkers::force_on(const Walker& walker, const Surroundings& surroundings) const {
   const Person& me = walker.body;
   const Vector2 to_goal = walker.goal - me.position;
   const double distance = to_goal.norm();
   Vector2 desired{0.0, 0.0};
-  if (!walker.arrived && distance > 0.0) desired = to_goal * (walker.desired_speed / distance);
+  if (!walker.arrived && distance > 0.0) desired = to_goal * (walker.speed / distance);
   if (walker.course) desired = *walker.course;
   Vector2 force = desired_force(options_.forces, desired, me.velocity);
 
@@ -76,13 +60,6 @@ Vector2 SocialWalkers::force_on(const Walker& walker, const Surroundings& surrou
   return force;
 }
 
-void SocialWalkers::check_goal(Walker& walker) const {
-  if (walker.course) return;
-  if ((walker.goal - walker.body.position).norm() > options_.goal_tolerance) return;
-  walker.arrived = !options_.turn_round;
-  if (options_.turn_round) std::swap(walker.goal, walker.next_goal);
-}
-
 void SocialWalkers::step(double dt, const Surroundings& surroundings, std::vector<Person>& people) {
   // All forces come from one instant; only then does anybody move.
   for (std::size_t i = 0; i < walkers_.size(); ++i) forces_[i] = force_on(walkers_[i], surroundings);
@@ -91,10 +68,10 @@ void SocialWalkers::step(double dt, const Surroundings& surroundings, std::vecto
     Person& body = walker.body;
     body.velocity += forces_[i] * dt;
     const double speed = body.velocity.norm();
-    const double most = kSpeedHeadroom * walker.desired_speed;
+    const double most = kSpeedHeadroom * walker.speed;
     if (speed > most) body.velocity *= most / speed;
     body.position += body.velocity * dt;
-    check_goal(walker);
+    if (!walker.course) turn_at_goal(walker, options_);
     people.push_back(body);
   }
 }

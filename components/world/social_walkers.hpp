@@ -9,6 +9,7 @@
 #include "components/model/random.hpp"
 #include "components/model/social_force.hpp"
 #include "components/world/admission.hpp"
+#include "components/world/goal_walker.hpp"
 #include "components/world/person.hpp"
 #include "components/world/static_scene.hpp"
 
@@ -75,17 +76,11 @@ class SocialWalkers final : public PeopleModel {
   void add(std::uint32_t id, const NewPerson& person);
 
  private:
-  struct Walker {
-    Person body;
-    Vector2 goal;
-    Vector2 next_goal;
-    double desired_speed;
-    bool arrived = false;
+  struct Walker : GoalWalker {
     std::optional<Vector2> course = std::nullopt;  ///< the velocity that somebody without a goal wants
   };
 
   Vector2 force_on(const Walker& walker, const Surroundings& surroundings) const;
-  void check_goal(Walker& walker) const;
 
   SocialWalkersOptions options_;
   const StaticScene& scene_;
