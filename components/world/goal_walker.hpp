@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,55 @@
 #include "components/world/person.hpp"
 
 namespace bw {
+
+struct WalkerOptions {
+  double x = 0.0;
+  double y = 0.0;
+  double goal_x = 0.0;
+  double goal_y = 0.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "start, in map"});
+    v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "start, in map"});
+    v("goal_x", goal_x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "goal, in map"});
+    v("goal_y", goal_y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "goal, in map"});
+  }
+};
+
+/// Who walks where: the options that both kinds of walkers have.
+struct GoalWalkersOptions {
+  std::vector<WalkerOptions> walkers;
+  double speed_min = 1.0;
+  double speed_max = 1.3;
+  double start_jitter = 0.0;
+  bool turn_round = true;
+  double goal_tolerance = 0.5;
+  double radius = 0.3;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("walkers", walkers, {.doc = "one person each"});
+    v("speed_min", speed_min,
+      {.unit = "m/s",
+       .min = 0,
+       .max = 5,
+       .doc = "least of the desired speeds, one of which is drawn for each walker"});
+    v("speed_max", speed_max, {.unit = "m/s", .min = 0, .max = 5, .doc = "largest of the desired speeds"});
+    v("start_jitter", start_jitter,
+      {.unit = "m", .min = 0, .max = 10, .doc = "starts are moved by up to this in x and y"});
+    v("turn_round", turn_round, {.doc = "at the goal walk back to the start, to and fro; else stand there"});
+    v("goal_tolerance", goal_tolerance,
+      {.unit = "m", .min = 0.05, .max = 10, .doc = "nearer than this the goal is reached"});
+    v("radius", radius,
+      {.unit = "m", .min = 0.05, .max = 2, .doc = "radius of the disc that counts as contact"});
+  }
+
+  std::optional<std::string> violated_rule() const {
+    if (speed_max < speed_min) return "speed_max must be at least speed_min";
+    return std::nullopt;
+  }
+};
 
 struct GoalWalker {
   Person body;
@@ -20,10 +71,11 @@ struct GoalWalker {
 };
 
 /// One for each of `options.walkers`, at rest at its start, which is moved by up to `start_jitter`; ids count up from `first_id`.
-template <class Walker, class Options>
-std::vector<Walker> walkers_at_start(const Options& options, std::uint32_t first_id, Random& random) {
+template <class Walker>
+std::vector<Walker> walkers_at_start(const GoalWalkersOptions& options, std::uint32_t first_id,
+                                     Random& random) {
   std::vector<Walker> walkers;
-  for (const auto& walker : options.walkers) {
+  for (const WalkerOptions& walker : options.walkers) {
     const double jitter = options.start_jitter;
     const double dx = random.uniform(-jitter, jitter);
     const double dy = random.uniform(-jitter, jitter);
@@ -38,8 +90,7 @@ std::vector<Walker> walkers_at_start(const Options& options, std::uint32_t first
 }
 
 /// At the goal it turns round, or has arrived.
-template <class Options>
-void turn_at_goal(GoalWalker& walker, const Options& options) {
+inline void turn_at_goal(GoalWalker& walker, const GoalWalkersOptions& options) {
   if ((walker.goal - walker.body.position).norm() > options.goal_tolerance) return;
   walker.arrived = !options.turn_round;
   if (options.turn_round) std::swap(walker.goal, walker.next_goal);

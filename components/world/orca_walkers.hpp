@@ -2,26 +2,16 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "components/model/random.hpp"
 #include "components/world/goal_walker.hpp"
 #include "components/world/person.hpp"
-#include "components/world/social_walkers.hpp"
 #include "components/world/static_scene.hpp"
 
 namespace bw {
 
-struct OrcaWalkersOptions {
-  std::vector<WalkerOptions> walkers;
-  double speed_min = 1.0;
-  double speed_max = 1.3;
-  double start_jitter = 0.0;
-  bool turn_round = true;
-  double goal_tolerance = 0.5;
-  double radius = 0.3;
+struct OrcaWalkersOptions : GoalWalkersOptions {
   double margin = 0.01;
   double neighbour_range = 10.0;
   std::int64_t max_neighbours = 10;
@@ -32,37 +22,7 @@ struct OrcaWalkersOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    walk_fields(v);
-    rule_fields(v);
-  }
-
-  std::optional<std::string> violated_rule() const {
-    if (speed_max < speed_min) return "speed_max must be at least speed_min";
-    return std::nullopt;
-  }
-
- private:
-  // Who walks where.
-  template <class Visitor>
-  void walk_fields(Visitor& v) {
-    v("walkers", walkers, {.doc = "one person each"});
-    v("speed_min", speed_min,
-      {.unit = "m/s",
-       .min = 0,
-       .max = 5,
-       .doc = "least of the top speeds, one of which is drawn for each walker"});
-    v("speed_max", speed_max, {.unit = "m/s", .min = 0, .max = 5, .doc = "largest of the top speeds"});
-    v("start_jitter", start_jitter,
-      {.unit = "m", .min = 0, .max = 10, .doc = "starts are moved by up to this in x and y"});
-    v("turn_round", turn_round, {.doc = "at the goal walk back to the start, to and fro; else stand there"});
-    v("goal_tolerance", goal_tolerance,
-      {.unit = "m", .min = 0.05, .max = 10, .doc = "nearer than this the goal is reached"});
-    v("radius", radius,
-      {.unit = "m", .min = 0.05, .max = 2, .doc = "radius of the disc that counts as contact"});
-  }
-  // How they avoid.
-  template <class Visitor>
-  void rule_fields(Visitor& v) {
+    GoalWalkersOptions::fields(v);
     v("margin", margin, {.unit = "m", .min = 0, .max = 2, .doc = "kept beyond the radius, by each"});
     v("neighbour_range", neighbour_range,
       {.unit = "m", .min = 0.1, .max = 100, .doc = "who is further away is not looked at"});

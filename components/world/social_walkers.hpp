@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "components/model/random.hpp"
@@ -15,53 +14,13 @@
 
 namespace bw {
 
-struct WalkerOptions {
-  double x = 0.0;
-  double y = 0.0;
-  double goal_x = 0.0;
-  double goal_y = 0.0;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "start, in map"});
-    v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "start, in map"});
-    v("goal_x", goal_x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "goal, in map"});
-    v("goal_y", goal_y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "goal, in map"});
-  }
-};
-
-struct SocialWalkersOptions {
-  std::vector<WalkerOptions> walkers;
-  double speed_min = 1.0;
-  double speed_max = 1.3;
-  double start_jitter = 0.0;
-  bool turn_round = true;
-  double goal_tolerance = 0.5;
-  double radius = 0.3;
+struct SocialWalkersOptions : GoalWalkersOptions {
   SocialForceOptions forces;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("walkers", walkers, {.doc = "one person each"});
-    v("speed_min", speed_min,
-      {.unit = "m/s",
-       .min = 0,
-       .max = 5,
-       .doc = "least of the desired speeds, one of which is drawn for each walker"});
-    v("speed_max", speed_max, {.unit = "m/s", .min = 0, .max = 5, .doc = "largest of the desired speeds"});
-    v("start_jitter", start_jitter,
-      {.unit = "m", .min = 0, .max = 10, .doc = "starts are moved by up to this in x and y"});
-    v("turn_round", turn_round, {.doc = "at the goal walk back to the start, to and fro; else stand there"});
-    v("goal_tolerance", goal_tolerance,
-      {.unit = "m", .min = 0.05, .max = 10, .doc = "nearer than this the goal is reached"});
-    v("radius", radius,
-      {.unit = "m", .min = 0.05, .max = 2, .doc = "radius of the disc that counts as contact"});
+    GoalWalkersOptions::fields(v);
     v("forces", forces, {.doc = "constants of the social force model"});
-  }
-
-  std::optional<std::string> violated_rule() const {
-    if (speed_max < speed_min) return "speed_max must be at least speed_min";
-    return std::nullopt;
   }
 };
 

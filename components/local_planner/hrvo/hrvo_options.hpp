@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "components/local_planner/neighbour_fields.hpp"
 #include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
@@ -39,40 +40,12 @@ struct HrvoOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    neighbour_fields(v);
+    neighbour_fields(*this, v);
     rule_fields(v);
     planner_fields(v);
   }
 
  private:
-  // Whom the rule looks at.
-  template <class Visitor>
-  void neighbour_fields(Visitor& v) {
-    v("margin", margin,
-      {.unit = "m",
-       .min = 0,
-       .max = 5,
-       .doc = "added to the sum of the radii; raise it when the base follows velocities slowly"});
-    v("neighbour_range", neighbour_range,
-      {.unit = "m",
-       .min = 0.1,
-       .max = 100,
-       .doc = "neighbours further away are not looked at; lower it when the robot yields too early"});
-    v("view_angle", view_angle,
-      {.unit = "rad",
-       .min = 0.1,
-       .max = 6.283185307179587,
-       .doc = "neighbours outside this angle, centred on the heading, are not looked at"});
-    v("max_neighbours", max_neighbours,
-      {.min = 1,
-       .max = 100,
-       .doc = "nearest movers looked at, and as many static obstacles: neither crowds out the other"});
-    v("point_spacing", point_spacing,
-      {.unit = "m",
-       .min = 0,
-       .max = 5,
-       .doc = "obstacle points closer than this to a nearer one are left out; at most the radius they get"});
-  }
   // What it makes of them.
   template <class Visitor>
   void rule_fields(Visitor& v) {
