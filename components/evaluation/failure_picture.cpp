@@ -97,6 +97,8 @@ class Drawing {
     if (picture_.contact)
       for (const auto& place : way_of(moments_, picture_.contact->record.person, time_ - kBefore, time_))
         box.extend(place.position);
+    if (!picture_.contact)
+      for (const Vector2& goal : recording_.goals) box.extend(goal);
     if (box.isEmpty()) box.extend(moments_.back().X_MB.position());
     box.min().array() -= kRoom;
     box.max().array() += kRoom;

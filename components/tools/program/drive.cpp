@@ -14,7 +14,6 @@
 #include <sys/resource.h>
 
 #include "components/evaluation/evaluation_parameters.hpp"
-#include "components/evaluation/judged_contact.hpp"
 #include "components/tools/contacts/contact_report.hpp"
 #include "components/tools/drive_page/drive_page.hpp"
 #include "components/tools/program/bag_description.hpp"
@@ -295,7 +294,11 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
   result.card = seen->card();
   if (*course) result.course = (*course)->recording();
   result.json = to_json(result.card, facts_of(facts, host, slowest(host, planners)), host.statistics());
-  if (*heard) add_contacts(result.json, judge_contacts((*heard)->recording()));
+  if (*heard) {
+    result.heard = (*heard)->recording();
+    result.contacts = judge_contacts(*result.heard);
+    add_contacts(result.json, result.contacts);
+  }
   bags.add_to(result.json);
   if (options.host.clock == ClockMode::lockstep)
     result.json["inputs"] = host.was_changed_from_outside() ? "outside" : "graph";

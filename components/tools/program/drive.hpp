@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <bandwagon_msgs/msg/score_card.hpp>
 #include <nlohmann/json.hpp>
 
+#include "components/evaluation/judged_contact.hpp"
 #include "components/evaluation/run_recorder.hpp"
 #include "runtime/bag/bag_writer.hpp"
 #include "runtime/graph/graph.hpp"
@@ -37,7 +39,9 @@ struct DriveResult {
   std::optional<bandwagon_msgs::msg::ScoreCard> card;
   std::string page_fault;              ///< why there is no page, or what is not on it; empty: all is
   std::optional<RunRecording> course;  ///< if asked for, and there was a goal: the first robot's
-  nlohmann::json json;                 ///< the score card (score_card_json.hpp)
+  std::optional<RunRecording> heard;   ///< with DriveSettings::contacts: what they were judged by
+  std::vector<JudgedContact> contacts = {};
+  nlohmann::json json;  ///< the score card (score_card_json.hpp)
 };
 
 /// The first component of this type in `process` (empty: in any); nullptr if there is none.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -110,6 +111,49 @@ TEST(BenchCrowd, SeveralPlannersAreAListOfResults) {
   EXPECT_EQ(result["planners"][0]["summary"]["episodes"], 1);
 }
 
+// Two densities, and people who go straight on or react: four crowds, the same discs in all, planners paired in each. The first is
+// what it is alone.
+TEST(BenchCrowd, DenseCrowdsOfSeveralKinds) {
+  BenchCrowdArguments arguments;
+  arguments.first_seed = 5001;
+  arguments.planners = {"orca", "hrvo"};
+  arguments.scene = "seed5001_";
+  arguments.densities = {0.3, 0.5};
+  arguments.walkers = {WalkersManner::straight, WalkersManner::orca};
+  arguments.against = "hrvo";
+  const nlohmann::json all = crowd_result(arguments);
+  ASSERT_EQ(all["crowds"].size(), 4u);
+  EXPECT_EQ(all["crowds"][1]["crowd"], "0.3 per m^2, walkers orca");
+  EXPECT_EQ(all["crowds"][3]["density"], 0.5);
+  for (const nlohmann::json& crowd : all["crowds"]) {
+    EXPECT_EQ(crowd["comparison"]["against"], "hrvo");
+    EXPECT_EQ(crowd["comparison"]["pairs"]["orca"]["pairs"], 1);
+    EXPECT_EQ(crowd["planners"][0]["summary"]["episodes"], 1);
+  }
+  EXPECT_EQ(all["crowds"][2]["planners"][0]["episodes"][0]["name"], "seed5001_56");
+  arguments.densities = {0.3};
+  arguments.walkers = {WalkersManner::straight};
+  const nlohmann::json one = crowd_result(arguments);
+  EXPECT_EQ(without_times(one["planners"][0]), without_times(all["crowds"][0]["planners"][0]));
+}
+
+// The drive of a planner that is no planner for crowds fails by a contact: its picture, and the page.
+TEST(BenchCrowd, PicturesOfFailures) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "bench_crowd_failures";
+  std::filesystem::remove_all(folder);
+  BenchCrowdArguments arguments;
+  arguments.planners = {"teb"};
+  arguments.scene = "seed1_";
+  arguments.densities = {0.5};
+  arguments.failures = folder.string();
+  arguments.adjust = [](LocalPlannerOptions& options) { options.driving.evasion_horizon = 0.0; };
+  const nlohmann::json result = crowd_result(arguments);
+  const bool failed = !result["episodes"][0]["success"].get<bool>();
+  EXPECT_EQ(std::filesystem::exists(folder / "teb_seed1_56_straight.svg"), failed);
+  EXPECT_EQ(std::filesystem::exists(folder / "index.html"), failed);
+  EXPECT_TRUE(failed) << "nothing was shown: another scene is needed";
+}
+
 TEST(BenchCrowd, AdjustHasTheLastWordOnTheOptions) {
   // The file's weights set dt_ref to 0.3; a coarser band drives otherwise.
   BenchCrowdArguments arguments;
@@ -130,6 +174,12 @@ TEST(BenchCrowd, RefusesToDriveNothing) {
   arguments.planners = {"teb", "nobody"};
   EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
   arguments.planners = {};
+  EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
+  arguments.planners = {"teb"};
+  arguments.against = "dwa";
+  EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
+  arguments.against = "";
+  arguments.walkers = {};
   EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
 }
 
