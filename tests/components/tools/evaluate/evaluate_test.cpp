@@ -151,7 +151,7 @@ TEST(Evaluate, ComparesPlannersOverSeveralSuites) {
   EXPECT_EQ(run.json["suites"][1]["comparison"]["pairs"]["teb"]["pairs"], 1);
 }
 
-// Two conditions, two departures: four drives in two pairs; summed up again from the file they are the same.
+// Two conditions, two departures (the pose is known after 3 s): four drives in two pairs; summed up again from the file they are the same.
 TEST(Evaluate, PairsConditionsAndDepartures) {
   const std::string suite = (folder() / "short.yaml").string();
   std::ofstream(suite)
@@ -159,10 +159,10 @@ TEST(Evaluate, PairsConditionsAndDepartures) {
       << "/config/graphs/hallway.yaml\ntime_limit: 5.0\nepisodes: [{name: short}]\n"
          "variants: [{name: alone, set: ['world.people.social.walkers=[]']}, {name: full}]\n";
   const Outcome run =
-      evaluate(suite + " --planners dwa --variants alone,full --vary navigator.goal.delay=0.5,1.5");
+      evaluate(suite + " --planners dwa --variants alone,full --vary navigator.goal.delay=0.5,4.0");
   ASSERT_EQ(run.status, 0);
   ASSERT_EQ(run.json["episodes"].size(), 4U);
-  EXPECT_EQ(run.json["episodes"][1]["name"], "short_1.5");
+  EXPECT_EQ(run.json["episodes"][1]["name"], "short_4.0");
   EXPECT_EQ(run.json["episodes"][3]["planner"], "dwa full");
   EXPECT_EQ(run.json["comparison"]["pairs"]["dwa full"]["pairs"], 2);
   EXPECT_NE(run.json["episodes"][0]["samples_sha256"], run.json["episodes"][1]["samples_sha256"]);
