@@ -18,6 +18,7 @@ constexpr double kAfter = 1.5;        // and of the robot after it [s]
 constexpr double kRoom = 1.0;         // about what is shown [m]
 constexpr double kLeastSize = 6.0;    // of the place shown [m]
 constexpr double kFlattest = 0.5;     // height over width
+constexpr double kLabelWay = 95.0;    // from a place to its label [px]
 constexpr double kLineHeight = 20.0;  // [px]
 constexpr std::string_view kWayOut = "#0f868c";
 constexpr std::string_view kRobot = "#1f5fbf";
@@ -187,29 +188,43 @@ class Drawing {
     draw_body(svg, motion_->front().pose, color, "5 3");
     draw_body(svg, motion_->back().pose, color, "5 3");
     const Vector2 at = view_(motion_->front().pose.position());
-    label(svg, at, at + Vector2(0, -recording_.robot.radius * view_.scale - 20.0),
-          "avoidable until " + fixed(motion_->front().time, 1) + " s", color);
+    label(svg, at, at + kLabelWay * aside(), "avoidable until " + fixed(motion_->front().time, 1) + " s",
+          color);
+  }
+
+  /// Centre of who is touched, at the contact; the robot's where nobody knows.
+  Vector2 touched_person() const {
+    Vector2 person = pose_at(moments_, time_).position();
+    double nearest = 1e9;
+    for (const possible::TimedPlace& place :
+         way_of(moments_, picture_.contact->record.person, time_ - 0.3, time_ + 0.3)) {
+      if (std::abs(place.time - time_) >= nearest) continue;
+      nearest = std::abs(place.time - time_);
+      person = place.position;
+    }
+    return person;
+  }
+
+  /// On the page, across the line from the robot to who is touched, and away from where the robot came from: labels cover neither.
+  Vector2 aside() const {
+    const Vector2 towards = view_(touched_person()) - view_(pose_at(moments_, time_).position());
+    if (towards.norm() < 1e-6) return {0.0, -1.0};
+    const Vector2 across = Vector2(-towards.y(), towards.x()) / towards.norm();
+    const Vector2 back =
+        view_(pose_at(moments_, time_ - 1.0).position()) - view_(pose_at(moments_, time_).position());
+    return across.dot(back) > 0.0 ? Vector2(-across) : across;
   }
 
   void draw_contact(SvgWriter& svg) const {
     if (!picture_.contact) return;
     const Vector2 robot = pose_at(moments_, time_).position();
-    const auto way = way_of(moments_, picture_.contact->record.person, time_ - 0.3, time_ + 0.3);
-    Vector2 person = robot;
-    double nearest = 1e9;
-    for (const possible::TimedPlace& place : way) {
-      if (std::abs(place.time - time_) >= nearest) continue;
-      nearest = std::abs(place.time - time_);
-      person = place.position;
-    }
-    const Vector2 touch = view_(robot + 0.5 * (person - robot));
+    const Vector2 touch = view_(robot + 0.5 * (touched_person() - robot));
     svg.circle(touch, 6,
                style({{"class", "contact"},
                       {"fill", std::string(kAlarm)},
                       {"stroke", "#ffffff"},
                       {"stroke-width", "2"}}));
-    label(svg, touch, touch + Vector2(0, recording_.robot.radius * view_.scale + 26.0),
-          "contact " + fixed(time_, 2) + " s", std::string(kAlarm));
+    label(svg, touch, touch - kLabelWay * aside(), "contact " + fixed(time_, 2) + " s", std::string(kAlarm));
   }
 
   void draw_line(SvgWriter& svg, const std::vector<possible::TimedPlace>& way,
