@@ -28,8 +28,16 @@ struct DriveSettings {
   bool snapshots = false;      ///< as the graph says; else its section `snapshot` is not looked at
   bool show_progress = false;  ///< one refreshing line on stderr
   bool course = false;         ///< keeps what a figure of the drive needs: DriveResult::course
-  bool contacts = false;       ///< the card tells who hit whom, and whether it could have been avoided
-  bool stays = false;          ///< the run goes on for further goals when one is decided
+  bool contacts =
+      false;           ///< the card tells who hit whom, of each robot, and whether it could have been avoided
+  bool stays = false;  ///< the run goes on for further goals when one is decided
+};
+
+/// What was heard of one robot, and its contacts judged by that.
+struct HeardDrive {
+  std::string robot;  ///< empty: the only one
+  RunRecording recording;
+  std::vector<JudgedContact> contacts = {};
 };
 
 struct DriveResult {
@@ -39,9 +47,8 @@ struct DriveResult {
   std::optional<bandwagon_msgs::msg::ScoreCard> card;
   std::string page_fault;              ///< why there is no page, or what is not on it; empty: all is
   std::optional<RunRecording> course;  ///< if asked for, and there was a goal: the first robot's
-  std::optional<RunRecording> heard;   ///< with DriveSettings::contacts: what they were judged by
-  std::vector<JudgedContact> contacts = {};
-  nlohmann::json json;  ///< the score card (score_card_json.hpp)
+  std::vector<HeardDrive> heard;       ///< with DriveSettings::contacts, of each robot
+  nlohmann::json json;                 ///< the score card (score_card_json.hpp)
 };
 
 /// The first component of this type in `process` (empty: in any); nullptr if there is none.

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "components/tools/contacts/contact_report.hpp"
 #include "components/tools/evaluate/suite_report.hpp"
 
 namespace bw {
@@ -241,6 +242,33 @@ TEST(SuiteReport, ReadsWhatItWrote) {
   std::ofstream(file) << "{}";
   EXPECT_THROW(read_results(file, "", read), std::runtime_error);
   EXPECT_THROW(read_results("no_such.json", "", read), std::runtime_error);
+}
+
+JudgedContact at_speed(double time, possible::Avoidance avoidance) {
+  JudgedContact judged;
+  judged.record.time = time;
+  judged.record.at_speed = true;
+  judged.is_judged = true;
+  judged.verdict.avoidance = avoidance;
+  return judged;
+}
+
+// Two robots, a contact at speed each: success of both was impossible only if neither could be avoided.
+TEST(ContactReport, JudgesAllRobots) {
+  const JudgedContact lost = at_speed(3.0, possible::Avoidance::not_avoidable);
+  const JudgedContact open = at_speed(4.0, possible::Avoidance::avoidable);
+  nlohmann::json card = {{"reached", true}, {"collisions_at_speed", 2}};
+  add_contacts(card, {{"robot1", {lost}}, {"robot2", {open}}});
+  EXPECT_EQ(card["contacts"].size(), 2U);
+  EXPECT_EQ(card["contacts"][1]["robot"], "robot2");
+  EXPECT_EQ(card["possible"], true);
+  EXPECT_EQ(contacts_in_words(card, "").substr(0, 28), "robot1 at 3.00 s person 0: r");
+  add_contacts(card, {{"robot1", {lost}}, {"robot2", {lost}}});
+  EXPECT_EQ(card["possible"], false);
+  add_contacts(card, {{"robot1", {lost}}, {"robot2", {}}});  // the second contact was with a wall
+  EXPECT_EQ(card["possible"], true);
+  add_contacts(card, {{"", {lost}}});
+  EXPECT_FALSE(card["contacts"][0].contains("robot"));
 }
 
 // One row for each suite and planner, planners in the order of --planners and not of the alphabet.
