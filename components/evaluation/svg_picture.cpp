@@ -1,78 +1,26 @@
 #include "components/evaluation/svg_picture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
 
+#include "components/evaluation/picture_parts.hpp"
 #include "components/evaluation/picture_view.hpp"
 #include "components/evaluation/svg_writer.hpp"
-#include "components/model/footprint_outline.hpp"
-#include "components/model/footprint_way.hpp"
 
 namespace bw {
 namespace {
 
+using namespace drawing;
+
 constexpr double kMargin = 28.0;  // of the page [px]
 constexpr double kHeader = 92.0;  // [px]
 constexpr double kFooter = 84.0;  // [px]
-constexpr std::string_view kInk = "#1b2530";
-constexpr std::string_view kSoftInk = "#5c6b7a";
-constexpr std::string_view kPeople = "#6a5acd";
-constexpr std::string_view kAlarm = "#d6223b";
-
-using Color = std::array<double, 3>;
-/// Standing is red, half speed amber, full speed teal.
-constexpr std::array<Color, 3> kSpeedColors = {{{214, 48, 49}, {240, 173, 46}, {15, 134, 140}}};
 constexpr int kSpeedSteps = 12;
-
-std::string style(std::initializer_list<std::pair<std::string_view, std::string>> attributes) {
-  std::string text;
-  for (const auto& [name, value] : attributes) text += std::string(name) + "=\"" + value + "\" ";
-  return text;
-}
-
-std::string fill(std::string_view color) { return style({{"fill", std::string(color)}}); }
-
-std::string label_style(std::string_view color, int size, std::string_view anchor = "start",
-                        int weight = 400) {
-  return style({{"fill", std::string(color)},
-                {"font-size", std::to_string(size)},
-                {"text-anchor", std::string(anchor)},
-                {"font-weight", std::to_string(weight)}});
-}
-
-/// `share` of full speed, 0 to 1.
-std::string speed_color(double share) {
-  const double place = std::clamp(share, 0.0, 1.0) * (kSpeedColors.size() - 1);
-  const std::size_t low = std::min<std::size_t>(static_cast<std::size_t>(place), kSpeedColors.size() - 2);
-  const double t = place - static_cast<double>(low);
-  std::string text = "rgb(";
-  for (std::size_t i = 0; i < 3; ++i) {
-    text += fixed(kSpeedColors[low][i] * (1.0 - t) + kSpeedColors[low + 1][i] * t, 0) + (i < 2 ? "," : ")");
-  }
-  return text;
-}
 
 int speed_step(double speed, double top) {
   return std::clamp(static_cast<int>(std::lround(speed / top * (kSpeedSteps - 1))), 0, kSpeedSteps - 1);
-}
-
-void draw_place(SvgWriter& svg, const RunRecording& recording, const PictureView& view) {
-  svg.rectangle(view.corner, view.width(), view.height(), fill(recording.map ? "#e4e8ed" : "#fbfcfd"));
-  if (recording.map) {
-    svg.path(cells_path(*recording.map, view, 0, 64),
-             "fill=\"#fbfcfd\" stroke=\"#fbfcfd\" stroke-width=\"0.6\"");
-    svg.path(cells_path(*recording.map, view, 65, 100),
-             "fill=\"#34414f\" stroke=\"#34414f\" stroke-width=\"0.6\"");
-  }
-  for (const Segment& wall : recording.shapes.segments) {
-    svg.line(view(wall.a), view(wall.b), "stroke=\"#34414f\" stroke-width=\"4\" stroke-linecap=\"round\"");
-  }
-  for (const Disc& disc : recording.shapes.discs) {
-    svg.circle(view(disc.center), disc.radius * view.scale, "fill=\"#34414f\"");
-  }
 }
 
 /// One line per stay of a person in the scene; the one of the closest encounter stands out.
@@ -132,24 +80,6 @@ void draw_person(SvgWriter& svg, const PictureView& view, const TruePerson& pers
                     {"stroke-opacity", "0.75"},
                     {"stroke-width", "1.2"}}));
   svg.text(at + Vector2(0, 4), label, label_style(kPeople, 11, "middle"));
-}
-
-void draw_footprint(SvgWriter& svg, const PictureView& view, const Footprint& robot, const Pose2& X_MB,
-                    const std::string& look) {
-  if (!robot.is_polygon() || !std::isfinite(X_MB.theta))  // else the truth has no heading
-    return svg.circle(view(X_MB.position()), robot.radius * view.scale, look);
-  std::string data;
-  for (const Vector2& corner : outline(robot, X_MB, 0)) {
-    const Vector2 at = view(corner);
-    data += (data.empty() ? "M" : "L") + fixed(at.x(), 1) + " " + fixed(at.y(), 1);
-  }
-  svg.path(data + "Z", look);
-}
-
-/// Of the outline, on the line that the robot looks along [m].
-double front_of(const Footprint& robot) {
-  if (!robot.is_polygon()) return robot.radius;
-  return -first_touch({1.0, 0.0}, robot.polygon, {2.0 * robot.radius, 0.0}).way + 2.0 * robot.radius;
 }
 
 void draw_robot(SvgWriter& svg, const PictureView& view, const RunRecording& recording,
@@ -253,26 +183,6 @@ void draw_header(SvgWriter& svg, const ScoreCard& card, const PictureOptions& op
   svg.text({kMargin, 70}, facts, label_style(kSoftInk, 15));
 }
 
-/// The longest of 1, 2, 5 times a power of ten that fits into `room` [m].
-double round_length(double room) {
-  const double power = std::pow(10.0, std::floor(std::log10(room)));
-  for (const double factor : {5.0, 2.0}) {
-    if (factor * power <= room) return factor * power;
-  }
-  return power;
-}
-
-void draw_scale_bar(SvgWriter& svg, const PictureView& view, double y) {
-  const double length = round_length(180.0 / view.scale);
-  const double pixels = length * view.scale;
-  const std::string ink = style({{"stroke", std::string(kInk)}, {"stroke-width", "2"}});
-  svg.line({kMargin, y}, {kMargin + pixels, y}, ink);
-  svg.line({kMargin, y - 5}, {kMargin, y + 5}, ink);
-  svg.line({kMargin + pixels, y - 5}, {kMargin + pixels, y + 5}, ink);
-  svg.text({kMargin + pixels / 2, y + 20}, fixed(length, length < 1.0 ? 1 : 0) + " m",
-           label_style(kSoftInk, 13, "middle"));
-}
-
 void draw_speed_bar(SvgWriter& svg, double top_speed, double x, double y) {
   constexpr double kCell = 17.0;
   for (int i = 0; i < kSpeedSteps; ++i) {
@@ -287,7 +197,7 @@ void draw_speed_bar(SvgWriter& svg, double top_speed, double x, double y) {
 void draw_legend(SvgWriter& svg, const RunRecording& recording, const PictureView& view,
                  const PictureOptions& options) {
   const double y = view.corner.y() + view.height() + 32.0;
-  draw_scale_bar(svg, view, y);
+  draw_scale_bar(svg, view, {kMargin, y});
   draw_speed_bar(svg, recording.top_speed, kMargin + 260.0, y);
   double x = kMargin + 540.0;
   const auto entry = [&](std::string_view text, double width) {

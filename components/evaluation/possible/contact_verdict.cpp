@@ -1,6 +1,7 @@
 #include "components/evaluation/possible/contact_verdict.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace bw::possible {
 
@@ -29,7 +30,11 @@ ContactVerdict judge_contact(const SearchScene& scene, const std::vector<MotionS
   const MotionBounds bounds = bounds_of(limits, 1.0);
   const MotionBounds hopeful = bounds_of(limits, options.hopeful_factor);
   const auto is_saved = [&](std::size_t i) {
-    return find_motion(scene, states[i], bounds, until, options.finder).has_value();
+    std::optional<std::vector<MotionState>> motion =
+        find_motion(scene, states[i], bounds, until, options.finder);
+    if (!motion) return false;
+    verdict.motion = std::move(*motion);  // states are asked later and later once one is saved
+    return true;
   };
   const auto is_lost = [&](std::size_t i) {
     return search_hopefully(scene, states[i], hopeful, until, options.hopeful) == Hope::none;

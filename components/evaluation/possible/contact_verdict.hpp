@@ -34,6 +34,7 @@ struct ContactVerdict {
   Avoidance avoidance = Avoidance::undecided;
   std::optional<double> saveable_until;  ///< latest state of the drive from which a motion is known [s]
   std::optional<double> lost_since;      ///< first state of the drive from which there is none, proven [s]
+  std::vector<MotionState> motion;       ///< the one known from `saveable_until` on; empty without
 };
 
 /// `drive`: states by rising time; those from `earliest` until before `contact` [s] are looked at. `known_until`: after it

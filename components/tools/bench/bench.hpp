@@ -33,13 +33,18 @@ struct BenchCrowdArguments {
   std::string scenes;            ///< path; may be empty when scenes are generated
   int generate = 0;              ///< this many scenes of crowd_generator.hpp instead of those of the file
   std::uint64_t first_seed = 1;  ///< of the generated ones
-  std::string scene;             ///< name (or its beginning) of one scene; empty: all
+  std::vector<double>
+      densities;  ///< of generated ones, persons per square metre, one crowd each; empty: 6, 10 or 14 walkers
+  std::vector<WalkersManner> walkers = {WalkersManner::straight};  ///< one crowd each
+  std::string scene;  ///< name (or its beginning) of one scene; empty: all
   std::vector<std::string> planners = {"teb"};
   BenchWeights weights = BenchWeights::defaults;
   std::function<void(LocalPlannerOptions&)> adjust;  ///< last word on the options; may be empty
   int jobs = 1;               ///< episodes at a time; above 1 the times are those of their threads
   bool with_samples = false;  ///< every period of every drive goes into the JSON
-  std::string write_scenes;   ///< scenes driven are written here as YAML; empty: not
+  std::string write_scenes;   ///< scenes driven are written here as YAML, of one crowd; empty: not
+  std::string against;        ///< the planner that the others are held against; empty: the first
+  std::string failures;       ///< pictures of drives that failed go into this folder; empty: none
   std::string json;           ///< output file; empty: none
 };
 
@@ -47,9 +52,9 @@ struct BenchCrowdArguments {
 /// Returns the exit status (0). Throws std::runtime_error on unusable files or names.
 int bench_teb(const BenchTebArguments& arguments);
 
-/// Closed loop among walkers that do not react, one planner after the other. Prints a table, writes JSON: of
-/// one planner {planner, episodes, summary}, of several {planners: [that, ...]}. Returns the exit status (0).
-/// Throws std::runtime_error on unusable files or names.
+/// Closed loop among walkers, one crowd and one planner after the other. Prints tables, writes JSON: of one planner {planner, episodes,
+/// summary}, of several {planners: [that, ...], comparison}, of several crowds {crowds: [{crowd, density, walkers, planners,
+/// comparison}, ...]}. Returns the exit status (0). Throws std::runtime_error on unusable files or names.
 int bench_crowd(const BenchCrowdArguments& arguments);
 
 /// The planner's options for a scene file: its resolution and distances (from the footprint) and, for

@@ -1,7 +1,6 @@
 #include "components/tools/bench/bench_common.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 #include <numeric>
 #include <stdexcept>
@@ -29,16 +28,6 @@ double thread_cpu_ms() { return cpu_ms(CLOCK_THREAD_CPUTIME_ID); }
 double mean(const std::vector<double>& samples) {
   if (samples.empty()) return 0.0;
   return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
-}
-
-Interval wilson95(int successes, int count) {
-  if (count == 0) return {0.0, 1.0};
-  constexpr double z = 1.959963985;
-  const double n = count;
-  const double p = successes / n;
-  const double centre = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
-  const double half = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
-  return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
 }
 
 void write_json(const std::string& path, const nlohmann::ordered_json& value) {

@@ -51,13 +51,33 @@ void add_teb(CLI::App* bench, int& status) {
 }
 
 void add_crowd(CLI::App* bench, int& status) {
+  static const std::map<std::string, WalkersManner> kWalkers = {{"straight", WalkersManner::straight},
+                                                                {"social", WalkersManner::social},
+                                                                {"orca", WalkersManner::orca}};
   auto crowd = std::make_shared<BenchCrowdArguments>();
-  CLI::App* crowd_verb = bench->add_subcommand("crowd", "Closed loop among walkers that do not react");
+  CLI::App* crowd_verb = bench->add_subcommand("crowd", "Closed loop among walkers");
   crowd_verb->add_option("--scenes", crowd->scenes, "Scene file; may be left out with --generate");
   crowd_verb
       ->add_option("--generate", crowd->generate, "This many scenes by the same rule instead of the file's")
       ->check(CLI::Range(1, 100000));
   crowd_verb->add_option("--first-seed", crowd->first_seed, "Seed of the first generated scene");
+  crowd_verb
+      ->add_option(
+          "--density", crowd->densities,
+          "Generated crowds of so many persons per square metre (0.3, 0.5; several separated by commas) instead of 6, 10 "
+          "or 14 persons")
+      ->delimiter(',')
+      ->check(CLI::Range(0.01, 0.8));
+  crowd_verb
+      ->add_option_function<std::vector<std::string>>(
+          "--walkers",
+          [crowd](const std::vector<std::string>& names) {
+            crowd->walkers.clear();
+            for (const std::string& name : names) crowd->walkers.push_back(kWalkers.at(name));
+          },
+          "straight (default: they react to nobody), social or orca (they see each other and the robot); several separated by commas")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"straight", "social", "orca"}));
   crowd_verb->add_option("--scene", crowd->scene, "Only scenes whose name begins so");
   crowd_verb->add_option("--planner", crowd->planners, "Planner names, separated by commas")->delimiter(',');
   auto set = std::make_shared<std::vector<std::string>>();
@@ -74,6 +94,11 @@ void add_crowd(CLI::App* bench, int& status) {
           },
           "file or defaults")
       ->check(CLI::IsMember({"file", "defaults"}));
+  crowd_verb->add_option("--against", crowd->against,
+                         "The planner that the others are held against (the first)");
+  crowd_verb->add_option(
+      "--failures", crowd->failures,
+      "Pictures of the first 30 drives that failed, and a page of them, go into this folder");
   crowd_verb->add_option("--json", crowd->json, "Writes the figures here");
   crowd_verb->add_flag("--samples", crowd->with_samples,
                        "Pose, command, applied velocity and walkers of every period go into the JSON");

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "components/tools/bench/crowd_walk.hpp"
+#include "components/tools/bench/crowd_people.hpp"
 #include "components/tools/bench/unicycle.hpp"
 
 namespace bw {
@@ -12,8 +13,8 @@ namespace {
 constexpr int kStepsPerPeriod = 5;
 constexpr double kCollisionIndexSigma = 0.6;  // [m] book 7.7
 
-PlanningProblem problem_at(const Scene& scene, const SceneFile& file, double time, const Pose2& pose,
-                           const Twist2& twist) {
+PlanningProblem problem_at(const Scene& scene, const SceneFile& file, const CrowdPeople& people, double time,
+                           const Pose2& pose, const Twist2& twist) {
   const ClosedLoop& rule = *file.closed_loop;
   PlanningProblem problem;
   problem.now = Time::seconds(1.0 + time);
@@ -23,42 +24,41 @@ PlanningProblem problem_at(const Scene& scene, const SceneFile& file, double tim
   problem.footprint.radius = rule.robot_radius;
   problem.limits = file.limits;
   problem.control_period = rule.control_period;
-  std::uint32_t id = 0;
-  for (const SceneObstacle& o : scene.obstacles) {
-    ++id;
-    if (!o.moves()) {
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+    const SceneObstacle& o = scene.obstacles[i];
+    if (!people.walks(i)) {
       problem.obstacles.discs.push_back({o.position, o.radius});
       continue;
     }
     Mover mover;
-    mover.id = id;
-    mover.position = position_at(o, rule.box, time);
-    mover.velocity = velocity_at(o, rule.box, time);
+    mover.id = static_cast<std::uint32_t>(i) + 1;
+    mover.position = people.position(i);
+    mover.velocity = people.velocity(i);
     mover.radius = o.radius;
     problem.movers.push_back(mover);
   }
   return problem;
 }
 
-TruthSample truth_at(const Scene& scene, const SceneBox& box, double time, const Pose2& pose,
+TruthSample truth_at(const Scene& scene, const CrowdPeople& people, double time, const Pose2& pose,
                      const Twist2& twist) {
   TruthSample sample;
   sample.time = Time::seconds(time);
   sample.X_MB = pose;
   sample.twist = twist;
-  std::uint32_t id = 0;
-  for (const SceneObstacle& o : scene.obstacles)
-    sample.people.push_back({++id, position_at(o, box, time), velocity_at(o, box, time), o.radius});
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
+    sample.people.push_back({static_cast<std::uint32_t>(i) + 1, people.position(i), people.velocity(i),
+                             scene.obstacles[i].radius});
   return sample;
 }
 
-void judge(const Scene& scene, const ClosedLoop& rule, double time, const Pose2& pose, const Twist2& twist,
-           CrowdEpisode& episode) {
+void judge(const Scene& scene, const ClosedLoop& rule, const CrowdPeople& people, const Pose2& pose,
+           const Twist2& twist, CrowdEpisode& episode) {
   double clearance = std::numeric_limits<double>::infinity();
-  for (const SceneObstacle& o : scene.obstacles) {
-    const double centre = (position_at(o, rule.box, time) - pose.position()).norm();
-    clearance = std::min(clearance, centre - o.radius);
-    if (!o.moves()) continue;
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+    const double centre = (people.position(i) - pose.position()).norm();
+    clearance = std::min(clearance, centre - scene.obstacles[i].radius);
+    if (!people.walks(i)) continue;
     const double index = std::exp(-centre * centre / (2.0 * kCollisionIndexSigma * kCollisionIndexSigma));
     episode.max_collision_index = std::max(episode.max_collision_index, index);
   }
@@ -67,6 +67,26 @@ void judge(const Scene& scene, const ClosedLoop& rule, double time, const Pose2&
   episode.collision = true;
   if (std::abs(twist.v) > kStandingSpeed) episode.collision_at_speed = true;
 }
+
+/// How those walked who do not go straight on: of them nobody can tell but who was there.
+class WalkKeeper {
+ public:
+  WalkKeeper(const Scene& scene, const ClosedLoop& rule) {
+    if (rule.walkers == WalkersManner::straight) return;
+    for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
+      if (scene.obstacles[i].moves()) obstacles_.push_back(i);
+    for (const std::size_t i : obstacles_) walks_.push_back({scene.obstacles[i].radius, {}});
+  }
+  void keep(double time, const CrowdPeople& people) {
+    for (std::size_t k = 0; k < obstacles_.size(); ++k)
+      walks_[k].places.push_back({time, people.position(obstacles_[k])});
+  }
+  std::vector<possible::Walk> take() && { return std::move(walks_); }
+
+ private:
+  std::vector<std::size_t> obstacles_;
+  std::vector<possible::Walk> walks_;
+};
 
 }  // namespace
 
@@ -82,10 +102,14 @@ CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner
   std::vector<double> accelerations;
   ContactDiary diary;
   const Footprint footprint{rule.robot_radius, {}};
+  CrowdPeople people(scene, rule);
+  WalkKeeper walks(scene, rule);
   const int cycles = static_cast<int>(std::lround(rule.timeout / period));
   for (int cycle = 0; cycle < cycles; ++cycle) {
     const double begin = cycle * period;
-    const PlanningProblem problem = problem_at(scene, file, begin, pose, twist);
+    people.move_to(begin, pose, twist);
+    if (cycle == 0) walks.keep(begin, people);
+    const PlanningProblem problem = problem_at(scene, file, people, begin, pose, twist);
     const double before = clock();
     const PlanningResult result = planner.plan(problem);
     episode.ms.push_back(clock() - before);
@@ -98,10 +122,13 @@ CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner
     accelerations.push_back((twist.v - last.v) / period);
     const double h = period / kStepsPerPeriod;
     for (int step = 1; step <= kStepsPerPeriod; ++step) {
+      const double time = begin + step * h;
+      people.move_to(time, pose, twist);
       pose = unicycle_step(pose, twist, h);
-      judge(scene, rule, begin + step * h, pose, twist, episode);
-      diary.add(begin + step * h, truth_at(scene, rule.box, begin + step * h, pose, twist), footprint);
-      if (observer) observer(begin + step * h, pose, twist);
+      walks.keep(time, people);
+      judge(scene, rule, people, pose, twist, episode);
+      diary.add(time, truth_at(scene, people, time, pose, twist), footprint);
+      if (observer) observer(time, pose, twist);
     }
     episode.time = begin + period;
     if ((pose.position() - scene.goal.position()).norm() <= rule.goal_tolerance) {
@@ -112,6 +139,7 @@ CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner
   }
   episode.rms_jerk = rms_jerk(accelerations, period);
   episode.contacts = diary.contacts();
+  episode.walks = std::move(walks).take();
   return episode;
 }
 

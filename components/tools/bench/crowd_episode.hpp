@@ -1,5 +1,5 @@
-// One drive among walkers that do not react: planner, unicycle and discs, by the closed-loop rule of the
-// scenes' README. Deterministic but for the times.
+// One drive among walkers: planner, unicycle and discs, by the closed-loop rule of the scenes' README. Deterministic but for the
+// times.
 #pragma once
 
 #include <functional>
@@ -28,6 +28,7 @@ struct CrowdEpisode {
   std::vector<ContactRecord> contacts;  ///< with walkers and discs; `person` is the obstacle's number from 1
   std::vector<possible::MotionState> states;  ///< at the beginning of every control period
   std::vector<JudgedContact> judged;          ///< judge_crowd() fills it
+  std::vector<possible::Walk> walks;          ///< of walkers who react, in the order of the scene; else empty
 
   /// It failed, and success was impossible (book 8.10).
   bool is_excused() const {

@@ -15,6 +15,7 @@ namespace {
 constexpr int kStaticDiscs = 6;
 constexpr double kStaticGap = 1.6;     // [m] edge to edge
 constexpr double kFreeAtStart = 1.5;   // [m] start to edge
+constexpr double kWalkerGap = 0.1;     // [m] edge to edge, in dense crowds
 constexpr double kWalkerRadius = 0.3;  // [m]
 constexpr std::array<int, 3> kWalkers = {6, 10, 14};
 constexpr int kMostTries = 10'000;
@@ -27,9 +28,9 @@ Vector2 draw_position(Random& random, double x_min, double x_max, double y_max) 
   return {x, y};
 }
 
-bool keeps_gap(const SceneObstacle& disc, const std::vector<SceneObstacle>& others) {
+bool keeps_gap(const SceneObstacle& disc, const std::vector<SceneObstacle>& others, double gap) {
   return std::all_of(others.begin(), others.end(), [&](const SceneObstacle& other) {
-    return (disc.position - other.position).norm() - disc.radius - other.radius >= kStaticGap;
+    return (disc.position - other.position).norm() - disc.radius - other.radius >= gap;
   });
 }
 
@@ -40,7 +41,7 @@ std::vector<SceneObstacle> try_static_discs(Random& random) {
     SceneObstacle disc;
     disc.position = draw_position(random, 2.0, 10.4, 3.5);
     disc.radius = random.uniform() < 0.5 ? 0.2 : 0.3;
-    if (keeps_gap(disc, discs)) discs.push_back(disc);
+    if (keeps_gap(disc, discs, kStaticGap)) discs.push_back(disc);
     if (discs.size() == kStaticDiscs) return discs;
   }
   return {};
@@ -56,6 +57,23 @@ SceneObstacle draw_walker(Random& random, const Vector2& start) {
   const double heading = random.uniform(-std::numbers::pi, std::numbers::pi);
   walker.velocity = {two_decimals(speed * std::cos(heading)), two_decimals(speed * std::sin(heading))};
   return walker;
+}
+
+Scene scene_with_discs(std::uint64_t seed, int walkers, Random& random) {
+  Scene scene;
+  scene.name = "seed" + std::to_string(seed) + "_" + std::to_string(walkers);
+  scene.goal = {12.0, 0.0, 0.0};
+  while (scene.obstacles.empty()) scene.obstacles = try_static_discs(random);
+  return scene;
+}
+
+template <class Generate>
+std::vector<Scene> scenes_of(int count, std::uint64_t first_seed, const Generate& generate) {
+  if (count < 0) throw std::runtime_error("the number of scenes must not be negative");
+  std::vector<Scene> scenes;
+  scenes.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) scenes.push_back(generate(first_seed + static_cast<std::uint64_t>(i)));
+  return scenes;
 }
 
 }  // namespace
@@ -98,21 +116,35 @@ SceneFile crowd_rules() {
 Scene generate_crowd_scene(std::uint64_t seed) {
   Random random(seed);
   const int walkers = kWalkers[seed % kWalkers.size()];
-  Scene scene;
-  scene.name = "seed" + std::to_string(seed) + "_" + std::to_string(walkers);
-  scene.goal = {12.0, 0.0, 0.0};
-  while (scene.obstacles.empty()) scene.obstacles = try_static_discs(random);
+  Scene scene = scene_with_discs(seed, walkers, random);
   for (int i = 0; i < walkers; ++i) scene.obstacles.push_back(draw_walker(random, scene.start.position()));
   return scene;
 }
 
+Scene generate_dense_crowd_scene(std::uint64_t seed, double density) {
+  if (!(density > 0.0 && density <= 1.0))
+    throw std::runtime_error("the density must be above 0, and at most 1 person per square metre");
+  const SceneBox box = crowd_rules().closed_loop->box;
+  const double area = (box.x_max - box.x_min) * (box.y_max - box.y_min);
+  const int walkers = static_cast<int>(std::lround(density * area));
+  Random random(seed);
+  Scene scene = scene_with_discs(seed, walkers, random);
+  for (int i = 0; i < walkers;) {
+    const SceneObstacle walker = draw_walker(random, scene.start.position());
+    if (!keeps_gap(walker, scene.obstacles, kWalkerGap)) continue;
+    scene.obstacles.push_back(walker);
+    ++i;
+  }
+  return scene;
+}
+
 std::vector<Scene> generate_crowd(int count, std::uint64_t first_seed) {
-  if (count < 0) throw std::runtime_error("the number of scenes must not be negative");
-  std::vector<Scene> scenes;
-  scenes.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i)
-    scenes.push_back(generate_crowd_scene(first_seed + static_cast<std::uint64_t>(i)));
-  return scenes;
+  return scenes_of(count, first_seed, generate_crowd_scene);
+}
+
+std::vector<Scene> generate_dense_crowd(int count, std::uint64_t first_seed, double density) {
+  return scenes_of(count, first_seed,
+                   [density](std::uint64_t seed) { return generate_dense_crowd_scene(seed, density); });
 }
 
 }  // namespace bw

@@ -126,6 +126,28 @@ std::string table(const std::vector<CrowdSummary>& summaries) {
   return out;
 }
 
+std::string outcome_in_words(const CrowdEpisode& e) {
+  std::string text =
+      e.contacts.empty() ? "no contact" : fmt::format("contact at {:.2f} s", e.contacts[0].time);
+  text += e.reached ? fmt::format(", goal reached in {:.1f} s", e.time)
+                    : fmt::format(", goal not reached in {:.0f} s", e.time);
+  return text + (e.is_excused() ? ", could not succeed" : "");
+}
+
+std::vector<PairedEpisode> paired(const std::vector<CrowdEpisode>& episodes) {
+  std::vector<PairedEpisode> pairs;
+  for (const CrowdEpisode& e : episodes) {
+    pairs.push_back({.key = e.name,
+                     .success = e.success,
+                     .possible = !e.is_excused(),
+                     .collision_index = e.max_collision_index,
+                     .closest = e.min_clearance,
+                     .jerk = e.rms_jerk,
+                     .time = e.time});
+  }
+  return pairs;
+}
+
 std::string failures(const std::string& planner, const std::vector<CrowdEpisode>& episodes) {
   std::string out;
   for (const CrowdEpisode& e : episodes) {

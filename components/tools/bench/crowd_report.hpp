@@ -8,6 +8,7 @@
 
 #include "components/tools/bench/bench_common.hpp"
 #include "components/tools/bench/crowd_episode.hpp"
+#include "components/tools/comparison/comparison_report.hpp"
 #include "components/tools/contacts/contact_report.hpp"
 
 namespace bw {
@@ -37,6 +38,12 @@ std::string in_a_line(const CrowdEpisode& episode);
 
 /// One row per planner below a head, then the contacts of each by who hit whom.
 std::string table(const std::vector<CrowdSummary>& summaries);
+
+/// How it ended: "contact at 12.30 s, goal reached in 15.0 s".
+std::string outcome_in_words(const CrowdEpisode& episode);
+
+/// For a comparison with another planner in the same scenes.
+std::vector<PairedEpisode> paired(const std::vector<CrowdEpisode>& episodes);
 
 /// The episodes that failed, each with its contacts and their verdicts; empty when none did.
 std::string failures(const std::string& planner, const std::vector<CrowdEpisode>& episodes);

@@ -184,6 +184,18 @@ SceneFile read(const std::string& path, const YAML::Node& root) {
 
 }  // namespace
 
+std::string_view text_of(WalkersManner walkers) {
+  switch (walkers) {
+    case WalkersManner::social:
+      return "social";
+    case WalkersManner::orca:
+      return "orca";
+    case WalkersManner::straight:
+      break;
+  }
+  return "straight";
+}
+
 SceneFile read_scene_file(const std::string& path) {
   try {
     return read(path, YAML::LoadFile(path));

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "components/model/limits.hpp"
@@ -39,10 +40,21 @@ struct SceneBox {
   double x_min = 0, x_max = 0, y_min = 0, y_max = 0;
 };
 
+/// How walkers walk; only that they move is in a file.
+enum class WalkersManner {
+  straight,  ///< on with their velocity, mirrored at the box; they see nobody
+  social,    ///< by social forces, to and fro; they see each other and the robot
+  orca       ///< by ORCA, likewise
+};
+
+/// "straight".
+std::string_view text_of(WalkersManner walkers);
+
 /// What closed-loop scenes have beside the open-loop ones.
 struct ClosedLoop {
   double control_period = 0, timeout = 0, goal_tolerance = 0, robot_radius = 0;
   SceneBox box;
+  WalkersManner walkers = WalkersManner::straight;
 };
 
 struct SceneFile {

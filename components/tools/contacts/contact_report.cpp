@@ -53,6 +53,7 @@ std::string contact_in_words(const Json& contact) {
       fmt::format("{:.2f} s person {}: {} (robot {:.2f}, person {:.2f} m/s)", contact["t"].get<double>(),
                   contact["person"].get<std::uint32_t>(), contact["who"].get<std::string>(),
                   contact["robot_closing_mps"].get<double>(), contact["person_closing_mps"].get<double>());
+  if (contact.contains("robot")) text = contact["robot"].get<std::string>() + " at " + text;
   if (contact["begins_mid_floor"].get<bool>())
     text += fmt::format(", there for {:.2f} s", contact["there_for_s"].get<double>());
   if (contact["ends_mid_floor"].get<bool>()) text += ", gone soon after";
@@ -65,10 +66,18 @@ std::string contact_in_words(const Json& contact) {
   return text;
 }
 
-void add_contacts(nlohmann::json& card, const std::vector<JudgedContact>& contacts) {
-  card["contacts"] = nlohmann::json(to_json(contacts));
+void add_contacts(nlohmann::json& card, const std::vector<RobotContacts>& robots) {
+  card["contacts"] = nlohmann::json::array();
+  std::vector<JudgedContact> all;
+  for (const RobotContacts& robot : robots) {
+    for (const Json& contact : to_json(robot.contacts)) {
+      card["contacts"].push_back(nlohmann::json(contact));
+      if (!robot.robot.empty()) card["contacts"].back()["robot"] = robot.robot;
+    }
+    all.insert(all.end(), robot.contacts.begin(), robot.contacts.end());
+  }
   const int counted = card.value("collisions_at_speed", 0);
-  card["possible"] = !(card.value("reached", false) && counted > 0 && is_excused(contacts, counted, true));
+  card["possible"] = !(card.value("reached", false) && counted > 0 && is_excused(all, counted, true));
 }
 
 std::string contacts_in_words(const nlohmann::json& card, const std::string& indent) {

@@ -16,14 +16,20 @@ namespace bw {
 /// `saveable_until_s` and `lost_since_s` null where they are not known.
 nlohmann::ordered_json to_json(const std::vector<JudgedContact>& contacts);
 
-/// Puts `contacts` on a score card, and `possible`: false when the goal was reached, and no contact at speed could have been
-/// avoided. The card has `reached` and `collisions_at_speed`.
-void add_contacts(nlohmann::json& card, const std::vector<JudgedContact>& contacts);
+struct RobotContacts {
+  std::string robot;  ///< empty: the only one, and not told
+  std::vector<JudgedContact> contacts;
+};
+
+/// Puts the contacts of all on a score card, each with its `robot` where it has a name, and `possible`: false when the goal was reached,
+/// and no contact at speed could have been avoided. The card has `reached` and `collisions_at_speed`, which are those of all together.
+void add_contacts(nlohmann::json& card, const std::vector<RobotContacts>& robots);
 
 /// Contacts of a card, each on a line of its own after `indent`; empty without any.
 std::string contacts_in_words(const nlohmann::json& card, const std::string& indent);
 
-/// A contact of that JSON in a line: "12.3 s person 4: person_behind (robot 0.10, person 0.90 m/s), avoidable until 11.2 s".
+/// A contact of that JSON in a line: "12.3 s person 4: person_behind (robot 0.10, person 0.90 m/s), avoidable until 11.2 s"; "robot2 at
+/// 12.3 s ..." where a robot is named.
 std::string contact_in_words(const nlohmann::ordered_json& contact);
 
 /// How many contacts were of which kind. Recordings that begin or end in mid-floor are counted under that name alone.

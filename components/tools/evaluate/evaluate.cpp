@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "components/tools/drive_page/drive_page.hpp"
 #include "components/tools/evaluate/suite.hpp"
 #include "components/tools/evaluate/suite_report.hpp"
+#include "components/tools/failures/failure_album.hpp"
 #include "components/tools/program/drive.hpp"
 #include "runtime/atomic_file.hpp"
 #include "runtime/cli/signals.hpp"
@@ -28,6 +30,11 @@ struct EvaluateOptions {
   std::string json;
   std::string svg_dir;
   std::string html_dir;
+  std::vector<std::string> variants = {""};  ///< empty: the suite as it is
+  std::string vary;
+  std::string against;
+  std::string failures_dir;
+  std::vector<std::string> from;  ///< [LABEL:]FILE
   double at_least = 0.0;
 };
 
@@ -37,7 +44,36 @@ struct Job {
   std::size_t episode = 0;
   std::int64_t seed = 1;
   std::string planner;
+  std::string variant;
+  std::string value = {};  ///< of the parameter that varies; empty: none does
 };
+
+/// A parameter and the values it takes in turn; nothing where none varies.
+struct Varied {
+  std::string parameter;
+  std::vector<std::string> values = {""};
+};
+
+Varied varied_of(const EvaluateOptions& options) {
+  Varied varied;
+  if (options.vary.empty()) return varied;
+  const std::size_t equals = options.vary.find('=');
+  const auto refuse = [&] {
+    throw std::runtime_error(
+        "--vary " + options.vary +
+        ": must have the form component.param=value,value,... with plain words or numbers");
+  };
+  if (equals == std::string::npos || equals == 0) refuse();
+  varied.parameter = options.vary.substr(0, equals);
+  varied.values.clear();
+  std::istringstream rest(options.vary.substr(equals + 1));
+  for (std::string value; std::getline(rest, value, ',');) {
+    if (!is_episode_name(value)) refuse();
+    varied.values.push_back(value);
+  }
+  if (varied.values.empty()) refuse();
+  return varied;
+}
 
 /// Two whole numbers, 0 to 10^9, around `separator`; nothing for any other text.
 std::optional<std::pair<std::int64_t, std::int64_t>> number_pair(const std::string& text,
@@ -75,16 +111,25 @@ std::vector<Job> jobs_of(const EvaluateOptions& options, const std::vector<Suite
     }
     shard = *given;
   }
+  const Varied varied = varied_of(options);
   std::vector<Job> jobs;
   std::int64_t index = 0;
   for (std::size_t suite = 0; suite < suites.size(); ++suite) {
     const SeedRange seeds = seeds_of(options, suites[suite]);
     const std::vector<SuiteEpisode>& episodes = suites[suite].options.episodes;
-    for (const std::string& planner : options.planners) {
-      for (std::size_t episode = 0; episode < episodes.size(); ++episode) {
-        if (!options.only_episode.empty() && episodes[episode].name != options.only_episode) continue;
+    const auto add = [&](std::size_t episode, const std::string& planner, const std::string& variant) {
+      for (const std::string& value : varied.values) {
         for (std::int64_t seed = seeds.first; seed <= seeds.last; ++seed) {
-          if (index++ % shard.second == shard.first - 1) jobs.push_back({suite, episode, seed, planner});
+          if (index++ % shard.second == shard.first - 1)
+            jobs.push_back({suite, episode, seed, planner, variant, value});
+        }
+      }
+    };
+    for (const std::string& planner : options.planners) {
+      for (const std::string& variant : options.variants) {
+        for (std::size_t episode = 0; episode < episodes.size(); ++episode) {
+          if (options.only_episode.empty() || episodes[episode].name == options.only_episode)
+            add(episode, planner, variant);
         }
       }
     }
@@ -93,9 +138,11 @@ std::vector<Job> jobs_of(const EvaluateOptions& options, const std::vector<Suite
   return jobs;
 }
 
-Graph graph_of(const Suite& suite, const Job& job, const std::vector<std::string>& set) {
-  Graph graph = suite.graph_of(job.episode);
-  for (const std::string& text : set) apply_override(graph, parse_override(text));
+Graph graph_of(const EvaluateOptions& options, const Suite& suite, const Job& job) {
+  Graph graph = suite.graph_of(job.episode, job.variant);
+  for (const std::string& text : options.set) apply_override(graph, parse_override(text));
+  if (!job.value.empty())
+    apply_override(graph, parse_override(varied_of(options).parameter + "=" + job.value));
   const ComponentNode* planner = find_type(graph, "local_planner", "");
   if (planner == nullptr) throw std::runtime_error(suite.graph.string() + ": has no local_planner");
   if (find_type(graph, "evaluation", "") == nullptr) {
@@ -109,9 +156,15 @@ Graph graph_of(const Suite& suite, const Job& job, const std::vector<std::string
   return graph;
 }
 
+/// With the variant that it drove under.
 std::string planner_of(const nlohmann::json& card, const Job& job) {
   const nlohmann::json& planner = card["planner"];
-  return planner.is_object() ? planner.value("name", job.planner) : job.planner;
+  const std::string name = planner.is_object() ? planner.value("name", job.planner) : job.planner;
+  return job.variant.empty() ? name : name + " " + job.variant;
+}
+
+std::string episode_name(const Suite& suite, const Job& job) {
+  return suite.options.episodes[job.episode].name + (job.value.empty() ? "" : "_" + job.value);
 }
 
 /// Of the files of one drive. Names of episodes are unique in a suite.
@@ -119,8 +172,9 @@ std::string file_stem(const EvaluateOptions& options, const Suite& suite, const 
   const std::string before = options.suites.size() == 1
                                  ? ""
                                  : std::filesystem::path(options.suites[job.suite]).stem().string() + "_";
-  const std::string planner = job.planner.empty() ? "" : "_" + job.planner;
-  return fmt::format("{}{}{}_seed{}", before, suite.options.episodes[job.episode].name, planner, job.seed);
+  std::string planner = job.planner.empty() ? "" : "_" + job.planner;
+  if (!job.variant.empty()) planner += "_" + job.variant;
+  return fmt::format("{}{}{}_seed{}", before, episode_name(suite, job), planner, job.seed);
 }
 
 /// A drive that failed once more, the same to the byte, and recorded: few fail, so that this costs less than to record them all.
@@ -128,7 +182,7 @@ std::string page_of(const EvaluateOptions& options, const Suite& suite, const Jo
                     DriveSettings settings, const std::string& samples_sha256) {
   settings.svg.clear();
   settings.html = std::filesystem::path(options.html_dir) / (file_stem(options, suite, job) + ".html");
-  const DriveResult again = drive(graph_of(suite, job, options.set), settings);
+  const DriveResult again = drive(graph_of(options, suite, job), settings);
   if (cli::interrupted()) return "";
   if (!again.page_fault.empty()) std::cerr << "--html: " << again.page_fault << "\n";
   if (again.json.value("samples_sha256", "") != samples_sha256)
@@ -136,7 +190,26 @@ std::string page_of(const EvaluateOptions& options, const Suite& suite, const Jo
   return std::filesystem::exists(settings.html) ? settings.html.string() : "";
 }
 
-EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, const Job& job) {
+/// Of several robots each that was touched at speed or did not arrive; of one that one.
+void picture_failure(FailureAlbum& album, const std::string& stem, const EpisodeResult& result,
+                     const DriveResult& driven) {
+  const std::string line = in_a_line(result);
+  const std::size_t colon = line.find(": ");
+  for (const HeardDrive& one : driven.heard) {
+    const nlohmann::json& card = one.robot.empty() ? driven.json : driven.json["robots"][one.robot];
+    const bool failed = !card.value("reached", false) || card.value("collisions_at_speed", 1) > 0;
+    if (!failed || album.is_full() || one.recording.moments.empty()) continue;
+    album.add({.name = stem + (one.robot.empty() ? "" : "_" + one.robot),
+               .title = line.substr(0, colon) + (one.robot.empty() ? "" : ", " + one.robot),
+               .outcome = line.substr(colon + 2) + (result.is_excused() ? ", could not succeed" : ""),
+               .contacts = one.contacts,
+               .only_at_speed = true},
+              one.recording);
+  }
+}
+
+EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, const Job& job,
+                        FailureAlbum* album) {
   DriveSettings settings;
   settings.host.clock = ClockMode::lockstep;
   settings.host.seed = static_cast<std::uint64_t>(job.seed);
@@ -144,20 +217,51 @@ EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, cons
   settings.contacts = true;
   if (!options.svg_dir.empty())
     settings.svg = std::filesystem::path(options.svg_dir) / (file_stem(options, suite, job) + ".svg");
-  const nlohmann::json card = drive(graph_of(suite, job, options.set), settings).json;
-  EpisodeResult result{suite.options.episodes[job.episode].name, job.seed, planner_of(card, job), card};
+  const DriveResult driven = drive(graph_of(options, suite, job), settings);
+  const nlohmann::json& card = driven.json;
+  EpisodeResult result{episode_name(suite, job), job.seed, planner_of(card, job), card};
+  if (album != nullptr && !result.succeeded() && !cli::interrupted())
+    picture_failure(*album, file_stem(options, suite, job), result, driven);
   if (!options.html_dir.empty() && !result.succeeded() && !cli::interrupted())
     result.page = page_of(options, suite, job, settings, card.value("samples_sha256", ""));
   return result;
 }
 
+/// `against` where it is one of the rows; else the first is taken: of a suite that was interrupted before it came to that planner.
+std::string known_row(const std::vector<ComparedRow>& rows, const std::string& against) {
+  const bool is_known =
+      std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.name == against; });
+  return is_known ? against : "";
+}
+
+nlohmann::json comparison_of(const std::vector<SuiteResult>& results, const std::string& against) {
+  const std::vector<ComparedRow> rows = compared(results);
+  return nlohmann::json(comparison_json(rows, known_row(rows, against)));
+}
+
+/// Refuses the name of a planner that does not drive.
+void check_against(const EvaluateOptions& options) {
+  std::vector<ComparedRow> rows;
+  for (const std::string& planner : options.planners) {
+    if (planner.empty()) return;  // the graphs name it
+    for (const std::string& variant : options.variants)
+      rows.push_back({variant.empty() ? planner : planner + " " + variant, {}});
+  }
+  row_against(rows, options.against);
+}
+
 /// One suite as an object, several as {suites: [...]}; how many drives were planned and done stands in either.
-/// Written after every drive, so that of an evaluation that is killed there is a file that says so.
-void write_json(const std::string& file, const std::vector<SuiteResult>& results, std::size_t planned) {
+/// Written after every drive, so that of an evaluation that is killed there is a file that says so; comparisons when all is done.
+void write_json(const std::string& file, const std::vector<SuiteResult>& results, std::size_t planned,
+                const std::optional<std::string>& against = std::nullopt) {
   if (file.empty()) return;
   nlohmann::json reports = nlohmann::json::array();
-  for (const SuiteResult& result : results) reports.push_back(to_json(result));
+  for (const SuiteResult& result : results) {
+    reports.push_back(to_json(result));
+    if (against && !result.episodes.empty()) reports.back()["comparison"] = comparison_of({result}, *against);
+  }
   nlohmann::json all = reports.size() == 1 ? reports.front() : nlohmann::json{{"suites", std::move(reports)}};
+  if (against && results.size() > 1) all["comparison"] = comparison_of(results, *against);
   std::size_t driven = 0;
   for (const SuiteResult& result : results) driven += result.episodes.size();
   all["planned"] = planned;
@@ -173,7 +277,38 @@ bool enough_succeeded(const SuiteResult& result, double share) {
   });
 }
 
+/// Means and pairs, of each suite and of all.
+std::string comparisons_in_words(const std::vector<SuiteResult>& results, const std::string& against) {
+  std::string out;
+  const auto add = [&](const std::string& name, const std::vector<ComparedRow>& rows) {
+    if (!rows.empty()) out += "\n" + name + "\n" + comparison_in_words(rows, known_row(rows, against));
+  };
+  for (const SuiteResult& result : results)
+    add(std::filesystem::path(result.suite).stem().string(), compared({result}));
+  if (results.size() > 1) add("all suites", compared(results));
+  return out;
+}
+
+/// Drives of earlier evaluations, summed up again.
+int sum_up(const EvaluateOptions& options) {
+  std::vector<SuiteResult> results;
+  std::size_t driven = 0;
+  for (const std::string& text : options.from) {
+    const std::size_t colon = text.find(':');
+    const std::string label = colon == std::string::npos ? "" : text.substr(0, colon);
+    read_results(colon == std::string::npos ? text : text.substr(colon + 1), label, results);
+  }
+  for (const SuiteResult& result : results) driven += result.episodes.size();
+  row_against(compared(results), options.against);
+  std::cout << in_words(results) << comparisons_in_words(results, options.against);
+  write_json(options.json, results, driven, options.against);
+  return 0;
+}
+
 int evaluate(const EvaluateOptions& options) {
+  if (!options.from.empty()) return sum_up(options);
+  if (options.suites.empty()) throw std::runtime_error("a suite must be named, or --from a file");
+  check_against(options);
   if (!options.html_dir.empty()) require_page("--html " + options.html_dir);
   std::vector<Suite> suites;
   std::vector<SuiteResult> results;
@@ -183,13 +318,15 @@ int evaluate(const EvaluateOptions& options) {
   }
   const std::vector<Job> jobs = jobs_of(options, suites);
   // A mistake in the last episode is found before the first one is driven.
-  for (const Job& job : jobs) graph_of(suites[job.suite], job, options.set);
+  for (const Job& job : jobs) graph_of(options, suites[job.suite], job);
 
   std::size_t driven = 0;
   write_json(options.json, results, jobs.size());
   cli::catch_interrupts();
+  std::optional<FailureAlbum> album;
+  if (!options.failures_dir.empty()) album.emplace(options.failures_dir);
   for (const Job& job : jobs) {
-    const EpisodeResult result = drive_job(options, suites[job.suite], job);
+    const EpisodeResult result = drive_job(options, suites[job.suite], job, album ? &*album : nullptr);
     if (cli::interrupted()) break;
     results[job.suite].episodes.push_back(result);
     write_json(options.json, results, jobs.size());
@@ -198,6 +335,10 @@ int evaluate(const EvaluateOptions& options) {
   }
 
   std::cout << in_words(results);
+  if (driven > 0) {
+    std::cout << comparisons_in_words(results, options.against);
+    write_json(options.json, results, jobs.size(), options.against);
+  }
   if (driven < jobs.size()) std::cout << fmt::format("interrupted: {} of {} drives\n", driven, jobs.size());
   const bool enough = std::all_of(results.begin(), results.end(), [&](const SuiteResult& result) {
     return enough_succeeded(result, options.at_least);
@@ -208,7 +349,7 @@ int evaluate(const EvaluateOptions& options) {
 CLI::App* add_evaluate(CLI::App& app, int& status) {
   auto options = std::make_shared<EvaluateOptions>();
   CLI::App* verb = app.add_subcommand("evaluate", "Drives suites of episodes in lock-step and sums up");
-  verb->add_option("SUITE", options->suites, "Suite files")->required();
+  verb->add_option("SUITE", options->suites, "Suite files");
   verb->add_option("--planners", options->planners,
                    "Algorithms of local_planner, separated by commas; default: the graph's own")
       ->delimiter(',');
@@ -224,6 +365,21 @@ CLI::App* add_evaluate(CLI::App& app, int& status) {
   verb->add_option(
       "--html", options->html_dir,
       "Writes a page of every drive that failed into this folder: it plays the drive, and needs no server");
+  verb->add_option("--failures", options->failures_dir,
+                   "Pictures of the first 30 drives that failed, and a page of them, go into this folder");
+  verb->add_option("--variants", options->variants,
+                   "Conditions that the suite names, as ideal,own: each planner drives under each")
+      ->delimiter(',');
+  verb->add_option(
+      "--vary", options->vary,
+      "component.param=value,value,...: every episode once with each, as navigator.goal.delay=0.6,1.0,1.4");
+  verb->add_option(
+      "--against", options->against,
+      "The planner that the others are held against, with its variant: \"eteb ideal\"; default: the first");
+  verb->add_option(
+          "--from", options->from,
+          "[LABEL:]FILE: drives nothing, sums up what earlier evaluations wrote; a label tells planners of two files apart")
+      ->allow_extra_args(false);
   verb->add_option("--at-least", options->at_least,
                    "Exit status 1 when a planner's share of successes is lower")
       ->check(CLI::Range(0.0, 1.0));

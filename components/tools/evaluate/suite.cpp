@@ -4,21 +4,13 @@
 #include <cctype>
 #include <cstdlib>
 #include <set>
+#include <stdexcept>
 
 #include "runtime/parameters/parameters.hpp"
 #include "runtime/parameters/yaml_file.hpp"
 
 namespace bw {
 namespace {
-
-/// Names become file names.
-bool is_name(const std::string& text) {
-  const auto is_allowed = [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-';
-  };
-  return !text.empty() && text.size() <= 100 && text.front() != '.' &&
-         std::all_of(text.begin(), text.end(), is_allowed);
-}
 
 /// `text` with every ${NAME} replaced.
 std::string with_environment(const std::string& text, const Location& where) {
@@ -69,23 +61,47 @@ void read_overrides(const ConfigNode& root, const std::string& key, std::vector<
 
 }  // namespace
 
+bool is_episode_name(const std::string& text) {
+  const auto is_allowed = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-';
+  };
+  return !text.empty() && text.size() <= 100 && text.front() != '.' &&
+         std::all_of(text.begin(), text.end(), is_allowed);
+}
+
 std::optional<std::string> SuiteOptions::violated_rule() const {
   if (graph.empty()) return "graph must name a graph file";
   if (episodes.empty()) return "episodes must hold at least one";
   std::set<std::string> names;
   for (const SuiteEpisode& episode : episodes) {
-    if (!is_name(episode.name)) {
+    if (!is_episode_name(episode.name)) {
       return "an episode's name must be letters, digits, dot, _ and -, not '" + episode.name + "'";
     }
     if (!names.insert(episode.name).second) return "two episodes are named '" + episode.name + "'";
   }
+  names.clear();
+  for (const SuiteVariant& variant : variants) {
+    if (!is_episode_name(variant.name)) {
+      return "a variant's name must be letters, digits, dot, _ and -, not '" + variant.name + "'";
+    }
+    if (!names.insert(variant.name).second) return "two variants are named '" + variant.name + "'";
+  }
   return std::nullopt;
 }
 
-Graph Suite::graph_of(std::size_t episode) const {
+Graph Suite::graph_of(std::size_t episode, const std::string& variant) const {
   Graph loaded = load_graph(graph);
   for (const Override& change : overrides[episode]) apply_override(loaded, change);
-  return loaded;
+  if (variant.empty()) return loaded;
+  std::string known;
+  for (std::size_t i = 0; i < options.variants.size(); ++i) {
+    known += (i == 0 ? "" : ", ") + options.variants[i].name;
+    if (options.variants[i].name != variant) continue;
+    for (const Override& change : variant_overrides[i]) apply_override(loaded, change);
+    return loaded;
+  }
+  throw std::runtime_error("--variants " + variant + ": the suite of " + graph.string() + " has " +
+                           (known.empty() ? "none" : known));
 }
 
 Suite load_suite(const std::filesystem::path& file) {
@@ -99,6 +115,11 @@ Suite load_suite(const std::filesystem::path& file) {
   for (std::size_t i = 0; i < suite.options.episodes.size(); ++i) {
     suite.overrides.push_back(common);
     read_overrides(root, "episodes." + std::to_string(i) + ".set", suite.overrides.back(), violations);
+  }
+  for (std::size_t i = 0; i < suite.options.variants.size(); ++i) {
+    suite.variant_overrides.emplace_back();
+    read_overrides(root, "variants." + std::to_string(i) + ".set", suite.variant_overrides.back(),
+                   violations);
   }
   throw_if_any(std::move(violations));
   return suite;

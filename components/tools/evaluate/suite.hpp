@@ -4,6 +4,8 @@
 //   time_limit: 120.0
 //   seeds: {first: 1, last: 20}       # every episode is driven with every seed
 //   set: [world.people_react=false]   # for all episodes, as `bandwagon run --set`
+//   variants:                         # conditions chosen by --variants; the suite as it is has none of them
+//     - {name: own, set: [people.enabled=true]}
 //   episodes:
 //     - name: full
 //     - {name: light, set: ["world.people.social.walkers=[]"]}
@@ -50,11 +52,24 @@ struct SuiteEpisode {
   }
 };
 
+/// A condition that all episodes may be driven under.
+struct SuiteVariant {
+  std::string name;
+  std::vector<std::string> set;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("name", name, {.doc = "unique in the suite; letters, digits, dot, _ and -"});
+    v("set", set, {.doc = "component.param=value, after those of the episode"});
+  }
+};
+
 struct SuiteOptions {
   std::string graph;
   double time_limit = 180.0;
   SeedRange seeds;
   std::vector<std::string> set;
+  std::vector<SuiteVariant> variants;
   std::vector<SuiteEpisode> episodes;
 
   template <class Visitor>
@@ -64,6 +79,8 @@ struct SuiteOptions {
       {.unit = "s", .min = 1, .max = 1e5, .doc = "a drive that lasts longer has failed; component clock"});
     v("seeds", seeds, {.doc = "every episode is driven with each"});
     v("set", set, {.doc = "component.param=value, for all episodes"});
+    v("variants", variants,
+      {.doc = "conditions that all episodes may be driven under, chosen by --variants"});
     v("episodes", episodes, {.doc = "the drives"});
   }
 
@@ -75,9 +92,15 @@ struct Suite {
   std::filesystem::path graph;                   ///< resolved
   std::vector<std::vector<Override>> overrides;  ///< of each episode: the suite's, then its own
 
-  /// Throws ConfigError.
-  Graph graph_of(std::size_t episode) const;
+  std::vector<std::vector<Override>> variant_overrides;  ///< of each variant
+
+  /// `variant`: a name of options.variants; empty: the suite as it is. Throws ConfigError, and std::runtime_error naming the known
+  /// variants.
+  Graph graph_of(std::size_t episode, const std::string& variant = "") const;
 };
+
+/// Names become file names: letters, digits, dot, _ and -, not beginning with a dot, 100 at most.
+bool is_episode_name(const std::string& text);
 
 /// Throws ConfigError naming file, line, key and rule; so does an environment variable that is not set.
 Suite load_suite(const std::filesystem::path& file);

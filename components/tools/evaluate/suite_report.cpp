@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -187,6 +190,54 @@ std::string in_words(const std::vector<SuiteResult>& results) {
       out += fmt::format("contacts in {} of {}: {}\n", std::filesystem::path(result.suite).stem().string(),
                          planner, hits_of(drives).in_words());
   return out;
+}
+
+std::vector<ComparedRow> compared(const std::vector<SuiteResult>& results) {
+  std::vector<ComparedRow> rows;
+  for (const SuiteResult& result : results) {
+    for (const auto& [planner, drives] : by_planner(result)) {
+      auto row =
+          std::find_if(rows.begin(), rows.end(), [&name = planner](const auto& r) { return r.name == name; });
+      if (row == rows.end()) row = rows.insert(row, {planner, {}});
+      for (const EpisodeResult* drive : drives) {
+        constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+        const auto value = [&](const char* key) { return figure(drive->card, key).value_or(kUnknown); };
+        row->episodes.push_back({.key = fmt::format("{} {} {}", result.suite, drive->name, drive->seed),
+                                 .success = drive->succeeded(),
+                                 .possible = !drive->is_excused(),
+                                 .collision_index = value("max_collision_index"),
+                                 .closest = value("closest_person_m"),
+                                 .jerk = value("rms_jerk_mps3"),
+                                 .time = value("time_to_goal_s")});
+      }
+    }
+  }
+  return rows;
+}
+
+void read_results(const std::filesystem::path& file, const std::string& label,
+                  std::vector<SuiteResult>& results) {
+  try {
+    std::ifstream in(file);
+    if (!in) throw std::runtime_error("cannot be read");
+    const nlohmann::json root = nlohmann::json::parse(in);
+    const nlohmann::json suites = root.contains("suites") ? root.at("suites") : nlohmann::json::array({root});
+    for (const nlohmann::json& suite : suites) {
+      const std::string name = suite.at("suite").get<std::string>();
+      auto result =
+          std::find_if(results.begin(), results.end(), [&](const auto& r) { return r.suite == name; });
+      if (result == results.end()) result = results.insert(result, {name, {}});
+      for (const nlohmann::json& episode : suite.at("episodes")) {
+        EpisodeResult drive{episode.at("name").get<std::string>(), episode.at("seed").get<std::int64_t>(),
+                            episode.at("planner").get<std::string>() + (label.empty() ? "" : " " + label),
+                            episode};
+        drive.card["planner"] = episode.at("planner_ms");
+        result->episodes.push_back(std::move(drive));
+      }
+    }
+  } catch (const std::exception& error) {
+    throw std::runtime_error(file.string() + ": holds no drives of `evaluate --json`: " + error.what());
+  }
 }
 
 std::string in_a_line(const EpisodeResult& result) {

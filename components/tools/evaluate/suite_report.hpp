@@ -3,14 +3,17 @@
 // not see the robot may walk into one that stands.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "components/tools/comparison/comparison_report.hpp"
+
 namespace bw {
 
-/// One drive: name, seed, planner, and its score card (score_card_json.hpp).
+/// One drive: name, seed, planner (and the condition it drove under), and its score card (score_card_json.hpp).
 struct EpisodeResult {
   std::string name;
   std::int64_t seed = 0;
@@ -41,6 +44,14 @@ nlohmann::json to_json(const SuiteResult& result);
 /// The drives that failed with their contacts, and one table: a row for each suite and planner, planners in the order they were
 /// driven. Below it who hit whom.
 std::string in_words(const std::vector<SuiteResult>& results);
+
+/// The drives of some suites by planner, for a comparison: the same episode of a suite with the same seed is one pair.
+std::vector<ComparedRow> compared(const std::vector<SuiteResult>& results);
+
+/// The drives of a file that to_json() wrote, of one suite or several; `label`, where there is one, is put behind each planner's name.
+/// Throws std::runtime_error naming the file when it holds none.
+void read_results(const std::filesystem::path& file, const std::string& label,
+                  std::vector<SuiteResult>& results);
 
 /// One drive on one line.
 std::string in_a_line(const EpisodeResult& result);

@@ -14,7 +14,6 @@
 #include <sys/resource.h>
 
 #include "components/evaluation/evaluation_parameters.hpp"
-#include "components/evaluation/judged_contact.hpp"
 #include "components/tools/contacts/contact_report.hpp"
 #include "components/tools/drive_page/drive_page.hpp"
 #include "components/tools/program/bag_description.hpp"
@@ -227,6 +226,12 @@ RunFacts facts_of(RunFacts facts, const Host& host, const std::string& planner) 
   return facts;
 }
 
+std::vector<RobotContacts> contacts_of(const std::vector<HeardDrive>& drives) {
+  std::vector<RobotContacts> contacts;
+  for (const HeardDrive& drive : drives) contacts.push_back({drive.robot, drive.contacts});
+  return contacts;
+}
+
 std::string slowest(const Host& host, const std::map<std::string, std::string>& planners) {
   std::string found;
   double longest = -1.0;
@@ -251,7 +256,7 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
 
   DriveResult result{.judged = evaluation != nullptr};
   auto seen = std::make_shared<Observation>();
-  auto heard = std::make_shared<std::optional<RunRecorder>>();
+  std::vector<std::shared_ptr<std::optional<RunRecorder>>> heard;  // of each robot
   Host* running = nullptr;
   std::vector<ExtraComponent> extra;
   if (result.judged) {
@@ -261,11 +266,15 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
       return planner_cycle(running->statistics(), planners.begin()->second).run.quantile_ms(0.5);
     };
     // Contacts are heard by a component that is there anyway: what the run publishes stays the same to the byte.
-    std::optional<CourseListener> listener;
-    if (options.contacts) listener.emplace(heard, course_topics(*evaluation));
+    std::vector<CourseListener> listeners;
+    for (const ComponentNode* node : find_each(graph, "evaluation", "")) {
+      if (!options.contacts) break;
+      heard.push_back(std::make_shared<std::optional<RunRecorder>>());
+      listeners.emplace_back(heard.back(), course_topics(*node));
+    }
     extra.push_back({.name = "run_observer",
                      .component = std::make_unique<RunObserver>(seen, options.show_progress, options.stays,
-                                                                planner_ms, std::move(listener)),
+                                                                planner_ms, std::move(listeners)),
                      .node_namespace = evaluation->node_namespace});
   }
   const auto course = observe_course(options.course ? evaluation : nullptr, extra);
@@ -295,7 +304,12 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
   result.card = seen->card();
   if (*course) result.course = (*course)->recording();
   result.json = to_json(result.card, facts_of(facts, host, slowest(host, planners)), host.statistics());
-  if (*heard) add_contacts(result.json, judge_contacts((*heard)->recording()));
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    if (!*heard[i]) continue;
+    HeardDrive& one = result.heard.emplace_back(seen->robots[i].robot, (*heard[i])->recording());
+    one.contacts = judge_contacts(one.recording);
+  }
+  if (!result.heard.empty()) add_contacts(result.json, contacts_of(result.heard));
   bags.add_to(result.json);
   if (options.host.clock == ClockMode::lockstep)
     result.json["inputs"] = host.was_changed_from_outside() ? "outside" : "graph";
@@ -303,8 +317,10 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
   result.json["process"] = process_json();
   for (const RobotObservation& one : seen->robots) {
     if (!one.robot.empty()) {
-      result.json["robots"][one.robot] =
-          robot_json(one, facts_of(facts, host, planners[one.robot]), host.statistics());
+      nlohmann::json& card = result.json["robots"][one.robot];
+      card = robot_json(one, facts_of(facts, host, planners[one.robot]), host.statistics());
+      for (const HeardDrive& drive : result.heard)
+        if (drive.robot == one.robot) add_contacts(card, {{"", drive.contacts}});
     } else if (one.card) {
       result.json["robot_path"] = path_json(one.path, *one.card);
     }

@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <bandwagon_msgs/msg/score_card.hpp>
 #include <nlohmann/json.hpp>
 
+#include "components/evaluation/judged_contact.hpp"
 #include "components/evaluation/run_recorder.hpp"
 #include "runtime/bag/bag_writer.hpp"
 #include "runtime/graph/graph.hpp"
@@ -26,8 +28,16 @@ struct DriveSettings {
   bool snapshots = false;      ///< as the graph says; else its section `snapshot` is not looked at
   bool show_progress = false;  ///< one refreshing line on stderr
   bool course = false;         ///< keeps what a figure of the drive needs: DriveResult::course
-  bool contacts = false;       ///< the card tells who hit whom, and whether it could have been avoided
-  bool stays = false;          ///< the run goes on for further goals when one is decided
+  bool contacts =
+      false;           ///< the card tells who hit whom, of each robot, and whether it could have been avoided
+  bool stays = false;  ///< the run goes on for further goals when one is decided
+};
+
+/// What was heard of one robot, and its contacts judged by that.
+struct HeardDrive {
+  std::string robot;  ///< empty: the only one
+  RunRecording recording;
+  std::vector<JudgedContact> contacts = {};
 };
 
 struct DriveResult {
@@ -37,6 +47,7 @@ struct DriveResult {
   std::optional<bandwagon_msgs::msg::ScoreCard> card;
   std::string page_fault;              ///< why there is no page, or what is not on it; empty: all is
   std::optional<RunRecording> course;  ///< if asked for, and there was a goal: the first robot's
+  std::vector<HeardDrive> heard;       ///< with DriveSettings::contacts, of each robot
   nlohmann::json json;                 ///< the score card (score_card_json.hpp)
 };
 

@@ -23,11 +23,12 @@ std::optional<bandwagon_msgs::msg::ScoreCard> Observation::card() const {
 
 void RunObserver::configure(Setup& setup) {
   finish_run_ = setup.finish_run();
-  if (course_) course_->listen(setup);
-  for (RobotObservation& robot : seen_->robots) listen(setup, robot);
+  for (CourseListener& course : courses_) course.listen(setup);
+  for (std::size_t i = 0; i < seen_->robots.size(); ++i) listen(setup, i);
 }
 
-void RunObserver::listen(Setup& setup, RobotObservation& robot) {
+void RunObserver::listen(Setup& setup, std::size_t index) {
+  RobotObservation& robot = seen_->robots[index];
   setup.input<bandwagon_msgs::msg::ScoreCard>(
       robot.card_topic, Qos::standard(),
       [this, &robot](const bandwagon_msgs::msg::ScoreCard& card, const Tick& tick) {
@@ -39,8 +40,8 @@ void RunObserver::listen(Setup& setup, RobotObservation& robot) {
       });
   setup.input<bandwagon_msgs::msg::GroundTruth>(
       robot.truth_topic, Qos::standard(),
-      [this, &robot](const auto& truth, const Tick&) {
-        if (course_ && &robot == &seen_->robots.front()) course_->on_truth(truth);
+      [this, &robot, index](const auto& truth, const Tick&) {
+        if (index < courses_.size()) courses_[index].on_truth(truth);
         const Time time = from_stamp(truth.header().stamp());
         if (!robot.path.empty() && time - robot.path.back().time < kPathPeriod) return;
         robot.path.push_back({time, from_pose(truth.pose())});

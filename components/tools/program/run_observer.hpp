@@ -45,26 +45,26 @@ constexpr Duration kPathPeriod = Duration::milliseconds(100);
 class RunObserver final : public Component {
  public:
   /// `show_progress`: write the progress line to stderr, with `planner_ms`, the planner's last known median cycle time. With `stays`
-  /// the run goes on when the goal is decided. `course`: fills that of the first robot; may be nothing.
+  /// the run goes on when the goal is decided. `courses`: of each robot, in their order; may be none.
   RunObserver(std::shared_ptr<Observation> seen, bool show_progress, bool stays,
-              std::function<double()> planner_ms, std::optional<CourseListener> course = std::nullopt)
+              std::function<double()> planner_ms, std::vector<CourseListener> courses = {})
       : seen_(std::move(seen)),
         show_progress_(show_progress),
         stays_(stays),
         planner_ms_(std::move(planner_ms)),
-        course_(std::move(course)) {}
+        courses_(std::move(courses)) {}
 
   void configure(Setup& setup) override;
 
  private:
-  void listen(Setup& setup, RobotObservation& robot);
+  void listen(Setup& setup, std::size_t index);
   void show(const bandwagon_msgs::msg::ScoreCard& card, Time now);
 
   std::shared_ptr<Observation> seen_;
   bool show_progress_;
   bool stays_;
   std::function<double()> planner_ms_;
-  std::optional<CourseListener> course_;
+  std::vector<CourseListener> courses_;
   std::optional<Time> started_;
   std::function<void(bool, const std::string&)> finish_run_;
 };

@@ -51,7 +51,7 @@ nlohmann::json to_json(const ScoredDrive& drive) {
   nlohmann::json json = card_json(to_message(drive.card, drive.pose_errors, make_header("map", {})));
   if (!drive.has_goal) json["has_goal"] = false;
   if (drive.pose_errors.count() == 0) json["localization"] = nullptr;
-  add_contacts(json, drive.contacts);
+  add_contacts(json, {{"", drive.contacts}});
   return json;
 }
 

@@ -1,8 +1,11 @@
 #include "components/tools/bench/bench.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -110,6 +113,55 @@ TEST(BenchCrowd, SeveralPlannersAreAListOfResults) {
   EXPECT_EQ(result["planners"][0]["summary"]["episodes"], 1);
 }
 
+// Two densities, and people who go straight on or react: four crowds, the same discs in all, planners paired in each. The first is
+// what it is alone.
+TEST(BenchCrowd, DenseCrowdsOfSeveralKinds) {
+  BenchCrowdArguments arguments;
+  arguments.first_seed = 5001;
+  arguments.planners = {"orca", "hrvo"};
+  arguments.scene = "seed5001_";
+  arguments.densities = {0.3, 0.5};
+  arguments.walkers = {WalkersManner::straight, WalkersManner::orca};
+  arguments.against = "hrvo";
+  const nlohmann::json all = crowd_result(arguments);
+  ASSERT_EQ(all["crowds"].size(), 4u);
+  EXPECT_EQ(all["crowds"][1]["crowd"], "0.3 per m^2, walkers orca");
+  EXPECT_EQ(all["crowds"][3]["density"], 0.5);
+  for (const nlohmann::json& crowd : all["crowds"]) {
+    EXPECT_EQ(crowd["comparison"]["against"], "hrvo");
+    EXPECT_EQ(crowd["comparison"]["pairs"]["orca"]["pairs"], 1);
+    EXPECT_EQ(crowd["planners"][0]["summary"]["episodes"], 1);
+  }
+  EXPECT_EQ(all["crowds"][2]["planners"][0]["episodes"][0]["name"], "seed5001_56");
+  arguments.densities = {0.3};
+  arguments.walkers = {WalkersManner::straight};
+  const nlohmann::json one = crowd_result(arguments);
+  EXPECT_EQ(without_times(one["planners"][0]), without_times(all["crowds"][0]["planners"][0]));
+}
+
+// One band alone is touched in this crowd today: its picture, with the motion that a search found, and the page. If it is not any
+// more, another scene is needed.
+TEST(BenchCrowd, PicturesOfFailures) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "bench_crowd_failures";
+  std::filesystem::remove_all(folder);
+  BenchCrowdArguments arguments;
+  arguments.planners = {"teb"};
+  arguments.first_seed = 5007;
+  arguments.scene = "seed5007_";
+  arguments.densities = {0.3};
+  arguments.failures = folder.string();
+  const nlohmann::json result = crowd_result(arguments);
+  ASSERT_FALSE(result["episodes"][0]["success"].get<bool>());
+  std::ifstream in(folder / "teb_seed5007_34_straight.svg");
+  const std::string svg{std::istreambuf_iterator<char>(in), {}};
+  const double contact = result["episodes"][0]["contacts"][0]["t"].get<double>();
+  char text[40];
+  std::snprintf(text, sizeof text, "contact %.2f s", contact);
+  EXPECT_NE(svg.find(text), std::string::npos) << text;
+  EXPECT_NE(svg.find("class=\"way-out\""), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
+}
+
 TEST(BenchCrowd, AdjustHasTheLastWordOnTheOptions) {
   // The file's weights set dt_ref to 0.3; a coarser band drives otherwise.
   BenchCrowdArguments arguments;
@@ -130,6 +182,12 @@ TEST(BenchCrowd, RefusesToDriveNothing) {
   arguments.planners = {"teb", "nobody"};
   EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
   arguments.planners = {};
+  EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
+  arguments.planners = {"teb"};
+  arguments.against = "dwa";
+  EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
+  arguments.against = "";
+  arguments.walkers = {};
   EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
 }
 

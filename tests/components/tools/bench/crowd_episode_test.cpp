@@ -1,10 +1,14 @@
 #include "components/tools/bench/crowd_episode.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "components/tools/bench/crowd_generator.hpp"
+#include "components/tools/bench/crowd_people.hpp"
+#include "components/tools/bench/crowd_recording.hpp"
 #include "components/tools/bench/crowd_report.hpp"
 #include "components/tools/bench/crowd_verdict.hpp"
 #include "components/tools/bench/crowd_walk.hpp"
@@ -109,6 +113,76 @@ TEST(CrowdVerdict, WhoStandsBeforeARunnerIsLost) {
   ASSERT_GE(judged.size(), 1U);
   EXPECT_EQ(judged[0].record.closing.who, WhoHit::robot_standing);
   EXPECT_EQ(judged[0].verdict.avoidance, possible::Avoidance::not_avoidable);
+}
+
+ClosedLoop rule_of(WalkersManner walkers) {
+  ClosedLoop rule = *crowd_rules().closed_loop;
+  rule.walkers = walkers;
+  return rule;
+}
+
+/// Where everybody is after 10 s beside a robot that stands at `robot`.
+std::vector<Vector2> after_ten_seconds(const Scene& scene, WalkersManner walkers, const Vector2& robot) {
+  CrowdPeople people(scene, rule_of(walkers));
+  for (int i = 1; i <= 500; ++i) people.move_to(0.02 * i, {robot.x(), robot.y(), 0.0}, {});
+  std::vector<Vector2> places;
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) places.push_back(people.position(i));
+  return places;
+}
+
+// Who goes straight on is where the formula says and sees no robot; who reacts walks otherwise beside another robot, and the same beside
+// the same. Static discs stay.
+TEST(CrowdPeople, WhoReactsSeesTheRobot) {
+  const Scene scene = generate_dense_crowd_scene(5001, 0.3);
+  const SceneBox box = crowd_rules().closed_loop->box;
+  const Vector2 middle{6.0, 0.0};
+  const Vector2 far_away{100.0, 0.0};
+  const std::vector<Vector2> straight = after_ten_seconds(scene, WalkersManner::straight, middle);
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
+    EXPECT_EQ(straight[i], position_at(scene.obstacles[i], box, 0.02 * 500));
+  EXPECT_EQ(straight, after_ten_seconds(scene, WalkersManner::straight, far_away));
+  for (const WalkersManner walkers : {WalkersManner::social, WalkersManner::orca}) {
+    const std::vector<Vector2> beside = after_ten_seconds(scene, walkers, middle);
+    EXPECT_EQ(beside, after_ten_seconds(scene, walkers, middle));
+    EXPECT_NE(beside, after_ten_seconds(scene, walkers, far_away));
+    EXPECT_EQ(beside[0], scene.obstacles[0].position);
+    EXPECT_NE(beside[6], scene.obstacles[6].position);
+  }
+}
+
+// ORCA keeps them apart: discs of 0.3 m whose centres come no nearer than 0.6 m, less what discs that trust each other within 0.1 s overlap.
+TEST(CrowdPeople, WhoWalksByOrcaTouchesNobody) {
+  const Scene scene = generate_dense_crowd_scene(5001, 0.3);
+  CrowdPeople people(scene, rule_of(WalkersManner::orca));
+  double nearest = 1e9;
+  for (int i = 1; i <= 1000; ++i) {
+    people.move_to(0.02 * i, {100.0, 0.0, 0.0}, {});
+    for (std::size_t a = 6; a < scene.obstacles.size(); ++a) {
+      EXPECT_LE(people.velocity(a).norm(), 1.2 + 1e-9);
+      for (std::size_t b = 6; b < a; ++b)
+        nearest = std::min(nearest, (people.position(a) - people.position(b)).norm());
+    }
+  }
+  EXPECT_GT(nearest, 0.58);
+}
+
+// The walks of who reacts are kept for the verdict, from the start to the end; a recorded drive is the same drive.
+TEST(CrowdEpisode, KeepsTheWalksOfWhoReacts) {
+  SceneFile file = crowd_rules();
+  file.closed_loop->timeout = 5.0;
+  const Scene scene = generate_dense_crowd_scene(5002, 0.3);
+  ConstantPlanner planner({0.5, 0.0});
+  EXPECT_TRUE(drive_crowd(scene, file, planner, no_time).walks.empty());
+  file.closed_loop->walkers = WalkersManner::orca;
+  const CrowdEpisode episode = drive_crowd(scene, file, planner, no_time);
+  ASSERT_EQ(episode.walks.size(), 34U);
+  EXPECT_EQ(episode.walks[0].places.front().position, scene.obstacles[6].position);
+  EXPECT_NEAR(episode.walks[0].places.back().time, 5.0, 1e-9);
+  const RunRecording recording = record_crowd(scene, file, planner);
+  ASSERT_EQ(recording.moments.size(), 50U);
+  EXPECT_EQ(recording.shapes.discs.size(), 6U);
+  EXPECT_EQ(recording.moments[20].X_MB, episode.states[20].pose);
+  EXPECT_TRUE(recording.moments[20].people[0].position.isApprox(*episode.walks[0].at(2.0), 1e-9));
 }
 
 // Two of three succeed and the third could not: 2 of 2 where possible. One that is late failed all the same.

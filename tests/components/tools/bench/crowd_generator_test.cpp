@@ -85,6 +85,33 @@ TEST(CrowdGenerator, ASceneDependsOnItsSeedOnly) {
   EXPECT_THROW(generate_crowd(-1, 1), std::runtime_error);
 }
 
+// 14 x 8 m: 0.3 per square metre are 33.6, 0.5 are 56 persons. The discs are those of the same seed.
+TEST(CrowdGenerator, DenseCrowdsHaveTheirDensityAndKeepApart) {
+  for (const auto& [density, walkers] : {std::pair{0.3, 34U}, std::pair{0.5, 56U}}) {
+    for (const Scene& scene : generate_dense_crowd(20, 5001, density)) {
+      SCOPED_TRACE(scene.name);
+      ASSERT_EQ(scene.obstacles.size(), 6U + walkers);
+      for (std::size_t i = 6; i < scene.obstacles.size(); ++i) {
+        const SceneObstacle& a = scene.obstacles[i];
+        EXPECT_TRUE(a.moves());
+        EXPECT_EQ(a.radius, 0.3);
+        EXPECT_GE(a.position.norm() - a.radius, 1.5);
+        EXPECT_NEAR(a.velocity.norm(), 0.75, 0.45 + kRounding);
+        for (std::size_t k = 0; k < i; ++k) {
+          const SceneObstacle& b = scene.obstacles[k];
+          EXPECT_GE((a.position - b.position).norm() - a.radius - b.radius, 0.1 - 1e-9);
+        }
+      }
+    }
+  }
+  const Scene sparse = generate_crowd_scene(5003);
+  const Scene dense = generate_dense_crowd_scene(5003, 0.3);
+  EXPECT_EQ(dense.name, "seed5003_34");
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(dense.obstacles[i].position, sparse.obstacles[i].position);
+  EXPECT_THROW(generate_dense_crowd_scene(1, 0.0), std::runtime_error);
+  EXPECT_THROW(generate_dense_crowd_scene(1, 1.5), std::runtime_error);
+}
+
 TEST(SceneWriter, GeneratedScenesReadBackEqual) {
   SceneFile file = crowd_rules();
   file.scenes = generate_crowd(4, 7);

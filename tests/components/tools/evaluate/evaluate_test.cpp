@@ -124,7 +124,9 @@ TEST(Evaluate, ComparesPlannersOverSeveralSuites) {
                         << "/config/graphs/hallway.yaml\ntime_limit: 5.0\nepisodes: [{name: short}]\n";
     suites += file + " ";
   }
-  const Outcome run = evaluate(suites + "--planners teb,dwa --svg-dir " + (folder() / "svg").string());
+  const Outcome run =
+      evaluate(suites + "--planners teb,dwa --against dwa --svg-dir " + (folder() / "svg").string() +
+               " --failures " + (folder() / "failures").string());
   ASSERT_EQ(run.status, 0);
   ASSERT_EQ(run.json["suites"].size(), 2U);
   EXPECT_EQ(run.json["planned"], 4);
@@ -136,8 +138,41 @@ TEST(Evaluate, ComparesPlannersOverSeveralSuites) {
       EXPECT_GT(suite["summary"][planner]["planner_ms"]["mean"].get<double>(), 0.0);
     }
   }
-  for (const char* picture : {"one_short_teb_seed1.svg", "two_short_dwa_seed1.svg"})
-    EXPECT_TRUE(std::filesystem::exists(folder() / "svg" / picture)) << picture;
+  for (const char* picture :
+       {"svg/one_short_teb_seed1.svg", "svg/two_short_dwa_seed1.svg", "failures/one_short_teb_seed1.svg",
+        "failures/two_short_dwa_seed1.svg", "failures/index.html"})
+    EXPECT_TRUE(std::filesystem::exists(folder() / picture)) << picture;
+  // All four ended with their time: nobody succeeded, alone or together.
+  EXPECT_EQ(run.json["comparison"]["against"], "dwa");
+  const nlohmann::json& pair = run.json["comparison"]["pairs"]["teb"];
+  EXPECT_EQ(pair["pairs"], 2);
+  EXPECT_EQ(pair["both"], 0);
+  EXPECT_EQ(pair["mcnemar_p"], 1.0);
+  EXPECT_EQ(run.json["suites"][1]["comparison"]["pairs"]["teb"]["pairs"], 1);
+}
+
+// Two conditions, two departures (the pose is known after 3 s): four drives in two pairs; summed up again from the file they are the same.
+TEST(Evaluate, PairsConditionsAndDepartures) {
+  const std::string suite = (folder() / "short.yaml").string();
+  std::ofstream(suite)
+      << "graph: " << BANDWAGON_SOURCE_DIR
+      << "/config/graphs/hallway.yaml\ntime_limit: 5.0\nepisodes: [{name: short}]\n"
+         "variants: [{name: alone, set: ['world.people.social.walkers=[]']}, {name: full}]\n";
+  const Outcome run =
+      evaluate(suite + " --planners dwa --variants alone,full --vary navigator.goal.delay=0.5,4.0");
+  ASSERT_EQ(run.status, 0);
+  ASSERT_EQ(run.json["episodes"].size(), 4U);
+  EXPECT_EQ(run.json["episodes"][1]["name"], "short_4.0");
+  EXPECT_EQ(run.json["episodes"][3]["planner"], "dwa full");
+  EXPECT_EQ(run.json["comparison"]["pairs"]["dwa full"]["pairs"], 2);
+  EXPECT_NE(run.json["episodes"][0]["samples_sha256"], run.json["episodes"][1]["samples_sha256"]);
+  const std::string kept = (folder() / "kept.json").string();
+  std::filesystem::copy_file(folder() / "out.json", kept, std::filesystem::copy_options::overwrite_existing);
+  const Outcome again = evaluate("--from " + kept + " --from later:" + kept + " --against \"dwa full\"");
+  ASSERT_EQ(again.status, 0);
+  EXPECT_EQ(again.json["driven"], 8);
+  EXPECT_EQ(again.json["comparison"]["pairs"]["dwa full later"]["pairs"], 2);
+  EXPECT_EQ(again.json["summary"]["dwa alone later"], run.json["summary"]["dwa alone"]);
 }
 
 // However an evaluation ends before its time, its file says how far it came. Twenty drives of 5 s are planned; the
@@ -178,6 +213,11 @@ TEST(Evaluate, RefusesWhatItCannotRun) {
   EXPECT_EQ(evaluate(kSuites + "hallway.yaml --seeds 4..2").status, 2);
   EXPECT_EQ(evaluate(kSuites + "hallway.yaml --shard 3/2").status, 2);
   EXPECT_EQ(evaluate(kSuites + "hallway.yaml --episode nobody").status, 2);
+  EXPECT_EQ(evaluate(kSuites + "hallway.yaml --variants own").status, 2);
+  EXPECT_EQ(evaluate(kSuites + "hallway.yaml --vary navigator.goal.delay").status, 2);
+  EXPECT_EQ(evaluate(kSuites + "hallway.yaml --planners teb,dwa --against eteb").status, 2);
+  EXPECT_EQ(evaluate("--from no_such.json").status, 2);
+  EXPECT_EQ(evaluate("").status, 2);
 }
 
 // Recorded people: whoever was there is met again.

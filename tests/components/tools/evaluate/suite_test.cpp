@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "components/tools/contacts/contact_report.hpp"
 #include "components/tools/evaluate/suite_report.hpp"
 
 namespace bw {
@@ -74,6 +75,27 @@ TEST_F(SuiteFile, RefusesWithFileLineAndRule) {
             "the environment variable NOT_SET_ANYWHERE must be set");
   EXPECT_EQ(refusal("graph: g.yaml\nepisodes:\n  - name: a\n    set: [world.map]\n"),
             "suite.yaml:4: world.map: must have the form component.param=value");
+}
+
+// A variant comes after the episode's own; one without `set` is the suite as it is.
+TEST_F(SuiteFile, VariantsAreConditionsOfAllEpisodes) {
+  const Suite suite = load(
+      "graph: graph.yaml\nset: [world.people_react=false]\nvariants:\n  - {name: as_is}\n"
+      "  - {name: other, set: [world.people_react=true]}\nepisodes: [{name: a, set: [world.people_react=maybe]}]\n");
+  const auto people_react = [&](const std::string& variant) {
+    return suite.graph_of(0, variant).find("world")->parameters.find("people_react")->scalar;
+  };
+  EXPECT_EQ(people_react(""), "maybe");
+  EXPECT_EQ(people_react("as_is"), "maybe");
+  EXPECT_EQ(people_react("other"), "true");
+  try {
+    suite.graph_of(0, "own");
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("has as_is, other"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(refusal("graph: g.yaml\nvariants: [{name: a}, {name: a}]\nepisodes: [{name: a}]\n"),
+            "suite.yaml:1: two variants are named 'a'");
 }
 
 TEST_F(SuiteFile, AnOverrideOfNothingNamesTheSuite) {
@@ -179,6 +201,74 @@ TEST(SuiteReport, TellsSuccessWhereItWasPossible) {
       std::string::npos)
       << words;
   EXPECT_NE(words.find("contacts in suite of teb: 1 person_behind, 1 mid_floor"), std::string::npos) << words;
+}
+
+// Two suites of two episodes; by own senses the second of each fails: two pairs of four are the first's alone, p = 2 / 2^2.
+TEST(SuiteReport, ComparesPlannersAndConditionsByEpisodeAndSeed) {
+  const auto by = [](const std::string& name, const std::string& planner, bool reached) {
+    EpisodeResult result = drive(name, reached, 0, 0, reached ? 0.1 : 0.6);
+    result.planner = planner;
+    return result;
+  };
+  const std::vector<EpisodeResult> drives = {by("a", "eteb ideal", true), by("b", "eteb ideal", true),
+                                             by("b", "eteb own", false), by("a", "eteb own", true)};
+  const std::vector<ComparedRow> rows = compared({{"x/eth.yaml", drives}, {"x/hotel.yaml", drives}});
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].name, "eteb ideal");
+  const Comparison c = compare(rows[0].episodes, rows[1].episodes);
+  EXPECT_EQ(c.pairs, 4);
+  EXPECT_EQ(c.only_first, 2);
+  EXPECT_EQ(c.only_second, 0);
+  EXPECT_DOUBLE_EQ(c.p, 0.5);
+  EXPECT_EQ(c.both, 2);
+  EXPECT_DOUBLE_EQ(c.closest.mean, 0.0);
+}
+
+// What was written is read again, under another name: before and after.
+TEST(SuiteReport, ReadsWhatItWrote) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "bandwagon_suite_report.json";
+  const SuiteResult one{"x/eth.yaml", {drive("a", true, 0, 0, 0.1), drive("b", false, 0, 0, 0.3)}};
+  std::ofstream(file) << nlohmann::json{{"suites", {to_json(one), to_json({"x/hotel.yaml", one.episodes})}}};
+  std::vector<SuiteResult> read;
+  read_results(file, "", read);
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(to_json(read[0]), to_json(one));
+  std::ofstream(file) << to_json(one);
+  read_results(file, "before", read);
+  ASSERT_EQ(read.size(), 2U);
+  ASSERT_EQ(read[0].episodes.size(), 4U);
+  EXPECT_EQ(read[0].episodes[3].planner, "teb before");
+  EXPECT_EQ(compared(read)[1].episodes.size(), 2U);
+  std::ofstream(file) << "{}";
+  EXPECT_THROW(read_results(file, "", read), std::runtime_error);
+  EXPECT_THROW(read_results("no_such.json", "", read), std::runtime_error);
+}
+
+JudgedContact at_speed(double time, possible::Avoidance avoidance) {
+  JudgedContact judged;
+  judged.record.time = time;
+  judged.record.at_speed = true;
+  judged.is_judged = true;
+  judged.verdict.avoidance = avoidance;
+  return judged;
+}
+
+// Two robots, a contact at speed each: success of both was impossible only if neither could be avoided.
+TEST(ContactReport, JudgesAllRobots) {
+  const JudgedContact lost = at_speed(3.0, possible::Avoidance::not_avoidable);
+  const JudgedContact open = at_speed(4.0, possible::Avoidance::avoidable);
+  nlohmann::json card = {{"reached", true}, {"collisions_at_speed", 2}};
+  add_contacts(card, {{"robot1", {lost}}, {"robot2", {open}}});
+  EXPECT_EQ(card["contacts"].size(), 2U);
+  EXPECT_EQ(card["contacts"][1]["robot"], "robot2");
+  EXPECT_EQ(card["possible"], true);
+  EXPECT_EQ(contacts_in_words(card, "").substr(0, 28), "robot1 at 3.00 s person 0: r");
+  add_contacts(card, {{"robot1", {lost}}, {"robot2", {lost}}});
+  EXPECT_EQ(card["possible"], false);
+  add_contacts(card, {{"robot1", {lost}}, {"robot2", {}}});  // the second contact was with a wall
+  EXPECT_EQ(card["possible"], true);
+  add_contacts(card, {{"", {lost}}});
+  EXPECT_FALSE(card["contacts"][0].contains("robot"));
 }
 
 // One row for each suite and planner, planners in the order of --planners and not of the alphabet.

@@ -1,0 +1,45 @@
+// Drives that failed, each as a picture, and one page of all of them (book 8.10).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "components/evaluation/judged_contact.hpp"
+#include "components/evaluation/run_recorder.hpp"
+
+namespace bw {
+
+struct FailedDrive {
+  std::string name;     ///< of its file, without .svg
+  std::string title;    ///< which drive
+  std::string outcome;  ///< one line: how it ended
+  std::vector<JudgedContact> contacts;
+  bool only_at_speed = false;  ///< contacts of a robot that stood do not count
+};
+
+/// The contact that made the drive fail: the first that counts, else the first; nothing without any.
+std::optional<JudgedContact> deciding_contact(const FailedDrive& drive);
+
+class FailureAlbum {
+ public:
+  /// `most`: pictures of further drives are not made.
+  explicit FailureAlbum(std::filesystem::path folder, int most = 30)
+      : folder_(std::move(folder)), most_(most) {}
+
+  bool is_full() const { return static_cast<int>(drives_.size()) >= most_; }
+
+  /// Writes `<name>.svg`, and index.html anew. Throws std::runtime_error when it cannot. `recording` needs a moment.
+  void add(const FailedDrive& drive, const RunRecording& recording);
+
+ private:
+  std::filesystem::path folder_;
+  int most_;
+  std::vector<FailedDrive> drives_;
+};
+
+/// The page: a picture and its words for each.
+std::string failures_page(const std::vector<FailedDrive>& drives);
+
+}  // namespace bw

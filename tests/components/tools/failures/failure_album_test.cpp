@@ -1,0 +1,69 @@
+#include "components/tools/failures/failure_album.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace bw {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+RunRecording recording() {
+  RunRecording drive;
+  drive.robot = Footprint{0.3, {}};
+  for (int i = 0; i <= 20; ++i)
+    drive.moments.push_back(
+        {.time = 0.1 * i, .X_MB = {0.1 * i, 0.0, 0.0}, .people = {{4, {2.0, 0.5}, {0.0, 0.0}, 0.3}}});
+  return drive;
+}
+
+JudgedContact contact(double time, bool at_speed) {
+  JudgedContact judged;
+  judged.record.time = time;
+  judged.record.person = 4;
+  judged.record.at_speed = at_speed;
+  return judged;
+}
+
+// Where only contacts at speed count, the first of those is what made it fail.
+TEST(FailureAlbum, TheDecidingContactIsTheFirstThatCounts) {
+  FailedDrive drive{.name = "a", .contacts = {contact(1.0, false), contact(2.0, true)}};
+  EXPECT_EQ(deciding_contact(drive)->record.time, 1.0);
+  drive.only_at_speed = true;
+  EXPECT_EQ(deciding_contact(drive)->record.time, 2.0);
+  drive.contacts.pop_back();
+  EXPECT_EQ(deciding_contact(drive)->record.time, 1.0);
+  drive.contacts.clear();
+  EXPECT_FALSE(deciding_contact(drive).has_value());
+}
+
+TEST(FailureAlbum, WritesPicturesAndOnePageUpToItsNumber) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "bandwagon_failure_album";
+  std::filesystem::remove_all(folder);
+  FailureAlbum album(folder, 2);
+  album.add({.name = "one", .title = "first & only", .outcome = "late"}, recording());
+  EXPECT_FALSE(album.is_full());
+  album.add({.name = "two", .title = "second", .outcome = "touched", .contacts = {contact(1.5, true)}},
+            recording());
+  EXPECT_TRUE(album.is_full());
+  EXPECT_THAT(text_of(folder / "one.svg"), HasSubstr("first &amp; only"));
+  EXPECT_THAT(text_of(folder / "two.svg"), HasSubstr("1.50 s person 4: robot_standing"));
+  const std::string page = text_of(folder / "index.html");
+  EXPECT_THAT(page, HasSubstr("Failed drives: 2"));
+  EXPECT_THAT(page, HasSubstr("<img src=\"one.svg\" alt=\"first &amp; only\""));
+  EXPECT_THAT(page, HasSubstr("second: touched<br/>1.50 s person 4: robot_standing"));
+}
+
+}  // namespace
+}  // namespace bw
