@@ -2,6 +2,8 @@
 // the same costs and normal equations, damp every variable alike, and end at the same minimum.
 #pragma once
 
+#include <limits>
+
 #include "components/local_planner/teb/band_evaluation.hpp"
 
 namespace bw::teb {
@@ -9,6 +11,14 @@ namespace bw::teb {
 struct SolveLimits {
   int max_iterations = 0;
   double function_tolerance = 0.0;  ///< relative gain of an iteration below which the solve ends
+  double rival = std::numeric_limits<double>::infinity();  ///< cost that another band has already
+
+  /// Whether a band of this cost stays above its rival even if each of the iterations left gains as much as the last
+  /// of these did. Gains mostly fall, so that little is lost with a band that is given up then.
+  bool is_lost(double cost, double gain, int iterations) const {
+    return iterations >= kFewest && cost - gain * (max_iterations - iterations) > rival;
+  }
+  static constexpr int kFewest = 3;  ///< iterations before that is asked: the first gains say little
 };
 
 struct SolveReport {

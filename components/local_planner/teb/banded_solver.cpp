@@ -54,7 +54,7 @@ SolveReport solve_banded(Band& band, BandEvaluation& evaluation, NormalEquations
       damping *= growth;
       growth *= 2.0;
     }
-    if (report.converged) {
+    if (report.converged || (gain > 0.0 && limits.is_lost(cost, gain, report.iterations + 1))) {
       ++report.iterations;
       break;
     }

@@ -128,6 +128,22 @@ std::vector<Range> parameter_blocks(std::size_t poses) {
   return blocks;
 }
 
+// Ends the solve of a band that is lost to its rival.
+class Comparison final : public ceres::IterationCallback {
+ public:
+  explicit Comparison(const SolveLimits& limits) : limits_(limits) {}
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& last) override {
+    // Ceres has half of the sum of the squares.
+    const bool is_lost =
+        last.step_is_successful && limits_.is_lost(2.0 * last.cost, 2.0 * last.cost_change, last.iteration);
+    return is_lost ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  SolveLimits limits_;
+};
+
 ceres::Solver::Options solver_options(const SolveLimits& limits, double radius) {
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
@@ -168,7 +184,10 @@ SolveReport solve_with_ceres(Band& band, BandEvaluation& evaluation, NormalEquat
     problem.AddResidualBlock(&functions.back(), nullptr, blocks);
   }
   ceres::Solver::Summary summary;
-  ceres::Solve(solver_options(limits, band.trust_radius), &problem, &summary);
+  ceres::Solver::Options solver = solver_options(limits, band.trust_radius);
+  Comparison comparison(limits);
+  if (std::isfinite(limits.rival)) solver.callbacks.push_back(&comparison);
+  ceres::Solve(solver, &problem, &summary);
   SolveReport report;
   report.usable = summary.IsSolutionUsable();
   report.converged = summary.termination_type == ceres::CONVERGENCE;
