@@ -17,14 +17,13 @@ constexpr double kLargestCarriedRadius = 1e3;
 
 // Nothing when the band has an interval too short to divide by.
 std::optional<SolveReport> solve(Band& band, BandEvaluation& evaluation, const BandOptions& options,
-                                 int iterations, double rival) {
+                                 SolveLimits limits) {
   if (!evaluation.evaluate(band.poses.data())) return std::nullopt;
   NormalEquations equations;
   const double first_radius = kFirstRadiusScale / evaluation.linearise(equations);
   band.trust_radius = band.trust_radius > 0.0
                           ? std::clamp(band.trust_radius, first_radius, kLargestCarriedRadius)
                           : first_radius;
-  const SolveLimits limits{iterations, options.function_tolerance, rival};
   switch (options.solver) {
     case Solver::banded:
       return solve_banded(band, evaluation, equations, limits);
@@ -53,7 +52,12 @@ BandReport optimize(Band& band, const BandScene& scene, const BandOptions& optio
     BandEvaluation evaluation(problem);
     const int iterations = std::min(inner, effort.max_iterations - report.iterations);
     if (iterations > 0) {
-      const std::optional<SolveReport> solved = solve(band, evaluation, options, iterations, effort.rival);
+      SolveLimits limits{iterations, options.function_tolerance, effort.rival};
+      // A plan through a crowd is far from done after a first plan's iterations.
+      if (!warm && i + 1 == outer)
+        limits.overtime =
+            std::min(kFirstPlanOvertime, effort.max_iterations - report.iterations - iterations);
+      const std::optional<SolveReport> solved = solve(band, evaluation, options, limits);
       report.usable = solved && solved->usable && band.is_finite();
       if (solved) report.iterations += solved->iterations;
       if (!report.usable) return report;

@@ -128,20 +128,21 @@ std::vector<Range> parameter_blocks(std::size_t poses) {
   return blocks;
 }
 
-// Ends the solve of a band that is lost to its rival.
-class Comparison final : public ceres::IterationCallback {
+// Ends a solve that is lost, or has spent its iterations.
+class Watch final : public ceres::IterationCallback {
  public:
-  explicit Comparison(const SolveLimits& limits) : limits_(limits) {}
+  Watch(const SolveLimits& limits, double cost) : progress_(limits, cost) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& last) override {
+    if (last.iteration == 0) return ceres::SOLVER_CONTINUE;
     // Ceres has half of the sum of the squares.
-    const bool is_lost =
-        last.step_is_successful && limits_.is_lost(2.0 * last.cost, 2.0 * last.cost_change, last.iteration);
-    return is_lost ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    const double gain = last.step_is_successful ? 2.0 * last.cost_change : 0.0;
+    return progress_.ends(2.0 * last.cost, gain) ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                                 : ceres::SOLVER_CONTINUE;
   }
 
  private:
-  SolveLimits limits_;
+  SolveProgress progress_;
 };
 
 ceres::Solver::Options solver_options(const SolveLimits& limits, double radius) {
@@ -156,7 +157,7 @@ ceres::Solver::Options solver_options(const SolveLimits& limits, double radius) 
   solver.min_lm_diagonal = 1.0;
   solver.max_lm_diagonal = 1.0;
   solver.initial_trust_region_radius = radius;
-  solver.max_num_iterations = limits.max_iterations;
+  solver.max_num_iterations = limits.max_iterations + limits.overtime;
   solver.function_tolerance = limits.function_tolerance;
   solver.gradient_tolerance = 1e-8;
   solver.parameter_tolerance = 0.0;  // relative to the coordinates: it would ask less far from the origin
@@ -185,8 +186,8 @@ SolveReport solve_with_ceres(Band& band, BandEvaluation& evaluation, NormalEquat
   }
   ceres::Solver::Summary summary;
   ceres::Solver::Options solver = solver_options(limits, band.trust_radius);
-  Comparison comparison(limits);
-  if (std::isfinite(limits.rival)) solver.callbacks.push_back(&comparison);
+  Watch watch(limits, evaluation.cost().total());
+  solver.callbacks.push_back(&watch);
   ceres::Solve(solver, &problem, &summary);
   SolveReport report;
   report.usable = summary.IsSolutionUsable();

@@ -1,8 +1,6 @@
 // Bands that cannot win are left early: what is driven comes out as if nobody else were there.
 #include "components/local_planner/teb/band_contest.hpp"
 
-#include <limits>
-
 #include <gtest/gtest.h>
 
 #include "components/local_planner/teb/band_selection.hpp"
@@ -46,16 +44,6 @@ struct AroundADisc {
     return improve_all(candidates, problem, field, options, driving, {leaves_losers, 0.95}, kPlenty);
   }
 };
-
-// 10 iterations are allowed, the rival has 5. After 4 of them at cost 9, six gains of 0.5 lead to 6, above it; six of 0.7
-// to 4.8, below. After 2 nothing is said yet.
-TEST(SolveLimits, ABandIsLostWhenItsGainsDoNotLeadBelowItsRival) {
-  const SolveLimits limits{10, 0.0, 5.0};
-  EXPECT_TRUE(limits.is_lost(9.0, 0.5, 4));
-  EXPECT_FALSE(limits.is_lost(9.0, 0.7, 4));
-  EXPECT_FALSE(limits.is_lost(9.0, 0.0, 2));
-  EXPECT_FALSE((SolveLimits{10, 0.0}).is_lost(9.0, 0.0, 9));  // it has none
-}
 
 TEST(BandContest, WithoutItEveryBandIsSolvedAsIfAlone) {
   const AroundADisc scene;
