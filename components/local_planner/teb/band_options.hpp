@@ -91,7 +91,7 @@ constexpr auto choice_table(Solver) {
 /// Fewer poses have none that could move: start and goal stay.
 inline constexpr int kFewestPoses = 3;
 
-/// Iterations that the last solve of a first plan may take beyond its own, as long as six of them still gain a quarter.
+/// Iterations that the last solve of a first plan may take beyond its own, as long as four of them still gain 15 %.
 inline constexpr int kFirstPlanOvertime = 16;
 
 struct BandOptions {

@@ -3,8 +3,8 @@
 namespace bw::teb {
 namespace {
 
-constexpr std::size_t kLookBack = 6;  // iterations over which the fall of the cost is taken
-constexpr double kFastFall = 0.25;    // share of it by which it falls
+constexpr std::size_t kLookBack = 4;  // iterations over which the fall of the cost is taken
+constexpr double kFastFall = 0.15;    // share of it by which it falls
 
 }  // namespace
 

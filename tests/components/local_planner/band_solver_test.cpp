@@ -25,21 +25,21 @@ int iterations_of(const std::vector<double>& costs, const SolveLimits& limits) {
   return -1;
 }
 
-TEST(SolveProgress, GoesOnWhileSixIterationsGainAQuarter) {
-  const SolveLimits limits{.max_iterations = 6, .overtime = 3};
-  // 100 to 78 in six: less than a quarter.
-  EXPECT_EQ(iterations_of({100, 90, 85, 82, 80, 79, 78, 60, 40, 20}, limits), 6);
-  // 40 %, then 90 to 59 and 80 to 58, then no iterations are left.
-  EXPECT_EQ(iterations_of({100, 90, 80, 75, 70, 66, 60, 59, 58, 57, 56}, limits), 9);
-  // 38 %, then 90 to 61, then 70 to 61 after a step that was rejected.
-  EXPECT_EQ(iterations_of({100, 90, 70, 68, 66, 64, 62, 61, 61.5, 61.4}, limits), 8);
-  EXPECT_EQ(iterations_of({100, 50, 25, 12, 6, 3, 2, 1}, {.max_iterations = 6}), 6);  // no overtime
+TEST(SolveProgress, GoesOnWhileFourIterationsGain15Percent) {
+  const SolveLimits limits{.max_iterations = 4, .overtime = 3};
+  // 100 to 86 in four.
+  EXPECT_EQ(iterations_of({100, 96, 92, 89, 86, 60, 40, 20}, limits), 4);
+  // 100 to 80, 95 to 79 and 92 to 78, then no iterations are left.
+  EXPECT_EQ(iterations_of({100, 95, 92, 85, 80, 79, 78, 77, 76}, limits), 7);
+  // 100 to 80, 95 to 79, then 85 to 79 after a step that was rejected.
+  EXPECT_EQ(iterations_of({100, 95, 85, 80.5, 80, 79, 79.5, 79.4, 79.3}, limits), 6);
+  EXPECT_EQ(iterations_of({100, 50, 25, 12, 6, 3}, {.max_iterations = 4}), 4);  // no overtime
 }
 
-// At 51 it is above its rival when its own iterations are spent.
+// At 60 it is above its rival when its own iterations are spent.
 TEST(SolveProgress, ALostBandTakesNoOvertime) {
-  const SolveLimits limits{.max_iterations = 6, .rival = 50.0, .overtime = 8};
-  EXPECT_EQ(iterations_of({100, 88, 76, 66, 60, 55, 51, 40, 30}, limits), 6);
+  const SolveLimits limits{.max_iterations = 4, .rival = 50.0, .overtime = 8};
+  EXPECT_EQ(iterations_of({100, 95, 90, 70, 60, 55, 50, 45}, limits), 4);
 }
 
 }  // namespace
