@@ -10,6 +10,8 @@ constexpr double kGroupSide =
     0.035;                      // [m] of the cell whose capsules are one group: 5 cm from corner to corner
 constexpr double kShort = 0.1;  // [m] axes up to this length are grouped by their middle
 constexpr double kPiece = 1.0;  // [m] of longer ones
+constexpr double kMostPieces = 200.0;  // of one; those of a still longer one are longer
+constexpr double kWide = 2.0;  // [m] half side and radius from which on a group is looked at from everywhere
 constexpr std::size_t kFewestSlots = 64;
 constexpr std::size_t kFewGroups = 32;  // that are looked at one by one
 
@@ -92,7 +94,7 @@ void CapsuleIndex::form_groups() {
     if (group_of[i] != CellNumbers::kNone) continue;
     const Capsule& c = capsules_[i];
     const Vector2 way = c.b - c.a;
-    const double pieces = std::ceil(way.norm() / kPiece);
+    const double pieces = std::min(std::ceil(way.norm() / kPiece), kMostPieces);
     members_.push_back(static_cast<std::uint32_t>(i));
     const auto last = static_cast<std::uint32_t>(members_.size());
     for (double k = 0.0; k < pieces; k += 1.0) {
@@ -104,19 +106,27 @@ void CapsuleIndex::form_groups() {
 }
 
 void CapsuleIndex::file_groups() {
-  std::vector<std::uint32_t> cell_of;
+  std::vector<std::uint32_t> cell_of, filed;
   cell_of.reserve(groups_.size());
-  for (const Group& group : groups_) {
+  filed.reserve(groups_.size());
+  for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+    const Group& group = groups_[g];
+    const double extent = group.radius + 0.5 * (group.high - group.low).maxCoeff();
+    if (extent > kWide) {
+      wide_.push_back(g);
+      continue;
+    }
     const Vector2 middle = 0.5 * (group.low + group.high);
     cell_of.push_back(cells_.number(cell(middle.x(), kCell), cell(middle.y(), kCell)));
-    extent_ = std::max(extent_, group.radius + 0.5 * (group.high - group.low).maxCoeff());
+    filed.push_back(g);
+    extent_ = std::max(extent_, extent);
   }
   cell_begin_.assign(cells_.size() + 1, 0);
   for (const std::uint32_t c : cell_of) ++cell_begin_[c + 1];
   for (std::size_t c = 1; c < cell_begin_.size(); ++c) cell_begin_[c] += cell_begin_[c - 1];
   std::vector<std::uint32_t> next(cell_begin_.begin(), cell_begin_.end() - 1);
-  filed_.resize(groups_.size());
-  for (std::size_t g = 0; g < groups_.size(); ++g) filed_[next[cell_of[g]]++] = static_cast<std::uint32_t>(g);
+  filed_.resize(filed.size());
+  for (std::size_t i = 0; i < filed.size(); ++i) filed_[next[cell_of[i]]++] = filed[i];
 }
 
 }  // namespace bw

@@ -65,7 +65,7 @@ class CapsuleIndex {
     return {members_.data() + group.first, members_.data() + group.last};
   }
   /// visit(group) for every group whose box comes so near to `centre` that a capsule of it may be within `reach` [m]:
-  /// of all capsules within reach none is missed. A long capsule may come several times.
+  /// of all capsules within reach none is missed. A long capsule may come several times, in at most 200 pieces.
   template <class Visit>
   void visit_near(const Vector2& centre, double reach, Visit&& visit) const;
 
@@ -87,7 +87,8 @@ class CapsuleIndex {
   CellNumbers cells_;
   std::vector<std::uint32_t> cell_begin_;
   std::vector<std::uint32_t> filed_;
-  double extent_ = 0.0;  // [m] largest half side of a box, and radius
+  std::vector<std::uint32_t> wide_;  // those that reach so far that they are not filed
+  double extent_ = 0.0;              // [m] largest half side of a box, and radius, of the filed ones
 };
 
 template <class Visit>
@@ -102,6 +103,7 @@ void CapsuleIndex::visit_near(const Vector2& centre, double reach, Visit&& visit
     for (const Group& group : groups_) look_at(group);
     return;
   }
+  for (const std::uint32_t g : wide_) look_at(groups_[g]);
   for (std::int32_t row = cell(centre.y() - aside, kCell); row <= cell(centre.y() + aside, kCell); ++row) {
     for (std::int32_t column = cell(centre.x() - aside, kCell); column <= cell(centre.x() + aside, kCell);
          ++column) {

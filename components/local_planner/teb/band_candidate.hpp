@@ -14,6 +14,7 @@ struct BandCandidate {
   Band band;
   std::string label;     ///< where it came from, for people
   bool kept = false;     ///< a band of the last cycle
+  bool spare = false;    ///< was one too many then: goes on only where its topology is looked for again
   bool driven = false;   ///< the one the robot followed in the last cycle
   bool settled = false;  ///< was a kept band already when it was chosen: its cost had converged
   bool evasive = false;  ///< goes on from an evasive move, not optimised since
@@ -30,12 +31,6 @@ void check(BandCandidate& candidate, const PlanningProblem& problem, const Drivi
 
 /// Optimises the band of `candidate` and checks it.
 void improve(BandCandidate& candidate, const PlanningProblem& problem, const ObstacleField& field,
-             const BandOptions& options, const DrivingOptions& driving, int max_iterations);
-
-/// All of them, each with the same share of the budget, by problem.parallel_for when there is one. The result
-/// does not depend on the order in which that calls. Returns the iterations spent.
-int improve_all(std::vector<BandCandidate>& candidates, const PlanningProblem& problem,
-                const ObstacleField& field, const BandOptions& options, const DrivingOptions& driving,
-                int max_iterations);
+             const BandOptions& options, const DrivingOptions& driving, const Effort& effort);
 
 }  // namespace bw::teb

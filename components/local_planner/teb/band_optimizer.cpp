@@ -1,6 +1,7 @@
 #include "components/local_planner/teb/band_optimizer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "components/local_planner/teb/band_evaluation.hpp"
@@ -16,14 +17,13 @@ constexpr double kLargestCarriedRadius = 1e3;
 
 // Nothing when the band has an interval too short to divide by.
 std::optional<SolveReport> solve(Band& band, BandEvaluation& evaluation, const BandOptions& options,
-                                 int iterations) {
+                                 SolveLimits limits) {
   if (!evaluation.evaluate(band.poses.data())) return std::nullopt;
   NormalEquations equations;
   const double first_radius = kFirstRadiusScale / evaluation.linearise(equations);
   band.trust_radius = band.trust_radius > 0.0
                           ? std::clamp(band.trust_radius, first_radius, kLargestCarriedRadius)
                           : first_radius;
-  const SolveLimits limits{iterations, options.function_tolerance};
   switch (options.solver) {
     case Solver::banded:
       return solve_banded(band, evaluation, equations, limits);
@@ -35,28 +35,34 @@ std::optional<SolveReport> solve(Band& band, BandEvaluation& evaluation, const B
 
 }  // namespace
 
-BandReport optimize(Band& band, const BandScene& scene, const BandOptions& options, int max_iterations) {
+BandReport optimize(Band& band, const BandScene& scene, const BandOptions& options, const Effort& effort) {
   BandReport report;
   if (band.size() < 2 || !band.is_finite()) return report;
-  const bool warm = band.trust_radius > 0.0;
+  const bool warm = band.trust_radius > 0.0 && effort.first_round == 0;
   const int outer = warm ? options.warm_outer_iterations : options.no_outer_iterations;
   const int inner = warm ? options.warm_inner_iterations : options.no_inner_iterations;
   // A first plan is pushed out of obstacles step by step; a kept one is out already and keeps the true
   // weights.
   const double growth_factor = warm ? 1.0 : options.weight_adapt_factor;
-  double growth = 1.0;
-  for (int i = 0; i < outer; ++i, growth *= growth_factor) {
+  const int rounds = std::min(outer, effort.last_round);
+  double growth = std::pow(growth_factor, effort.first_round);
+  for (int i = effort.first_round; i < rounds; ++i, growth *= growth_factor) {
     resize(band, options);
     BandProblem problem(band, scene, options, growth);
     BandEvaluation evaluation(problem);
-    const int iterations = std::min(inner, max_iterations - report.iterations);
+    const int iterations = std::min(inner, effort.max_iterations - report.iterations);
     if (iterations > 0) {
-      const std::optional<SolveReport> solved = solve(band, evaluation, options, iterations);
+      SolveLimits limits{iterations, options.function_tolerance, effort.rival};
+      // A plan through a crowd is far from done after a first plan's iterations.
+      if (!warm && i + 1 == outer)
+        limits.overtime =
+            std::min(kFirstPlanOvertime, effort.max_iterations - report.iterations - iterations);
+      const std::optional<SolveReport> solved = solve(band, evaluation, options, limits);
       report.usable = solved && solved->usable && band.is_finite();
       if (solved) report.iterations += solved->iterations;
       if (!report.usable) return report;
     }
-    if (i + 1 == outer) {
+    if (i + 1 == rounds) {
       problem.clearance_model = ClearanceModel(options, scene.obstacles->footprint, 1.0);
       evaluation.evaluate(band.poses.data());
       const BandCost& cost = evaluation.cost();

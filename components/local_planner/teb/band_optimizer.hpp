@@ -2,6 +2,8 @@
 // every pose. No state of its own: candidates may be optimised in parallel, each with its own Band.
 #pragma once
 
+#include <limits>
+
 #include "components/local_planner/teb/band.hpp"
 #include "components/local_planner/teb/band_options.hpp"
 #include "components/local_planner/teb/obstacle_field.hpp"
@@ -26,8 +28,22 @@ struct BandReport {
       0;  ///< times that an obstacle which costs something near a pose found no place there
 };
 
+/// How much is done for a band.
+struct Effort {
+  int max_iterations = 0;
+  int first_round = 0;                               ///< solves of a first plan made already
+  int last_round = std::numeric_limits<int>::max();  ///< after which it is left for now
+  double rival =
+      std::numeric_limits<double>::infinity();  ///< cost of another band: a solve ends that stays above
+};
+
 /// A band with trust_radius 0 gets the outer and inner iterations of a first plan, any other those of a warm
-/// start. At most `max_iterations` solver iterations are spent.
-BandReport optimize(Band& band, const BandScene& scene, const BandOptions& options, int max_iterations);
+/// start; one that has had some of the solves of its first plan gets the others. At most `max_iterations` solver
+/// iterations are spent.
+BandReport optimize(Band& band, const BandScene& scene, const BandOptions& options, const Effort& effort);
+inline BandReport optimize(Band& band, const BandScene& scene, const BandOptions& options,
+                           int max_iterations) {
+  return optimize(band, scene, options, Effort{.max_iterations = max_iterations});
+}
 
 }  // namespace bw::teb

@@ -91,6 +91,9 @@ constexpr auto choice_table(Solver) {
 /// Fewer poses have none that could move: start and goal stay.
 inline constexpr int kFewestPoses = 3;
 
+/// Iterations that the last solve of a first plan may take beyond its own, as long as four of them still gain 15 %.
+inline constexpr int kFirstPlanOvertime = 16;
+
 struct BandOptions {
   double dt_ref = 0.3;
   double dt_hysteresis = 0.1;
@@ -165,7 +168,11 @@ struct BandOptions {
     v("no_outer_iterations", no_outer_iterations,
       {.min = 1, .max = 20, .doc = "how many times a first plan is solved, resampled in between"});
     v("no_inner_iterations", no_inner_iterations,
-      {.min = 1, .max = 100, .doc = "solver iterations in each solve of a first plan"});
+      {.min = 1,
+       .max = 100,
+       .doc =
+           "solver iterations in each solve of a first plan; the last one goes on, by 16 at most, while its "
+           "cost falls fast"});
     v("warm_outer_iterations", warm_outer_iterations,
       {.min = 1, .max = 20, .doc = "how many times a band kept from the last cycle is solved"});
     v("warm_inner_iterations", warm_inner_iterations,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "components/local_planner/command_limits.hpp"
+#include "components/local_planner/teb/band_contest.hpp"
 #include "components/local_planner/teb/band_trajectory.hpp"
 
 namespace bw::teb {
@@ -128,6 +129,7 @@ std::vector<BandCandidate> BandPlanner::kept_candidates(const PlanningProblem& p
     candidates.push_back({.band = std::move(last.band),
                           .label = std::move(last.label),
                           .kept = true,
+                          .spare = last.spare,
                           .driven = last.driven,
                           .settled = last.settled,
                           .evasive = last.evasive,
@@ -156,8 +158,12 @@ void BandPlanner::add_new_bands(Cycle& cycle) const {
 }
 
 void BandPlanner::improve_bands(Cycle& cycle) const {
+  // One band competes with nobody; and where more than cost decides, cost does not tell who loses.
+  const bool by_cost = !options_.term && options_.selection.obstacle_cost_scale == 1.0;
+  const ContestOptions contest{options_.selection.max_kept > 1 && by_cost,
+                               options_.selection.cost_hysteresis};
   cycle.iterations = improve_all(cycle.candidates, cycle.problem, cycle.field, options_.teb.band,
-                                 options_.driving, budget_of(cycle.problem));
+                                 options_.driving, contest, budget_of(cycle.problem));
   for (BandCandidate& candidate : cycle.candidates) candidate.evasive = false;
 }
 
@@ -184,7 +190,7 @@ void BandPlanner::try_along_plan(Cycle& cycle) const {
       chosen.band.duration() > options_.teb.detour_factor * cycle.along_plan.duration() + kDetourSlack;
   if (!chosen.kept || (chosen.safety.free && !detour) || left <= 0) return;
   BandCandidate again{.band = cycle.along_plan, .label = "plan"};
-  improve(again, cycle.problem, cycle.field, options_.teb.band, options_.driving, left);
+  improve(again, cycle.problem, cycle.field, options_.teb.band, options_.driving, {.max_iterations = left});
   cycle.iterations += again.report.iterations;
   again.cost = choice_cost(again, cycle);
   cycle.candidates.push_back(std::move(again));

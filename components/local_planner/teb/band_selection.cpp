@@ -10,7 +10,8 @@ SelectionOptions selection_of(const homotopy::HomotopyOptions& homotopy) {
           .obstacle_cost_scale = homotopy.selection_obst_cost_scale,
           .switching_blocking_period = homotopy.switching_blocking_period,
           .max_duration_ratio = homotopy.max_ratio_detours_duration_best_duration,
-          .max_kept = static_cast<std::size_t>(std::max(homotopy.max_number_classes - 1, 1))};
+          .max_kept = static_cast<std::size_t>(std::max(homotopy.max_number_classes - 1, 1)),
+          .max_spare = homotopy.max_number_classes > 1 ? 1u : 0u};
 }
 
 std::size_t select(const std::vector<BandCandidate>& candidates, const SelectionOptions& options,
@@ -40,7 +41,9 @@ std::vector<BandCandidate> worth_keeping(std::vector<BandCandidate> candidates, 
   });
   const double longest = options.max_duration_ratio * candidates.front().band.duration();
   std::erase_if(candidates, [&](const BandCandidate& c) { return !c.driven && c.band.duration() > longest; });
-  if (candidates.size() > options.max_kept) candidates.resize(options.max_kept);
+  if (candidates.size() > options.max_kept + options.max_spare)
+    candidates.resize(options.max_kept + options.max_spare);
+  for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].spare = i >= options.max_kept;
   return candidates;
 }
 

@@ -17,6 +17,7 @@ struct SelectionOptions {
   double switching_blocking_period = 0.0;  ///< [s] after a switch before the next one
   double max_duration_ratio = std::numeric_limits<double>::infinity();  ///< to the driven one; others go
   std::size_t max_kept = 1;                                             ///< from one cycle to the next
+  std::size_t max_spare = 0;                                            ///< beyond those, for their topology
 };
 
 /// One place of max_number_classes stays open for a topology that is new, or better by now.

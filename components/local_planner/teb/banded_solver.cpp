@@ -32,7 +32,9 @@ SolveReport solve_banded(Band& band, BandEvaluation& evaluation, NormalEquations
   BandFactor factor;
   BandVector step;
   std::vector<BandPose> trial = band.poses;
-  for (; report.iterations < limits.max_iterations && damping < kLargestDamping; ++report.iterations) {
+  SolveProgress progress(limits, cost);
+  for (; report.iterations < limits.max_iterations + limits.overtime && damping < kLargestDamping;
+       ++report.iterations) {
     double gain = -std::numeric_limits<double>::infinity();
     double predicted = 0.0;
     if (factor.factorise(equations, damping)) {
@@ -54,7 +56,7 @@ SolveReport solve_banded(Band& band, BandEvaluation& evaluation, NormalEquations
       damping *= growth;
       growth *= 2.0;
     }
-    if (report.converged) {
+    if (progress.ends(cost, gain) || report.converged) {
       ++report.iterations;
       break;
     }

@@ -128,6 +128,23 @@ std::vector<Range> parameter_blocks(std::size_t poses) {
   return blocks;
 }
 
+// Ends a solve that is lost, or has spent its iterations.
+class Watch final : public ceres::IterationCallback {
+ public:
+  Watch(const SolveLimits& limits, double cost) : progress_(limits, cost) {}
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& last) override {
+    if (last.iteration == 0) return ceres::SOLVER_CONTINUE;
+    // Ceres has half of the sum of the squares.
+    const double gain = last.step_is_successful ? 2.0 * last.cost_change : 0.0;
+    return progress_.ends(2.0 * last.cost, gain) ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                                 : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  SolveProgress progress_;
+};
+
 ceres::Solver::Options solver_options(const SolveLimits& limits, double radius) {
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
@@ -140,7 +157,7 @@ ceres::Solver::Options solver_options(const SolveLimits& limits, double radius) 
   solver.min_lm_diagonal = 1.0;
   solver.max_lm_diagonal = 1.0;
   solver.initial_trust_region_radius = radius;
-  solver.max_num_iterations = limits.max_iterations;
+  solver.max_num_iterations = limits.max_iterations + limits.overtime;
   solver.function_tolerance = limits.function_tolerance;
   solver.gradient_tolerance = 1e-8;
   solver.parameter_tolerance = 0.0;  // relative to the coordinates: it would ask less far from the origin
@@ -168,7 +185,10 @@ SolveReport solve_with_ceres(Band& band, BandEvaluation& evaluation, NormalEquat
     problem.AddResidualBlock(&functions.back(), nullptr, blocks);
   }
   ceres::Solver::Summary summary;
-  ceres::Solve(solver_options(limits, band.trust_radius), &problem, &summary);
+  ceres::Solver::Options solver = solver_options(limits, band.trust_radius);
+  Watch watch(limits, evaluation.cost().total());
+  solver.callbacks.push_back(&watch);
+  ceres::Solve(solver, &problem, &summary);
   SolveReport report;
   report.usable = summary.IsSolutionUsable();
   report.converged = summary.termination_type == ceres::CONVERGENCE;

@@ -30,7 +30,10 @@ Json to_json(const BenchConditions& c) {
   return {{"weights_set", name_of(c.weights)},
           {"weights", std::move(weights)},
           {"budget",
-           {{"cold", {{"outer", band.no_outer_iterations}, {"inner", band.no_inner_iterations}}},
+           {{"cold",
+             {{"outer", band.no_outer_iterations},
+              {"inner", band.no_inner_iterations},
+              {"overtime", teb::kFirstPlanOvertime}}},
             {"warm", {{"outer", band.warm_outer_iterations}, {"inner", band.warm_inner_iterations}}},
             {"function_tolerance", band.function_tolerance},
             {"max_iterations", c.max_iterations},
@@ -61,12 +64,12 @@ std::string in_a_line(const BenchConditions& c) {
   const std::string evasion =
       driving.evasion_horizon > 0.0 ? fmt::format("{:g} s", driving.evasion_horizon) : "off";
   return fmt::format(
-      "{} weights; outer x inner cold {} x {}, warm {} x {}, at most {} a cycle; limits v {:g} back {:g} w {:g} a {:g} "
+      "{} weights; outer x inner cold {} x {} and {} while falling fast, warm {} x {}, at most {} a cycle; limits v {:g} back {:g} w {:g} a {:g} "
       "alpha {:g}, epsilon {:g}; evasion {}, mover margin {:g} m, check {:g} s, dt_ref {:g} s",
-      name_of(c.weights), band.no_outer_iterations, band.no_inner_iterations, band.warm_outer_iterations,
-      band.warm_inner_iterations, c.max_iterations, c.limits.v_max, c.limits.v_back_max, c.limits.omega_max,
-      c.limits.acc_max, c.limits.alpha_max, band.penalty_epsilon, evasion, driving.mover_margin,
-      driving.feasibility_check_time, band.dt_ref);
+      name_of(c.weights), band.no_outer_iterations, band.no_inner_iterations, teb::kFirstPlanOvertime,
+      band.warm_outer_iterations, band.warm_inner_iterations, c.max_iterations, c.limits.v_max,
+      c.limits.v_back_max, c.limits.omega_max, c.limits.acc_max, c.limits.alpha_max, band.penalty_epsilon,
+      evasion, driving.mover_margin, driving.feasibility_check_time, band.dt_ref);
 }
 
 }  // namespace bw

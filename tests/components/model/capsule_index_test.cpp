@@ -55,6 +55,32 @@ TEST(CapsuleIndex, FindsAllThatALookAtEachOneFinds) {
   EXPECT_LT(groups_seen, looks_of_brute_force / 2);
 }
 
+// A wall of 2000 km and a disc of 50 m among a thousand points: neither costs a look at all else from everywhere, and
+// both are found.
+TEST(CapsuleIndex, FindsWhatReachesFarAmongManySmallOnes) {
+  std::vector<Capsule> capsules;
+  for (int i = 0; i < 1000; ++i) capsules.push_back({{0.2 * i, 5.0}, {0.2 * i, 5.0}, 0.0});
+  capsules.push_back({{-1e6, 0.0}, {1e6, 0.0}, 0.0});
+  capsules.push_back({{100.0, -60.0}, {100.0, -60.0}, 50.0});
+  const CapsuleIndex index(capsules);
+  const auto found_at = [&](const Vector2& place, double reach) {
+    std::set<std::uint32_t> found;
+    index.visit_near(place, reach, [&](const CapsuleIndex::Group& group) {
+      for (const std::uint32_t i : index.members(group)) found.insert(i);
+    });
+    return found;
+  };
+  const std::set<std::uint32_t> at_the_wall = found_at({30.0, 0.5}, 1.0);
+  EXPECT_EQ(at_the_wall, (std::set<std::uint32_t>{1000}));
+  const std::set<std::uint32_t> at_both = found_at({100.0, -9.5}, 9.8);
+  EXPECT_TRUE(at_both.contains(1000) && at_both.contains(1001));
+  EXPECT_TRUE(found_at({50.0, 4.9}, 0.2).contains(250));
+  std::size_t pieces = 0;
+  index.visit_near({0.0, 0.0}, 1e7,
+                   [&](const CapsuleIndex::Group& group) { pieces += index.members(group).front() == 1000; });
+  EXPECT_EQ(pieces, 200U);
+}
+
 TEST(CapsuleIndex, KeepsPointsMillimetresApartInFewGroups) {
   std::vector<Capsule> wall;
   for (int i = 0; i < 10000; ++i) wall.push_back({{0.001 * i, 1.0}, {0.001 * i, 1.0}, 0.0});
