@@ -29,7 +29,7 @@ Graph navigation_graph(const Suite& suite, std::size_t episode, const Navigation
     set("emulate=true");
   }
   set("local_planner.algorithm=" + pair.planner);
-  set("local_planner.dwa.profile=scales");  // EDWA as published, not led by the plan
+  if (pair.as_published) set("local_planner.dwa.profile=scales");
   return graph;
 }
 
@@ -41,9 +41,10 @@ std::string figures_of(const NavigationResults& results, const std::vector<Drive
     if (drive.seed != 1 || drive.hallway != kNavigationHallway) continue;
     const NavigationPair& pair = navigation_pairs()[drive.pair];
     if (const std::optional<RunRecording> course = course_of(jobs[i]))
-      html +=
-          drive_figure(*course, fmt::format("{}, {}, seed 1", pair.robot, pair.planner),
-                       drive.succeeded() ? "It reaches its goal without a contact." : "It fails: see below.");
+      html += drive_figure(
+          *course,
+          fmt::format("{}, {}{}, seed 1", pair.robot, pair.planner, pair.as_published ? " as published" : ""),
+          drive.succeeded() ? "It reaches its goal without a contact." : "It fails: see below.");
   }
   return html;
 }
@@ -61,7 +62,8 @@ bool reproduce_navigation(const ReproduceArguments& arguments) {
       const NavigationPair& pair = navigation_pairs()[i];
       for (std::int64_t seed = 1; seed <= (arguments.quick ? kQuickSeeds : kNavigationSeeds); ++seed) {
         jobs.push_back(
-            {.title = fmt::format("{} {}, hallway {}{} seed {}", pair.robot, pair.planner, hallway,
+            {.title = fmt::format("{} {}{}, hallway {}{} seed {}", pair.robot, pair.planner,
+                                  pair.as_published ? " as published" : "", hallway,
                                   simulated ? ", simulated drivers," : "", seed),
              .seed = seed,
              .time_limit = suite.options.time_limit,
