@@ -1,5 +1,7 @@
 // bandwagon reproduce navigation: the hallway in lock-step by the source's robots, each through its emulated base and laser.
+#include <algorithm>
 #include <iostream>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -56,7 +58,13 @@ bool reproduce_navigation(const ReproduceArguments& arguments) {
   const Suite suite = load_suite(project_file("config/suites/hallway.yaml"));
   NavigationResults results{.emulated = !simulated};
   std::vector<DriveJob> jobs;
-  for (std::size_t episode = 0; episode < suite.options.episodes.size(); ++episode) {
+  std::vector<std::size_t> episodes(suite.options.episodes.size());
+  std::iota(episodes.begin(), episodes.end(), std::size_t{0});
+  // What is judged first: of a run that is interrupted it is there.
+  std::ranges::stable_partition(episodes, [&suite](std::size_t episode) {
+    return suite.options.episodes[episode].name == kNavigationHallway;
+  });
+  for (const std::size_t episode : episodes) {
     const std::string& hallway = suite.options.episodes[episode].name;
     for (std::size_t i = 0; i < navigation_pairs().size(); ++i) {
       const NavigationPair& pair = navigation_pairs()[i];
