@@ -7,22 +7,13 @@
 #include "components/local_planner/carrot.hpp"
 #include "components/local_planner/dwa/goal_speed.hpp"
 #include "components/local_planner/dwa/led_plan.hpp"
+#include "components/local_planner/dwa/passing_cost.hpp"
 #include "components/local_planner/dwa/sample_label.hpp"
 #include "components/local_planner/dwa/stopping_motion.hpp"
 #include "components/local_planner/dwa/velocity_window.hpp"
-#include "components/model/mover_weight.hpp"
 
 namespace bw::dwa {
 namespace {
-
-// Who walks, alone: whatever stands is met by the roll-outs.
-PlanningProblem with_walkers_alone(const PlanningProblem& problem) {
-  PlanningProblem walkers = problem;
-  walkers.obstacles = {};
-  std::erase_if(walkers.movers,
-                [](const Mover& m) { return !is_confirmed(m) || m.velocity.norm() < kStanding; });
-  return walkers;
-}
 
 // One more control period, then braking on the same curve.
 bool can_brake(const RollOut& out, const PlanningProblem& problem) {
@@ -69,7 +60,11 @@ PlanningResult CriticsPlanner::drive(const PlanningProblem& problem) {
   result.iterations = 1;
   choose(judged(problem, course, roll_outs, guide, turn), roll_outs, problem, result);
   Safety safety;
-  if (!result.trajectory.empty()) safety = {true, safety_of(result.trajectory, problem, driving()).comfort};
+  if (!result.trajectory.empty()) {
+    safety = {true, safety_of(result.trajectory, problem, driving()).comfort};
+    if (guide)
+      safety.comfort = std::min(safety.comfort, comfort_among_walkers(problem, roll_outs, result.command));
+  }
   evade(problem, driving(), safety, result);
   recovery_.apply(problem, result);
   if (guide) {
@@ -87,6 +82,8 @@ std::vector<CriticsPlanner::Judged> CriticsPlanner::judged(const PlanningProblem
   const VelocityWindow window = velocity_window(
       problem.twist, problem.limits, speed_towards_end(problem, options_.arc_to_goal, problem.command_lead),
       problem.command_lead);
+  std::optional<PassingCost> passing;
+  if (guide && edwa_->passing_scale > 0.0) passing.emplace(problem, *edwa_);
   std::vector<Judged> all;
   for (const Twist2& twist : velocity_samples(window, problem.twist, static_cast<int>(critics.vx_samples),
                                               static_cast<int>(critics.vtheta_samples))) {
@@ -100,6 +97,7 @@ std::vector<CriticsPlanner::Judged> CriticsPlanner::judged(const PlanningProblem
     } else if (guide && guide->has_direction()) {
       costs = cost_without_align(c, critics) + guide->cost(out);
     }
+    if (passing) costs += passing->of(twist);
     all.push_back({out, costs});
   }
   std::sort(all.begin(), all.end(), [](const Judged& a, const Judged& b) {
@@ -128,6 +126,14 @@ void CriticsPlanner::choose(const std::vector<Judged>& judged, const RollOuts& r
     }
     if (result.candidates.size() >= shown && !result.trajectory.empty()) break;
   }
+}
+
+/// When the command is held for longer than roll-outs last: people come from farther off than what stands there. It makes
+/// an evasive move worth trying; a stop is for later.
+double CriticsPlanner::comfort_among_walkers(const PlanningProblem& problem, const RollOuts& roll_outs,
+                                             const Twist2& held) const {
+  const auto trajectory = roll_outs.trajectory(held, driving().feasibility_check_time);
+  return safety_of(trajectory, with_walkers_alone(problem), driving()).comfort;
 }
 
 bool CriticsPlanner::can_stop_among(const PlanningProblem& walkers, const Twist2& twist) const {

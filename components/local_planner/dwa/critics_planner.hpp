@@ -44,6 +44,8 @@ class CriticsPlanner final : public CheckedPlanner {
                              const std::optional<HrvoGuide>& guide, std::optional<double> turn) const;
   void choose(const std::vector<Judged>& judged, const RollOuts& roll_outs, const PlanningProblem& problem,
               PlanningResult& result) const;
+  double comfort_among_walkers(const PlanningProblem& problem, const RollOuts& roll_outs,
+                               const Twist2& held) const;
   bool can_stop_among(const PlanningProblem& walkers, const Twist2& twist) const;
 
   DwaOptions options_;

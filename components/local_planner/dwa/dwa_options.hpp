@@ -135,6 +135,8 @@ struct EdwaOptions {
   double mover_horizon = 3.0;
   double heading_scale = 60.0;
   double advised_speed_scale = 30.0;
+  double passing_scale = 200.0;
+  double passing_gap = 0.8;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -161,6 +163,17 @@ struct EdwaOptions {
            "profile critics: cost of heading elsewhere than HRVO advises; raise it to leave the plan sooner"});
     v("advised_speed_scale", advised_speed_scale,
       {.unit = "s/m", .min = 0, .max = 1000, .doc = "profile critics: cost of another speed than HRVO's"});
+    v("passing_scale", passing_scale,
+      {.min = 0,
+       .max = 10000,
+       .doc =
+           "profile critics: cost of a velocity by which somebody who walks is touched within mover_horizon, "
+           "and of part of it where they are passed within passing_gap; 0: people are HRVO's alone"});
+    v("passing_gap", passing_gap,
+      {.unit = "m",
+       .min = 0.01,
+       .max = 5,
+       .doc = "profile critics: people who walk are passed this widely at no cost"});
   }
 };
 

@@ -25,13 +25,17 @@ std::string in_words(const Spread& spread) {
   return sensible(spread.mean) + " (" + sensible(spread.low) + " to " + sensible(spread.high) + ")";
 }
 
+std::string planner_of(const NavigationPair& pair) {
+  return pair.planner + (pair.as_published ? " as published" : "");
+}
+
 std::string rows_table(const NavigationResults& results) {
   Table table({"robot", "planner", "hallway", "in the source", "success", "reached", "contacts",
                "of them at speed", "time [s]", "way [m]", "closest person [m]", "largest CI",
                "pose, rms [m]"});
   for (const NavigationRow& row : navigation_rows(results)) {
     const NavigationPair& pair = navigation_pairs()[row.pair];
-    table.row({xml_text(pair.robot), pair.planner, row.hallway, xml_text(pair.published),
+    table.row({xml_text(pair.robot), planner_of(pair), row.hallway, xml_text(pair.published),
                std::to_string(row.successes) + " of " + std::to_string(row.drives),
                std::to_string(row.reached), std::to_string(row.contacts),
                std::to_string(row.contacts_at_speed), in_words(row.time), in_words(row.path_length),
@@ -46,7 +50,7 @@ std::string failed_drives(const NavigationResults& results) {
   for (const NavigationDrive& drive : results.drives) {
     if (drive.succeeded()) continue;
     const NavigationPair& pair = navigation_pairs()[drive.pair];
-    const std::string name = xml_text(pair.robot + ", " + pair.planner + ", " + drive.hallway +
+    const std::string name = xml_text(pair.robot + ", " + planner_of(pair) + ", " + drive.hallway +
                                       " hallway, seed " + std::to_string(drive.seed));
     html += "<li>" +
             (drive.page.empty() ? name : "<a href=\"" + xml_text(drive.page) + "\">" + name + "</a>") + ": " +
@@ -69,6 +73,8 @@ std::string navigation_page(const NavigationResults& results, const std::string&
       .criteria = navigation_criteria(results, kNavigationHallway),
       .not_judged =
           {"Eddie with ETEB and QBot 2e with PTEB were not driven in the source.",
+           "Judged is EDWA as it drives by default here, led by the plan (book 5.9). As it was published, by heading, distance and "
+           "speed alone (book 5.4), it is driven too and decides nothing.",
            "Places, people and lengths of the source's drives are not published; its pictures show one to a few people. "
            "Judged is the hallway with three walkers. With six (\"full\") the same is only reported: that this is harder than "
            "what the source shows was seen in the first drives, before it was decided what to judge."},

@@ -1,5 +1,7 @@
 // bandwagon reproduce navigation: the hallway in lock-step by the source's robots, each through its emulated base and laser.
+#include <algorithm>
 #include <iostream>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -29,7 +31,7 @@ Graph navigation_graph(const Suite& suite, std::size_t episode, const Navigation
     set("emulate=true");
   }
   set("local_planner.algorithm=" + pair.planner);
-  set("local_planner.dwa.profile=scales");  // EDWA as published, not led by the plan
+  if (pair.as_published) set("local_planner.dwa.profile=scales");
   return graph;
 }
 
@@ -41,9 +43,10 @@ std::string figures_of(const NavigationResults& results, const std::vector<Drive
     if (drive.seed != 1 || drive.hallway != kNavigationHallway) continue;
     const NavigationPair& pair = navigation_pairs()[drive.pair];
     if (const std::optional<RunRecording> course = course_of(jobs[i]))
-      html +=
-          drive_figure(*course, fmt::format("{}, {}, seed 1", pair.robot, pair.planner),
-                       drive.succeeded() ? "It reaches its goal without a contact." : "It fails: see below.");
+      html += drive_figure(
+          *course,
+          fmt::format("{}, {}{}, seed 1", pair.robot, pair.planner, pair.as_published ? " as published" : ""),
+          drive.succeeded() ? "It reaches its goal without a contact." : "It fails: see below.");
   }
   return html;
 }
@@ -55,13 +58,20 @@ bool reproduce_navigation(const ReproduceArguments& arguments) {
   const Suite suite = load_suite(project_file("config/suites/hallway.yaml"));
   NavigationResults results{.emulated = !simulated};
   std::vector<DriveJob> jobs;
-  for (std::size_t episode = 0; episode < suite.options.episodes.size(); ++episode) {
+  std::vector<std::size_t> episodes(suite.options.episodes.size());
+  std::iota(episodes.begin(), episodes.end(), std::size_t{0});
+  // What is judged first: of a run that is interrupted it is there.
+  std::ranges::stable_partition(episodes, [&suite](std::size_t episode) {
+    return suite.options.episodes[episode].name == kNavigationHallway;
+  });
+  for (const std::size_t episode : episodes) {
     const std::string& hallway = suite.options.episodes[episode].name;
     for (std::size_t i = 0; i < navigation_pairs().size(); ++i) {
       const NavigationPair& pair = navigation_pairs()[i];
       for (std::int64_t seed = 1; seed <= (arguments.quick ? kQuickSeeds : kNavigationSeeds); ++seed) {
         jobs.push_back(
-            {.title = fmt::format("{} {}, hallway {}{} seed {}", pair.robot, pair.planner, hallway,
+            {.title = fmt::format("{} {}{}, hallway {}{} seed {}", pair.robot, pair.planner,
+                                  pair.as_published ? " as published" : "", hallway,
                                   simulated ? ", simulated drivers," : "", seed),
              .seed = seed,
              .time_limit = suite.options.time_limit,

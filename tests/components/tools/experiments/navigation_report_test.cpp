@@ -31,7 +31,10 @@ NavigationResults results() {
 TEST(Navigation, DrivesTheSourcesRobotsWithTheirPlanners) {
   std::vector<std::string> pairs;
   for (const NavigationPair& pair : navigation_pairs()) pairs.push_back(pair.robot + " " + pair.planner);
-  EXPECT_THAT(pairs, ::testing::ElementsAre("Eddie edwa", "Eddie eteb", "QBot 2e eteb", "QBot 2e pteb"));
+  EXPECT_FALSE(navigation_pairs()[0].as_published);
+  EXPECT_TRUE(navigation_pairs()[1].as_published);
+  EXPECT_THAT(pairs, ::testing::ElementsAre("Eddie edwa", "Eddie edwa", "Eddie eteb", "QBot 2e eteb",
+                                            "QBot 2e pteb"));
 }
 
 TEST(Navigation, TakesItsFiguresFromTheCard) {
@@ -52,8 +55,9 @@ TEST(Navigation, IsMetWhenEveryDriveReachesItsGoalWithoutAContact) {
 
   NavigationResults spoilt = results();
   spoilt.drives[0] = navigation_drive(0, "light", 1, card(false, 0));
-  spoilt.drives[3] =
-      navigation_drive(1, "light", 2, card(true, 1));  // a person walked into it while it stood
+  spoilt.drives[2] = navigation_drive(1, "light", 1, card(false, 0));  // as published: decides nothing
+  spoilt.drives[5] =
+      navigation_drive(2, "light", 2, card(true, 1));  // a person walked into it while it stood
   const std::vector<Criterion> missed = navigation_criteria(spoilt, "light");
   EXPECT_FALSE(missed[0].met);
   EXPECT_FALSE(missed[1].met);
@@ -66,7 +70,7 @@ TEST(Navigation, IsMetWhenEveryDriveReachesItsGoalWithoutAContact) {
   full.drives.push_back(navigation_drive(0, "full", 1, card(false, 3)));
   EXPECT_TRUE(all_met(navigation_criteria(full, kNavigationHallway)));
   EXPECT_FALSE(all_met(navigation_criteria(full, "full")));
-  EXPECT_EQ(navigation_rows(full).size(), 5U);
+  EXPECT_EQ(navigation_rows(full).size(), 6U);
 }
 
 TEST(NavigationPage, SaysThatNothingIsPublishedAndLinksDrivesThatFailed) {
@@ -81,7 +85,7 @@ TEST(NavigationPage, SaysThatNothingIsPublishedAndLinksDrivesThatFailed) {
   EXPECT_THAT(page, HasSubstr("<figure>the way</figure>"));
   EXPECT_THAT(navigation_page(results(), ""), ::testing::Not(HasSubstr("Drives that failed")));
   EXPECT_EQ(navigation_json(spoilt)["drives"][0]["page"], "failed/Eddie_edwa_seed_1.html");
-  EXPECT_EQ(navigation_json(spoilt)["rows"].size(), 4U);
+  EXPECT_EQ(navigation_json(spoilt)["rows"].size(), 5U);
 }
 
 }  // namespace

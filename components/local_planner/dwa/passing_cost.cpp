@@ -1,0 +1,39 @@
+#include "components/local_planner/dwa/passing_cost.hpp"
+
+#include <algorithm>
+
+#include "components/local_planner/dwa/led_plan.hpp"
+#include "components/model/mover_weight.hpp"
+
+namespace bw::dwa {
+namespace {
+
+constexpr double kDeepest = 0.3;  // [m] that somebody may be touched by and one motion be better than another
+constexpr double kAnyWay = 1e3;   // [m]: it is the time that ends them
+
+}  // namespace
+
+PlanningProblem with_walkers_alone(const PlanningProblem& problem) {
+  PlanningProblem walkers = problem;
+  walkers.obstacles = {};
+  std::erase_if(walkers.movers,
+                [](const Mover& m) { return !is_confirmed(m) || m.velocity.norm() < kStanding; });
+  return walkers;
+}
+
+PassingCost::PassingCost(const PlanningProblem& problem, const EdwaOptions& options)
+    : options_(options),
+      roll_outs_(with_walkers_alone(problem), {.horizon = options.mover_horizon,
+                                               .way = kAnyWay,
+                                               .margin = -kDeepest,
+                                               .reach = options.passing_gap,
+                                               .predict_movers = true}) {}
+
+double PassingCost::of(const Twist2& held) {
+  const RollOut out = roll_outs_.along(held);
+  const double gap = out.meets ? -kDeepest : out.gap;
+  const double soon = out.meets ? 1.0 - out.time / options_.mover_horizon : 0.0;
+  return options_.passing_scale * (std::max(0.0, options_.passing_gap - gap) / options_.passing_gap + soon);
+}
+
+}  // namespace bw::dwa
