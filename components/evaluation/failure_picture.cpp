@@ -18,7 +18,7 @@ constexpr double kAfter = 1.5;        // and of the robot after it [s]
 constexpr double kRoom = 1.0;         // about what is shown [m]
 constexpr double kLeastSize = 6.0;    // of the place shown [m]
 constexpr double kFlattest = 0.5;     // height over width
-constexpr double kLabelWay = 95.0;    // from a place to its label [px]
+constexpr double kLabelWay = 45.0;    // from a body to its label [px]
 constexpr double kLineHeight = 20.0;  // [px]
 constexpr std::string_view kWayOut = "#0f868c";
 constexpr std::string_view kRobot = "#1f5fbf";
@@ -188,8 +188,7 @@ class Drawing {
     draw_body(svg, motion_->front().pose, color, "5 3");
     draw_body(svg, motion_->back().pose, color, "5 3");
     const Vector2 at = view_(motion_->front().pose.position());
-    label(svg, at, at + kLabelWay * aside(), "avoidable until " + fixed(motion_->front().time, 1) + " s",
-          color);
+    label(svg, at, at + aside(), "avoidable until " + fixed(motion_->front().time, 1) + " s", color);
   }
 
   /// Centre of who is touched, at the contact; the robot's where nobody knows.
@@ -205,14 +204,16 @@ class Drawing {
     return person;
   }
 
-  /// On the page, across the line from the robot to who is touched, and away from where the robot came from: labels cover neither.
+  /// From a place to its label on the page: up or down, on the side that is across the line from the robot to who is touched and away
+  /// from where the robot came from. Labels are wide, and beside a body they would cover others.
   Vector2 aside() const {
-    const Vector2 towards = view_(touched_person()) - view_(pose_at(moments_, time_).position());
-    if (towards.norm() < 1e-6) return {0.0, -1.0};
-    const Vector2 across = Vector2(-towards.y(), towards.x()) / towards.norm();
-    const Vector2 back =
-        view_(pose_at(moments_, time_ - 1.0).position()) - view_(pose_at(moments_, time_).position());
-    return across.dot(back) > 0.0 ? Vector2(-across) : across;
+    const Vector2 robot = view_(pose_at(moments_, time_).position());
+    const Vector2 towards = view_(touched_person()) - robot;
+    const Vector2 back = view_(pose_at(moments_, time_ - 1.0).position()) - robot;
+    Vector2 across(-towards.y(), towards.x());
+    if (across.dot(back) > 0.0) across = -across;
+    const double way = 1.5 * recording_.robot.radius * view_.scale + kLabelWay;
+    return {0.0, across.y() > 0.0 ? way : -way};
   }
 
   void draw_contact(SvgWriter& svg) const {
@@ -224,7 +225,7 @@ class Drawing {
                       {"fill", std::string(kAlarm)},
                       {"stroke", "#ffffff"},
                       {"stroke-width", "2"}}));
-    label(svg, touch, touch - kLabelWay * aside(), "contact " + fixed(time_, 2) + " s", std::string(kAlarm));
+    label(svg, touch, touch - aside(), "contact " + fixed(time_, 2) + " s", std::string(kAlarm));
   }
 
   void draw_line(SvgWriter& svg, const std::vector<possible::TimedPlace>& way,
