@@ -69,7 +69,11 @@ std::string outcome(const AllRun& run) {
                 ", asked " + xml_text(c.asked) + "</li>\n";
     }
   }
-  std::string html = fmt::format("<div class=\"outcome {}\">\n", missed.empty() ? "all" : "some");
+  const bool is_whole = run.is_finished && std::ranges::none_of(run.parts, [](const AllPart& part) {
+                          return part.results.is_null();
+                        });
+  const char* const colour = !missed.empty() ? " some" : is_whole ? " all" : "";
+  std::string html = fmt::format("<div class=\"outcome{}\">\n", colour);
   if (!run.is_finished) html += "<p><b>This run has not ended: the same command goes on from here.</b></p>\n";
   html +=
       run.quick
@@ -95,6 +99,13 @@ std::string in_words(const nlohmann::json& spread, const std::string& published)
   return text;
 }
 
+/// "Figure 3.5" is not broken.
+std::string in_one_line(const std::string& text) {
+  std::string html;
+  for (const char c : xml_text(text)) html += c == ' ' ? std::string("&nbsp;") : std::string(1, c);
+  return html;
+}
+
 std::string published_table(const AllPart& part) {
   Table table({"what", "source", "published", "here", "seeds", "by another reading"});
   for (const nlohmann::json& value : part.results.at("published")) {
@@ -105,9 +116,8 @@ std::string published_table(const AllPart& part) {
       others += xml_text(other.at("name").get<std::string>()) + ": " + in_words(other, published);
     }
     table.row({xml_text(value.at("what").get<std::string>() + (unit.empty() ? "" : " [" + unit + "]")),
-               xml_text(value.at("source").get<std::string>()), xml_text(published),
-               in_words(value.at("here"), published), std::to_string(value.at("here").at("seeds").get<int>()),
-               others});
+               in_one_line(value.at("source")), xml_text(published), in_words(value.at("here"), published),
+               std::to_string(value.at("here").at("seeds").get<int>()), others});
   }
   return table.html();
 }
