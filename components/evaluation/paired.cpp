@@ -55,12 +55,13 @@ Comparison compare(const std::vector<PairedEpisode>& first, const std::vector<Pa
   std::map<std::string, const PairedEpisode*> by_key;
   for (const PairedEpisode& episode : first) by_key[episode.key] = &episode;
   Comparison result;
-  std::vector<double> index, closest, jerk, time;
+  std::vector<double> success, index, closest, jerk, time;
   for (const PairedEpisode& b : second) {
     const auto found = by_key.find(b.key);
     if (found == by_key.end()) continue;
     const PairedEpisode& a = *found->second;
     ++result.pairs;
+    success.push_back((b.success ? 1.0 : 0.0) - (a.success ? 1.0 : 0.0));
     if (a.success && !b.success) ++result.only_first;
     if (b.success && !a.success) ++result.only_second;
     if (!a.success || !b.success) continue;
@@ -71,6 +72,7 @@ Comparison compare(const std::vector<PairedEpisode>& first, const std::vector<Pa
     time.push_back(b.time - a.time);
   }
   result.p = mcnemar_p(result.only_second, result.only_first);
+  result.success = bootstrap_mean(success);
   result.collision_index = bootstrap_mean(index);
   result.closest = bootstrap_mean(closest);
   result.jerk = bootstrap_mean(jerk);

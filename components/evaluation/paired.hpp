@@ -42,11 +42,12 @@ struct PairedEpisode {
 };
 
 struct Comparison {
-  int pairs = 0;        ///< episodes that both drove
-  int only_first = 0;   ///< c: succeeded by the first alone
-  int only_second = 0;  ///< b: by the second alone
-  double p = 1.0;       ///< mcnemar_p
-  int both = 0;         ///< succeeded by both; of these, second less first:
+  int pairs = 0;         ///< episodes that both drove
+  int only_first = 0;    ///< c: succeeded by the first alone
+  int only_second = 0;   ///< b: by the second alone
+  double p = 1.0;        ///< mcnemar_p
+  MeanInterval success;  ///< share of the pairs, second less first
+  int both = 0;          ///< succeeded by both; of these, second less first:
   MeanInterval collision_index, closest, jerk, time;
 };
 

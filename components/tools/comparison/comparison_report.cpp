@@ -98,6 +98,7 @@ Json comparison_json(const std::vector<ComparedRow>& rows, const std::string& ag
                                {"only_this", c.only_second},
                                {"only_other", c.only_first},
                                {"mcnemar_p", c.p},
+                               {"success", to_json(c.success)},
                                {"both", c.both},
                                {"collision_index", to_json(c.collision_index)},
                                {"closest_m", to_json(c.closest)},
@@ -123,14 +124,14 @@ std::string comparison_in_words(const std::vector<ComparedRow>& rows, const std:
   if (rows.size() < 2) return out;
   const ComparedRow& first = rows[row_against(rows, against)];
   out += fmt::format(kRow, "against " + first.name, width, "CI", "closest m", "jerk m/s^3", "time s",
-                     "pairs: succeeded only this, only " + first.name + "; McNemar p; both");
+                     "pairs: succeeded only this, only " + first.name + "; McNemar p; both; success");
   for (const ComparedRow& row : rows) {
     if (&row == &first) continue;
     const Comparison c = compare(first.episodes, row.episodes);
-    out +=
-        fmt::format(kRow, row.name, width, in_words(c.collision_index, 3, true), in_words(c.closest, 3, true),
-                    in_words(c.jerk, 2, true), in_words(c.time, 2, true),
-                    fmt::format("{}: {}, {}; {:.3f}; {}", c.pairs, c.only_second, c.only_first, c.p, c.both));
+    out += fmt::format(kRow, row.name, width, in_words(c.collision_index, 3, true),
+                       in_words(c.closest, 3, true), in_words(c.jerk, 2, true), in_words(c.time, 2, true),
+                       fmt::format("{}: {}, {}; {:.3f}; {}; {}", c.pairs, c.only_second, c.only_first, c.p,
+                                   c.both, in_words(c.success, 3, true)));
   }
   return out +
          fmt::format("intervals by bootstrap of {} samples, seed {}\n", kBootstrapSamples, kBootstrapSeed);

@@ -25,7 +25,7 @@ inline constexpr double kCalmIndex = 0.54;
 std::size_t row_against(const std::vector<ComparedRow>& rows, const std::string& against);
 
 /// {bootstrap: {samples, seed}, rows: {name: {collision_index, closest_m, rms_jerk_mps3, time_s: {count, mean, low, high}, calm: {count, of,
-/// wilson95}}}, against, pairs: {name: {pairs, only_this, only_other, mcnemar_p, both, collision_index, closest_m, rms_jerk_mps3, time_s}}}.
+/// wilson95}}}, against, pairs: {name: {pairs, only_this, only_other, mcnemar_p, success, both, collision_index, closest_m, rms_jerk_mps3, time_s}}}.
 /// Figures of rows are of all episodes, time of those that succeeded; `calm`: index at most kCalmIndex, of the episodes in which success
 /// was possible. Differences are this less the other one. `against` and `pairs` are there with two rows or more.
 nlohmann::ordered_json comparison_json(const std::vector<ComparedRow>& rows, const std::string& against);

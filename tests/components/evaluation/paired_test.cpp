@@ -74,6 +74,8 @@ TEST(Compare, PairsEpisodesByKey) {
   EXPECT_EQ(c.only_first, 1);
   EXPECT_EQ(c.only_second, 1);
   EXPECT_EQ(c.p, 1.0);
+  EXPECT_EQ(c.success.mean, 0.0);
+  EXPECT_EQ(c.success.count, 4);
   EXPECT_EQ(c.both, 1);
   EXPECT_EQ(c.collision_index.mean, 0.5);
   EXPECT_EQ(c.closest.mean, 1.0);

@@ -29,6 +29,7 @@ TEST(ComparisonReport, TellsPairsAndMeans) {
   EXPECT_EQ(pair["only_this"], 5);
   EXPECT_EQ(pair["only_other"], 0);
   EXPECT_NEAR(pair["mcnemar_p"].get<double>(), 0.0625, 1e-12);
+  EXPECT_DOUBLE_EQ(pair["success"]["mean"].get<double>(), 0.5);
   EXPECT_EQ(pair["both"], 4);
   EXPECT_NEAR(pair["collision_index"]["mean"].get<double>(), -0.1, 1e-12);
   EXPECT_NEAR(pair["time_s"]["mean"].get<double>(), 1.0, 1e-12);
