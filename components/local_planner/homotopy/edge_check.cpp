@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "components/local_planner/homotopy/segment_distance.hpp"
@@ -15,6 +16,25 @@ constexpr int kMostSteps = 64;           // of one edge
 constexpr double kRounding = 1e-9;       // [m]
 constexpr std::size_t kManyParts = 32;   // of a body, from which on those near an edge are looked for
 constexpr double kPiece = 0.5;           // [m] of an edge for which they are
+constexpr double kMostPieces = 1000.0;   // of an edge; those of a longer one are longer
+
+// The part of the way that lies within `aside` of the box along each axis; nothing where it has none.
+std::optional<Segment> within(const Segment& way, const Vector2& low, const Vector2& high, double aside) {
+  const Vector2 whole = way.b - way.a;
+  double first = 0.0, last = 1.0;
+  for (Eigen::Index i = 0; i < 2; ++i) {
+    const double from = low[i] - aside - way.a[i], to = high[i] + aside - way.a[i];
+    if (whole[i] == 0.0) {
+      if (from > 0.0 || to < 0.0) return std::nullopt;
+      continue;
+    }
+    const auto [enters, leaves] = std::minmax({from / whole[i], to / whole[i]});
+    first = std::max(first, enters);
+    last = std::min(last, leaves);
+  }
+  if (first > last) return std::nullopt;
+  return Segment{way.a + first * whole, way.a + last * whole};
+}
 
 }  // namespace
 
@@ -40,7 +60,7 @@ double EdgeCheck::gap(const Watched& watched, const Vector2& from, const Vector2
   const Body& body = *watched.body;
   double smallest = std::numeric_limits<double>::infinity();
   if (!body.motion) {
-    if (watched.parts.size() > 0) return gap_to_many(watched.parts, {from, to}, wanted);
+    if (watched.parts.size() > 0) return gap_to_many(watched, {from, to}, wanted);
     for (const Part& part : body.parts) {
       const double distance = std::sqrt(squared_distance(Segment{from, to}, part.axis));
       smallest = std::min(smallest, distance - part.radius - course_.robot_radius);
@@ -65,13 +85,17 @@ double EdgeCheck::gap(const Watched& watched, const Vector2& from, const Vector2
 }
 
 // The way in short pieces: around a long one there would be much that is not near it.
-double EdgeCheck::gap_to_many(const CapsuleIndex& parts, const Segment& way, double wanted) const {
+double EdgeCheck::gap_to_many(const Watched& watched, const Segment& way, double wanted) const {
+  const CapsuleIndex& parts = watched.parts;
   double smallest = std::numeric_limits<double>::infinity();
-  const Vector2 whole = way.b - way.a;
-  const int pieces = std::max(1, static_cast<int>(std::ceil(whole.norm() / kPiece)));
-  const double reach = 0.5 * whole.norm() / pieces + std::max(0.0, course_.robot_radius + wanted) + kRounding;
+  const double aside = std::max(0.0, course_.robot_radius + wanted) + kRounding;
+  const std::optional<Segment> near = within(way, watched.box.low, watched.box.high, aside);
+  if (!near) return smallest;
+  const Vector2 whole = near->b - near->a;
+  const int pieces = static_cast<int>(std::clamp(std::ceil(whole.norm() / kPiece), 1.0, kMostPieces));
+  const double reach = 0.5 * whole.norm() / pieces + aside;
   for (int i = 0; i < pieces; ++i) {
-    parts.visit_near(way.a + whole * ((i + 0.5) / pieces), reach, [&](const CapsuleIndex::Group& group) {
+    parts.visit_near(near->a + whole * ((i + 0.5) / pieces), reach, [&](const CapsuleIndex::Group& group) {
       for (const std::uint32_t k : parts.members(group)) {
         const Capsule& part = parts.capsules()[k];
         const double distance = std::sqrt(squared_distance(way, Segment{part.a, part.b}));
