@@ -168,7 +168,7 @@ struct EdwaOptions {
        .max = 10000,
        .doc =
            "profile critics: cost of a velocity by which somebody who walks is touched within mover_horizon, "
-           "and of part of it where they are passed within passing_gap; 0: people are HRVO's alone"});
+           "and of part of it where they are passed within passing_gap; lower it for a faster drive in crowds; 0: people are HRVO's alone"});
     v("passing_gap", passing_gap,
       {.unit = "m",
        .min = 0.01,
