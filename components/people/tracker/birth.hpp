@@ -16,6 +16,8 @@ struct Birth {
   BirthKind kind = BirthKind::walking_pair;
   double doubt = 0.0;  ///< ranks those that want the same leg: less first [m]
   double way = 0.0;    ///< walked so far [m]
+
+  bool stands() const { return kind == BirthKind::standing_pair || kind == BirthKind::standing_single; }
 };
 
 /// Clusters that are a person, by their index.

@@ -8,6 +8,7 @@
 #include "components/people/detection.hpp"
 #include "components/people/tracker/evidence/existence.hpp"
 #include "components/people/tracker/evidence/fidgets.hpp"
+#include "components/people/tracker/evidence/past_sweeps.hpp"
 #include "runtime/base/pose2.hpp"
 
 namespace bw::people {
@@ -58,6 +59,10 @@ class ClusterTrack {
   Fidgets fidgets;
   Existence existence;   ///< as a leg, or somebody whole
   std::uint32_t id = 0;  ///< as a possible person; 0: not told of
+  /// What was at its place before, when that was looked up last [s], and where.
+  PastSweeps::Past past = PastSweeps::Past::unknown;
+  double looked_up = -1e9;
+  Vector2 looked_up_at{0.0, 0.0};
 
  private:
   void remember(const Sighting& seen);

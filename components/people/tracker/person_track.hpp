@@ -46,6 +46,9 @@ struct PersonTrack {
   /// `leg` 0 or 1. What is too far from where the leg was, or too late, is the first sight of another.
   void remember_leg(std::size_t leg, const Sighting& seen);
 
+  /// When last seen for sure.
+  bool stood() const { return sure.velocity.norm() <= HiddenOptions::kStoodSpeed; }
+
   Time last_known() const { return std::max(last_seen, last_heard); }
 
   bool both_legs_seen(std::int64_t sweep) const {

@@ -29,6 +29,29 @@ void follow_hidden(PersonTrack& person, const Surroundings& about, bool known, R
   if (person.heading) person.heading.emplace(moments.mean, moments.covariance, options.heading);
 }
 
+std::optional<PersonTrack> take_who_stood(std::vector<PersonTrack>& people, std::vector<PersonTrack>& lost,
+                                          const Vector2& place) {
+  std::vector<PersonTrack>* from = nullptr;
+  std::size_t nearest = 0;
+  double least = HiddenOptions::kSamePlace;
+  for (std::vector<PersonTrack>* among : {&people, &lost}) {
+    for (std::size_t i = 0; i < among->size(); ++i) {
+      const PersonTrack& person = (*among)[i];
+      if (!person.hidden || !person.stood()) continue;
+      const double away = (person.sure.position - place).norm();
+      if (away >= least) continue;
+      least = away;
+      from = among;
+      nearest = i;
+    }
+  }
+  if (from == nullptr) return std::nullopt;
+  const auto at = from->begin() + static_cast<std::ptrdiff_t>(nearest);
+  const PersonTrack person = *at;
+  from->erase(at);
+  return person;
+}
+
 std::optional<PersonTrack> take_returned(std::vector<PersonTrack>& people, std::vector<PersonTrack>& lost,
                                          const Sighting& appeared, std::optional<Vector2> velocity,
                                          double now, const HiddenOptions& options) {

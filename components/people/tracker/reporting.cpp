@@ -1,11 +1,14 @@
 #include "components/people/tracker/reporting.hpp"
 
+#include <algorithm>
+
 #include <Eigen/Geometry>
 
 namespace bw::people {
 namespace {
 
-constexpr double kRest = 0.1;  // [m/s] how surely something that stands does not move
+constexpr double kUnborn = 0.49;  // most confident that what is no person yet can be
+constexpr double kRest = 0.1;     // [m/s] how surely something that stands does not move
 
 struct Motion {
   Vector2 position;
@@ -43,7 +46,7 @@ TrackedPerson report_of(const ClusterTrack& possible, Time origin, const Pose2& 
   person.id = possible.id;
   person.position = X_OS * possible.position();
   person.radius = radius;
-  person.confidence = possible.existence.confidence();
+  person.confidence = std::min(possible.existence.confidence(), kUnborn);
   person.covariance.diagonal() << Vector2::Constant(possible.variance()), Vector2::Constant(kRest * kRest);
   const auto time = [&](double seconds) { return origin + Duration::seconds(seconds); };
   person.born = time(possible.born());

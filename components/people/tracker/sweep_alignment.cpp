@@ -13,6 +13,8 @@ constexpr int kRounds = 3;
 constexpr int kFewest = 40;       // points
 constexpr int kBaseline = 2;      // beams to either side that make a line
 constexpr double kBreak = 0.25;   // [m] of range between them: a step is no surface
+constexpr double kFar = 1.0;      // [m] from a sweep: another is compared with
+constexpr double kTurned = 2.5;   // [rad]
 constexpr double kAtRest = 1e-6;  // [m, rad]
 
 Vector2 turned_left(const Vector2& v) { return {-v.y(), v.x()}; }
@@ -56,7 +58,7 @@ bool SweepAlignment::surface_towards(const Vector2& p_O, Surface& surface) const
 
 // Normal equations of the points' distances from the surfaces they look at, at `correction` (x, y, turn about
 // the sensor); what is farther than `reach` has no weight (Tukey).
-SweepAlignment::Equations SweepAlignment::compare(const DetectionSet& sweep,
+SweepAlignment::Equations SweepAlignment::compare(const DetectionSet& sweep, const View& view,
                                                   const Eigen::Vector3d& correction, double reach) const {
   const Eigen::Vector3d prior(1.0 / (options_.way_sigma * options_.way_sigma),
                               1.0 / (options_.way_sigma * options_.way_sigma),
@@ -70,10 +72,10 @@ SweepAlignment::Equations SweepAlignment::compare(const DetectionSet& sweep,
   for (std::size_t i = 0; i < sweep.free_ranges.size(); ++i) {
     const float range = sweep.free_ranges[i];
     if (!(range > 0.0F && range < no_return)) continue;
-    const double angle = sweep.angle_min + static_cast<double>(i) * sweep.angle_increment;
+    const double angle = view.angle_min + static_cast<double>(i) * sweep.angle_increment;
     const Vector2 beam = static_cast<double>(range) * direction(angle);
     const Vector2 arm(turn.x() * beam.x() - turn.y() * beam.y(), turn.y() * beam.x() + turn.x() * beam.y());
-    const Vector2 point = sweep.sensor + arm + correction.head<2>();
+    const Vector2 point = view.sensor + arm + correction.head<2>();
     Surface surface;
     if (!surface_towards(point, surface)) continue;
     ++sum.compared;
@@ -89,11 +91,12 @@ SweepAlignment::Equations SweepAlignment::compare(const DetectionSet& sweep,
   return sum;
 }
 
-std::optional<Eigen::Vector3d> SweepAlignment::correction_of(const DetectionSet& sweep) const {
+std::optional<Eigen::Vector3d> SweepAlignment::correction_of(const DetectionSet& sweep,
+                                                             const View& view) const {
   Eigen::Vector3d correction = Eigen::Vector3d::Zero();
   for (int round = 0; round < kRounds; ++round) {
     const double reach = round == 0 ? options_.reach : std::min(options_.reach, 5.0 * options_.range_noise);
-    const Equations sum = compare(sweep, correction, reach);
+    const Equations sum = compare(sweep, view, correction, reach);
     if (sum.fitting < kFewest || sum.fitting < options_.kLeastShare * sum.compared) return std::nullopt;
     correction += sum.information.ldlt().solve(sum.pull);
   }
@@ -102,20 +105,31 @@ std::optional<Eigen::Vector3d> SweepAlignment::correction_of(const DetectionSet&
 
 Pose2 SweepAlignment::align(const DetectionSet& sweep) {
   const bool usable = options_.enabled && sweep.angle_increment > 0.0 && !sweep.free_ranges.empty();
-  const bool moved = (sweep.sensor - sensor_).norm() > kAtRest ||
-                     std::abs(wrap_angle(sweep.angle_min - angle_min_)) > kAtRest;
+  const bool moved = !last_ || (sweep.sensor - last_->sensor).norm() > kAtRest ||
+                     std::abs(wrap_angle(sweep.angle_min - last_->angle_min)) > kAtRest;
+  last_ = View{sweep.sensor, sweep.angle_min};
+  if (usable && !ranges_.empty() && !moved) return {};
+  const View view{X_RO_ * sweep.sensor, wrap_angle(sweep.angle_min + X_RO_.theta)};
   std::optional<Eigen::Vector3d> correction;
-  if (usable && !ranges_.empty() && moved) correction = correction_of(sweep);
-  remember(sweep);
-  if (!correction) return {};
+  if (usable && !ranges_.empty()) correction = correction_of(sweep, view);
+  if (!correction) {
+    remember(sweep);
+    return {};
+  }
   // p -> s + t + R (p - s)
-  const Vector2 s = sweep.sensor;
   const Pose2 R{0.0, 0.0, (*correction)(2)};
-  const Vector2 shift = s + correction->head<2>() - R * s;
-  return {shift.x(), shift.y(), (*correction)(2)};
+  const Vector2 shift = view.sensor + correction->head<2>() - R * view.sensor;
+  const Pose2 X_RO = Pose2{shift.x(), shift.y(), (*correction)(2)} * X_RO_;
+  const Pose2 X_PO = inverse(X_RO_) * X_RO;
+  X_RO_ = X_RO;
+  const bool far = (X_RO_ * sweep.sensor - sensor_).norm() > kFar ||
+                   std::abs(wrap_angle(sweep.angle_min + X_RO_.theta - angle_min_)) > kTurned;
+  if (far) remember(sweep);
+  return X_PO;
 }
 
 void SweepAlignment::remember(const DetectionSet& sweep) {
+  X_RO_ = {};
   sensor_ = sweep.sensor;
   angle_min_ = sweep.angle_min;
   angle_increment_ = sweep.angle_increment;

@@ -54,7 +54,10 @@ class SweepAlignment {
   /// first sweep, for a sensor that odometry saw at rest, and when too little fits. Remembers the sweep.
   Pose2 align(const DetectionSet& sweep);
 
-  void reset() { ranges_.clear(); }
+  void reset() {
+    ranges_.clear();
+    X_RO_ = {};
+  }
 
  private:
   struct Surface {
@@ -67,15 +70,23 @@ class SweepAlignment {
     int compared = 0;  ///< points with a surface
     int fitting = 0;   ///< those near it
   };
+  /// Where the sensor of a sweep is.
+  struct View {
+    Vector2 sensor;
+    double angle_min;
+  };
   /// (x, y, turn about the sensor) by which the sweep fits; nothing when too little does.
-  std::optional<Eigen::Vector3d> correction_of(const DetectionSet& sweep) const;
-  Equations compare(const DetectionSet& sweep, const Eigen::Vector3d& correction, double reach) const;
+  std::optional<Eigen::Vector3d> correction_of(const DetectionSet& sweep, const View& view) const;
+  Equations compare(const DetectionSet& sweep, const View& view, const Eigen::Vector3d& correction,
+                    double reach) const;
   bool surface_towards(const Vector2& p_O, Surface& surface) const;
   Vector2 remembered_point(std::size_t beam) const;
   void remember(const DetectionSet& sweep);
 
   AlignmentOptions options_;
-  Vector2 sensor_{0.0, 0.0};
+  Pose2 X_RO_;                ///< O as it is now, in the O of the sweep that is compared with
+  std::optional<View> last_;  ///< of the last sweep, in O
+  Vector2 sensor_{0.0, 0.0};  ///< of the sweep that is compared with
   double angle_min_ = 0.0;
   double angle_increment_ = 0.0;
   std::vector<float> ranges_;

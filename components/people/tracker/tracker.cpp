@@ -32,6 +32,7 @@ void Tracker::Impl::reset() {
   lost_.clear();
   clusters_.clear();
   walls_.reset();
+  weighing_.reset();
   random_ = Random(1);
   reported_.clear();
   order_.reset();
@@ -70,6 +71,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   correct_clusters();
   correct_people();
   untangle();
+  weighing_.remember(sweep_in_S_, seconds());
   weighing_.weigh(people_, clusters_, sweep_, seconds(), since_own, leading_sensor_, options_.birth);
   watch_for_absence(sweep_in_S_, since_own);
   follow_hidden_people(dt, since_own);
@@ -257,7 +259,10 @@ void Tracker::Impl::delete_tracks() {
   std::ranges::copy_if(people_, std::back_inserter(lost_), gone);
   std::erase_if(people_, gone);
   const Duration remembered = Duration::seconds(options_.hidden.remembered);
-  std::erase_if(lost_, [&](const PersonTrack& person) { return *now_ > person.last_known() + remembered; });
+  std::erase_if(lost_, [&](const PersonTrack& person) {
+    const Duration stood = std::max(remembered, Duration::seconds(HiddenOptions::kStoodRemembered));
+    return *now_ > person.last_known() + (person.stood() ? stood : remembered);
+  });
   if (lost_.size() > HiddenOptions::kMostLost)  // who was let go last stays
     lost_.erase(lost_.begin(), lost_.end() - static_cast<std::ptrdiff_t>(HiddenOptions::kMostLost));
 }
@@ -279,10 +284,15 @@ void Tracker::Impl::initiate_tracks() {
     if (second != nullptr) used.push_back(candidate.second);
     const Sighting& oldest = first.sighting(first.remembered() - 1);
     const Walker walker = walker_of(first, second, options_.walker);
-    auto person = take_returned(people_, lost_, oldest, walker.velocity(), seconds(), options_.hidden);
+    std::optional<PersonTrack> person;
+    if (candidate.birth.stands()) person = take_who_stood(people_, lost_, walker.position());
+    const bool was_here = person.has_value();
+    if (!person)
+      person = take_returned(people_, lost_, oldest, walker.velocity(), seconds(), options_.hidden);
     Existence existence = existence_of(candidate.birth, first, second);
     if (person) {
-      existence = existence_of_returned(person->existence, existence, candidate.birth.kind);
+      existence = was_here ? existence_of_same(person->existence, existence)
+                           : existence_of_returned(person->existence, existence, candidate.birth);
     } else {
       person = PersonTrack{.id = id_of(first, second),
                            .walker = walker,

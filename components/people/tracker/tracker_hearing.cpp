@@ -84,9 +84,9 @@ bool Tracker::Impl::follow_legs_near(PersonTrack& person) {
   std::optional<ClusterTrack> second;
   if (legs.second >= 0) second = clusters_[static_cast<std::size_t>(legs.second)];
   follow_legs(person, first, second ? &*second : nullptr);
-  const BirthKind kind = second ? BirthKind::standing_pair : BirthKind::standing_single;
-  person.existence = existence_of_returned(
-      person.existence, existence_of({.kind = kind}, first, second ? &*second : nullptr), kind);
+  const Birth birth{.kind = second ? BirthKind::standing_pair : BirthKind::standing_single};
+  person.existence =
+      existence_of_returned(person.existence, existence_of(birth, first, second ? &*second : nullptr), birth);
   person.score = first.last().human_score();
   std::vector<int> used{legs.first};
   if (second) used.push_back(legs.second);

@@ -214,6 +214,12 @@ struct HiddenOptions {
   static constexpr double kLikeness = 0.5;
   /// how many people let go are remembered at most, which bounds a sweep's cost
   static constexpr std::size_t kMostLost = 20;
+  /// [m/s] who was slower when seen last stood,
+  static constexpr double kStoodSpeed = 0.15;
+  /// [s] is remembered for so long,
+  static constexpr double kStoodRemembered = 60.0;
+  /// [m] and is whoever stands so near
+  static constexpr double kSamePlace = 0.35;
   double absent = 0.25;
   double remembered = 20.0;
   int guesses = 100;
@@ -233,7 +239,8 @@ struct HiddenOptions {
       {.unit = "s",
        .min = 0,
        .max = 60,
-       .doc = "somebody not seen for sure for this long is hidden, and may come back as somebody who appears"});
+       .doc =
+           "somebody not seen for sure for this long is hidden, and may come back as somebody who appears"});
     v("remembered", remembered,
       {.unit = "s", .min = 0, .max = 60, .doc = "who appears so long after somebody was lost may be them"});
     v("guesses", guesses,
@@ -244,7 +251,10 @@ struct HiddenOptions {
        .max = 5,
        .doc = "standard deviation of a velocity when somebody is lost from sight, per axis"});
     v("wander", wander,
-      {.unit = "rad/s/sqrt(Hz)", .min = 0, .max = 10, .doc = "how fast people out of sight change direction"});
+      {.unit = "rad/s/sqrt(Hz)",
+       .min = 0,
+       .max = 10,
+       .doc = "how fast people out of sight change direction"});
     v("keeps_way", keeps_way,
       {.unit = "s", .min = 0.1, .max = 1000, .doc = "mean time until somebody out of sight goes elsewhere"});
     v("overlooked", overlooked,

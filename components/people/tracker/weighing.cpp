@@ -17,14 +17,20 @@ constexpr double kTurn = 0.1;        // [rad] of the line of sight to a leg that
 constexpr double kTurnOfPair = 0.4;  // to a pair
 constexpr double kSensorStill = 0.05;    // [m] a laser that moves less stands
 constexpr double kSensorStood = 1.0;     // [s]
-constexpr double kWhileMoving = 0.4;     // share of what shifts of a pair say while the laser moves
+constexpr double kLooksOfShifts = 1.0;   // log odds of a pair whose shifts count
+constexpr double kHasCome = 3.0;         // log odds from which on clutter says nothing against somebody
+constexpr double kLookUpEvery = 1.0;     // [s] what was at a place before is looked up so often,
+constexpr double kLookedUpWithin = 0.1;  // [m] or when a thing has moved so far
 constexpr double kTaken = -14.0;         // log odds of legs that stand where something stood before
 constexpr double kOfWayLost = 0.6;       // [m] of the way walked by somebody lost
+constexpr double kClutterGain = 0.3;     // [s] in which things that come into view are noticed
 constexpr double kClutterMemory = 10.0;  // [s] in which things out of view are forgotten
 constexpr double kOfOneLeg = 0.5;        // share of what shifts say where no other leg is seen
 constexpr double kNoticed = 1.0;         // [s] after which what stands is told of
 constexpr double kLeastLooks = -0.5;
 constexpr double kFurniture = -6.0;  // log odds of what is no longer told of
+
+using Past = PastSweeps::Past;
 
 bool stands(const ClusterTrack& thing) {
   const Sighting& oldest = thing.sighting(thing.remembered() - 1);
@@ -52,25 +58,45 @@ double prior_of(BirthKind kind) {
   return Existence::kOneLeg;
 }
 
+/// Of the legs that are seen; `other` may be null.
+double share_that_came(Past one, const Past* other) {
+  const int came = (one == Past::empty ? 1 : 0) + (other != nullptr && *other == Past::empty ? 1 : 0);
+  if (came == 0) return 0.0;
+  return other == nullptr || came == 2 ? 1.0 : Existence::kOneCame;
+}
+
 }  // namespace
 
 Existence existence_of(const Birth& birth, const ClusterTrack& first, const ClusterTrack* second) {
   Existence existence = first.existence;
   existence.walked.way = birth.way;
   existence.prior = prior_of(birth.kind);
-  if (second == nullptr) return existence;
-  if (second->existence.looks.log_odds() < existence.looks.log_odds())
-    existence.looks = second->existence.looks;
-  existence.fidgets = std::max(existence.fidgets, second->existence.fidgets);
-  existence.row = std::min(existence.row, second->existence.row);
+  if (second != nullptr) {
+    if (second->existence.looks.log_odds() < existence.looks.log_odds())
+      existence.looks = second->existence.looks;
+    existence.fidgets = std::max(existence.fidgets, second->existence.fidgets);
+    existence.row = std::min(existence.row, second->existence.row);
+    existence.came = Existence::kCame * share_that_came(first.past, &second->past);
+  }
+  const bool was_there =
+      first.past == Past::occupied && (second == nullptr || second->past == Past::occupied);
+  if (was_there && !birth.stands()) existence.came = Existence::kWasThere;
   return existence;
 }
 
-Existence existence_of_returned(const Existence& lost, const Existence& born, BirthKind kind) {
+Existence existence_of_returned(const Existence& lost, const Existence& born, const Birth& birth) {
   Existence existence = born;
-  const bool stands = kind == BirthKind::standing_pair || kind == BirthKind::standing_single;
-  existence.walked.way =
-      std::max(born.walked.way, stands ? std::min(lost.walked.way, kOfWayLost) : lost.walked.way);
+  const double way = birth.stands() ? std::min(lost.walked.way, kOfWayLost) : lost.walked.way;
+  existence.walked.way = std::max(born.walked.way, way);
+  return existence;
+}
+
+Existence existence_of_same(const Existence& lost, const Existence& born) {
+  Existence existence = born;
+  existence.walked.way = std::max(born.walked.way, lost.walked.way);
+  existence.fidgets = std::max(born.fidgets, lost.fidgets);
+  existence.came = std::max(born.came, lost.came);
+  existence.kept = lost.kept;
   return existence;
 }
 
@@ -78,6 +104,14 @@ bool may_be_somebody(const ClusterTrack& cluster) {
   if (cluster.id != 0) return cluster.existence.log_odds() > kFurniture;
   return cluster.last().time - cluster.born() >= kNoticed && stands(cluster) && !cluster.last().on_static &&
          cluster.existence.looks.log_odds() >= kLeastLooks;
+}
+
+void Weighing::reset() {
+  past_.reset();
+  clutter_ = 0.0;
+  stood_ = {0.0, 0.0};
+  standing_since_ = 0.0;
+  still_ = false;
 }
 
 void Weighing::find_posts(const std::vector<PersonTrack>& people, const std::vector<ClusterTrack>& clusters,
@@ -114,10 +148,45 @@ void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
 }
 
 double Weighing::clutter_against(const Existence& existence) const {
-  if (existence.walked.way >= Walked::kFree) return 0.0;
+  if (existence.walked.way >= Walked::kFree || existence.came >= kHasCome) return 0.0;
   const double others = std::max(0.0, clutter_ - 1.0);
   if (existence.prior == Existence::kTwoLegs) return Existence::kEachOther * others;
   return existence.prior == Existence::kWalker ? Existence::kEachOtherWalking * others : 0.0;
+}
+
+void Weighing::look_up(ClusterTrack& thing, double now) const {
+  const Vector2& place = thing.last().position;
+  const double moved = (place - thing.looked_up_at).norm();
+  if (thing.past == Past::empty && moved < kStill) return;
+  if (moved < kLookedUpWithin && now - thing.looked_up < kLookUpEvery) return;
+  thing.looked_up_at = place;
+  thing.looked_up = now;
+  thing.past = past_.at(place, now);
+}
+
+void Weighing::weigh_coming(PersonTrack& person, std::int64_t sweep, double now) const {
+  const Past* seen[2] = {nullptr, nullptr};
+  for (auto& leg : person.legs) {
+    if (!leg || leg->last().sweep != sweep) continue;
+    look_up(*leg, now);
+    seen[seen[0] == nullptr ? 0 : 1] = &leg->past;
+  }
+  if (seen[0] == nullptr) return;
+  Existence& existence = person.existence;
+  const double share = share_that_came(*seen[0], seen[1]);
+  if (share == 0.0 && existence.came < 0.0 && existence.walked.way < Walked::kFree) return;
+  existence.came = Existence::kCame * share * (1.0 - existence.taken / kTaken);  // background says otherwise
+}
+
+void Weighing::weigh_rigidity(PersonTrack& person, std::int64_t sweep, double dt) {
+  Existence& existence = person.existence;
+  const bool moved =
+      existence.walked.way >= Walked::kFree || existence.came >= kHasCome || existence.fidgets > 0.0;
+  if (moved) {
+    existence.rigid = 0.0;
+  } else if (existence.prior == Existence::kTwoLegs && person.both_legs_seen(sweep)) {
+    existence.rigid = std::max(Existence::kMostRigid, existence.rigid + Existence::kRigid * dt);
+  }
 }
 
 /// Nothing becomes background where somebody walks up to: what is background under their feet is not theirs.
@@ -145,13 +214,17 @@ void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, 
     for (const auto& leg : person.legs)
       if (leg && leg->last().sweep == sweep) walk = walk_of_single(*leg, options);
   }
-  if (walk) existence.walked.way += walk->speed * std::min(dt, person.since_seen);
+  if (walk) {
+    existence.walked.way += walk->speed * std::min(dt, person.since_seen);
+    existence.walked.way = std::max(existence.walked.way, walk->way);
+  }
   existence.clutter = clutter_against(existence);
   if (!both || existence.walked.way >= Walked::kFree) return;
   const Sighting& a = person.legs[0]->last();
   const Sighting& b = person.legs[1]->last();
   person.fidgets.add(a.time, a.position - b.position, !a.occluded && !b.occluded, a.bearing, kTurnOfPair);
-  existence.fidgets = std::max(existence.fidgets, (still_ ? 1.0 : kWhileMoving) * person.fidgets.log_odds());
+  if (existence.looks.log_odds() >= kLooksOfShifts)
+    existence.fidgets = std::max(existence.fidgets, person.fidgets.log_odds());
   double row = 0.0;
   if (stands(*person.legs[0]) && stands(*person.legs[1]))
     row = std::min(row_at(*person.legs[0], &*person.legs[1]), row_at(*person.legs[1], &*person.legs[0]));
@@ -172,12 +245,18 @@ void Weighing::weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>
   for (ClusterTrack& cluster : clusters) {
     if (cluster.last().sweep != sweep) continue;
     weigh_cluster(cluster, gain);
-    if (is_post(cluster, sweep) && cluster.existence.looks.log_odds() > 0.0) leglike += 1.0;
+    if (cluster.last().width <= kThin && cluster.existence.looks.log_odds() > kLeastLooks)
+      look_up(cluster, time);
+    const bool came = cluster.past == Past::empty;
+    cluster.existence.came = came ? Existence::kThingCame : 0.0;
+    if (is_post(cluster, sweep) && !came && cluster.existence.looks.log_odds() > 0.0) leglike += 1.0;
   }
-  clutter_ += std::min(1.0, dt / (leglike > clutter_ ? kSlowly : kClutterMemory)) * (leglike - clutter_);
+  clutter_ += std::min(1.0, dt / (leglike > clutter_ ? kClutterGain : kClutterMemory)) * (leglike - clutter_);
   for (PersonTrack& person : people) {
     weigh_person(person, sweep, dt, gain, options);
     weigh_place(person, sweep, gain);
+    weigh_coming(person, sweep, time);
+    weigh_rigidity(person, sweep, dt);
     person.existence.keep_belief();
   }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "components/people/tracker/birth.hpp"
+#include "components/people/tracker/evidence/past_sweeps.hpp"
 #include "components/people/tracker/evidence/row_of_posts.hpp"
 #include "components/people/tracker/person_track.hpp"
 
@@ -16,7 +17,10 @@ Existence existence_of(const Birth& birth, const ClusterTrack& first, const Clus
 
 /// The evidence for somebody lost who is taken to be back as somebody born: that they have walked counts less where
 /// somebody only stands.
-Existence existence_of_returned(const Existence& lost, const Existence& born, BirthKind kind);
+Existence existence_of_returned(const Existence& lost, const Existence& born, const Birth& birth);
+
+/// The same of somebody lost who stood at the very place: they are believed as before.
+Existence existence_of_same(const Existence& lost, const Existence& born);
 
 /// Whether something that stands may be the leg of somebody, or both in one, and should be told of.
 bool may_be_somebody(const ClusterTrack& cluster);
@@ -28,6 +32,10 @@ class Weighing {
   void weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>& clusters, std::int64_t sweep,
              double time, double dt, const Vector2& sensor, const BirthOptions& options);
 
+  /// A sweep in S, to be remembered.
+  void remember(const DetectionSet& sweep, double now) { past_.add(sweep, now); }
+  void reset();
+
   /// What the other things about that look like legs say of somebody, in log odds.
   double clutter_against(const Existence& existence) const;
 
@@ -36,10 +44,14 @@ class Weighing {
                   std::int64_t sweep);
   double row_at(const ClusterTrack& thing, const ClusterTrack* other);
   void weigh_cluster(ClusterTrack& cluster, double gain);
+  void look_up(ClusterTrack& thing, double now) const;
+  void weigh_coming(PersonTrack& person, std::int64_t sweep, double now) const;
+  static void weigh_rigidity(PersonTrack& person, std::int64_t sweep, double dt);
   void weigh_place(PersonTrack& person, std::int64_t sweep, double gain);
   void weigh_person(PersonTrack& person, std::int64_t sweep, double dt, double gain,
                     const BirthOptions& options);
 
+  PastSweeps past_;
   std::vector<Post> posts_;
   std::vector<Post> near_;
   double clutter_ = 0.0;         ///< things that stand about and look like legs, lately

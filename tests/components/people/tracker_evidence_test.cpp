@@ -1,12 +1,15 @@
 // What speaks for and against a person, term by term.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "components/people/tracker/evidence/existence.hpp"
 #include "components/people/tracker/evidence/fidgets.hpp"
+#include "components/people/tracker/evidence/past_sweeps.hpp"
 #include "components/people/tracker/evidence/row_of_posts.hpp"
 #include "components/people/tracker/tracker.hpp"
 #include "tests/components/people/tracker_stage.hpp"
@@ -155,6 +158,77 @@ TEST(Evidence, WhatStoodBeforeIsNotWhoWalkedUpToIt) {
     }
     const bool confirmed = !tracker.people().empty() && tracker.people()[0].confidence >= kConfirmed;
     EXPECT_EQ(confirmed, !stood_before);
+  }
+}
+
+// A beam every half degree: at 3 m they are 0.026 m apart, 5 or 6 pass within 0.08 m of a place. Two sweeps 0.3 s apart that see
+// nothing there show it empty, whatever stands there later; what always stood there shows from 2 s on; what something hides,
+// what is nearer than 0.3 m or farther than 0.04 m / 0.0087 rad = 4.6 m is unknown.
+TEST(Evidence, KnowsWhatWasAtAPlaceBefore) {
+  using Past = PastSweeps::Past;
+  Stage stage;
+  PastSweeps past;
+  const auto look = [&](double t, std::optional<double> range) {
+    stage.begin(t);
+    if (range) stage.hide({3.0, 0.0}, 0.3, *range);
+    past.add(stage.set(), t);
+  };
+  look(0.0, std::nullopt);
+  look(0.1, std::nullopt);  // too soon to be kept
+  EXPECT_EQ(past.at({3.0, 0.0}, 0.1), Past::unknown);
+  look(0.3, std::nullopt);
+  for (int k = 2; k < 100; ++k) look(0.3 * k, 2.95);
+  EXPECT_EQ(past.at({3.0, 0.0}, 30.0), Past::empty);
+  EXPECT_EQ(past.at({4.7, 0.0}, 30.0), Past::unknown);
+  EXPECT_EQ(past.at({0.2, 0.0}, 30.0), Past::unknown);
+  for (int k = 100; k < 250; ++k) look(0.3 * k, 2.95);  // 150 sweeps are kept
+  EXPECT_EQ(past.at({3.0, 0.0}, 75.0), Past::occupied);
+  past.reset();
+  for (int k = 0; k < 7; ++k) look(0.3 * k, 2.95);
+  EXPECT_EQ(past.at({3.0, 0.0}, 1.8), Past::unknown);
+  EXPECT_EQ(past.at({3.0, 0.0}, 2.4), Past::occupied);
+  past.reset();
+  for (int k = 0; k < 100; ++k) look(0.3 * k, 2.0);
+  EXPECT_EQ(past.at({3.0, 0.0}, 30.0), Past::unknown);
+}
+
+// Two legs stand where nothing was for a second: somebody has come, and is confirmed although twelve posts about look
+// like legs. If something hid the place until then, they are doubted.
+TEST(Evidence, WhoStandsWhereNothingWasHasCome) {
+  for (const bool came : {true, false}) {
+    Stage stage;
+    Tracker tracker({});
+    for (int k = 0; k < 60; ++k) {
+      stage.begin(0.1 * k);
+      for (int post = 0; post < 12; ++post) stage.add({-3.0, 0.7 * post - 4.0}, 0.9);
+      if (k < 12 && !came) stage.hide({3.0, 0.0}, 0.5, 1.5);
+      if (k >= 12) {
+        stage.add({3.0, 0.12}, 0.9);
+        stage.add({3.0, -0.12}, 0.9);
+      }
+      tracker.update(stage.set());
+    }
+    const auto confirmed = std::ranges::count_if(tracker.people(), [](const TrackedPerson& person) {
+      return person.confidence >= kConfirmed && person.position.x() > 0.0;
+    });
+    EXPECT_EQ(confirmed, came ? 1 : 0);
+  }
+}
+
+// -0.1 for each second in view, at most -2.
+TEST(Evidence, TwoThatNeverMoveAreDoubted) {
+  Stage stage;
+  Tracker tracker({});
+  double before = 1.0;
+  for (int k = 0; k < 250; ++k) {
+    stage.begin(0.1 * k);
+    stage.add({3.0, 0.12}, 0.75);
+    stage.add({3.0, -0.12}, 0.75);
+    const auto& people = tracker.update(stage.set());
+    if (k != 50 && k != 249) continue;
+    ASSERT_EQ(people.size(), 1U);
+    EXPECT_LT(people[0].confidence, before);
+    before = people[0].confidence;
   }
 }
 

@@ -19,7 +19,7 @@ struct Existence {
   static constexpr double kLoneWalker = -5.5;  ///< one of which that is so
   static constexpr double kUnseen = -60.0;     ///< whom no laser has shown yet
   /// Of two legs that only stand, by each other thing about that looks like a leg, beyond the first.
-  static constexpr double kEachOther = -0.5;
+  static constexpr double kEachOther = -0.3;
   /// The same of two legs that have walked less than a metre.
   static constexpr double kEachOtherWalking = -0.25;
 
@@ -29,6 +29,17 @@ struct Existence {
   static constexpr double kLooksOfWalkers = 1.0;
   static constexpr double kUsualLooks = 1.0;  ///< log odds between furniture that seems to walk and people
 
+  /// Of legs that are where nothing was before, both or the only one that is seen; the share of it where one of two is;
+  /// and of what is not somebody yet.
+  static constexpr double kCame = 6.0;
+  static constexpr double kOneCame = 0.3;
+  static constexpr double kThingCame = 3.3;
+  /// Of somebody first noticed walking where something stood before, until they have walked a metre.
+  static constexpr double kWasThere = -4.0;
+  /// Of two that stand and never move, for each second in view [1/s], and at most.
+  static constexpr double kRigid = -0.1;
+  static constexpr double kMostRigid = -2.0;
+
   double prior = kOneLeg;
   Walked walked;
   Looks looks;
@@ -36,6 +47,8 @@ struct Existence {
   double row = 0.0;      ///< log odds (row_of_posts.hpp), lately
   double clutter = 0.0;  ///< log odds by how many things about look like legs
   double taken = 0.0;    ///< log odds of who walked and is seen where something stood before
+  double came = 0.0;     ///< log odds by what was at the place of the legs before
+  double rigid = 0.0;    ///< log odds of two that stand and never move
   double kept = 0.0;     ///< kKept of somebody confirmed
 
   /// To be called when the evidence of a sweep is complete.
@@ -43,7 +56,7 @@ struct Existence {
 
   double log_odds() const {
     return prior + walked.log_odds() + looks.log_odds() + looks_of_walker() + fidgets + row + clutter +
-           taken + kept;
+           taken + came + rigid + kept;
   }
   double confidence() const { return 1.0 / (1.0 + std::exp(-log_odds())); }
 
