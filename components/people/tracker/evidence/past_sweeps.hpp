@@ -1,5 +1,5 @@
 // What was seen empty earlier and holds something now: furniture does not come, people do. Sweeps of the last 45 s are
-// kept in S (the tracker's frame, which in that time drifts by 3 cm), with one sensor; with more of them for less time.
+// kept in S (the tracker's frame, which in that time drifts by 1 to 3 cm), with one sensor; with more of them for less time.
 #pragma once
 
 #include <vector>
