@@ -21,6 +21,7 @@ struct IdealPeopleOptions {
   double range = 15.0;
   double position_noise = 0.0;
   double velocity_noise = 0.0;
+  double velocity_memory = 0.0;
   double walker_acceleration = 0.2;
   double prediction_horizon = 4.0;
   double prediction_step = 0.5;
@@ -34,6 +35,12 @@ struct IdealPeopleOptions {
       {.unit = "m", .min = 0, .max = 2, .doc = "standard deviation per axis and message"});
     v("velocity_noise", velocity_noise,
       {.unit = "m/s", .min = 0, .max = 2, .doc = "standard deviation per axis and message"});
+    v("velocity_memory", velocity_memory,
+      {.unit = "s",
+       .min = 0,
+       .max = 10,
+       .doc = "velocities are means over about this time, as those of recorded people carry the errors of "
+              "annotation; 0: as they are"});
     v("walker_acceleration", walker_acceleration,
       {.unit = "m/s^2",
        .min = 0,

@@ -7,6 +7,7 @@
 #include <bandwagon_msgs/msg/ground_truth.hpp>
 
 #include "components/ideal_people/ideal_tracks.hpp"
+#include "components/ideal_people/velocity_memory.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/people.hpp"
 #include "runtime/component.hpp"
@@ -44,9 +45,11 @@ class IdealPeopleComponent final : public Component {
   void on_truth(const bandwagon_msgs::msg::GroundTruth& truth) {
     const Time stamp = from_stamp(truth.header().stamp());
     if (last_ && stamp >= *last_ && stamp - *last_ < period_) return;
+    std::vector<Mover> people = people_of(truth);
+    memory_.smooth(people, options_.velocity_memory, last_ ? (stamp - *last_).to_seconds() : 0.0);
     last_ = stamp;
     const Vector2 robot(truth.pose().position().x(), truth.pose().position().y());
-    const std::vector<TrackedPerson> tracks = ideal_tracks(people_of(truth), robot, options_, *random_);
+    const std::vector<TrackedPerson> tracks = ideal_tracks(people, robot, options_, *random_);
     const std_msgs::msg::Header header = make_header(map_frame_, stamp);
     tracks_.publish(people::to_tracks(tracks, header));
     people_.publish(people::to_people(tracks, header));
@@ -58,6 +61,7 @@ class IdealPeopleComponent final : public Component {
   std::optional<Random> random_;
   Duration period_;
   std::optional<Time> last_;
+  VelocityMemory memory_;
   std::string map_frame_;
   Output<bandwagon_msgs::msg::Tracks> tracks_;
   Output<people_msgs::msg::People> people_;
