@@ -127,12 +127,13 @@ TEST(FootprintGraph, ARobotFileWithAPolygonDrives) {
   EXPECT_LE(drive.wall_gap, 0.5 * (0.6 - 0.43));
 }
 
-// As a disc it stands before the passage; what it carried is put down at 12 s, and all who plan, guard, judge and simulate it hear so.
+// As a disc it stands before the passage; what it carried is put down at 9 s, and all who plan, guard, judge and simulate it hear so.
+// Later it stands far beside the passage, from where it finds none (Limits in components/local_planner/homotopy/README.md).
 TEST(FootprintGraph, APassageIsPassedOnceTheOutlineIsSmaller) {
   const Drive stood = driven(passage(0.6, false), 12.0, 30.0);
   EXPECT_LT(stood.farthest_x, 6.0);
   EXPECT_EQ(stood.contacts, 0U);
-  const Drive passed = driven(passage(0.6, false), 60.0, 12.0);
+  const Drive passed = driven(passage(0.6, false), 60.0, 9.0);
   EXPECT_TRUE(passed.card.reached()) << passed.card.reason() << " at x " << passed.farthest_x;
   EXPECT_EQ(passed.contacts, 0U);
   EXPECT_GT(passed.wall_gap, 0.0);

@@ -42,12 +42,12 @@ std::map<std::string, std::string> files_in(const std::filesystem::path& folder)
   return files;
 }
 
-// A quick run has two drives of each of four pairs in two hallways; a shard 1/8 of it the first one in each hallway.
+// A quick run has two drives of each of five pairs in two hallways; a shard 1/10 of it the first one in each hallway.
 TEST(ReproduceVerb, GoesOnWhereItWasKilled) {
   const Folder folder;
   const auto kept = folder / "navigation/kept";
   const std::vector<std::string> command =
-      reproduce("navigation", folder / "navigation", {"--simulated-drivers", "--shard", "1/8"});
+      reproduce("navigation", folder / "navigation", {"--simulated-drivers", "--shard", "1/10"});
   {
     Process killed(command);
     ASSERT_TRUE(poll_until(std::chrono::steady_clock::now() + kLimit, std::chrono::milliseconds(5), [&] {
@@ -62,8 +62,8 @@ TEST(ReproduceVerb, GoesOnWhereItWasKilled) {
 
   const Outcome again = run_to_end(command, kLimit);
   EXPECT_EQ(again.status, 0) << again.err;
-  EXPECT_THAT(again.err, testing::ContainsRegex("\\[1/2\\] Eddie edwa, hallway full[^\n]*, kept"));
-  EXPECT_THAT(again.err, HasSubstr("[2/2] Eddie edwa, hallway light"));
+  EXPECT_THAT(again.err, testing::ContainsRegex("\\[1/2\\] Eddie edwa, hallway light[^\n]*, kept"));
+  EXPECT_THAT(again.err, HasSubstr("[2/2] Eddie edwa, hallway full"));
   EXPECT_THAT(again.err, Not(testing::ContainsRegex("\\[2/2\\][^\n]*, kept")));
   const auto after = files_in(kept);
   ASSERT_EQ(after.size(), 2U);
