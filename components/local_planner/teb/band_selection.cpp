@@ -44,6 +44,8 @@ std::vector<BandCandidate> worth_keeping(std::vector<BandCandidate> candidates, 
   if (candidates.size() > options.max_kept + options.max_spare)
     candidates.resize(options.max_kept + options.max_spare);
   for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].spare = i >= options.max_kept;
+  // Where it is not free a new plan is the better start.
+  std::erase_if(candidates, [](const BandCandidate& c) { return c.spare && !c.safety.free; });
   return candidates;
 }
 

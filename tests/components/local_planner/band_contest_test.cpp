@@ -112,6 +112,9 @@ TEST(WorthKeeping, OneBandTooManyStaysAsASpare) {
   EXPECT_EQ(kept[0].cost, 12.0);  // the driven one, then by cost
   EXPECT_EQ(kept[3].cost, 13.0);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(kept[i].spare, i == 3);
+  candidates[3].safety.free = candidates[4].safety.free = false;
+  EXPECT_EQ(worth_keeping(candidates, 2, {.max_kept = 3, .max_spare = 1}).size(),
+            3U);                                           // the spare is not free
   EXPECT_EQ(worth_keeping(candidates, 2, {}).size(), 1U);  // of a planner of one band
 }
 
