@@ -7,6 +7,7 @@ namespace bw {
 
 void VelocityMemory::smooth(std::vector<Mover>& people, double memory, double dt) {
   if (memory <= 0.0) return velocities_.clear();
+  if (dt < 0.0) velocities_.clear();
   const double share = 1.0 - std::exp(-dt / memory);
   std::map<std::uint32_t, Vector2> now;
   for (Mover& person : people) {

@@ -15,7 +15,7 @@ namespace bw {
 class VelocityMemory {
  public:
   /// Sets the velocities of `people` to their means over about `memory` [s]; 0 leaves them. `dt` [s] since the last call.
-  /// Who is missing is forgotten.
+  /// Who is missing is forgotten; all are when the clock goes back (dt < 0).
   void smooth(std::vector<Mover>& people, double memory, double dt);
 
  private:

@@ -34,6 +34,15 @@ TEST(VelocityMemory, WhoWasAwayComesAsNew) {
   EXPECT_EQ(people[0].velocity, Vector2(0.0, 1.0));
 }
 
+TEST(VelocityMemory, AClockThatGoesBackBeginsAnew) {
+  VelocityMemory memory;
+  std::vector<Mover> people{walker(1, 1.0, 0.0)};
+  memory.smooth(people, 0.5, 0.1);
+  people = {walker(1, 0.0, 1.0)};
+  memory.smooth(people, 0.5, -100.0);
+  EXPECT_EQ(people[0].velocity, Vector2(0.0, 1.0));
+}
+
 TEST(VelocityMemory, NoneLeavesVelocitiesAsTheyAre) {
   VelocityMemory memory;
   std::vector<Mover> people{walker(1, 1.0, 0.0)};
