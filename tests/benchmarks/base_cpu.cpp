@@ -2,44 +2,33 @@
 // pseudo-terminal of its emulator; floor, emulator and the commander of its wheels are another process.
 //   base_cpu ROBOT.yaml [SECONDS]          a robot file such as config/robots/kobuki.yaml
 // CPU time of the whole process, DDS included, and of each of its threads; other programs on the machine take no part in it, but
-// caches that they wash out do. Asked: less than 2 % of a core. A measurement, not a test: it judges nothing.
+// caches that they wash out do. Asked: less than 2 % of a core. A measurement, not a test: it judges nothing;
+// status 1 when the base did not drive all the time.
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "components/messages/wheel_joints.hpp"
-#include "components/model/robot.hpp"
+#include <bandwagon_msgs/msg/base_state.hpp>
+
 #include "runtime/host/host.hpp"
+#include "tests/benchmarks/commanded_base.hpp"
 
 namespace bw {
 namespace {
-
-/// motor_control's part: 50 commands a second.
-class Commander final : public Component {
- public:
-  void configure(Setup& setup) override {
-    const WheelRadii radii = setup.shared<Robot>("robot").wheel_radii();
-    setup.every(Duration::milliseconds(20), "commands",
-                [radii, out = setup.command<sensor_msgs::msg::JointState>("wheel_commands")](
-                    const Tick& tick) mutable {
-                  out.publish(to_joint_state({0.2, 0.25}, radii, tick.now));
-                });
-  }
-};
 
 constexpr const char* kGraph = R"(
 components:
@@ -49,15 +38,6 @@ components:
   base_emulator: {enabled: false, manager: none, process: floor, lane: devices, emulation: {base: {enabled: true}}}
   robot_base: {manager: none, process: base, lane: base, inputs: {wheel_commands: {external: true}}}
 )";
-
-double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 /// [s] of each thread, by its name.
 std::map<std::string, double> thread_seconds() {
@@ -72,21 +52,53 @@ std::map<std::string, double> thread_seconds() {
   return all;
 }
 
-void measure(double seconds) {
-  using std::chrono::duration;
-  std::this_thread::sleep_for(duration<double>(5.0));  // it starts, and finds the others
-  const auto began = std::chrono::steady_clock::now();
-  const double before = cpu_seconds();
-  auto threads = thread_seconds();
-  std::this_thread::sleep_for(duration<double>(seconds));
-  const double took = cpu_seconds() - before;
-  const double share = 100.0 / duration<double>(std::chrono::steady_clock::now() - began).count();
-  std::printf("driver and base: %.2f %% of a core\n", share * took);
-  for (const auto& [name, now] : thread_seconds()) {
-    const double of_thread = share * (now - threads[name]);
-    if (of_thread >= 0.01) std::printf("  %-16s %.2f %%\n", name.c_str(), of_thread);
+/// Measures from when the base has driven for 2 s; a base that stops by itself is not what is asked for.
+class Meter final : public Component {
+ public:
+  Meter(double seconds, bool& measured) : span_(Duration::seconds(seconds)), measured_(measured) {}
+  void configure(Setup& setup) override {
+    finish_ = setup.finish_run();
+    setup.input<BaseState>("base_state", Qos::standard(),
+                           [this](const BaseState& state, const Tick& tick) { on_state(state, tick.now); });
   }
-}
+
+ private:
+  using BaseState = bandwagon_msgs::msg::BaseState;
+
+  void on_state(const BaseState& state, Time now) {
+    if (state.state() != bandwagon_msgs::msg::BaseState_Constants::DRIVING) {
+      if (began_) finish_(false, "the base stopped: " + state.reason());
+      driving_since_.reset();
+      return;
+    }
+    if (!driving_since_) driving_since_ = now;
+    if (!began_ && now - *driving_since_ >= Duration::seconds(2.0)) {
+      began_ = now;
+      cpu_ = cpu_seconds();
+      threads_ = thread_seconds();
+    } else if (began_ && !measured_ && now - *began_ >= span_) {
+      report((now - *began_).to_seconds());
+      measured_ = true;
+      finish_(true, "");
+    }
+  }
+
+  void report(double seconds) {
+    const double share = 100.0 / seconds;
+    std::printf("driver and base: %.2f %% of a core\n", share * (cpu_seconds() - cpu_));
+    for (const auto& [name, now] : thread_seconds()) {
+      const double of_thread = share * (now - threads_[name]);
+      if (of_thread >= 0.01) std::printf("  %-16s %.2f %%\n", name.c_str(), of_thread);
+    }
+  }
+
+  Duration span_;
+  bool& measured_;
+  std::function<void(bool, const std::string&)> finish_;
+  std::optional<Time> driving_since_, began_;
+  double cpu_ = 0.0;
+  std::map<std::string, double> threads_;
+};
 
 }  // namespace
 }  // namespace bw
@@ -105,22 +117,22 @@ int main(int argc, char** argv) {
   if (floor == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     std::vector<bw::ExtraComponent> extra;
-    extra.push_back({"commander", std::make_unique<bw::Commander>(), "commander"});
+    extra.push_back({"commander", std::make_unique<bw::Commander>(bw::WheelSpeeds{0.2, 0.25}), "commander"});
     bw::Host host(graph(), {.only_process = "floor"}, std::move(extra));
     host.run(bw::Duration::seconds(seconds + 60.0));
     return 0;
   }
+  bool measured = false;
   {
-    bw::Host host(graph(), {.only_process = "base"});
-    std::thread meter([&host, seconds] {
-      bw::measure(seconds);
-      host.finish({}, false);
-    });
-    host.run(std::nullopt);
-    meter.join();
+    std::vector<bw::ExtraComponent> extra;
+    extra.push_back({"meter", std::make_unique<bw::Meter>(seconds, measured), "meter"});
+    bw::Host host(graph(), {.only_process = "base"}, std::move(extra));
+    const bw::RunEnd end = host.run(bw::Duration::seconds(seconds + 30.0));
+    if (!measured)
+      std::fprintf(stderr, "nothing measured: %s\n", end.ok ? "it never drove for long" : end.reason.c_str());
   }
   kill(floor, SIGKILL);
   waitpid(floor, nullptr, 0);
   std::filesystem::remove(path);
-  return 0;
+  return measured ? 0 : 1;
 }

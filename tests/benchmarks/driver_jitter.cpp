@@ -20,15 +20,13 @@
 #include <vector>
 
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "components/messages/wheel_joints.hpp"
-#include "components/model/robot.hpp"
 #include "components/robot_base/driver_registry.hpp"
 #include "runtime/host/host.hpp"
 #include "runtime/host/real_time.hpp"
+#include "tests/benchmarks/commanded_base.hpp"
 
 namespace bw {
 namespace {
@@ -70,33 +68,11 @@ class TimedDriver final : public Driver {
 
 BW_DRIVER(TimedDriver, TimedDriverOptions, "timed")
 
-/// motor_control's part: 50 commands a second.
-class Commander final : public Component {
- public:
-  void configure(Setup& setup) override {
-    const WheelRadii radii = setup.shared<Robot>("robot").wheel_radii();
-    setup.every(Duration::milliseconds(20), "commands",
-                [radii, out = setup.command<sensor_msgs::msg::JointState>("wheel_commands")](
-                    const Tick& tick) mutable {
-                  out.publish(to_joint_state({0.3, 0.3}, radii, tick.now));
-                });
-  }
-};
-
 pid_t spin() {
   const pid_t child = fork();
   if (child != 0) return child;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (std::atomic<unsigned> i = 0;;) ++i;
-}
-
-double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 void report(double cpu, double seconds) {
@@ -137,7 +113,7 @@ int main(int argc, char** argv) {
   std::vector<pid_t> children;
   for (int i = 0; i < spinners; ++i) children.push_back(bw::spin());
   std::vector<bw::ExtraComponent> extra;
-  extra.push_back({"commander", std::make_unique<bw::Commander>(), "commander"});
+  extra.push_back({"commander", std::make_unique<bw::Commander>(bw::WheelSpeeds{0.3, 0.3}), "commander"});
   {
     bw::Host host(bw::load_graph(path), {}, std::move(extra));
     const double before = bw::cpu_seconds();
