@@ -20,6 +20,9 @@ namespace {
 
 using std_srvs::srv::Trigger;
 
+/// Wheel commands are said anew 50 times a second: one that is lost is not asked for again, which saves a reply for each.
+constexpr Qos kNewest{.reliability = Reliability::best_effort, .depth = 1};
+
 struct RobotBaseOptions : BaseGuardOptions {
   OdometryOptions odometry;
 
@@ -53,7 +56,7 @@ class RobotBaseComponent final : public Component {
     guard_.emplace(options, robot_, facts.response);
     outputs_ = {setup, *driver_};
     setup.input<sensor_msgs::msg::JointState>(
-        "wheel_commands", Qos::command(),
+        "wheel_commands", kNewest,
         [this](const auto& message, const Tick& tick) { on_command(message, tick); });
     setup.input<std_msgs::msg::Bool>(
         "emergency_stop", Qos::standard(),
