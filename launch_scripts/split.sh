@@ -18,7 +18,6 @@ arguments=("$@")
 for ((i = 0; i < ${#arguments[@]}; i++)); do
   [[ ${arguments[i]} == --set ]] && set_options+=(--set "${arguments[i + 1]}")
   [[ ${arguments[i]} == --emulate ]] && set_options+=(--set emulate=true)
-  [[ ${arguments[i]} == --emulate ]] && set_options+=(--set emulate=true)
   [[ ${arguments[i]} == --page* ]] && set_options+=(--set viewer.enabled=true)
 done
 processes=$("$program" graph "$graph" "${set_options[@]}" --processes)

@@ -3,7 +3,9 @@
 // robot_base's, the same for all bases.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -56,6 +58,8 @@ class Driver {
   /// The command must be on its way before the process ends; the cable may be gone. Never blocks.
   virtual void stop(Time now) { static_cast<void>(command(now, {})); }
   virtual std::vector<Ranger> rangers() const { return {}; }
+  /// For diagnostics, asked for once a second: frames, bad checksums, bytes thrown away, resets.
+  virtual std::map<std::string, std::uint64_t> counters() const { return {}; }
   virtual BaseFacts facts() const { return {}; }
 };
 

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,8 +63,6 @@ struct Readings {
   LinkState link{.is_open = true};  ///< of the cable; a driver without one leaves it so
   std::string fault;    ///< what the base or its answers have wrong, for people; empty: all is well
   std::string warning;  ///< what people should know although it drives; empty: nothing
-  std::map<std::string, std::uint64_t>
-      counters;  ///< for diagnostics: frames, bad checksums, bytes thrown away, resets
 };
 
 }  // namespace bw

@@ -1,7 +1,6 @@
 // Adaptor of the base: wheel commands to the driver as the guard allows, and what the driver tells to topics.
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +18,9 @@ namespace bw {
 namespace {
 
 using std_srvs::srv::Trigger;
+
+/// Wheel commands are said anew 50 times a second: one that is lost is not asked for again, which saves a reply for each.
+constexpr Qos kNewest{.reliability = Reliability::best_effort, .depth = 1};
 
 struct RobotBaseOptions : BaseGuardOptions {
   OdometryOptions odometry;
@@ -53,7 +55,7 @@ class RobotBaseComponent final : public Component {
     guard_.emplace(options, robot_, facts.response);
     outputs_ = {setup, *driver_};
     setup.input<sensor_msgs::msg::JointState>(
-        "wheel_commands", Qos::command(),
+        "wheel_commands", kNewest,
         [this](const auto& message, const Tick& tick) { on_command(message, tick); });
     setup.input<std_msgs::msg::Bool>(
         "emergency_stop", Qos::standard(),
@@ -98,7 +100,6 @@ class RobotBaseComponent final : public Component {
       if (const auto travel = odometry_.read(counts)) guard_->moved(now, counts.time, *travel);
     }
     outputs_.publish(now, readings);
-    counters_ = readings.counters;
     if (warning_.is_news(readings.warning) && warning_) log_.warn("{}", readings.warning);
     obey(now);
   }
@@ -148,7 +149,8 @@ class RobotBaseComponent final : public Component {
 
   void tell_counters() {
     if (!outputs_.device().empty()) diagnostics_->set_value("device", outputs_.device());
-    for (const auto& [name, count] : counters_) diagnostics_->set_value(name, std::to_string(count));
+    for (const auto& [name, count] : driver_->counters())
+      diagnostics_->set_value(name, std::to_string(count));
   }
 
   Robot robot_;
@@ -160,7 +162,6 @@ class RobotBaseComponent final : public Component {
   ContactReading contacts_;
   BatteryLevel battery_ = BatteryLevel::good;
   bool is_stopped_ = false;  ///< the runtime asks for a stop
-  std::map<std::string, std::uint64_t> counters_;
   Complaint refused_, complaint_, warning_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;

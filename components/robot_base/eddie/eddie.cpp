@@ -263,19 +263,23 @@ void Eddie::tell(Time now, Readings& readings) {
         "the board's firmware has no WATCH: it drives on when the cable is pulled or the computer dies";
   if (!settings_refused_.empty())
     readings.warning += (readings.warning.empty() ? "" : "; ") + settings_refused_;
+}
+
+std::map<std::string, std::uint64_t> Eddie::counters() const {
   const DialogueCounts& counts = dialogue_.counts();
-  readings.counters = {{"replies", counts.replies},
-                       {"timeouts", counts.timeouts},
-                       {"unexpected lines", counts.unexpected_lines},
-                       {"bytes thrown away", counts.bytes_thrown_away},
-                       {"malformed replies", malformed_},
-                       {"errors", errors_},
-                       {"encoder jumps", jumps_},
-                       {"contradictions", contradictions_},
-                       {"restarts", restarts_},
-                       {"starts", starts_}};
-  if (version_) readings.counters["firmware version"] = *version_;
-  if (hardware_) readings.counters["hardware version"] = *hardware_;
+  std::map<std::string, std::uint64_t> all = {{"replies", counts.replies},
+                                              {"timeouts", counts.timeouts},
+                                              {"unexpected lines", counts.unexpected_lines},
+                                              {"bytes thrown away", counts.bytes_thrown_away},
+                                              {"malformed replies", malformed_},
+                                              {"errors", errors_},
+                                              {"encoder jumps", jumps_},
+                                              {"contradictions", contradictions_},
+                                              {"restarts", restarts_},
+                                              {"starts", starts_}};
+  if (version_) all["firmware version"] = *version_;
+  if (hardware_) all["hardware version"] = *hardware_;
+  return all;
 }
 
 std::vector<Request> Eddie::start_sequence() const {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,7 @@ class Eddie : public Driver {
   /// Does not wait for a reply that is due: the board's buffer holds both lines, and the process ends.
   void stop(Time now) override;
   std::vector<Ranger> rangers() const override;
+  std::map<std::string, std::uint64_t> counters() const override;
   BaseFacts facts() const override;
 
  private:

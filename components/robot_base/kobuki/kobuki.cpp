@@ -202,19 +202,23 @@ LinkState Kobuki::heard(Time now, const LinkState& cable) {
 void Kobuki::tell(Time now, Readings& readings) {
   readings.fault = faults_.text(now);
   readings.warning = warnings_.text(now);
+}
+
+std::map<std::string, std::uint64_t> Kobuki::counters() const {
   const ReaderCounts& counts = reader_.counts();
-  readings.counters = {{"packets", counts.packets},
-                       {"bad checksums", counts.bad_checksums},
-                       {"bytes thrown away", counts.bytes_thrown_away},
-                       {"packets missed", missed_},
-                       {"sub-payloads skipped", skipped_},
-                       {"encoder jumps", encoder_jumps_},
-                       {"clock jumps", clock_.jumps()}};
+  std::map<std::string, std::uint64_t> all = {{"packets", counts.packets},
+                                              {"bad checksums", counts.bad_checksums},
+                                              {"bytes thrown away", counts.bytes_thrown_away},
+                                              {"packets missed", missed_},
+                                              {"sub-payloads skipped", skipped_},
+                                              {"encoder jumps", encoder_jumps_},
+                                              {"clock jumps", clock_.jumps()}};
   const auto number = [](const Version& version) {
     return std::uint64_t{version.major} * 10'000 + std::uint64_t{version.minor} * 100 + version.patch;
   };
-  if (hardware_) readings.counters["hardware version"] = number(*hardware_);
-  if (firmware_) readings.counters["firmware version"] = number(*firmware_);
+  if (hardware_) all["hardware version"] = number(*hardware_);
+  if (firmware_) all["firmware version"] = number(*firmware_);
+  return all;
 }
 
 bool Kobuki::command(Time now, const WheelSpeeds& wheels) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -63,6 +64,7 @@ class Kobuki : public Driver {
   Readings poll(Time now) override;
   bool command(Time now, const WheelSpeeds& wheels) override;
   void stop(Time now) override;
+  std::map<std::string, std::uint64_t> counters() const override;
   BaseFacts facts() const override {
     return {.has_gyro = true, .has_battery = true, .battery_low = 14.0, .battery_empty = 13.2};
   }

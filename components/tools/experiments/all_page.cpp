@@ -55,6 +55,20 @@ std::string overview(const AllRun& run) {
   return table.html();
 }
 
+/// "EKF: Figure 2.3, and logs of real robots; Particle filter: Table 2.1": what has this verdict.
+std::string named(const AllRun& run, Verdict verdict) {
+  std::string names;
+  for (const AllPart& part : run.parts)
+    if (verdict_of(part) == verdict)
+      names += (names.empty() ? "" : "; ") + link_to(part, xml_text(part.what));
+  return names;
+}
+
+std::string line_of(const AllRun& run, Verdict verdict, const std::string& lead) {
+  const std::string names = named(run, verdict);
+  return names.empty() ? "" : "<p><b>" + lead + "</b> " + names + ".</p>\n";
+}
+
 /// "Reproduced: 3 of 5 ..." and what is missed, by name.
 std::string outcome(const AllRun& run) {
   const auto good = std::ranges::count_if(
@@ -79,7 +93,11 @@ std::string outcome(const AllRun& run) {
       run.quick
           ? "<p><b>A quick run: few seeds.</b> What is asked of means, medians and shares is not judged; what must "
             "hold of every run is.</p>\n"
-          : fmt::format("<p><b>Reproduced: {} of {}.</b></p>\n", good, run.parts.size());
+          : (good == 0 ? "<p><b>Nothing is reproduced.</b></p>\n"
+                       : line_of(run, Verdict::reproduced,
+                                 fmt::format("Reproduced, {} of {}:", good, run.parts.size()))) +
+                line_of(run, Verdict::not_reproduced, "Not reproduced:") +
+                line_of(run, Verdict::missing, "Without a result:");
   if (!missed.empty()) html += "<p class=\"not\">Not met:</p>\n<ul>\n" + missed + "</ul>\n";
   return html + "</div>\n";
 }

@@ -61,8 +61,9 @@ std::string count_of(const std::vector<Criterion>& criteria) {
   if (judged == 0) {
     text = "None of the criteria is judged";
   } else if (met == judged) {
-    text = (judged > 1 ? "All " + std::to_string(judged) + " criteria are "
-                       : std::string("The one criterion is ")) +
+    const std::string which = open > 0 ? "that can be judged " : "";
+    text = (judged > 1 ? "All " + std::to_string(judged) + " criteria " + which + "are "
+                       : "The one criterion " + which + "is ") +
            "<span class=\"met\">met</span>";
   } else {
     text = std::to_string(met) + " of " + std::to_string(judged) + " criteria are met";

@@ -1,6 +1,7 @@
 // robot_base on its topics, in lock-step, with a driver of the test behind the seam: what it tells, and how it is stopped and
 // released from outside.
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -57,7 +58,7 @@ class BenchDriver final : public Driver {
     bench.right += wheels_.right * scale_ * 0.01;
     Readings readings = bench.next;
     readings.link.device = "/dev/bench";
-    readings.counters = {{"frames", ++frames_}};
+    ++frames_;
     if (!bench.is_mute)
       readings.counts.push_back({now, static_cast<std::int32_t>(bench.left * ticks_per_metre_),
                                  static_cast<std::int32_t>(bench.right * ticks_per_metre_)});
@@ -65,6 +66,7 @@ class BenchDriver final : public Driver {
     for (auto& range : readings.ranges) range.time = now;
     return readings;
   }
+  std::map<std::string, std::uint64_t> counters() const override { return {{"frames", frames_}}; }
   bool command(Time, const WheelSpeeds& wheels) override {
     wheels_ = wheels;
     g_bench->told.push_back(wheels);

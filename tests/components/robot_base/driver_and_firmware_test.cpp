@@ -56,7 +56,6 @@ class Bench {
       if (!readings.fault.empty() && fault.empty()) fault = readings.fault, fault_at = t;
       for (const EncoderCounts& one : readings.counts) counts.push_back(one);
       for (const GyroReading& one : readings.gyro) heading = one.angle;
-      counters = readings.counters;
       if (readings.battery) battery = readings.battery;
       for (const Bytes& bytes : std::exchange(wire_.from_host, {})) wire_.put(firmware_.receive(now, bytes));
       body.left_ticks = static_cast<std::int32_t>(std::lround(travel.left / metres_per_tick_));
@@ -67,6 +66,7 @@ class Bench {
       travel.left += turned.left * 0.01;
       travel.right += turned.right * 0.01;
     }
+    counters = driver_.counters();
   }
   WheelSpeeds counted() const {
     return {(counts.back().left - counts.front().left) * metres_per_tick_,

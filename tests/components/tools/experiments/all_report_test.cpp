@@ -76,6 +76,17 @@ TEST(AllPage, HoldsEveryVerdictAndLinksToEveryPart) {
   EXPECT_THAT(page, Not(HasSubstr("has not ended")));
 }
 
+TEST(AllPage, NamesWhatIsReproducedAndWhatIsNotBeforeTheFirstTable) {
+  AllRun run = run_of({{kMet}, {kMissed}, {kMet}, {kMet}, {kMet}});
+  run.parts[4].results = nullptr;
+  const std::string page = all_page(run), first = page.substr(0, page.find("<table"));
+  EXPECT_THAT(first, HasSubstr("Reproduced, 3 of 5:</b> <a href=\"ekf/index.html\">EKF: Figure 2.3"));
+  EXPECT_THAT(first,
+              HasSubstr("Not reproduced:</b> <a href=\"pf/index.html\">Particle filter: Table 2.1</a>."));
+  EXPECT_THAT(first, HasSubstr("Without a result:</b> The whole system"));
+  EXPECT_THAT(all_page(run_of({{kMissed}})), HasSubstr("Nothing is reproduced."));
+}
+
 TEST(AllPage, SaysThatARunHasNotEndedAndWhatIsInTrouble) {
   AllRun run = run_of({{kMet}});
   run.is_finished = false;
