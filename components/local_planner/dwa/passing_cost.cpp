@@ -13,21 +13,27 @@ constexpr double kAnyWay = 1e3;   // [m]: it is the time that ends them
 
 }  // namespace
 
-PlanningProblem with_walkers_alone(const PlanningProblem& problem) {
-  PlanningProblem walkers = problem;
-  walkers.obstacles = {};
-  std::erase_if(walkers.movers,
-                [](const Mover& m) { return !is_confirmed(m) || m.velocity.norm() < kStanding; });
+PlanningProblem walkers_alone(const PlanningProblem& problem) {
+  PlanningProblem walkers;
+  walkers.now = problem.now;
+  walkers.pose = problem.pose;
+  walkers.twist = problem.twist;
+  walkers.footprint = problem.footprint;
+  walkers.limits = problem.limits;
+  walkers.control_period = problem.control_period;
+  walkers.command_lead = problem.command_lead;
+  for (const Mover& mover : problem.movers)
+    if (is_confirmed(mover) && mover.velocity.norm() >= kStanding) walkers.movers.push_back(mover);
   return walkers;
 }
 
-PassingCost::PassingCost(const PlanningProblem& problem, const EdwaOptions& options)
+PassingCost::PassingCost(const PlanningProblem& walkers, const EdwaOptions& options)
     : options_(options),
-      roll_outs_(with_walkers_alone(problem), {.horizon = options.mover_horizon,
-                                               .way = kAnyWay,
-                                               .margin = -kDeepest,
-                                               .reach = options.passing_gap,
-                                               .predict_movers = true}) {}
+      roll_outs_(walkers, {.horizon = options.mover_horizon,
+                           .way = kAnyWay,
+                           .margin = -kDeepest,
+                           .reach = options.passing_gap,
+                           .predict_movers = true}) {}
 
 double PassingCost::of(const Twist2& held) {
   const RollOut out = roll_outs_.along(held);

@@ -7,14 +7,15 @@
 
 namespace bw::dwa {
 
-/// The problem with confirmed movers that walk, and nothing else: whatever stands is met by the other roll-outs.
-PlanningProblem with_walkers_alone(const PlanningProblem& problem);
+/// The robot among confirmed movers that walk, and nothing else: whatever stands is met by the other roll-outs. Plan and obstacles, the
+/// large parts, are not copied.
+PlanningProblem walkers_alone(const PlanningProblem& problem);
 
-/// For one planning problem. Every velocity is held for mover_horizon, and at each of its moments people are where they are
+/// For one problem of walkers_alone(), which must outlive it. Every velocity is held for mover_horizon, and at each of its moments people are where they are
 /// expected then.
 class PassingCost {
  public:
-  PassingCost(const PlanningProblem& problem, const EdwaOptions& options);
+  PassingCost(const PlanningProblem& walkers, const EdwaOptions& options);
 
   /// passing_scale times: 0 when the smallest gap is passing_gap or more, 1 when it touches at the end of the horizon, and up to 2 when
   /// it touches at once.

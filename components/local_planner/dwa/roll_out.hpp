@@ -1,6 +1,7 @@
 // Where a velocity leads that is reached within the limits and then held, and what the footprint meets there.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "components/local_planner/timed_gaps.hpp"
@@ -31,6 +32,8 @@ struct RollOut {
 class RollOuts {
  public:
   RollOuts(const PlanningProblem& problem, const RollOutRules& rules);
+  RollOuts(const RollOuts&) = delete;
+  RollOuts& operator=(const RollOuts&) = delete;
 
   RollOut along(const Twist2& held);
   /// Its poses until `time` [s], for people to see and to be checked: at least two.
@@ -45,7 +48,8 @@ class RollOuts {
   Twist2 velocity_at(const Twist2& held, double time) const;
   double gap_at(const Pose2& pose, double time);
 
-  PlanningProblem problem_;
+  std::optional<PlanningProblem> frozen_;  // where nobody is predicted
+  const PlanningProblem& problem_;
   RollOutRules rules_;
   TimedGaps gaps_;
   double gap_now_ = 0.0;

@@ -43,10 +43,15 @@ TEST(PassingCost, TellsMotionsApartThatTouch) {
 }
 
 TEST(PassingCost, IsOfPeopleWhoWalkAlone) {
-  EXPECT_EQ(PassingCost(driving_with({2, 0}, {0, 0}), options()).of({1, 0}), 0.0);
+  const auto cost_of = [](const PlanningProblem& problem) {
+    const PlanningProblem walkers = walkers_alone(problem);
+    return PassingCost(walkers, options()).of({1, 0});
+  };
+  EXPECT_GT(cost_of(driving_with({4, 0}, {-1, 0})), 0.0);
+  EXPECT_EQ(cost_of(driving_with({2, 0}, {0, 0})), 0.0);
   PlanningProblem possible = driving_with({4, 0}, {-1, 0});
   possible.movers[0].confidence = 0.45;
-  EXPECT_EQ(PassingCost(possible, options()).of({1, 0}), 0.0);
+  EXPECT_EQ(cost_of(possible), 0.0);
 }
 
 TEST(PassingCost, WhoIsMetAfterTheRollOutIsEvaded) {
