@@ -168,6 +168,7 @@ class CrowdBench {
       album_->add({.name = fmt::format("{}_{}_{}", planner, episode.name, walkers),
                    .title = fmt::format("{}, {}, walkers {}", planner, episode.name, walkers),
                    .outcome = outcome_in_words(episode),
+                   .reached = episode.reached,
                    .contacts = episode.judged},
                   recording);
     }

@@ -206,6 +206,7 @@ void picture_failure(FailureAlbum& album, const std::string& stem, const Episode
     album.add({.name = stem + (one.robot.empty() ? "" : "_" + one.robot),
                .title = line.substr(0, colon) + (one.robot.empty() ? "" : ", " + one.robot),
                .outcome = line.substr(colon + 2) + (result.is_excused() ? ", could not succeed" : ""),
+               .reached = card.value("reached", false),
                .contacts = one.contacts,
                .only_at_speed = true},
               one.recording);
