@@ -1,6 +1,7 @@
 #include "components/local_planner/dwa/passing_cost.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "components/local_planner/dwa/led_plan.hpp"
 #include "components/model/mover_weight.hpp"
@@ -38,8 +39,11 @@ PassingCost::PassingCost(const PlanningProblem& walkers, const EdwaOptions& opti
 double PassingCost::of(const Twist2& held) {
   const RollOut out = roll_outs_.along(held);
   const double gap = out.meets ? -kDeepest : out.gap;
-  const double soon = out.meets ? 1.0 - out.time / options_.mover_horizon : 0.0;
-  return options_.passing_scale * (std::max(0.0, options_.passing_gap - gap) / options_.passing_gap + soon);
+  const double missing = std::max(0.0, options_.passing_gap - gap) / options_.passing_gap;
+  const double when = (out.meets ? out.time : out.gap_time) / options_.mover_horizon;
+  const double soon = out.meets ? 1.0 - when : 0.0;
+  return options_.passing_scale *
+         (std::pow(missing, options_.passing_power) * (1.0 - options_.passing_fading * when) + soon);
 }
 
 }  // namespace bw::dwa

@@ -17,8 +17,8 @@ class PassingCost {
  public:
   PassingCost(const PlanningProblem& walkers, const EdwaOptions& options);
 
-  /// passing_scale times: 0 when the smallest gap is passing_gap or more, 1 when it touches at the end of the horizon, and up to 2 when
-  /// it touches at once.
+  /// passing_scale times s^passing_power (1 - passing_fading t / mover_horizon), s the share of passing_gap that is missing at the smallest
+  /// gap, t when that is [s]; when it touches, s is that of 0.3 m within, and 1 - t / mover_horizon comes on top.
   double of(const Twist2& held);
 
  private:

@@ -72,7 +72,10 @@ RollOut RollOuts::along(const Twist2& held) {
         out.meets = true;
         break;
       }
-      out.gap = std::min(out.gap, gap);
+      if (gap < out.gap) {
+        out.gap = gap;
+        out.gap_time = (i + 1) * dt;
+      }
     }
     out.end = next;
     out.time = i * dt + step;

@@ -18,13 +18,14 @@ struct RollOutRules {
 };
 
 struct RollOut {
-  Twist2 twist;         ///< that is held
-  Pose2 end;            ///< at the horizon, at the end of the way, after 3 rad, or before the contact
-  double time = 0.0;    ///< until there [s]
-  double travel = 0.0;  ///< until there [m]
-  double turn = 0.0;    ///< until there, either way [rad]
-  double gap = 0.0;     ///< smallest until there [m]; at most the reach
-  bool meets = false;   ///< it ends before a contact
+  Twist2 twist;           ///< that is held
+  Pose2 end;              ///< at the horizon, at the end of the way, after 3 rad, or before the contact
+  double time = 0.0;      ///< until there [s]
+  double travel = 0.0;    ///< until there [m]
+  double turn = 0.0;      ///< until there, either way [rad]
+  double gap = 0.0;       ///< smallest until there [m]; at most the reach
+  double gap_time = 0.0;  ///< when it is that small [s]
+  bool meets = false;     ///< it ends before a contact
 };
 
 /// Roll-outs from the pose and velocity of one problem, which must outlive it. v and omega approach the velocity that is held at

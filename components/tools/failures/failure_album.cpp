@@ -1,6 +1,7 @@
 #include "components/tools/failures/failure_album.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -30,6 +31,9 @@ std::string in_words(const FoundCause& found) {
 
 std::string seconds(const std::optional<double>& time) { return time ? fmt::format("{:.1f}", *time) : "-"; }
 
+/// No zero has a sign.
+double hundredths(double value) { return std::round(value * 1e2) / 1e2 + 0.0; }
+
 /// One row of the list.
 std::string list_row(std::size_t number, const ExplainedFailure& failure) {
   const std::optional<JudgedContact> contact = deciding_contact(failure.drive);
@@ -37,12 +41,13 @@ std::string list_row(std::size_t number, const ExplainedFailure& failure) {
   if (contact) {
     const ContactRecord& record = contact->record;
     const auto& verdict = contact->verdict;
-    cells = {fmt::format("contact at {:.2f} s", record.time),
-             fmt::format("{}, person {}", text_of(record.closing.who), record.person),
-             fmt::format("{:.2f}, {:.2f}", record.closing.robot, record.closing.person),
-             contact->is_judged ? possible::text_of(verdict.avoidance) : "not judged",
-             seconds(verdict.saveable_until),
-             seconds(verdict.lost_since)};
+    cells = {
+        fmt::format("contact at {:.2f} s", record.time),
+        fmt::format("{}, person {}", text_of(record.closing.who), record.person),
+        fmt::format("{:.2f}, {:.2f}", hundredths(record.closing.robot), hundredths(record.closing.person)),
+        contact->is_judged ? possible::text_of(verdict.avoidance) : "not judged",
+        seconds(verdict.saveable_until),
+        seconds(verdict.lost_since)};
   }
   cells.emplace_back(text_of(failure.cause.cause));
   cells.push_back(failure.cause.off_course ? fmt::format("{:.2f}", *failure.cause.off_course) : "-");
@@ -54,8 +59,8 @@ std::string list_row(std::size_t number, const ExplainedFailure& failure) {
 
 std::string list_of(const std::vector<ExplainedFailure>& failures) {
   std::string list =
-      "<table>\n<tr><th></th><th>drive</th><th>ended</th><th>who hit whom</th><th>closing m/s: robot, person</th>"
-      "<th>verdict</th><th>motion known until s</th><th>none from s</th><th>cause</th><th>off course m</th></tr>\n";
+      "<table>\n<tr><th></th><th>drive</th><th>ended</th><th>who hit whom</th><th>closing m/s:<br/>robot, person</th>"
+      "<th>verdict</th><th>motion known<br/>until s</th><th>none<br/>from s</th><th>cause</th><th>off<br/>course m</th></tr>\n";
   for (std::size_t i = 0; i < failures.size(); ++i) list += list_row(i + 1, failures[i]);
   return list + "</table>\n";
 }
@@ -89,7 +94,7 @@ std::string failures_page(const std::vector<ExplainedFailure>& failures) {
       "main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 620px), 1fr)); gap: 24px; }\n"
       ".list { overflow-x: auto; margin: 0 0 24px; }\n"
       "table { border-collapse: collapse; font-size: 14px; font-variant-numeric: tabular-nums; }\n"
-      "th, td { text-align: left; padding: 4px 12px 4px 0; border-bottom: 1px solid #e3e8ed; vertical-align: top; }\n"
+      "th, td { text-align: left; padding: 4px 12px 4px 0; border-bottom: 1px solid #e3e8ed; vertical-align: top; white-space: nowrap; }\n"
       "th { color: #5c6b7a; font-weight: 600; }\n"
       "figure { margin: 0; border: 1px solid #c8d0d9; border-radius: 8px; padding: 8px; }\n"
       "img { width: 100%; height: auto; }\nfigcaption { padding: 4px 12px 8px; color: #5c6b7a; }\n"

@@ -24,6 +24,8 @@ EdwaOptions options() {
   options.mover_horizon = 3.0;
   options.passing_scale = 200.0;
   options.passing_gap = 0.8;
+  options.passing_power = 1.0;
+  options.passing_fading = 0.0;
   return options;
 }
 
@@ -40,6 +42,21 @@ TEST(PassingCost, TellsMotionsApartThatTouch) {
   EXPECT_NEAR(PassingCost(driving_with({4, 0}, {-1, 0}), options()).of({1, 0}), 351.7, 7.0);
   // Grazed by 0.1 m: less than to run into them.
   EXPECT_NEAR(PassingCost(driving_with({4, 0.5}, {-1, 0}), options()).of({1, 0}), 225.0, 1.0);
+}
+
+// Half of the gap is missing now: 200 / 4. Touched 0.3 m deep after 2.85 s: 200 ((1.1 / 0.8)^2 (1 - 0.7 0.95) + 0.05); after 1.85 s more.
+TEST(PassingCost, GrowsWithItsPowerAndFadesWithTime) {
+  EdwaOptions fading = options();
+  fading.passing_power = 2.0;
+  fading.passing_fading = 0.7;
+  EXPECT_NEAR(PassingCost(driving_with({0, 1.0}, {1, 0}), fading).of({1, 0}), 50.0, 1e-6);
+  EXPECT_NEAR(PassingCost(driving_with({6, 0}, {-1, 0}), fading).of({1, 0}), 136.7, 16.0);
+  EXPECT_NEAR(PassingCost(driving_with({4, 0}, {-1, 0}), fading).of({1, 0}), 291.6, 16.0);
+  // Who overtakes and is 0.2 m away in 2 s counts less than who is that near now: 200 (0.6 / 0.8)^2 = 112.5.
+  const double now = PassingCost(driving_with({0, 0.8}, {1, 0}), fading).of({1, 0});
+  const double later = PassingCost(driving_with({-2, 0.8}, {2, 0}), fading).of({1, 0});
+  EXPECT_NEAR(now, 112.5, 1e-6);
+  EXPECT_NEAR(later, 112.5 * (1.0 - 0.7 * 2.0 / 3.0), 3.0);
 }
 
 TEST(PassingCost, IsOfPeopleWhoWalkAlone) {
