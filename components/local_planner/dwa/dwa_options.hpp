@@ -180,14 +180,14 @@ struct EdwaOptions {
       {.min = 0.1,
        .max = 10,
        .doc =
-           "profile critics: that cost grows with this power of what is missing of passing_gap; higher spares detours for "
-           "people who are passed widely enough"});
+           "profile critics: of people slower than the robot can be, that cost grows with this power of what is missing of "
+           "passing_gap; higher spares detours for who is passed widely enough"});
     v("passing_fading", passing_fading,
       {.min = 0,
        .max = 1,
        .doc =
-           "profile critics: by this share that cost is less for people who are passed at the end of mover_horizon than for "
-           "those who are passed now: there is time for them"});
+           "profile critics: of people slower than the robot can be, by this share that cost is less when they are passed at the "
+           "end of mover_horizon than now: there is time for them"});
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "components/local_planner/dwa/led_plan.hpp"
 #include "components/model/mover_weight.hpp"
@@ -28,22 +29,37 @@ PlanningProblem walkers_alone(const PlanningProblem& problem) {
   return walkers;
 }
 
-PassingCost::PassingCost(const PlanningProblem& walkers, const EdwaOptions& options)
-    : options_(options),
-      roll_outs_(walkers, {.horizon = options.mover_horizon,
-                           .way = kAnyWay,
-                           .margin = -kDeepest,
-                           .reach = options.passing_gap,
-                           .predict_movers = true}) {}
+PassingCost::Group::Group(PlanningProblem among, const EdwaOptions& options)
+    : problem(std::move(among)),
+      roll_outs(problem, {.horizon = options.mover_horizon,
+                          .way = kAnyWay,
+                          .margin = -kDeepest,
+                          .reach = options.passing_gap,
+                          .predict_movers = true}) {}
+
+double PassingCost::Group::cost(const Twist2& held, const EdwaOptions& options, double power, double fading) {
+  const RollOut out = roll_outs.along(held);
+  const double gap = out.meets ? -kDeepest : out.gap;
+  const double missing = std::max(0.0, options.passing_gap - gap) / options.passing_gap;
+  const double when = (out.meets ? out.time : out.gap_time) / options.mover_horizon;
+  const double soon = out.meets ? 1.0 - when : 0.0;
+  return options.passing_scale * (std::pow(missing, power) * (1.0 - fading * when) + soon);
+}
+
+PassingCost::PassingCost(const PlanningProblem& walkers, const EdwaOptions& options) : options_(options) {
+  PlanningProblem fast = walkers, slow = walkers;
+  const auto is_fast = [&](const Mover& mover) { return mover.velocity.norm() >= walkers.limits.v_max; };
+  std::erase_if(fast.movers, [&](const Mover& mover) { return !is_fast(mover); });
+  std::erase_if(slow.movers, is_fast);
+  if (!fast.movers.empty()) fast_.emplace(std::move(fast), options);
+  if (!slow.movers.empty()) slow_.emplace(std::move(slow), options);
+}
 
 double PassingCost::of(const Twist2& held) {
-  const RollOut out = roll_outs_.along(held);
-  const double gap = out.meets ? -kDeepest : out.gap;
-  const double missing = std::max(0.0, options_.passing_gap - gap) / options_.passing_gap;
-  const double when = (out.meets ? out.time : out.gap_time) / options_.mover_horizon;
-  const double soon = out.meets ? 1.0 - when : 0.0;
-  return options_.passing_scale *
-         (std::pow(missing, options_.passing_power) * (1.0 - options_.passing_fading * when) + soon);
+  const double fast = fast_ ? fast_->cost(held, options_, 1.0, 0.0) : 0.0;
+  const double slow =
+      slow_ ? slow_->cost(held, options_, options_.passing_power, options_.passing_fading) : 0.0;
+  return std::max(fast, slow);
 }
 
 }  // namespace bw::dwa
