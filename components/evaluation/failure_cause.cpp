@@ -24,10 +24,12 @@ possible::Walk walk_of(const RunRecording& recording, std::uint32_t id) {
   return walk;
 }
 
+/// `walk` has a place.
 std::optional<double> off_course(const possible::Walk& walk, const ContactRecord& contact) {
-  const std::optional<Vector2> there =
-      walk.at(std::min(contact.time, walk.places.empty() ? contact.time : walk.places.back().time));
-  const double from = std::max(contact.time - kAhead, contact.there_since + kMeanOver);
+  // Who came between two moments is in the later one.
+  const double came = std::max(contact.there_since, walk.places.front().time);
+  const double from = std::max(contact.time - kAhead, came + kMeanOver);
+  const std::optional<Vector2> there = walk.at(std::min(contact.time, walk.places.back().time));
   const std::optional<Vector2> now = walk.at(from);
   const std::optional<Vector2> before = walk.at(from - kMeanOver);
   if (!there || !now || !before || from >= contact.time) return std::nullopt;

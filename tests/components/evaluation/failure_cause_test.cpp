@@ -1,6 +1,7 @@
 // Causes of failures whose answers are known.
 #include "components/evaluation/failure_cause.hpp"
 
+#include <cmath>
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -65,6 +66,15 @@ TEST(FailureCause, RecordingsThatBeginOrEndInMidFloorStandApart) {
   record.begins_mid_floor = false;
   record.ends_mid_floor = true;
   EXPECT_EQ(cause_of(recording(0.0, straight), record, true).cause, FailureCause::mid_floor);
+}
+
+// They came at 8.35 s, between two moments, and turned at 9 s: straight on from 8.8 s on they would be at (0, 0) after 10 s.
+TEST(FailureCause, WhoCameLaterIsHeldAgainstTheirFirstSteps) {
+  ContactRecord record = contact(10.0, WhoHit::person_side);
+  record.there_since = 8.35;
+  const FoundCause found = cause_of(recording(0.0, turning, 8.4), record, true);
+  EXPECT_EQ(found.cause, FailureCause::turning_walker);
+  EXPECT_NEAR(*found.off_course, std::sqrt(2.0), 1e-9);
 }
 
 // 0.04 m/s for 10 s are 0.4 m.
