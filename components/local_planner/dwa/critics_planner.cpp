@@ -56,14 +56,15 @@ PlanningResult CriticsPlanner::drive(const PlanningProblem& problem) {
                                .predict_movers = options_.predict_movers});
   const std::optional<double> turn =
       guide && guide->has_direction() ? std::nullopt : turn_.angle(problem, course, critics);
+  const PlanningProblem walkers = walkers_alone(problem);
   PlanningResult result;
   result.iterations = 1;
-  choose(judged(problem, course, roll_outs, guide, turn), roll_outs, problem, result);
+  choose(judged(problem, walkers, course, roll_outs, guide, turn), roll_outs, walkers, result);
   Safety safety;
   if (!result.trajectory.empty()) {
     safety = {true, safety_of(result.trajectory, problem, driving()).comfort};
     if (guide)
-      safety.comfort = std::min(safety.comfort, comfort_among_walkers(problem, roll_outs, result.command));
+      safety.comfort = std::min(safety.comfort, comfort_among_walkers(walkers, roll_outs, result.command));
   }
   evade(problem, driving(), safety, result);
   recovery_.apply(problem, result);
@@ -75,6 +76,7 @@ PlanningResult CriticsPlanner::drive(const PlanningProblem& problem) {
 }
 
 std::vector<CriticsPlanner::Judged> CriticsPlanner::judged(const PlanningProblem& problem,
+                                                           const PlanningProblem& walkers,
                                                            const Course& course, RollOuts& roll_outs,
                                                            const std::optional<HrvoGuide>& guide,
                                                            std::optional<double> turn) const {
@@ -83,7 +85,7 @@ std::vector<CriticsPlanner::Judged> CriticsPlanner::judged(const PlanningProblem
       problem.twist, problem.limits, speed_towards_end(problem, options_.arc_to_goal, problem.command_lead),
       problem.command_lead);
   std::optional<PassingCost> passing;
-  if (guide && edwa_->passing_scale > 0.0) passing.emplace(problem, *edwa_);
+  if (guide && edwa_->passing_scale > 0.0) passing.emplace(walkers, *edwa_);
   std::vector<Judged> all;
   for (const Twist2& twist : velocity_samples(window, problem.twist, static_cast<int>(critics.vx_samples),
                                               static_cast<int>(critics.vtheta_samples))) {
@@ -109,9 +111,8 @@ std::vector<CriticsPlanner::Judged> CriticsPlanner::judged(const PlanningProblem
 }
 
 void CriticsPlanner::choose(const std::vector<Judged>& judged, const RollOuts& roll_outs,
-                            const PlanningProblem& problem, PlanningResult& result) const {
+                            const PlanningProblem& walkers, PlanningResult& result) const {
   const auto shown = static_cast<std::size_t>(options_.shown_candidates);
-  const PlanningProblem walkers = with_walkers_alone(problem);
   for (const Judged& one : judged) {
     const Twist2& twist = one.roll_out.twist;
     const bool chosen = result.trajectory.empty() && can_stop_among(walkers, twist);
@@ -130,10 +131,10 @@ void CriticsPlanner::choose(const std::vector<Judged>& judged, const RollOuts& r
 
 /// When the command is held for longer than roll-outs last: people come from farther off than what stands there. It makes
 /// an evasive move worth trying; a stop is for later.
-double CriticsPlanner::comfort_among_walkers(const PlanningProblem& problem, const RollOuts& roll_outs,
+double CriticsPlanner::comfort_among_walkers(const PlanningProblem& walkers, const RollOuts& roll_outs,
                                              const Twist2& held) const {
   const auto trajectory = roll_outs.trajectory(held, driving().feasibility_check_time);
-  return safety_of(trajectory, with_walkers_alone(problem), driving()).comfort;
+  return safety_of(trajectory, walkers, driving()).comfort;
 }
 
 bool CriticsPlanner::can_stop_among(const PlanningProblem& walkers, const Twist2& twist) const {

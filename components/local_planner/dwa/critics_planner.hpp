@@ -40,11 +40,12 @@ class CriticsPlanner final : public CheckedPlanner {
   void remember(const CheckedPlanner& earlier) override;
 
   std::optional<HrvoGuide> guide_of(const PlanningProblem& problem) const;
-  std::vector<Judged> judged(const PlanningProblem& problem, const Course& course, RollOuts& roll_outs,
-                             const std::optional<HrvoGuide>& guide, std::optional<double> turn) const;
-  void choose(const std::vector<Judged>& judged, const RollOuts& roll_outs, const PlanningProblem& problem,
+  std::vector<Judged> judged(const PlanningProblem& problem, const PlanningProblem& walkers,
+                             const Course& course, RollOuts& roll_outs, const std::optional<HrvoGuide>& guide,
+                             std::optional<double> turn) const;
+  void choose(const std::vector<Judged>& judged, const RollOuts& roll_outs, const PlanningProblem& walkers,
               PlanningResult& result) const;
-  double comfort_among_walkers(const PlanningProblem& problem, const RollOuts& roll_outs,
+  double comfort_among_walkers(const PlanningProblem& walkers, const RollOuts& roll_outs,
                                const Twist2& held) const;
   bool can_stop_among(const PlanningProblem& walkers, const Twist2& twist) const;
 

@@ -137,6 +137,8 @@ struct EdwaOptions {
   double advised_speed_scale = 30.0;
   double passing_scale = 200.0;
   double passing_gap = 0.8;
+  double passing_power = 2.0;
+  double passing_fading = 0.7;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -174,6 +176,18 @@ struct EdwaOptions {
        .min = 0.01,
        .max = 5,
        .doc = "profile critics: people who walk are passed this widely at no cost"});
+    v("passing_power", passing_power,
+      {.min = 0.1,
+       .max = 10,
+       .doc =
+           "profile critics: of people slower than the robot can be, that cost grows with this power of what is missing of "
+           "passing_gap; higher spares detours for who is passed widely enough"});
+    v("passing_fading", passing_fading,
+      {.min = 0,
+       .max = 1,
+       .doc =
+           "profile critics: of people slower than the robot can be, by this share that cost is less when they are passed at the "
+           "end of mover_horizon than now: there is time for them"});
   }
 };
 

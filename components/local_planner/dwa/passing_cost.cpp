@@ -1,6 +1,8 @@
 #include "components/local_planner/dwa/passing_cost.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "components/local_planner/dwa/led_plan.hpp"
 #include "components/model/mover_weight.hpp"
@@ -13,27 +15,51 @@ constexpr double kAnyWay = 1e3;   // [m]: it is the time that ends them
 
 }  // namespace
 
-PlanningProblem with_walkers_alone(const PlanningProblem& problem) {
-  PlanningProblem walkers = problem;
-  walkers.obstacles = {};
-  std::erase_if(walkers.movers,
-                [](const Mover& m) { return !is_confirmed(m) || m.velocity.norm() < kStanding; });
+PlanningProblem walkers_alone(const PlanningProblem& problem) {
+  PlanningProblem walkers;
+  walkers.now = problem.now;
+  walkers.pose = problem.pose;
+  walkers.twist = problem.twist;
+  walkers.footprint = problem.footprint;
+  walkers.limits = problem.limits;
+  walkers.control_period = problem.control_period;
+  walkers.command_lead = problem.command_lead;
+  for (const Mover& mover : problem.movers)
+    if (is_confirmed(mover) && mover.velocity.norm() >= kStanding) walkers.movers.push_back(mover);
   return walkers;
 }
 
-PassingCost::PassingCost(const PlanningProblem& problem, const EdwaOptions& options)
-    : options_(options),
-      roll_outs_(with_walkers_alone(problem), {.horizon = options.mover_horizon,
-                                               .way = kAnyWay,
-                                               .margin = -kDeepest,
-                                               .reach = options.passing_gap,
-                                               .predict_movers = true}) {}
+PassingCost::Group::Group(PlanningProblem among, const EdwaOptions& options)
+    : problem(std::move(among)),
+      roll_outs(problem, {.horizon = options.mover_horizon,
+                          .way = kAnyWay,
+                          .margin = -kDeepest,
+                          .reach = options.passing_gap,
+                          .predict_movers = true}) {}
+
+double PassingCost::Group::cost(const Twist2& held, const EdwaOptions& options, double power, double fading) {
+  const RollOut out = roll_outs.along(held);
+  const double gap = out.meets ? -kDeepest : out.gap;
+  const double missing = std::max(0.0, options.passing_gap - gap) / options.passing_gap;
+  const double when = (out.meets ? out.time : out.gap_time) / options.mover_horizon;
+  const double soon = out.meets ? 1.0 - when : 0.0;
+  return options.passing_scale * (std::pow(missing, power) * (1.0 - fading * when) + soon);
+}
+
+PassingCost::PassingCost(const PlanningProblem& walkers, const EdwaOptions& options) : options_(options) {
+  PlanningProblem fast = walkers, slow = walkers;
+  const auto is_fast = [&](const Mover& mover) { return mover.velocity.norm() >= walkers.limits.v_max; };
+  std::erase_if(fast.movers, [&](const Mover& mover) { return !is_fast(mover); });
+  std::erase_if(slow.movers, is_fast);
+  if (!fast.movers.empty()) fast_.emplace(std::move(fast), options);
+  if (!slow.movers.empty()) slow_.emplace(std::move(slow), options);
+}
 
 double PassingCost::of(const Twist2& held) {
-  const RollOut out = roll_outs_.along(held);
-  const double gap = out.meets ? -kDeepest : out.gap;
-  const double soon = out.meets ? 1.0 - out.time / options_.mover_horizon : 0.0;
-  return options_.passing_scale * (std::max(0.0, options_.passing_gap - gap) / options_.passing_gap + soon);
+  const double fast = fast_ ? fast_->cost(held, options_, 1.0, 0.0) : 0.0;
+  const double slow =
+      slow_ ? slow_->cost(held, options_, options_.passing_power, options_.passing_fading) : 0.0;
+  return std::max(fast, slow);
 }
 
 }  // namespace bw::dwa

@@ -32,7 +32,8 @@ double approach(double now, double target, double change) {
 }  // namespace
 
 RollOuts::RollOuts(const PlanningProblem& problem, const RollOutRules& rules)
-    : problem_(rules.predict_movers ? problem : frozen(problem)),
+    : frozen_(rules.predict_movers ? std::nullopt : std::optional(frozen(problem))),
+      problem_(frozen_ ? *frozen_ : problem),
       rules_(rules),
       gaps_(problem_, rules.horizon, kMoverStep, rules.reach) {
   gap_now_ = gap_at(problem.pose, 0.0);
@@ -71,7 +72,10 @@ RollOut RollOuts::along(const Twist2& held) {
         out.meets = true;
         break;
       }
-      out.gap = std::min(out.gap, gap);
+      if (gap < out.gap) {
+        out.gap = gap;
+        out.gap_time = (i + 1) * dt;
+      }
     }
     out.end = next;
     out.time = i * dt + step;

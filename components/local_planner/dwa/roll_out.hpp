@@ -1,6 +1,7 @@
 // Where a velocity leads that is reached within the limits and then held, and what the footprint meets there.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "components/local_planner/timed_gaps.hpp"
@@ -17,13 +18,14 @@ struct RollOutRules {
 };
 
 struct RollOut {
-  Twist2 twist;         ///< that is held
-  Pose2 end;            ///< at the horizon, at the end of the way, after 3 rad, or before the contact
-  double time = 0.0;    ///< until there [s]
-  double travel = 0.0;  ///< until there [m]
-  double turn = 0.0;    ///< until there, either way [rad]
-  double gap = 0.0;     ///< smallest until there [m]; at most the reach
-  bool meets = false;   ///< it ends before a contact
+  Twist2 twist;           ///< that is held
+  Pose2 end;              ///< at the horizon, at the end of the way, after 3 rad, or before the contact
+  double time = 0.0;      ///< until there [s]
+  double travel = 0.0;    ///< until there [m]
+  double turn = 0.0;      ///< until there, either way [rad]
+  double gap = 0.0;       ///< smallest until there [m]; at most the reach
+  double gap_time = 0.0;  ///< when it is that small [s]
+  bool meets = false;     ///< it ends before a contact
 };
 
 /// Roll-outs from the pose and velocity of one problem, which must outlive it. v and omega approach the velocity that is held at
@@ -31,6 +33,8 @@ struct RollOut {
 class RollOuts {
  public:
   RollOuts(const PlanningProblem& problem, const RollOutRules& rules);
+  RollOuts(const RollOuts&) = delete;
+  RollOuts& operator=(const RollOuts&) = delete;
 
   RollOut along(const Twist2& held);
   /// Its poses until `time` [s], for people to see and to be checked: at least two.
@@ -45,7 +49,8 @@ class RollOuts {
   Twist2 velocity_at(const Twist2& held, double time) const;
   double gap_at(const Pose2& pose, double time);
 
-  PlanningProblem problem_;
+  std::optional<PlanningProblem> frozen_;  // where nobody is predicted
+  const PlanningProblem& problem_;
   RollOutRules rules_;
   TimedGaps gaps_;
   double gap_now_ = 0.0;

@@ -124,7 +124,7 @@ class CrowdBench {
       const std::vector<CrowdEpisode> episodes = drive(planner, file, samples);
       summaries.push_back(summarize(planner, episodes));
       rows.push_back({planner, paired(episodes)});
-      failed += failures(planner, episodes);
+      failed += failures(planner, rated(episodes));
       picture_failures(crowd, planner, episodes);
       results.push_back(to_json(summaries.back(), episodes));
       results.back()["conditions"] = to_json(conditions);
@@ -132,10 +132,11 @@ class CrowdBench {
       for (std::size_t i = 0; arguments_.with_samples && i < episodes.size(); ++i)
         results.back()["episodes"][i]["samples"] = to_json(samples[i]);
     }
-    const std::string tables = table(summaries) + comparison_in_words(rows, arguments_.against);
+    const ComparisonSummary comparison = summarize(rows, arguments_.against);
+    const std::string tables = table(summaries) + in_words(comparison);
     std::fputs(("\n" + failed + tables).c_str(), stdout);
     tables_ += crowd.name + "\n" + tables + "\n";
-    return {{"planners", std::move(results)}, {"comparison", comparison_json(rows, arguments_.against)}};
+    return {{"planners", std::move(results)}, {"comparison", to_json(comparison)}};
   }
 
   std::vector<CrowdEpisode> drive(const std::string& planner, const SceneFile& file,
@@ -167,6 +168,7 @@ class CrowdBench {
       album_->add({.name = fmt::format("{}_{}_{}", planner, episode.name, walkers),
                    .title = fmt::format("{}, {}, walkers {}", planner, episode.name, walkers),
                    .outcome = outcome_in_words(episode),
+                   .reached = episode.reached,
                    .contacts = episode.judged},
                   recording);
     }

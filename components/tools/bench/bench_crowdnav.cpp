@@ -46,7 +46,7 @@ class CrowdNavBench {
       const std::vector<CrowdNavEpisode> episodes =
           run_in_order(static_cast<std::size_t>(cases_), arguments_.jobs, drive, tell);
       summaries.push_back(summarize(planner, episodes));
-      if (planner != kHolonomicOrca) failed += failures(planner, episodes);
+      if (planner != kHolonomicOrca) failed += failures(planner, rated(episodes));
       rows.push_back(to_json(summaries.back(), episodes));
       if (planner != kHolonomicOrca) rows.back()["conditions"] = to_json(bench_conditions());
       for (std::size_t i = 0; arguments_.with_samples && i < samples.size(); ++i)

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "components/tools/bench/bench_common.hpp"
 #include "runtime/base/quantile.hpp"
 
 namespace bw {
@@ -19,41 +20,44 @@ std::vector<double> figures(const std::vector<CrowdEpisode>& episodes, double Cr
   return values;
 }
 
+RatedDrive rated(const CrowdEpisode& e) {
+  return {.name = e.name,
+          .outcome = e.collision ? "contact" : "timeout",
+          .success = e.success,
+          .is_late = !e.success && !e.collision,
+          .is_excused = e.is_excused(),
+          .contacts = e.judged,
+          .rms_jerk = e.rms_jerk,
+          .ms = e.ms};
+}
+
 Json to_json(const CrowdEpisode& e) {
-  return {{"name", e.name},
-          {"success", e.success},
-          {"possible", !e.is_excused()},
-          {"contacts", to_json(e.judged)},
-          {"collision", e.collision},
-          {"collision_at_speed", e.collision_at_speed},
-          {"time_s", e.time},
-          {"min_clearance_m", e.min_clearance},
-          {"max_collision_index", e.max_collision_index},
-          {"rms_jerk_mps3", e.rms_jerk},
-          {"not_ok_cycles", e.not_ok},
-          {"mean_ms", mean(e.ms)},
-          {"p95_ms", quantile(e.ms, 0.95)},
-          {"max_ms", quantile(e.ms, 1.0)}};
+  Json json = to_json(rated(e));
+  json.update(Json{{"success", e.success},
+                   {"collision", e.collision},
+                   {"collision_at_speed", e.collision_at_speed},
+                   {"time_s", e.time},
+                   {"min_clearance_m", e.min_clearance},
+                   {"max_collision_index", e.max_collision_index},
+                   {"not_ok_cycles", e.not_ok}});
+  return json;
 }
 
 }  // namespace
 
+std::vector<RatedDrive> rated(const std::vector<CrowdEpisode>& episodes) {
+  std::vector<RatedDrive> drives;
+  for (const CrowdEpisode& e : episodes) drives.push_back(rated(e));
+  return drives;
+}
+
 CrowdSummary summarize(const std::string& planner, const std::vector<CrowdEpisode>& episodes) {
   CrowdSummary s;
-  s.planner = planner;
-  s.episodes = static_cast<int>(episodes.size());
-  std::vector<double> ms;
+  s.rates = rates_of(planner, rated(episodes));
   for (const CrowdEpisode& e : episodes) {
-    s.successes += e.success ? 1 : 0;
     s.contacts += e.collision ? 1 : 0;
     s.contacts_at_speed += e.collision_at_speed ? 1 : 0;
-    s.timeouts += e.success || e.collision ? 0 : 1;
-    s.possible += e.is_excused() ? 0 : 1;
-    for (const ContactRecord& contact : e.contacts) s.hits.add(contact);
-    ms.insert(ms.end(), e.ms.begin(), e.ms.end());
   }
-  s.wilson = wilson95(s.successes, s.episodes);
-  s.wilson_possible = wilson95(s.successes, s.possible);
   s.mean_time = mean(figures(episodes, &CrowdEpisode::time));
   const std::vector<double> clearances = figures(episodes, &CrowdEpisode::min_clearance);
   s.mean_min_clearance = mean(clearances);
@@ -61,37 +65,21 @@ CrowdSummary summarize(const std::string& planner, const std::vector<CrowdEpisod
   const std::vector<double> indices = figures(episodes, &CrowdEpisode::max_collision_index);
   s.mean_max_collision_index = mean(indices);
   s.max_collision_index = quantile(indices, 1.0);
-  s.mean_rms_jerk = mean(figures(episodes, &CrowdEpisode::rms_jerk));
-  s.mean_ms = mean(ms);
-  s.p95_ms = quantile(ms, 0.95);
-  s.max_ms = quantile(ms, 1.0);
   return s;
 }
 
 Json to_json(const CrowdSummary& s, const std::vector<CrowdEpisode>& episodes) {
   Json rows = Json::array();
   for (const CrowdEpisode& e : episodes) rows.push_back(to_json(e));
-  return {{"planner", s.planner},
-          {"episodes", std::move(rows)},
-          {"summary",
-           {{"episodes", s.episodes},
-            {"successes", s.successes},
-            {"wilson95", {s.wilson.low, s.wilson.high}},
-            {"possible", s.possible},
-            {"wilson95_possible", {s.wilson_possible.low, s.wilson_possible.high}},
-            {"hits", s.hits.to_json()},
-            {"contacts", s.contacts},
-            {"contacts_at_speed", s.contacts_at_speed},
-            {"timeouts", s.timeouts},
-            {"mean_time_s", s.mean_time},
-            {"mean_min_clearance_m", s.mean_min_clearance},
-            {"min_clearance_m", s.min_clearance},
-            {"mean_max_collision_index", s.mean_max_collision_index},
-            {"max_collision_index", s.max_collision_index},
-            {"mean_rms_jerk_mps3", s.mean_rms_jerk},
-            {"mean_ms", s.mean_ms},
-            {"p95_ms", s.p95_ms},
-            {"max_ms", s.max_ms}}}};
+  Json summary = to_json(s.rates);
+  summary.update(Json{{"contacts", s.contacts},
+                      {"contacts_at_speed", s.contacts_at_speed},
+                      {"mean_time_s", s.mean_time},
+                      {"mean_min_clearance_m", s.mean_min_clearance},
+                      {"min_clearance_m", s.min_clearance},
+                      {"mean_max_collision_index", s.mean_max_collision_index},
+                      {"max_collision_index", s.max_collision_index}});
+  return {{"planner", s.rates.planner}, {"episodes", std::move(rows)}, {"summary", std::move(summary)}};
 }
 
 std::string in_a_line(const CrowdEpisode& e) {
@@ -104,26 +92,18 @@ std::string in_a_line(const CrowdEpisode& e) {
 }
 
 std::string table(const std::vector<CrowdSummary>& summaries) {
-  constexpr auto kRow =
-      "{:<14} {:>10} {:>15} {:>10} {:>15} {:>8} {:>8} {:>8} {:>6} {:>13} {:>13} {:>6} {:>20}\n";
-  const auto interval = [](const Interval& i) { return fmt::format("{:.3f} - {:.3f}", i.low, i.high); };
-  std::string out =
-      fmt::format(kRow, "planner", "success", "Wilson 95 %", "possible", "Wilson 95 %", "contacts",
-                  "at speed", "timeouts", "time s", "clearance m", "CI", "jerk", "cycle ms");
-  out += fmt::format(kRow, "", "", "", "", "", "", "", "", "mean", "mean / min", "mean / max", "rms",
-                     "mean / p95 / max");
+  std::vector<DriveRates> rates;
+  OwnColumn contacts{"contacts", "", {}}, at_speed{"at speed", "", {}}, time{"time s", "mean", {}},
+      clearance{"clearance m", "mean / min", {}}, index{"CI", "mean / max", {}};
   for (const CrowdSummary& s : summaries) {
-    out += fmt::format(kRow, s.planner, fmt::format("{} of {}", s.successes, s.episodes), interval(s.wilson),
-                       fmt::format("{} of {}", s.successes, s.possible), interval(s.wilson_possible),
-                       s.contacts, s.contacts_at_speed, s.timeouts, fmt::format("{:.2f}", s.mean_time),
-                       fmt::format("{:.3f} / {:.3f}", s.mean_min_clearance, s.min_clearance),
-                       fmt::format("{:.3f} / {:.3f}", s.mean_max_collision_index, s.max_collision_index),
-                       fmt::format("{:.2f}", s.mean_rms_jerk),
-                       fmt::format("{:.2f} / {:.2f} / {:.1f}", s.mean_ms, s.p95_ms, s.max_ms));
+    rates.push_back(s.rates);
+    contacts.cells.push_back(std::to_string(s.contacts));
+    at_speed.cells.push_back(std::to_string(s.contacts_at_speed));
+    time.cells.push_back(fmt::format("{:.2f}", s.mean_time));
+    clearance.cells.push_back(fmt::format("{:.3f} / {:.3f}", s.mean_min_clearance, s.min_clearance));
+    index.cells.push_back(fmt::format("{:.3f} / {:.3f}", s.mean_max_collision_index, s.max_collision_index));
   }
-  for (const CrowdSummary& s : summaries)
-    out += fmt::format("contacts of {}: {}\n", s.planner, s.hits.in_words());
-  return out;
+  return drive_table(rates, {contacts, at_speed, time, clearance, index});
 }
 
 std::string outcome_in_words(const CrowdEpisode& e) {
@@ -146,17 +126,6 @@ std::vector<PairedEpisode> paired(const std::vector<CrowdEpisode>& episodes) {
                      .time = e.time});
   }
   return pairs;
-}
-
-std::string failures(const std::string& planner, const std::vector<CrowdEpisode>& episodes) {
-  std::string out;
-  for (const CrowdEpisode& e : episodes) {
-    if (e.success) continue;
-    out += fmt::format("failed: {} {}: {}{}\n", planner, e.name, e.collision ? "contact" : "timeout",
-                       e.is_excused() ? ", could not succeed" : "");
-    for (const Json& contact : to_json(e.judged)) out += "  " + contact_in_words(contact) + "\n";
-  }
-  return out;
 }
 
 }  // namespace bw

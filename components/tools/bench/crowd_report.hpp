@@ -6,27 +6,23 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "components/tools/bench/bench_common.hpp"
 #include "components/tools/bench/crowd_episode.hpp"
+#include "components/tools/bench/drive_rates.hpp"
 #include "components/tools/comparison/comparison_report.hpp"
-#include "components/tools/contacts/contact_report.hpp"
 
 namespace bw {
 
-/// Means are over all episodes, those of cycle times over all cycles.
+/// Means are over all episodes.
 struct CrowdSummary {
-  std::string planner;
-  int episodes = 0, successes = 0, contacts = 0, contacts_at_speed = 0, timeouts = 0;
-  Interval wilson;
-  int possible = 0;          ///< episodes in which success was possible (book 8.10)
-  Interval wilson_possible;  ///< of the successes among them
-  HitCounts hits;
+  DriveRates rates;
+  int contacts = 0, contacts_at_speed = 0;
   double mean_time = 0.0;
   double mean_min_clearance = 0.0, min_clearance = 0.0;
   double mean_max_collision_index = 0.0, max_collision_index = 0.0;
-  double mean_rms_jerk = 0.0;
-  double mean_ms = 0.0, p95_ms = 0.0, max_ms = 0.0;
 };
+
+/// `contacts` are those that were judged.
+std::vector<RatedDrive> rated(const std::vector<CrowdEpisode>& episodes);
 
 CrowdSummary summarize(const std::string& planner, const std::vector<CrowdEpisode>& episodes);
 
@@ -44,8 +40,5 @@ std::string outcome_in_words(const CrowdEpisode& episode);
 
 /// For a comparison with another planner in the same scenes.
 std::vector<PairedEpisode> paired(const std::vector<CrowdEpisode>& episodes);
-
-/// The episodes that failed, each with its contacts and their verdicts; empty when none did.
-std::string failures(const std::string& planner, const std::vector<CrowdEpisode>& episodes);
 
 }  // namespace bw

@@ -6,26 +6,20 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "components/tools/bench/bench_common.hpp"
 #include "components/tools/bench/crowdnav_episode.hpp"
-#include "components/tools/contacts/contact_report.hpp"
+#include "components/tools/bench/drive_rates.hpp"
 
 namespace bw {
 
 struct CrowdNavSummary {
-  std::string planner;
-  int episodes = 0, successes = 0, collisions = 0, timeouts = 0;
-  int possible = 0;  ///< episodes less those whose contact could not have been avoided (book 8.10)
-  Interval wilson, wilson_possible;
-  HitCounts hits;
+  DriveRates rates;
+  int collisions = 0;
   double mean_time = 0.0;                    ///< [s] of the successes
   double discomfort = 0.0;                   ///< share of all steps
   double mean_min_gap = 0.0, min_gap = 0.0;  ///< [m]
-  double mean_rms_jerk = 0.0;
-  double mean_ms = 0.0, p95_ms = 0.0, max_ms = 0.0;
-
-  double share(int count) const { return episodes > 0 ? static_cast<double>(count) / episodes : 0.0; }
 };
+
+std::vector<RatedDrive> rated(const std::vector<CrowdNavEpisode>& episodes);
 
 CrowdNavSummary summarize(const std::string& planner, const std::vector<CrowdNavEpisode>& episodes);
 
@@ -36,9 +30,6 @@ nlohmann::ordered_json to_json(const CrowdNavSummary& summary, const std::vector
 nlohmann::ordered_json to_json(const CrowdNavSample& sample);
 
 std::string in_a_line(const CrowdNavEpisode& episode);
-
-/// Every failure with its verdict, a line each.
-std::string failures(const std::string& planner, const std::vector<CrowdNavEpisode>& episodes);
 
 /// One row per planner below a head, and who hit whom.
 std::string table(const std::vector<CrowdNavSummary>& summaries);

@@ -6,22 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "components/evaluation/rate_interval.hpp"
-
 namespace bw {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct RowFigures {
-  MeanInterval collision_index, closest, jerk, time;
-  int calm = 0;
-  int possible = 0;
-  Interval wilson;
-};
-
 RowFigures figures_of(const ComparedRow& row) {
   RowFigures figures;
+  figures.name = row.name;
   std::vector<double> index, closest, jerk, time;
   for (const PairedEpisode& episode : row.episodes) {
     index.push_back(episode.collision_index);
@@ -55,9 +47,9 @@ std::string in_words(const MeanInterval& interval, int digits, bool is_differenc
   return fmt::format(fmt::runtime(form), interval.mean, digits, interval.low, digits, interval.high, digits);
 }
 
-int width_of(const std::vector<ComparedRow>& rows) {
+int width_of(const std::vector<RowFigures>& rows) {
   std::size_t width = 14;
-  for (const ComparedRow& row : rows) width = std::max(width, row.name.size());
+  for (const RowFigures& row : rows) width = std::max(width, row.name.size());
   return static_cast<int>(width);
 }
 
@@ -73,63 +65,65 @@ std::size_t row_against(const std::vector<ComparedRow>& rows, const std::string&
   throw std::runtime_error("--against " + against + ": must be one of " + known);
 }
 
-Json comparison_json(const std::vector<ComparedRow>& rows, const std::string& against) {
+ComparisonSummary summarize(const std::vector<ComparedRow>& rows, const std::string& against) {
+  ComparisonSummary summary;
+  for (const ComparedRow& row : rows) summary.rows.push_back(figures_of(row));
+  if (rows.size() < 2) return summary;
+  const ComparedRow& first = rows[row_against(rows, against)];
+  summary.against = first.name;
+  for (const ComparedRow& row : rows)
+    if (&row != &first) summary.pairs.push_back({row.name, compare(first.episodes, row.episodes)});
+  return summary;
+}
+
+Json to_json(const ComparisonSummary& summary) {
   Json json = {{"bootstrap", {{"samples", kBootstrapSamples}, {"seed", kBootstrapSeed}}},
                {"rows", Json::object()}};
-  for (const ComparedRow& row : rows) {
-    const RowFigures figures = figures_of(row);
-    json["rows"][row.name] = {{"collision_index", to_json(figures.collision_index)},
-                              {"closest_m", to_json(figures.closest)},
-                              {"rms_jerk_mps3", to_json(figures.jerk)},
-                              {"time_s", to_json(figures.time)},
-                              {"calm",
-                               {{"count", figures.calm},
-                                {"of", figures.possible},
-                                {"wilson95", {figures.wilson.low, figures.wilson.high}}}}};
+  for (const RowFigures& row : summary.rows) {
+    json["rows"][row.name] = {
+        {"collision_index", to_json(row.collision_index)},
+        {"closest_m", to_json(row.closest)},
+        {"rms_jerk_mps3", to_json(row.jerk)},
+        {"time_s", to_json(row.time)},
+        {"calm",
+         {{"count", row.calm}, {"of", row.possible}, {"wilson95", {row.wilson.low, row.wilson.high}}}}};
   }
-  if (rows.size() < 2) return json;
-  const ComparedRow& first = rows[row_against(rows, against)];
-  json["against"] = first.name;
+  if (summary.rows.size() < 2) return json;
+  json["against"] = summary.against;
   json["pairs"] = Json::object();
-  for (const ComparedRow& row : rows) {
-    if (&row == &first) continue;
-    const Comparison c = compare(first.episodes, row.episodes);
-    json["pairs"][row.name] = {{"pairs", c.pairs},
-                               {"only_this", c.only_second},
-                               {"only_other", c.only_first},
-                               {"mcnemar_p", c.p},
-                               {"success", to_json(c.success)},
-                               {"both", c.both},
-                               {"collision_index", to_json(c.collision_index)},
-                               {"closest_m", to_json(c.closest)},
-                               {"rms_jerk_mps3", to_json(c.jerk)},
-                               {"time_s", to_json(c.time)}};
+  for (const auto& [name, c] : summary.pairs) {
+    json["pairs"][name] = {{"pairs", c.pairs},
+                           {"only_this", c.only_second},
+                           {"only_other", c.only_first},
+                           {"mcnemar_p", c.p},
+                           {"success", to_json(c.success)},
+                           {"both", c.both},
+                           {"collision_index", to_json(c.collision_index)},
+                           {"closest_m", to_json(c.closest)},
+                           {"rms_jerk_mps3", to_json(c.jerk)},
+                           {"time_s", to_json(c.time)}};
   }
   return json;
 }
 
-std::string comparison_in_words(const std::vector<ComparedRow>& rows, const std::string& against) {
-  if (rows.empty()) return "";
-  const int width = width_of(rows);
+std::string in_words(const ComparisonSummary& summary) {
+  if (summary.rows.empty()) return "";
+  const int width = width_of(summary.rows);
   constexpr auto kRow = "{:<{}} {:>24} {:>24} {:>24} {:>24}  {}\n";
   std::string out = fmt::format(kRow, "means (95 %)", width, "CI", "closest m", "jerk m/s^3", "time s",
                                 fmt::format("CI <= {} where possible", kCalmIndex));
-  for (const ComparedRow& row : rows) {
-    const RowFigures f = figures_of(row);
+  for (const RowFigures& row : summary.rows) {
     out += fmt::format(
-        kRow, row.name, width, in_words(f.collision_index, 3, false), in_words(f.closest, 3, false),
-        in_words(f.jerk, 2, false), in_words(f.time, 2, false),
-        fmt::format("{} of {} ({:.3f} - {:.3f})", f.calm, f.possible, f.wilson.low, f.wilson.high));
+        kRow, row.name, width, in_words(row.collision_index, 3, false), in_words(row.closest, 3, false),
+        in_words(row.jerk, 2, false), in_words(row.time, 2, false),
+        fmt::format("{} of {} ({:.3f} - {:.3f})", row.calm, row.possible, row.wilson.low, row.wilson.high));
   }
-  if (rows.size() < 2) return out;
-  const ComparedRow& first = rows[row_against(rows, against)];
-  out += fmt::format(kRow, "against " + first.name, width, "CI", "closest m", "jerk m/s^3", "time s",
-                     "pairs: succeeded only this, only " + first.name + "; McNemar p; both; success");
-  for (const ComparedRow& row : rows) {
-    if (&row == &first) continue;
-    const Comparison c = compare(first.episodes, row.episodes);
-    out += fmt::format(kRow, row.name, width, in_words(c.collision_index, 3, true),
-                       in_words(c.closest, 3, true), in_words(c.jerk, 2, true), in_words(c.time, 2, true),
+  if (summary.rows.size() < 2) return out;
+  out += fmt::format(kRow, "against " + summary.against, width, "CI", "closest m", "jerk m/s^3", "time s",
+                     "pairs: succeeded only this, only " + summary.against + "; McNemar p; both; success");
+  for (const auto& [name, c] : summary.pairs) {
+    out += fmt::format(kRow, name, width, in_words(c.collision_index, 3, true), in_words(c.closest, 3, true),
+                       in_words(c.jerk, 2, true), in_words(c.time, 2, true),
                        fmt::format("{}: {}, {}; {:.3f}; {}; {}", c.pairs, c.only_second, c.only_first, c.p,
                                    c.both, in_words(c.success, 3, true)));
   }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "components/evaluation/paired.hpp"
+#include "components/evaluation/rate_interval.hpp"
 
 namespace bw {
 
@@ -24,13 +25,37 @@ inline constexpr double kCalmIndex = 0.54;
 /// the rows when there is none.
 std::size_t row_against(const std::vector<ComparedRow>& rows, const std::string& against);
 
+/// What is told of one row. Figures are of all episodes, time of those that succeeded.
+struct RowFigures {
+  std::string name;
+  MeanInterval collision_index, closest, jerk, time;
+  int calm = 0;      ///< index at most kCalmIndex, of the episodes in which success was possible
+  int possible = 0;  ///< those
+  Interval wilson;   ///< of the calm among them
+};
+
+/// What is told of one row against another; differences are this one less the other.
+struct PairFigures {
+  std::string name;
+  Comparison figures;
+};
+
+/// Means, intervals and pairs of some rows: reckoned once, for words and for JSON.
+struct ComparisonSummary {
+  std::vector<RowFigures> rows;
+  std::string against;             ///< the row that the others are held against; empty with fewer than two
+  std::vector<PairFigures> pairs;  ///< of all the others, in their order
+};
+
+/// `against` as for row_against().
+ComparisonSummary summarize(const std::vector<ComparedRow>& rows, const std::string& against);
+
 /// {bootstrap: {samples, seed}, rows: {name: {collision_index, closest_m, rms_jerk_mps3, time_s: {count, mean, low, high}, calm: {count, of,
 /// wilson95}}}, against, pairs: {name: {pairs, only_this, only_other, mcnemar_p, success, both, collision_index, closest_m, rms_jerk_mps3, time_s}}}.
-/// Figures of rows are of all episodes, time of those that succeeded; `calm`: index at most kCalmIndex, of the episodes in which success
-/// was possible. Differences are this less the other one. `against` and `pairs` are there with two rows or more.
-nlohmann::ordered_json comparison_json(const std::vector<ComparedRow>& rows, const std::string& against);
+/// `against` and `pairs` are there with two rows or more.
+nlohmann::ordered_json to_json(const ComparisonSummary& summary);
 
-/// The same as two tables.
-std::string comparison_in_words(const std::vector<ComparedRow>& rows, const std::string& against);
+/// The same as two tables; empty without a row.
+std::string in_words(const ComparisonSummary& summary);
 
 }  // namespace bw

@@ -12,8 +12,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kMidFloorName = "mid_floor";
 
-/// To a thousandth.
-double rounded(double value) { return std::round(value * 1e3) / 1e3; }
+/// To a thousandth; no zero has a sign.
+double rounded(double value) { return std::round(value * 1e3) / 1e3 + 0.0; }
+
+/// As it is written, to a hundredth: no zero has a sign.
+double shown(double value) { return std::round(value * 1e2) / 1e2 + 0.0; }
 
 Json rounded(const std::optional<double>& value) { return value ? Json(rounded(*value)) : Json(); }
 
@@ -49,10 +52,10 @@ Json to_json(const std::vector<JudgedContact>& contacts) {
 }
 
 std::string contact_in_words(const Json& contact) {
-  std::string text =
-      fmt::format("{:.2f} s person {}: {} (robot {:.2f}, person {:.2f} m/s)", contact["t"].get<double>(),
-                  contact["person"].get<std::uint32_t>(), contact["who"].get<std::string>(),
-                  contact["robot_closing_mps"].get<double>(), contact["person_closing_mps"].get<double>());
+  std::string text = fmt::format(
+      "{:.2f} s person {}: {} (robot {:.2f}, person {:.2f} m/s)", contact["t"].get<double>(),
+      contact["person"].get<std::uint32_t>(), contact["who"].get<std::string>(),
+      shown(contact["robot_closing_mps"].get<double>()), shown(contact["person_closing_mps"].get<double>()));
   if (contact.contains("robot")) text = contact["robot"].get<std::string>() + " at " + text;
   if (contact["begins_mid_floor"].get<bool>())
     text += fmt::format(", there for {:.2f} s", contact["there_for_s"].get<double>());

@@ -167,11 +167,15 @@ std::string episode_name(const Suite& suite, const Job& job) {
   return suite.options.episodes[job.episode].name + (job.value.empty() ? "" : "_" + job.value);
 }
 
-/// Of the files of one drive. Names of episodes are unique in a suite.
+/// Of the files of one drive. Names of episodes are unique in a suite; of several suites each stands before them, unless they all
+/// begin with it anyway.
 std::string file_stem(const EvaluateOptions& options, const Suite& suite, const Job& job) {
-  const std::string before = options.suites.size() == 1
-                                 ? ""
-                                 : std::filesystem::path(options.suites[job.suite]).stem().string() + "_";
+  const std::string name = std::filesystem::path(options.suites[job.suite]).stem().string() + "_";
+  const std::vector<SuiteEpisode>& episodes = suite.options.episodes;
+  const bool is_said = std::all_of(episodes.begin(), episodes.end(), [&](const SuiteEpisode& episode) {
+    return episode.name.starts_with(name);
+  });
+  const std::string before = options.suites.size() == 1 || is_said ? "" : name;
   std::string planner = job.planner.empty() ? "" : "_" + job.planner;
   if (!job.variant.empty()) planner += "_" + job.variant;
   return fmt::format("{}{}{}_seed{}", before, episode_name(suite, job), planner, job.seed);
@@ -202,6 +206,7 @@ void picture_failure(FailureAlbum& album, const std::string& stem, const Episode
     album.add({.name = stem + (one.robot.empty() ? "" : "_" + one.robot),
                .title = line.substr(0, colon) + (one.robot.empty() ? "" : ", " + one.robot),
                .outcome = line.substr(colon + 2) + (result.is_excused() ? ", could not succeed" : ""),
+               .reached = card.value("reached", false),
                .contacts = one.contacts,
                .only_at_speed = true},
               one.recording);
@@ -234,9 +239,26 @@ std::string known_row(const std::vector<ComparedRow>& rows, const std::string& a
   return is_known ? against : "";
 }
 
-nlohmann::json comparison_of(const std::vector<SuiteResult>& results, const std::string& against) {
-  const std::vector<ComparedRow> rows = compared(results);
-  return nlohmann::json(comparison_json(rows, known_row(rows, against)));
+/// What is told of all drives at the end: reckoned once, for words, JSON and exit status.
+struct Report {
+  std::vector<std::vector<PlannerSummary>> planners;          ///< of each suite
+  std::vector<std::optional<ComparisonSummary>> comparisons;  ///< of each suite that was driven
+  std::optional<ComparisonSummary> of_all;                    ///< of several suites together
+};
+
+Report report_of(const std::vector<SuiteResult>& results, const std::string& against) {
+  const auto compare = [&](const std::vector<SuiteResult>& some) -> std::optional<ComparisonSummary> {
+    const std::vector<ComparedRow> rows = compared(some);
+    if (rows.empty()) return std::nullopt;
+    return summarize(rows, known_row(rows, against));
+  };
+  Report report;
+  for (const SuiteResult& result : results) {
+    report.planners.push_back(summarize(result));
+    report.comparisons.push_back(compare({result}));
+  }
+  if (results.size() > 1) report.of_all = compare(results);
+  return report;
 }
 
 /// Refuses the name of a planner that does not drive.
@@ -253,15 +275,16 @@ void check_against(const EvaluateOptions& options) {
 /// One suite as an object, several as {suites: [...]}; how many drives were planned and done stands in either.
 /// Written after every drive, so that of an evaluation that is killed there is a file that says so; comparisons when all is done.
 void write_json(const std::string& file, const std::vector<SuiteResult>& results, std::size_t planned,
-                const std::optional<std::string>& against = std::nullopt) {
+                const Report* report = nullptr) {
   if (file.empty()) return;
   nlohmann::json reports = nlohmann::json::array();
-  for (const SuiteResult& result : results) {
-    reports.push_back(to_json(result));
-    if (against && !result.episodes.empty()) reports.back()["comparison"] = comparison_of({result}, *against);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    reports.push_back(to_json(results[i], report != nullptr ? report->planners[i] : summarize(results[i])));
+    if (report != nullptr && report->comparisons[i])
+      reports.back()["comparison"] = nlohmann::json(to_json(*report->comparisons[i]));
   }
   nlohmann::json all = reports.size() == 1 ? reports.front() : nlohmann::json{{"suites", std::move(reports)}};
-  if (against && results.size() > 1) all["comparison"] = comparison_of(results, *against);
+  if (report != nullptr && report->of_all) all["comparison"] = nlohmann::json(to_json(*report->of_all));
   std::size_t driven = 0;
   for (const SuiteResult& result : results) driven += result.episodes.size();
   all["planned"] = planned;
@@ -270,22 +293,22 @@ void write_json(const std::string& file, const std::vector<SuiteResult>& results
   write_file_atomically(file, all.dump(2) + "\n");
 }
 
-bool enough_succeeded(const SuiteResult& result, double share) {
-  const nlohmann::json summary = to_json(result)["summary"];
-  return std::all_of(summary.begin(), summary.end(), [share](const nlohmann::json& row) {
-    return row["successes"].get<double>() >= share * row["episodes"].get<double>();
+bool enough_succeeded(const Report& report, double share) {
+  const auto is_enough = [share](const PlannerSummary& row) { return row.successes >= share * row.episodes; };
+  return std::all_of(report.planners.begin(), report.planners.end(), [&](const auto& planners) {
+    return std::all_of(planners.begin(), planners.end(), is_enough);
   });
 }
 
-/// Means and pairs, of each suite and of all.
-std::string comparisons_in_words(const std::vector<SuiteResult>& results, const std::string& against) {
-  std::string out;
-  const auto add = [&](const std::string& name, const std::vector<ComparedRow>& rows) {
-    if (!rows.empty()) out += "\n" + name + "\n" + comparison_in_words(rows, known_row(rows, against));
+/// Failures, rates, means and pairs, of each suite and of all.
+std::string report_in_words(const std::vector<SuiteResult>& results, const Report& report) {
+  std::string out = in_words(results, report.planners);
+  const auto add = [&](const std::string& name, const std::optional<ComparisonSummary>& comparison) {
+    if (comparison) out += "\n" + name + "\n" + in_words(*comparison);
   };
-  for (const SuiteResult& result : results)
-    add(std::filesystem::path(result.suite).stem().string(), compared({result}));
-  if (results.size() > 1) add("all suites", compared(results));
+  for (std::size_t i = 0; i < results.size(); ++i)
+    add(std::filesystem::path(results[i].suite).stem().string(), report.comparisons[i]);
+  add("all suites", report.of_all);
   return out;
 }
 
@@ -300,8 +323,9 @@ int sum_up(const EvaluateOptions& options) {
   }
   for (const SuiteResult& result : results) driven += result.episodes.size();
   row_against(compared(results), options.against);
-  std::cout << in_words(results) << comparisons_in_words(results, options.against);
-  write_json(options.json, results, driven, options.against);
+  const Report report = report_of(results, options.against);
+  std::cout << report_in_words(results, report);
+  write_json(options.json, results, driven, &report);
   return 0;
 }
 
@@ -334,16 +358,11 @@ int evaluate(const EvaluateOptions& options) {
                              in_a_line(result));
   }
 
-  std::cout << in_words(results);
-  if (driven > 0) {
-    std::cout << comparisons_in_words(results, options.against);
-    write_json(options.json, results, jobs.size(), options.against);
-  }
+  const Report report = report_of(results, options.against);
+  std::cout << report_in_words(results, report);
+  if (driven > 0) write_json(options.json, results, jobs.size(), &report);
   if (driven < jobs.size()) std::cout << fmt::format("interrupted: {} of {} drives\n", driven, jobs.size());
-  const bool enough = std::all_of(results.begin(), results.end(), [&](const SuiteResult& result) {
-    return enough_succeeded(result, options.at_least);
-  });
-  return driven == jobs.size() && enough ? 0 : 1;
+  return driven == jobs.size() && enough_succeeded(report, options.at_least) ? 0 : 1;
 }
 
 CLI::App* add_evaluate(CLI::App& app, int& status) {

@@ -5,13 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "components/tools/bench/bench_common.hpp"
-#include "components/tools/contacts/contact_report.hpp"
 #include "runtime/base/quantile.hpp"
 
 namespace bw {
@@ -32,20 +29,20 @@ std::vector<double> figures(const std::vector<const EpisodeResult*>& drives, con
   return values;
 }
 
-nlohmann::json mean(const std::vector<double>& values) {
-  if (values.empty()) return nullptr;
+std::optional<double> mean_of(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
   double sum = 0.0;
   for (const double value : values) sum += value;
   return sum / static_cast<double>(values.size());
 }
 
-nlohmann::json largest(const std::vector<double>& values) {
-  if (values.empty()) return nullptr;
+std::optional<double> largest(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
   return *std::max_element(values.begin(), values.end());
 }
 
-nlohmann::json smallest(const std::vector<double>& values) {
-  if (values.empty()) return nullptr;
+std::optional<double> smallest(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
   return *std::min_element(values.begin(), values.end());
 }
 
@@ -89,44 +86,70 @@ HitCounts hits_of(const std::vector<const EpisodeResult*>& drives) {
   return hits;
 }
 
-nlohmann::json summary(const std::vector<const EpisodeResult*>& drives) {
+PlannerSummary summary_of(const std::string& planner, const std::vector<const EpisodeResult*>& drives) {
+  PlannerSummary s;
+  s.planner = planner;
+  s.episodes = static_cast<int>(drives.size());
   std::vector<const EpisodeResult*> reached;
-  int successes = 0;
-  int possible = 0;
   for (const EpisodeResult* drive : drives) {
     if (drive->card.value("reached", false)) reached.push_back(drive);
-    if (drive->succeeded()) ++successes;
-    if (!drive->is_excused()) ++possible;
+    if (drive->succeeded()) ++s.successes;
+    if (!drive->is_excused()) ++s.possible;
   }
-  const Interval wilson = wilson95(successes, static_cast<int>(drives.size()));
-  const Interval where_possible = wilson95(successes, possible);
+  s.reached = static_cast<int>(reached.size());
+  s.wilson = wilson95(s.successes, s.episodes);
+  s.wilson_possible = wilson95(s.successes, s.possible);
+  s.hits = hits_of(drives);
+  s.contacts = total(drives, "collisions");
+  s.contacts_at_speed = total(drives, "collisions_at_speed");
+  s.min_distance = smallest(figures(drives, "min_distance_m"));
+  s.closest_person = smallest(figures(drives, "closest_person_m"));
   const std::vector<double> index = figures(drives, "max_collision_index");
-  return {{"episodes", drives.size()},
-          {"reached", reached.size()},
-          {"successes", successes},
-          {"wilson95", {wilson.low, wilson.high}},
-          {"possible", possible},
-          {"wilson95_possible", {where_possible.low, where_possible.high}},
-          {"hits", nlohmann::json(hits_of(drives).to_json())},
-          {"contacts", total(drives, "collisions")},
-          {"contacts_at_speed", total(drives, "collisions_at_speed")},
-          {"min_distance_m", smallest(figures(drives, "min_distance_m"))},
-          {"closest_person_m", smallest(figures(drives, "closest_person_m"))},
-          {"max_collision_index", {{"max", largest(index)}, {"median", quantile(index, 0.5)}}},
-          {"mean_time_s", mean(figures(reached, "time_to_goal_s"))},
-          {"mean_rms_jerk_mps3", mean(figures(drives, "rms_jerk_mps3"))},
-          {"localization",
-           {{"mean_rms_m", mean(part_figures(drives, "localization", "rms_m"))},
-            {"max_m", largest(part_figures(drives, "localization", "max_m"))}}},
-          {"planner_ms",
-           {{"mean", mean(part_figures(drives, "planner", "mean_ms"))},
-            {"p95", largest(part_figures(drives, "planner", "p95_ms"))},
-            {"max", largest(part_figures(drives, "planner", "max_ms"))}}}};
+  s.max_index = largest(index);
+  if (!index.empty()) s.median_index = quantile(index, 0.5);
+  s.mean_time = mean_of(figures(reached, "time_to_goal_s"));
+  s.mean_jerk = mean_of(figures(drives, "rms_jerk_mps3"));
+  s.mean_pose = mean_of(part_figures(drives, "localization", "rms_m"));
+  s.max_pose = largest(part_figures(drives, "localization", "max_m"));
+  s.mean_ms = mean_of(part_figures(drives, "planner", "mean_ms"));
+  s.p95_ms = largest(part_figures(drives, "planner", "p95_ms"));
+  s.max_ms = largest(part_figures(drives, "planner", "max_ms"));
+  return s;
 }
 
-std::string text(const nlohmann::json& value, int digits) {
-  return value.is_number() ? fmt::format("{:.{}f}", value.get<double>(), digits) : "-";
+nlohmann::json number(const std::optional<double>& value) {
+  return value ? nlohmann::json(*value) : nlohmann::json();
 }
+
+nlohmann::json to_json(const PlannerSummary& s) {
+  return {
+      {"episodes", s.episodes},
+      {"reached", s.reached},
+      {"successes", s.successes},
+      {"wilson95", {s.wilson.low, s.wilson.high}},
+      {"possible", s.possible},
+      {"wilson95_possible", {s.wilson_possible.low, s.wilson_possible.high}},
+      {"hits", nlohmann::json(s.hits.to_json())},
+      {"contacts", s.contacts},
+      {"contacts_at_speed", s.contacts_at_speed},
+      {"min_distance_m", number(s.min_distance)},
+      {"closest_person_m", number(s.closest_person)},
+      {"max_collision_index", {{"max", number(s.max_index)}, {"median", number(s.median_index)}}},
+      {"mean_time_s", number(s.mean_time)},
+      {"mean_rms_jerk_mps3", number(s.mean_jerk)},
+      {"localization", {{"mean_rms_m", number(s.mean_pose)}, {"max_m", number(s.max_pose)}}},
+      {"planner_ms", {{"mean", number(s.mean_ms)}, {"p95", number(s.p95_ms)}, {"max", number(s.max_ms)}}}};
+}
+
+std::string text(const std::optional<double>& value, int digits) {
+  return value ? fmt::format("{:.{}f}", *value, digits) : "-";
+}
+
+std::string text(const Interval& interval) {
+  return fmt::format("{:.2f}-{:.2f}", interval.low, interval.high);
+}
+
+std::string stem_of(const SuiteResult& result) { return std::filesystem::path(result.suite).stem().string(); }
 
 }  // namespace
 
@@ -134,7 +157,13 @@ bool EpisodeResult::succeeded() const {
   return card.value("reached", false) && card.value("collisions_at_speed", 1) == 0;
 }
 
-nlohmann::json to_json(const SuiteResult& result) {
+std::vector<PlannerSummary> summarize(const SuiteResult& result) {
+  std::vector<PlannerSummary> planners;
+  for (const auto& [planner, drives] : by_planner(result)) planners.push_back(summary_of(planner, drives));
+  return planners;
+}
+
+nlohmann::json to_json(const SuiteResult& result, const std::vector<PlannerSummary>& planners) {
   nlohmann::json episodes = nlohmann::json::array();
   for (const EpisodeResult& drive : result.episodes) {
     nlohmann::json episode = drive.card;
@@ -150,12 +179,13 @@ nlohmann::json to_json(const SuiteResult& result) {
       episode.erase("robot_path");  // hundreds of drives in a file; failures are looked at
     episodes.push_back(std::move(episode));
   }
-  nlohmann::json planners = nlohmann::json::object();
-  for (const auto& [planner, drives] : by_planner(result)) planners[planner] = summary(drives);
-  return {{"suite", result.suite}, {"summary", std::move(planners)}, {"episodes", std::move(episodes)}};
+  nlohmann::json summary = nlohmann::json::object();
+  for (const PlannerSummary& row : planners) summary[row.planner] = to_json(row);
+  return {{"suite", result.suite}, {"summary", std::move(summary)}, {"episodes", std::move(episodes)}};
 }
 
-std::string in_words(const std::vector<SuiteResult>& results) {
+std::string in_words(const std::vector<SuiteResult>& results,
+                     const std::vector<std::vector<PlannerSummary>>& planners) {
   std::string out;
   for (const SuiteResult& result : results) {
     for (const EpisodeResult& drive : result.episodes) {
@@ -169,27 +199,20 @@ std::string in_words(const std::vector<SuiteResult>& results) {
   out += fmt::format(kRow, "suite", "planner", "success", "Wilson 95 %", "possible", "Wilson 95 %",
                      "contacts", "at speed", "person m", "CI max", "median", "time s", "jerk", "pose m",
                      "max", "ms mean", "p95", "max");
-  for (const SuiteResult& result : results) {
-    for (const auto& [planner, drives] : by_planner(result)) {
-      const nlohmann::json row = summary(drives);
-      out += fmt::format(kRow, std::filesystem::path(result.suite).stem().string(), planner,
-                         fmt::format("{} of {}", row["successes"].get<int>(), row["episodes"].get<int>()),
-                         text(row["wilson95"][0], 2) + "-" + text(row["wilson95"][1], 2),
-                         fmt::format("{} of {}", row["successes"].get<int>(), row["possible"].get<int>()),
-                         text(row["wilson95_possible"][0], 2) + "-" + text(row["wilson95_possible"][1], 2),
-                         row["contacts"].get<int>(), row["contacts_at_speed"].get<int>(),
-                         text(row["closest_person_m"], 2), text(row["max_collision_index"]["max"], 2),
-                         text(row["max_collision_index"]["median"], 2), text(row["mean_time_s"], 1),
-                         text(row["mean_rms_jerk_mps3"], 2), text(row["localization"]["mean_rms_m"], 3),
-                         text(row["localization"]["max_m"], 2), text(row["planner_ms"]["mean"], 2),
-                         text(row["planner_ms"]["p95"], 2), text(row["planner_ms"]["max"], 2));
+  std::string hits;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const std::string suite = stem_of(results[i]);
+    for (const PlannerSummary& row : planners[i]) {
+      out += fmt::format(
+          kRow, suite, row.planner, fmt::format("{} of {}", row.successes, row.episodes), text(row.wilson),
+          fmt::format("{} of {}", row.successes, row.possible), text(row.wilson_possible), row.contacts,
+          row.contacts_at_speed, text(row.closest_person, 2), text(row.max_index, 2),
+          text(row.median_index, 2), text(row.mean_time, 1), text(row.mean_jerk, 2), text(row.mean_pose, 3),
+          text(row.max_pose, 2), text(row.mean_ms, 2), text(row.p95_ms, 2), text(row.max_ms, 2));
+      hits += fmt::format("contacts in {} of {}: {}\n", suite, row.planner, row.hits.in_words());
     }
   }
-  for (const SuiteResult& result : results)
-    for (const auto& [planner, drives] : by_planner(result))
-      out += fmt::format("contacts in {} of {}: {}\n", std::filesystem::path(result.suite).stem().string(),
-                         planner, hits_of(drives).in_words());
-  return out;
+  return out + hits;
 }
 
 std::vector<ComparedRow> compared(const std::vector<SuiteResult>& results) {
@@ -242,15 +265,13 @@ void read_results(const std::filesystem::path& file, const std::string& label,
 
 std::string in_a_line(const EpisodeResult& result) {
   const nlohmann::json& card = result.card;
-  const std::string outcome =
-      card.value("reached", false)
-          ? "reached in " + text(card.value("time_to_goal_s", nlohmann::json()), 1) + " s"
-          : "not reached (" + card.value("reason", "") + ")";
+  const std::string outcome = card.value("reached", false)
+                                  ? "reached in " + text(figure(card, "time_to_goal_s"), 1) + " s"
+                                  : "not reached (" + card.value("reason", "") + ")";
   return fmt::format("{} seed {} {}: {}, {} contacts ({} at speed), gap {} m, CI {}", result.name,
                      result.seed, result.planner, outcome, card.value("collisions", 0),
-                     card.value("collisions_at_speed", 0),
-                     text(card.value("min_distance_m", nlohmann::json()), 2),
-                     text(card.value("max_collision_index", nlohmann::json()), 2)) +
+                     card.value("collisions_at_speed", 0), text(figure(card, "min_distance_m"), 2),
+                     text(figure(card, "max_collision_index"), 2)) +
          (result.page.empty() ? "" : ", " + result.page);
 }
 

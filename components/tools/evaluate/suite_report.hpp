@@ -3,13 +3,17 @@
 // not see the robot may walk into one that stands.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "components/evaluation/rate_interval.hpp"
 #include "components/tools/comparison/comparison_report.hpp"
+#include "components/tools/contacts/contact_report.hpp"
 
 namespace bw {
 
@@ -32,18 +36,37 @@ struct SuiteResult {
   std::vector<EpisodeResult> episodes;
 };
 
+/// The figures of one planner over a suite: reckoned once, for words, JSON and exit status. Nothing where no drive has the figure.
+struct PlannerSummary {
+  std::string planner;
+  int episodes = 0, reached = 0, successes = 0;
+  Interval wilson;
+  int possible = 0;          ///< episodes in which success was possible (book 8.10)
+  Interval wilson_possible;  ///< of the successes among them
+  HitCounts hits;            ///< contacts with somebody by who hit whom
+  std::int64_t contacts = 0, contacts_at_speed = 0;
+  std::optional<double> min_distance, closest_person;  ///< [m]
+  std::optional<double> max_index, median_index;
+  std::optional<double> mean_time;                ///< [s] of the goals that were reached
+  std::optional<double> mean_jerk;                ///< [m/s^3] of all drives
+  std::optional<double> mean_pose, max_pose;      ///< error of the robot's place, rms and largest [m]
+  std::optional<double> mean_ms, p95_ms, max_ms;  ///< of the planner; p95 is that of the worst drive
+};
+
+/// Planners in the order of their first drives.
+std::vector<PlannerSummary> summarize(const SuiteResult& result);
+
 /// Of one suite; the verb adds {planned, driven, complete}, which count drives:
 /// {suite, summary: {planner: {episodes, reached, successes, wilson95, possible, wilson95_possible, hits, contacts, contacts_at_speed,
 /// min_distance_m, closest_person_m, max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3,
 /// localization: {mean_rms_m, max_m}, planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner,
-/// success, possible, ... score card}]}. `possible`: episodes in which success was possible; `hits`: contacts with somebody by who
-/// hit whom (contact_report.hpp). Times and jerk are means over reached goals and over all drives; p95 of the
-/// planner's time is that of the worst drive. The robot's way is told of drives that failed, and their `page` where there is one.
-nlohmann::json to_json(const SuiteResult& result);
+/// success, possible, ... score card}]}. The robot's way is told of drives that failed, and their `page` where there is one.
+nlohmann::json to_json(const SuiteResult& result, const std::vector<PlannerSummary>& planners);
 
-/// The drives that failed with their contacts, and one table: a row for each suite and planner, planners in the order they were
-/// driven. Below it who hit whom.
-std::string in_words(const std::vector<SuiteResult>& results);
+/// The drives that failed with their contacts, and one table: a row for each suite and planner. Below it who hit whom. `planners`: of each
+/// of the results.
+std::string in_words(const std::vector<SuiteResult>& results,
+                     const std::vector<std::vector<PlannerSummary>>& planners);
 
 /// The drives of some suites by planner, for a comparison: the same episode of a suite with the same seed is one pair.
 std::vector<ComparedRow> compared(const std::vector<SuiteResult>& results);

@@ -1,4 +1,4 @@
-// Drives that failed, each as a picture, and one page of all of them (book 8.10).
+// Drives that failed, each as a picture, and one page of all of them: a list with verdicts and causes, then the pictures (book 8.10).
 #pragma once
 
 #include <filesystem>
@@ -6,21 +6,29 @@
 #include <string>
 #include <vector>
 
+#include "components/evaluation/failure_cause.hpp"
 #include "components/evaluation/judged_contact.hpp"
 #include "components/evaluation/run_recorder.hpp"
 
 namespace bw {
 
 struct FailedDrive {
-  std::string name;     ///< of its file, without .svg
-  std::string title;    ///< which drive
-  std::string outcome;  ///< one line: how it ended
+  std::string name;      ///< of its file, without .svg
+  std::string title;     ///< which drive, with its seed
+  std::string outcome;   ///< one line: how it ended
+  bool reached = false;  ///< the goal
   std::vector<JudgedContact> contacts;
   bool only_at_speed = false;  ///< contacts of a robot that stood do not count
 };
 
-/// The contact that made the drive fail: the first that counts, else the first; nothing without any.
+/// The contact that made the drive fail, the first that counts; nothing without any.
 std::optional<JudgedContact> deciding_contact(const FailedDrive& drive);
+
+/// A drive with what was found about it.
+struct ExplainedFailure {
+  FailedDrive drive;
+  FoundCause cause;
+};
 
 class FailureAlbum {
  public:
@@ -28,7 +36,7 @@ class FailureAlbum {
   explicit FailureAlbum(std::filesystem::path folder, int most = 30)
       : folder_(std::move(folder)), most_(most) {}
 
-  bool is_full() const { return static_cast<int>(drives_.size()) >= most_; }
+  bool is_full() const { return static_cast<int>(failures_.size()) >= most_; }
 
   /// Writes `<name>.svg`, and index.html anew. Throws std::runtime_error when it cannot. `recording` needs a moment.
   void add(const FailedDrive& drive, const RunRecording& recording);
@@ -36,10 +44,13 @@ class FailureAlbum {
  private:
   std::filesystem::path folder_;
   int most_;
-  std::vector<FailedDrive> drives_;
+  std::vector<ExplainedFailure> failures_;
 };
 
-/// The page: a picture and its words for each.
-std::string failures_page(const std::vector<FailedDrive>& drives);
+/// How many failed for which cause: "3 turning_walker, 1 stuck"; "none".
+std::string causes_in_words(const std::vector<ExplainedFailure>& failures);
+
+/// The page: a list, a row for each, and a picture with all of its words for each.
+std::string failures_page(const std::vector<ExplainedFailure>& failures);
 
 }  // namespace bw

@@ -1,5 +1,7 @@
 #include "components/local_planner/dwa/passing_cost.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "components/local_planner/dwa/critics_planner.hpp"
@@ -24,6 +26,8 @@ EdwaOptions options() {
   options.mover_horizon = 3.0;
   options.passing_scale = 200.0;
   options.passing_gap = 0.8;
+  options.passing_power = 1.0;
+  options.passing_fading = 0.0;
   return options;
 }
 
@@ -42,11 +46,37 @@ TEST(PassingCost, TellsMotionsApartThatTouch) {
   EXPECT_NEAR(PassingCost(driving_with({4, 0.5}, {-1, 0}), options()).of({1, 0}), 225.0, 1.0);
 }
 
+// Half of the gap is missing now: 200 / 4. Head-on from 6 m, touched 0.3 m deep after 3.8 s at 0.5 m/s: not yet; from 4 m after 2.47 s:
+// 200 ((1.1 / 0.8)^2 (1 - 0.7 2.47 / 3) + 0.18); movers are placed each 0.1 s.
+TEST(PassingCost, OfSlowerPeopleGrowsWithItsPowerAndFadesWithTime) {
+  EdwaOptions fading = options();
+  fading.passing_power = 2.0;
+  fading.passing_fading = 0.7;
+  const auto cost_of = [&](const Vector2& position, const Vector2& velocity) {
+    PlanningProblem walkers = driving_with(position, velocity);
+    walkers.limits.v_max = 1.5;
+    return PassingCost(walkers, fading).of({1, 0});
+  };
+  EXPECT_NEAR(cost_of({0, 1.0}, {1, 0}), 50.0, 1e-6);
+  const double touched = 200.0 * (std::pow(1.1 / 0.8, 2) * (1.0 - 0.7 * 2.467 / 3.0) + 1.0 - 2.467 / 3.0);
+  EXPECT_NEAR(cost_of({4, 0}, {-0.5, 0}), touched, 16.0);
+  // Who overtakes at 1.4 m/s and is 0.2 m away in 2.5 s counts less than who is that near now: 200 (0.6 / 0.8)^2 = 112.5.
+  EXPECT_NEAR(cost_of({0, 0.8}, {1, 0}), 112.5, 1e-6);
+  EXPECT_NEAR(cost_of({-1, 0.8}, {1.4, 0}), 112.5 * (1.0 - 0.7 * 2.5 / 3.0), 3.0);
+  // Faster than the robot can be: all of the share, whenever.
+  EXPECT_NEAR(cost_of({-2, 0.8}, {2, 0}), 150.0, 3.0);
+}
+
 TEST(PassingCost, IsOfPeopleWhoWalkAlone) {
-  EXPECT_EQ(PassingCost(driving_with({2, 0}, {0, 0}), options()).of({1, 0}), 0.0);
+  const auto cost_of = [](const PlanningProblem& problem) {
+    const PlanningProblem walkers = walkers_alone(problem);
+    return PassingCost(walkers, options()).of({1, 0});
+  };
+  EXPECT_GT(cost_of(driving_with({4, 0}, {-1, 0})), 0.0);
+  EXPECT_EQ(cost_of(driving_with({2, 0}, {0, 0})), 0.0);
   PlanningProblem possible = driving_with({4, 0}, {-1, 0});
   possible.movers[0].confidence = 0.45;
-  EXPECT_EQ(PassingCost(possible, options()).of({1, 0}), 0.0);
+  EXPECT_EQ(cost_of(possible), 0.0);
 }
 
 TEST(PassingCost, WhoIsMetAfterTheRollOutIsEvaded) {

@@ -192,16 +192,16 @@ TEST(CrowdSummary, TellsSuccessWhereItWasPossible) {
   lost.contacts.resize(1);
   lost.judged = {{lost.contacts[0], true, {.avoidance = possible::Avoidance::not_avoidable}}};
   const CrowdSummary s = summarize("x", {good, good, lost});
-  EXPECT_EQ(s.successes, 2);
-  EXPECT_EQ(s.possible, 2);
+  EXPECT_EQ(s.rates.successes, 2);
+  EXPECT_EQ(s.rates.possible, 2);
   EXPECT_NE(table({s}).find("2 of 2"), std::string::npos);
-  EXPECT_NE(failures("x", {good, lost}).find("failed: x lost: contact, could not succeed"),
+  EXPECT_NE(failures("x", rated({good, lost})).find("failed: x lost: contact, could not succeed"),
             std::string::npos);
   lost.reached = false;
-  EXPECT_EQ(summarize("x", {good, good, lost}).possible, 3);
+  EXPECT_EQ(summarize("x", {good, good, lost}).rates.possible, 3);
   lost.reached = true;
   lost.judged[0].verdict.avoidance = possible::Avoidance::undecided;
-  EXPECT_EQ(summarize("x", {good, good, lost}).possible, 3);
+  EXPECT_EQ(summarize("x", {good, good, lost}).rates.possible, 3);
 }
 
 TEST(CrowdSummary, CountsAndMeansOfHandMadeEpisodes) {
@@ -211,15 +211,15 @@ TEST(CrowdSummary, CountsAndMeansOfHandMadeEpisodes) {
   touched.ms = {3.0};
   CrowdEpisode late{.name = "late", .time = 60.0, .min_clearance = 0.6};
   const CrowdSummary s = summarize("x", {good, touched, late});
-  EXPECT_EQ(s.episodes, 3);
-  EXPECT_EQ(s.successes, 1);
+  EXPECT_EQ(s.rates.episodes, 3);
+  EXPECT_EQ(s.rates.successes, 1);
   EXPECT_EQ(s.contacts, 1);
   EXPECT_EQ(s.contacts_at_speed, 0);
-  EXPECT_EQ(s.timeouts, 1);
+  EXPECT_EQ(s.rates.timeouts, 1);
   EXPECT_NEAR(s.mean_time, 28.0, 1e-12);
   EXPECT_NEAR(s.min_clearance, 0.1, 1e-12);
-  EXPECT_NEAR(s.mean_ms, 2.0, 1e-12);
-  EXPECT_EQ(s.max_ms, 3.0);
+  EXPECT_NEAR(s.rates.mean_ms, 2.0, 1e-12);
+  EXPECT_EQ(s.rates.max_ms, 3.0);
   EXPECT_NE(table({s}).find("1 of 3"), std::string::npos);
 }
 

@@ -76,9 +76,9 @@ class CrowdNavRows : public testing::TestWithParam<Row> {};
 TEST_P(CrowdNavRows, OfAll500CasesAreTheIndependentOnesToTheLastDigit) {
   const Row& row = GetParam();
   const CrowdNavSummary s = summary_of(row.crossing, row.visible, row.safety_space, kCrowdNavCases);
-  EXPECT_NEAR(s.share(s.successes), row.success, 1e-9);
-  EXPECT_NEAR(s.share(s.collisions), row.collision, 1e-9);
-  EXPECT_NEAR(s.share(s.timeouts), row.timeout, 1e-9);
+  EXPECT_NEAR(s.rates.share(s.rates.successes), row.success, 1e-9);
+  EXPECT_NEAR(s.rates.share(s.collisions), row.collision, 1e-9);
+  EXPECT_NEAR(s.rates.share(s.rates.timeouts), row.timeout, 1e-9);
   EXPECT_NEAR(s.mean_time, row.time, 0.005);
   EXPECT_NEAR(s.discomfort, row.discomfort, 0.0005);
 }
@@ -164,7 +164,12 @@ TEST(CrowdNavEpisode, SeesAContactWithinAStep) {
   ASSERT_EQ(lost.judged.size(), 1u);
   EXPECT_EQ(lost.judged[0].verdict.avoidance, possible::Avoidance::not_avoidable);
   EXPECT_TRUE(lost.is_excused());
-  EXPECT_EQ(summarize("stands", {lost, e}).possible, 1);
+  EXPECT_EQ(summarize("stands", {lost, e}).rates.possible, 1);
+  // The same contacts of a robot that was late excuse nothing.
+  CrowdNavEpisode late = lost;
+  late.outcome = CrowdNavOutcome::timeout;
+  EXPECT_FALSE(late.is_excused());
+  EXPECT_EQ(summarize("stands", {late, e}).rates.possible, 2);
   scene.people[0] = {{0.0, -1.0}, {0.0, -9.0}};
   // Seen, they walk round it.
   ConstantPlanner seen({0.0, 0.0});

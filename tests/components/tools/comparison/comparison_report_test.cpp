@@ -22,7 +22,8 @@ std::vector<ComparedRow> rows() {
 }
 
 TEST(ComparisonReport, TellsPairsAndMeans) {
-  const nlohmann::ordered_json json = comparison_json(rows(), "");
+  const ComparisonSummary summary = summarize(rows(), "");
+  const nlohmann::ordered_json json = to_json(summary);
   EXPECT_EQ(json["against"], "teb");
   const nlohmann::ordered_json& pair = json["pairs"]["eteb own"];
   EXPECT_EQ(pair["pairs"], 10);
@@ -39,7 +40,7 @@ TEST(ComparisonReport, TellsPairsAndMeans) {
   EXPECT_EQ(row["calm"]["of"], 9);
   EXPECT_NEAR(row["time_s"]["mean"].get<double>(), 194.0 / 9.0, 1e-12);
   EXPECT_EQ(json["rows"]["teb"]["calm"]["count"], 0);
-  const std::string words = comparison_in_words(rows(), "");
+  const std::string words = in_words(summary);
   EXPECT_THAT(words, HasSubstr("10: 5, 0; 0.062; 4"));
   EXPECT_THAT(words, HasSubstr("6 of 9"));
   EXPECT_THAT(words, HasSubstr("-0.100 (-0.100 to -0.100)"));
@@ -47,9 +48,9 @@ TEST(ComparisonReport, TellsPairsAndMeans) {
 }
 
 TEST(ComparisonReport, AgainstAnotherOrNobody) {
-  EXPECT_EQ(comparison_json(rows(), "eteb own")["pairs"]["teb"]["only_other"], 5);
-  EXPECT_FALSE(comparison_json({rows()[0]}, "").contains("pairs"));
-  EXPECT_EQ(comparison_in_words({}, ""), "");
+  EXPECT_EQ(to_json(summarize(rows(), "eteb own"))["pairs"]["teb"]["only_other"], 5);
+  EXPECT_FALSE(to_json(summarize({rows()[0]}, "")).contains("pairs"));
+  EXPECT_EQ(in_words(summarize({}, "")), "");
   try {
     row_against(rows(), "dwa");
     FAIL() << "accepted";

@@ -109,6 +109,14 @@ TEST_F(SuiteFile, AnOverrideOfNothingNamesTheSuite) {
   }
 }
 
+nlohmann::json json_of(const SuiteResult& result) { return to_json(result, summarize(result)); }
+
+std::string words_of(const std::vector<SuiteResult>& results) {
+  std::vector<std::vector<PlannerSummary>> planners;
+  for (const SuiteResult& result : results) planners.push_back(summarize(result));
+  return in_words(results, planners);
+}
+
 EpisodeResult drive(const std::string& name, bool reached, int contacts, int at_speed, double index) {
   return {name,
           1,
@@ -133,7 +141,7 @@ TEST(SuiteReport, SumsUpByPlanner) {
   const SuiteResult result{"suite.yaml",
                            {drive("a", true, 0, 0, 0.1), drive("b", true, 1, 0, 0.2),
                             drive("c", true, 2, 1, 0.4), drive("d", false, 0, 0, 0.3)}};
-  const nlohmann::json json = to_json(result);
+  const nlohmann::json json = json_of(result);
   const nlohmann::json& row = json["summary"]["teb"];
   EXPECT_EQ(row["episodes"], 4);
   EXPECT_EQ(row["reached"], 3);
@@ -155,7 +163,7 @@ TEST(SuiteReport, SumsUpByPlanner) {
   EXPECT_DOUBLE_EQ(row["localization"]["max_m"].get<double>(), 0.4);
   EXPECT_EQ(json["episodes"][2]["planner"], "teb");
   EXPECT_EQ(json["episodes"][2]["success"], false);
-  const std::string words = in_words({result});
+  const std::string words = words_of({result});
   EXPECT_NE(words.find("failed: d seed 1 teb: not reached (because)"), std::string::npos) << words;
   EXPECT_NE(words.find("2 of 4"), std::string::npos) << words;
 }
@@ -183,7 +191,7 @@ TEST(SuiteReport, TellsSuccessWhereItWasPossible) {
   const SuiteResult result{
       "suite.yaml",
       {drive("a", true, 0, 0, 0.1), drive("b", true, 0, 0, 0.1), drive("c", true, 0, 0, 0.1), lost}};
-  const nlohmann::json json = to_json(result);
+  const nlohmann::json json = json_of(result);
   const nlohmann::json& row = json["summary"]["teb"];
   EXPECT_EQ(row["successes"], 3);
   EXPECT_EQ(row["possible"], 3);
@@ -193,7 +201,7 @@ TEST(SuiteReport, TellsSuccessWhereItWasPossible) {
   EXPECT_EQ(row["hits"]["person_behind"], 1);
   EXPECT_EQ(json["episodes"][3]["possible"], false);
   EXPECT_EQ(json["episodes"][0]["possible"], true);
-  const std::string words = in_words({result});
+  const std::string words = words_of({result});
   EXPECT_NE(words.find("3 of 3"), std::string::npos) << words;
   EXPECT_NE(
       words.find("could not succeed\n  3.00 s person 4: person_side (robot 0.10, person 0.90 m/s), there for "
@@ -228,12 +236,12 @@ TEST(SuiteReport, ComparesPlannersAndConditionsByEpisodeAndSeed) {
 TEST(SuiteReport, ReadsWhatItWrote) {
   const auto file = std::filesystem::path(testing::TempDir()) / "bandwagon_suite_report.json";
   const SuiteResult one{"x/eth.yaml", {drive("a", true, 0, 0, 0.1), drive("b", false, 0, 0, 0.3)}};
-  std::ofstream(file) << nlohmann::json{{"suites", {to_json(one), to_json({"x/hotel.yaml", one.episodes})}}};
+  std::ofstream(file) << nlohmann::json{{"suites", {json_of(one), json_of({"x/hotel.yaml", one.episodes})}}};
   std::vector<SuiteResult> read;
   read_results(file, "", read);
   ASSERT_EQ(read.size(), 2U);
-  EXPECT_EQ(to_json(read[0]), to_json(one));
-  std::ofstream(file) << to_json(one);
+  EXPECT_EQ(json_of(read[0]), json_of(one));
+  std::ofstream(file) << json_of(one);
   read_results(file, "before", read);
   ASSERT_EQ(read.size(), 2U);
   ASSERT_EQ(read[0].episodes.size(), 4U);
@@ -271,6 +279,27 @@ TEST(ContactReport, JudgesAllRobots) {
   EXPECT_FALSE(card["contacts"][0].contains("robot"));
 }
 
+// Whoever is late has failed, whatever its contacts: nothing shows that it could not have arrived.
+TEST(ContactReport, WhoIsLateIsNeverExcused) {
+  const JudgedContact lost = at_speed(3.0, possible::Avoidance::not_avoidable);
+  nlohmann::json card = {{"reached", true}, {"collisions_at_speed", 1}};
+  add_contacts(card, {{"", {lost}}});
+  EXPECT_EQ(card["possible"], false);
+  card["reached"] = false;
+  add_contacts(card, {{"", {lost}}});
+  EXPECT_EQ(card["possible"], true);
+  EpisodeResult late = drive("late", false, 1, 1, 0.6);
+  late.card["possible"] = card["possible"];
+  EXPECT_FALSE(late.is_excused());
+  const std::vector<PlannerSummary> rows = summarize({"suite.yaml", {drive("a", true, 0, 0, 0.1), late}});
+  EXPECT_EQ(rows[0].successes, 1);
+  EXPECT_EQ(rows[0].possible, 2);
+  // Undecided counts as possible.
+  card["reached"] = true;
+  add_contacts(card, {{"", {at_speed(3.0, possible::Avoidance::undecided)}}});
+  EXPECT_EQ(card["possible"], true);
+}
+
 // One row for each suite and planner, planners in the order of --planners and not of the alphabet.
 TEST(SuiteReport, OneTableForAllSuitesAndPlanners) {
   const auto by = [](const std::string& planner) {
@@ -279,7 +308,7 @@ TEST(SuiteReport, OneTableForAllSuitesAndPlanners) {
     return result;
   };
   const std::string words =
-      in_words({{"x/hall.yaml", {by("teb"), by("dwa"), by("teb")}}, {"x/eth.yaml", {by("teb_homotopy")}}});
+      words_of({{"x/hall.yaml", {by("teb"), by("dwa"), by("teb")}}, {"x/eth.yaml", {by("teb_homotopy")}}});
   std::vector<std::string> rows;
   std::istringstream lines(words);
   for (std::string line; std::getline(lines, line);) {

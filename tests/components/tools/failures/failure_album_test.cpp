@@ -43,7 +43,7 @@ TEST(FailureAlbum, TheDecidingContactIsTheFirstThatCounts) {
   drive.only_at_speed = true;
   EXPECT_EQ(deciding_contact(drive)->record.time, 2.0);
   drive.contacts.pop_back();
-  EXPECT_EQ(deciding_contact(drive)->record.time, 1.0);
+  EXPECT_FALSE(deciding_contact(drive).has_value()) << "something else made it fail";
   drive.contacts.clear();
   EXPECT_FALSE(deciding_contact(drive).has_value());
 }
@@ -54,7 +54,10 @@ TEST(FailureAlbum, WritesPicturesAndOnePageUpToItsNumber) {
   FailureAlbum album(folder, 2);
   album.add({.name = "one", .title = "first & only", .outcome = "late"}, recording());
   EXPECT_FALSE(album.is_full());
-  album.add({.name = "two", .title = "second", .outcome = "touched", .contacts = {contact(1.5, true)}},
+  JudgedContact judged = contact(1.5, true);
+  judged.is_judged = true;
+  judged.verdict = {possible::Avoidance::avoidable, 0.7, 1.1, {}};
+  album.add({.name = "two", .title = "second", .outcome = "touched", .reached = true, .contacts = {judged}},
             recording());
   EXPECT_TRUE(album.is_full());
   EXPECT_THAT(text_of(folder / "one.svg"), HasSubstr("first &amp; only"));
@@ -62,7 +65,17 @@ TEST(FailureAlbum, WritesPicturesAndOnePageUpToItsNumber) {
   const std::string page = text_of(folder / "index.html");
   EXPECT_THAT(page, HasSubstr("Failed drives: 2"));
   EXPECT_THAT(page, HasSubstr("<img src=\"one.svg\" alt=\"first &amp; only\""));
-  EXPECT_THAT(page, HasSubstr("second: touched<br/>1.50 s person 4: robot_standing"));
+  EXPECT_THAT(page, HasSubstr("2. second: touched<br/>1.50 s person 4: robot_standing"));
+  // One row each: what ended it, who hit whom, verdict, from when on, cause.
+  EXPECT_THAT(page, HasSubstr("Causes: 1 late, 1 robot_standing."));
+  EXPECT_THAT(
+      page, HasSubstr("<tr><td>1</td><td><a href=\"#d1\">first &amp; only</a></td><td>late</td><td>-</td>"));
+  EXPECT_THAT(
+      page,
+      HasSubstr(
+          "<td>contact at 1.50 s</td><td>robot_standing, person 4</td><td>0.00, 0.00</td><td>avoidable</td>"
+          "<td>0.7</td><td>1.1</td><td>robot_standing</td><td>0.00</td>"));
+  EXPECT_THAT(page, HasSubstr("<figure id=\"d2\">"));
 }
 
 }  // namespace
