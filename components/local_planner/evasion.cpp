@@ -30,6 +30,10 @@ constexpr double kTestTime = 0.06;             // [s] at most between gap tests
 constexpr std::size_t kMostLooks = 2'000'000;  // of all moves; bounds the time of a search
 constexpr std::size_t kLooksOfStep = 40;       // as long as these takes a step of the simulation
 constexpr double kWorthMoving = 0.2;  // [s] of later contact for which a robot that could stop moves instead
+// Of the moves that all become contacts: where the robot comes nearer than this [m] to somebody with more speed than that
+// towards them [m/s], it would run into them.
+constexpr double kRunsIntoGap = 0.1;
+constexpr double kRunsIntoSpeed = 0.2;
 
 double approach(double now, double target, double speeding_up, double slowing_down, double period) {
   if (target * now < 0.0) target = 0.0;  // first to rest: only braking may use the deceleration of a stop
@@ -44,6 +48,7 @@ struct Motion {
   double mover_gap = kInfinity;
   double contact_time = kInfinity;
   double shortfall = 0.0;  // [m] of the gap wanted, at the worst moment
+  bool runs_into = false;  // somebody or something, among moves that all become contacts
 };
 
 // One that is kept.
@@ -115,14 +120,8 @@ class Search {
     if (motion.gap >= options_.enough_gap) return as_move(stop);
     latest_ = stop;
     consider(motion);
-    for (const Twist2& first : first_targets_) {
-      motion = start();
-      for (const double phase : kFirstPhases) {
-        extend(motion, first, steps_until(phase));
-        if (is_pruned(motion)) break;
-        second_phase(motion);
-      }
-    }
+    first_phase();
+    if (best_score_ == -kInfinity && !is_touched()) look_for_least_contact();
     if (best_score_ > -kInfinity) return as_move(best_);
     const double stopping = std::abs(latest_.trajectory[1].twist.v) / problem_.limits.stop_deceleration;
     const double contact_time = latest_.motion.contact_time;
@@ -141,6 +140,28 @@ class Search {
 
   int steps_until(double time) const {
     return std::clamp(static_cast<int>(std::lround(time / options_.period)), 1, steps_);
+  }
+
+  void first_phase() {
+    for (const Twist2& first : first_targets_) {
+      Motion motion = start();
+      for (const double phase : kFirstPhases) {
+        extend(motion, first, steps_until(phase));
+        if (is_pruned(motion)) break;
+        second_phase(motion);
+      }
+    }
+  }
+
+  // No move stays clear of where people are expected. They will not be exactly there: what overlaps least may clear, what
+  // touches last, along the way of who comes from behind, hardly will.
+  void look_for_least_contact() {
+    takes_contacts_ = true;
+    Motion motion = start();
+    extend(motion, {}, steps_);
+    consider(motion);
+    first_phase();
+    takes_contacts_ = false;
   }
 
   void second_phase(const Motion& so_far) {
@@ -182,14 +203,29 @@ class Search {
       points_.push_back({static_cast<double>(motion.points) * period, pose, twist});
       ++motion.points;
       looks_ += kLooksOfStep;
+      if (takes_contacts_ && motion.gap < kRunsIntoGap) motion.runs_into |= runs_into_somebody();
     }
-    if (motion.contact_time < kInfinity && motion.contact_time > latest_.motion.contact_time)
+    if (!takes_contacts_ && motion.contact_time < kInfinity &&
+        motion.contact_time > latest_.motion.contact_time)
       latest_ = {motion, points_};
   }
 
   bool is_touched() const { return others_.has_value(); }
 
+  // At the last point simulated.
+  bool runs_into_somebody() const {
+    const TrajectoryPoint& point = points_.back();
+    const Vector2 velocity = point.twist.v * Vector2(std::cos(point.pose.theta), std::sin(point.pose.theta));
+    return std::any_of(problem_.movers.begin(), problem_.movers.end(), [&](const Mover& mover) {
+      const Vector2 way = mover.position_at(point.time) - point.pose.position();
+      const double distance = way.norm();
+      return distance < mover.radius + problem_.footprint.radius + kRunsIntoGap &&
+             velocity.dot(way) > kRunsIntoSpeed * distance;
+    });
+  }
+
   double wanted(double time) const {
+    if (takes_contacts_) return options_.enough_gap - options_.error_growth * time;
     return is_touched() ? std::min(options_.enough_gap, now_ + kGain * time) : options_.enough_gap;
   }
 
@@ -203,6 +239,7 @@ class Search {
     motion.gap = std::min(motion.gap, gap.all);
     motion.mover_gap = std::min(motion.mover_gap, gap.movers);
     motion.shortfall = std::max(motion.shortfall, wanted(time) - gap.all);
+    if (takes_contacts_ && gap.all < std::min(options_.asked_gap, gap.movers)) motion.runs_into = true;
     double contact_gap = gap.all;
     if (is_touched()) {
       const TimedGaps::Gap other = others_->gaps.at(pose, k, gaps_.farthest());
@@ -212,10 +249,14 @@ class Search {
     if (contact_gap < options_.asked_gap) motion.contact_time = std::min(motion.contact_time, time);
   }
 
+  bool is_ruled_out(const Motion& motion) const {
+    return takes_contacts_ ? motion.runs_into : motion.contact_time < kInfinity;
+  }
+
   // It met something, can no longer win, or there is no time left to see.
   bool is_pruned(const Motion& motion) const {
     if (latest_.trajectory.empty()) return false;  // the stop is simulated to its end
-    if (motion.contact_time < kInfinity || looks_ > kMostLooks) return true;
+    if (is_ruled_out(motion) || looks_ > kMostLooks) return true;
     if (best_score_ == -kInfinity) return false;
     const double left = static_cast<double>(steps_ + 1 - static_cast<int>(motion.points)) * options_.period;
     const double nearest = distance_to_goal() - top_speed_ * left - kRounding;
@@ -227,7 +268,7 @@ class Search {
   double score(const Motion& motion) const { return -kGapWeight * motion.shortfall - distance_to_goal(); }
 
   void consider(const Motion& motion) {
-    if (motion.contact_time < kInfinity) return;
+    if (is_ruled_out(motion)) return;
     if (static_cast<int>(motion.points) <= steps_) return;  // given up
     const double s = score(motion);
     if (s <= best_score_) return;
@@ -257,6 +298,7 @@ class Search {
   Kept latest_;
   double best_score_ = -kInfinity;
   std::size_t looks_ = 0;
+  bool takes_contacts_ = false;  // contacts rule no move out
 };
 
 }  // namespace

@@ -77,5 +77,35 @@ TEST(Evasion, DrivesAwayFromWhoTouchesItFromBehind) {
   }
 }
 
+Mover walker(const Vector2& position, const Vector2& velocity) {
+  Mover mover;
+  mover.position = position;
+  mover.velocity = velocity;
+  return mover;
+}
+
+// A group of three, 0.7 m beside each other, overtakes the robot. None of its moves stays clear. To run before them puts the
+// contact off, in the middle of their way; to the side it can at least get out from before the middle one.
+TEST(Evasion, LeavesTheWayOfAGroupRatherThanRunBeforeIt) {
+  PlanningProblem problem = driving_at(1.0);
+  for (const double aside : {-0.7, 0.0, 0.7})
+    problem.movers.push_back(walker({-0.9, aside + 0.15}, {1.6, 0.0}));
+  const EvasiveMove move = best_evasive_move(problem, {10.0, 0.0}, {});
+  EXPECT_FALSE(std::isinf(move.contact_time));
+  EXPECT_GT(std::abs(move.trajectory[1].twist.omega), 0.1);
+}
+
+// Between one who comes from behind and one who stands ahead no move is clear; none that is taken drives into the one ahead.
+TEST(Evasion, RunsIntoNobodyToGetOutOfTheWayOfAnother) {
+  PlanningProblem problem = driving_at(0.3);
+  problem.obstacles.segments = {{{-9.0, 0.4}, {9.0, 0.4}}, {{-9.0, -0.4}, {9.0, -0.4}}};
+  problem.movers = {walker({0.9, 0.0}, {0.0, 0.0}), walker({-0.9, 0.0}, {1.2, 0.0})};
+  const EvasiveMove move = best_evasive_move(problem, {10.0, 0.0}, {});
+  for (const TrajectoryPoint& point : move.trajectory) {
+    const double gap = 0.9 - point.pose.x - 0.6;
+    EXPECT_TRUE(gap >= 0.0 || point.twist.v <= 0.2) << "at " << point.time << " s";
+  }
+}
+
 }  // namespace
 }  // namespace bw

@@ -104,7 +104,7 @@ TEST(FromAllSides, OneWhoTurnsIntoTheWay) {
     }
   }
   EXPECT_EQ(scenes, 54);
-  test::expect_at_most("contacts with one who turns, of 54", 0, 17, contacts);
+  test::expect_at_most("contacts with one who turns, of 54", 0, 14, contacts);
   test::expect_at_most("of these where driving on would have cleared", 0, 1, needless);
 }
 
