@@ -47,7 +47,9 @@ void Tracker::Impl::keep_out(std::vector<Vector2>& places) const {
   for (const PersonTrack& person : people_) {
     const Existence& existence = person.existence;
     const double itself = existence.log_odds() - existence.clutter - existence.alone;
-    if (!person.hidden && itself >= kKeptOutByLooks) places.push_back(X_OS * person.walker.position());
+    const bool is_known = existence.confidence() >= kKeptOut;
+    if (!is_known && !person.hidden && itself >= kKeptOutByLooks)
+      places.push_back(X_OS * person.walker.position());
   }
 }
 

@@ -157,8 +157,10 @@ void Weighing::weigh_surroundings(bool stays, Existence& existence) const {
   const double others = std::max(0.0, clutter_ - 1.0);
   if (existence.prior == Existence::kWalker) existence.clutter = Existence::kEachOtherWalking * others;
   if (existence.prior != Existence::kTwoLegs) return;
-  existence.clutter = Existence::kEachOther * others / (1.0 + company_);
-  if (stays) existence.alone = std::min(0.0, Existence::kAlone + Existence::kCompany * std::log1p(company_));
+  existence.clutter = Existence::kEachOther * others / (1.0 + Existence::kShareOfOthers * company_);
+  if (stays)
+    existence.alone =
+        std::min(Existence::kMostCompany, Existence::kAlone + Existence::kCompany * std::log1p(company_));
 }
 
 /// In view, and walkers beyond doubt.

@@ -22,10 +22,13 @@ struct Existence {
   static constexpr double kEachOther = -0.3;
   /// The same of two legs that have walked less than a metre.
   static constexpr double kEachOtherWalking = -0.25;
-  /// Of two legs that only stand where nobody is known to walk, and what ln(1 + people known) makes up for, at most all of it:
+  /// Of two legs that only stand where nobody is known to walk, what ln(1 + people known) makes up for, and what it says at most:
   /// people are found where people are, and two posts look like legs everywhere.
   static constexpr double kAlone = -3.0;
   static constexpr double kCompany = 2.0;
+  static constexpr double kMostCompany = 1.0;
+  /// By 1 + so much for each of them other things that look like legs say less against such two.
+  static constexpr double kShareOfOthers = 0.5;
 
   /// Of somebody who was confirmed: what was believed once is not given up for a doubt, such as more things about.
   static constexpr double kKept = 2.5;
