@@ -141,16 +141,6 @@ TEST(Evidence, WhoWasConfirmedIsNotGivenUpForADoubt) {
   EXPECT_NEAR(existence.log_odds(), -1.5, 1e-12);
 }
 
-// Two that stand are kept less than who has shown a motion.
-TEST(Evidence, LooksAloneAreKeptLess) {
-  Existence standing{.prior = Existence::kTwoLegs, .rigid = 2.0};
-  standing.keep_belief();
-  EXPECT_EQ(standing.kept, Existence::kKeptByLooks);
-  standing.fidgets = Fidgets::kEach;
-  standing.keep_belief();
-  EXPECT_EQ(standing.kept, Existence::kKept);
-}
-
 // Score 0.9 for ever: looks of 20 ln 9 / 22 = 1.997. Of a pair that walks what is beyond 1 counts twice until it has
 // walked a metre; of one that stands nothing is.
 TEST(Evidence, LooksOfWalkersSayMoreUntilTheyHaveWalked) {

@@ -32,7 +32,6 @@ struct Existence {
 
   /// Of somebody who was confirmed: what was believed once is not given up for a doubt, such as more things about.
   static constexpr double kKept = 2.5;
-  static constexpr double kKeptByLooks = 1.5;  ///< the same of two that stand and have shown no motion
   /// Of what looks say of two legs first noticed walking, or of one, beside the whole of it, before they have walked a metre.
   static constexpr double kLooksOfWalkers = 1.0;
   static constexpr double kUsualLooks = 1.0;  ///< log odds between furniture that seems to walk and people
@@ -64,7 +63,7 @@ struct Existence {
   double kept = 0.0;      ///< kKept of somebody confirmed
 
   /// To be called when the evidence of a sweep is complete.
-  void keep_belief() { kept = log_odds() < 0.0 ? 0.0 : has_moved() ? kKept : kKeptByLooks; }
+  void keep_belief() { kept = log_odds() >= 0.0 ? kKept : 0.0; }
 
   /// In a way that furniture does not.
   bool has_moved() const {
