@@ -18,11 +18,13 @@
 #include "components/people/tracker/tracker_impl.hpp"
 #include "components/people/tracker/untangle.hpp"
 #include "components/people/tracker/visibility.hpp"
+#include "components/people/tracker/walking.hpp"
 
 namespace bw::people {
 namespace {
 
-constexpr double kKeptOut = 0.25;  // confidence of who must not become background
+constexpr double kKeptOut = 0.25;         // confidence of who must not become background,
+constexpr double kKeptOutByLooks = -2.0;  // log odds of the same, whatever else is about
 
 }  // namespace
 
@@ -38,6 +40,17 @@ void Tracker::Impl::reset() {
   order_.reset();
   alignment_.reset();
   X_SO_ = {};
+}
+
+void Tracker::Impl::keep_out(std::vector<Vector2>& places) const {
+  const Pose2 X_OS = inverse(X_SO_);
+  for (const PersonTrack& person : people_) {
+    const Existence& existence = person.existence;
+    const double itself = existence.log_odds() - existence.clutter - existence.alone;
+    const bool is_known = existence.confidence() >= kKeptOut;
+    if (!is_known && !person.hidden && itself >= kKeptOutByLooks)
+      places.push_back(X_OS * person.walker.position());
+  }
 }
 
 /// A silence or a jump back forgets everybody.
@@ -299,7 +312,7 @@ void Tracker::Impl::initiate_tracks() {
                            .born = origin_ + Duration::seconds(oldest.time),
                            .confirmed = *now_};
     }
-    existence.clutter = weighing_.clutter_against(existence);
+    weighing_.weigh_surroundings(second != nullptr && stays(first, *second, options_.birth), existence);
     existence.keep_belief();
     person->existence = existence;
     person->score = first.last().human_score();
@@ -337,6 +350,7 @@ std::vector<Vector2> Tracker::keep_out() const {
   std::vector<Vector2> places;
   for (const TrackedPerson& person : people())
     if (person.confidence >= kKeptOut) places.push_back(person.position);
+  impl_->keep_out(places);
   return places;
 }
 

@@ -46,7 +46,7 @@ class Tracker {
 
   const std::vector<TrackedPerson>& people() const;
 
-  /// Where confirmed people stand: not to be taken for furniture by the detector's background.
+  /// Where people stand, and pairs that look like legs: not to be taken for furniture by the detector's background.
   std::vector<Vector2> keep_out() const;
 
   /// Everything tracked that is not a confirmed person.

@@ -4,6 +4,21 @@
 #include <cmath>
 
 namespace bw::people {
+namespace {
+
+constexpr double kStays = 0.1;      // [m] shorter ways are none
+constexpr double kOfTheWay = 0.25;  // share of the way of both that each leg goes
+
+/// Each of two legs, in what is seen of both.
+bool both_moved(const CommonSightings& common, double way) {
+  const auto oldest = static_cast<std::size_t>(common.count - 1);
+  const auto moved = [&](const auto& legs) {
+    return (legs[0]->position - legs[oldest]->position).norm() > kOfTheWay * way;
+  };
+  return moved(common.a) && moved(common.b);
+}
+
+}  // namespace
 
 int sightings_within(const ClusterTrack& cluster, double seconds) {
   int n = 1;
@@ -26,11 +41,15 @@ std::optional<Walk> walk_of_pair(const ClusterTrack& a, const ClusterTrack& b, c
   const int oldest = common.count - 1;
   const double way = gait.velocity.norm() * (common.time(0) - common.time(oldest));
   if (way < options.travel) return std::nullopt;
-  const auto moved = [&](const auto& legs) {
-    return (legs[0]->position - legs[static_cast<std::size_t>(oldest)]->position).norm() > 0.25 * way;
-  };
-  if (!moved(common.a) || !moved(common.b)) return std::nullopt;
+  if (!both_moved(common, way)) return std::nullopt;
   return Walk{way, gait.velocity.norm()};
+}
+
+bool stays(const ClusterTrack& a, const ClusterTrack& b, const BirthOptions& options) {
+  const CommonSightings common(a, b);
+  if (common.count < 2) return true;
+  const double way = (common.middle(0) - common.middle(common.count - 1)).norm();
+  return way < kStays || !both_moved(common, way) || gait_of(common, common.count).misfit > options.misfit;
 }
 
 std::optional<Walk> walk_of_single(const ClusterTrack& cluster, const BirthOptions& options) {

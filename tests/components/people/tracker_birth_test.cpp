@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "components/people/tracker/birth.hpp"
+#include "components/people/tracker/walking.hpp"
 #include "tests/components/people/tracker_sightings.hpp"
 
 namespace bw::people {
@@ -97,6 +98,25 @@ TEST(Birth, LegsOnBackgroundMustLookMoreLikeLegs) {
   EXPECT_FALSE(doubt(8, 0.79, true));
   ASSERT_TRUE(doubt(8, 0.81, true));
   EXPECT_NEAR(*doubt(8, 0.81, true), 0.4 - 0.5 * 0.81, 1e-12);
+}
+
+// Two legs side by side, seen five times: they stay, unless both of them go and their middle goes 0.1 m, straight on.
+TEST(Birth, LegsStayUnlessBothGo) {
+  const auto stay = [](double left, double right, double aside = 0.0) {
+    const auto leg = [&](double y, double step) {
+      std::vector<Sighting> seen;
+      for (int k = 0; k < 5; ++k)
+        seen.push_back(sighting(k, {1.0 + step * k, y + (k % 2 == 0 ? aside : -aside)}));
+      return track_of(seen);
+    };
+    return stays(leg(0.1, left), leg(-0.1, right), {});
+  };
+  EXPECT_TRUE(stay(0.0, 0.0));
+  EXPECT_TRUE(stay(0.02, 0.02));      // 0.08 m
+  EXPECT_FALSE(stay(0.03, 0.03));     // 0.12 m
+  EXPECT_TRUE(stay(0.1, 0.0));        // one alone, 0.4 m: their middle 0.2 m
+  EXPECT_FALSE(stay(0.1, 0.02));      // 0.24 m, of which each goes more than a quarter
+  EXPECT_TRUE(stay(0.1, 0.1, 0.09));  // beside a straight way by more than 0.08 m
 }
 
 // At any rate of sweeps legs that walk at 1.2 m/s are a pair that walks once their middle has gone 0.2 m and three

@@ -110,7 +110,19 @@ TEST(Evidence, ConfidenceIsTheLogisticOfTheSum) {
   existence.fidgets = Fidgets::kEach;
   existence.row = RowOfPosts::kRow;
   existence.clutter = -1.0;
-  EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs + 2.0 + 4.0 - 2.0 - 1.0, 1e-12);
+  existence.alone = Existence::kAlone;
+  EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs + 2.0 + 4.0 - 2.0 - 1.0 + Existence::kAlone, 1e-12);
+}
+
+// A way of 0.65 m is worth 5, of 1 m at most 7; where things stood all the time less than a metre is worth nothing.
+TEST(Evidence, AWayWalkedWhereThingsStoodIsNone) {
+  Existence existence{.prior = Existence::kTwoLegs};
+  existence.walked.way = 0.65;
+  EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs + 5.0, 1e-12);
+  existence.in_place = true;
+  EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs, 1e-12);
+  existence.walked.way = Walked::kFree;
+  EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs + Walked::kMost, 1e-12);
 }
 
 // More things that look like legs come into view: who was confirmed stays so, who was not is doubted. Plain doubt, beyond
@@ -187,6 +199,9 @@ TEST(Evidence, KnowsWhatWasAtAPlaceBefore) {
   for (int k = 0; k < 7; ++k) look(0.3 * k, 2.95);
   EXPECT_EQ(past.at({3.0, 0.0}, 1.8), Past::unknown);
   EXPECT_EQ(past.at({3.0, 0.0}, 2.4), Past::occupied);
+  past.reset();  // seen, missed for a while, seen again: it was there, or something as thin
+  for (int k = 0; k < 30; ++k) look(0.3 * k, k == 20 || k == 21 ? std::nullopt : std::optional(2.95));
+  EXPECT_EQ(past.at({3.0, 0.0}, 9.0), Past::unknown);
   past.reset();
   for (int k = 0; k < 100; ++k) look(0.3 * k, 2.0);
   EXPECT_EQ(past.at({3.0, 0.0}, 30.0), Past::unknown);

@@ -22,6 +22,13 @@ struct Existence {
   static constexpr double kEachOther = -0.3;
   /// The same of two legs that have walked less than a metre.
   static constexpr double kEachOtherWalking = -0.25;
+  /// Of two legs that only stand where nobody is known to walk, what ln(1 + people known) makes up for, and what it says at most:
+  /// people are found where people are, and two posts look like legs everywhere.
+  static constexpr double kAlone = -3.0;
+  static constexpr double kCompany = 2.0;
+  static constexpr double kMostCompany = 1.0;
+  /// By 1 + so much for each of them other things that look like legs say less against such two.
+  static constexpr double kShareOfOthers = 0.5;
 
   /// Of somebody who was confirmed: what was believed once is not given up for a doubt, such as more things about.
   static constexpr double kKept = 2.5;
@@ -33,7 +40,9 @@ struct Existence {
   /// and of what is not somebody yet.
   static constexpr double kCame = 6.0;
   static constexpr double kOneCame = 0.3;
-  static constexpr double kThingCame = 3.3;
+  static constexpr double kThingCame = 2.7;
+  /// Log odds of having come from which on somebody is known to.
+  static constexpr double kHasCome = 3.0;
   /// Of somebody first noticed walking where something stood before, until they have walked a metre.
   static constexpr double kWasThere = -4.0;
   /// Of two that stand and never move, for each second in view [1/s], and at most.
@@ -43,24 +52,32 @@ struct Existence {
   double prior = kOneLeg;
   Walked walked;
   Looks looks;
-  double fidgets = 0.0;  ///< log odds (fidgets.hpp)
-  double row = 0.0;      ///< log odds (row_of_posts.hpp), lately
-  double clutter = 0.0;  ///< log odds by how many things about look like legs
-  double taken = 0.0;    ///< log odds of who walked and is seen where something stood before
-  double came = 0.0;     ///< log odds by what was at the place of the legs before
-  double rigid = 0.0;    ///< log odds of two that stand and never move
-  double kept = 0.0;     ///< kKept of somebody confirmed
+  double fidgets = 0.0;   ///< log odds (fidgets.hpp)
+  double row = 0.0;       ///< log odds (row_of_posts.hpp), lately
+  double clutter = 0.0;   ///< log odds by how many things about look like legs
+  double alone = 0.0;     ///< log odds of two that stand by how few people are known to walk about
+  bool in_place = false;  ///< they seem to walk where things stood all the time
+  double taken = 0.0;     ///< log odds of who walked and is seen where something stood before
+  double came = 0.0;      ///< log odds by what was at the place of the legs before
+  double rigid = 0.0;     ///< log odds of two that stand and never move
+  double kept = 0.0;      ///< kKept of somebody confirmed
 
   /// To be called when the evidence of a sweep is complete.
   void keep_belief() { kept = log_odds() >= 0.0 ? kKept : 0.0; }
 
+  /// In a way that furniture does not.
+  bool has_moved() const {
+    return prior != kTwoLegs || walked.way >= Walked::kFree || came >= kHasCome || fidgets > 0.0;
+  }
+
   double log_odds() const {
-    return prior + walked.log_odds() + looks.log_odds() + looks_of_walker() + fidgets + row + clutter +
+    return prior + way_walked() + looks.log_odds() + looks_of_walker() + fidgets + row + clutter + alone +
            taken + came + rigid + kept;
   }
   double confidence() const { return 1.0 / (1.0 + std::exp(-log_odds())); }
 
  private:
+  double way_walked() const { return in_place && walked.way < Walked::kFree ? 0.0 : walked.log_odds(); }
   double looks_of_walker() const {
     const bool walks = prior == kWalker || prior == kLoneWalker;
     return walks && walked.way < Walked::kFree ? kLooksOfWalkers * (looks.log_odds() - kUsualLooks) : 0.0;

@@ -68,15 +68,22 @@ PastSweeps::Past PastSweeps::view_of(const Sweep& sweep, const Vector2& place) {
 PastSweeps::Past PastSweeps::at(const Vector2& place, double now) const {
   int empty = 0;
   int occupied = 0;
+  int before = 0;
+  bool was_empty = false;
   for (std::size_t k = 0; k < sweeps_.size(); ++k) {
     const Sweep& sweep = sweeps_[(next_ + k) % sweeps_.size()];
     if (sweep.time < 0.0) continue;
     const Past view = view_of(sweep, place);
-    if (view == Past::empty && ++empty >= kEnough) return Past::empty;
+    if (view == Past::empty && ++empty >= kEnough) {
+      was_empty = true;
+      before = occupied;
+    }
     if (view != Past::occupied) continue;
     empty = 0;
     if (now - sweep.time > kAgo) ++occupied;
   }
+  // Something stood there, was not seen for a while, and is seen again: as thin things are between the beams.
+  if (was_empty) return before >= kEnough ? Past::unknown : Past::empty;
   return occupied >= kEnough ? Past::occupied : Past::unknown;
 }
 

@@ -12,7 +12,7 @@ class PastSweeps {
  public:
   enum class Past {
     unknown,
-    empty,     ///< nothing stood there, twice on end
+    empty,     ///< nothing stood there, twice on end, nor earlier
     occupied,  ///< something stood there all the time that it was in view
   };
 
