@@ -24,8 +24,9 @@ inline std::uint8_t to_code(PathStatus status) {
       return codes::DISCONNECTED;
     case PathStatus::no_map:
       return codes::NO_MAP;
-    case PathStatus::bad_request:
     case PathStatus::unplaced:
+      return codes::FAILED;  // the transforms may be a moment late
+    case PathStatus::bad_request:
       break;
   }
   return codes::BAD_REQUEST;

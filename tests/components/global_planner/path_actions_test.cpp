@@ -220,25 +220,42 @@ TEST(PathActions, FiftyGoalsAtOnceEndOnceEach) {
   for (const auto& end : ends) EXPECT_EQ(end.status, GoalStatus::succeeded);
 }
 
-TEST(PlanRequests, GoThroughViaPoses) {
+// What the planner answers to `request`, asked once.
+std::vector<bandwagon_msgs::msg::PlanResult> answers_to(const bandwagon_msgs::msg::PlanRequest& request,
+                                                        const PlannerWorld& world) {
   std::vector<bandwagon_msgs::msg::PlanResult> results;
-  run_planner({}, [&](bw::Setup& setup) {
+  run_planner(world, [&](bw::Setup& setup) {
     setup.input<bandwagon_msgs::msg::PlanResult>("plan_result", Qos::standard(),
                                                  [&](const auto& m, const Tick&) { results.push_back(m); });
-    setup.every(Duration::milliseconds(550), "ask",
-                [out = setup.output<bandwagon_msgs::msg::PlanRequest>("plan_request")](const Tick& tick) {
-                  if (tick.sequence != 0) return;
-                  bandwagon_msgs::msg::PlanRequest request;
-                  request.id(7);
-                  request.via_poses({pose(1.0, 5.0), pose(3.0, 5.0)});
-                  request.goal(pose(3.0, 3.0));
-                  out.publish(request);
-                });
+    setup.every(
+        Duration::milliseconds(550), "ask",
+        [request, out = setup.output<bandwagon_msgs::msg::PlanRequest>("plan_request")](const Tick& tick) {
+          if (tick.sequence == 0) out.publish(request);
+        });
   });
+  return results;
+}
+
+TEST(PlanRequests, GoThroughViaPoses) {
+  bandwagon_msgs::msg::PlanRequest request;
+  request.id(7);
+  request.via_poses({pose(1.0, 5.0), pose(3.0, 5.0)});
+  request.goal(pose(3.0, 3.0));
+  const auto results = answers_to(request, {});
   ASSERT_EQ(results.size(), 1U);
   EXPECT_EQ(results[0].id(), 7U);
   EXPECT_EQ(results[0].status(), bandwagon_msgs::msg::PlanResult_Constants::SUCCEEDED) << results[0].reason();
   EXPECT_EQ(results[0].path().poses().size(), 61U);
+}
+
+// The navigator may know a pose before the first transform is here: no reason to give up a goal.
+TEST(PlanRequests, MayBeAskedAgainWhileThePlaceIsNotKnown) {
+  bandwagon_msgs::msg::PlanRequest request;
+  request.goal(pose(3.0, 3.0));
+  const auto results = answers_to(request, {.knows_its_place = false});
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_EQ(results[0].status(), bandwagon_msgs::msg::PlanResult_Constants::FAILED);
+  EXPECT_EQ(results[0].reason(), "the robot's place is not known: no transform from base_link to map");
 }
 
 }  // namespace
