@@ -17,7 +17,7 @@ test("somebody opens the page of a robot", async (t) => {
   const view = await browser.open(robot.address);
 
   await t.test("the map, the people and the robot are drawn", async () => {
-    // Two people stand 3 m away, where the laser sees their legs.
+    // Two people come up to 3 m and stand there.
     const { colours, drawn } = await view.eventually("map, people, laser and robot drawn", (hook) =>
       hook.drawn.map > 0 && hook.drawn.people.length >= 2 && hook.drawn.laser > 100 && hook.drawn.robot && hook,
     );

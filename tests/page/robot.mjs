@@ -8,11 +8,12 @@ import { projectFolder } from "./modules.mjs";
 export const program = process.argv[2];
 export const hallway = path.join(projectFolder, "config/graphs/hallway.yaml");
 
-/** The hallway with two people who stand near its beginning, and nobody who walks. */
+/** The hallway with two people who walk 2 m, which tells them from posts, and stand near its beginning; and nobody else. */
 export const quiet = [
   ...["--set", "navigator.goal.enabled=false"],
   ...["--set", "world.people.social.walkers=[]"],
-  ...["--set", "world.people.scripted=[{waypoints: [{x: 3.5, y: 1.5}]}, {waypoints: [{x: 4.5, y: -1.5}]}]"],
+  ...["--set", "world.people.scripted=[{start_time: 2, waypoints: [{x: 5.5, y: 1.5}, {x: 3.5, y: 1.5}]}, " +
+    "{start_time: 2, waypoints: [{x: 6.5, y: -1.5}, {x: 4.5, y: -1.5}]}]"],
 ];
 
 export class Robot {
