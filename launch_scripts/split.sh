@@ -2,6 +2,7 @@
 # Runs a graph with one OS process per `process:` of the graph: split.sh GRAPH [options of `bandwagon run`].
 # Ends when the first process ends, or on Ctrl-C; the robot is stopped first. Exit status: the worst of all processes.
 # Logs, score card and a manifest of the run: run/<graph>-<time>/, or BANDWAGON_LOG_DIR.
+# --record FILE and how it is split: `bandwagon record --all` as one more process, which hears the others; it ends last.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -13,8 +14,24 @@ fi
 graph=$1
 shift
 
+asked="$*"
+arguments=()
+record=()
+while (($# > 0)); do
+  case $1 in
+    --record=*) record+=(--out "${1#*=}") ;;
+    --record) record+=(--out "${2:?"--record needs a file"}") && shift ;;
+    --split-size=* | --split-duration=* | --max-size=* | --compression=*) record+=("$1") ;;
+    -b | --split-size | -d | --split-duration | --max-size | --compression) record+=("$1" "${2:?"$1 needs a value"}") && shift ;;
+    --html | --html=*)
+      echo "--html is of one process: record with --record FILE, then: $program view FILE" >&2
+      exit 2
+      ;;
+    *) arguments+=("$1") ;;
+  esac
+  shift
+done
 set_options=()
-arguments=("$@")
 for ((i = 0; i < ${#arguments[@]}; i++)); do
   [[ ${arguments[i]} == --set ]] && set_options+=(--set "${arguments[i + 1]}")
   [[ ${arguments[i]} == --emulate ]] && set_options+=(--set emulate=true)
@@ -28,44 +45,57 @@ mkdir -p "$logs"
   echo "version: $("$program" --version)"
   echo "revision: $(git -C "$root" rev-parse HEAD 2>/dev/null || echo unknown)"
   echo "graph: $graph"
-  printf 'arguments: %s\n' "$*"
+  printf 'arguments: %s\n' "$asked"
 } >"$logs/manifest.yaml"
 cp "$graph" "$logs/graph.yaml"
 "$program" param dump "$graph" "${set_options[@]}" >"$logs/parameters.yaml"
 
 declare -A process_of
+recorder=
 interrupted=0
 interrupt_all() {
-  # Once: a second interrupt would end a process before its robot stands.
+  # Once: a second one would end a process before its robot stands. SIGTERM: SIGINT is ignored by what a script starts beside
+  # itself until that has its handlers.
   ((interrupted)) && return
   interrupted=1
-  for pid in "${!process_of[@]}"; do kill -INT "$pid" 2>/dev/null || true; done
+  for pid in "${!process_of[@]}"; do kill -TERM "$pid" 2>/dev/null || true; done
 }
 trap interrupt_all INT TERM
 
+if ((${#record[@]})); then
+  setsid "$program" record --all "${record[@]}" > >(tee "$logs/recorder.out") 2> >(tee "$logs/recorder.log" >&2) &
+  recorder=$!
+  echo "recorder: pid $recorder" >>"$logs/manifest.yaml"
+fi
 for process in $processes; do
   json=()
   [[ " ${arguments[*]} " == *" --json "* ]] || json=(--json "$logs/$process.json")
   # In a group of its own, so that Ctrl-C reaches it once, through this script.
-  setsid "$program" run "$graph" --only "$process" "${json[@]}" "$@" \
+  setsid "$program" run "$graph" --only "$process" "${json[@]}" "${arguments[@]}" \
     > >(tee "$logs/$process.out") 2> >(tee "$logs/$process.log" >&2) &
   process_of[$!]=$process
   echo "$process: pid $!" >>"$logs/manifest.yaml"
 done
 
 worst=0
-collect() {
-  local pid=$1 status=$2
-  ((status > worst)) && worst=$status
-  echo "${process_of[$pid]}: exit status $status" >>"$logs/manifest.yaml"
-  unset "process_of[$pid]"
+collect() { # NAME STATUS
+  (($2 > worst)) && worst=$2
+  echo "$1: exit status $2" >>"$logs/manifest.yaml"
 }
 while ((${#process_of[@]} > 0)); do
   status=0
-  wait -n -p ended "${!process_of[@]}" || status=$?
+  wait -n -p ended "${!process_of[@]}" $recorder || status=$?
   [[ -n ${ended:-} ]] || continue # a signal came: the trap has passed it on
-  collect "$ended" "$status"
+  collect "${process_of[$ended]:-recorder}" "$status"
+  [[ $ended != "$recorder" ]] || recorder=
+  unset "process_of[$ended]"
   interrupt_all
 done
+if [[ -n $recorder ]]; then
+  kill -TERM "$recorder"
+  status=0
+  wait "$recorder" || status=$?
+  collect recorder "$status"
+fi
 echo "Logs: $logs"
 exit "$worst"

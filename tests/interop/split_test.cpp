@@ -1,0 +1,68 @@
+// launch_scripts/split.sh: a graph in several processes that end together, recorded by one more.
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+#include "runtime/bag/bag.hpp"
+#include "tests/folder.hpp"
+#include "tests/interop/process.hpp"
+
+namespace bw::test {
+namespace {
+
+using testing::HasSubstr;
+
+Outcome split(const Folder& folder, const std::vector<std::string>& options) {
+  const std::string root = BANDWAGON_SOURCE_DIR;
+  std::vector<std::string> command = {root + "/launch_scripts/split.sh", root + "/config/graphs/hallway.yaml",
+                                      "--set", "world.people.social.walkers=[]"};
+  command.insert(command.end(), options.begin(), options.end());
+  return run_to_end(command, std::chrono::seconds(60),
+                    {{"BANDWAGON_PROGRAM", BANDWAGON_PROGRAM}, {"BANDWAGON_LOG_DIR", folder / "logs"}});
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+// /odom comes from the process world+base, /tracks from rest, /local_plan from planning.
+TEST(Split, RecordsWhatAllProcessesSay) {
+  const Folder folder;
+  split(folder, {"--for", "7", "--record", folder / "drive.mcap", "--compression=none"});
+  const auto recording = bag::open_bag(folder / "drive.mcap");
+  for (const char* name : {"/odom", "/tracks", "/local_plan"}) {
+    const auto topic = std::ranges::find(recording->topics(), name, &bag::BagTopic::name);
+    ASSERT_NE(topic, recording->topics().end()) << name;
+    EXPECT_GT(topic->message_count, 5U) << name;
+  }
+  const std::string manifest = text_of(folder / "logs" / "manifest.yaml");
+  for (const char* process : {"world+base", "rest", "planning", "recorder"})
+    EXPECT_THAT(manifest, HasSubstr(std::string(process) + ": exit status")) << process;
+}
+
+// The recorder ends at once, before the others know how to: they end all the same, and what there was is kept.
+TEST(Split, EndsAllWhenOneCannotBegin) {
+  const Folder folder;
+  std::ofstream(folder / "drive.mcap") << "of yesterday";
+  const Outcome outcome = split(folder, {"--for", "600", "--record", folder / "drive.mcap"});
+  EXPECT_NE(outcome.status, -1) << "still ran after a minute";
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("drive.mcap"));
+  EXPECT_EQ(text_of(folder / "drive.mcap"), "of yesterday");
+}
+
+TEST(Split, RefusesAPageOfOneProcessAlone) {
+  const Folder folder;
+  const Outcome outcome = split(folder, {"--html", folder / "drive.html"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--record FILE"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "logs"));
+}
+
+}  // namespace
+}  // namespace bw::test
