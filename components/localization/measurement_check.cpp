@@ -55,7 +55,7 @@ struct Checker {
 
   Verdict operator()(const WheelStep& m) const {
     const bool finite = std::isfinite(m.distance) && std::isfinite(m.turn) && m.covariance.allFinite() &&
-                        std::isfinite(m.separation);
+                        std::isfinite(m.separation) && std::isfinite(m.rounding);
     if (!finite) return Verdict::not_finite;
     const double seconds = m.over.to_seconds();
     if (m.over.nanoseconds <= 0 || seconds > limits.wheel_interval) return Verdict::bad_interval;
@@ -66,6 +66,7 @@ struct Checker {
     const Eigen::Matrix2d& C = m.covariance;
     const double largest = C.diagonal().maxCoeff();
     if (C.diagonal().minCoeff() < 0.0 || largest > limits.variance) return Verdict::bad_covariance;
+    if (m.rounding < 0.0 || m.rounding > limits.variance) return Verdict::bad_covariance;
     const double most = std::sqrt(C(0, 0)) * std::sqrt(C(1, 1));
     const bool sound = is_symmetric<2>(C) && std::abs(C(0, 1) + C(1, 0)) <= 2.0 * most * (1.0 + 1e-9);
     return sound ? Verdict::accepted : Verdict::bad_covariance;

@@ -14,8 +14,9 @@ class OdometrySteps {
   OdometrySteps() = default;
   /// `noise`: k of book 2.2 [m]; 0: as the variance of the odometry's heading grows, kUndeclaredNoise where it
   /// does not.
-  OdometrySteps(int source, double separation, double noise)
-      : source_(source), separation_(separation), noise_(noise) {}
+  /// `tick`: way of a wheel between two counts [m]; 0: not known.
+  OdometrySteps(int source, double separation, double noise, double tick = 0.0)
+      : source_(source), separation_(separation), noise_(noise), rounding_(turn_rounding(tick, separation)) {}
 
   void set_noise(double noise) { noise_ = noise; }
 
@@ -35,6 +36,7 @@ class OdometrySteps {
                                .value_or(kUndeclaredNoise);
     WheelStep step = step_from_poses(time, over, *before, X_OB, separation_, k);
     step.source = source_;
+    step.rounding = rounding_;
     return step;
   }
 
@@ -45,6 +47,7 @@ class OdometrySteps {
   int source_ = 0;
   double separation_ = 1.0;  ///< of the wheels [m]
   double noise_ = 0.0;
+  double rounding_ = 0.0;  ///< WheelStep::rounding [rad^2]
   std::optional<Pose2> X_OB_;
   Time time_;
   double heading_variance_ = 0.0;  ///< of the newest, as declared [rad^2]

@@ -4,6 +4,8 @@
 
 namespace bw {
 
+double turn_rounding(double tick, double separation) { return tick * tick / (6.0 * separation * separation); }
+
 WheelStep step_from_wheels(Time time, Duration over, double left, double right, double separation,
                            double variance_per_metre) {
   WheelStep step;

@@ -49,11 +49,17 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   wire.builtin.discovery_config.leaseDuration_announcementperiod = {1, 0};
   wire.builtin.readerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
   wire.builtin.writerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
-  if (options.network.transport == Transport::localhost) {
-    rtps::Locator_t loopback;
-    loopback.kind = LOCATOR_KIND_UDPv4;
-    loopback.port = 0;
-    rtps::IPLocator::setIPv4(loopback, "127.0.0.1");
+  rtps::Locator_t loopback;
+  loopback.kind = LOCATOR_KIND_UDPv4;
+  loopback.port = 0;
+  rtps::IPLocator::setIPv4(loopback, "127.0.0.1");
+  if (options.alone) {
+    // With both filters Fast DDS opens no unicast locator. One has to be named all the same: without any it takes the
+    // default multicast group, and announces there. Without a peer nothing is announced.
+    wire.builtin.discovery_config.ignoreParticipantFlags = static_cast<rtps::ParticipantFilteringFlags_t>(
+        rtps::FILTER_DIFFERENT_HOST | rtps::FILTER_DIFFERENT_PROCESS);
+    wire.builtin.metatrafficUnicastLocatorList.push_back(loopback);
+  } else if (options.network.transport == Transport::localhost) {
     wire.builtin.metatrafficUnicastLocatorList.push_back(loopback);
     wire.default_unicast_locator_list.push_back(loopback);
     add_peer(wire.builtin.initialPeersList, "127.0.0.1");
@@ -137,7 +143,7 @@ Participant::Participant(const ParticipantOptions& options) : impl_(std::make_un
     throw std::runtime_error("DDS refuses a participant on domain " +
                              std::to_string(options.network.domain_id));
   }
-  if (options.network.transport == Transport::localhost) {
+  if (options.alone || options.network.transport == Transport::localhost) {
     std::set<int> opened = open_datagram_sockets();
     std::erase_if(opened, [&](int descriptor) { return before.contains(descriptor); });
     bind_to_loopback(opened);

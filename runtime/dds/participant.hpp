@@ -44,6 +44,8 @@ struct ParticipantOptions {
   /// Non-empty: readers of this participant match only its own writers (lock-step), while outside readers
   /// still see the writers.
   std::string private_partition;
+  /// Nobody is heard and nobody is told, whatever the network says: no port is opened. Own ends find one another as ever.
+  bool alone = false;
   /// Of each socket; the kernel gives at most net.core.rmem_max. 0: its default [bytes].
   std::uint32_t receive_buffer = 0;
 };

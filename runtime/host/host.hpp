@@ -36,6 +36,8 @@ struct HostOptions {
   double pace = 0.0;         ///< lock-step: virtual seconds per real second; 0 as fast as possible
   std::optional<Time> start = std::nullopt;  ///< lock-step: where virtual time begins
   EventSource* source = nullptr;             ///< lock-step: what happens besides the components
+  /// Lock-step: nobody sees this run, and it sees nobody: for runs that are only measured, side by side.
+  bool alone = false;
   /// Lock-step: what changes something may come from outside, and is a part of the run then. Else it is refused.
   bool accept_inputs = false;
   bool is_partial =

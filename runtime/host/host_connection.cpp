@@ -48,8 +48,8 @@ dds::Network Host::network() const {
 void Host::connect() {
   const bool lockstep = options_.clock == ClockMode::lockstep;
   const std::string private_partition = lockstep ? "lockstep" + std::to_string(getpid()) : "";
-  participant_ = std::make_unique<dds::Participant>(
-      dds::ParticipantOptions{.network = network(), .private_partition = private_partition});
+  participant_ = std::make_unique<dds::Participant>(dds::ParticipantOptions{
+      .network = network(), .private_partition = private_partition, .alone = options_.alone});
   if (lockstep) {
     runner_ = std::make_unique<LockstepRunner>(
         local_, LockstepOptions{.pace = options_.pace,

@@ -59,6 +59,7 @@ BagRunResult run_on(const bag::Bag& recording, Graph graph, BagRunOptions option
       .clock = ClockMode::lockstep,
       .start = recording.start(),
       .source = &feed,
+      .alone = true,
       .tap = std::make_shared<OutputTap>(std::set(options.run.begin(), options.run.end()), options)};
   {
     Host host(std::move(graph), host_options, std::move(extra));

@@ -2,7 +2,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
+#include <map>
 #include <mutex>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -15,16 +17,20 @@ namespace {
 
 ParticipantOptions local() { return {.network = Network::from_environment(Transport::localhost)}; }
 
+std::string device_of(int descriptor) {
+  char device[16] = {};
+  socklen_t length = sizeof(device);
+  EXPECT_EQ(getsockopt(descriptor, SOL_SOCKET, SO_BINDTODEVICE, static_cast<char*>(device), &length), 0);
+  return static_cast<const char*>(device);
+}
+
 TEST(LoopbackSockets, EverySocketOfAParticipantIsBoundToLo) {
   const std::set<int> before = open_datagram_sockets();
   const Participant participant(local());
   int checked = 0;
   for (const int descriptor : open_datagram_sockets()) {
     if (before.contains(descriptor)) continue;
-    char device[16] = {};
-    socklen_t length = sizeof(device);
-    ASSERT_EQ(getsockopt(descriptor, SOL_SOCKET, SO_BINDTODEVICE, static_cast<char*>(device), &length), 0);
-    EXPECT_STREQ(static_cast<const char*>(device), "lo");
+    EXPECT_EQ(device_of(descriptor), "lo");
     ++checked;
   }
   EXPECT_GE(checked, 2);  // metatraffic and user data at least
@@ -77,6 +83,51 @@ TEST(Participant, TwoParticipantsDiscoverEachOtherAndExchangeASample) {
   EXPECT_TRUE(seen);
 }
 
+ParticipantOptions alone(Transport transport) {
+  return {.network = Network::from_environment(transport), .alone = true};
+}
+
+class Alone : public testing::TestWithParam<Transport> {};
+
+TEST_P(Alone, OpensNoPortAndItsOwnEndsMeet) {
+  const std::set<int> before = open_datagram_sockets();
+  Participant participant(alone(GetParam()));
+  const EndpointOptions options{.topic = "rt/chatter",
+                                .type = "std_msgs::msg::dds_::String_",
+                                .qos = Qos::latched(),
+                                .user_data = "typehash=x;"};
+  const auto writer = participant.create_writer(options);
+  const std::vector<std::uint8_t> cdr = {0, 1, 0, 0, 3, 0, 0, 0, 'h', 'i', 0, 0};
+  const auto reader = participant.create_reader(options, [] {});
+  EXPECT_EQ(writer->matched_readers(), 1);
+  EXPECT_EQ(reader->matched_writers(), 1);
+  ASSERT_TRUE(writer->write(cdr));
+  Sample sample;
+  ASSERT_TRUE(reader->take(sample)) << "a synchronous write can be read when it returns";
+  EXPECT_EQ(sample.cdr, cdr);
+  std::set<int> opened = open_datagram_sockets();
+  std::erase_if(opened, [&](int descriptor) { return before.contains(descriptor); });
+  EXPECT_LE(opened.size(), 1U) << "Fast DDS keeps one to send by, and nobody is told to";
+  for (const int descriptor : opened) EXPECT_EQ(device_of(descriptor), "lo");
+}
+
+TEST_P(Alone, SeesNobodyAndNobodySeesIt) {
+  const Participant hidden(alone(GetParam()));
+  const Participant hidden_too(alone(GetParam()));
+  const Participant one(local()), two(local());
+  // By the time these two have met, who could be heard at all would have been.
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while ((one.remote_participants().empty() || two.remote_participants().empty()) &&
+         std::chrono::steady_clock::now() < limit)
+    std::this_thread::yield();
+  EXPECT_EQ(one.remote_participants(), std::vector{two.guid()});
+  EXPECT_EQ(two.remote_participants(), std::vector{one.guid()});
+  EXPECT_TRUE(hidden.remote_participants().empty());
+  EXPECT_TRUE(hidden_too.remote_participants().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Transports, Alone, testing::Values(Transport::localhost, Transport::lan));
+
 TEST(Participant, ASecondTypeOnATopicIsRefused) {
   Participant participant(local());
   const auto writer = participant.create_writer(
@@ -89,10 +140,20 @@ TEST(Participant, ASecondTypeOnATopicIsRefused) {
 class Environment : public testing::Test {
  protected:
   void SetUp() override {
+    for (const char* name : kNames) {
+      if (const char* value = std::getenv(name)) before_[name] = value;
+      unsetenv(name);
+    }
+  }
+  void TearDown() override {
     for (const char* name : kNames) unsetenv(name);
+    for (const auto& [name, value] : before_) setenv(name.c_str(), value.c_str(), 1);
   }
   static constexpr const char* kNames[] = {"ROS_DOMAIN_ID", "ROS_LOCALHOST_ONLY",
                                            "ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_STATIC_PEERS"};
+
+ private:
+  std::map<std::string, std::string> before_;
 };
 
 TEST_F(Environment, DefaultsToDomainZeroAndTheConfiguredTransport) {

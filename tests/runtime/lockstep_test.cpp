@@ -184,6 +184,28 @@ TEST(Lockstep, AWriterFromOutsideChangesNothing) {
   EXPECT_EQ(run(true), run(false));
 }
 
+TEST(Lockstep, ARunThatIsAloneIsTheSameToTheByteAndNobodySeesIt) {
+  const auto run = [](bool alone) {
+    dds::Participant outside({.network = dds::Network::from_environment({})});
+    TestGraph graph;
+    graph.add({.name = "source"}, ticker("a", 10)).add({.name = "echo"}, [](bw::Setup& setup) {
+      setup.input<Float64>(
+          "a", Qos::standard(),
+          [out = setup.output<Float64>("b")](const Float64& m, const Tick&) mutable { out.publish(m); });
+    });
+    // Two seconds of real time: within one, who is there has been announced.
+    Host host(graph.graph(), {.clock = ClockMode::lockstep, .seed = 1, .pace = 1.0, .alone = alone});
+    std::size_t seen = 0;
+    host.run(Duration::seconds(2.0));
+    for (const dds::Endpoint& end : outside.endpoints()) seen += end.is_local ? 0 : 1;
+    return std::pair(host.samples_sha256(), seen > 0);
+  };
+  const auto alone = run(true), open = run(false);
+  EXPECT_EQ(alone.first, open.first);
+  EXPECT_FALSE(alone.second);
+  EXPECT_TRUE(open.second);
+}
+
 TEST(Lockstep, ALoopAtOneInstantIsAnErrorThatNamesIt) {
   TestGraph graph;
   const auto echo = [](const char* from, const char* to) {

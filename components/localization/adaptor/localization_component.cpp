@@ -1,5 +1,7 @@
 #include "components/localization/adaptor/localization_component.hpp"
 
+#include <numbers>
+
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
 #include "components/model/robot.hpp"
@@ -28,8 +30,10 @@ void LocalizationComponent::configure(Setup& setup) {
        "sensors.course", "sensors.laser", "sensors.ranges", "sensors.poses", "datum", "pose_rate", "ekf",
        "particle_filter"});
   inputs_.configure(setup, parameters_);
-  wheels_ = {inputs_.wheels(), setup.shared<Robot>("robot").wheel_separation,
-             parameters_.sensors.wheel_noise};
+  const Robot& robot = setup.shared<Robot>("robot");
+  const double count =
+      2.0 * std::numbers::pi * robot.wheel_radius / static_cast<double>(robot.ticks_per_revolution);
+  wheels_ = {inputs_.wheels(), robot.wheel_separation, parameters_.sensors.wheel_noise, count};
   filter_ = make_localizer(parameters_.algorithm, parameters_.filters, setup.seed(), inputs_.names().count());
   map_frame_ = setup.frame("map");
   odom_frame_ = setup.frame("odom");

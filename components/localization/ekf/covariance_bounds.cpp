@@ -6,10 +6,10 @@
 namespace bw::localization {
 namespace {
 
-constexpr double kMostVariances[kStates] = {1e6, 1e6, 10.0, 10.0, 10.0};
+constexpr double kMostVariances[kStates] = {1e6, 1e6, 10.0, 10.0, 10.0, 10.0};
 constexpr double kLeastShare = 1e-9;  // 3 cm of 1 km
-constexpr double kPromising = 1e-8;   // det C that keeps the least eigenvalue above 4e-9, n = 5
-constexpr double kRounding = 1e-13;   // some hundred roundings of one operation
+constexpr double kPromising = 1e-8;   // det C that keeps the least eigenvalue above 4e-9, n = 6
+constexpr double kRoundOff = 1e-13;   // some hundred roundings of one operation
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void hold_definite(StateMatrix& P, const StateVector& variances_before) {
   for (int j = 0; j < kStates; ++j) {
     double pivot = P(j, j);
     for (int k = 0; k < j; ++k) pivot -= L(j, k) * L(j, k) * D(k);
-    const double floor = std::max(kLeastShare * P(j, j), kRounding * variances_before(j));
+    const double floor = std::max(kLeastShare * P(j, j), kRoundOff * variances_before(j));
     if (pivot < floor) {
       P(j, j) += floor - pivot;
       pivot = floor;

@@ -30,9 +30,11 @@ void Ekf::begin(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time,
   state.sources.resize(kinds_.size());
   if (initialised_) {
     state = ring_.newest();
-    const Eigen::Matrix2d biases = state.P.bottomRightCorner<2, 2>();
+    const Eigen::Matrix2d biases = state.P.block<2, 2>(3, 3);
     state.P.setZero();
-    state.P.bottomRightCorner<2, 2>() = biases;
+    state.P.block<2, 2>(3, 3) = biases;
+    state.x(kRounding) = 0.0;
+    state.rounded_at = kNever;
     state.gyro = {};
     state.slip = {};
     for (SourceState& source : state.sources) source.run = {};

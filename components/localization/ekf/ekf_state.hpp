@@ -13,7 +13,10 @@
 
 namespace bw::localization {
 
-constexpr int kStates = 5;  ///< x, y, theta, gyro bias, heading offset; an unused one has variance zero
+/// x, y, theta, gyro bias, heading offset, rounding of the turn that the wheels have counted; an unused one has variance
+/// zero.
+constexpr int kStates = 6;
+constexpr int kRounding = 5;
 using StateVector = Eigen::Matrix<double, kStates, 1>;
 using StateMatrix = Eigen::Matrix<double, kStates, kStates>;
 
@@ -102,6 +105,7 @@ struct EkfState {
   StateMatrix P = StateMatrix::Zero();
   Twist2 twist;              ///< over the last step
   Time last_wheel = kNever;  ///< end of the last wheel step
+  Time rounded_at = kNever;  ///< end of the wheel step to which the rounding belongs
   Pose2 X_OB;                ///< wheels and gyro alone, from where the filter started
   double odometer = 0.0;     ///< [m], forward and backward both counted
   double turned = 0.0;       ///< [rad], signed, not wrapped

@@ -54,13 +54,35 @@ void add_process_noise(StateMatrix& P, double dt, const BiasOptions& bias) {
 struct Joint {
   JointVector mean;
   JointMatrix covariance = JointMatrix::Zero();
+  double carried = 0.0;           // of the turn: the rounding that the step began with
+  double carried_variance = 0.0;  // of it
 
-  double& distance() { return mean(5); }
-  double& turn() { return mean(6); }
+  double& distance() { return mean(kStates); }
+  double& turn() { return mean(kStates + 1); }
   double gyro_bias() const { return mean(3); }
-  double& distance_variance() { return covariance(5, 5); }
-  double& turn_variance() { return covariance(6, 6); }
+  double& distance_variance() { return covariance(kStates, kStates); }
+  double& turn_variance() { return covariance(kStates + 1, kStates + 1); }
 };
+
+// The wheels have counted the turn Theta_k + r_k, r_k rounded anew at the end of each step, so that a step measures
+// its turn as turn - r_(k-1) + r_k. With r in the state a count that has not come yet is no proof that the robot does
+// not turn, and nothing adds up over many steps.
+void add_rounding(Joint& joint, const EkfState& state, const WheelStep& step, bool follows) {
+  const auto before = state.P.col(kRounding).head<kRounding>();
+  joint.carried = follows ? state.x(kRounding) : 0.0;
+  joint.carried_variance = follows ? state.P(kRounding, kRounding) : step.rounding;
+  joint.turn() += joint.carried;
+  joint.turn_variance() += joint.carried_variance + step.rounding;
+  if (follows) {
+    joint.covariance.col(kJoint - 1).head<kRounding>() += before;
+    joint.covariance.row(kJoint - 1).head<kRounding>() += before.transpose();
+  }
+  joint.mean(kRounding) = 0.0;
+  joint.covariance.row(kRounding).setZero();
+  joint.covariance.col(kRounding).setZero();
+  joint.covariance(kRounding, kRounding) = step.rounding;
+  joint.covariance(kRounding, kJoint - 1) = joint.covariance(kJoint - 1, kRounding) = -step.rounding;
+}
 
 // `part` of the step belongs to the span of `dt` that the state is advanced by.
 Joint joined(const EkfState& state, const WheelStep& step, double part, double dt) {
@@ -71,6 +93,7 @@ Joint joined(const EkfState& state, const WheelStep& step, double part, double d
   joint.covariance.bottomRightCorner<2, 2>() = stretch * sound_covariance(step);
   joint.distance_variance() += kDistanceFloor * dt;
   joint.turn_variance() += kTurnFloor * dt;
+  add_rounding(joint, state, step, part == 1.0 && state.rounded_at == step.time - step.over);
   return joint;
 }
 
@@ -80,7 +103,7 @@ Innovation<kJoint, 1> gyro_innovation(const GyroSum& gyro, Joint& joint, double 
   Innovation<kJoint, 1> z;
   z.H.setZero();
   z.H(0, 3) = dt;
-  z.H(0, 6) = 1.0;
+  z.H(0, kStates + 1) = 1.0;
   z.residual(0) = gyro.angle * scale - joint.turn() - joint.gyro_bias() * dt;
   z.R(0, 0) = gyro.angle_variance * scale * scale;
   return z;
@@ -92,9 +115,15 @@ SlipCorrection update_by_gyro(EkfState& state, Joint& joint, const WheelStep& st
   SlipCorrection correction;
   const Innovation<kJoint, 1> z = gyro_innovation(state.gyro, joint, dt);
   if (options.slip.enabled) {
-    const ComparedStep compared{
-        -z.residual(0), joint.turn_variance() + z.R(0, 0), dt, joint.distance(), joint.turn(),
-        step.separation};
+    // As the wheels counted: what they round is there twice in a span, not in each of its steps.
+    const double rounded = joint.carried_variance + step.rounding;
+    const ComparedStep compared{.disagreement = -z.residual(0) - joint.carried,
+                                .variance = joint.turn_variance() - rounded + z.R(0, 0),
+                                .rounding = step.rounding,
+                                .seconds = dt,
+                                .distance = joint.distance(),
+                                .turn = joint.turn() - joint.carried,
+                                .separation = step.separation};
     watch_slip(state.slip, compared, state.P(3, 3), step.time, options.motion.acceleration, options.slip);
     if (slipping(state.slip) && !gyro_in_doubt(state.slip, options.slip)) {
       correction = take_back(state.slip, compared, step.time, options.slip);
@@ -115,10 +144,10 @@ void move(EkfState& state, Joint& joint, double distance, double dt, const EkfOp
   const ArcStep arc = arc_step({joint.mean(0), joint.mean(1), joint.mean(2)}, distance, turn);
   Eigen::Matrix<double, kStates, kJoint> J = Eigen::Matrix<double, kStates, kJoint>::Zero();
   J.topLeftCorner<3, 3>() = arc.by_pose;
-  J(3, 3) = J(4, 4) = 1.0;
+  J(3, 3) = J(4, 4) = J(kRounding, kRounding) = 1.0;
   J.topRightCorner<3, 2>() = arc.by_step;
   state.P = J * joint.covariance * J.transpose();
-  state.x << arc.pose.x, arc.pose.y, arc.pose.theta, joint.mean(3), joint.mean(4);
+  state.x << arc.pose.x, arc.pose.y, arc.pose.theta, joint.mean(3), joint.mean(4), joint.mean(kRounding);
   const double walked = options.motion.position_walk * options.motion.position_walk * std::abs(distance);
   state.P(0, 0) += walked;
   state.P(1, 1) += walked;
@@ -165,7 +194,7 @@ bool predict(EkfState& state, const WheelStep& step, const EkfOptions& options) 
   move(state, joint, travelled - slip.catch_up, dt, options);
   state.twist = {travelled / dt, joint.turn() / dt};
   state.time = step.time;
-  state.last_wheel = step.time;
+  state.last_wheel = state.rounded_at = step.time;
   return true;
 }
 

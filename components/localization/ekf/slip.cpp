@@ -74,7 +74,7 @@ void watch_slip(SlipWatch& watch, const ComparedStep& step, double bias_variance
   watch.travel = lambda * watch.travel + step.distance;
   watch.turn = lambda * watch.turn + step.turn;
   const double e = watch.disagreement;
-  const double variance = watch.variance + watch.time * watch.time * bias_variance;
+  const double variance = watch.variance + watch.time * watch.time * bias_variance + 2.0 * step.rounding;
   const bool sign = e * e > options.gate * variance && std::abs(e) > options.kLeastRate * watch.time;
   // Weak slip hides now and then; while it goes on, half of its largest disagreement is a sign too.
   if (sign || (slipping(watch) && std::abs(e) > 0.5 * watch.excess.peak)) {

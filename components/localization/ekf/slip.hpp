@@ -1,7 +1,7 @@
 // Wheel slip from the turn that wheels and gyro disagree about, and the way that went with it.
 //
 // Sign of slip: e <- lambda e + (turn - gyro), s <- lambda^2 s + var, T <- lambda T + dt, lambda =
-// exp(-dt / window); slip when e^2 > gate (s + T^2 var(bias)) and |e| > least_rate T. One wheel that slips
+// exp(-dt / window); slip when e^2 > gate (s + T^2 var(bias) + 2 rounding) and |e| > least_rate T. One wheel that slips
 // always shows; both alike show only while turning, so that slip lasts for `hold` after its last sign.
 //
 // The way: with E the turn that the wheels measured too much since the slip began, and b their separation,
@@ -23,6 +23,7 @@ namespace bw::localization {
 struct ComparedStep {
   double disagreement = 0.0;  ///< turn of the wheels less the gyro's without bias [rad]
   double variance = 0.0;      ///< its white part [rad^2]
+  double rounding = 0.0;      ///< what counts add at either end of any span, not of each step [rad^2]
   double seconds = 0.0;
   double distance = 0.0;    ///< [m]
   double turn = 0.0;        ///< [rad]

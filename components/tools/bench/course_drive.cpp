@@ -102,6 +102,7 @@ CourseOutcome drive_course(const Course& course, const std::string& planner,
   apply_override(graph, parse_override("local_planner.algorithm=" + planner));
   DriveSettings settings;
   settings.host.clock = ClockMode::lockstep;
+  settings.host.alone = true;
   settings.host.seed = 1;
   settings.longest = Duration::seconds(kCourseLimit);
   settings.course = true;

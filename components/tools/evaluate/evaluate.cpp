@@ -97,6 +97,7 @@ EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, cons
                         FailureAlbum* album) {
   DriveSettings settings;
   settings.host.clock = ClockMode::lockstep;
+  settings.host.alone = true;
   settings.host.seed = static_cast<std::uint64_t>(job.seed);
   settings.longest = Duration::seconds(suite.options.time_limit);
   settings.contacts = true;

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -146,6 +147,13 @@ class Pool {
 };
 
 }  // namespace
+
+std::string status_in_words(int status) {
+  constexpr int kSignalled = 128;
+  if (status < 0) return "was not started";
+  if (status <= kSignalled) return fmt::format("ended with status {}", status);
+  return fmt::format("was killed by signal {} ({})", status - kSignalled, sigdescr_np(status - kSignalled));
+}
 
 double told_share(const std::string& text) {
   for (std::size_t at = text.rfind('['); at != std::string::npos;

@@ -91,8 +91,9 @@ AllRun run_now(const ReproduceArguments& arguments, const std::vector<ChildJob>&
     for (std::size_t i = 0; i < statuses.size(); ++i) {
       const bool is_its = jobs[i].log.parent_path() == arguments.out / part.subject;
       if (is_its && is_finished && statuses[i] > 1)  // of a run that a person ended nothing is wrong
-        part.trouble = fmt::format("{} ended with status {}: see {}/{}", jobs[i].name, statuses[i],
-                                   part.subject, jobs[i].log.filename().string());
+        part.trouble = fmt::format("{} {}: {}/{} ends with what it did; the same command goes on from there",
+                                   jobs[i].name, status_in_words(statuses[i]), part.subject,
+                                   jobs[i].log.filename().string());
     }
     if (is_of_now && part.trouble.empty()) part.results = std::move(json);
   }
@@ -117,10 +118,10 @@ void tell(const ChildProgress& p, std::size_t jobs) {
     std::cerr << about << "\n";
     return;
   }
-  const std::string how = p.status == 0 ? "ended"
-                          : p.status == 1
-                              ? "ended, not all met"
-                              : fmt::format("FAILED with status {}, see {}", p.status, p.job->log.string());
+  const std::string how = p.status == 0   ? "ended"
+                          : p.status == 1 ? "ended, not all met"
+                                          : fmt::format("FAILED, it {}; {} ends with what it did",
+                                                        status_in_words(p.status), p.job->log.string());
   std::cerr << fmt::format("[{}/{}] {}: {}; {}\n", p.ended, jobs, p.job->name, how, about);
 }
 

@@ -26,7 +26,7 @@ std::string made_by(const DriveJob& job) {
 }
 
 DriveSettings settings_of(const DriveJob& job) {
-  return {.host = {.clock = ClockMode::lockstep, .seed = static_cast<std::uint64_t>(job.seed)},
+  return {.host = {.clock = ClockMode::lockstep, .seed = static_cast<std::uint64_t>(job.seed), .alone = true},
           .longest = Duration::seconds(job.time_limit)};
 }
 
@@ -102,6 +102,7 @@ std::vector<DrivenJob> drive_all(const std::vector<DriveJob>& jobs, const Reprod
     std::optional<nlohmann::json> piece = kept.find(name, keys[i]);
     const bool is_kept = piece.has_value();
     if (!is_kept) {
+      std::cerr << jobs[i].title << " ...\n";  // the last line of a process that dies within it
       piece = driven_now(jobs[i]);
       kept.put(name, keys[i], *piece);
     }

@@ -63,6 +63,7 @@ Measurement odd_measurement(Random& random, Time time) {
       m.distance = odd_number(random, 0.3);
       m.turn = odd_number(random, 0.3);
       m.covariance = odd_covariance<2>(random);
+      m.rounding = random.bits() % 2 == 0 ? 0.0 : odd_variance(random);
       return m;
     }
     case 2: {
@@ -100,9 +101,16 @@ void expect_sound(const Ekf& ekf, long i) {
   ASSERT_TRUE(s.x.allFinite()) << i;
   ASSERT_TRUE(s.P.allFinite()) << i << "\n" << s.P;
   ASSERT_EQ((s.P - s.P.transpose()).cwiseAbs().maxCoeff(), 0.0) << i;
-  // All five, over their standard deviations: no positive definite matrix fails for its scales alone.
-  const Eigen::Array<double, kStates, 1> sigma = s.P.diagonal().array().sqrt();
-  const StateMatrix C = s.P.array() / (sigma.matrix() * sigma.matrix().transpose()).array();
+  // Over their standard deviations: no positive definite matrix fails for its scales alone. An unused state has none.
+  const Eigen::Array<double, kStates, 1> variances = s.P.diagonal().array();
+  const StateVector sigma = (variances > 0.0).select(variances.sqrt(), 1.0);
+  StateMatrix C = s.P.array() / (sigma * sigma.transpose()).array();
+  for (int k = 0; k < kStates; ++k) {
+    if (variances(k) == 0.0) {
+      ASSERT_EQ(C.col(k).cwiseAbs().maxCoeff(), 0.0) << i << "\n" << s.P;
+      C(k, k) = 1.0;
+    }
+  }
   ASSERT_EQ(C.llt().info(), Eigen::Success) << i << "\n" << s.P;
   if (i % 100 == 0) {  // the least eigenvalue: bounded condition
     ASSERT_GT(Eigen::SelfAdjointEigenSolver<StateMatrix>(C).eigenvalues()(0), 1e-10) << i << "\n" << s.P;

@@ -1,5 +1,6 @@
 #include "components/localization/odometry_steps.hpp"
 
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -26,6 +27,16 @@ TEST(OdometrySteps, TheNoiseIsTheOdometrysOwnUnlessItIsGiven) {
   EXPECT_NEAR(distance_variance({3, 0.4, 0.0}, growth), declared * 0.1 / 2.0, 1e-15);
   EXPECT_NEAR(distance_variance({3, 0.4, 1e-3}, growth), 1e-3 * 0.1 / 2.0, 1e-15);
   EXPECT_NEAR(distance_variance({3, 0.4, 0.0}, 0.0), 5e-4 * 0.1 / 2.0, 1e-15);
+}
+
+// Eddie's counts are 2 pi 0.0762 / 144 = 3.325 mm apart, its wheels 0.39 m: sqrt(1 / 6) 3.325 / 390 = 3.48 mrad.
+TEST(OdometrySteps, AStepSaysHowCoarselyItsTurnWasCounted) {
+  OdometrySteps steps(0, 0.39, 0.0, 0.003325);
+  EXPECT_FALSE(steps.add(Time::seconds(1.0), {}, 0.0));
+  const std::optional<WheelStep> standing = steps.add(Time::seconds(1.1), {}, 0.0);
+  ASSERT_TRUE(standing);
+  EXPECT_NEAR(std::sqrt(standing->rounding), 3.48e-3, 1e-5);
+  EXPECT_EQ(standing->covariance(1, 1), 0.0);
 }
 
 TEST(OdometrySteps, AClockThatWentBackGivesNoStep) {

@@ -21,6 +21,7 @@ struct DriveOptions {
   Pose2 start;
   double separation = 0.4;
   double wheel_variance = 1e-4;  ///< k [m]
+  double tick = 0.0;             ///< way of a wheel between two counts [m]; 0: as fine as can be
   double gyro_sigma = 0.01;      ///< 0: no gyro
   double gyro_bias = 0.0;
   double compass_sigma = 0.05;  ///< 0: no compass
@@ -50,6 +51,7 @@ inline Drive simulate(const DriveOptions& o) {
   Drive drive;
   Pose2 X = o.start;
   drive.truth.push_back(X);
+  double went_left = 0.0, went_right = 0.0;
   const int steps = static_cast<int>(std::lround(o.seconds * 100.0));
   for (int i = 1; i <= steps; ++i) {
     const double t = (i - 0.5) * 0.01;
@@ -64,8 +66,13 @@ inline Drive simulate(const DriveOptions& o) {
       const double way = 0.01 * speed;
       return (slips ? slip : 1.0) * way + std::sqrt(o.wheel_variance * std::abs(way)) * random.normal();
     };
-    const double left = travel(wheels.left, o.slip_left);
-    const double right = travel(wheels.right, o.slip_right);
+    const auto counted = [&](double& went, double way) {
+      const double before = o.tick > 0.0 ? std::floor(went / o.tick) : 0.0;
+      went += way;
+      return o.tick > 0.0 ? o.tick * (std::floor(went / o.tick) - before) : way;
+    };
+    const double left = counted(went_left, travel(wheels.left, o.slip_left));
+    const double right = counted(went_right, travel(wheels.right, o.slip_right));
     if (o.gyro_sigma > 0.0) {
       drive.measurements.push_back(GyroReading{now, kGyro,
                                                twist.omega + o.gyro_bias + o.gyro_sigma * random.normal(),
@@ -75,6 +82,7 @@ inline Drive simulate(const DriveOptions& o) {
     step.covariance = step_from_wheels(now, kStep, 0.01 * wheels.left, 0.01 * wheels.right, o.separation,
                                        o.wheel_variance)
                           .covariance;  // of the true way: noise in its own variance is not under test
+    step.rounding = turn_rounding(o.tick, o.separation);
     step.source = kWheels;
     drive.measurements.push_back(step);
     if (o.gps_sigma > 0.0 && i % o.gps_every == 0) {

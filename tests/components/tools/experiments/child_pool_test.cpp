@@ -36,6 +36,13 @@ TEST(ToldShare, IsThatOfTheLastLineThatTellsOne) {
   EXPECT_EQ(told_share("[20/20]"), 1.0);
 }
 
+TEST(StatusInWords, NamesTheSignalThatKilledAChild) {
+  EXPECT_EQ(status_in_words(3), "ended with status 3");
+  EXPECT_EQ(status_in_words(128 + 6), "was killed by signal 6 (Aborted)");
+  EXPECT_EQ(status_in_words(128 + 11), "was killed by signal 11 (Segmentation fault)");
+  EXPECT_EQ(status_in_words(-1), "was not started");
+}
+
 TEST(ChildPool, TellsTheStatusesAndKeepsWhatWasPrinted) {
   const test::Folder folder;
   const std::vector<ChildJob> jobs = {

@@ -1,0 +1,178 @@
+// What the driver tells of a board that goes wrong, or is none.
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/components/robot_base/eddie/eddie_bench.hpp"
+
+namespace bw::eddie {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// A look each 10 ms; the newest answer may be 60 ms old when the board falls silent, 200 ms is the limit.
+TEST(Eddie, ABoardThatStopsAnsweringIsToldWithin300Ms) {
+  Bench bench;
+  bench.start();
+  bench.steps(20, {0.3, 0.3});
+  bench.is_silent = true;
+  int steps = 0;
+  while (bench.step({0.3, 0.3}).link.is_open && steps < 100) ++steps;
+  EXPECT_LE(steps, 22);
+  EXPECT_GE(steps, 10);
+  // Half a second, and it begins anew: the board may have restarted.
+  bench.steps(60, {0.3, 0.3});
+  bench.is_silent = false;
+  bench.sent.clear();
+  bench.steps(40, {0.3, 0.3});
+  EXPECT_EQ(bench.sent.front(), "STOP 0\r");
+  EXPECT_THAT(bench.sent, Contains("WATCH 1\r"));
+  EXPECT_TRUE(bench.took);
+}
+
+TEST(Eddie, AFirmwareWithoutWatchIsAWarning) {
+  Bench bench;
+  bench.answers["WATCH"] = "ERROR - Invalid command\r";
+  const Readings readings = bench.steps(20);
+  EXPECT_TRUE(bench.took);
+  EXPECT_THAT(readings.warning, HasSubstr("no WATCH"));
+  EXPECT_EQ(readings.fault, "");
+}
+
+TEST(Eddie, ASettingThatIsRefusedIsToldWithItsReason) {
+  Bench bench;
+  bench.answers["ACC"] = "ERROR - Invalid parameter\r";
+  EXPECT_THAT(bench.steps(20).warning, HasSubstr("refuses ACC 386 (Invalid parameter)"));
+}
+
+TEST(Eddie, ACommandThatIsRefusedAgainAndAgainIsAFault) {
+  Bench bench;
+  bench.start();
+  bench.answers["GOSPD"] = "ERROR - Overflow\r";
+  const Readings readings = bench.steps(30, {0.3, 0.3});
+  EXPECT_THAT(readings.fault, HasSubstr("refuses GOSPD 5A 5A: Overflow"));
+}
+
+TEST(Eddie, OneErrorIsNone) {
+  Bench bench;
+  bench.start();
+  bench.answers["GOSPD"] = "ERROR - Bad checksum\r";
+  bench.steps(5, {0.3, 0.3});
+  bench.answers["GOSPD"] = "\r";
+  EXPECT_EQ(bench.steps(30, {0.3, 0.3}).fault, "");
+}
+
+TEST(Eddie, TextThatNobodyAskedForCostsAPause) {
+  Bench bench;
+  bench.start();
+  bench.wire.put("Parallax Eddie 1.4\r");
+  bench.wire.put("half a li");
+  const Readings readings = bench.steps(60, {0.3, 0.3});
+  EXPECT_TRUE(readings.link.is_open);
+  EXPECT_TRUE(bench.took);
+  EXPECT_GE(bench.eddie.counters().at("malformed replies") + bench.eddie.counters().at("unexpected lines"),
+            1U);
+}
+
+TEST(Eddie, CountsThatJumpAreToldForASecond) {
+  Bench bench;
+  bench.answers["DIST"] = "00002710 00002710\r";
+  bench.start();
+  bench.steps(10);
+  bench.answers["DIST"] = "00000000 00000000\r";
+  const Readings readings = bench.steps(10);
+  EXPECT_THAT(readings.fault, HasSubstr("DIST jumped by 10000"));
+  EXPECT_EQ(bench.eddie.counters().at("encoder jumps"), 1U);
+  EXPECT_EQ(bench.steps(120).fault, "");
+}
+
+// 0x10 is not far from 0, and a second is long: by the counts alone it could have driven there.
+TEST(Eddie, ABoardThatRestartedInSilenceIsToldByTheVerbosityItForgot) {
+  Bench bench;
+  bench.answers["DIST"] = "00000010 00000010\r";
+  bench.start();
+  bench.steps(10);
+  const EncoderCounts before = bench.counts.back();
+  bench.is_silent = true;
+  bench.steps(100);
+  bench.is_silent = false;
+  bench.tells_reasons = false;
+  bench.answers["DIST"] = "00000000 00000000\r";
+  std::string fault;
+  for (int i = 0; i < 60; ++i)
+    if (const Readings readings = bench.step(); readings.link.is_open && fault.empty())
+      fault = readings.fault;
+  EXPECT_THAT(fault, HasSubstr("the board restarted while it was not heard"));
+  EXPECT_GT(bench.counts.back().time, before.time);
+  EXPECT_EQ(bench.counts.back().left, before.left) << "no motion of it";
+  bench.answers["DIST"] = "00000001 00000002\r";
+  const Readings readings = bench.steps(120);
+  EXPECT_EQ(bench.counts.back().left, before.left + 1);
+  EXPECT_EQ(bench.counts.back().right, before.right + 2);
+  EXPECT_EQ(readings.fault, "");
+  EXPECT_EQ(bench.eddie.counters().at("restarts"), 1U);
+}
+
+TEST(Eddie, ABoardThatWasOnlySilentTellsWhatItTurnedMeanwhile) {
+  Bench bench;
+  bench.start();
+  bench.steps(10);
+  bench.is_silent = true;
+  bench.steps(100);
+  bench.is_silent = false;
+  bench.answers["DIST"] = "00000010 00000010\r";
+  bench.steps(60);
+  EXPECT_EQ(bench.counts.back().left, 16);
+  EXPECT_EQ(bench.eddie.counters().at("restarts"), 0U);
+}
+
+// 90 positions a second are told; 180 are done.
+TEST(Eddie, ABoardOfTheOtherUnitIsAFault) {
+  Bench bench;
+  bench.start();
+  std::string fault;
+  for (int i = 0; i < 100 && fault.empty(); ++i) {
+    const int count = static_cast<int>(1.8 * i);
+    const std::string text = command("X", {count});
+    const std::string digits = text.substr(2, text.size() - 3);
+    const std::string padded = std::string(8 - digits.size(), '0') + digits;
+    bench.answers["DIST"] = padded + " " + padded + "\r";
+    fault = bench.step({0.3, 0.3}).fault;
+  }
+  EXPECT_THAT(fault, HasSubstr("robot.base.positions_per"));
+}
+
+TEST(Eddie, AKobukiIsToldInWords) {
+  Bench bench;
+  bench.is_silent = true;
+  std::string fault;
+  for (int i = 0; i < 200; ++i) {
+    if (i % 2 == 0) bench.wire.put(Bytes{0xAA, 0x55, 0x04, 0x77, 0x02, 0x00, 0x00, 0x71});
+    fault = bench.step({0.3, 0.3}).fault;
+    for (const std::string& line : bench.sent) ASSERT_EQ(line, "STOP 0\r");
+  }
+  EXPECT_THAT(fault, HasSubstr("as a Kobuki does"));
+}
+
+TEST(Eddie, ADeviceThatIsNoEddieIsGivenUp) {
+  Bench bench;
+  bench.is_silent = true;
+  for (int i = 0; i < 450 && bench.wire.state.is_open; ++i) {
+    bench.wire.put(Bytes{0xF8, 0x00, 0x80});
+    bench.step();
+  }
+  EXPECT_THAT(bench.wire.closed_because, HasSubstr("another speed of the line"));
+  EXPECT_THAT(bench.wire.closed_because, StartsWith("no answer of an Eddie to STOP and VER, but bytes"));
+}
+
+TEST(Eddie, ASilentCableIsToldInWords) {
+  Bench bench;
+  bench.is_silent = true;
+  EXPECT_THAT(bench.steps(150).link.fault, HasSubstr("switched on"));
+}
+
+}  // namespace
+}  // namespace bw::eddie
