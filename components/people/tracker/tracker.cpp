@@ -89,6 +89,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   watch_for_absence(sweep_in_S_, since_own);
   follow_hidden_people(dt, since_own);
   initiate_tracks();
+  leave_furniture();
   delete_tracks();
   report();
   return reported_;
@@ -129,6 +130,7 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
     if (d.human_score() >= options_.hidden.kLikeness) person.sure = state_of(person);
+    if (!d.on_static) person.free = state_of(person);
     const std::size_t leg = part == BodyPart::first_leg ? 0 : 1;
     if (whole) {
       person.unseen = {0, 0};
@@ -198,6 +200,8 @@ void Tracker::Impl::follow_legs(PersonTrack& person, const ClusterTrack& first,
   for (auto& leg : person.legs)
     if (leg) leg->id = 0;
   person.sure = person.settled = state_of(person);
+  if (!first.last().on_static || person.free.time == 0.0) person.free = state_of(person);
+  person.strayed = false;
   person.hidden.reset();
 }
 
@@ -259,6 +263,22 @@ void Tracker::Impl::follow_hidden_people(double dt, double since_own) {
   for (PersonTrack& person : lost_) follow_hidden(person, about, false, random_, options_);
 }
 
+/// Whoever walked and is believed no longer, since what they seem to be stood there before them, has walked on unseen.
+void Tracker::Impl::leave_furniture() {
+  const auto is_furniture = [](const PersonTrack& person) {
+    return person.existence.taken < Existence::kSurelyTaken && person.existence.log_odds() < 0.0;
+  };
+  for (const PersonTrack& person : people_) {
+    if (!is_furniture(person)) continue;
+    PersonTrack& strayed = lost_.emplace_back(person);
+    strayed.sure = person.free;
+    strayed.strayed = true;
+    strayed.existence.taken = 0.0;
+    strayed.hidden.reset();
+  }
+  std::erase_if(people_, is_furniture);
+}
+
 void Tracker::Impl::delete_tracks() {
   const DeathOptions& death = options_.death;
   const auto gone = [&](const PersonTrack& person) {
@@ -304,8 +324,9 @@ void Tracker::Impl::initiate_tracks() {
       person = take_returned(people_, lost_, oldest, walker.velocity(), seconds(), options_.hidden);
     Existence existence = existence_of(candidate.birth, first, second);
     if (person) {
-      existence = was_here ? existence_of_same(person->existence, existence)
-                           : existence_of_returned(person->existence, existence, candidate.birth);
+      if (was_here) existence = existence_of_same(person->existence, existence);
+      if (!was_here && !person->strayed)
+        existence = existence_of_returned(person->existence, existence, candidate.birth);
     } else {
       person = PersonTrack{.id = id_of(first, second),
                            .walker = walker,

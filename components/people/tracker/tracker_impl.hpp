@@ -60,6 +60,7 @@ class Tracker::Impl {
   }
   void follow_hidden_people(double dt, double since_own);
   void watch_for_absence(const DetectionSet& sweep, double dt);
+  void leave_furniture();
   void delete_tracks();
   void initiate_tracks();
   void report();

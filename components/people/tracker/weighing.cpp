@@ -220,6 +220,18 @@ void Weighing::weigh_place(PersonTrack& person, std::int64_t sweep, double gain)
   person.existence.taken += gain * (kTaken * on_background / seen - person.existence.taken);
 }
 
+/// Who stands on two legs leans: one of them is hidden by the other often, and so is the way between them.
+double Weighing::shifts_of_legs(PersonTrack& person, std::int64_t sweep) const {
+  double most = 0.0;
+  for (auto& leg : person.legs) {
+    const Sighting& seen = leg->last();
+    if (still_ && seen.sweep == sweep && !seen.on_static && seen.source == leg->source())
+      leg->fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kTurn);
+    most = std::max(most, kOfOneLeg * leg->fidgets.log_odds());
+  }
+  return most;
+}
+
 void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, double gain,
                             const BirthOptions& options) {
   Existence& existence = person.existence;
@@ -244,7 +256,8 @@ void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, 
                      std::abs(a.width - b.width) <= kAlike;
   person.fidgets.add(a.time, a.position - b.position, whole, a.bearing, kTurnOfPair);
   if (existence.looks.log_odds() >= kLooksOfShifts)
-    existence.fidgets = std::max(existence.fidgets, person.fidgets.log_odds());
+    existence.fidgets =
+        std::max({existence.fidgets, person.fidgets.log_odds(), shifts_of_legs(person, sweep)});
   double row = 0.0;
   if (stands(*person.legs[0]) && stands(*person.legs[1]))
     row = std::min(row_at(*person.legs[0], &*person.legs[1]), row_at(*person.legs[1], &*person.legs[0]));

@@ -49,6 +49,7 @@ class Weighing {
   void count_company(const std::vector<PersonTrack>& people, double dt);
   void weigh_coming(PersonTrack& person, std::int64_t sweep, double now) const;
   static void weigh_rigidity(PersonTrack& person, std::int64_t sweep, double dt);
+  double shifts_of_legs(PersonTrack& person, std::int64_t sweep) const;
   void weigh_place(PersonTrack& person, std::int64_t sweep, double gain);
   void weigh_person(PersonTrack& person, std::int64_t sweep, double dt, double gain,
                     const BirthOptions& options);

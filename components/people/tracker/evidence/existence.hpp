@@ -49,6 +49,9 @@ struct Existence {
   static constexpr double kRigid = -0.1;
   static constexpr double kMostRigid = -2.0;
 
+  /// Of who walked and is seen where something stood before: from here on it is that (`taken` ends at -14).
+  static constexpr double kSurelyTaken = -13.0;
+
   double prior = kOneLeg;
   Walked walked;
   Looks looks;
