@@ -33,6 +33,22 @@ std::optional<SolveReport> solve(Band& band, BandEvaluation& evaluation, const B
   return solve_with_ceres(band, evaluation, equations, limits);
 }
 
+double share_in_choice(const BandScene& scene) {
+  const Uncertainty& uncertainty = scene.obstacles->uncertainty;
+  return uncertainty.factor > 0.0 ? uncertainty.in_choice : 1.0;
+}
+
+// What unsure predictions cost the band and do not count in the choice: that much more may it cost than its rival.
+double cost_beyond_choice(const Band& band, BandProblem& problem, BandEvaluation& evaluation) {
+  const double share = share_in_choice(problem.scene);
+  if (share == 1.0 || !evaluation.evaluate(band.poses.data())) return 0.0;
+  const double all = evaluation.cost().obstacle;
+  problem.clearance_model.unsure_share = share;
+  evaluation.evaluate(band.poses.data());
+  problem.clearance_model.unsure_share = 1.0;
+  return all - evaluation.cost().obstacle;
+}
+
 }  // namespace
 
 BandReport optimize(Band& band, const BandScene& scene, const BandOptions& options, const Effort& effort) {
@@ -53,6 +69,7 @@ BandReport optimize(Band& band, const BandScene& scene, const BandOptions& optio
     const int iterations = std::min(inner, effort.max_iterations - report.iterations);
     if (iterations > 0) {
       SolveLimits limits{iterations, options.function_tolerance, effort.rival};
+      if (std::isfinite(limits.rival)) limits.rival += cost_beyond_choice(band, problem, evaluation);
       // A plan through a crowd is far from done after a first plan's iterations.
       if (!warm && i + 1 == outer)
         limits.overtime =
@@ -64,6 +81,7 @@ BandReport optimize(Band& band, const BandScene& scene, const BandOptions& optio
     }
     if (i + 1 == rounds) {
       problem.clearance_model = ClearanceModel(options, scene.obstacles->footprint, 1.0);
+      problem.clearance_model.unsure_share = share_in_choice(scene);
       evaluation.evaluate(band.poses.data());
       const BandCost& cost = evaluation.cost();
       report.obstacle_cost = cost.obstacle;

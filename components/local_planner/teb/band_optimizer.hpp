@@ -20,8 +20,10 @@ struct BandScene {
 };
 
 struct BandReport {
-  bool usable = false;         ///< finite, and the solver did not fail
-  double cost = 0.0;           ///< sum of squared weighted residuals, without growth of the obstacle weights
+  bool usable = false;  ///< finite, and the solver did not fail
+  /// For the choice: sum of squared weighted residuals, without growth of the obstacle weights, and with the share
+  /// Uncertainty::in_choice of what unsure predictions cost.
+  double cost = 0.0;
   double obstacle_cost = 0.0;  ///< the part of `cost` that obstacles cause
   int iterations = 0;
   std::size_t left_out =
@@ -33,8 +35,8 @@ struct Effort {
   int max_iterations = 0;
   int first_round = 0;                               ///< solves of a first plan made already
   int last_round = std::numeric_limits<int>::max();  ///< after which it is left for now
-  double rival =
-      std::numeric_limits<double>::infinity();  ///< cost of another band: a solve ends that stays above
+  /// BandReport::cost of another band: a solve ends that stays above.
+  double rival = std::numeric_limits<double>::infinity();
 };
 
 /// A band with trust_radius 0 gets the outer and inner iterations of a first plan, any other those of a warm

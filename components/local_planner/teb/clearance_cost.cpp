@@ -19,7 +19,7 @@ double evaluate_clearance(const ClearanceModel& model, const ClearanceTerm& term
   const Footprint& footprint = *model.footprint;
   const double s = term.presence;
   const double wanted = std::min(model.min_dist, term.wanted);
-  const double inflated_to = s * (kind.inflation_dist + term.unsure);
+  const double inflated_to = s * (kind.inflation_dist + model.unsure_share * term.unsure);
   if (gradient != nullptr) gradient->setZero();
   // Most terms are out of reach: of a polygon the disc around it tells, which takes less time.
   const Capsule& obstacle_at = term.capsule;

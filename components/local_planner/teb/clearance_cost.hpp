@@ -35,6 +35,7 @@ struct ClearanceModel {
   Kind fixed, moving;
   double possible_inflation;  // weight, not its root; at most that of `moving`
   double min_dist;            // including penalty_epsilon
+  double unsure_share = 1.0;  // of ClearanceTerm::unsure that counts
   const Footprint* footprint;
 };
 

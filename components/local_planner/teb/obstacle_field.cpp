@@ -55,7 +55,7 @@ ObstacleField field_of(const StaticObstacles& statics, const std::vector<Mover>&
                        const PredictionOptions& prediction) {
   ObstacleField field;
   field.uncertainty = {prediction.uncertainty_factor, prediction.uncertainty_growth,
-                       prediction.max_uncertainty};
+                       prediction.max_uncertainty, prediction.uncertainty_in_choice};
   field.footprint = footprint;
   field.position = position;
   const bool time_indexed = prediction.prediction == Prediction::time_indexed;

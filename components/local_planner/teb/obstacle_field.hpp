@@ -13,9 +13,10 @@ namespace bw::teb {
 /// How unsure a prediction becomes with the time ahead: it widens the inflation of a mover, so that a band
 /// keeps further away where that is cheap and a narrow way stays open.
 struct Uncertainty {
-  double factor = 0.0;  ///< standard deviations
-  double growth = 0.0;  ///< of the standard deviation where the mover has none [m/s]
-  double most = 0.0;    ///< [m]
+  double factor = 0.0;     ///< standard deviations
+  double growth = 0.0;     ///< of the standard deviation where the mover has none [m/s]
+  double most = 0.0;       ///< [m]
+  double in_choice = 0.0;  ///< share that counts when bands are compared
 
   double at(const Mover& mover, double time) const;
 };

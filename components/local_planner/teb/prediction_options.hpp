@@ -24,6 +24,7 @@ struct PredictionOptions {
   double uncertainty_factor = 0.0;
   double uncertainty_growth = 0.0;
   double max_uncertainty = 0.3;
+  double uncertainty_in_choice = 0.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -48,6 +49,12 @@ struct PredictionOptions {
        .doc = "growth per second of the standard deviation of movers whose predictions have none"});
     v("max_uncertainty", max_uncertainty,
       {.unit = "m", .min = 0, .max = 2, .doc = "the inflation of a mover grows at most by this"});
+    v("uncertainty_in_choice", uncertainty_in_choice,
+      {.min = 0,
+       .max = 1,
+       .doc =
+           "share of that growth that counts when bands are compared. 0: it bends each band, and people count in "
+           "the choice where they are expected; 1: a band that waits or goes round wins more often"});
   }
 };
 

@@ -1,9 +1,11 @@
 // How the band sees movers: where and how large (book 6.5, D10). Expected numbers are closed forms.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "components/local_planner/teb/association.hpp"
+#include "components/local_planner/teb/band_optimizer.hpp"
 
 namespace bw::teb {
 namespace {
@@ -91,6 +93,35 @@ TEST(Prediction, InflationGrowsAlongTheBand) {
   };
   EXPECT_DOUBLE_EQ(unsure_at_pose_5({}), 0.0);
   EXPECT_NEAR(unsure_at_pose_5({.uncertainty_factor = 1.0, .uncertainty_growth = 0.1}), 0.1 * 1.5, 1e-12);
+}
+
+// A band straight past a walker 1 m aside, walking along with it: what it costs, not optimised.
+BandReport report_of(const PredictionOptions& prediction) {
+  Band band;
+  for (int k = 0; k <= 10; ++k) band.poses.push_back({0.29 * k, 0.0, 0.0, k < 10 ? 0.29 : 0.0});
+  Mover m = walker();
+  m.position = {0.0, 1.0};
+  m.velocity = {1.0, 0.0};
+  const ObstacleField field = field_of({}, {m}, {0, 0}, kRobot, prediction);
+  const Limits limits{.v_max = 1.5};
+  return optimize(band, {limits, {1.0, 0.0}, true, &field}, BandOptions{}, 0);
+}
+
+TEST(Prediction, TheChoiceCountsItsShareOfTheGrowth) {
+  // The gap is 0.5 m at every pose, 0.1 m less than the inflation distance; growth adds 0.1 m/s times the pose's time, at
+  // most 0.3 m. So pose k, from 1 to 9, costs 2 (0.1 + share 0.029 k)^2.
+  const auto expected = [](double share) {
+    double cost = 0.0;
+    for (int k = 1; k < 10; ++k) cost += 2.0 * std::pow(0.1 + share * std::min(0.3, 0.029 * k), 2);
+    return cost;
+  };
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const BandReport report =
+        report_of({.uncertainty_factor = 1.0, .uncertainty_growth = 0.1, .uncertainty_in_choice = share});
+    EXPECT_NEAR(report.obstacle_cost, expected(share), 1e-9) << share;
+  }
+  EXPECT_DOUBLE_EQ(default_eteb_prediction().uncertainty_in_choice, 0.0);
+  EXPECT_DOUBLE_EQ(report_of(default_eteb_prediction()).cost, report_of({}).cost);
 }
 
 }  // namespace
