@@ -167,6 +167,8 @@ bool Eddie::take_running(Time now, const Reply& reply, Readings& readings) {
 bool Eddie::take_counts(Time now, const Reply& reply, Readings& readings) {
   const auto distances = distances_of(reply.text);
   if (!distances) return false;
+  // It lay there while this computer was held up: when it was counted is not known, and the next one tells as much.
+  if (reply.arrived - reply.sent > Duration::seconds(options_.reply_timeout)) return true;
   const Time time = middle(reply);
   if (has_restarted_) {
     base_ = {wrapping_difference(distances->left, wrapping_sum(distances_->left, base_.left)),

@@ -1,5 +1,6 @@
 // Adaptor of the emulated base: a firmware between a cable and the wheels of the simulated world. It lives in the world's time, one
-// step with each reading of the encoders, so that what it sends is of that very moment.
+// step with each reading of the encoders, so that what it sends is of that very moment. While the world is held up it says nothing: a
+// board whose clock goes on and whose wheels do not is one that stalls.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -23,6 +24,8 @@ namespace {
 
 using namespace emulators;
 
+constexpr Duration kBehind = Duration::milliseconds(50);  // the world comes 50 times in a second or more
+
 class BaseEmulatorComponent final : public Component {
  public:
   void configure(Setup& setup) override {
@@ -40,14 +43,11 @@ class BaseEmulatorComponent final : public Component {
     setup.input<bandwagon_msgs::msg::WheelTicks>("sim/wheel_ticks", Qos::standard(),
                                                  [this](const auto& ticks, const Tick& tick) {
                                                    body_->count(ticks.left(), ticks.right());
-                                                   counted_ = tick.now;
                                                    step(from_stamp(ticks.header().stamp()), tick.now);
                                                  });
-    // A board answers within milliseconds; and it goes on while nothing is heard of the world.
-    setup.every(Duration::milliseconds(5), "line", [this](const Tick& tick) {
-      const bool is_alone = counted_ && tick.now - *counted_ > Duration::milliseconds(50);
-      is_alone ? step(tick.now, tick.now) : listen(tick.now, acting_at(tick.now));
-    });
+    // A board answers within milliseconds.
+    setup.every(Duration::milliseconds(5), "line",
+                [this](const Tick& tick) { listen(tick.now, acting_at(tick.now)); });
   }
 
   void activate(const Tick& tick) override { started_ = tick.now; }
@@ -69,6 +69,7 @@ class BaseEmulatorComponent final : public Component {
 
   void listen(Time now, const Faults& faults) {
     plug(!faults.cable_pulled, now);
+    if (last_step_ && now - *last_step_ > kBehind) return;  // the bytes wait
     const std::span<const std::uint8_t> heard = link_->read();
     const bool hears = !faults.cable_pulled && !faults.hung && !heard.empty();
     if (hears) send(answering(faults).receive(now, heard), faults);
@@ -99,7 +100,7 @@ class BaseEmulatorComponent final : public Component {
   std::optional<FaultyLine> line_;
   std::unique_ptr<ByteLink> link_;
   std::optional<TrueBody> body_;
-  std::optional<Time> counted_, last_step_;
+  std::optional<Time> last_step_;  ///< of the world
   Time started_;
   bool is_plugged_ = true;
   std::optional<WheelSpeeds> turning_;

@@ -1,4 +1,5 @@
 // What the driver tells of a board that goes wrong, or is none.
+#include <cstdio>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -172,6 +173,33 @@ TEST(Eddie, ASilentCableIsToldInWords) {
   Bench bench;
   bench.is_silent = true;
   EXPECT_THAT(bench.steps(150).link.fault, HasSubstr("switched on"));
+}
+
+// Both wheels at 0.3 m/s all the time, 3.3 mm a count. Whenever the host does nothing for a quarter of a second, the counts that it takes are
+// of the moments that they are stamped with, but for half an exchange of 10 ms (1.5 mm) and a count: 0.02 s of driving. Taken in the
+// middle of a quarter of a second, an answer would be 0.12 s off.
+TEST(Eddie, CountsThatLayWhileTheHostWasHeldUpAreNotTaken) {
+  constexpr double kSpeed = 0.3, kCount = 0.0033;
+  for (int before = 0; before < 12; ++before) {
+    Bench bench;
+    bench.start();
+    const Time start = bench.now;
+    const auto counts_at = [&](Time t) { return kSpeed * (t - start).to_seconds() / kCount; };
+    const auto step = [&] {
+      char text[20];
+      const auto count = static_cast<unsigned>(counts_at(bench.now + Duration::milliseconds(10)));
+      std::snprintf(text, sizeof text, "%08X %08X\r", count, count);
+      bench.answers["DIST"] = text;
+      bench.step({kSpeed, kSpeed});
+    };
+    for (int i = 0; i < 20 + before; ++i) step();
+    bench.now = bench.now + Duration::milliseconds(250);
+    bench.counts.clear();
+    for (int i = 0; i < 20; ++i) step();
+    ASSERT_GE(bench.counts.size(), 3U);
+    for (const EncoderCounts& one : bench.counts)
+      EXPECT_NEAR(one.left * kCount / kSpeed, counts_at(one.time) * kCount / kSpeed, 0.02) << before;
+  }
 }
 
 }  // namespace
