@@ -24,7 +24,7 @@ namespace {
 
 using namespace emulators;
 
-constexpr Duration kBehind = Duration::milliseconds(50);  // the world comes 50 times in a second or more
+constexpr Duration kBehind = Duration::milliseconds(15);  // with --emulate the world comes every 10 ms
 
 class BaseEmulatorComponent final : public Component {
  public:
