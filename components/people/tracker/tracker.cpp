@@ -333,7 +333,7 @@ void Tracker::Impl::initiate_tracks() {
                            .born = origin_ + Duration::seconds(oldest.time),
                            .confirmed = *now_};
     }
-    weighing_.weigh_surroundings(second != nullptr && stays(first, *second, options_.birth), existence);
+    weighing_.weigh_surroundings(stood(&first, second, options_.birth), existence);
     existence.keep_belief();
     person->existence = existence;
     person->score = first.last().human_score();

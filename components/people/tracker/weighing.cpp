@@ -21,15 +21,19 @@ constexpr double kSensorStood = 1.0;    // [s]
 constexpr double kLooksOfShifts = 2.0;  // log odds of a pair whose shifts count
 constexpr double kThinnest = 0.04;      // [m] leg whose shifts count,
 constexpr double kAlike = 0.05;  // [m] and by how much the two differ at most: leaves and bars part and merge
-constexpr double kLookUpEvery = 1.0;     // [s] what was at a place before is looked up so often,
-constexpr double kLookedUpWithin = 0.1;  // [m] or when a thing has moved so far
-constexpr double kTaken = -14.0;         // log odds of legs that stand where something stood before
-constexpr double kOfWayLost = 0.6;       // [m] of the way walked by somebody lost
-constexpr double kClutterGain = 0.3;     // [s] in which things that come into view are noticed
-constexpr double kClutterMemory = 10.0;  // [s] in which things out of view are forgotten
-constexpr double kCompanyMemory = 30.0;  // [s] in which people who have left are forgotten
-constexpr double kOfOneLeg = 0.5;        // share of what shifts say where no other leg is seen
-constexpr double kNoticed = 1.0;         // [s] after which what stands is told of
+constexpr double kLookUpEvery = 1.0;       // [s] what was at a place before is looked up so often,
+constexpr double kLookedUpWithin = 0.1;    // [m] or when a thing has moved so far
+constexpr double kTaken = -14.0;           // log odds of legs that stand where something stood before
+constexpr double kOfWayLost = 0.6;         // [m] of the way walked by somebody lost
+constexpr double kClutterGain = 0.3;       // [s] in which things that come into view are noticed
+constexpr double kClutterMemory = 10.0;    // [s] in which things out of view are forgotten
+constexpr double kFurnitureMemory = 60.0;  // [s] in which a place is no longer taken for a furnished one
+constexpr double kSettled = 2.0;           // [s] after which furniture about two legs has been noticed
+constexpr double kThemselves = 2.0;        // things that look like legs: the two
+constexpr double kFurnished = 3.0;         // more of them make a furnished place
+constexpr double kCompanyMemory = 30.0;    // [s] in which people who have left are forgotten
+constexpr double kOfOneLeg = 0.5;          // share of what shifts say where no other leg is seen
+constexpr double kNoticed = 1.0;           // [s] after which what stands is told of
 constexpr double kLeastLooks = -0.5;
 constexpr double kFurniture = -6.0;  // log odds of what is no longer told of
 
@@ -69,6 +73,11 @@ double share_that_came(Past one, const Past* other) {
 }
 
 }  // namespace
+
+std::optional<double> stood(const ClusterTrack* one, const ClusterTrack* other, const BirthOptions& options) {
+  if (one == nullptr || other == nullptr || !stays(*one, *other, options)) return std::nullopt;
+  return std::min(one->last().time - one->born(), other->last().time - other->born());
+}
 
 Existence existence_of(const Birth& birth, const ClusterTrack& first, const ClusterTrack* second) {
   Existence existence = first.existence;
@@ -112,6 +121,7 @@ bool may_be_somebody(const ClusterTrack& cluster) {
 void Weighing::reset() {
   past_.reset();
   clutter_ = 0.0;
+  furniture_ = 0.0;
   company_ = 0.0;
   stood_ = {0.0, 0.0};
   standing_since_ = 0.0;
@@ -151,16 +161,22 @@ void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
     cluster.existence.row += gain * (row_at(cluster, nullptr) - cluster.existence.row);
 }
 
-void Weighing::weigh_surroundings(bool stays, Existence& existence) const {
+/// Who stands where nothing else looks like a leg is not taken for furniture for long.
+double Weighing::alone_of(double stood) const {
+  const double furnished = std::clamp((furniture_ - kThemselves) / kFurnished, 0.0, 1.0);
+  const double share = stood < kSettled ? 1.0 : furnished;
+  return std::min(Existence::kMostCompany,
+                  share * Existence::kAlone + Existence::kCompany * std::log1p(company_));
+}
+
+void Weighing::weigh_surroundings(std::optional<double> stood, Existence& existence) const {
   existence.clutter = existence.alone = 0.0;
   if (existence.walked.way >= Walked::kFree || existence.came >= Existence::kHasCome) return;
   const double others = std::max(0.0, clutter_ - 1.0);
   if (existence.prior == Existence::kWalker) existence.clutter = Existence::kEachOtherWalking * others;
   if (existence.prior != Existence::kTwoLegs) return;
   existence.clutter = Existence::kEachOther * others / (1.0 + Existence::kShareOfOthers * company_);
-  if (stays)
-    existence.alone =
-        std::min(Existence::kMostCompany, Existence::kAlone + Existence::kCompany * std::log1p(company_));
+  if (stood) existence.alone = alone_of(*stood);
 }
 
 /// In view, and walkers beyond doubt.
@@ -247,8 +263,8 @@ void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, 
     existence.walked.way += walk->speed * std::min(dt, person.since_seen);
     existence.walked.way = std::max(existence.walked.way, walk->way);
   }
-  const bool two = person.legs[0] && person.legs[1];
-  weigh_surroundings(two && stays(*person.legs[0], *person.legs[1], options), existence);
+  const auto leg = [&](int i) { return person.legs[i] ? &*person.legs[i] : nullptr; };
+  weigh_surroundings(stood(leg(0), leg(1), options), existence);
   if (!both || existence.walked.way >= Walked::kFree) return;
   const Sighting& a = person.legs[0]->last();
   const Sighting& b = person.legs[1]->last();
@@ -285,6 +301,8 @@ void Weighing::weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>
     if (is_post(cluster, sweep) && !came && cluster.existence.looks.log_odds() > 0.0) leglike += 1.0;
   }
   clutter_ += std::min(1.0, dt / (leglike > clutter_ ? kClutterGain : kClutterMemory)) * (leglike - clutter_);
+  furniture_ +=
+      std::min(1.0, dt / (leglike > furniture_ ? kClutterGain : kFurnitureMemory)) * (leglike - furniture_);
   count_company(people, dt);
   for (PersonTrack& person : people) {
     weigh_person(person, sweep, dt, gain, options);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "components/people/tracker/birth.hpp"
@@ -25,6 +26,9 @@ Existence existence_of_same(const Existence& lost, const Existence& born);
 /// Whether something that stands may be the leg of somebody, or both in one, and should be told of.
 bool may_be_somebody(const ClusterTrack& cluster);
 
+/// For how long two legs are in view that have gone nowhere [s]; nothing of others, or where one is missing (null).
+std::optional<double> stood(const ClusterTrack* one, const ClusterTrack* other, const BirthOptions& options);
+
 class Weighing {
  public:
   /// Sweep number `sweep` at `time` [s], `dt` [s] after the same sensor's before. `sensor`: where it is, or the first
@@ -36,9 +40,8 @@ class Weighing {
   void remember(const DetectionSet& sweep, double now) { past_.add(sweep, now); }
   void reset();
 
-  /// What is about says of somebody: other things that look like legs, and how few people are known. `stays`: the legs have
-  /// gone nowhere.
-  void weigh_surroundings(bool stays, Existence& existence) const;
+  /// What is about says of somebody: other things that look like legs, and how few people are known. `stood`: of stood().
+  void weigh_surroundings(std::optional<double> stood, Existence& existence) const;
 
  private:
   void find_posts(const std::vector<PersonTrack>& people, const std::vector<ClusterTrack>& clusters,
@@ -46,6 +49,7 @@ class Weighing {
   double row_at(const ClusterTrack& thing, const ClusterTrack* other);
   void weigh_cluster(ClusterTrack& cluster, double gain);
   void look_up(ClusterTrack& thing, double now) const;
+  double alone_of(double stood) const;
   void count_company(const std::vector<PersonTrack>& people, double dt);
   void weigh_coming(PersonTrack& person, std::int64_t sweep, double now) const;
   static void weigh_rigidity(PersonTrack& person, std::int64_t sweep, double dt);
@@ -58,6 +62,7 @@ class Weighing {
   std::vector<Post> posts_;
   std::vector<Post> near_;
   double clutter_ = 0.0;         ///< things that stand about and look like legs, lately
+  double furniture_ = 0.0;       ///< the same, in the last minute
   double company_ = 0.0;         ///< people known to walk about, lately
   Vector2 stood_{0.0, 0.0};      ///< where the laser stands
   double standing_since_ = 0.0;  ///< [s]

@@ -23,7 +23,7 @@ struct Existence {
   /// The same of two legs that have walked less than a metre.
   static constexpr double kEachOtherWalking = -0.25;
   /// Of two legs that only stand where nobody is known to walk, what ln(1 + people known) makes up for, and what it says at most:
-  /// people are found where people are, and two posts look like legs everywhere.
+  /// people are found where people are, and two posts look like legs everywhere. In full in a furnished place, and at first.
   static constexpr double kAlone = -3.0;
   static constexpr double kCompany = 2.0;
   static constexpr double kMostCompany = 1.0;
