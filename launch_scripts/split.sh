@@ -82,9 +82,20 @@ collect() { # NAME STATUS
   (($2 > worst)) && worst=$2
   echo "$1: exit status $2" >>"$logs/manifest.yaml"
 }
-while ((${#process_of[@]} > 0)); do
+# `ended` and its `status`. What ended before `wait -n` is asked, it does not tell of.
+wait_for_one() {
+  local pid
   status=0
+  for pid in "${!process_of[@]}" $recorder; do
+    kill -0 "$pid" 2>/dev/null && continue
+    ended=$pid
+    wait "$pid" || status=$?
+    return 0
+  done
   wait -n -p ended "${!process_of[@]}" $recorder || status=$?
+}
+while ((${#process_of[@]} > 0)); do
+  wait_for_one
   [[ -n ${ended:-} ]] || continue # a signal came: the trap has passed it on
   collect "${process_of[$ended]:-recorder}" "$status"
   [[ $ended != "$recorder" ]] || recorder=
