@@ -29,7 +29,7 @@ constexpr double kClutterGain = 0.3;       // [s] in which things that come into
 constexpr double kClutterMemory = 10.0;    // [s] in which things out of view are forgotten
 constexpr double kFurnitureMemory = 60.0;  // [s] in which a place is no longer taken for a furnished one
 constexpr double kSettled = 2.0;           // [s] after which furniture about two legs has been noticed
-constexpr double kThemselves = 2.0;        // things that look like legs: the two
+constexpr double kNoFurniture = 2.0;       // things that look like legs; legs count until they are somebody's
 constexpr double kFurnished = 3.0;         // more of them make a furnished place
 constexpr double kCompanyMemory = 30.0;    // [s] in which people who have left are forgotten
 constexpr double kOfOneLeg = 0.5;          // share of what shifts say where no other leg is seen
@@ -163,7 +163,7 @@ void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
 
 /// Who stands where nothing else looks like a leg is not taken for furniture for long.
 double Weighing::alone_of(double stood) const {
-  const double furnished = std::clamp((furniture_ - kThemselves) / kFurnished, 0.0, 1.0);
+  const double furnished = std::clamp((furniture_ - kNoFurniture) / kFurnished, 0.0, 1.0);
   const double share = stood < kSettled ? 1.0 : furnished;
   return std::min(Existence::kMostCompany,
                   share * Existence::kAlone + Existence::kCompany * std::log1p(company_));

@@ -48,7 +48,7 @@ TEST(Perception, FollowsPeopleAmongFurniture) {
 // Nobody is there: whoever is confirmed is false. Asked: one in ten minutes.
 TEST(Perception, TakesFurnitureForNobody) {
   const RoomsRecord rooms = run_full_rooms(first_seed(851), seconds_each(15.0), false);
-  bw::test::expect_at_most("false people per 10 minutes", 1.0, 24.0, rooms.false_people_per_ten_minutes());
+  bw::test::expect_at_most("false people per 10 minutes", 1.0, 12.0, rooms.false_people_per_ten_minutes());
 }
 
 }  // namespace
