@@ -41,6 +41,8 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->maxInitialPeersRange = kPeerPorts;
   udp->receiveBufferSize = options.receive_buffer;
+  // Else Fast DDS opens a socket to send by for each of the machine's addresses.
+  if (options.alone) udp->interfaceWhiteList.emplace_back("127.0.0.1");
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.push_back(udp);
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <sys/socket.h>
 
 #include "runtime/dds/loopback_sockets.hpp"
@@ -22,6 +23,14 @@ std::string device_of(int descriptor) {
   socklen_t length = sizeof(device);
   EXPECT_EQ(getsockopt(descriptor, SOL_SOCKET, SO_BINDTODEVICE, static_cast<char*>(device), &length), 0);
   return static_cast<const char*>(device);
+}
+
+/// 0: not bound, nothing can arrive there.
+int port_of(int descriptor) {
+  sockaddr_in address{};
+  socklen_t length = sizeof(address);
+  EXPECT_EQ(getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &length), 0);
+  return ntohs(address.sin_port);
 }
 
 TEST(LoopbackSockets, EverySocketOfAParticipantIsBoundToLo) {
@@ -107,8 +116,10 @@ TEST_P(Alone, OpensNoPortAndItsOwnEndsMeet) {
   EXPECT_EQ(sample.cdr, cdr);
   std::set<int> opened = open_datagram_sockets();
   std::erase_if(opened, [&](int descriptor) { return before.contains(descriptor); });
-  EXPECT_LE(opened.size(), 1U) << "Fast DDS keeps one to send by, and nobody is told to";
   for (const int descriptor : opened) EXPECT_EQ(device_of(descriptor), "lo");
+  // The first participant of a process asks each interface for its address, by sockets without a port.
+  std::erase_if(opened, [](int descriptor) { return port_of(descriptor) == 0; });
+  EXPECT_LE(opened.size(), 1U) << "Fast DDS keeps one to send by, and nobody is told to";
 }
 
 TEST_P(Alone, SeesNobodyAndNobodySeesIt) {
