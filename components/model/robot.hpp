@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,6 +64,10 @@ struct Robot {
   WheelRadii wheel_radii() const {
     const double left = wheel_radius * (2.0 / (1.0 + wheel_radius_ratio));
     return {left, left * wheel_radius_ratio};
+  }
+  /// How far a wheel rolls from one encoder count to the next [m].
+  double metres_per_tick(double rolling_radius) const {
+    return 2.0 * std::numbers::pi * rolling_radius / static_cast<double>(ticks_per_revolution);
   }
   /// X_BS: pose of the sensor in base_link.
   Pose2 mount_of(const std::string& frame) const {

@@ -2,28 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "components/model/arc.hpp"
 #include "components/model/wheel_step.hpp"
 #include "components/robot_base/wrapping_counts.hpp"
 
 namespace bw {
-namespace {
-
-double metres_per_tick(double radius, const Robot& robot) {
-  return 2.0 * std::numbers::pi * radius / static_cast<double>(robot.ticks_per_revolution);
-}
-
-}  // namespace
 
 EncoderOdometry::EncoderOdometry(const Robot& robot, const OdometryOptions& options)
     : options_(options),
       separation_(robot.wheel_separation),
       radii_(robot.wheel_radii()),
-      metres_per_tick_(metres_per_tick(robot.wheel_radius, robot)),
-      left_metres_per_tick_(metres_per_tick(radii_.left, robot)),
-      right_metres_per_tick_(metres_per_tick(radii_.right, robot)),
+      metres_per_tick_(robot.metres_per_tick(robot.wheel_radius)),
+      left_metres_per_tick_(robot.metres_per_tick(radii_.left)),
+      right_metres_per_tick_(robot.metres_per_tick(radii_.right)),
       wheel_speed_max_(std::max(robot.limits.v_max, robot.limits.v_back_max) +
                        robot.limits.omega_max * robot.wheel_separation / 2.0) {}
 

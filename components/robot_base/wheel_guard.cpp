@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 namespace bw {
 namespace {
@@ -17,8 +16,7 @@ WheelGuard::WheelGuard(const WheelGuardOptions& options, const Robot& robot, dou
       response_(Duration::seconds(response)),
       acceleration_(robot.limits.acc_max),
       deceleration_(robot.limits.stop_deceleration),
-      resolution_(2.0 * 2.0 * std::numbers::pi * robot.wheel_radius /
-                  static_cast<double>(robot.ticks_per_revolution)),
+      resolution_(2.0 * robot.metres_per_tick(robot.wheel_radius)),
       limit_(options.slack + resolution_) {}
 
 void WheelGuard::commanded(Time now, const WheelSpeeds& wheels) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "components/world/wall_gap.hpp"
 
@@ -78,10 +77,8 @@ Twist2 DriveModel::twist() const {
 
 EncoderTicks DriveModel::ticks() const {
   const auto counter = [&](double travel, double radius) {
-    const double metres_per_tick =
-        2.0 * std::numbers::pi * radius / static_cast<double>(robot_.ticks_per_revolution);
     const std::int64_t count =
-        options_.first_tick + static_cast<std::int64_t>(std::floor(travel / metres_per_tick));
+        options_.first_tick + static_cast<std::int64_t>(std::floor(travel / robot_.metres_per_tick(radius)));
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(count));
   };
   const WheelRadii radii = robot_.wheel_radii();

@@ -1,7 +1,5 @@
 #include "components/localization/adaptor/localization_component.hpp"
 
-#include <numbers>
-
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
 #include "components/model/robot.hpp"
@@ -31,9 +29,8 @@ void LocalizationComponent::configure(Setup& setup) {
        "particle_filter"});
   inputs_.configure(setup, parameters_);
   const Robot& robot = setup.shared<Robot>("robot");
-  const double count =
-      2.0 * std::numbers::pi * robot.wheel_radius / static_cast<double>(robot.ticks_per_revolution);
-  wheels_ = {inputs_.wheels(), robot.wheel_separation, parameters_.sensors.wheel_noise, count};
+  wheels_ = {inputs_.wheels(), robot.wheel_separation, parameters_.sensors.wheel_noise,
+             robot.metres_per_tick(robot.wheel_radius)};
   filter_ = make_localizer(parameters_.algorithm, parameters_.filters, setup.seed(), inputs_.names().count());
   map_frame_ = setup.frame("map");
   odom_frame_ = setup.frame("odom");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <utility>
 
 #include "components/robot_base/eddie/rangers.hpp"
@@ -20,8 +19,8 @@ constexpr Duration kStartAnew = Duration::milliseconds(500);  ///< of silence: t
 constexpr int kFewerPositions = 100;  ///< a turn of the wheel: the older board, whose ACC goes to FF
 
 WheelSpeeds metres_per_count(const Robot& robot) {
-  const double turn = 2.0 * std::numbers::pi / static_cast<double>(robot.ticks_per_revolution);
-  return {turn * robot.wheel_radii().left, turn * robot.wheel_radii().right};
+  const WheelRadii radii = robot.wheel_radii();
+  return {robot.metres_per_tick(radii.left), robot.metres_per_tick(radii.right)};
 }
 
 Duration period(double rate) { return Duration::seconds(1.0 / rate); }
