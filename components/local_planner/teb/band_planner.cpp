@@ -62,6 +62,7 @@ PlanningResult report(const std::vector<BandCandidate>& candidates, std::size_t 
 
 struct BandPlanner::Cycle {
   const PlanningProblem& problem;
+  BandOptions band;  ///< with what this robot keeps from movers
   ObstacleField field;
   Band along_plan;
   ChoiceTerm term;
@@ -88,8 +89,10 @@ void BandPlanner::remember(const CheckedPlanner& earlier) {
 }
 
 PlanningResult BandPlanner::drive(const PlanningProblem& problem) {
-  const BandOptions& band = options_.teb.band;
+  BandOptions band = options_.teb.band;
+  band.dynamic_obstacle_inflation_dist += outwalked_distance(options_.field, problem.limits.v_max);
   Cycle cycle{.problem = problem,
+              .band = band,
               .field = field_of(problem.obstacles, problem.movers, problem.pose.position(), problem.footprint,
                                 options_.field),
               .along_plan = band_along(problem.plan, problem.pose, problem.limits, band)};
@@ -162,8 +165,8 @@ void BandPlanner::improve_bands(Cycle& cycle) const {
   const bool by_cost = !options_.term && options_.selection.obstacle_cost_scale == 1.0;
   const ContestOptions contest{options_.selection.max_kept > 1 && by_cost,
                                options_.selection.cost_hysteresis};
-  cycle.iterations = improve_all(cycle.candidates, cycle.problem, cycle.field, options_.teb.band,
-                                 options_.driving, contest, budget_of(cycle.problem));
+  cycle.iterations = improve_all(cycle.candidates, cycle.problem, cycle.field, cycle.band, options_.driving,
+                                 contest, budget_of(cycle.problem));
   for (BandCandidate& candidate : cycle.candidates) candidate.evasive = false;
 }
 
@@ -190,7 +193,7 @@ void BandPlanner::try_along_plan(Cycle& cycle) const {
       chosen.band.duration() > options_.teb.detour_factor * cycle.along_plan.duration() + kDetourSlack;
   if (!chosen.kept || (chosen.safety.free && !detour) || left <= 0) return;
   BandCandidate again{.band = cycle.along_plan, .label = "plan"};
-  improve(again, cycle.problem, cycle.field, options_.teb.band, options_.driving, {.max_iterations = left});
+  improve(again, cycle.problem, cycle.field, cycle.band, options_.driving, {.max_iterations = left});
   cycle.iterations += again.report.iterations;
   again.cost = choice_cost(again, cycle);
   cycle.candidates.push_back(std::move(again));

@@ -1,6 +1,8 @@
 // How the band sees movers: where they are expected, and how sure that is (book 6.5, D10).
 #pragma once
 
+#include <algorithm>
+
 #include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
@@ -25,6 +27,8 @@ struct PredictionOptions {
   double uncertainty_growth = 0.0;
   double max_uncertainty = 0.3;
   double uncertainty_in_choice = 0.0;
+  double outwalked_speed = 0.0;
+  double outwalked_time = 1.5;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -55,12 +59,31 @@ struct PredictionOptions {
        .doc =
            "share of that growth that counts when bands are compared. 0: it bends each band, and people count in "
            "the choice where they are expected; 1: a band that waits or goes round wins more often"});
+    v("outwalked_speed", outwalked_speed,
+      {.unit = "m/s",
+       .min = 0,
+       .max = 3,
+       .doc =
+           "of people who turn towards the robot. One whose top speed is less keeps further from movers, by "
+           "what they gain on it in outwalked_time; 0: none does"});
+    v("outwalked_time", outwalked_time,
+      {.unit = "s",
+       .min = 0,
+       .max = 10,
+       .doc =
+           "raise it where a slow robot is touched by people who turn round beside it; it takes longer then"});
   }
 };
 
-/// Those of `eteb`: predictions that grow unsure.
+/// Those of `eteb`: predictions that grow unsure, and people who outwalk a slow robot.
 inline PredictionOptions default_eteb_prediction() {
-  return {.uncertainty_factor = 1.0, .uncertainty_growth = 0.1};
+  return {.uncertainty_factor = 1.0, .uncertainty_growth = 0.1, .outwalked_speed = 1.0};
+}
+
+/// What people who turn towards a robot of top speed `v_max` [m/s] gain on it before it is out of their way [m]: by so
+/// much more it keeps from movers (book 6.5).
+inline double outwalked_distance(const PredictionOptions& options, double v_max) {
+  return options.outwalked_time * std::max(0.0, options.outwalked_speed - v_max);
 }
 
 }  // namespace bw::teb

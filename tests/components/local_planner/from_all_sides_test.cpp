@@ -39,8 +39,10 @@ struct Outcome {
 /// What commands the robot in a period.
 using Driver = std::function<Twist2(const PlanningProblem& problem)>;
 
-Outcome drive_among(std::vector<Walker> walkers, double speed, double duration, const Driver& driver) {
+Outcome drive_among(std::vector<Walker> walkers, double speed, double duration, const Driver& driver,
+                    const Limits& limits = {}) {
   PlanningProblem problem;
+  problem.limits = limits;
   problem.plan = {{0.0, 0.0, 0.0}, {10.0, 0.0, 0.0}};
   problem.twist = {speed, 0.0};
   problem.movers.resize(walkers.size());
@@ -67,10 +69,12 @@ Outcome drive_among(std::vector<Walker> walkers, double speed, double duration, 
   return outcome;
 }
 
-Outcome drive_eteb(const std::vector<Walker>& walkers, double speed, double duration) {
-  const std::unique_ptr<LocalPlanner> planner = make_planner("eteb", {});
-  return drive_among(walkers, speed, duration,
-                     [&](const PlanningProblem& problem) { return planner->plan(problem).command; });
+Outcome drive_eteb(const std::vector<Walker>& walkers, double speed, double duration,
+                   const Limits& limits = {}, const LocalPlannerOptions& options = {}) {
+  const std::unique_ptr<LocalPlanner> planner = make_planner("eteb", options);
+  return drive_among(
+      walkers, speed, duration,
+      [&](const PlanningProblem& problem) { return planner->plan(problem).command; }, limits);
 }
 
 /// Whoever drives straight on as fast as it can.
@@ -121,6 +125,43 @@ TEST(FromAllSides, OneWhoOvertakesFindsRoom) {
       }
     }
   }
+}
+
+/// Along x, and from `begin` on within 0.6 s back, in the direction `back`.
+Gait turning_round(double begin, const Vector2& back) {
+  return [=](double time) {
+    const double share = std::clamp((time - begin) / 0.6, 0.0, 1.0);
+    return Vector2(kWalking * ((1.0 - share) * Vector2(1.0, 0.0) + share * back.normalized()));
+  };
+}
+
+// Somebody overtakes a base of 0.6 m/s (Eddie's limits), turns round before it and comes back towards its lane, as people do at
+// the end of their way.
+TEST(FromAllSides, OneWhoTurnsRoundBeforeASlowRobot) {
+  const Limits eddie{.v_max = 0.6,
+                     .v_back_max = 0.4,
+                     .omega_max = 1.5,
+                     .acc_max = 0.8,
+                     .alpha_max = 1.5,
+                     .jerk_max = 4.0,
+                     .stop_deceleration = 1.5};
+  const auto contacts = [&](double outwalked_speed) {
+    LocalPlannerOptions options;
+    options.eteb.outwalked_speed = outwalked_speed;
+    int count = 0;
+    for (const double aside : {0.4, 0.7, 1.0, 1.3}) {
+      for (const double ahead : {0.8, 1.2, 1.6, 2.0}) {
+        const double begin = (ahead + 1.0) / (kWalking - eddie.v_max);
+        const std::vector<Walker> walkers = {{{-1.0, aside}, turning_round(begin, {-ahead, -aside - 0.2})}};
+        count += drive_eteb(walkers, eddie.v_max, begin + 5.0, eddie, options).smallest_gap < 0.0 ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  const int with_the_room_of_fast_ones = contacts(0.0);
+  const int with_more = contacts(teb::default_eteb_prediction().outwalked_speed);
+  EXPECT_LT(with_more, with_the_room_of_fast_ones);  // 8 and 12
+  test::expect_at_most("contacts of a slow robot with one who turns round, of 16", 0, 8, with_more);
 }
 
 // A line of people crosses before the robot, which has to wait; one more comes over the place where it waits.
