@@ -41,6 +41,9 @@ class Weighing {
   void reset();
 
   /// What is about says of somebody: other things that look like legs, and how few people are known. `stood`: of stood().
+  /// How sure it is that furniture like legs stands about, 0 to 1.
+  double surely_furnished() const;
+
   void weigh_surroundings(std::optional<double> stood, Existence& existence) const;
 
  private:
