@@ -314,7 +314,7 @@ void Tracker::Impl::initiate_tracks() {
     const ClusterTrack& first = clusters_[static_cast<std::size_t>(candidate.first)];
     const ClusterTrack* second =
         candidate.second < 0 ? nullptr : &clusters_[static_cast<std::size_t>(candidate.second)];
-    if (candidate.birth.kind == BirthKind::half_hidden_pair && weighing_.surely_furnished() > 0.0) continue;
+    if (candidate.birth.kind == BirthKind::half_hidden_pair && !weighing_.is_among_people()) continue;
     used.push_back(candidate.first);
     if (second != nullptr) used.push_back(candidate.second);
     const Sighting& oldest = first.sighting(first.remembered() - 1);

@@ -34,6 +34,7 @@ constexpr double kNoFurniture = 2.0;       // things that look like legs; legs c
 constexpr double kLegsOfSomebody = 3.0;    // so many may still be those of people who stand about
 constexpr double kFurnished = 3.0;         // more of them make a furnished place
 constexpr double kCompanyMemory = 30.0;    // [s] in which people who have left are forgotten
+constexpr double kSomebody = 0.5;          // people known: one who walked about within 20 s
 constexpr double kOfOneLeg = 0.5;          // share of what shifts say where no other leg is seen
 constexpr double kNoticed = 1.0;           // [s] after which what stands is told of
 constexpr double kLeastLooks = -0.5;
@@ -167,6 +168,8 @@ void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
 double Weighing::surely_furnished() const {
   return std::clamp((furniture_ - kLegsOfSomebody) / kFurnished, 0.0, 1.0);
 }
+
+bool Weighing::is_among_people() const { return company_ >= kSomebody && furniture_ <= kLegsOfSomebody; }
 
 /// Who stands where nothing else looks like a leg is not taken for furniture for long.
 double Weighing::alone_of(double stood) const {
