@@ -20,14 +20,20 @@ double leg_share(const ClusterTrack& cluster) {
   return mean_of(cluster, cluster.remembered(), [](const Sighting& s) { return s.leg_score; });
 }
 
-/// Two that stand as the legs of somebody do; their doubt.
-std::optional<double> doubt_of_standing_pair(const ClusterTrack& a, const ClusterTrack& b,
-                                             const BirthOptions& options) {
+/// Two that stand about as the legs of somebody do: the kind of pair and its doubt.
+std::optional<Birth> birth_of_standing_pair(const ClusterTrack& a, const ClusterTrack& b,
+                                            const BirthOptions& options) {
   if ((a.last().position - b.last().position).norm() > options.kStandingSeparation) return std::nullopt;
   const CommonSightings common(a, b);
   if (common.count < options.sightings) return std::nullopt;
   const double stood = common.time(0) - common.time(common.count - 1);
-  const double score = std::min(leg_share(a), leg_share(b));
+  const bool a_is_weaker = leg_share(a) < leg_share(b);
+  const ClusterTrack& weaker = a_is_weaker ? a : b;
+  const ClusterTrack& stronger = a_is_weaker ? b : a;
+  const bool half_hidden =
+      leg_share(weaker) < options.standing_score && leg_share(weaker) >= options.kHalfHiddenScore &&
+      stood >= options.kHalfHiddenTime - kRounding && share_of(weaker, &Sighting::occluded) >= 0.5;
+  const double score = leg_share(half_hidden ? stronger : weaker);
   const Gait gait = gait_of(common, common.count);
   if (stood < options.standing_time - kRounding || score < options.standing_score ||
       gait.misfit > options.misfit || gait.widest > options.kStandingSeparation)
@@ -36,7 +42,8 @@ std::optional<double> doubt_of_standing_pair(const ClusterTrack& a, const Cluste
       std::max(share_of(a, &Sighting::on_static), share_of(b, &Sighting::on_static)) >= 0.5;
   if (on_background && (score < options.kBackgroundScore || stood < options.kBackgroundTime - kRounding))
     return std::nullopt;
-  return gait.doubt() - 0.5 * score + kStandingDoubt;
+  return Birth{half_hidden ? BirthKind::half_hidden_pair : BirthKind::standing_pair,
+               gait.doubt() - 0.5 * score + kStandingDoubt, 0.0};
 }
 
 }  // namespace
@@ -49,9 +56,7 @@ std::optional<Birth> birth_of_pair(const ClusterTrack& a, const ClusterTrack& b,
     return Birth{BirthKind::walking_pair,
                  gait_of(CommonSightings(a, b), ClusterTrack::kRemembered).doubt() - 0.5 * score, walk->way};
   }
-  if (const auto doubt = doubt_of_standing_pair(a, b, options))
-    return Birth{BirthKind::standing_pair, *doubt, 0.0};
-  return std::nullopt;
+  return birth_of_standing_pair(a, b, options);
 }
 
 std::optional<Birth> birth_of_single(const ClusterTrack& cluster, const BirthOptions& options) {

@@ -10,14 +10,20 @@
 
 namespace bw::people {
 
-enum class BirthKind { walking_pair, walking_single, standing_pair, standing_single };
+enum class BirthKind {
+  walking_pair,
+  walking_single,
+  standing_pair,
+  half_hidden_pair,  ///< stands, one leg behind the edge of something: the other one, mostly
+  standing_single
+};
 
 struct Birth {
   BirthKind kind = BirthKind::walking_pair;
   double doubt = 0.0;  ///< ranks those that want the same leg: less first [m]
   double way = 0.0;    ///< walked so far [m]
 
-  bool stands() const { return kind == BirthKind::standing_pair || kind == BirthKind::standing_single; }
+  bool stands() const { return kind != BirthKind::walking_pair && kind != BirthKind::walking_single; }
 };
 
 /// Clusters that are a person, by their index.

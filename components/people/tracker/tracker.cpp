@@ -24,6 +24,7 @@ namespace bw::people {
 namespace {
 
 constexpr double kKeptOut = 0.25;         // confidence of who must not become background,
+constexpr double kFurnished = 0.25;       // from there on a leg that is half hidden is no leg
 constexpr double kKeptOutByLooks = -2.0;  // log odds of the same, whatever else is about
 
 }  // namespace
@@ -313,6 +314,7 @@ void Tracker::Impl::initiate_tracks() {
     const ClusterTrack& first = clusters_[static_cast<std::size_t>(candidate.first)];
     const ClusterTrack* second =
         candidate.second < 0 ? nullptr : &clusters_[static_cast<std::size_t>(candidate.second)];
+    if (candidate.birth.kind == BirthKind::half_hidden_pair && !weighing_.is_among_people()) continue;
     used.push_back(candidate.first);
     if (second != nullptr) used.push_back(candidate.second);
     const Sighting& oldest = first.sighting(first.remembered() - 1);
@@ -325,6 +327,7 @@ void Tracker::Impl::initiate_tracks() {
     Existence existence = existence_of(candidate.birth, first, second);
     if (person) {
       if (was_here) existence = existence_of_same(person->existence, existence);
+      if (!was_here) person->fidgets = {};
       if (!was_here && !person->strayed)
         existence = existence_of_returned(person->existence, existence, candidate.birth);
     } else {

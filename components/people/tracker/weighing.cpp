@@ -9,17 +9,18 @@
 namespace bw::people {
 namespace {
 
-constexpr double kStood = 0.5;       // [s] what has stood so long is a post
-constexpr double kStill = 0.15;      // [m] its places differ less
-constexpr double kThin = 0.25;       // [m] and it is less wide
-constexpr double kReach = 2.5;       // [m] farther furniture is not theirs: the diagonal of a table and more
-constexpr double kSlowly = 1.0;      // [s] in which patterns gain and lose belief
-constexpr double kTurn = 0.1;        // [rad] of the line of sight to a leg that may shift
-constexpr double kTurnOfPair = 0.4;  // to a pair
+constexpr double kStood = 0.5;   // [s] what has stood so long is a post
+constexpr double kStill = 0.15;  // [m] its places differ less
+constexpr double kThin = 0.25;   // [m] and it is less wide
+constexpr double kReach = 2.5;   // [m] farther furniture is not theirs: the diagonal of a table and more
+constexpr double kSlowly = 1.0;  // [s] in which patterns gain and lose belief
+constexpr Fidgets::Memory kOfLeg{.gap = 0.5, .turn = 0.1};
+// However long it is out of view, and from every side: measured on furniture, README.
+constexpr Fidgets::Memory kOfPair{.gap = 1e9, .turn = 4.0};
 constexpr double kSensorStill = 0.05;   // [m] a laser that moves less stands
 constexpr double kSensorStood = 1.0;    // [s]
 constexpr double kLooksOfShifts = 2.0;  // log odds of a pair whose shifts count
-constexpr double kThinnest = 0.04;      // [m] leg whose shifts count,
+constexpr double kThinnest = 0.07;      // [m] leg whose shifts count,
 constexpr double kAlike = 0.05;  // [m] and by how much the two differ at most: leaves and bars part and merge
 constexpr double kLookUpEvery = 1.0;       // [s] what was at a place before is looked up so often,
 constexpr double kLookedUpWithin = 0.1;    // [m] or when a thing has moved so far
@@ -30,8 +31,10 @@ constexpr double kClutterMemory = 10.0;    // [s] in which things out of view ar
 constexpr double kFurnitureMemory = 60.0;  // [s] in which a place is no longer taken for a furnished one
 constexpr double kSettled = 2.0;           // [s] after which furniture about two legs has been noticed
 constexpr double kNoFurniture = 2.0;       // things that look like legs; legs count until they are somebody's
+constexpr double kLegsOfSomebody = 3.0;    // so many may still be those of people who stand about
 constexpr double kFurnished = 3.0;         // more of them make a furnished place
 constexpr double kCompanyMemory = 30.0;    // [s] in which people who have left are forgotten
+constexpr double kSomebody = 0.5;          // people known: one who walked about within 20 s
 constexpr double kOfOneLeg = 0.5;          // share of what shifts say where no other leg is seen
 constexpr double kNoticed = 1.0;           // [s] after which what stands is told of
 constexpr double kLeastLooks = -0.5;
@@ -58,6 +61,7 @@ double prior_of(BirthKind kind) {
     case BirthKind::walking_single:
       return Existence::kLoneWalker;
     case BirthKind::standing_pair:
+    case BirthKind::half_hidden_pair:
       return Existence::kTwoLegs;
     case BirthKind::standing_single:
       break;
@@ -154,12 +158,18 @@ double Weighing::row_at(const ClusterTrack& thing, const ClusterTrack* other) {
 void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
   const Sighting& seen = cluster.last();
   // Another laser sees it a little elsewhere: that is no fidget.
-  if (still_ && !seen.on_static && seen.source == cluster.source())
-    cluster.fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kTurn);
+  if (still_ && seen.source == cluster.source())
+    cluster.fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kOfLeg);
   cluster.existence.fidgets = kOfOneLeg * cluster.fidgets.log_odds();
   if (cluster.existence.looks.log_odds() > kLeastLooks && seen.width <= kThin && stands(cluster))
     cluster.existence.row += gain * (row_at(cluster, nullptr) - cluster.existence.row);
 }
+
+double Weighing::surely_furnished() const {
+  return std::clamp((furniture_ - kLegsOfSomebody) / kFurnished, 0.0, 1.0);
+}
+
+bool Weighing::is_among_people() const { return company_ >= kSomebody && furniture_ <= kLegsOfSomebody; }
 
 /// Who stands where nothing else looks like a leg is not taken for furniture for long.
 double Weighing::alone_of(double stood) const {
@@ -170,6 +180,7 @@ double Weighing::alone_of(double stood) const {
 }
 
 void Weighing::weigh_surroundings(std::optional<double> stood, Existence& existence) const {
+  existence.furnished = surely_furnished();
   existence.clutter = existence.alone = 0.0;
   if (existence.walked.way >= Walked::kFree || existence.came >= Existence::kHasCome) return;
   const double others = std::max(0.0, clutter_ - 1.0);
@@ -241,8 +252,8 @@ double Weighing::shifts_of_legs(PersonTrack& person, std::int64_t sweep) const {
   double most = 0.0;
   for (auto& leg : person.legs) {
     const Sighting& seen = leg->last();
-    if (still_ && seen.sweep == sweep && !seen.on_static && seen.source == leg->source())
-      leg->fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kTurn);
+    if (still_ && seen.sweep == sweep && seen.source == leg->source())
+      leg->fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kOfLeg);
     most = std::max(most, kOfOneLeg * leg->fidgets.log_odds());
   }
   return most;
@@ -270,7 +281,10 @@ void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, 
   const Sighting& b = person.legs[1]->last();
   const bool whole = !a.occluded && !b.occluded && std::min(a.width, b.width) >= kThinnest &&
                      std::abs(a.width - b.width) <= kAlike;
-  person.fidgets.add(a.time, a.position - b.position, whole, a.bearing, kTurnOfPair);
+  Vector2 way = a.position - b.position;
+  if ((way + person.fidgets.place()).norm() < (way - person.fidgets.place()).norm())
+    way = -way;  // legs exchanged
+  person.fidgets.add(a.time, way, whole, a.bearing, kOfPair);
   if (existence.looks.log_odds() >= kLooksOfShifts)
     existence.fidgets =
         std::max({existence.fidgets, person.fidgets.log_odds(), shifts_of_legs(person, sweep)});

@@ -41,6 +41,9 @@ class Weighing {
   void reset();
 
   /// What is about says of somebody: other things that look like legs, and how few people are known. `stood`: of stood().
+  /// Whether people walk about, and little stands about that looks like a leg.
+  bool is_among_people() const;
+
   void weigh_surroundings(std::optional<double> stood, Existence& existence) const;
 
  private:
@@ -49,6 +52,7 @@ class Weighing {
   double row_at(const ClusterTrack& thing, const ClusterTrack* other);
   void weigh_cluster(ClusterTrack& cluster, double gain);
   void look_up(ClusterTrack& thing, double now) const;
+  double surely_furnished() const;
   double alone_of(double stood) const;
   void count_company(const std::vector<PersonTrack>& people, double dt);
   void weigh_coming(PersonTrack& person, std::int64_t sweep, double now) const;

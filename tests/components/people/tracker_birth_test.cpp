@@ -100,6 +100,28 @@ TEST(Birth, LegsOnBackgroundMustLookMoreLikeLegs) {
   EXPECT_NEAR(*doubt(8, 0.81, true), 0.4 - 0.5 * 0.81, 1e-12);
 }
 
+// One leg scores 0.95, the other stands behind its edge and scores 0.5, where 0.7 are asked of whole ones: a pair after 0.9 s,
+// if it scores 0.4 or more and is cut off in half of the sweeps.
+TEST(Birth, OneLegBehindTheOtherIsHalfAPair) {
+  const auto kind = [](int sweeps, double whole, double cut, int cut_in) {
+    std::vector<Sighting> front;
+    std::vector<Sighting> behind;
+    for (int k = 0; k < sweeps; ++k) {
+      front.push_back(sighting(k, {2.0, 0.0}, whole));
+      behind.push_back(sighting(k, {2.2, 0.12}, cut));
+      behind.back().occluded = k < cut_in;
+    }
+    const auto birth = birth_of_pair(track_of(behind), track_of(front), {});
+    return birth ? std::optional(birth->kind) : std::nullopt;
+  };
+  EXPECT_EQ(kind(10, 0.95, 0.5, 5), BirthKind::half_hidden_pair);
+  EXPECT_EQ(kind(9, 0.95, 0.5, 9), std::nullopt);
+  EXPECT_EQ(kind(10, 0.69, 0.5, 10), std::nullopt);
+  EXPECT_EQ(kind(10, 0.95, 0.39, 10), std::nullopt);
+  EXPECT_EQ(kind(10, 0.95, 0.5, 4), std::nullopt);
+  EXPECT_EQ(kind(10, 0.95, 0.71, 10), BirthKind::standing_pair);
+}
+
 // Two legs side by side, seen five times: they stay, unless both of them go and their middle goes 0.1 m, straight on.
 TEST(Birth, LegsStayUnlessBothGo) {
   const auto stay = [](double left, double right, double aside = 0.0) {

@@ -32,6 +32,8 @@ struct Existence {
 
   /// Of somebody who was confirmed: what was believed once is not given up for a doubt, such as more things about.
   static constexpr double kKept = 2.5;
+  /// Less for who has never moved, where furniture like legs surely stands about.
+  static constexpr double kLostAmongFurniture = 0.8;
   /// Of what looks say of two legs first noticed walking, or of one, beside the whole of it, before they have walked a metre.
   static constexpr double kLooksOfWalkers = 1.0;
   static constexpr double kUsualLooks = 1.0;  ///< log odds between furniture that seems to walk and people
@@ -55,18 +57,21 @@ struct Existence {
   double prior = kOneLeg;
   Walked walked;
   Looks looks;
-  double fidgets = 0.0;   ///< log odds (fidgets.hpp)
-  double row = 0.0;       ///< log odds (row_of_posts.hpp), lately
-  double clutter = 0.0;   ///< log odds by how many things about look like legs
-  double alone = 0.0;     ///< log odds of two that stand by how few people are known to walk about
-  bool in_place = false;  ///< they seem to walk where things stood all the time
-  double taken = 0.0;     ///< log odds of who walked and is seen where something stood before
-  double came = 0.0;      ///< log odds by what was at the place of the legs before
-  double rigid = 0.0;     ///< log odds of two that stand and never move
-  double kept = 0.0;      ///< kKept of somebody confirmed
+  double fidgets = 0.0;    ///< log odds (fidgets.hpp)
+  double row = 0.0;        ///< log odds (row_of_posts.hpp), lately
+  double clutter = 0.0;    ///< log odds by how many things about look like legs
+  double alone = 0.0;      ///< log odds of two that stand by how few people are known to walk about
+  bool in_place = false;   ///< they seem to walk where things stood all the time
+  double taken = 0.0;      ///< log odds of who walked and is seen where something stood before
+  double came = 0.0;       ///< log odds by what was at the place of the legs before
+  double rigid = 0.0;      ///< log odds of two that stand and never move
+  double furnished = 0.0;  ///< how sure it is that furniture like legs stands about, 0 to 1
+  double kept = 0.0;       ///< kKept of somebody confirmed
 
   /// To be called when the evidence of a sweep is complete.
-  void keep_belief() { kept = log_odds() >= 0.0 ? kKept : 0.0; }
+  void keep_belief() {
+    kept = log_odds() >= 0.0 ? (has_moved() ? kKept : kKept - kLostAmongFurniture * furnished) : 0.0;
+  }
 
   /// In a way that furniture does not.
   bool has_moved() const {

@@ -6,45 +6,51 @@
 namespace bw::people {
 namespace {
 
-constexpr double kShortest = 0.04;  // [m] of a shift: four times what the mean of a standing disc errs
-constexpr double kLongest = 0.25;   // [m]: farther is another thing, or a step
-constexpr double kStood = 1.0;      // [s] before a shift
-constexpr double kSettled = 0.4;    // [s] after it
-constexpr double kGap = 0.5;        // [s] unseen, after which it may be another thing
-constexpr int kMean = 20;           // sightings in the mean
+constexpr double kShortest = 0.04;       // [m] of a shift: four times what the mean of a standing disc errs
+constexpr double kLongest = 0.25;        // [m]: farther is another thing, or a step
+constexpr double kStood = 1.0 - 1e-9;    // [s] in view before a shift
+constexpr double kSettled = 0.4 - 1e-9;  // [s] after it
+constexpr double kGap = 0.5;             // [s] between sightings that is not time in view
+constexpr int kMean = 20;                // sightings in the mean
 
 }  // namespace
 
-void Fidgets::stand_anew(double time, const Vector2& place, double bearing) {
+void Fidgets::stand_anew(const Vector2& place, double bearing, double stood_for) {
   stood_ = place;
-  since_ = time;
+  stood_for_ = stood_for;
   bearing_ = bearing;
   count_ = 1;
-  aside_ = -1.0;
+  aside_ = false;
 }
 
-void Fidgets::add(double time, const Vector2& place, bool whole, double bearing, double turn) {
+void Fidgets::add(double time, const Vector2& place, bool whole, double bearing, const Memory& memory) {
   if (!whole) return;
-  const bool lost = count_ == 0 || time - last_ > kGap || std::abs(wrap_angle(bearing - bearing_)) > turn;
+  const double since = time - last_;
+  const bool lost =
+      count_ == 0 || since > memory.gap || std::abs(wrap_angle(bearing - bearing_)) > memory.turn;
   last_ = time;
-  if (lost || (place - stood_).norm() > kLongest) return stand_anew(time, place, bearing);
+  if (lost || (place - stood_).norm() > kLongest) return stand_anew(place, bearing, 0.0);
+  const double in_view = since > kGap ? 0.0 : since;
+  if (!aside_) stood_for_ += in_view;
   if ((place - stood_).norm() < kShortest) {
     count_ = std::min(count_ + 1, kMean);
     stood_ += (place - stood_) / count_;
-    aside_ = -1.0;
+    aside_ = false;
     return;
   }
-  if (aside_ < 0.0) {
-    aside_ = time;
+  if (!aside_) {
+    aside_ = true;
     moved_ = place;
+    moved_for_ = 0.0;
     moved_count_ = 1;
     return;
   }
+  moved_for_ += in_view;
   moved_ += (place - moved_) / ++moved_count_;
-  if (time - aside_ < kSettled) return;
+  if (moved_for_ < kSettled) return;
   const bool stands = (place - moved_).norm() < kShortest && (moved_ - stood_).norm() >= kShortest;
-  if (stands && aside_ - since_ >= kStood) ++shifts_;
-  stand_anew(aside_, moved_, bearing);
+  if (stands && stood_for_ >= kStood) ++shifts_;
+  stand_anew(moved_, bearing, moved_for_);
 }
 
 double Fidgets::log_odds() const { return std::min(kMost, kEach * shifts_); }

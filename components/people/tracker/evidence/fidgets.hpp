@@ -13,18 +13,28 @@ class Fidgets {
   static constexpr double kEach = 4.0;  ///< log odds of one shift
   static constexpr double kMost = 8.0;
 
-  /// `whole`: nothing hides an edge; `bearing` along which it is seen [rad], which may turn by `turn`.
-  void add(double time, const Vector2& place, bool whole, double bearing, double turn);
+  /// What ends the memory of where it stood: a time unseen [s], and a turn of the line of sight [rad].
+  struct Memory {
+    double gap;
+    double turn;
+  };
+
+  /// `whole`: nothing hides an edge; `bearing` along which it is seen [rad].
+  void add(double time, const Vector2& place, bool whole, double bearing, const Memory& memory);
+
+  /// Where it stands; zero at first.
+  const Vector2& place() const { return stood_; }
 
   double log_odds() const;
 
  private:
-  void stand_anew(double time, const Vector2& place, double bearing);
+  void stand_anew(const Vector2& place, double bearing, double stood_for);
 
   Vector2 stood_{0.0, 0.0};  ///< where, on average
   Vector2 moved_{0.0, 0.0};  ///< where it seems to be now
-  double since_ = 0.0;       ///< it stands there [s]
-  double aside_ = -1.0;      ///< since when it has been off that place [s]; < 0: it is not
+  double stood_for_ = 0.0;   ///< in view [s]
+  double moved_for_ = 0.0;   ///< the same of where it seems to be now [s]
+  bool aside_ = false;       ///< it is off the place where it stood
   double last_ = 0.0;
   double bearing_ = 0.0;
   int count_ = 0;  ///< sightings that made up the mean, bounded
