@@ -171,10 +171,10 @@ double Weighing::surely_furnished() const {
 
 bool Weighing::is_among_people() const { return company_ >= kSomebody && furniture_ <= kLegsOfSomebody; }
 
-/// Who stands where nothing else looks like a leg is not taken for furniture for long.
+/// Who stands where somebody walks and nothing else looks like a leg is not taken for furniture for long.
 double Weighing::alone_of(double stood) const {
   const double furnished = std::clamp((furniture_ - kNoFurniture) / kFurnished, 0.0, 1.0);
-  const double share = stood < kSettled ? 1.0 : furnished;
+  const double share = stood < kSettled || company_ < kSomebody ? 1.0 : furnished;
   return std::min(Existence::kMostCompany,
                   share * Existence::kAlone + Existence::kCompany * std::log1p(company_));
 }

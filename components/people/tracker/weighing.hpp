@@ -40,10 +40,10 @@ class Weighing {
   void remember(const DetectionSet& sweep, double now) { past_.add(sweep, now); }
   void reset();
 
-  /// What is about says of somebody: other things that look like legs, and how few people are known. `stood`: of stood().
   /// Whether people walk about, and little stands about that looks like a leg.
   bool is_among_people() const;
 
+  /// What is about says of somebody: other things that look like legs, and how few people are known. `stood`: of stood().
   void weigh_surroundings(std::optional<double> stood, Existence& existence) const;
 
  private:

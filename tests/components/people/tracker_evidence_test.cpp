@@ -161,8 +161,6 @@ TEST(Evidence, WhoWasConfirmedIsNotGivenUpForADoubt) {
   EXPECT_NEAR(existence.log_odds(), -1.5, 1e-12);
 }
 
-// Score 0.9 for ever: looks of 20 ln 9 / 22 = 1.997. Of a pair that walks what is beyond 1 counts twice until it has
-// walked a metre; of one that stands nothing is.
 // Of two that only stand among furniture 0.8 less is kept; who has shifted a foot keeps all.
 TEST(Evidence, WhoNeverMovedAmongFurnitureKeepsLess) {
   Existence existence{.prior = Existence::kTwoLegs};
@@ -178,6 +176,8 @@ TEST(Evidence, WhoNeverMovedAmongFurnitureKeepsLess) {
   EXPECT_EQ(existence.kept, Existence::kKept);
 }
 
+// Score 0.9 for ever: looks of 20 ln 9 / 22 = 1.997. Of a pair that walks what is beyond 1 counts twice until it has
+// walked a metre; of one that stands nothing is.
 TEST(Evidence, LooksOfWalkersSayMoreUntilTheyHaveWalked) {
   Existence walker{.prior = Existence::kWalker};
   for (int k = 0; k < 500; ++k) walker.looks.add(0.9, 0.1);

@@ -130,6 +130,15 @@ TEST(PossiblePeople, NeverCostAGapThatIsPassableAsAnObstacle) {
   }
 }
 
+// Gaps of the fifty whose posts were confirmed when two that stand alone in a bare place were believed after 2 s: one was never passed.
+TEST(PossiblePeople, AreNoPostsThatStandAlone) {
+  std::vector<Course> courses;
+  for (const int i : {32, 36, 38, 46, 48}) courses.push_back(gap_course(i));
+  const Comparison all = compare(courses, drives_without(courses, "eteb"), "eteb", Senses::own);
+  EXPECT_EQ(all.passed_with, 5);
+  EXPECT_EQ(all.slower, 0);
+}
+
 TEST(PossiblePeople, LeaveFieldsOfCylindersPassable) {
   std::vector<Course> courses;
   for (int i = 0; i < fields(); ++i) courses.push_back(cylinder_course(i));
