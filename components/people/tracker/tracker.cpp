@@ -24,7 +24,6 @@ namespace bw::people {
 namespace {
 
 constexpr double kKeptOut = 0.25;         // confidence of who must not become background,
-constexpr double kFurnished = 0.25;       // from there on a leg that is half hidden is no leg
 constexpr double kKeptOutByLooks = -2.0;  // log odds of the same, whatever else is about
 
 }  // namespace

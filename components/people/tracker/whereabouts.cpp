@@ -43,17 +43,16 @@ Whereabouts::Whereabouts(const Vector2& position, const Vector2& velocity, Rando
   }
 }
 
-void Whereabouts::walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls, Random& random,
-                       const HiddenOptions& options) {
+void Whereabouts::walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls,
+                       Random& random, const HiddenOptions& options) {
   const double wander = options.wander * std::sqrt(dt);
   const double anew = 1.0 - std::exp(-dt / options.keeps_way);
   const double missed = std::exp(-looked / options.overlooked);
   double sum = 0.0;
   for (Guess& guess : guesses_) {
     const bool elsewhere = random.uniform() < anew;
-    guess.velocity =
-        turned(guess.velocity, elsewhere ? random.uniform(-std::numbers::pi, std::numbers::pi)
-                                         : wander * random.normal());
+    guess.velocity = turned(guess.velocity, elsewhere ? random.uniform(-std::numbers::pi, std::numbers::pi)
+                                                      : wander * random.normal());
     const Vector2 step = dt * guess.velocity;
     if (is_barred(guess.position, step, sweep, walls, options.margin)) {
       const double side = random.uniform() < 0.5 ? 1.0 : -1.0;
