@@ -165,22 +165,22 @@ void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
     cluster.existence.row += gain * (row_at(cluster, nullptr) - cluster.existence.row);
 }
 
-double Weighing::surely_furnished() const {
-  return std::clamp((furniture_ - kLegsOfSomebody) / kFurnished, 0.0, 1.0);
+double Weighing::furnished_beyond(double things) const {
+  return std::clamp((furniture_ - things) / kFurnished, 0.0, 1.0);
 }
 
 bool Weighing::is_among_people() const { return company_ >= kSomebody && furniture_ <= kLegsOfSomebody; }
 
 /// Who stands where somebody walks and nothing else looks like a leg is not taken for furniture for long.
 double Weighing::alone_of(double stood) const {
-  const double furnished = std::clamp((furniture_ - kNoFurniture) / kFurnished, 0.0, 1.0);
-  const double share = stood < kSettled || company_ < kSomebody ? 1.0 : furnished;
+  const bool undecided = stood < kSettled || company_ < kSomebody;
+  const double share = undecided ? 1.0 : furnished_beyond(kNoFurniture);
   return std::min(Existence::kMostCompany,
                   share * Existence::kAlone + Existence::kCompany * std::log1p(company_));
 }
 
 void Weighing::weigh_surroundings(std::optional<double> stood, Existence& existence) const {
-  existence.furnished = surely_furnished();
+  existence.furnished = furnished_beyond(kLegsOfSomebody);
   existence.clutter = existence.alone = 0.0;
   if (existence.walked.way >= Walked::kFree || existence.came >= Existence::kHasCome) return;
   const double others = std::max(0.0, clutter_ - 1.0);

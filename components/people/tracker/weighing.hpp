@@ -52,7 +52,8 @@ class Weighing {
   double row_at(const ClusterTrack& thing, const ClusterTrack* other);
   void weigh_cluster(ClusterTrack& cluster, double gain);
   void look_up(ClusterTrack& thing, double now) const;
-  double surely_furnished() const;
+  /// How sure it is that more than so many things like legs stand about, 0 to 1.
+  double furnished_beyond(double things) const;
   double alone_of(double stood) const;
   void count_company(const std::vector<PersonTrack>& people, double dt);
   void weigh_coming(PersonTrack& person, std::int64_t sweep, double now) const;
