@@ -20,11 +20,18 @@ namespace bw {
 /// Whether the inputs a component declared essential (graph: max_age, on_stale) are fresh.
 enum class Health { ok, degraded, stop };
 
+/// Who wrote the sample that a callback of an input gets.
+struct SampleOrigin {
+  std::array<std::uint8_t, 16> writer{};  ///< its GID; zeros in callbacks that are of no input
+  bool is_own_clock = true;               ///< it writes on this host, so its stamps are of the same clock
+};
+
 /// One call of a component: the frozen time and the state of its inputs. No other clock may be read.
 struct Tick {
   Time now;
   Health health = Health::ok;  ///< stop: bring the robot to a safe stop in this very call
   std::uint64_t sequence = 0;  ///< counts the calls of this callback from 0
+  SampleOrigin from;
 };
 
 /// Names of a message type as the wire knows them.

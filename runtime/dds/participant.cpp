@@ -1,6 +1,7 @@
 #include "runtime/dds/participant.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -19,6 +20,13 @@ namespace bw::dds {
 bool same_participant(const Guid& a, const Guid& b) {
   constexpr std::size_t kPrefix = 12;
   return std::equal(a.begin(), a.begin() + kPrefix, b.begin());
+}
+
+bool same_host(const Guid& a, const Guid& b) {
+  constexpr std::array<std::uint8_t, 2> kFastDds = {0x01, 0x0f};
+  constexpr std::size_t kVendorAndHost = 4;
+  return std::equal(kFastDds.begin(), kFastDds.end(), a.begin()) &&
+         std::equal(a.begin(), a.begin() + kVendorAndHost, b.begin());
 }
 
 namespace {

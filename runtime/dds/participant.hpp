@@ -20,6 +20,8 @@ namespace bw::dds {
 using Guid = std::array<std::uint8_t, 16>;  ///< 12 bytes of participant prefix, 4 of entity id
 
 bool same_participant(const Guid& a, const Guid& b);
+/// Both are of Fast DDS, which puts a number of the host behind its vendor id. Other vendors' GIDs do not tell: false.
+bool same_host(const Guid& a, const Guid& b);
 
 enum class Transport {
   localhost,  ///< discovery and data on 127.0.0.1 only, sockets bound to the loopback device

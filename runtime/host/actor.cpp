@@ -71,13 +71,18 @@ bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
     const std::lock_guard lock(mutex);
     input.last_received = now;
   }
-  give(input, sample_.cdr, now, waited);
+  give(input, sample_.writer, sample_.cdr, now, waited);
   return true;
 }
 
-void Actor::give(Input& input, std::span<const std::uint8_t> cdr, Time now, std::optional<Duration> waited) {
+void Actor::give(Input& input, const dds::Guid& writer, std::span<const std::uint8_t> cdr, Time now,
+                 std::optional<Duration> waited) {
   const Duration start = thread_cpu_time();
-  const bool accepted = input.handler(cdr, Tick{.now = now, .health = health(now), .sequence = input.calls});
+  const Tick tick{.now = now,
+                  .health = health(now),
+                  .sequence = input.calls,
+                  .from = {writer, dds::same_host(writer, input.reader->guid())}};
+  const bool accepted = input.handler(cdr, tick);
   const Duration spent = thread_cpu_time() - start;
   if (accepted) ++input.calls;
   {

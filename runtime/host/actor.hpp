@@ -164,7 +164,7 @@ struct Actor final : DiagnosticReporter {
   /// Takes one sample and gives it to the component; false when none was waiting.
   bool deliver(Input& input, Time now, std::optional<Duration> waited);
   /// Gives the bytes of one sample to the component.
-  void give(Input& input, std::span<const std::uint8_t> cdr, Time now,
+  void give(Input& input, const dds::Guid& writer, std::span<const std::uint8_t> cdr, Time now,
             std::optional<Duration> waited = std::nullopt);
   void fire(Timer& timer, Time now, std::optional<Duration> waited);
 

@@ -206,7 +206,7 @@ void ActorLifecycle::begin_hearing(Time now) {
   }
   for (const auto& input : actor_.inputs) {
     for (Input::Kept& kept : input->kept) {
-      if (!std::exchange(kept.is_given, true)) actor_.give(*input, kept.cdr, now);
+      if (!std::exchange(kept.is_given, true)) actor_.give(*input, kept.writer, kept.cdr, now);
     }
   }
 }
