@@ -88,7 +88,8 @@ std::string yaml_of(const OccupancyGrid& grid, const MapShades& shades, const st
 std::filesystem::path place_of_map(const std::filesystem::path& folder, const std::filesystem::path& asked) {
   namespace fs = std::filesystem;
   const auto refuse = [&](const std::string& why) {
-    throw std::runtime_error("'" + asked.string() + "': maps are saved below " + folder.string() + ": " + why);
+    throw std::runtime_error("'" + asked.string() + "': maps are saved below " + folder.string() + ": " +
+                             why);
   };
   if (!asked.has_filename() || asked.filename() == ".") refuse("it names no file");
   if (std::ranges::find(asked, fs::path("..")) != asked.end()) refuse("a path has no ..");

@@ -78,9 +78,7 @@ class Query {
     const int result = sqlite3_step(statement_.get());
     return result == SQLITE_ROW ? Row::row : result == SQLITE_DONE ? Row::done : Row::broken;
   }
-  std::string error() const {
-    return guard_.reason().empty() ? sqlite3_errmsg(database_) : guard_.reason();
-  }
+  std::string error() const { return guard_.reason().empty() ? sqlite3_errmsg(database_) : guard_.reason(); }
   std::int64_t integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
   std::string text(int column) const {
     const auto* characters = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
@@ -213,8 +211,9 @@ class SqliteBag final : public Bag {
     // Columns came with versions: QoS with 2, the hash with 4.
     for (const char* columns :
          {"offered_qos_profiles, type_description_hash", "offered_qos_profiles, ''", "'', ''"}) {
-      Query query(database_.get(), *guard_, std::string("SELECT id, name, type, serialization_format, ") + columns +
-                                       " FROM topics ORDER BY id");
+      Query query(database_.get(), *guard_,
+                  std::string("SELECT id, name, type, serialization_format, ") + columns +
+                      " FROM topics ORDER BY id");
       if (!query.is_valid()) continue;
       Query::Row row = query.next();
       for (; row == Query::Row::row; row = query.next()) {

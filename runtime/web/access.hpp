@@ -14,7 +14,7 @@
 namespace bw::web {
 
 struct AccessRules {
-  bool is_loopback = true;  ///< the address listened on can be reached from this machine only
+  bool is_loopback = true;      ///< the address listened on can be reached from this machine only
   bool is_reading_free = true;  ///< who shows no token may read: on a loopback address without a token_file
   std::vector<std::string>
       host_names;  ///< names of this machine, beside addresses; used where not is_loopback

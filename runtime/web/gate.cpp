@@ -21,7 +21,8 @@ constexpr const char* kWrongToken =
     "the token is not that of this run: open the address with ?token= that the program printed";
 
 /// A header goes before the query.
-std::optional<std::string> given_token(const Request& request, const std::optional<std::string>& query_token) {
+std::optional<std::string> given_token(const Request& request,
+                                       const std::optional<std::string>& query_token) {
   if (const auto authorization = request.find("Authorization")) return token_of(*authorization).value_or("");
   return query_token;
 }

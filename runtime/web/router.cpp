@@ -85,9 +85,7 @@ Router::Router(const ServerOptions& options, bool is_loopback, Site site,
       handshakes_(options.limits.handshakes_per_second,
                   std::max(1.0, 2 * options.limits.handshakes_per_second)) {}
 
-std::string Router::run_token() const {
-  return gate_.is_reading_free() ? token_of_run() : std::string();
-}
+std::string Router::run_token() const { return gate_.is_reading_free() ? token_of_run() : std::string(); }
 
 Reply Router::answer(const Request& request) {
   if (auto refusal = gate_.refuse_caller(request)) return *refusal;

@@ -77,7 +77,9 @@ struct ServerOptions {
     v("port_tries", port_tries, {.min = 1, .max = 1000, .doc = "how many ports to try where it is taken"});
     v("host_names", host_names, {.doc = "names of this machine that clients may use, beside addresses"});
     v("allow_origins", allow_origins, {.doc = "pages of elsewhere that may connect"});
-    v("token_file", token_file, {.path = true, .doc = "holds the token that is needed for reading too; none: each run has one for commands"});
+    v("token_file", token_file,
+      {.path = true,
+       .doc = "holds the token that is needed for reading too; none: each run has one for commands"});
     v("allow_commands", allow_commands, {.doc = "clients of other machines may command"});
     v("bag_folder", bag_folder, {.path = true, .doc = "recordings that the page may open"});
     v("limits", limits, {.doc = "what a client may take"});

@@ -37,7 +37,8 @@ struct MapSaverOptions {
        .max = 0.99,
        .doc = "cells from this share on are saved as occupied where a request has 0"});
     v("folder", folder,
-      {.path = true, .doc = "where maps are saved, and nowhere else; the default is below the working directory"});
+      {.path = true,
+       .doc = "where maps are saved, and nowhere else; the default is below the working directory"});
     v("overwrite", overwrite, {.doc = "a map takes the place of one with its name"});
   }
 

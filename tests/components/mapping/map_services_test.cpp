@@ -130,8 +130,9 @@ TEST_F(MapServices, ABrokenMapIsNamedAndTheFirstOneStays) {
 
 TEST_F(MapServices, TheMapIsSavedAndReadBack) {
   const auto at = [&](const char* name) { return (folder_ / name).string(); };
-  const Answers answers = run({}, {save("", at("a")), save("map", at("b.yaml"), "raw", "png"),
-                                   save("/map", "file://" + at("c"), "scale")},
+  const Answers answers = run({},
+                              {save("", at("a")), save("map", at("b.yaml"), "raw", "png"),
+                               save("/map", "file://" + at("c"), "scale")},
                               "folder: " + at(""));
   ASSERT_EQ(answers.saved.size(), 3U);
   for (const auto& response : answers.saved) EXPECT_TRUE(response.result());
@@ -150,11 +151,11 @@ TEST_F(MapServices, WhatCannotBeSavedIsNot) {
   crossed.free_thresh(0.7F);
   SaveMap::Request nan = save("map", at("nan"));
   nan.occupied_thresh(std::numeric_limits<float>::quiet_NaN());
-  const Answers answers =
-      run({}, {save("scan", at("topic")), save("map", ""), save("map", at("no/such/folder")),
-               save("map", "/proc/self/map"), save("map", at("mode"), "grey"),
-               save("map", at("format"), "", "bmp"), crossed, nan},
-          "folder: " + at(""));
+  const Answers answers = run({},
+                              {save("scan", at("topic")), save("map", ""), save("map", at("no/such/folder")),
+                               save("map", "/proc/self/map"), save("map", at("mode"), "grey"),
+                               save("map", at("format"), "", "bmp"), crossed, nan},
+                              "folder: " + at(""));
   ASSERT_EQ(answers.saved.size(), 8U);
   for (std::size_t i = 0; i < answers.saved.size(); ++i) EXPECT_FALSE(answers.saved[i].result()) << i;
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / ""));
@@ -167,11 +168,14 @@ TEST_F(MapServices, MapsAreSavedBelowTheirFolderAlone) {
   std::filesystem::create_directory_symlink(folder_ / "", folder_ / "maps/out");
   std::filesystem::create_symlink(folder_ / "victim", folder_ / "maps/link.pgm");
   test::write_file(folder_ / "maps/old.yaml", "old");
-  const std::vector<std::pair<std::string, bool>> asked = {
-      {"map", true},          {at("maps/floor/a"), true}, {"floor/b.yaml", true}, {"map", false},
-      {"map.yaml", false},    {"old", false},             {"link", false},        {"../up", false},
-      {"floor/../c", false},  {at("elsewhere"), false},   {"out/d", false},       {at("maps/../e"), false},
-      {at("maps_f"), false},  {"floor/", false},          {".", false},           {"..", false}};
+  const std::vector<std::pair<std::string, bool>> asked = {{"map", true},          {at("maps/floor/a"), true},
+                                                           {"floor/b.yaml", true}, {"map", false},
+                                                           {"map.yaml", false},    {"old", false},
+                                                           {"link", false},        {"../up", false},
+                                                           {"floor/../c", false},  {at("elsewhere"), false},
+                                                           {"out/d", false},       {at("maps/../e"), false},
+                                                           {at("maps_f"), false},  {"floor/", false},
+                                                           {".", false},           {"..", false}};
   std::vector<SaveMap::Request> requests;
   for (const auto& [url, is_saved] : asked) requests.push_back(save("map", url));
   const Answers answers = run({}, requests, "folder: " + at("maps"));

@@ -91,7 +91,8 @@ TEST_P(SqliteVersions, AreRead) {
 std::string said_of_database(const std::filesystem::path& file, const std::string& sql) {
   sqlite3* database = nullptr;
   EXPECT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
-  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
+  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+      << sqlite3_errmsg(database);
   sqlite3_close(database);
   return said_by([&] { static_cast<void>(open_bag(file)); });
 }
@@ -103,13 +104,15 @@ TEST(SqliteBag, AViewIsNoTable) {
       "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT);";
   const std::string endless = "WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) ";
   const std::string view = "has a view in place of one";
-  EXPECT_THAT(said_of_database(folder / "a.db3", topics + "CREATE VIEW messages AS " + endless +
-                                                     "SELECT x AS id, 1 AS topic_id, x AS timestamp, x AS data FROM c"),
+  EXPECT_THAT(said_of_database(folder / "a.db3",
+                               topics + "CREATE VIEW messages AS " + endless +
+                                   "SELECT x AS id, 1 AS topic_id, x AS timestamp, x AS data FROM c"),
               HasSubstr(view));
-  EXPECT_THAT(said_of_database(folder / "b.db3",
-                               "CREATE VIEW topics AS " + endless +
-                                   "SELECT x AS id, 'a' AS name, 'b' AS type, 'cdr' AS serialization_format FROM c"),
-              HasSubstr(view));
+  EXPECT_THAT(
+      said_of_database(folder / "b.db3",
+                       "CREATE VIEW topics AS " + endless +
+                           "SELECT x AS id, 'a' AS name, 'b' AS type, 'cdr' AS serialization_format FROM c"),
+      HasSubstr(view));
   EXPECT_THAT(said_of_database(folder / "c.db3", topics + "CREATE TABLE own(id, topic_id, timestamp, data);"
                                                           "CREATE VIEW messages AS SELECT * FROM own"),
               HasSubstr(view));

@@ -74,7 +74,8 @@ TEST(BagWriter, WritesForItsOwnerAlone) {
   BagWriter(folder / "new/drive", {}).close();
   BagWriter(folder / "single/drive.mcap", {}).close();
   umask(before);
-  for (const char* made : {"new", "new/drive", "single"}) EXPECT_EQ(mode(made), std::filesystem::perms(0700)) << made;
+  for (const char* made : {"new", "new/drive", "single"})
+    EXPECT_EQ(mode(made), std::filesystem::perms(0700)) << made;
   for (const char* made : {"new/drive/drive_0.mcap", "single/drive.mcap"})
     EXPECT_EQ(mode(made), std::filesystem::perms(0600)) << made;
 }

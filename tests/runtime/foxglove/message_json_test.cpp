@@ -94,7 +94,8 @@ TEST(MessageJson, TooMuchIsRefused) {
   largest_allocation = 0;
   EXPECT_THAT(refusal<PoseStamped>(brackets), HasSubstr("nested deeper than 32 levels"));
   EXPECT_LT(largest_allocation, 4096U);
-  EXPECT_THAT(refusal<PoseStamped>(texts), HasSubstr("is an object of JSON")) << "brackets in a text are none";
+  EXPECT_THAT(refusal<PoseStamped>(texts), HasSubstr("is an object of JSON"))
+      << "brackets in a text are none";
 }
 
 TEST(JsonBounds, CountWhatIsOpenAndWhatThereIs) {
@@ -110,15 +111,18 @@ TEST(JsonBounds, CountWhatIsOpenAndWhatThereIs) {
 TEST(MessageJson, MutatedTextsAreTakenOrRefused) {
   const std::string seed =
       R"({"header": {"stamp": {"sec": 1, "nsec": 2}, "frame_id": "a\u00e4"}, "pose": {"position": {"x": 1e3}}})";
-  const std::string pieces[] = {"[", "{", "]", "}", "\"", "\\", ",", ":", "null", "1e999", std::string(40, '[')};
+  const std::string pieces[] = {
+      "[", "{", "]", "}", "\"", "\\", ",", ":", "null", "1e999", std::string(40, '[')};
   std::mt19937 random(7);
   largest_allocation = 0;
   for (int i = 0; i < 5000; ++i) {
     std::string text = seed;
     for (std::size_t n = 1 + random() % 4; n > 0; --n) {
       const std::size_t at = random() % text.size();
-      if (random() % 2 == 0) text.erase(at, 1 + random() % 8);
-      else text.insert(at, pieces[random() % std::size(pieces)]);
+      if (random() % 2 == 0)
+        text.erase(at, 1 + random() % 8);
+      else
+        text.insert(at, pieces[random() % std::size(pieces)]);
       if (text.empty()) text = "{";
     }
     static_cast<void>(refusal<PoseStamped>(text));

@@ -72,7 +72,8 @@ Request on_loopback(const std::string& method, const std::string& target,
                     std::vector<std::pair<std::string, std::string>> headers = {}) {
   headers.emplace_back("Host", "localhost:8765");
   headers.emplace_back("Sec-WebSocket-Protocol", "foxglove.sdk.v1");
-  return {.method = method, .target = target, .headers = std::move(headers), .address = "127.0.0.1", .now = 1};
+  return {
+      .method = method, .target = target, .headers = std::move(headers), .address = "127.0.0.1", .now = 1};
 }
 
 std::string token_of_run() { return Router({}, true, {}, {}).run_token(); }
@@ -165,7 +166,7 @@ TEST_F(RouterTest, FromOtherMachinesCommandsAreOffUnlessTheyAreAllowed) {
 TEST_F(RouterTest, OnLoopbackCommandsNeedTheRunsToken) {
   Router local = router(true);
   const std::string token = local.run_token();
-  EXPECT_EQ(token.size(), 32U);  // 128 bits
+  EXPECT_EQ(token.size(), 32U);                // 128 bits
   EXPECT_EQ(token, router(true).run_token());  // of the run, not of the server
   const std::vector<std::pair<std::string, std::string>> callers = {
       {"X-None", ""}, {"Origin", "http://localhost:3000"}, {"Origin", "http://localhost:8765"}};
@@ -178,7 +179,8 @@ TEST_F(RouterTest, OnLoopbackCommandsNeedTheRunsToken) {
       EXPECT_THAT(ask("/?token=" + std::string(32, '0')), HasSubstr("not that of this run"));
     for (const std::string& wrong : {std::string(), token.substr(1), token + "0", "x" + token.substr(1)})
       EXPECT_THAT(ask("/?token=" + wrong), HasSubstr("not that of this run")) << wrong;
-    EXPECT_THAT(ask("/?token=" + token, {"Authorization", "Bearer wrong"}), HasSubstr("not that of this run"));
+    EXPECT_THAT(ask("/?token=" + token, {"Authorization", "Bearer wrong"}),
+                HasSubstr("not that of this run"));
     EXPECT_EQ(ask("/?token=" + token), "");
     EXPECT_EQ(ask("/", {"Authorization", "Bearer " + token}), "");
   }
