@@ -50,8 +50,8 @@ WatchdogOutput WheelWatchdog::step(Time now) {
 void WheelWatchdog::overrule(Time now, const WheelSpeeds& wheels) {
   revoke();
   last_step_ = now;
-  if (output_.state == WatchdogState::waiting && wheels == WheelSpeeds{}) return;
   is_catching_up_ = true;
+  if (output_.state == WatchdogState::waiting && wheels == WheelSpeeds{}) return;
   output_ = {wheels, wheels == WheelSpeeds{} ? WatchdogState::stopped : WatchdogState::stopping};
 }
 
