@@ -22,6 +22,7 @@ BaseGuard::BaseGuard(const BaseGuardOptions& options, const Robot& robot, double
     : stop_deceleration_(robot.limits.stop_deceleration),
       pause_(Duration::seconds(options.restart.pause)),
       timeout_(Duration::seconds(options.watchdog.timeout)),
+      silence_(Duration::seconds(options.link.silence)),
       watchdog_(options.watchdog, robot.limits.stop_deceleration, robot.limits.acc_max),
       link_(options.link),
       reaction_(options.contacts, robot.limits.stop_deceleration),
@@ -70,6 +71,8 @@ void BaseGuard::read_contacts(Time now, const ContactReading& contacts) {
 
 void BaseGuard::moved(Time stamp, const WheelTravel& travel) {
   travelled_ += (travel.left + travel.right) / 2.0;
+  // Unheard meanwhile, or the clock stepped: how fast it went is not known.
+  if (Duration::seconds(travel.seconds) >= silence_) return wheels_.reset();
   const WheelVerdict verdict = wheels_.measured(stamp, travel);
   if (verdict == WheelVerdict::sound) return;
   const StopCause cause = verdict == WheelVerdict::stall ? StopCause::stall : StopCause::runaway;
@@ -89,9 +92,8 @@ BaseOutput BaseGuard::step(Time now) {
   return output_;
 }
 
-bool BaseGuard::wants_motion(Time now) {
-  if (wished_) wished_ = std::min(*wished_, now);  // the clock went back
-  return wished_ && now - *wished_ < timeout_;
+bool BaseGuard::wants_motion(Time now) const {
+  return wished_ && *wished_ <= now && now - *wished_ < timeout_;
 }
 
 BaseOutput BaseGuard::decide(Time now, LinkHealth health) {
@@ -118,7 +120,7 @@ BaseOutput BaseGuard::stand(Time now, StopCause cause, bool is_reopened) {
                           latch_.holds(StopCause::cliff) || latch_.holds(StopCause::bumper);
   const WheelSpeeds wheels = back ? *back : is_at_once ? WheelSpeeds{} : braked(now);
   watchdog_.overrule(now, wheels);
-  return {wheels, back ? BaseCondition::backing_off : condition_of(cause), latch_.is_latched(cause),
+  return {wheels, back ? BaseCondition::backing_off : condition_of(cause), latch_.is_latched(),
           latch_.reason(cause)};
 }
 

@@ -75,8 +75,9 @@ class BaseGuard {
   std::uint64_t timeouts() const { return watchdog_.timeouts(); }
 
  private:
+  friend struct GuardState;  ///< of tests: what decides what it does next
   void read_contacts(Time now, const ContactReading& contacts);
-  bool wants_motion(Time now);
+  bool wants_motion(Time now) const;
   BaseOutput decide(Time now, LinkHealth health);
   BaseOutput stand(Time now, StopCause cause, bool is_reopened);
   BaseOutput pause(Time now);
@@ -84,7 +85,7 @@ class BaseGuard {
   WheelSpeeds braked(Time now) const;
 
   double stop_deceleration_;
-  Duration pause_, timeout_;
+  Duration pause_, timeout_, silence_;
   WheelWatchdog watchdog_;
   LinkGuard link_;
   ContactReaction reaction_;

@@ -55,6 +55,13 @@ std::optional<StopCause> StopLatch::holds() const {
   return static_cast<StopCause>(held - held_.begin());
 }
 
+bool StopLatch::is_latched() const {
+  for (std::size_t i = 0; i < kStopCauses; ++i) {
+    if (is_latched(static_cast<StopCause>(i))) return true;
+  }
+  return false;
+}
+
 bool StopLatch::is_latched(StopCause cause) const {
   const Restart restart = options_.of(cause);
   return at(cause).holds &&

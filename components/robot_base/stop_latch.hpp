@@ -76,14 +76,14 @@ class StopLatch {
   /// The gravest cause that holds; nothing: the base may drive.
   std::optional<StopCause> holds() const;
   bool holds(StopCause cause) const { return at(cause).holds; }
-  bool is_present(StopCause cause) const { return at(cause).is_present; }
-  /// Of a cause that holds: whether it takes a release.
-  bool is_latched(StopCause cause) const;
+  /// Whether it takes a release: of the gravest cause, or of another that holds.
+  bool is_latched() const;
   const std::string& reason(StopCause cause) const { return at(cause).reason; }
   /// The deliberate reset of all. Says why not while a cause lasts that needs it, and lets go of nothing then.
   std::optional<std::string> release();
 
  private:
+  friend struct GuardState;  ///< of tests: what decides what it does next
   struct Held {
     bool is_present = false;
     bool holds = false;
@@ -91,6 +91,7 @@ class StopLatch {
     std::string reason;
   };
   const Held& at(StopCause cause) const { return held_[static_cast<std::size_t>(cause)]; }
+  bool is_latched(StopCause cause) const;
 
   StopOptions options_;
   std::array<Held, kStopCauses> held_;
