@@ -118,6 +118,50 @@ TEST(SqliteBag, AViewIsNoTable) {
               HasSubstr(view));
 }
 
+/// An inner page of a table (SQLite's file format, section 1.6) of 512 bytes whose 51 children are all the same page.
+std::string page_to(std::uint8_t child) {
+  std::string page(512, '\0');
+  page[0] = 5;
+  page[4] = 50;  // cells
+  page[5] = 1;   // and where they begin: 512 - 50 * 5 = 0x106
+  page[6] = 6;
+  page[11] = static_cast<char>(child);  // the rightmost
+  for (std::size_t i = 0; i < 50; ++i) {
+    const std::size_t at = 507 - 5 * i;
+    page[at + 3] = static_cast<char>(child);
+    page[at + 4] = 1;  // its key
+    page[12 + 2 * i] = static_cast<char>(at >> 8);
+    page[13 + 2 * i] = static_cast<char>(at & 0xff);
+  }
+  return page;
+}
+
+// Twelve pages, each 51 times the way to the next, are a table of 3e20 rows in 22 kB.
+TEST(SqliteBag, PagesThatLeadOnWithoutAnEndAreGivenUp) {
+  const mcap::Folder folder;
+  static_cast<void>(said_of_database(
+      folder / "a.db3",
+      "PRAGMA page_size = 512; CREATE TABLE topics(id INTEGER PRIMARY KEY, name, type, serialization_format);"
+      "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id, timestamp, data);"
+      "CREATE TABLE filler(data); INSERT INTO filler VALUES (zeroblob(20000));"
+      "INSERT INTO topics VALUES (1, '/a', 'a/msg/A', 'cdr'); INSERT INTO messages VALUES (1, 1, 5, x'00')"));
+  std::string file = mcap::content_of(folder / "a.db3");
+  const auto page = [&](std::size_t number) {
+    return file.begin() + static_cast<std::ptrdiff_t>((number - 1) * 512);
+  };
+  constexpr std::uint8_t kMessages = 3;  // page of the second table; those of the filler come after the third
+  const std::string leaf(page(kMessages), page(kMessages + 1));
+  for (std::uint8_t i = 0; i < 12; ++i) {
+    const std::uint8_t from = i == 0 ? kMessages : 10 + i;
+    std::ranges::copy(page_to(11 + i), page(from));
+  }
+  std::ranges::copy(leaf, page(22));
+  mcap::write_content(folder / "b.db3", file);
+  const auto bag = open_bag(folder / "b.db3");
+  ASSERT_EQ(bag->faults().size(), 1U);
+  EXPECT_THAT(bag->faults()[0].what, HasSubstr("lead on without an end"));
+}
+
 INSTANTIATE_TEST_SUITE_P(All, SqliteVersions, ::testing::Values(1, 2, 3, 4));
 
 TEST(Bag, JoinsTheFilesOfAFolder) {
