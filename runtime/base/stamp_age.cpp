@@ -27,11 +27,14 @@ const char* to_text(StampFault fault) {
   return "";
 }
 
-void ForeignClock::begin(Time now, Time stamp) {
+void ForeignClock::begin(Time now, Time stamp, Duration known_age) {
   is_begun_ = true;
   is_proven_ = false;
-  least_ = now - stamp;
-  proof_ = {least_, least_, now, 1};
+  const Duration lag = now - stamp;
+  least_ = lag - known_age;
+  proof_ = {lag, lag, now, 1};
+  late_.reset();
+  if (known_age > kNear) late_ = known_age;
   jump_.reset();
   heard_ = near_ = now;
   newest_stamp_ = stamp;
@@ -55,15 +58,17 @@ bool ForeignClock::proves(Run& run, Time now, Duration lag) {
 
 /// Samples that are all late are no clock that is slow.
 void ForeignClock::follow_drift(Time now) {
-  if (heard_ - near_ <= kProof * 2) least_ = least_ + drift_over(now - heard_);
+  if (heard_ - near_ <= kProof) least_ = least_ + drift_over(now - heard_);
 }
 
 StampAge ForeignClock::add(Time now, Time stamp) {
   if (!is_begun_ || now < heard_) {
-    begin(now, stamp);
+    begin(now, stamp, {});
     return {{}, StampFault::unproven};
   }
   const Duration elapsed = now - heard_;
+  const bool is_known = late_ && heard_ - near_ > kProof && elapsed < kSilence;
+  const Duration known_age = is_known ? *late_ : Duration{};
   const Duration lag = now - stamp;
   const bool went_back = stamp < newest_stamp_;
   const bool is_repeat = is_repeated(stamp);
@@ -71,36 +76,46 @@ StampAge ForeignClock::add(Time now, Time stamp) {
   heard_ = now;
   if (lag < least_ - kSooner - drift_over(elapsed) * 2 || (!is_proven_ && went_back && !is_repeat)) {
     const bool was_proven = is_proven_;
-    begin(now, stamp);
+    begin(now, stamp, was_proven ? known_age : Duration{});
     return {{}, StampFault::unproven, was_proven};
   }
   least_ = std::min(least_, lag);
-  if (lag <= least_ + kNear) near_ = now;
   StampAge seen{lag - least_};
+  const bool is_apart = seen.age > kNear;
   if (!is_proven_) {
     is_proven_ = proves(proof_, now, lag);
     newest_stamp_ = stamp;
     if (!is_proven_) seen.fault = StampFault::unproven;
-    return seen;
+  } else {
+    if (went_back) seen.fault = StampFault::overtaken;
+    if (is_apart && is_repeat) return seen;
+    if (is_apart && (jump_ || went_back || elapsed >= kSilence))
+      return after_jump(now, stamp, seen, known_age);
+    jump_.reset();
+    newest_stamp_ = std::max(newest_stamp_, stamp);
   }
-  const bool is_apart = lag > least_ + kNear;
-  if (went_back) seen.fault = StampFault::overtaken;
-  if (is_apart && is_repeat) return seen;
-  if (is_apart && (jump_ || went_back || elapsed >= kSilence)) return after_jump(now, stamp, seen);
-  jump_.reset();
-  newest_stamp_ = std::max(newest_stamp_, stamp);
+  if (is_apart) {
+    late_ = std::min(late_.value_or(seen.age), seen.age);
+  } else {
+    late_.reset();
+    near_ = now;
+  }
   return seen;
 }
 
-StampAge ForeignClock::after_jump(Time now, Time stamp, StampAge seen) {
-  if (!jump_) jump_.emplace();
+StampAge ForeignClock::after_jump(Time now, Time stamp, StampAge seen, Duration known_age) {
+  if (!jump_) {
+    jump_.emplace();
+    age_before_jump_ = known_age;
+  }
   if (seen.fault == StampFault::none) seen.fault = StampFault::unproven;
-  if (!proves(*jump_, now, now - stamp)) return seen;
-  least_ = jump_->least;
+  const Duration lag = now - stamp;
+  if (!proves(*jump_, now, lag)) return seen;
+  least_ = jump_->least - age_before_jump_;
   near_ = now;
   newest_stamp_ = stamp;
   jump_.reset();
-  return {std::max(Duration{}, now - stamp - least_), StampFault::none, true};
+  return {lag - least_, StampFault::none, true};
 }
 
 StampAges::Writer& StampAges::writer_of(Time now, const StampSource& source) {

@@ -10,7 +10,8 @@
 //   stamps that go back      overtaken or sent twice, unless new ones stay so, constant, for a second: then the clock was set back
 //   silence                  of 10 s and more outlasts any queue: what differs afterwards for a second is a clock that was set
 //
-// After a beginning nothing is believed for a second in which no sample comes sooner than those before: a queue that drains is no clock.
+// What was late for a second before a clock was set is as late after it. After a beginning nothing is believed for a second in which no
+// sample comes sooner than those before: a queue that drains is no clock.
 #pragma once
 
 #include <array>
@@ -63,19 +64,21 @@ class ForeignClock {
     int samples = 0;
   };
 
-  void begin(Time now, Time stamp);
+  void begin(Time now, Time stamp, Duration known_age);
   void follow_drift(Time now);
   bool is_repeated(Time stamp);
   static bool proves(Run& run, Time now, Duration lag);
-  StampAge after_jump(Time now, Time stamp, StampAge seen);
+  StampAge after_jump(Time now, Time stamp, StampAge seen, Duration known_age);
 
   bool is_begun_ = false;
   bool is_proven_ = false;
   Run proof_;
   std::optional<Run> jump_;
   Duration least_;
-  Time heard_;  ///< newest arrival
-  Time near_;   ///< newest arrival close to the least
+  Time heard_;                    ///< newest arrival
+  Time near_;                     ///< newest arrival close to the least
+  std::optional<Duration> late_;  ///< least age since then
+  Duration age_before_jump_;
   Time newest_stamp_;
   std::array<Time, 64> seen_stamps_{};
   std::size_t next_seen_ = 0;

@@ -184,6 +184,20 @@ TEST(StampAge, AStepWhileAQueueEmptiesIsNotBelievedBeforeItIsEmpty) {
   }
 }
 
+// 0.2 s late for 3 s, then the clock is set by whatever: it is still 0.2 s late.
+TEST(StampAge, WhatWasLateBeforeAClockWasSetIsAsLateAfterIt) {
+  for (const double step : {3600.001, -3600.001, 0.301, -0.301}) {
+    Sensor sensor;
+    sensor.run(0.0, 10.0);
+    sensor.run(10.0, 13.0, 0.21);
+    sensor.offset = sensor.offset + Duration::seconds(step);
+    sensor.run(13.0, 20.0, 0.21);
+    EXPECT_EQ(sensor.steps, 1) << step;
+    EXPECT_NEAR(sensor.add(20.0, 20.21).age.to_seconds(), 0.2, 5e-3) << step;
+    EXPECT_NEAR(sensor.add(20.1, 20.11).age.to_seconds(), 0.0, 5e-3) << step;
+  }
+}
+
 // Another way through the network takes over, half a second late: what comes there was seen before, and the rest stays late.
 TEST(StampAge, WhatComesAgainOnASlowerWayIsNoStep) {
   Sensor sensor;

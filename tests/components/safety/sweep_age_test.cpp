@@ -40,12 +40,12 @@ struct Outcome {
 
 /// Straight towards a wall that fills the view.
 Sweep wall_at(double distance) {
-  constexpr int kBeams = 181;
-  Sweep sweep{{.angle_min = -1.2,
-               .angle_increment = 2.4 / (kBeams - 1),
+  constexpr int kBeams = 121;
+  Sweep sweep{{.angle_min = -0.8,
+               .angle_increment = 1.6 / (kBeams - 1),
                .range_min = 0.05,
                .range_max = 40.0,
-               .angle_max = 1.2},
+               .angle_max = 0.8},
               std::vector<float>(kBeams)};
   for (int i = 0; i < kBeams; ++i)
     sweep.ranges[static_cast<std::size_t>(i)] =
@@ -63,7 +63,8 @@ Outcome drive(const Case& c, double phase = 0.0) {
   Outcome outcome;
   double x = 0.0, v = 0.0, next = phase, last_arrival = 0.0;
   const double base = 1000.0;
-  for (int i = 0; i < 3000; ++i) {
+  Verdict verdict;
+  for (int i = 0; i < 2500; ++i) {
     const double t = i * kStep;
     if (t >= next) {
       last_arrival = std::max(last_arrival, t + c.delay(t));
@@ -78,16 +79,14 @@ Outcome drive(const Case& c, double phase = 0.0) {
       sweep.time = Time::seconds(base + one.measured + c.clock(one.measured));
       monitor.sweep(now, sweep.view(), c.source);
     }
-    const Verdict verdict = monitor.judge(now, {t >= kStart ? 1.0 : 0.0, 0.0});
+    if (i % 2 == 0) verdict = monitor.judge(now, {t >= kStart ? 1.0 : 0.0, 0.0});
     if (t >= kStart && verdict.action != Action::do_nothing)
       outcome.causes.insert(std::string(verdict.cause) +
                             (verdict.cause == kLaserInvalid ? to_text(monitor.stamp().fault) : ""));
     v = std::clamp(verdict.allowed.v, v - 2.0 * kStep, v + 1.0 * kStep);
     x += v * kStep;
-    if (x + 0.3 > kWall) {
-      outcome.impact = v;
-      break;
-    }
+    if (x + 0.3 > kWall) outcome.impact = v;
+    if (x + 0.3 > kWall || (v == 0.0 && x + 0.3 > kWall - 0.11)) break;
   }
   outcome.gap = kWall - 0.3 - x;
   return outcome;
@@ -97,8 +96,8 @@ constexpr StampSource kOther{.is_own_clock = false};
 
 /// All phases of the sweep end before the wall.
 void stands(const Case& c, const std::string& what) {
-  for (int i = 0; i < 5; ++i) {
-    const Outcome outcome = drive(c, i / c.rate / 5.0);
+  for (int i = 0; i < 3; ++i) {
+    const Outcome outcome = drive(c, i / c.rate / 3.0);
     EXPECT_EQ(outcome.impact, 0.0) << what << ", phase " << i;
     EXPECT_GT(outcome.gap, 0.05) << what << ", phase " << i;
     if (outcome.gap > 0.3) {
