@@ -63,11 +63,13 @@ void ForeignClock::follow_drift(Time now) {
 
 StampAge ForeignClock::add(Time now, Time stamp) {
   if (!is_begun_ || now < heard_) {
+    const bool was_proven = is_proven_;
     begin(now, stamp, {});
-    return {{}, StampFault::unproven};
+    return {{}, StampFault::unproven, was_proven};
   }
   const Duration elapsed = now - heard_;
-  const bool is_known = late_ && heard_ - near_ > kProof && elapsed < kSilence;
+  const bool may_be_step = way_ == Way::direct || elapsed >= kSilence;
+  const bool is_known = late_ && heard_ - near_ > kProof && !may_be_step;
   const Duration known_age = is_known ? *late_ : Duration{};
   const Duration lag = now - stamp;
   const bool went_back = stamp < newest_stamp_;
@@ -89,8 +91,7 @@ StampAge ForeignClock::add(Time now, Time stamp) {
   } else {
     if (went_back) seen.fault = StampFault::overtaken;
     if (is_apart && is_repeat) return seen;
-    if (is_apart && (jump_ || went_back || elapsed >= kSilence))
-      return after_jump(now, stamp, seen, known_age);
+    if (is_apart && (jump_ || went_back || may_be_step)) return after_jump(now, stamp, seen, known_age);
     jump_.reset();
     newest_stamp_ = std::max(newest_stamp_, stamp);
   }
