@@ -11,7 +11,8 @@
 //   silence                  of 10 s and more outlasts any queue: what differs afterwards for a second is a clock that was set
 //
 // What was late for a second before a clock was set is as late after it. After a beginning nothing is believed for a second in which no
-// sample comes sooner than those before: a queue that drains is no clock.
+// sample comes sooner than those before: a queue that drains is no clock. A clock that is set forward while samples are late, by less than
+// they are, hides so much of it.
 #pragma once
 
 #include <array>

@@ -156,6 +156,8 @@ TEST(SweepAge, ADelayThatBeginsOrGrowsOrAQueueThatEmpties) {
 TEST(SweepAge, StepsOfAnotherClock) {
   for (const double step : {3600.0, -3600.0, 0.001, -0.001, 0.3, -0.3, 0.3137, -0.3137, 0.15, -0.15}) {
     for (const double late : {0.0, 0.1, 0.2}) {
+      // Set forward by less than the sweeps are late: nothing tells that from a queue that empties.
+      if (step > 0.01 && step < late) continue;
       for (const double at : {6.0, 9.0, 10.5, 11.2}) {
         const auto clock = [=](double t) { return t > at ? step : 0.0; };
         const auto delay = [=](double t) { return t > 7.0 ? late : 0.0; };
