@@ -30,7 +30,8 @@ std::string_view cause_of(LaserState state) {
 CollisionMonitor::CollisionMonitor(const Robot& robot, const CollisionMonitorOptions& options)
     : limits_(robot.limits),
       wheel_separation_(robot.wheel_separation),
-      footprint_(robot.outline()),
+      own_(robot.outline()),
+      footprint_(own_),
       empty_sight_(options.sweep),
       watch_(Duration::seconds(options.source_timeout)),
       hold_(Duration::seconds(options.clear_after), robot.limits.acc_max) {
@@ -49,8 +50,8 @@ void CollisionMonitor::set_options(const CollisionMonitorOptions& options) {
 }
 
 void CollisionMonitor::set_footprint(const Footprint& footprint) {
-  footprint_ = footprint;
-  kept_free_ = padded(footprint, options_.stopping.padding);
+  footprint_ = hull(own_, footprint);
+  kept_free_ = padded(footprint_, options_.stopping.padding);
   core_ = padded(kept_free_, -options_.stopping.graze);
   wide_ = padded(kept_free_, options_.stopping.narrow_margin);
 }

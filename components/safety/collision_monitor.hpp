@@ -58,7 +58,8 @@ class CollisionMonitor {
   /// New zones, stopping distances and sight; what watches the laser stays as it was constructed. Causes of verdicts given
   /// before are no longer valid.
   void set_options(const CollisionMonitorOptions& options);
-  /// The robot's outline from now on.
+  /// What the robot carries, too, from now on: the outline is the convex hull around this and the robot file's own, so that no message
+  /// makes it smaller than that.
   void set_footprint(const Footprint& footprint);
   /// It, and its padding.
   const Footprint& kept_free() const { return kept_free_; }
@@ -111,7 +112,8 @@ class CollisionMonitor {
 
   Limits limits_;
   double wheel_separation_;  ///< [m]
-  Footprint footprint_;
+  Footprint own_;        ///< of the robot file
+  Footprint footprint_;  ///< grown by what was told
   Footprint kept_free_;  ///< with padding
   Footprint core_;       ///< what is touched deeper than by a graze
   Footprint wide_;       ///< kept free of narrow things

@@ -99,12 +99,19 @@ TEST(FootprintMonitor, TurnsAsFastAsItCanStop) {
   EXPECT_EQ(verdict.action, Action::approach);
 }
 
-TEST(FootprintMonitor, AnotherOutlineHoldsFromThenOn) {
-  CollisionMonitor monitor(disc_around(), {});
+TEST(FootprintMonitor, WhatIsToldMakesTheOutlineLargerAndNeverSmaller) {
   const Sweep wall = corridor({0.25});
+  CollisionMonitor monitor(rectangle(), {});
+  EXPECT_EQ(judged(monitor, wall, {1.0, 0.0}).action, Action::do_nothing);
+  monitor.set_footprint({std::hypot(0.255, 0.215), {}});
   EXPECT_EQ(judged(monitor, wall, {1.0, 0.0}).action, Action::stop);
-  monitor.set_footprint(footprint_of(kText, 0.0).footprint);
+  // One message with a disc of 1 mm: what the robot file says stays.
+  monitor.set_footprint({0.001, {}});
   EXPECT_EQ(CollisionMonitor(rectangle(), {}).kept_free().polygon, monitor.kept_free().polygon);
+  CollisionMonitor disc(disc_around(), {});
+  disc.set_footprint(footprint_of("[[0.001, 0.001], [-0.001, 0.001], [-0.001, -0.001], [0.001, -0.001]]", 0.0).footprint);
+  EXPECT_FALSE(disc.kept_free().is_polygon());
+  EXPECT_EQ(judged(disc, wall, {1.0, 0.0}).action, Action::stop);
   CollisionMonitorOptions options;
   options.stopping.padding = 0.05;
   monitor.set_options(options);
