@@ -3,9 +3,11 @@
 //
 //   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's footprint
 //           along the wanted arc (free_way.hpp, footprint_way.hpp); v and omega shrink together, so the path stays
+//   stop    what it does now and what it is told to do, a reaction later stopped, closes in on nothing (stop_path.hpp)
 //   graze   what the side of the robot would touch by less than `graze` is passed at graze_speed
 //   body    around narrow things (legs) the robot is down to narrow_speed narrow_margin earlier
-//   sight   into a sector the laser does not see it creeps; into one whose beams are broken it stops
+//   sight   into a sector the laser does not see it creeps; into one whose beams are broken it stops; the sides of a polygon
+//           swing no faster than that through what it does not see
 //   zones   of nav2_collision_monitor (zone.hpp)
 //   laser   silent, frozen or unsound for source_timeout: a stop
 //
@@ -82,6 +84,8 @@ class CollisionMonitor {
   SweepFault sweep_fault() const { return sweep_fault_; }
   /// Whether the laser ever hit anything.
   bool has_seen() const { return empty_sight_.has_seen(); }
+  /// Of the last sound sweep, what lies dark [rad].
+  double dark() const;
   const Twist2& actual() const { return twist_; }
 
  private:
@@ -95,6 +99,7 @@ class CollisionMonitor {
   struct Ahead {
     std::vector<SeenPoint> points;  ///< in base_link
     double nearer = 0.0;            ///< [m] that what approaches has come since the sweep
+    Pose2 X_seen_now;               ///< base_link now, in that of the sweep
   };
 
   std::optional<std::string_view> fault(Time now);
@@ -105,7 +110,10 @@ class CollisionMonitor {
   double polygon_speed(const Twist2& along, const Ahead& ahead) const;
   double narrow_speed(const Twist2& along, const Ahead& ahead) const;
   Bound tightest(const Twist2& wanted, const Ahead& ahead) const;
-  double sight_speed(double v) const;
+  double sight_speed(double v, const Ahead& ahead) const;
+  double swing_share(const Twist2& wanted, const Ahead& ahead) const;
+  bool stops_in_time(const Twist2& command, const Ahead& ahead) const;
+  Verdict judge_command(Time now, const Twist2& wanted, const Ahead& ahead);
   Twist2 shrink(const Twist2& wanted, double speed, const Ahead& ahead) const;
   double turn_share(double omega, const Ahead& ahead) const;
   Verdict judge_turn(const Twist2& wanted, const Ahead& ahead) const;
