@@ -55,7 +55,7 @@ double closing_speed(const StopPath& path, const Footprint& footprint, const Twi
   double worst = 0.0;
   Pose2 X;
   Twist2 twist = now;
-  for (double t = 0.0; t < longest; t += kStep) {
+  for (double t = 0.0; t < longest && worst <= kGentle; t += kStep) {
     const Pose2 X_inverse = inverse(X);
     for (const Vector2& point : near) worst = std::max(worst, closing_on(footprint, twist, X_inverse * point));
     X = advance_exact(X, twist, kStep);

@@ -66,6 +66,15 @@ Vector2 place_near(const Capsule& thing, const Vector2& p) {
   return middle + out * (thing.radius / std::max(out.norm(), 1e-9));
 }
 
+/// Where a robot touches a thing: at the corner that is in it, else what of the thing is nearest to base_link.
+Vector2 touched(const Footprint& outline, const Pose2& X_WB, const Capsule& thing) {
+  for (const Vector2& corner : outline.polygon) {
+    const Vector2 at = X_WB * corner;
+    if (distance_to(at, thing).distance < 0.0) return place_near(thing, at);
+  }
+  return place_near(thing, X_WB.position());
+}
+
 Robot robot_of(const Scene& scene) {
   const auto& n = scene.numbers;
   Robot robot;
@@ -95,7 +104,7 @@ Robot robot_of(const Scene& scene) {
 /// What drives: never of good will.
 class Driver {
  public:
-  Driver(const Scene& scene) : numbers_(scene.numbers), random_(static_cast<std::uint64_t>(numbers_[kSeed]) + 77) {}
+  explicit Driver(const Scene& scene) : numbers_(scene.numbers), random_(static_cast<std::uint64_t>(numbers_[kSeed]) + 77) {}
 
   Twist2 command(double t, const Pose2& X_WB, const std::vector<Capsule>& things) {
     if (t < next_) return command_;
@@ -261,8 +270,7 @@ Result run(const Scene& scene) {
       const FootprintDistance d = distance_to(outline, X_WB, thing);
       if (d.distance >= 0.0) continue;
       const double closing = -(d.gradient.dot(twist.v * direction(X_WB.theta)) + d.turn * twist.omega);
-      const Vector2 place = place_near(thing, X_WB.position() - 0.0 * d.gradient);
-      double& worst = was_seen(place) ? result.worst : result.unseen;
+      double& worst = was_seen(touched(outline, X_WB, thing)) ? result.worst : result.unseen;
       if (closing > worst) {
         worst = closing;
         if (&worst == &result.worst) result.at = t;
@@ -372,7 +380,9 @@ Scene shrunk(Scene scene, double speed) {
     has_changed |= attempt([end](Scene& s) { s.numbers[kSeconds] = std::min(s.numbers[kSeconds], end); });
     for (std::size_t i = 0; i < kNumbers; ++i) {
       for (const double digits : {1.0, 10.0, 100.0})
-        if (attempt([&](Scene& s) { s.numbers[i] = std::round(s.numbers[i] * digits) / digits; })) break;
+        if (std::round(scene.numbers[i] * digits) != 0.0 &&
+            attempt([&](Scene& s) { s.numbers[i] = std::round(s.numbers[i] * digits) / digits; }))
+          break;
     }
     for (std::size_t i = 0; i < scene.things.size(); ++i)
       for (double Thing::* part : {&Thing::x, &Thing::y, &Thing::p, &Thing::q})
