@@ -23,6 +23,7 @@ struct SensorMount {
   double x = 0.0;
   double y = 0.0;
   double theta = 0.0;
+  double delay = 0.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -30,6 +31,13 @@ struct SensorMount {
     v("x", x, {.unit = "m", .min = -10, .max = 10, .doc = "place on base_link, forward"});
     v("y", y, {.unit = "m", .min = -10, .max = 10, .doc = "place on base_link, left"});
     v("theta", theta, {.unit = "rad", .min = -6.3, .max = 6.3, .doc = "heading on base_link"});
+    v("delay", delay,
+      {.unit = "s",
+       .min = 0,
+       .max = 1,
+       .doc =
+           "of a sensor that another host stamps: how old its messages are at the least when they come; the stamps of "
+           "another clock do not tell"});
   }
 };
 
@@ -73,6 +81,13 @@ struct Robot {
   Pose2 mount_of(const std::string& frame) const {
     for (const SensorMount& mount : sensors) {
       if (mount.frame == frame) return {mount.x, mount.y, mount.theta};
+    }
+    return {};
+  }
+
+  Duration delay_of(const std::string& frame) const {
+    for (const SensorMount& mount : sensors) {
+      if (mount.frame == frame) return Duration::seconds(mount.delay);
     }
     return {};
   }

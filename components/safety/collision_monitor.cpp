@@ -21,7 +21,6 @@ constexpr double kShortestLever = 1e-3;
 constexpr double kFreely = 0.9;           // share of the sector of travel that must be covered
 constexpr double kSwings = 0.01;          // [m]: what of an outline lies no farther out than its inner disc does not swing
 constexpr double kSwingStep = 0.05;       // [m]
-constexpr double kLongestSweepAge = 0.2;  // [s]: a stamp that is older is of another clock
 
 std::string_view cause_of(LaserState state) {
   if (state == LaserState::silent) return kLaserSilent;
@@ -69,21 +68,17 @@ void CollisionMonitor::set_footprint(const Footprint& footprint) {
 void CollisionMonitor::odometry(Time time, const Pose2& X_OB, const Twist2& twist) {
   if (!is_finite(X_OB) || !is_finite(twist)) return;
   odometry_at_ = time;
-  X_OB_ = X_OB;
   twist_ = twist;
+  poses_.add(time, X_OB, twist);
 }
 
-Pose2 CollisionMonitor::pose_at(Time time) const {
-  if (!odometry_at_) return X_OB_;
-  return advance_exact(X_OB_, twist_, std::clamp((time - *odometry_at_).to_seconds(), -0.3, 0.3));
-}
-
-void CollisionMonitor::sweep(Time now, LaserSweep sweep) {
-  const double age = (now - sweep.time).to_seconds();
-  const Time measured_at = age >= 0.0 && age <= kLongestSweepAge ? sweep.time : now;
-  const Pose2 X_OB = pose_at(measured_at);
+void CollisionMonitor::sweep(Time now, LaserSweep sweep, const StampSource& source) {
+  stamp_ = stamps_.add(now, sweep.time, source, Duration::seconds(options_.source_timeout));
+  if (stamp_.fault != StampFault::none) return refuse(now, sweep, SweepFault::bad_stamp);
+  const Time measured_at = now - stamp_.age;
+  const Pose2 X_OB = poses_.at(measured_at);
   const auto pose_at_beam = [&](Time time) {
-    return inverse(X_OB) * pose_at(measured_at + (time - sweep.time));
+    return inverse(X_OB) * poses_.at(measured_at + (time - sweep.time));
   };
   const std::vector<Pose2> poses = beam_poses(sweep, sweep.X_FL, pose_at_beam);
   sweep.beam_poses = poses;
@@ -97,9 +92,9 @@ void CollisionMonitor::sweep(Time now, LaserSweep sweep) {
   seen_at_ = measured_at;
 }
 
-void CollisionMonitor::refuse_unplaced(Time now, const LaserSweep& sweep) {
-  sweep_fault_ = SweepFault::unplaced;
-  watch_.add(now, sweep.time, sweep.ranges, sweep_fault_, X_OB_);
+void CollisionMonitor::refuse(Time now, const LaserSweep& sweep, SweepFault why) {
+  sweep_fault_ = why;
+  watch_.add(now, sweep.time, sweep.ranges, why, poses_.at(now));
 }
 
 std::optional<std::string_view> CollisionMonitor::fault(Time now) {
@@ -121,7 +116,7 @@ std::optional<std::string_view> CollisionMonitor::fault(Time now) {
 }
 
 CollisionMonitor::Ahead CollisionMonitor::ahead_at(Time now) const {
-  const Pose2 X_now_seen = inverse(pose_at(now)) * X_OB_seen_;
+  const Pose2 X_now_seen = inverse(poses_.at(now)) * X_OB_seen_;
   Ahead ahead{seen_.points, options_.stopping.approach_speed * (now - seen_at_).to_seconds(), inverse(X_now_seen)};
   for (SeenPoint& point : ahead.points) point.position = X_now_seen * point.position;
   return ahead;

@@ -9,7 +9,7 @@
 //   sight   into a sector the laser does not see it creeps; into one whose beams are broken it stops; the sides of a polygon
 //           swing no faster than that through what it does not see
 //   zones   of nav2_collision_monitor (zone.hpp)
-//   laser   silent, frozen or unsound for source_timeout: a stop
+//   laser   silent, frozen, unsound or too old for source_timeout: a stop
 //
 // Turning on the spot is always free for a disc; a polygon's sides come round, and are judged as on any arc. A motion that leads away from what is too near is free.
 #pragma once
@@ -26,9 +26,11 @@
 #include "components/safety/empty_sight.hpp"
 #include "components/safety/free_way.hpp"
 #include "components/safety/limit_hold.hpp"
+#include "components/safety/pose_history.hpp"
 #include "components/safety/sweep.hpp"
 #include "components/safety/sweep_watch.hpp"
 #include "components/safety/zone.hpp"
+#include "runtime/base/stamp_age.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw::safety {
@@ -68,10 +70,11 @@ class CollisionMonitor {
 
   /// Where the encoders say the robot is, and its true body velocity, at `time`.
   void odometry(Time time, const Pose2& X_OB, const Twist2& twist);
-  /// A sweep that arrived at `now`, the laser in base_link; where that was at each beam is found by the odometry here.
-  void sweep(Time now, LaserSweep sweep);
-  /// One that came and is of no use: where its laser sits is not known.
-  void refuse_unplaced(Time now, const LaserSweep& sweep);
+  /// A sweep that arrived at `now`, the laser in base_link; where that was at each beam is found by the odometry here. `source` says
+  /// how old it is; one that is older than source_timeout, or of which nobody knows how old it is, is refused.
+  void sweep(Time now, LaserSweep sweep, const StampSource& source = {});
+  /// One that came and is of no use.
+  void refuse(Time now, const LaserSweep& sweep, SweepFault why);
   /// Ends a stop after a fault of the laser, when resume is manual.
   void reset() {
     latched_ = false;
@@ -82,6 +85,8 @@ class CollisionMonitor {
 
   LaserState laser(Time now) const { return watch_.state(now); }
   SweepFault sweep_fault() const { return sweep_fault_; }
+  /// Of the newest sweep that was not refused for another reason.
+  const StampAge& stamp() const { return stamp_; }
   /// Whether the laser ever hit anything.
   bool has_seen() const { return empty_sight_.has_seen(); }
   /// Of the last sound sweep, what lies dark [rad].
@@ -103,7 +108,6 @@ class CollisionMonitor {
   };
 
   std::optional<std::string_view> fault(Time now);
-  Pose2 pose_at(Time time) const;
   Ahead ahead_at(Time now) const;
   double rule_speed(const Twist2& along, const Ahead& ahead) const;
   double disc_speed(const Twist2& along, const Ahead& ahead) const;
@@ -134,8 +138,10 @@ class CollisionMonitor {
   Bound held_cause_;
 
   std::optional<Time> odometry_at_;
-  Pose2 X_OB_;
   Twist2 twist_;
+  PoseHistory poses_;
+  StampAges stamps_;
+  StampAge stamp_;
   CheckedSweep seen_;
   SweepFault sweep_fault_ = SweepFault::none;
   Pose2 X_OB_seen_;  ///< where the robot was when the sweep in use was measured

@@ -4,30 +4,29 @@
 #include <cmath>
 
 namespace bw {
-namespace {
-
-bool is_late(Time now, std::optional<Time> stamp, double timeout) {
-  if (!stamp || *stamp == Time{}) return false;
-  const Duration age = now - *stamp;
-  return age > Duration::seconds(timeout) && age <= TwistMux::kPlausibleAge;
-}
-
-}  // namespace
 
 TwistMux::TwistMux(const TwistMuxOptions& options)
-    : sources_(options.sources), heard_(sources_.size()), counts_(sources_.size()) {}
+    : sources_(options.sources),
+      heard_(sources_.size()),
+      stamps_(sources_.size()),
+      counts_(sources_.size()) {}
 
 std::optional<Twist2> TwistMux::command(Time now, std::size_t i, const Twist2& twist,
-                                        std::optional<Time> stamp) {
+                                        std::optional<Time> stamp, const StampSource& writer) {
   if (!std::isfinite(twist.v) || !std::isfinite(twist.omega)) {
     ++counts_[i].not_finite;
     if (last_ != i || !is_moving_) return std::nullopt;
     is_moving_ = false;
     return Twist2{};
   }
-  if (is_late(now, stamp, sources_[i].timeout)) {
-    ++counts_[i].late;
-    return std::nullopt;
+  if (stamp && *stamp != Time{}) {
+    const StampAge seen = stamps_[i].add(now, *stamp, writer, Duration::seconds(sources_[i].max_age));
+    if (seen.has_stepped) ++counts_[i].steps;
+    if (seen.fault != StampFault::none) {
+      ++counts_[i].stale;
+      counts_[i].last_stale = seen;
+      return std::nullopt;
+    }
   }
   if (is_outranked(now, i)) {
     ++counts_[i].outranked;

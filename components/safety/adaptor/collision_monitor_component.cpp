@@ -84,10 +84,13 @@ class CollisionMonitorComponent final : public Component {
   void on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick) {
     const std::string& frame = message.header().frame_id();
     const LaserSweep sweep = to_sweep(message, robot_.mount_of(frame));
-    if (frames_.is_placed(frame))
-      monitor_->sweep(tick.now, sweep);
-    else
-      monitor_->refuse_unplaced(tick.now, sweep);
+    if (frames_.is_placed(frame)) {
+      monitor_->sweep(tick.now, sweep, {tick.from.writer, tick.from.is_own_clock, robot_.delay_of(frame)});
+      if (monitor_->stamp().has_stepped)
+        log_.warn("scan: the clock that stamps it was set, or all sweeps before were late");
+    } else {
+      monitor_->refuse(tick.now, sweep, SweepFault::unplaced);
+    }
     tell_dark();
     if (wanted_at_) pass_on(tick);
   }
@@ -150,12 +153,20 @@ class CollisionMonitorComponent final : public Component {
     const bool is_laser = safety::is_laser_fault(verdict.cause);
     if (is_laser && last_.cause != verdict.cause) {
       const bool unsound = verdict.cause == safety::kLaserInvalid;
-      log_.error("{}: stopping{}", verdict.cause,
-                 unsound ? std::string(": ") + to_text(monitor_->sweep_fault()) : "");
+      log_.error("{}: stopping{}", verdict.cause, unsound ? ": " + fault_text() : "");
     }
     diagnostics_->report(
         is_laser ? Level::error : Level::warn,
         fmt::format("{}: {}", verdict.action == Action::stop ? "stop" : "limited", verdict.cause));
+  }
+
+  std::string fault_text() const {
+    const SweepFault fault = monitor_->sweep_fault();
+    if (fault != SweepFault::bad_stamp) return to_text(fault);
+    const StampAge& stamp = monitor_->stamp();
+    const std::string why = fmt::format("its stamp is {}", to_text(stamp.fault));
+    const bool is_old = stamp.fault == StampFault::late || stamp.fault == StampFault::overtaken;
+    return is_old ? fmt::format("{}: {:.2f} s old", why, stamp.age.to_seconds()) : why;
   }
 
   safety::CollisionMonitorOptions options_;
