@@ -217,7 +217,8 @@ Footprint hull(const Footprint& a, const Footprint& b) {
   for (const bool is_lower : {true, false}) {
     const std::size_t first = corners.size();
     for (const Vector2& point : points) {
-      while (corners.size() >= first + 2 && left_of(corners[corners.size() - 2], corners.back(), point) <= kSame)
+      while (corners.size() >= first + 2 &&
+             left_of(corners[corners.size() - 2], corners.back(), point) <= kSame)
         corners.pop_back();
       corners.push_back(point);
     }

@@ -18,9 +18,10 @@ namespace {
 constexpr double kStanding = 0.02;  // [m/s]: slower is at rest, and no speed worth driving
 constexpr double kTurning = 0.02;   // [rad/s]: the same of a turn
 constexpr double kShortestLever = 1e-3;
-constexpr double kFreely = 0.9;           // share of the sector of travel that must be covered
-constexpr double kSwings = 0.01;          // [m]: what of an outline lies no farther out than its inner disc does not swing
-constexpr double kSwingStep = 0.05;       // [m]
+constexpr double kFreely = 0.9;  // share of the sector of travel that must be covered
+constexpr double kSwings =
+    0.01;  // [m]: what of an outline lies no farther out than its inner disc does not swing
+constexpr double kSwingStep = 0.05;  // [m]
 
 std::string_view cause_of(LaserState state) {
   if (state == LaserState::silent) return kLaserSilent;
@@ -117,7 +118,8 @@ std::optional<std::string_view> CollisionMonitor::fault(Time now) {
 
 CollisionMonitor::Ahead CollisionMonitor::ahead_at(Time now) const {
   const Pose2 X_now_seen = inverse(poses_.at(now)) * X_OB_seen_;
-  Ahead ahead{seen_.points, options_.stopping.approach_speed * (now - seen_at_).to_seconds(), inverse(X_now_seen)};
+  Ahead ahead{seen_.points, options_.stopping.approach_speed * (now - seen_at_).to_seconds(),
+              inverse(X_now_seen)};
   for (SeenPoint& point : ahead.points) point.position = X_now_seen * point.position;
   return ahead;
 }
@@ -195,10 +197,12 @@ double CollisionMonitor::sight_speed(double v, const Ahead& ahead) const {
 double CollisionMonitor::swing_share(const Twist2& wanted, const Ahead& ahead) const {
   const double rim = kept_free_.radius * std::abs(wanted.omega);
   const double fastest = rim + std::abs(wanted.v);
-  if (!kept_free_.is_polygon() || rim <= std::abs(wanted.v) || fastest <= options_.sight.creep_speed) return 1.0;
+  if (!kept_free_.is_polygon() || rim <= std::abs(wanted.v) || fastest <= options_.sight.creep_speed)
+    return 1.0;
   const double braking = braking_of({0.0, wanted.omega}, stopping_.deceleration, wheel_separation_).omega;
-  const double angle = std::abs(wanted.omega) * (stopping_.reaction_time + 0.5 * std::abs(wanted.omega) / braking) +
-                       options_.stopping.margin / kept_free_.radius;
+  const double angle =
+      std::abs(wanted.omega) * (stopping_.reaction_time + 0.5 * std::abs(wanted.omega) / braking) +
+      options_.stopping.margin / kept_free_.radius;
   const double inner = inscribed_radius(kept_free_) + kSwings;
   const std::vector<Vector2>& corners = kept_free_.polygon;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -209,7 +213,8 @@ double CollisionMonitor::swing_share(const Twist2& wanted, const Ahead& ahead) c
       if (rim_point.norm() <= inner) continue;
       for (const double share : {0.25, 0.5, 0.75, 1.0}) {
         const Vector2 place = rotate({0.0, 0.0, std::copysign(share * angle, wanted.omega)}, rim_point);
-        if (!covers(corners, place) && !sees(seen_, ahead.X_seen_now * place)) return options_.sight.creep_speed / fastest;
+        if (!covers(corners, place) && !sees(seen_, ahead.X_seen_now * place))
+          return options_.sight.creep_speed / fastest;
       }
     }
   }
@@ -253,8 +258,8 @@ Twist2 CollisionMonitor::shrink(const Twist2& wanted, double speed, const Ahead&
   if (speed < kStanding) speed = 0.0;
   const bool at_rest = speed == 0.0 && std::abs(twist_.v) < kStanding && wanted.omega != 0.0;
   const double share = speed / std::abs(wanted.v);
-  const double turning =
-      at_rest ? judge_turn({0.0, wanted.omega}, ahead).allowed.omega / wanted.omega : std::max(share, std::abs(twist_.v) / std::abs(wanted.v));
+  const double turning = at_rest ? judge_turn({0.0, wanted.omega}, ahead).allowed.omega / wanted.omega
+                                 : std::max(share, std::abs(twist_.v) / std::abs(wanted.v));
   return {wanted.v * share, wanted.omega * std::min(1.0, turning)};
 }
 

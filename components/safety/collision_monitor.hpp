@@ -124,11 +124,11 @@ class CollisionMonitor {
 
   Limits limits_;
   double wheel_separation_;  ///< [m]
-  Footprint own_;        ///< of the robot file
-  Footprint footprint_;  ///< grown by what was told
-  Footprint kept_free_;  ///< with padding
-  Footprint core_;       ///< what is touched deeper than by a graze
-  Footprint wide_;       ///< kept free of narrow things
+  Footprint own_;            ///< of the robot file
+  Footprint footprint_;      ///< grown by what was told
+  Footprint kept_free_;      ///< with padding
+  Footprint core_;           ///< what is touched deeper than by a graze
+  Footprint wide_;           ///< kept free of narrow things
   CollisionMonitorOptions options_;
   Stopping stopping_;
   std::vector<Zone> zones_;

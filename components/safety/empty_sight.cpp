@@ -84,7 +84,8 @@ bool EmptySight::believes(const LaserSweep& sweep, const Pose2& X_OB, CheckedSwe
   std::erase_if(places_, [&](const Vector2& place) { return min_returns_ == 0 || !is_lost(place); });
   for (const Vector2& place : places_) ++lost[*field.lasting(place)];
   const std::vector<std::size_t> lost_around = field.around(lost);
-  std::erase_if(places_, [&](const Vector2& place) { return lost_around[*field.lasting(place)] < kCannotVanish; });
+  std::erase_if(places_,
+                [&](const Vector2& place) { return lost_around[*field.lasting(place)] < kCannotVanish; });
   checked.dark.assign(hits.size(), false);
   for (std::size_t i = 0; i < hits.size(); ++i)
     checked.dark[i] = checked.beams[i] == BeamKind::free && lost_around[i] >= kCannotVanish;

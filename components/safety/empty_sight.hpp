@@ -35,7 +35,8 @@ class EmptySight {
 
  private:
   std::int64_t min_returns_;
-  std::vector<Vector2> places_;  ///< in odom: of points of the last believed sweep that the next must still show
+  std::vector<Vector2>
+      places_;  ///< in odom: of points of the last believed sweep that the next must still show
   bool has_seen_ = false;
 };
 

@@ -39,8 +39,8 @@ double closing_on(const Footprint& footprint, const Twist2& twist, const Vector2
 
 }  // namespace
 
-double closing_speed(const StopPath& path, const Footprint& footprint, const Twist2& now, const Twist2& command,
-                     const std::vector<SeenPoint>& points) {
+double closing_speed(const StopPath& path, const Footprint& footprint, const Twist2& now,
+                     const Twist2& command, const std::vector<SeenPoint>& points) {
   // No point of the outline moves faster than its centre and its farthest corner together.
   const double fastest = std::max(std::abs(now.v) + footprint.radius * std::abs(now.omega),
                                   std::abs(command.v) + footprint.radius * std::abs(command.omega));
@@ -57,7 +57,8 @@ double closing_speed(const StopPath& path, const Footprint& footprint, const Twi
   Twist2 twist = now;
   for (double t = 0.0; t < longest && worst <= kGentle; t += kStep) {
     const Pose2 X_inverse = inverse(X);
-    for (const Vector2& point : near) worst = std::max(worst, closing_on(footprint, twist, X_inverse * point));
+    for (const Vector2& point : near)
+      worst = std::max(worst, closing_on(footprint, twist, X_inverse * point));
     X = advance_exact(X, twist, kStep);
     if (t < path.reaction_time) {
       twist = {towards(twist.v, command.v, path.limits.acc_max * kStep),

@@ -24,7 +24,7 @@ struct StopPath {
 
 /// Largest speed [m/s] (of those above kGentle the first) at which the outline closes in on one of `points` (base_link) while it covers it, on the way of a robot that
 /// moves with `now`, is told `command`, and brakes to rest after the reaction time. 0: it covers none, or leads out.
-double closing_speed(const StopPath& path, const Footprint& footprint, const Twist2& now, const Twist2& command,
-                     const std::vector<SeenPoint>& points);
+double closing_speed(const StopPath& path, const Footprint& footprint, const Twist2& now,
+                     const Twist2& command, const std::vector<SeenPoint>& points);
 
 }  // namespace bw::safety

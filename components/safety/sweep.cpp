@@ -119,7 +119,8 @@ Sight sight_of(const CheckedSweep& sweep, double bearing, double half_angle) {
   const auto angle_of = [&](double beam) { return sweep.angle_min + beam * sweep.angle_increment; };
   // Nobody looks from the last beam on to the first: little or nothing of a turn, much of a narrower field.
   const double missing = std::max(0.0, 2.0 * std::numbers::pi - static_cast<double>(n) * step);
-  const bool is_missing = looks(angle_of(static_cast<double>(n) - 0.5) + 0.5 * std::copysign(missing, sweep.angle_increment));
+  const bool is_missing =
+      looks(angle_of(static_cast<double>(n) - 0.5) + 0.5 * std::copysign(missing, sweep.angle_increment));
   std::size_t looking = 0;
   std::size_t unknown = 0;
   std::size_t dark = 0;

@@ -139,7 +139,8 @@ class CollisionMonitorComponent final : public Component {
     const double dark = monitor_->dark();
     if ((dark > 0.0) == is_dark_) return;
     is_dark_ = dark > 0.0;
-    diagnostics_->set_value("dark", is_dark_ ? fmt::format("{:.0f} degrees", dark * 180.0 / std::numbers::pi) : "none");
+    diagnostics_->set_value(
+        "dark", is_dark_ ? fmt::format("{:.0f} degrees", dark * 180.0 / std::numbers::pi) : "none");
     if (is_dark_)
       log_.warn("what was seen over {:.0f} degrees has vanished: covered, or its light fails; creeping there",
                 dark * 180.0 / std::numbers::pi);

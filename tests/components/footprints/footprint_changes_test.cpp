@@ -190,7 +190,8 @@ TEST(FootprintChanges, ByTheParametersOfNav2) {
   EXPECT_EQ(corridor.speed[4], 0.5) << "a rectangle, and no arrow";
   EXPECT_EQ(corridor.corners[4], 4U);
   EXPECT_EQ(corridor.speed[6], 0.0) << "0.215 m and 0.1 m are more than 0.25 m";
-  EXPECT_EQ(corridor.speed[8], 0.5) << "a disc of 0.2 m for who plans; the monitor keeps the robot file's rectangle";
+  EXPECT_EQ(corridor.speed[8], 0.5)
+      << "a disc of 0.2 m for who plans; the monitor keeps the robot file's rectangle";
   EXPECT_EQ(corridor.corners[8], 16U);
   EXPECT_EQ(corridor.marked[8], 5U);
   EXPECT_EQ(corridor.speed[10], 0.5) << "the robot's own rectangle again";

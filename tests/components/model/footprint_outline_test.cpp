@@ -134,7 +134,8 @@ TEST(FootprintOutline, WhatIsNearerThanThePaddingLiesInside) {
 }
 
 TEST(FootprintHull, HoldsBothAndNothingElse) {
-  const Footprint square = footprint_of("[[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]", 0.0).footprint;
+  const Footprint square =
+      footprint_of("[[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]", 0.0).footprint;
   const Footprint tail = footprint_of("[[0.1, 0.1], [-0.6, 0.1], [-0.6, -0.1], [0.1, -0.1]]", 0.0).footprint;
   EXPECT_EQ(hull({0.2, {}}, {0.3, {}}).radius, 0.3);
   EXPECT_EQ(hull({0.3, {}}, square).radius, 0.3);

@@ -102,7 +102,8 @@ TEST(EmptySight, WhoSaysThatThePlaceIsOpenIsBelieved) {
 TEST(EmptySight, ACoveredThirdIsDarkUntilSomethingIsHitThereAgain) {
   EmptySight sight({});
   EXPECT_EQ(dark(sight, sweep_of({}, 3.3F)), 0);
-  for (int i = 0; i < 20; ++i) EXPECT_NEAR(static_cast<double>(dark(sight, covered(120.0))), 320.0 - 18.0, 6.0);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_NEAR(static_cast<double>(dark(sight, covered(120.0))), 320.0 - 18.0, 6.0);
   EXPECT_EQ(dark(sight, sweep_of({}, 3.3F)), 0);
   for (int i = 0; i < 3; ++i) dark(sight, covered(120.0));
   sight.forget();
@@ -120,7 +121,8 @@ TEST(EmptySight, WhatTheRobotTurnsAwayFromHasNotVanished) {
   for (int i = 0; i < 12; ++i) {
     Sweep sweep = sweep_of({}, 3.3F);
     for (std::size_t k = 0; k < 720; ++k) {
-      const double bearing = wrap_angle(sweep.angle_min + sweep.angle_increment * static_cast<double>(k) + 0.2 * i);
+      const double bearing =
+          wrap_angle(sweep.angle_min + sweep.angle_increment * static_cast<double>(k) + 0.2 * i);
       if (std::abs(bearing) < 1.0) sweep.ranges[k] = kInfinity;
     }
     EXPECT_EQ(dark(sight, sweep, {0.0, 0.0, 0.2 * i}), 0) << i;
@@ -132,7 +134,9 @@ TEST(EmptySight, WhoWalksPastInAnOpenPlaceHasNotVanished) {
   EmptySight sight({});
   for (int i = 0; i < 60; ++i) {
     const double y = -4.0 + 0.15 * i;
-    EXPECT_EQ(dark(sight, sweep_of({{{0.8, y}, 0.07}, {{0.8, y + 0.3}, 0.07}, {{-3.0, 0.5}, 0.4}}, kInfinity)), 0) << i;
+    EXPECT_EQ(
+        dark(sight, sweep_of({{{0.8, y}, 0.07}, {{0.8, y + 0.3}, 0.07}, {{-3.0, 0.5}, 0.4}}, kInfinity)), 0)
+        << i;
   }
 }
 

@@ -122,7 +122,8 @@ TEST(FootprintMonitor, WhatIsToldMakesTheOutlineLargerAndNeverSmaller) {
   monitor.set_footprint({0.001, {}});
   EXPECT_EQ(CollisionMonitor(rectangle(), {}).kept_free().polygon, monitor.kept_free().polygon);
   CollisionMonitor disc(disc_around(), {});
-  disc.set_footprint(footprint_of("[[0.001, 0.001], [-0.001, 0.001], [-0.001, -0.001], [0.001, -0.001]]", 0.0).footprint);
+  disc.set_footprint(
+      footprint_of("[[0.001, 0.001], [-0.001, 0.001], [-0.001, -0.001], [0.001, -0.001]]", 0.0).footprint);
   EXPECT_FALSE(disc.kept_free().is_polygon());
   EXPECT_EQ(judged(disc, wall, {1.0, 0.0}).action, Action::stop);
   CollisionMonitorOptions options;

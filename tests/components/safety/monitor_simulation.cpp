@@ -90,7 +90,8 @@ Robot robot_of(const Scene& scene) {
                   .stop_deceleration = n[kDeceleration]};
   Footprint outline;
   if (n[kShape] == 1.0) {
-    outline.polygon = {{n[kFront], n[kWidth]}, {-n[kBack], n[kWidth]}, {-n[kBack], -n[kWidth]}, {n[kFront], -n[kWidth]}};
+    outline.polygon = {
+        {n[kFront], n[kWidth]}, {-n[kBack], n[kWidth]}, {-n[kBack], -n[kWidth]}, {n[kFront], -n[kWidth]}};
   } else if (n[kShape] == 2.0) {
     for (int i = 0; i < static_cast<int>(n[kCorners]); ++i) {
       const Vector2 u = direction(2.0 * kPi * i / n[kCorners]);
@@ -104,7 +105,8 @@ Robot robot_of(const Scene& scene) {
 /// What drives: never of good will.
 class Driver {
  public:
-  explicit Driver(const Scene& scene) : numbers_(scene.numbers), random_(static_cast<std::uint64_t>(numbers_[kSeed]) + 77) {}
+  explicit Driver(const Scene& scene)
+      : numbers_(scene.numbers), random_(static_cast<std::uint64_t>(numbers_[kSeed]) + 77) {}
 
   Twist2 command(double t, const Pose2& X_WB, const std::vector<Capsule>& things) {
     if (t < next_) return command_;
@@ -118,12 +120,15 @@ class Driver {
       case 2:  // and backward
         return command_ = aim(X_WB, things, numbers_[kDriver] == 1.0);
       case 3:  // on the spot, this way and that
-        if (random_.uniform() < 0.1 || command_ == Twist2{}) command_ = {0.0, random_.uniform() < 0.5 ? turn : -turn};
+        if (random_.uniform() < 0.1 || command_ == Twist2{})
+          command_ = {0.0, random_.uniform() < 0.5 ? turn : -turn};
         return command_;
       case 4:  // full speed, and turns that switch
         return command_ = {v, random_.uniform() < 0.5 ? turn : -turn};
       default:  // any of the ends
-        return command_ = {random_.uniform() < 0.5 ? v : random_.uniform() < 0.5 ? -numbers_[kSpeedBack] : 0.0,
+        return command_ = {random_.uniform() < 0.5   ? v
+                           : random_.uniform() < 0.5 ? -numbers_[kSpeedBack]
+                                                     : 0.0,
                            std::array{-turn, 0.0, turn}[random_.bits() % 3]};
     }
   }
@@ -139,7 +144,8 @@ class Driver {
         target = p;
       }
     }
-    const double bearing = is_forward ? std::atan2(target.y(), target.x()) : std::atan2(-target.y(), -target.x());
+    const double bearing =
+        is_forward ? std::atan2(target.y(), target.x()) : std::atan2(-target.y(), -target.x());
     const double omega = std::clamp(4.0 * bearing, -numbers_[kTurnRate], numbers_[kTurnRate]);
     return {is_forward ? numbers_[kSpeed] : -numbers_[kSpeedBack], omega};
   }
@@ -153,7 +159,9 @@ class Driver {
 class Laser {
  public:
   explicit Laser(const Scene& scene)
-      : numbers_(scene.numbers), random_(static_cast<std::uint64_t>(numbers_[kSeed])), X_BL_{numbers_[kLaserX], 0.0, numbers_[kLaserHeading]} {}
+      : numbers_(scene.numbers),
+        random_(static_cast<std::uint64_t>(numbers_[kSeed])),
+        X_BL_{numbers_[kLaserX], 0.0, numbers_[kLaserHeading]} {}
 
   struct Sweep {
     double at = 0.0;
@@ -186,7 +194,8 @@ class Laser {
       auto at = static_cast<std::ptrdiff_t>(std::lround(beam)) + i;
       if (is_round()) at = (at + std::ssize(sweep.ranges)) % std::ssize(sweep.ranges);
       if (at < 0 || at >= std::ssize(sweep.ranges)) return false;
-      if (std::abs(sweep.ranges[static_cast<std::size_t>(at)] - p_L.norm()) < 0.05 + 5.0 * numbers_[kNoise]) ++shown;
+      if (std::abs(sweep.ranges[static_cast<std::size_t>(at)] - p_L.norm()) < 0.05 + 5.0 * numbers_[kNoise])
+        ++shown;
     }
     return shown >= 4;
   }
@@ -198,8 +207,10 @@ class Laser {
   float range(double angle, double t, const Pose2& X_WL, const std::vector<Capsule>& things) {
     const bool is_lost = random_.uniform() < numbers_[kDropout];
     const double noise = numbers_[kNoise] * std::clamp(random_.normal(), -3.0, 3.0);
-    if (is_lost || std::abs(wrap_angle(angle - numbers_[kBlindAt])) < 0.5 * numbers_[kBlindWidth]) return kUnknown;
-    if (t > numbers_[kDarkFrom] && std::abs(wrap_angle(angle - numbers_[kDarkAt])) < 0.5 * numbers_[kDarkWidth])
+    if (is_lost || std::abs(wrap_angle(angle - numbers_[kBlindAt])) < 0.5 * numbers_[kBlindWidth])
+      return kUnknown;
+    if (t > numbers_[kDarkFrom] &&
+        std::abs(wrap_angle(angle - numbers_[kDarkAt])) < 0.5 * numbers_[kDarkWidth])
       return kNothing;
     const Vector2 u = direction(X_WL.theta + angle);
     double range = std::numeric_limits<double>::infinity();
@@ -213,7 +224,9 @@ class Laser {
   Pose2 X_BL_;
 };
 
-bool is_apart(const Footprint& outline, const Thing& thing) { return gap_to(outline, {}, shape_of(thing)) > 0.02; }
+bool is_apart(const Footprint& outline, const Thing& thing) {
+  return gap_to(outline, {}, shape_of(thing)) > 0.02;
+}
 
 }  // namespace
 
@@ -239,7 +252,8 @@ Result run(const Scene& scene) {
   Result result;
   double next_sweep = 0.0;
   const auto was_seen = [&](const Vector2& place) {
-    return !seen.empty() && std::ranges::all_of(seen, [&](const auto& sweep) { return laser.shows(sweep, place); });
+    return !seen.empty() &&
+           std::ranges::all_of(seen, [&](const auto& sweep) { return laser.shows(sweep, place); });
   };
   const int steps = static_cast<int>(n[kSeconds] / kStep);
   for (int i = 0; i < steps; ++i) {
@@ -284,7 +298,9 @@ Result run(const Scene& scene) {
 
 Scene random_scene(std::uint64_t seed) {
   Random random(seed);
-  const auto pick = [&](std::initializer_list<double> of) { return *(of.begin() + random.bits() % of.size()); };
+  const auto pick = [&](std::initializer_list<double> of) {
+    return *(of.begin() + random.bits() % of.size());
+  };
   Scene scene;
   auto& n = scene.numbers;
   n[kShape] = pick({0.0, 1.0, 1.0, 2.0});
@@ -338,7 +354,8 @@ std::string to_text(const Scene& scene) {
   text.precision(6);
   for (const double number : scene.numbers) text << number << ' ';
   for (const Thing& thing : scene.things)
-    text << "| " << thing.is_wall << ' ' << thing.x << ' ' << thing.y << ' ' << thing.p << ' ' << thing.q << ' ';
+    text << "| " << thing.is_wall << ' ' << thing.x << ' ' << thing.y << ' ' << thing.p << ' ' << thing.q
+         << ' ';
   return text.str();
 }
 
@@ -360,7 +377,8 @@ Scene shrunk(Scene scene, double speed) {
   const auto still_fails = [&](const Scene& smaller) {
     const Scene written = scene_of(to_text(smaller));
     const Footprint outline = robot_of(written).outline();
-    return std::ranges::all_of(written.things, [&](const Thing& thing) { return is_apart(outline, thing); }) &&
+    return std::ranges::all_of(written.things,
+                               [&](const Thing& thing) { return is_apart(outline, thing); }) &&
            run(written).worst > speed;
   };
   const auto attempt = [&](const std::function<void(Scene&)>& change) {
@@ -373,8 +391,10 @@ Scene shrunk(Scene scene, double speed) {
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
     for (std::size_t i = scene.things.size(); i-- > 0;)
-      has_changed |= attempt([i](Scene& s) { s.things.erase(s.things.begin() + static_cast<std::ptrdiff_t>(i)); });
-    for (const std::size_t extra : {kNoise, kDropout, kBlindWidth, kDarkWidth, kAge, kDelay, kLaserX, kLaserHeading})
+      has_changed |=
+          attempt([i](Scene& s) { s.things.erase(s.things.begin() + static_cast<std::ptrdiff_t>(i)); });
+    for (const std::size_t extra :
+         {kNoise, kDropout, kBlindWidth, kDarkWidth, kAge, kDelay, kLaserX, kLaserHeading})
       has_changed |= attempt([extra](Scene& s) { s.numbers[extra] = 0.0; });
     const double end = run(scene).at + 0.02;
     has_changed |= attempt([end](Scene& s) { s.numbers[kSeconds] = std::min(s.numbers[kSeconds], end); });
@@ -385,7 +405,7 @@ Scene shrunk(Scene scene, double speed) {
           break;
     }
     for (std::size_t i = 0; i < scene.things.size(); ++i)
-      for (double Thing::* part : {&Thing::x, &Thing::y, &Thing::p, &Thing::q})
+      for (double Thing::*part : {&Thing::x, &Thing::y, &Thing::p, &Thing::q})
         attempt([&](Scene& s) { s.things[i].*part = std::round(s.things[i].*part * 100.0) / 100.0; });
   }
   return scene;

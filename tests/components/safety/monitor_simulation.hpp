@@ -68,8 +68,8 @@ Scene scene_of(const std::string& line);
 Scene random_scene(std::uint64_t seed);
 
 struct Result {
-  double worst = 0.0;  ///< speed at which the robot closed in on what it could see and touched it [m/s]
-  double at = 0.0;     ///< [s]
+  double worst = 0.0;   ///< speed at which the robot closed in on what it could see and touched it [m/s]
+  double at = 0.0;      ///< [s]
   double unseen = 0.0;  ///< the same of what its laser could not see
   double driven = 0.0;  ///< way of base_link [m]
 };

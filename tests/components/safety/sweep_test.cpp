@@ -133,7 +133,8 @@ CheckedSweep all_round(int beams, int blind_first, int blind_last, double from =
   CheckedSweep sweep{.angle_min = from, .angle_increment = 2.0 * std::numbers::pi / beams};
   sweep.beams.assign(static_cast<std::size_t>(beams), BeamKind::hit);
   for (int i = 0; i < blind_first; ++i) sweep.beams[static_cast<std::size_t>(i)] = BeamKind::unknown;
-  for (int i = 0; i < blind_last; ++i) sweep.beams[static_cast<std::size_t>(beams - 1 - i)] = BeamKind::unknown;
+  for (int i = 0; i < blind_last; ++i)
+    sweep.beams[static_cast<std::size_t>(beams - 1 - i)] = BeamKind::unknown;
   return sweep;
 }
 
