@@ -124,6 +124,12 @@ CollisionMonitor::Ahead CollisionMonitor::ahead_at(Time now) const {
   return ahead;
 }
 
+/// What a stop on the arc of `along` costs: of a turn on the spot [rad/s^2].
+Stopping CollisionMonitor::stopping_on(const Twist2& along) const {
+  const Twist2 braking = braking_of(along, stopping_.deceleration, wheel_separation_);
+  return {stopping_.reaction_time, along.v != 0.0 ? braking.v : braking.omega, stopping_.approach_speed};
+}
+
 /// Speed along the arc of `along` that the stopping distance allows; of a turn on the spot the turn rate.
 double CollisionMonitor::rule_speed(const Twist2& along, const Ahead& ahead) const {
   return kept_free_.is_polygon() ? polygon_speed(along, ahead) : disc_speed(along, ahead);
@@ -132,15 +138,14 @@ double CollisionMonitor::rule_speed(const Twist2& along, const Ahead& ahead) con
 /// Each point on its own: the side that touches it goes its own way, `lever` times that of base_link.
 double CollisionMonitor::polygon_speed(const Twist2& along, const Ahead& ahead) const {
   const StoppingOptions& rule = options_.stopping;
-  const Twist2 braking = braking_of(along, stopping_.deceleration, wheel_separation_);
+  const Stopping on_arc = stopping_on(along);
   double speed = std::numeric_limits<double>::infinity();
   for (const SeenPoint& point : ahead.points) {
     const TouchOnArc touch = first_touch(along, kept_free_.polygon, point.position);
     if (std::isinf(touch.way)) continue;
     const bool is_deep = std::isfinite(first_touch(along, core_.polygon, point.position).way);
     const double lever = std::max(touch.lever, kShortestLever);
-    const Stopping stopping{stopping_.reaction_time, along.v != 0.0 ? braking.v : braking.omega,
-                            stopping_.approach_speed / lever};
+    const Stopping stopping{on_arc.reaction_time, on_arc.deceleration, stopping_.approach_speed / lever};
     const double way = touch.way - (rule.margin + ahead.nearer) / lever;
     const double end_speed =
         is_deep ? 0.0 : rule.graze_speed / (along.v != 0.0 ? std::max(1.0, lever) : lever);
@@ -160,8 +165,7 @@ double CollisionMonitor::disc_speed(const Twist2& along, const Ahead& ahead) con
       deep_way = std::min(deep_way, touch);
   }
   const double kept = rule.margin + ahead.nearer;
-  Stopping stopping = stopping_;
-  stopping.deceleration = braking_of(along, stopping_.deceleration, wheel_separation_).v;
+  const Stopping stopping = stopping_on(along);
   return std::min(speed_within(deep_way - kept, stopping),
                   speed_within(way - kept, stopping, rule.graze_speed));
 }
@@ -174,7 +178,7 @@ double CollisionMonitor::narrow_speed(const Twist2& along, const Ahead& ahead) c
     if (!point.is_narrow) continue;
     way = std::min(way, free_way_to_walker(along, wide_, point.position));
   }
-  return speed_within(way - ahead.nearer, stopping_, rule.narrow_speed);
+  return speed_within(way - ahead.nearer, stopping_on(along), rule.narrow_speed);
 }
 
 double CollisionMonitor::dark() const {

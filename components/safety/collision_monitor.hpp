@@ -109,6 +109,7 @@ class CollisionMonitor {
 
   std::optional<std::string_view> fault(Time now);
   Ahead ahead_at(Time now) const;
+  Stopping stopping_on(const Twist2& along) const;
   double rule_speed(const Twist2& along, const Ahead& ahead) const;
   double disc_speed(const Twist2& along, const Ahead& ahead) const;
   double polygon_speed(const Twist2& along, const Ahead& ahead) const;
