@@ -98,8 +98,13 @@ struct Robot {
     return polygon.fault.empty() ? std::move(polygon.footprint) : Footprint{radius, {}};
   }
 
-  /// From top speed, and a little more: while it brakes, a run goes on.
-  Duration time_to_rest() const { return Duration::milliseconds(1'000); }
+  /// From the top speeds as gently as they are commanded, and a little more until it hears of it: while it brakes, a run goes on.
+  Duration time_to_rest() const {
+    constexpr double kHears = 0.3;  // [s]: the oldest command that motor control obeys, and two cycles
+    const double v = std::max(limits.v_max, limits.v_back_max);
+    const double straight = v / limits.acc_max + limits.acc_max / limits.jerk_max;
+    return Duration::seconds(kHears + std::max(straight, limits.omega_max / limits.alpha_max));
+  }
 
   template <class Visitor>
   void fields(Visitor& v) {

@@ -3,9 +3,11 @@
 //
 //   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's footprint
 //           along the wanted arc (free_way.hpp, footprint_way.hpp); v and omega shrink together, so the path stays
+//   stop    what it does now and what it is told to do, a reaction later stopped, closes in on nothing (stop_path.hpp)
 //   graze   what the side of the robot would touch by less than `graze` is passed at graze_speed
 //   body    around narrow things (legs) the robot is down to narrow_speed narrow_margin earlier
-//   sight   into a sector the laser does not see it creeps; into one whose beams are broken it stops
+//   sight   into a sector the laser does not see it creeps; into one whose beams are broken it stops; the sides of a polygon
+//           swing no faster than that through what it does not see
 //   zones   of nav2_collision_monitor (zone.hpp)
 //   laser   silent, frozen, unsound or too old for source_timeout: a stop
 //
@@ -60,7 +62,8 @@ class CollisionMonitor {
   /// New zones, stopping distances and sight; what watches the laser stays as it was constructed. Causes of verdicts given
   /// before are no longer valid.
   void set_options(const CollisionMonitorOptions& options);
-  /// The robot's outline from now on.
+  /// What the robot carries, too, from now on: the outline is the convex hull around this and the robot file's own, so that no message
+  /// makes it smaller than that.
   void set_footprint(const Footprint& footprint);
   /// It, and its padding.
   const Footprint& kept_free() const { return kept_free_; }
@@ -86,6 +89,8 @@ class CollisionMonitor {
   const StampAge& stamp() const { return stamp_; }
   /// Whether the laser ever hit anything.
   bool has_seen() const { return empty_sight_.has_seen(); }
+  /// Of the last sound sweep, what lies dark [rad].
+  double dark() const;
   const Twist2& actual() const { return twist_; }
 
  private:
@@ -99,26 +104,32 @@ class CollisionMonitor {
   struct Ahead {
     std::vector<SeenPoint> points;  ///< in base_link
     double nearer = 0.0;            ///< [m] that what approaches has come since the sweep
+    Pose2 X_seen_now;               ///< base_link now, in that of the sweep
   };
 
   std::optional<std::string_view> fault(Time now);
   Ahead ahead_at(Time now) const;
+  Stopping stopping_on(const Twist2& along) const;
   double rule_speed(const Twist2& along, const Ahead& ahead) const;
   double disc_speed(const Twist2& along, const Ahead& ahead) const;
   double polygon_speed(const Twist2& along, const Ahead& ahead) const;
   double narrow_speed(const Twist2& along, const Ahead& ahead) const;
   Bound tightest(const Twist2& wanted, const Ahead& ahead) const;
-  double sight_speed(double v) const;
+  double sight_speed(double v, const Ahead& ahead) const;
+  double swing_share(const Twist2& wanted, const Ahead& ahead) const;
+  bool stops_in_time(const Twist2& command, const Ahead& ahead) const;
+  Verdict judge_command(Time now, const Twist2& wanted, const Ahead& ahead);
   Twist2 shrink(const Twist2& wanted, double speed, const Ahead& ahead) const;
   double turn_share(double omega, const Ahead& ahead) const;
   Verdict judge_turn(const Twist2& wanted, const Ahead& ahead) const;
 
   Limits limits_;
   double wheel_separation_;  ///< [m]
-  Footprint footprint_;
-  Footprint kept_free_;  ///< with padding
-  Footprint core_;       ///< what is touched deeper than by a graze
-  Footprint wide_;       ///< kept free of narrow things
+  Footprint own_;            ///< of the robot file
+  Footprint footprint_;      ///< grown by what was told
+  Footprint kept_free_;      ///< with padding
+  Footprint core_;           ///< what is touched deeper than by a graze
+  Footprint wide_;           ///< kept free of narrow things
   CollisionMonitorOptions options_;
   Stopping stopping_;
   std::vector<Zone> zones_;

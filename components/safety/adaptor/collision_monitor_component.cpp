@@ -1,5 +1,6 @@
 // Adaptor of the collision monitor: sweeps, odometry and wanted velocities in, allowed velocities out.
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -90,6 +91,7 @@ class CollisionMonitorComponent final : public Component {
     } else {
       monitor_->refuse(tick.now, sweep, SweepFault::unplaced);
     }
+    tell_dark();
     if (wanted_at_) pass_on(tick);
   }
 
@@ -132,6 +134,18 @@ class CollisionMonitorComponent final : public Component {
     command_.publish(verdict.allowed, now);
   }
 
+  /// Once when it begins, and when it is over.
+  void tell_dark() {
+    const double dark = monitor_->dark();
+    if ((dark > 0.0) == is_dark_) return;
+    is_dark_ = dark > 0.0;
+    diagnostics_->set_value(
+        "dark", is_dark_ ? fmt::format("{:.0f} degrees", dark * 180.0 / std::numbers::pi) : "none");
+    if (is_dark_)
+      log_.warn("what was seen over {:.0f} degrees has vanished: covered, or its light fails; creeping there",
+                dark * 180.0 / std::numbers::pi);
+  }
+
   void report(const Verdict& verdict, bool silent) {
     using Level = DiagnosticReporter::Level;
     diagnostics_->set_value("limited", limited_.text());
@@ -168,6 +182,7 @@ class CollisionMonitorComponent final : public Component {
   LimitedShare limited_;
   ScanFrames frames_;
   bool has_driven_ = false;
+  bool is_dark_ = false;
   std::optional<Time> drawn_at_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
