@@ -31,8 +31,7 @@ WatchdogOutput WheelWatchdog::step(Time now) {
   const double dt = last_step_ && now > *last_step_ ? (now - *last_step_).to_seconds() : 0.0;
   last_step_ = now;
   if (!arrival_ && output_.state == WatchdogState::waiting) return output_;
-  if (arrival_ && *arrival_ > now)
-    arrival_ = now;  // the clock went back: a command must not stay fresh until it is there again
+  if (arrival_ && *arrival_ > now) revoke();  // the clock went back: how old it is nobody knows
   if (arrival_ && now - *arrival_ < timeout_) {
     output_ = {approached(dt), WatchdogState::obeying};
     is_catching_up_ = is_catching_up_ && output_.wheels != commanded_;

@@ -114,14 +114,24 @@ TEST(WheelWatchdog, WhatIsOverruledNeedsANewCommandAndRisesFromThere) {
   EXPECT_NEAR(later.wheels.right, 0.055, 1e-12);
 }
 
-// The command counts from when the clock went back: 250 ms and no longer.
+// How old the command is nobody knows: it brakes from .4 m/s until the next one, as after any stop.
 TEST(WheelWatchdog, AClockThatGoesBackKeepsNoCommandFresh) {
   WheelWatchdog watchdog(kQuarter, kDeceleration, kAcceleration);
   watchdog.command(Time::seconds(60.0), {0.3, 0.4});
   EXPECT_EQ(watchdog.step(Time::seconds(60.0)).state, WatchdogState::obeying);
-  EXPECT_EQ(watchdog.step(Time::seconds(1.0)).state, WatchdogState::obeying);
-  EXPECT_EQ(watchdog.step(Time::seconds(1.24)).state, WatchdogState::obeying);
-  EXPECT_EQ(watchdog.step(Time::seconds(1.25)).state, WatchdogState::stopping);
+  EXPECT_EQ(watchdog.step(Time::seconds(1.0)).state, WatchdogState::stopping);
+  EXPECT_EQ(watchdog.step(Time::seconds(1.5)).state, WatchdogState::stopped);
+  EXPECT_EQ(watchdog.step(Time::seconds(60.1)).state, WatchdogState::stopped);
+}
+
+// Whoever commanded died long ago. The clock goes back, and the wheels stay at rest.
+TEST(WheelWatchdog, AClockThatGoesBackMakesNoOldCommandFresh) {
+  WheelWatchdog watchdog(kQuarter, kDeceleration, kAcceleration);
+  watchdog.command(Time::seconds(60.0), {0.3, 0.4});
+  watchdog.step(Time::seconds(60.0));
+  EXPECT_EQ(watchdog.step(Time::seconds(90.0)).state, WatchdogState::stopped);
+  EXPECT_EQ(watchdog.step(Time::seconds(1.0)).wheels, WheelSpeeds{});
+  EXPECT_EQ(watchdog.step(Time::seconds(1.1)).wheels, WheelSpeeds{});
 }
 
 TEST(WheelWatchdog, ACommandThatIsNotFiniteIsNotFresh) {
