@@ -241,7 +241,8 @@ TEST(CollisionMonitor, ZonesLimitByName) {
   CollisionMonitorOptions options;
   options.polygons = {
       {.name = "slow", .radius = 2.0, .action_type = Action::slowdown, .slowdown_ratio = 0.3}};
-  const Verdict verdict = Bench(options).run(0.1, sweep_of({pillar(1.8)}), {1.0, 0.5});
+  Bench bench(options);  // the verdict's cause is the name of its zone
+  const Verdict verdict = bench.run(0.1, sweep_of({pillar(1.8)}), {1.0, 0.5});
   EXPECT_NEAR(verdict.allowed.v, 0.3, 1e-9);
   EXPECT_NEAR(verdict.allowed.omega, 0.15, 1e-9);
   EXPECT_EQ(verdict.action, Action::slowdown);
