@@ -16,21 +16,20 @@ constexpr Duration kCheck = Duration::milliseconds(10);
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TwistMuxOptions three_sources() {
-  return {.sources = {{.topic = "hand", .priority = 100, .timeout = 0.2, .hold = 0.6},
+  return {.sources = {{.topic = "hand", .priority = 100, .timeout = 0.2},
                       {.topic = "behavior", .priority = 50, .timeout = 0.25, .stamped = true},
                       {.topic = "planner", .priority = 10, .timeout = 0.5}}};
 }
 
 struct MuxWorld {
   static constexpr std::size_t kSources = 3;
-  /// By README: a word counts unless it is no number, late, or somebody above has spoken within its time-out or hold.
+  /// By README: a word counts unless it is no number, late, or somebody above has spoken within its time-out.
   bool may_speak(std::size_t i, const Twist2& twist, std::optional<Time> stamp) const {
     if (!is_finite(twist)) return false;
     if (stamp && now - *stamp > Duration::seconds(options.sources[i].timeout)) return false;
     for (std::size_t above = 0; above < i; ++above) {
       const auto& source = options.sources[above];
-      if (said[above] && now - *said[above] <= Duration::seconds(std::max(source.timeout, source.hold)))
-        return false;
+      if (said[above] && now - *said[above] <= Duration::seconds(source.timeout)) return false;
     }
     return true;
   }
