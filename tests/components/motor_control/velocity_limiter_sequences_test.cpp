@@ -30,7 +30,7 @@ struct LimiterWorld {
   }
   void stall() {
     now = now + Duration::milliseconds(1000);
-    step(Duration::milliseconds(100));  // no more is caught up
+    step(Duration::milliseconds(1000));
   }
   void steps(int count) {
     for (int i = 0; i < count; ++i) {
@@ -60,14 +60,14 @@ struct LimiterWorld {
     if (after.v > limits.v_max + kTolerance || after.v < -limits.v_back_max - kTolerance)
       violation = "too fast";
     if (std::abs(after.omega) > limits.omega_max + kTolerance) violation = "turns too fast";
-    if (std::abs(after.v - before.v) > std::max(limits.acc_max, limits.stop_deceleration) * dt + kTolerance)
-      violation = "the speed jumps";
     if (describe(limited.state).empty()) violation = "no reason is said";
     const bool is_fresh = heard && now - *heard <= Duration::seconds(options.command_timeout);
     const bool is_sound = is_finite(wish) && std::abs(wish.v) < 100.0;
     const bool follows = limited.state == LimiterState::following;
     if (follows != (is_fresh && is_sound && !is_stopped))
       violation = "follows what it must not, or not what it must";
+    const double most = std::max(limits.acc_max, limits.stop_deceleration) * dt;
+    if (std::abs(after.v - before.v) > most + kTolerance) violation = "the speed jumps";
     if (!follows && slower < std::min(fastest(before), limits.stop_deceleration * dt) - kTolerance)
       violation = "does not brake though it may not drive";
     if (!follows && after.v * before.v < -kTolerance) violation = "turns back while it brakes";

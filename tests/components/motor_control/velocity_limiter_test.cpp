@@ -155,6 +155,15 @@ TEST(VelocityLimiter, AClockThatGoesBackDuringAStopForgetsTheCommand) {
   EXPECT_EQ(follower.silence(Duration::milliseconds(100)).state, LimiterState::waiting);
 }
 
+// Its process hangs for 2 s at full speed, and the base has come to rest meanwhile: it does not brake from there on once more.
+TEST(VelocityLimiter, HasBrakedWhenAStallIsOver) {
+  Follower follower{Robot{}};
+  for (int i = 0; i < 200; ++i) follower.advance({1.0, 0.0});
+  Follower silent = follower;
+  EXPECT_EQ(silent.silence(Duration::milliseconds(2000)).twist, Twist2{});
+  EXPECT_EQ(follower.advance({}, Duration::milliseconds(2000)).twist, Twist2{});
+}
+
 TEST(VelocityLimiter, BeginsAtRestAndWithoutACommandAfterRest) {
   Follower follower{Robot{}};
   for (int i = 0; i < 100; ++i) follower.advance({1.0, 0.0});
