@@ -6,7 +6,6 @@
 #include "components/model/stopping.hpp"
 
 namespace bw {
-
 std::string_view describe(LimiterState state) {
   switch (state) {
     case LimiterState::waiting:
@@ -51,7 +50,6 @@ void VelocityLimiter::command(Time now, const Twist2& twist) {
 
 LimitedTwist VelocityLimiter::step(Time now) {
   const double dt = elapsed(now);
-  if (arrival_ && *arrival_ > now) arrival_ = now;  // the clock went back
   const LimiterState state = judge(now);
   if (state == LimiterState::following) {
     const Twist2 wish = saturate(command_, allowed_, 2.0 * half_separation_, wheel_speed_max_);
@@ -67,11 +65,21 @@ LimitedTwist VelocityLimiter::stop(Time now) {
   return {twist_, LimiterState::told_to};
 }
 
+void VelocityLimiter::rest() {
+  arrival_.reset();
+  last_step_.reset();
+  twist_ = {};
+  acceleration_ = 0.0;
+}
+
+/// After a stall a command catches up no more than the longest step; before that the base has braked, which knows of no stall.
 double VelocityLimiter::elapsed(Time now) {
-  constexpr double kLongestStep = 0.1;  // after a stall, catch up no more than this
-  const double dt = last_step_ ? (now - *last_step_).to_seconds() : 0.0;
+  constexpr double kLongestStep = 0.1;  // [s]
+  const double dt = last_step_ ? std::max(0.0, (now - *last_step_).to_seconds()) : 0.0;
   last_step_ = now;
-  return std::clamp(dt, 0.0, kLongestStep);
+  if (arrival_ && *arrival_ > now) arrival_.reset();  // the clock went back: how old it is nobody knows
+  if (dt > kLongestStep) brake_to_rest(dt - kLongestStep);
+  return std::min(dt, kLongestStep);
 }
 
 LimiterState VelocityLimiter::judge(Time now) const {

@@ -41,7 +41,7 @@ struct LimiterOptions {
 };
 
 enum class LimiterState {
-  waiting,      ///< no command yet
+  waiting,      ///< no command yet, or none since the clock went back
   following,    ///< the command is fresh and sound
   stale,        ///< the newest command is older than command_timeout: safety stop
   not_finite,   ///< it holds NaN or infinity: safety stop
@@ -81,6 +81,8 @@ class VelocityLimiter {
   LimitedTwist step(Time now);
   /// Like step(), but brakes with stop_deceleration whatever the command is.
   LimitedTwist stop(Time now);
+  /// The robot stands by other means: the next step begins at rest, and needs a command that arrives from now on.
+  void rest();
 
  private:
   double elapsed(Time now);

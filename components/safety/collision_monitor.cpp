@@ -100,14 +100,15 @@ void CollisionMonitor::refuse(Time now, const LaserSweep& sweep, SweepFault why)
 
 std::optional<std::string_view> CollisionMonitor::fault(Time now) {
   const LaserState state = watch_.state(now);
+  // After a clock that went back it is as silent as the laser, until the next one.
   const bool has_odometry =
-      odometry_at_ && std::abs((now - *odometry_at_).to_seconds()) <= options_.source_timeout;
+      odometry_at_ && *odometry_at_ <= now && (now - *odometry_at_).to_seconds() <= options_.source_timeout;
   if (fault_at_ && *fault_at_ > now) fault_at_ = now;  // the clock went back
   if (state != LaserState::ok || !has_odometry) {
     const bool is_start = state == LaserState::waiting || !odometry_at_;
     fault_cause_ = state != LaserState::ok ? cause_of(state) : kOdometrySilent;
     fault_at_ = now;
-    latched_ = options_.resume == Resume::manual && !is_start;
+    latched_ = latched_ || (options_.resume == Resume::manual && !is_start);
     return fault_cause_;
   }
   if (latched_) return kWaitingForReset;

@@ -82,6 +82,10 @@ class CollisionMonitor {
   }
 
   Verdict judge(Time now, const Twist2& wanted);
+  /// Notices faults while nobody wants anything; that neither laser nor odometry has begun is none.
+  void look(Time now) {
+    if (odometry_at_ && watch_.state(now) != LaserState::waiting) fault(now);
+  }
 
   LaserState laser(Time now) const { return watch_.state(now); }
   SweepFault sweep_fault() const { return sweep_fault_; }

@@ -13,6 +13,7 @@ TwistMux::TwistMux(const TwistMuxOptions& options)
 
 std::optional<Twist2> TwistMux::command(Time now, std::size_t i, const Twist2& twist,
                                         std::optional<Time> stamp, const StampSource& writer) {
+  see(now);
   if (!std::isfinite(twist.v) || !std::isfinite(twist.omega)) {
     ++counts_[i].not_finite;
     if (last_ != i || !is_moving_) return std::nullopt;
@@ -40,6 +41,7 @@ std::optional<Twist2> TwistMux::command(Time now, std::size_t i, const Twist2& t
 }
 
 std::optional<Twist2> TwistMux::check(Time now) {
+  see(now);
   if (!is_moving_ || is_within(now, *last_, sources_[*last_].timeout)) return std::nullopt;
   is_moving_ = false;
   return Twist2{};
@@ -50,10 +52,14 @@ std::optional<std::size_t> TwistMux::active(Time now) const {
   return last_;
 }
 
+void TwistMux::see(Time now) {
+  for (std::optional<Time>& heard : heard_) {
+    if (heard && *heard > now) heard.reset();  // the clock went back
+  }
+}
+
 bool TwistMux::is_within(Time now, std::size_t i, double seconds) const {
-  if (!heard_[i]) return false;
-  const Duration age = now - *heard_[i];
-  return age >= Duration{} && age <= Duration::seconds(seconds);
+  return heard_[i] && *heard_[i] <= now && now - *heard_[i] <= Duration::seconds(seconds);
 }
 
 bool TwistMux::is_outranked(Time now, std::size_t i) const {

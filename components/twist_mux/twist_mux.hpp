@@ -42,6 +42,7 @@ class TwistMux {
   const Count& count(std::size_t i) const { return counts_[i]; }
 
  private:
+  void see(Time now);
   bool is_within(Time now, std::size_t i, double seconds) const;
   bool is_outranked(Time now, std::size_t i) const;
 

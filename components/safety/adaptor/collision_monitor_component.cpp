@@ -71,6 +71,8 @@ class CollisionMonitorComponent final : public Component {
 
   void deactivate(const Tick& tick) override {
     command_.publish({}, tick.now);
+    wanted_at_.reset();  // what was wanted before counts no more
+    last_ = {};
     if (limited_.cycles() > 0) log_.info("limited in {}", limited_.text());
   }
 
@@ -104,8 +106,12 @@ class CollisionMonitorComponent final : public Component {
 
   /// Says nothing to a robot that stands and that nobody drives.
   void pass_on(const Tick& tick) {
+    monitor_->look(tick.now);
     if (!wanted_at_) return;
-    if (*wanted_at_ > tick.now) wanted_at_ = tick.now;  // the clock went back
+    if (*wanted_at_ > tick.now) {  // the clock went back: how old it is nobody knows
+      wanted_ = {};
+      wanted_at_ = tick.now;
+    }
     const Verdict verdict = judge(tick);
     const bool silent = verdict.cause == kCommandSilent && !moves(monitor_->actual());
     if (!silent || moves(last_.allowed)) publish(verdict, tick.now);

@@ -134,15 +134,43 @@ TEST(VelocityLimiter, CommandsOlderThan200MsStopAtTheStopDeceleration) {
   EXPECT_EQ(follower.silence().twist, Twist2{});
 }
 
-// 60 s back: the command counts from there.
-TEST(VelocityLimiter, AClockThatGoesBackKeepsNoCommandFresh) {
+// 60 s back, as a simulation that begins again: nobody knows how old the command is, so that it counts no more, and one whose
+// source fell silent long ago does not count anew. The next one does.
+TEST(VelocityLimiter, AClockThatGoesBackForgetsTheCommand) {
   Follower follower{Robot{}};
   follower.now = Time::seconds(61.0);
   for (int i = 0; i < 100; ++i) follower.advance({1.0, 0.0});
+  for (int i = 0; i < 100; ++i) follower.silence();
   follower.now = Time::seconds(1.0);
-  for (int i = 0; i <= 10; ++i)
-    EXPECT_EQ(follower.silence().state, LimiterState::following) << i * 20 << " ms";
-  EXPECT_EQ(follower.silence().state, LimiterState::stale);
+  for (int i = 0; i < 4000; ++i) ASSERT_EQ(follower.silence().twist, Twist2{}) << i * 20 << " ms";
+  EXPECT_EQ(follower.advance({1.0, 0.0}).state, LimiterState::following);
+}
+
+// The clock goes back while it is told to stop, and comes to where the command was heard.
+TEST(VelocityLimiter, AClockThatGoesBackDuringAStopForgetsTheCommand) {
+  Follower follower{Robot{}};
+  follower.advance({1.0, 0.0});
+  follower.now = follower.now - Duration::milliseconds(100);
+  follower.limiter.stop(follower.now);
+  EXPECT_EQ(follower.silence(Duration::milliseconds(100)).state, LimiterState::waiting);
+}
+
+// Its process hangs for 2 s at full speed, and the base has come to rest meanwhile: it does not brake from there on once more.
+TEST(VelocityLimiter, HasBrakedWhenAStallIsOver) {
+  Follower follower{Robot{}};
+  for (int i = 0; i < 200; ++i) follower.advance({1.0, 0.0});
+  Follower silent = follower;
+  EXPECT_EQ(silent.silence(Duration::milliseconds(2000)).twist, Twist2{});
+  EXPECT_EQ(follower.advance({}, Duration::milliseconds(2000)).twist, Twist2{});
+}
+
+TEST(VelocityLimiter, BeginsAtRestAndWithoutACommandAfterRest) {
+  Follower follower{Robot{}};
+  for (int i = 0; i < 100; ++i) follower.advance({1.0, 0.0});
+  follower.limiter.rest();
+  const LimitedTwist limited = follower.silence();
+  EXPECT_EQ(limited.state, LimiterState::waiting);
+  EXPECT_EQ(limited.twist, Twist2{});
 }
 
 TEST(VelocityLimiter, FreshCommandsResumeAfterAStopAndBothWheelsBrakeInProportion) {

@@ -256,7 +256,8 @@ TEST(CollisionMonitor, ZonesLimitByName) {
   CollisionMonitorOptions options;
   options.polygons = {
       {.name = "slow", .radius = 2.0, .action_type = Action::slowdown, .slowdown_ratio = 0.3}};
-  const Verdict verdict = Bench(options).run(0.1, sweep_of({pillar(1.8)}), {1.0, 0.5});
+  Bench bench(options);  // the verdict's cause is the name of its zone
+  const Verdict verdict = bench.run(0.1, sweep_of({pillar(1.8)}), {1.0, 0.5});
   EXPECT_NEAR(verdict.allowed.v, 0.3, 1e-9);
   EXPECT_NEAR(verdict.allowed.omega, 0.15, 1e-9);
   EXPECT_EQ(verdict.action, Action::slowdown);
@@ -268,6 +269,34 @@ TEST(CollisionMonitor, AnythingThatIsNotFiniteIsAStop) {
   Bench bench;
   EXPECT_EQ(bench.run(0.1, sweep_of({}), {std::nan(""), 0.0}).allowed, Twist2{});
   EXPECT_EQ(bench.run(0.1, sweep_of({}), {1.0, std::numeric_limits<double>::infinity()}).allowed, Twist2{});
+}
+
+// The first sweep is a fault, and then the laser is silent, as if it had never been: the stop still waits for the reset.
+TEST(CollisionMonitor, SilenceAfterAFaultIsNoReset) {
+  CollisionMonitorOptions options;
+  options.resume = Resume::manual;
+  Bench bench(options);
+  Sweep lost = sweep_of({});
+  std::fill(lost.ranges.begin(), lost.ranges.end(), kNan);
+  EXPECT_EQ(bench.run(0.1, lost, {1.0, 0.0}).cause, kLaserInvalid);
+  bench.now = bench.now + Duration::milliseconds(300);
+  EXPECT_EQ(bench.monitor.judge(bench.now, {1.0, 0.0}).cause, kLaserWaiting);
+  EXPECT_EQ(bench.run(2.0, sweep_of({}), {1.0, 0.0}).cause, kWaitingForReset);
+  bench.monitor.reset();
+  EXPECT_EQ(bench.run(0.5, sweep_of({}), {1.0, 0.0}).action, Action::do_nothing);
+}
+
+// 200 ms back: sweeps go on, odometry does not, and must not count as fresh until the clock is there again.
+TEST(CollisionMonitor, OdometryOfBeforeTheClockWentBackIsNotFresh) {
+  Bench bench;
+  EXPECT_EQ(bench.run(0.5, sweep_of({}), {1.0, 0.0}).action, Action::do_nothing);
+  bench.now = bench.now - Duration::milliseconds(200);
+  for (int i = 0; i < 2; ++i) {  // the first one after a jump is lost
+    Sweep sweep = sweep_of({pillar(5.0 + i)});
+    sweep.time = bench.now = bench.now + Duration::milliseconds(20);
+    bench.monitor.sweep(bench.now, sweep.view());
+  }
+  EXPECT_EQ(bench.monitor.judge(bench.now, {1.0, 0.0}).cause, kOdometrySilent);
 }
 
 /// Whatever the sweep and the wish: the answer is finite, no faster than the wish, and on its side.

@@ -80,6 +80,9 @@ TEST(TwistMux, AClockThatGoesBackForgetsWhoSpoke) {
   EXPECT_EQ(m.active(at(1.0)), std::nullopt);
   EXPECT_EQ(m.check(at(1.0)), Twist2{});
   EXPECT_EQ(m.command(at(1.0), kNav, kAhead), kAhead);
+  // Nor once the new time has come to where it was heard.
+  EXPECT_EQ(m.command(at(60.0), kNav, kAhead), kAhead);
+  EXPECT_EQ(m.active(at(60.0)), kNav);
 }
 
 TEST(TwistMux, WhatIsNoNumberIsRefusedAndTakesNothingOver) {
