@@ -24,8 +24,8 @@ BaseGuard::BaseGuard(const BaseGuardOptions& options, const Robot& robot, double
       battery_(options.battery),
       latch_(options.restart) {}
 
-void BaseGuard::set_emergency_stop(Time now, bool is_on) {
-  latch_.set(now, StopCause::emergency_stop, is_on, "the emergency stop is pressed");
+void BaseGuard::set_emergency_stop(Time now, bool is_on, const std::string& reason) {
+  latch_.set(now, StopCause::emergency_stop, is_on, reason);
 }
 
 void BaseGuard::read(Time now, const Readings& readings) {

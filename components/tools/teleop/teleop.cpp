@@ -31,6 +31,7 @@ using cli::Key;
 using std_srvs::srv::Trigger;
 
 constexpr Duration kPeriod = Duration::milliseconds(50);
+constexpr Duration kUntilInForce = Duration::milliseconds(300);  ///< from the key to base_state
 constexpr int kZeros = 3;  ///< after a motion: one may be lost, and then the hand is silent
 
 constexpr const char* kHelp =
@@ -132,6 +133,7 @@ class Teleop {
     if (auto odometry = odometry_.take_newest())
       measured_ = Twist2{odometry->twist().twist().linear().x(), odometry->twist().twist().angular().z()};
     if (auto state = state_.take_newest()) base_ = std::move(state);
+    if (stopping_since_) see_stop(t);
     if (release_at_ && t >= *release_at_) ask_for_release();
     if (asked_) hear_release();
   }
@@ -181,14 +183,27 @@ class Teleop {
   }
 
   void stop_at_once() {
-    stop(true);
     publish({});
-    said_ = emergency_.readers() > 0 ? "emergency stop"
-                                     : "NOBODY HEARS emergency_stop: use the switch of the base";
+    base_.reset();  // what it says from now on counts
+    stopping_since_ = now();
+    see_stop(*stopping_since_);
+  }
+
+  /// That somebody has a reader says nothing: the base itself tells that it is latched. Until then it is said again.
+  void see_stop(Time t) {
+    namespace base = bandwagon_msgs::msg::BaseState_Constants;
+    if (base_ && base_->state() == base::EMERGENCY_STOP && base_->is_latched()) {
+      said_ = "the emergency stop is in force";
+      return stopping_since_.reset();
+    }
+    stop(true);
+    said_ = t - *stopping_since_ < kUntilInForce ? "emergency stop"
+                                                 : "NOT STOPPED: base_state tells of no emergency stop; use the switch of the base";
   }
 
   /// The switch is pulled out first, and heard: what is still pressed is not released.
   void release() {
+    stopping_since_.reset();
     stop(false);
     release_at_ = now() + Duration::milliseconds(100);
     said_ = "releasing";
@@ -233,6 +248,7 @@ class Teleop {
   std::optional<Twist2> measured_;
   std::optional<bandwagon_msgs::msg::BaseState> base_;
   bool is_release_asked_ = false;
+  std::optional<Time> stopping_since_;  ///< x was pressed, and the base has not said that it is stopped
   std::optional<Time> release_at_;
   std::optional<std::int64_t> asked_;
   std::string said_;

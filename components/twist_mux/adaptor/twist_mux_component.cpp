@@ -5,17 +5,23 @@
 #include <fmt/format.h>
 #include <geometry_msgs/msg/twist.hpp>
 #include <geometry_msgs/msg/twist_stamped.hpp>
+#include <bandwagon_msgs/msg/navigation_status.hpp>
+#include <std_msgs/msg/bool.hpp>
+#include <std_msgs/msg/empty.hpp>
 
 #include "components/messages/geometry.hpp"
+#include "components/twist_mux/goal_in_hand.hpp"
 #include "components/twist_mux/twist_mux.hpp"
 #include "runtime/component.hpp"
 
 namespace bw {
 namespace {
 
+using bandwagon_msgs::msg::NavigationStatus;
 using geometry_msgs::msg::Twist;
 using geometry_msgs::msg::TwistStamped;
 
+constexpr const char* kInterrupted = "interrupted by a hand: until release_stop, or another goal";
 constexpr Duration kCheckPeriod = Duration::milliseconds(10);
 
 class TwistMuxComponent final : public Component {
@@ -45,6 +51,22 @@ class TwistMuxComponent final : public Component {
             need);
       }
     }
+    override_ = setup.output<std_msgs::msg::Bool>("manual_override", Qos::latched());
+    setup.input<NavigationStatus>(
+        "navigation_status", Qos::latched(),
+        [this](const auto& status, const Tick& tick) {
+          if (goal_.see(status.goal_id(), static_cast<GoalStatus>(status.status()), status.number_of_goals_remaining())) mux_->release();
+          mux_->set_goal(goal_.is_in_hand());
+          report(tick.now);
+        },
+        Need::optional);
+    setup.input<std_msgs::msg::Empty>(
+        "stop_released", Qos::standard(),
+        [this](const auto&, const Tick& tick) {
+          mux_->release();
+          report(tick.now);
+        },
+        Need::optional);
     setup.every(kCheckPeriod, "check", [this](const Tick& tick) { check(tick); });
   }
 
@@ -53,6 +75,17 @@ class TwistMuxComponent final : public Component {
  private:
   void on_command(std::size_t i, const Twist2& twist, std::optional<Time> stamp, const Tick& tick) {
     publish(mux_->command(tick.now, i, twist, stamp), tick);
+    tell_override();
+  }
+
+  /// Only news: nobody has driven by hand before the first.
+  void tell_override() {
+    if (mux_->is_interrupted() == is_interrupted_) return;
+    is_interrupted_ = mux_->is_interrupted();
+    std_msgs::msg::Bool message;
+    message.data(is_interrupted_);
+    override_.publish(message);
+    log_.info("{}", is_interrupted_ ? kInterrupted : "who was interrupted by a hand is heard again");
   }
 
   void check(const Tick& tick) {
@@ -74,7 +107,10 @@ class TwistMuxComponent final : public Component {
       const TwistMux::Count& count = mux_->count(i);
       refused += count.not_finite + count.late;
     }
-    if (active == active_ && refused == refused_) return;
+    const bool is_news = mux_->is_interrupted() != is_interrupted_told_;
+    is_interrupted_told_ = mux_->is_interrupted();
+    tell_override();
+    if (active == active_ && refused == refused_ && !is_news) return;
     if (refused > 0 && refused_ == 0) log_.warn("commands are refused: /diagnostics says whose and why");
     if (active && drove_ && active != drove_) log_.info("{} drives", options_.sources[*active].topic);
     if (active) drove_ = active;
@@ -91,13 +127,17 @@ class TwistMuxComponent final : public Component {
       diagnostics_->set_value(options_.sources[i].topic, fmt::format("refused: {} not finite, {} too late",
                                                                      count.not_finite, count.late));
     }
-    const std::string who = active ? options_.sources[*active].topic + " drives" : "nobody drives";
+    std::string who = active ? options_.sources[*active].topic + " drives" : "nobody drives";
+    if (mux_->is_interrupted()) who += std::string("; ") + kInterrupted;
     diagnostics_->report(refused_ == 0 ? Level::ok : Level::warn,
                          refused_ == 0 ? who : fmt::format("{}; {} commands refused", who, refused_));
   }
 
   TwistMuxOptions options_;
   std::optional<TwistMux> mux_;
+  GoalInHand goal_;
+  bool is_interrupted_ = false, is_interrupted_told_ = false;
+  Output<std_msgs::msg::Bool> override_;
   std::optional<std::size_t> active_;  ///< as told last
   std::optional<std::size_t> drove_;
   std::uint64_t refused_ = 0;
