@@ -26,9 +26,11 @@ std::string names_of(const std::vector<EmergencyStop::Pressed>& pressed) {
 
 std::optional<std::string> EmergencyStopOptions::violated_rule() const {
   for (auto button = buttons.begin(); button != buttons.end(); ++button) {
-    if (!button->node.starts_with('/')) return "buttons must have full names, such as /panel: " + button->node;
+    if (!button->node.starts_with('/'))
+      return "buttons must have full names, such as /panel: " + button->node;
     const auto is_same = [&](const StopButtonOptions& other) { return other.node == button->node; };
-    if (std::any_of(buttons.begin(), button, is_same)) return "buttons must differ: " + button->node + " is there twice";
+    if (std::any_of(buttons.begin(), button, is_same))
+      return "buttons must differ: " + button->node + " is there twice";
   }
   return std::nullopt;
 }
@@ -44,7 +46,9 @@ void EmergencyStop::hear(Time now, const Writer& writer, const std::string& node
   }
   const auto own = std::ranges::find(record_.pressed, writer, &Pressed::writer);
   if (!is_pressed) {
-    if (own != record_.pressed.end()) record_.pressed.erase(own);
+    if (own == record_.pressed.end()) return;
+    record_.cause = "the emergency stop was pressed by " + name_of(own->node);
+    record_.pressed.erase(own);
     return;
   }
   if (own != record_.pressed.end()) return;

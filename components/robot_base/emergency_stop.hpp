@@ -24,7 +24,8 @@ struct StopButtonOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("node", node, {.doc = "full name of the node that publishes emergency_stop, pressed or not, at a steady rate"});
+    v("node", node,
+      {.doc = "full name of the node that publishes emergency_stop, pressed or not, at a steady rate"});
     v("heartbeat", heartbeat,
       {.unit = "s",
        .min = 0.05,

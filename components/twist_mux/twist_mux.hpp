@@ -18,10 +18,10 @@ class TwistMux {
   /// What came of the commands of one source.
   struct Count {
     std::uint64_t passed = 0;
-    std::uint64_t outranked = 0;   ///< somebody of higher priority drives
+    std::uint64_t outranked = 0;    ///< somebody of higher priority drives
     std::uint64_t interrupted = 0;  ///< a hand has driven, and nobody has released it
-    std::uint64_t not_finite = 0;  ///< refused
-    std::uint64_t late = 0;        ///< refused: older than the time-out when it came
+    std::uint64_t not_finite = 0;   ///< refused
+    std::uint64_t late = 0;         ///< refused: older than the time-out when it came
   };
 
   /// A stamp that is further from now than this belongs to another clock and says nothing of age.

@@ -47,9 +47,11 @@ class Input final : public Inlet {
   std::optional<Duration> max_age;
   OnStale on_stale = OnStale::ignore;
   std::unique_ptr<dds::Reader> reader;
-  Time last_received;    ///< activation time until the first sample
-  bool of_node = false;  ///< the runtime's, or of the part that outlives instances: heard in every state of the component
-  bool is_declared = true;  ///< of the component and its part; a second end of the part on one topic is an ear more, and no input
+  Time last_received;  ///< activation time until the first sample
+  bool of_node =
+      false;  ///< the runtime's, or of the part that outlives instances: heard in every state of the component
+  bool is_declared =
+      true;  ///< of the component and its part; a second end of the part on one topic is an ear more, and no input
 
   /// Samples of a latched topic outlive the instance that heard them: the next one does not get them from the wire again.
   struct Kept {

@@ -93,7 +93,9 @@ struct NodeParameters {
 }  // namespace
 
 Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
-    : graph_(std::move(graph)), options_(std::move(options)), writers_(std::make_unique<WriterNames>(actors_)) {
+    : graph_(std::move(graph)),
+      options_(std::move(options)),
+      writers_(std::make_unique<WriterNames>(actors_)) {
   std::erase_if(graph_.components, [](const ComponentNode& node) { return !node.enabled; });
   const std::vector<std::string> processes = graph_.processes();
   const std::string& only = options_.only_process;

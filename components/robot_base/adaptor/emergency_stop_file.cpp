@@ -1,8 +1,6 @@
 #include "components/robot_base/adaptor/emergency_stop_file.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -73,10 +71,9 @@ std::string text_of(const EmergencyStop::Record& record) {
   return kComment + to_yaml(saved);
 }
 
-EmergencyStop::Record record_of(const std::string& text, const std::string& file) {
+EmergencyStop::Record record_of(const ConfigNode& file) {
   SavedStop saved;
-  const ConfigNode node = parse_yaml(text, file);
-  read_into(saved, node, "");
+  read_into(saved, file, "");
   EmergencyStop::Record record{.cause = saved.cause, .pressed = {}};
   for (const SavedButton& button : saved.pressed)
     record.pressed.push_back({writer_of(button.writer), button.node, Time{button.since}});
@@ -92,14 +89,11 @@ std::optional<EmergencyStop::Record> EmergencyStopFile::read() const {
   const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(path_, error));
   if (!is_there && (!error || error == std::errc::no_such_file_or_directory)) return std::nullopt;
   try {
-    std::ifstream file(path_);
-    std::stringstream text;
-    text << file.rdbuf();
-    if (!file) throw std::runtime_error(path_.string() + " cannot be read");
-    return record_of(text.str(), path_.string());
+    return record_of(load_yaml(path_));
   } catch (const std::exception& wrong) {
     return EmergencyStop::Record{
-        .cause = std::string("what is known of an emergency stop cannot be read: ") + wrong.what(), .pressed = {}};
+        .cause = std::string("what is known of an emergency stop cannot be read: ") + wrong.what(),
+        .pressed = {}};
   }
 }
 
@@ -129,14 +123,16 @@ void EmergencyStopFile::write() {
     write_file_atomically(path_, text_of(*record));
     std::filesystem::permissions(path_, perms::owner_read | perms::owner_write);
   } catch (const std::exception& wrong) {
-    complain_(std::string("the emergency stop will not be known to a process that is started anew: ") + wrong.what());
+    complain_(std::string("the emergency stop will not be known to a process that is started anew: ") +
+              wrong.what());
   }
 }
 
 std::optional<std::string> EmergencyStopFile::obstacle() const {
   std::filesystem::path folder = path_.parent_path();
   std::error_code ignored;
-  while (!std::filesystem::exists(folder, ignored) && folder.has_relative_path()) folder = folder.parent_path();
+  while (!std::filesystem::exists(folder, ignored) && folder.has_relative_path())
+    folder = folder.parent_path();
   if (access(folder.c_str(), W_OK | X_OK) == 0) return std::nullopt;
   return "an emergency stop will not be known to a process that is started anew: " + folder.string() +
          " cannot be written";

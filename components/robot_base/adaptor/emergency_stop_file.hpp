@@ -3,18 +3,20 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 
 #include "components/robot_base/emergency_stop.hpp"
+#include "runtime/parameters/config_node.hpp"
 #include "runtime/serial/background_jobs.hpp"
 
 namespace bw {
 
 std::string text_of(const EmergencyStop::Record& record);
-/// Throws ConfigError naming `file` and the line.
-EmergencyStop::Record record_of(const std::string& text, const std::string& file);
+/// Throws ConfigError naming the file and the line.
+EmergencyStop::Record record_of(const ConfigNode& file);
 
 class EmergencyStopFile {
  public:

@@ -55,12 +55,16 @@ void EmergencyStopInputs::step(Time now) {
 void EmergencyStopInputs::hear(bool is_pressed, const Tick& tick) {
   const std::string reason = stop_.reason();
   const bool needs_name = is_pressed || has_buttons_;
-  stop_.hear(tick.now, tick.from.writer, needs_name ? printable(writers_->node_of(tick.from.writer)) : "", is_pressed);
-  stop_.name([this](const auto& writer) { return printable(writers_->node_of(writer)); });
+  stop_.hear(tick.now, tick.from.writer, needs_name ? printable(writers_->node_of(tick.from.writer)) : "",
+             is_pressed);
   keep();
   if (stop_.reason() == reason) return;
   if (on_change_) return on_change_(tick.now);
   log_.warn("{}; while it is not active; until release_stop", stop_.reason());
+}
+
+void EmergencyStopInputs::name() {
+  stop_.name([this](const auto& writer) { return printable(writers_->node_of(writer)); });
 }
 
 void EmergencyStopInputs::keep() {

@@ -18,6 +18,8 @@ class EmergencyStopInputs {
   void begin(Time now, const EmergencyStopOptions& options, std::function<void(Time)> on_change);
   void end() { on_change_ = nullptr; }
   void step(Time now);
+  /// Names that came after what they said. Now and then.
+  void name();
 
   const EmergencyStop& stop() const { return stop_; }
   std::optional<std::string> refusal() const;

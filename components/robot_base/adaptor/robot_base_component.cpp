@@ -71,6 +71,7 @@ class RobotBaseComponent final : public Component {
       work(tick.now);
     });
     setup.every(Duration::milliseconds(100), "base_state", [this](const Tick& tick) {
+      emergency_stop_->name();
       publish_state(tick.now);
       if (tick.sequence % 10 == 0) tell_counters();
     });

@@ -2,10 +2,10 @@
 #include <optional>
 #include <string>
 
+#include <bandwagon_msgs/msg/navigation_status.hpp>
 #include <fmt/format.h>
 #include <geometry_msgs/msg/twist.hpp>
 #include <geometry_msgs/msg/twist_stamped.hpp>
-#include <bandwagon_msgs/msg/navigation_status.hpp>
 #include <std_msgs/msg/bool.hpp>
 #include <std_msgs/msg/empty.hpp>
 
@@ -55,7 +55,9 @@ class TwistMuxComponent final : public Component {
     setup.input<NavigationStatus>(
         "navigation_status", Qos::latched(),
         [this](const auto& status, const Tick& tick) {
-          if (goal_.see(status.goal_id(), static_cast<GoalStatus>(status.status()), status.number_of_goals_remaining())) mux_->release();
+          if (goal_.see(status.goal_id(), static_cast<GoalStatus>(status.status()),
+                        status.number_of_goals_remaining()))
+            mux_->release();
           mux_->set_goal(goal_.is_in_hand());
           report(tick.now);
         },

@@ -194,7 +194,7 @@ TEST_F(BaseTopics, AnEmergencyStopHoldsUntilItIsOverAndReleased) {
     }
     if (is_at(t, 3.0)) release();
   });
-  EXPECT_EQ(answers_, (std::vector<std::string>{"no: the emergency stop is pressed",
+  EXPECT_EQ(answers_, (std::vector<std::string>{"no: the emergency stop is pressed by /script",
                                                 "yes: released: it drives at the next command"}));
   const auto stop =
       std::ranges::find(states_, state::EMERGENCY_STOP, [](const auto& s) { return s.state(); });

@@ -59,7 +59,8 @@ TEST(EmergencyStop, AThousandWhoPressAreAsManyButtons) {
   for (int i = 0; i < 1000; ++i) stop.hear(at(0.001 * i), writer(i), "/n" + std::to_string(i), true);
   for (int i = 0; i < 1000; ++i) stop.hear(at(1.0 + 0.001 * i), writer(i), "/n" + std::to_string(i), true);
   EXPECT_EQ(stop.record().pressed.size(), 1000U);
-  EXPECT_EQ(*stop.refusal(everybody), "the emergency stop is pressed by /n0, /n1, /n2, /n3, /n4 and 995 more");
+  EXPECT_EQ(*stop.refusal(everybody),
+            "the emergency stop is pressed by /n0, /n1, /n2, /n3, /n4 and 995 more");
   for (int i = 0; i < 999; ++i) stop.hear(at(2.0), writer(i), "", false);
   EXPECT_EQ(*stop.refusal(everybody), "the emergency stop is pressed by /n999");
   stop.hear(at(3.0), writer(999), "", false);

@@ -18,7 +18,7 @@
 
 #include "components/robot_base/adaptor/emergency_stop_file.hpp"
 #include "runtime/cli/typed_topic.hpp"
-#include "runtime/parameters/config_error.hpp"
+#include "runtime/parameters/yaml_file.hpp"
 #include "runtime/ros/service_call.hpp"
 #include "tests/components/component_rig.hpp"
 #include "tests/interop/eventually.hpp"
@@ -76,31 +76,36 @@ Seen run(double seconds, const std::vector<Deed>& deeds, const Qos& qos = Qos::s
       if (name == "a")
         setup.input<BaseState>("base_state", Qos::standard(50),
                                [&](const auto& m, const Tick&) { seen.states.push_back(m); });
-      setup.every(Duration::milliseconds(10), "deeds", [&, name, stop, release, change](const Tick& tick) mutable {
-        for (const Deed& deed : deeds) {
-          if (deed.who != name || std::abs(seconds_since_start(tick.now) - deed.seconds) > 1e-6) continue;
-          if (deed.what == "press" || deed.what == "lift") {
-            stop.publish(pressed(deed.what == "press"));
-          } else if (deed.what == "release") {
-            release.call({}, Duration::milliseconds(500), [&](const Trigger::Response* response, const Tick&) {
-              seen.answers.push_back(response == nullptr ? "none"
-                                                         : (response->success() ? "yes: " : "no: ") + response->message());
-            });
-          } else {
-            ChangeState::Request request;
-            request.transition().id(kTransitions.at(deed.what));
-            change.call(request, Duration::milliseconds(500), [](const ChangeState::Response* response, const Tick&) {
-              ASSERT_TRUE(response != nullptr && response->success());
-            });
-          }
-        }
-      });
+      setup.every(
+          Duration::milliseconds(10), "deeds", [&, name, stop, release, change](const Tick& tick) mutable {
+            for (const Deed& deed : deeds) {
+              if (deed.who != name || std::abs(seconds_since_start(tick.now) - deed.seconds) > 1e-6) continue;
+              if (deed.what == "press" || deed.what == "lift") {
+                stop.publish(pressed(deed.what == "press"));
+              } else if (deed.what == "release") {
+                release.call(
+                    {}, Duration::milliseconds(500), [&](const Trigger::Response* response, const Tick&) {
+                      seen.answers.push_back(response == nullptr ? "none"
+                                                                 : (response->success() ? "yes: " : "no: ") +
+                                                                       response->message());
+                    });
+              } else {
+                ChangeState::Request request;
+                request.transition().id(kTransitions.at(deed.what));
+                change.call(request, Duration::milliseconds(500),
+                            [](const ChangeState::Response* response, const Tick&) {
+                              ASSERT_TRUE(response != nullptr && response->success());
+                            });
+              }
+            }
+          });
     };
   };
   const auto path = scratch_file("emergency_stop");
-  std::ofstream(path) << "robot: {base: {driver: simulated}}\ncomponents: {robot_base: {inputs: {wheel_commands: {external: "
-                         "true}, sim/wheel_ticks: {external: true}}, parameters: {" +
-                             parameters + "}}}";
+  std::ofstream(path)
+      << "robot: {base: {driver: simulated}}\ncomponents: {robot_base: {inputs: {wheel_commands: {external: "
+         "true}, sim/wheel_ticks: {external: true}}, parameters: {" +
+             parameters + "}}}";
   std::vector<ExtraComponent> extra;
   for (const std::string name : {"a", "b"}) extra.push_back({name, std::make_unique<Script>(person(name))});
   Host host(load_graph(path, {}), {.clock = ClockMode::lockstep}, std::move(extra));
@@ -126,7 +131,8 @@ TEST(EmergencyStopTopics, AFalseLiftsOnesOwnButtonAndAReleaseNamesTheOther) {
     EXPECT_EQ(seen.at(0.6).reason(), "the emergency stop is pressed by /a, /b");
     EXPECT_EQ(seen.at(1.9).reason(), "the emergency stop was pressed by /b");
     EXPECT_TRUE(seen.at(1.9).is_latched());
-    EXPECT_THAT(seen.answers, testing::ElementsAre("no: the emergency stop is pressed by /b", StartsWith("yes: released")));
+    EXPECT_THAT(seen.answers,
+                testing::ElementsAre("no: the emergency stop is pressed by /b", StartsWith("yes: released")));
     EXPECT_NE(seen.states.back().state(), state::EMERGENCY_STOP);
   }
 }
@@ -135,13 +141,17 @@ TEST(EmergencyStopTopics, AFalseLiftsOnesOwnButtonAndAReleaseNamesTheOther) {
 TEST(EmergencyStopTopics, ItHoldsThroughEveryStateOfTheComponent) {
   const std::vector<Deed> down = {{0.5, "b", "deactivate"}, {0.6, "b", "cleanup"}};
   const std::vector<Deed> up = {{1.0, "b", "configure"}, {1.1, "b", "activate"}};
-  for (const double when : {0.4, 0.55, 0.65, 1.05, 1.2}) {  // active, inactive, unconfigured, inactive, active
-    std::vector<Deed> deeds = {{when, "a", "press"}, {2.0, "b", "release"}, {2.1, "a", "lift"}, {2.5, "b", "release"}};
+  for (const double when :
+       {0.4, 0.55, 0.65, 1.05, 1.2}) {  // active, inactive, unconfigured, inactive, active
+    std::vector<Deed> deeds = {
+        {when, "a", "press"}, {2.0, "b", "release"}, {2.1, "a", "lift"}, {2.5, "b", "release"}};
     for (const auto& more : {down, up}) deeds.insert(deeds.end(), more.begin(), more.end());
     const Seen seen = run(3.0, deeds);
     EXPECT_EQ(seen.at(1.9).state(), state::EMERGENCY_STOP) << when;
     EXPECT_EQ(seen.at(1.9).reason(), "the emergency stop is pressed by /a") << when;
-    EXPECT_THAT(seen.answers, testing::ElementsAre("no: the emergency stop is pressed by /a", StartsWith("yes: released"))) << when;
+    EXPECT_THAT(seen.answers,
+                testing::ElementsAre("no: the emergency stop is pressed by /a", StartsWith("yes: released")))
+        << when;
     EXPECT_NE(seen.states.back().state(), state::EMERGENCY_STOP) << when;
   }
 }
@@ -171,11 +181,12 @@ TEST(EmergencyStopTopics, AThousandPressesAreOneStop) {
   const Seen seen = run(13.0, deeds);
   for (const BaseState& one : seen.states) {
     const double t = seconds_since_start(from_stamp(one.header().stamp()));
-    if (t >= 0.5 && t < 12.0) {
+    if (t > 0.5 && t < 12.0) {
       ASSERT_EQ(one.state(), state::EMERGENCY_STOP) << t;
     }
   }
-  EXPECT_THAT(seen.answers, testing::ElementsAre("no: the emergency stop is pressed by /a", StartsWith("yes: released")));
+  EXPECT_THAT(seen.answers,
+              testing::ElementsAre("no: the emergency stop is pressed by /a", StartsWith("yes: released")));
   EXPECT_NE(seen.states.back().state(), state::EMERGENCY_STOP);
 }
 
@@ -185,23 +196,27 @@ TEST(EmergencyStopTopics, AListedButtonThatFallsSilentIsAStop) {
   for (int i = 1; i <= 40; ++i) {
     if (i <= 10 || i >= 30) deeds.push_back({0.1 * i, "a", "lift"});
   }
-  const Seen seen = run(4.0, deeds, Qos::standard(), "emergency_stop: {buttons: [{node: /a, heartbeat: 0.2}]}");
+  const Seen seen =
+      run(4.0, deeds, Qos::standard(), "emergency_stop: {buttons: [{node: /a, heartbeat: 0.2}]}");
   EXPECT_NE(seen.at(1.2).state(), state::EMERGENCY_STOP);
   EXPECT_EQ(seen.at(1.22).state(), state::EMERGENCY_STOP);
   EXPECT_EQ(seen.at(1.22).reason(), "the emergency stop button /a is silent");
   EXPECT_EQ(seen.at(3.4).state(), state::EMERGENCY_STOP);
-  EXPECT_THAT(seen.answers, testing::ElementsAre("no: the emergency stop button /a is silent", StartsWith("yes: released")));
+  EXPECT_THAT(seen.answers, testing::ElementsAre("no: the emergency stop button /a is silent",
+                                                 StartsWith("yes: released")));
   EXPECT_NE(seen.states.back().state(), state::EMERGENCY_STOP);
 }
 
 TEST(EmergencyStopFile, GivesBackWhatItWasGiven) {
   EmergencyStop::Record record{.cause = "pressed by \"x\": # 'y'\n- {", .pressed = {}};
   for (int i = 0; i < 100; ++i) {
-    EmergencyStop::Pressed button{.node = "/n" + std::to_string(i), .since = Time{1'700'000'000'123'456'789 + i}};
-    for (std::size_t k = 0; k < button.writer.size(); ++k) button.writer[k] = static_cast<std::uint8_t>(17 * k + static_cast<std::size_t>(i));
+    EmergencyStop::Pressed button{.node = "/n" + std::to_string(i),
+                                  .since = Time{1'700'000'000'123'456'789 + i}};
+    for (std::size_t k = 0; k < button.writer.size(); ++k)
+      button.writer[k] = static_cast<std::uint8_t>(17 * k + static_cast<std::size_t>(i));
     record.pressed.push_back(button);
   }
-  EXPECT_EQ(record_of(text_of(record), "x"), record);
+  EXPECT_EQ(record_of(parse_yaml(text_of(record), "x")), record);
 }
 
 /// robot_base in real time beside writers of other participants: what a process does with the folder of the user's state.
@@ -214,8 +229,9 @@ class EmergencyStopRestart : public testing::Test {
 
   void start() {
     const auto path = scratch_file("restart");
-    std::ofstream(path) << "robot: {base: {driver: simulated}}\ncomponents: {robot_base: {inputs: {wheel_commands: {external: "
-                           "true}, sim/wheel_ticks: {external: true}}}}";
+    std::ofstream(path)
+        << "robot: {base: {driver: simulated}}\ncomponents: {robot_base: {inputs: {wheel_commands: {external: "
+           "true}, sim/wheel_ticks: {external: true}}}}";
     host_ = std::make_unique<Host>(load_graph(path, {}), HostOptions{.clock = ClockMode::wall});
     thread_ = std::thread([this] { host_->run(std::nullopt); });
   }
@@ -262,8 +278,8 @@ class EmergencyStopRestart : public testing::Test {
   }
 
   const std::filesystem::path folder_ = std::filesystem::path(std::getenv("XDG_STATE_HOME")) / "bandwagon";
-  const std::filesystem::path file_ =
-      folder_ / (std::string("domain_") + std::getenv("ROS_DOMAIN_ID")) / "robot_base" / "emergency_stop.yaml";
+  const std::filesystem::path file_ = folder_ / (std::string("domain_") + std::getenv("ROS_DOMAIN_ID")) /
+                                      "robot_base" / "emergency_stop.yaml";
   dds::Participant participant_{{.network = dds::Network::from_environment(dds::Transport::localhost)}};
   cli::TopicReader<BaseState> states_{participant_, "/base_state"};
   std::unique_ptr<Host> host_;
@@ -276,7 +292,8 @@ TEST_F(EmergencyStopRestart, AnotherProcessKnowsOfAButtonThatIsStillDown) {
   ASSERT_TRUE(press(button));
   ASSERT_TRUE(says(HasSubstr("is pressed by somebody")));
   ASSERT_TRUE(test::eventually([&] { return has_file(); }));
-  EXPECT_EQ(std::filesystem::status(file_).permissions(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  EXPECT_EQ(std::filesystem::status(file_).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
   stop();
   EXPECT_TRUE(has_file());
   start();
@@ -330,8 +347,10 @@ TEST_F(EmergencyStopRestart, OneThatIsNotReliableIsHeardToo) {
 
 TEST_F(EmergencyStopRestart, WhatCannotBeReadIsLatchedAndSaysWhy) {
   const std::string good = text_of({.cause = "pressed", .pressed = {}});
-  for (const std::string& text : {std::string(), std::string("{{{"), std::string("cause: ''\n"), std::string("cause: 3\nmore: 4\n"),
-                                  std::string(3, '\0'), good.substr(0, good.size() / 2), "cause: x\npressed: [{writer: 12}]\n" + std::string()}) {
+  for (const std::string& text :
+       {std::string(), std::string("{{{"), std::string("cause: ''\n"), std::string("cause: 3\nmore: 4\n"),
+        std::string(3, '\0'), good.substr(0, good.size() / 2),
+        "cause: x\npressed: [{writer: 12}]\n" + std::string()}) {
     std::filesystem::create_directories(file_.parent_path());
     std::ofstream(file_, std::ios::trunc) << text;
     start();

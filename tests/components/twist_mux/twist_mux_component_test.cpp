@@ -51,11 +51,11 @@ struct Drive {
 std::optional<Twist2> nothing(double) { return std::nullopt; }
 
 struct Wishes {
-  Wish planner = nothing;  ///< at 10 Hz
-  Wish hand = nothing;     ///< at 20 Hz
-  Wish stamped = nothing;  ///< at 20 Hz
-  Duration age = {};       ///< of the stamps
-  double release = -1.0;   ///< when [s]
+  Wish planner = nothing;          ///< at 10 Hz
+  Wish hand = nothing;             ///< at 20 Hz
+  Wish stamped = nothing;          ///< at 20 Hz
+  Duration age = {};               ///< of the stamps
+  double release = -1.0;           ///< when [s]
   std::vector<double> goals = {};  ///< when each is accepted [s]
 };
 
@@ -117,13 +117,16 @@ Drive run(double seconds, const Wishes& wishes, const std::string& parameters = 
                     [out = setup.output<sensor_msgs::msg::LaserScan>("scan")](const Tick& tick) {
                       out.publish(room(tick));
                     });
-        setup.input<std_msgs::msg::Bool>("manual_override", Qos::latched(),
-                                         [&](const auto& m, const Tick&) { drive.overrides.push_back(m.data()); });
+        setup.input<std_msgs::msg::Bool>("manual_override", Qos::latched(), [&](const auto& m, const Tick&) {
+          drive.overrides.push_back(m.data());
+        });
         setup.every(Duration::milliseconds(50), "people",
                     [&wishes, released = setup.output<std_msgs::msg::Empty>("stop_released"),
-                     status = setup.output<bandwagon_msgs::msg::NavigationStatus>("navigation_status", Qos::latched())](
-                        const Tick& tick) {
-                      const auto is_now = [&](double t) { return std::abs(seconds_since_start(tick.now) - t) < 1e-6; };
+                     status = setup.output<bandwagon_msgs::msg::NavigationStatus>(
+                         "navigation_status", Qos::latched())](const Tick& tick) {
+                      const auto is_now = [&](double t) {
+                        return std::abs(seconds_since_start(tick.now) - t) < 1e-6;
+                      };
                       if (is_now(wishes.release)) released.publish({});
                       for (std::size_t i = 0; i < wishes.goals.size(); ++i) {
                         if (!is_now(wishes.goals[i])) continue;
@@ -161,7 +164,8 @@ const Twist2 kNav{0.5, 0.2}, kHand{0.3, -0.4};
 
 // Today's rule was that the planner went on 1 s after the last key: who had driven the robot out of the way and let go was surprised.
 TEST(TwistMuxComponent, TheHandDrivesAlonePromptlyAndThePlannerGoesOnAfterARelease) {
-  const Drive drive = run(60.0, {.planner = between(0.0, 60.0, kNav), .hand = between(1.0, 2.0, kHand), .release = 50.0});
+  const Drive drive =
+      run(60.0, {.planner = between(0.0, 60.0, kNav), .hand = between(1.0, 2.0, kHand), .release = 50.0});
   EXPECT_EQ(Drive::at(drive.commands, 0.99).twist, kNav);
   for (const Given& given : drive.muxed) {
     if (given.t > 1.0 + 1e-6 && given.t < 2.2) {
@@ -182,7 +186,8 @@ TEST(TwistMuxComponent, TheHandDrivesAlonePromptlyAndThePlannerGoesOnAfterARelea
 }
 
 TEST(TwistMuxComponent, AnotherGoalIsDrivenWithoutARelease) {
-  const Drive drive = run(6.0, {.planner = between(0.0, 6.0, kNav), .hand = between(1.0, 2.0, kHand), .goals = {0.5, 1.5, 4.0}});
+  const Drive drive = run(
+      6.0, {.planner = between(0.0, 6.0, kNav), .hand = between(1.0, 2.0, kHand), .goals = {0.5, 1.5, 4.0}});
   EXPECT_EQ(Drive::at(drive.commands, 0.99).twist, kNav);
   EXPECT_EQ(Drive::at(drive.commands, 3.99).twist, Twist2{});  // that of 1.5 s came while the hand drove
   EXPECT_EQ(Drive::at(drive.commands, 4.1).twist, kNav);

@@ -31,7 +31,8 @@ TEST(TwistMux, WhomAHandTookOverFromIsNotHeardAgainBeforeARelease) {
   EXPECT_FALSE(m.is_interrupted());
   EXPECT_EQ(m.command(at(0.05), kTeleop, kBack), kBack);
   EXPECT_TRUE(m.is_interrupted());
-  for (int i = 2; i <= 2001; ++i) EXPECT_EQ(m.command(at(0.05 * i), kNav, kAhead), std::nullopt) << i;  // 100 s
+  for (int i = 2; i <= 2001; ++i)
+    EXPECT_EQ(m.command(at(0.05 * i), kNav, kAhead), std::nullopt) << i;  // 100 s
   EXPECT_EQ(m.command(at(101.0), kBehavior, kTurn), std::nullopt);
   // Silent for 0.2 s and a hand is nobody who outranks: from 0.25 s on, so from i = 6, it is the interruption.
   EXPECT_EQ(m.count(kNav).outranked, 4U);

@@ -5,6 +5,7 @@ import { mountBag } from "./bag/mount";
 import { element } from "./page/dom";
 import { PageApp } from "./page/page_app";
 import { mountStatusLines } from "./page/status_lines";
+import { mountStopButton } from "./page/stop_button";
 import { mountTabs, type Tab } from "./page/tabs";
 import { mountToolbar } from "./page/toolbar";
 import { exposeHook } from "./scene/hook";
@@ -26,6 +27,7 @@ const TABS: Tab[] = [
 
 mountToolbar(app);
 mountStatusLines(element("statuses"), app);
+mountStopButton(element("stop"), app);
 exposeHook(app, new SceneOnPage(element("scene"), app));
 mountTabs(app, TABS);
 
