@@ -345,6 +345,15 @@ TEST_F(EmergencyStopRestart, OneThatIsNotReliableIsHeardToo) {
   }));
 }
 
+TEST_F(EmergencyStopRestart, LockStepNeitherReadsNorWrites) {
+  EXPECT_EQ(run(1.0, {{0.5, "a", "press"}}).states.back().state(), state::EMERGENCY_STOP);
+  EXPECT_FALSE(std::filesystem::exists(folder_));
+  std::filesystem::create_directories(file_.parent_path());
+  std::ofstream(file_) << "broken";
+  EXPECT_NE(run(1.0, {}).states.back().state(), state::EMERGENCY_STOP);
+  EXPECT_TRUE(has_file());
+}
+
 TEST_F(EmergencyStopRestart, WhatCannotBeReadIsLatchedAndSaysWhy) {
   const std::string good = text_of({.cause = "pressed", .pressed = {}});
   for (const std::string& text :

@@ -69,7 +69,7 @@ class StopButton {
   }
 
   private tick(): void {
-    if (this.pressing && this.app.hands.canCommand) this.send(this.pressing.robot, true);
+    if (this.pressing && this.app.hands.canStop) this.send(this.pressing.robot, true);
     this.update();
   }
 
@@ -103,8 +103,8 @@ class StopButton {
     const state = this.state();
     if (this.pressing && state.isInForce && this.pressing.robot === app.robot) this.pressing = undefined;
     const isLate = this.pressing !== undefined && performance.now() - this.pressing.since > IN_FORCE_WITHIN_MS;
-    this.button.disabled = !app.hands.canCommand;
-    this.button.title = app.hands.whyNot || "Emergency stop of the robot";
+    this.button.disabled = !app.hands.canStop;
+    this.button.title = app.hands.canStop ? "Emergency stop of the robot" : app.hands.whyNot;
     this.button.classList.toggle("in-force", state.isInForce);
     this.show(isLate ? "NOT STOPPED: the base tells of no emergency stop. Use the switch of the base." : [state.text, this.said].filter(Boolean).join(". "));
     this.why.classList.toggle("alarm", isLate);
