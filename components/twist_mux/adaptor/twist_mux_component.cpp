@@ -54,19 +54,19 @@ class TwistMuxComponent final : public Component {
     override_ = setup.output<std_msgs::msg::Bool>("manual_override", Qos::latched());
     setup.input<NavigationStatus>(
         "navigation_status", Qos::latched(),
-        [this](const auto& status, const Tick& tick) {
+        [this](const auto& status, const Tick&) {
           if (goal_.see(status.goal_id(), static_cast<GoalStatus>(status.status()),
                         status.number_of_goals_remaining()))
             mux_->release();
           mux_->set_goal(goal_.is_in_hand());
-          report(tick.now);
+          tell_override();
         },
         Need::optional);
     setup.input<std_msgs::msg::Empty>(
         "stop_released", Qos::standard(),
-        [this](const auto&, const Tick& tick) {
+        [this](const auto&, const Tick&) {
           mux_->release();
-          report(tick.now);
+          tell_override(true);
         },
         Need::optional);
     setup.every(kCheckPeriod, "check", [this](const Tick& tick) { check(tick); });
@@ -80,14 +80,17 @@ class TwistMuxComponent final : public Component {
     tell_override();
   }
 
-  /// Only news: nobody has driven by hand before the first.
-  void tell_override() {
-    if (mux_->is_interrupted() == is_interrupted_) return;
+  /// News, and after each release all the same: who heard of an interruption before this instance was still waits.
+  void tell_override(bool is_asked = false) {
+    const bool is_news = mux_->is_interrupted() != is_interrupted_;
+    if (!is_news && !is_asked) return;
     is_interrupted_ = mux_->is_interrupted();
     std_msgs::msg::Bool message;
     message.data(is_interrupted_);
     override_.publish(message);
+    if (!is_news) return;
     log_.info("{}", is_interrupted_ ? kInterrupted : "who was interrupted by a hand is heard again");
+    tell(active_);
   }
 
   void check(const Tick& tick) {
@@ -109,10 +112,7 @@ class TwistMuxComponent final : public Component {
       const TwistMux::Count& count = mux_->count(i);
       refused += count.not_finite + count.late;
     }
-    const bool is_news = mux_->is_interrupted() != is_interrupted_told_;
-    is_interrupted_told_ = mux_->is_interrupted();
-    tell_override();
-    if (active == active_ && refused == refused_ && !is_news) return;
+    if (active == active_ && refused == refused_) return;
     if (refused > 0 && refused_ == 0) log_.warn("commands are refused: /diagnostics says whose and why");
     if (active && drove_ && active != drove_) log_.info("{} drives", options_.sources[*active].topic);
     if (active) drove_ = active;
@@ -138,7 +138,7 @@ class TwistMuxComponent final : public Component {
   TwistMuxOptions options_;
   std::optional<TwistMux> mux_;
   GoalInHand goal_;
-  bool is_interrupted_ = false, is_interrupted_told_ = false;
+  bool is_interrupted_ = false;  ///< as told last
   Output<std_msgs::msg::Bool> override_;
   std::optional<std::size_t> active_;  ///< as told last
   std::optional<std::size_t> drove_;
