@@ -102,7 +102,8 @@ void EmergencyStopFile::keep(const EmergencyStop::Record& record) {
     const std::lock_guard lock(mutex_);
     next_ = record;
   }
-  jobs_.add([this] { write(); });
+  if (!jobs_) jobs_ = std::make_unique<BackgroundJobs>();
+  jobs_->add([this] { write(); });
 }
 
 void EmergencyStopFile::write() {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -37,7 +38,7 @@ class EmergencyStopFile {
   std::function<void(const std::string&)> complain_;
   std::mutex mutex_;
   std::optional<EmergencyStop::Record> next_;  ///< guarded by mutex_; only the newest is written
-  BackgroundJobs jobs_;                        ///< last: it ends before what it uses
+  std::unique_ptr<BackgroundJobs> jobs_;       ///< from the first on; last: it ends before what it uses
 };
 
 }  // namespace bw

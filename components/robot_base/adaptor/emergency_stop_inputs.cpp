@@ -1,18 +1,22 @@
 #include "components/robot_base/adaptor/emergency_stop_inputs.hpp"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include <std_msgs/msg/bool.hpp>
 
-#include "runtime/parameters/yaml_file.hpp"
-
 namespace bw {
 namespace {
 
-/// As one may print it: it came from the wire.
-std::string printable(std::string node) {
-  constexpr std::size_t kLongest = 200;
-  return node.size() <= kLongest && is_config_text(node) ? node : "somebody with an unprintable name";
+/// It came from the wire, and goes into logs: what is no name of ROS 2 is not repeated.
+std::string printable(const std::string& node) {
+  constexpr std::size_t kLongest = 256;
+  const auto is_of_a_name = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '/';
+  };
+  const bool is_name = node.size() <= kLongest && std::ranges::all_of(node, is_of_a_name);
+  return is_name ? node : "somebody whose name is none";
 }
 
 }  // namespace
@@ -23,11 +27,7 @@ void EmergencyStopInputs::configure(Setup& setup) {
   if (!setup.is_lockstep()) {
     file_ = std::make_unique<EmergencyStopFile>(setup.state_file("emergency_stop.yaml"),
                                                 [this](const std::string& text) { log_.error("{}", text); });
-    if (const auto obstacle = file_->obstacle()) log_.warn("{}", *obstacle);
-    if (auto record = file_->read()) {
-      stop_.restore(kept_ = std::move(*record));
-      log_.warn("{}; latched by the process before; until release_stop", stop_.reason());
-    }
+    if (auto record = file_->read()) stop_.restore(kept_ = std::move(*record));
   }
   // A reader that wants what was said before it came does not match those who keep nothing, a reliable one not those who are not:
   // an emergency stop is heard from all of them, if twice.
@@ -45,6 +45,8 @@ void EmergencyStopInputs::begin(Time now, const EmergencyStopOptions& options,
   has_buttons_ = !options.buttons.empty();
   stop_.begin(now, options);
   on_change_ = std::move(on_change);
+  if (file_ == nullptr) return;
+  if (const auto obstacle = file_->obstacle()) log_.warn("{}", *obstacle);
 }
 
 void EmergencyStopInputs::step(Time now) {
