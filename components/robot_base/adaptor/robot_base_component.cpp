@@ -103,7 +103,7 @@ class RobotBaseComponent final : public Component {
     const Readings readings = driver_->poll(now);
     guard_->read(now, readings);
     for (const EncoderCounts& counts : readings.counts) {
-      if (const auto travel = odometry_.read(counts)) guard_->moved(now, counts.time, *travel);
+      if (const auto travel = odometry_.read(counts)) guard_->moved(counts.time, *travel);
     }
     outputs_.publish(now, readings);
     if (warning_.is_news(readings.warning) && warning_) log_.warn("{}", readings.warning);
@@ -113,7 +113,7 @@ class RobotBaseComponent final : public Component {
   void obey(Time now) {
     if (is_stopped_) guard_->revoke();
     emergency_stop_->step(now);
-    guard_->set_emergency_stop(now, emergency_stop_->stop().is_latched(), emergency_stop_->stop().reason());
+    guard_->set_emergency_stop(emergency_stop_->stop().is_latched(), emergency_stop_->stop().reason());
     const BaseOutput output = guard_->step(now);
     guard_->told(now, output.wheels, driver_->command(now, output.wheels));
     const bool is_news = output.condition != told_.condition || output.reason != told_.reason ||
@@ -133,18 +133,20 @@ class RobotBaseComponent final : public Component {
   Trigger::Response release(Time now) {
     auto refusal = emergency_stop_->refusal();
     if (!refusal) {
-      guard_->set_emergency_stop(now, false);
+      guard_->set_emergency_stop(false);
       refusal = guard_->release();
     }
     if (refusal) {
       log_.warn("release_stop is refused: {}", *refusal);
       return trigger_response(false, *refusal);
     }
-    released_.publish({});
     const std::string left = emergency_stop_->release();
     const std::string said = left.empty() ? "" : "; " + left;
     log_.info("stops are released{}", said);
-    return trigger_response(true, "released: it drives at the next command" + said);
+    released_.publish({});
+    obey(now);
+    const std::string& next = told_.reason.empty() ? "it drives at the next command" : told_.reason;
+    return trigger_response(true, "released: " + next + said);
   }
 
   void report(const BaseOutput& output) {
@@ -152,7 +154,8 @@ class RobotBaseComponent final : public Component {
     if (!output.reason.empty()) {
       const std::string how = output.is_latched ? "; until release_stop" : "";
       if (complaint_.is_news(output.reason + how)) log_.warn("{}{}", output.reason, how);
-      return diagnostics_->report(Level::error, output.reason + how);
+      const bool is_stop = output.condition != BaseCondition::waiting;
+      return diagnostics_->report(is_stop ? Level::error : Level::warn, output.reason + how);
     }
     if (complaint_.is_news("")) log_.info("nothing keeps the base from driving any more");
     if (output.commands == WatchdogState::stopping) log_.warn("no fresh wheel command: stopping");
