@@ -124,6 +124,7 @@ class Host {
   const Actor* outside_actor_ = nullptr;  ///< through which what is accepted enters
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
+  std::unique_ptr<class WriterNames> writers_;
   std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step
   std::unique_ptr<class NamesakeGuard> namesakes_;     ///< null in lock-step
   std::unique_ptr<class NodeAnnouncement> announcement_;

@@ -12,6 +12,7 @@
 #include "runtime/host/terminal.hpp"
 #include "runtime/host/wall_runner.hpp"
 #include "runtime/host/writer_clock.hpp"
+#include "runtime/host/writer_names.hpp"
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/ros/discovery_info.hpp"
 #include "runtime/ros/node_announcement.hpp"
@@ -102,6 +103,7 @@ void Host::connect() {
   for (Actor* actor : local_) connect_clients(*actor);
   if (outside_) outside_->connect(*participant_, heard_outside_, local_);
   if (lockstep) return;
+  writers_->connect(*participant_);
   command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
   namesakes_ = std::make_unique<NamesakeGuard>(*participant_, find_own_nodes(local_));
 }
