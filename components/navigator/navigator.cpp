@@ -154,6 +154,7 @@ NavigatorActions Navigator::step(const Situation& situation) {
     advance(situation);
     if (has_goal()) navigation_time_ = situation.now - started_;
   }
+  if (plan_id_ == 0) actions_.plan.reset();  // asked for since the last call, and nobody waits for it now
   return std::exchange(actions_, {});
 }
 

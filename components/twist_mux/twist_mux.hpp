@@ -8,6 +8,7 @@
 
 #include "components/twist_mux/twist_mux_options.hpp"
 #include "runtime/base/pose2.hpp"
+#include "runtime/base/stamp_age.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw {
@@ -19,19 +20,19 @@ class TwistMux {
     std::uint64_t passed = 0;
     std::uint64_t outranked = 0;   ///< somebody of higher priority drives
     std::uint64_t not_finite = 0;  ///< refused
-    std::uint64_t late = 0;        ///< refused: older than the time-out when it came
+    std::uint64_t stale = 0;       ///< refused for their stamps
+    StampAge last_stale;           ///< the last of these
+    std::uint64_t steps = 0;       ///< of clocks that stamp them
   };
-
-  /// A stamp that is further from now than this belongs to another clock and says nothing of age.
-  static constexpr Duration kPlausibleAge = Duration::milliseconds(10'000);
 
   /// `options` keep their rule.
   explicit TwistMux(const TwistMuxOptions& options);
 
-  /// A command of source i (index in the options), with the stamp if it has one. What was heard after `now`, as before a clock went back, is forgotten. What goes on to
-  /// the robot, if anything: the command itself, or zero when the source that drives sends what is no number.
+  /// A command of source i (index in the options), with the stamp if it has one, and by whose clock. What was heard after `now`, as
+  /// before a clock went back, is forgotten. What goes on to the robot, if anything: the command itself, or zero when the source
+  /// that drives sends what is no number.
   std::optional<Twist2> command(Time now, std::size_t i, const Twist2& twist,
-                                std::optional<Time> stamp = std::nullopt);
+                                std::optional<Time> stamp = std::nullopt, const StampSource& writer = {});
   /// To be called every few milliseconds. Zero, once, when the source that drives has been silent for its time-out and left
   /// the robot moving.
   std::optional<Twist2> check(Time now);
@@ -41,11 +42,13 @@ class TwistMux {
   const Count& count(std::size_t i) const { return counts_[i]; }
 
  private:
+  void see(Time now);
   bool is_within(Time now, std::size_t i, double seconds) const;
   bool is_outranked(Time now, std::size_t i) const;
 
   std::vector<TwistSourceOptions> sources_;
   std::vector<std::optional<Time>> heard_;  ///< the newest command of each that was passed on
+  std::vector<StampAges> stamps_;
   std::vector<Count> counts_;
   std::optional<std::size_t> last_;  ///< whose command went on last
   bool is_moving_ = false;           ///< what went on last was not zero

@@ -15,6 +15,7 @@ struct TwistSourceOptions {
   std::int64_t priority = 0;
   double timeout = 0.2;
   double hold = 0.0;
+  double max_age = 0.5;
   bool stamped = false;
   bool optional = false;
 
@@ -33,6 +34,11 @@ struct TwistSourceOptions {
        .max = 60,
        .doc =
            "others of lower priority are heard again when it has been silent for so long, and not before the timeout"});
+    v("max_age", max_age,
+      {.unit = "s",
+       .min = 0.05,
+       .max = 5,
+       .doc = "stamped commands that are older when they come are refused"});
     v("stamped", stamped, {.doc = "geometry_msgs/TwistStamped instead of geometry_msgs/Twist"});
     v("optional", optional, {.doc = "a graph in which nobody publishes it is none the worse"});
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "runtime/host/led_lifecycle.hpp"
+#include "runtime/host/writer_clock.hpp"
 
 namespace bw {
 
@@ -78,10 +79,11 @@ bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
 void Actor::give(Input& input, const dds::Guid& writer, std::span<const std::uint8_t> cdr, Time now,
                  std::optional<Duration> waited) {
   const Duration start = thread_cpu_time();
-  const Tick tick{.now = now,
-                  .health = health(now),
-                  .sequence = input.calls,
-                  .from = {writer, dds::same_host(writer, input.reader->guid())}};
+  const Tick tick{
+      .now = now,
+      .health = health(now),
+      .sequence = input.calls,
+      .from = {writer, writer_clock == nullptr || writer_clock->is_own(writer, input.reader->guid())}};
   const bool accepted = input.handler(cdr, tick);
   const Duration spent = thread_cpu_time() - start;
   if (accepted) ++input.calls;

@@ -119,6 +119,7 @@ struct Actor final : DiagnosticReporter {
   bool is_real_time = false;  ///< its lane comes before others
   std::size_t rank = 0;
   Duration latency;
+  const class WriterClock* writer_clock = nullptr;  ///< null: there is one clock
   std::unique_ptr<Component> component;
   std::vector<std::unique_ptr<Input>> inputs;
   std::vector<const Input*> watched;  ///< inputs with a max_age

@@ -14,6 +14,7 @@
 #include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"
+#include "runtime/host/writer_clock.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/registry.hpp"
 #include "runtime/ros/dds_names.hpp"

@@ -30,6 +30,7 @@ refused 2 'No such robot file: nothing.yaml' nothing.yaml
 refused 2 'There are: config/robots/eddie.yaml' nothing.yaml
 refused 2 'The robot file comes first' --emulate
 refused 2 'No such map' "$root/config/robots/kobuki.yaml" --map "$folder/none.yaml"
+refused 2 'nowhere' "$root/config/robots/kobuki.yaml" --set=nowhere.x=1
 refused 2 '--map needs a file' "$root/config/robots/kobuki.yaml" --map
 printf 'name: X\nwheel_radios: 1\n' >"$folder/robot.yaml"
 refused 2 "wheel_radius" "$folder/robot.yaml"

@@ -1,6 +1,7 @@
 // Adaptor of the twist multiplexer: velocities that several want in, one out, on arrival.
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <geometry_msgs/msg/twist.hpp>
@@ -52,7 +53,7 @@ class TwistMuxComponent final : public Component {
 
  private:
   void on_command(std::size_t i, const Twist2& twist, std::optional<Time> stamp, const Tick& tick) {
-    publish(mux_->command(tick.now, i, twist, stamp), tick);
+    publish(mux_->command(tick.now, i, twist, stamp, {tick.from.writer, tick.from.is_own_clock}), tick);
   }
 
   void check(const Tick& tick) {
@@ -69,11 +70,14 @@ class TwistMuxComponent final : public Component {
   /// For the log it is news when somebody else drives than before.
   void report(Time now) {
     const auto active = mux_->active(now);
-    std::uint64_t refused = 0;
+    std::uint64_t refused = 0, steps = 0;
     for (std::size_t i = 0; i < options_.sources.size(); ++i) {
       const TwistMux::Count& count = mux_->count(i);
-      refused += count.not_finite + count.late;
+      refused += count.not_finite + count.stale;
+      steps += count.steps;
     }
+    if (steps != std::exchange(steps_, steps))
+      log_.warn("the clock that stamps somebody's commands was set, or all before were late");
     if (active == active_ && refused == refused_) return;
     if (refused > 0 && refused_ == 0) log_.warn("commands are refused: /diagnostics says whose and why");
     if (active && drove_ && active != drove_) log_.info("{} drives", options_.sources[*active].topic);
@@ -87,9 +91,13 @@ class TwistMuxComponent final : public Component {
     using Level = DiagnosticReporter::Level;
     for (std::size_t i = 0; i < options_.sources.size(); ++i) {
       const TwistMux::Count& count = mux_->count(i);
-      if (count.not_finite + count.late == 0) continue;
-      diagnostics_->set_value(options_.sources[i].topic, fmt::format("refused: {} not finite, {} too late",
-                                                                     count.not_finite, count.late));
+      if (count.not_finite + count.stale == 0) continue;
+      std::string text =
+          fmt::format("refused: {} not finite, {} for their stamps", count.not_finite, count.stale);
+      if (count.stale > 0)
+        text += fmt::format(", the last: {}, {:.2f} s old", to_text(count.last_stale.fault),
+                            count.last_stale.age.to_seconds());
+      diagnostics_->set_value(options_.sources[i].topic, text);
     }
     const std::string who = active ? options_.sources[*active].topic + " drives" : "nobody drives";
     diagnostics_->report(refused_ == 0 ? Level::ok : Level::warn,
@@ -100,7 +108,7 @@ class TwistMuxComponent final : public Component {
   std::optional<TwistMux> mux_;
   std::optional<std::size_t> active_;  ///< as told last
   std::optional<std::size_t> drove_;
-  std::uint64_t refused_ = 0;
+  std::uint64_t refused_ = 0, steps_ = 0;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
   Output<Twist> out_;

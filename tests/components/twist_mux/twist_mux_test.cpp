@@ -1,6 +1,7 @@
 // Sources with the priorities 100 (time-out 0.2 s, hold 1 s), 90 (the same, stamped), 50 (time-out 0.25 s) and 10 (time-out 0.5 s).
 #include "components/twist_mux/twist_mux.hpp"
 
+#include <cstdint>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -79,6 +80,9 @@ TEST(TwistMux, AClockThatGoesBackForgetsWhoSpoke) {
   EXPECT_EQ(m.active(at(1.0)), std::nullopt);
   EXPECT_EQ(m.check(at(1.0)), Twist2{});
   EXPECT_EQ(m.command(at(1.0), kNav, kAhead), kAhead);
+  // Nor once the new time has come to where it was heard.
+  EXPECT_EQ(m.command(at(60.0), kNav, kAhead), kAhead);
+  EXPECT_EQ(m.active(at(60.0)), kNav);
 }
 
 TEST(TwistMux, WhatIsNoNumberIsRefusedAndTakesNothingOver) {
@@ -96,20 +100,62 @@ TEST(TwistMux, WhatIsNoNumberIsRefusedAndTakesNothingOver) {
   EXPECT_EQ(m.command(at(0.4), kNav, kAhead), kAhead);
 }
 
-TEST(TwistMux, AStampThatIsOlderThanTheTimeOutIsNoCommand) {
+TEST(TwistMux, AStampOfTheOwnClockThatIsTooOldOrOfTheFutureIsNoCommand) {
   TwistMux m = mux();
-  EXPECT_EQ(m.command(at(0.0), kStamped, kAhead, at(-0.201)), std::nullopt);
-  EXPECT_EQ(m.command(at(0.0), kStamped, kAhead, at(-10.0)), std::nullopt);
-  EXPECT_EQ(m.count(kStamped).late, 2U);
+  for (const double age : {0.501, 1.0, 10.1, 3600.0, -0.1, -3600.0})
+    EXPECT_EQ(m.command(at(0.0), kStamped, kAhead, at(-age)), std::nullopt) << age;
+  EXPECT_EQ(m.count(kStamped).stale, 6U);
   EXPECT_EQ(m.active(at(0.0)), std::nullopt);
-  EXPECT_EQ(m.command(at(0.0), kStamped, kAhead, at(-0.2)), kAhead);
+  EXPECT_EQ(m.command(at(3600.0), kStamped, kAhead, at(3599.5)), kAhead);
+  EXPECT_EQ(m.command(at(3600.1), kStamped, kAhead, Time{}), kAhead);  // without a stamp nothing is known
 }
 
-TEST(TwistMux, AStampOfAnotherClockOrNoneSaysNothing) {
+/// A hand at 20 Hz whose clock is `ahead` of ours [s]; how many of its commands went on.
+int drive(TwistMux& m, double from, double to, double ahead, double delay, std::uint8_t writer = 1) {
+  int passed = 0;
+  for (int i = 0; from + 0.05 * i < to; ++i) {
+    const double t = from + 0.05 * i;
+    passed +=
+        m.command(at(t + delay), kStamped, kAhead, at(t + ahead), {.writer = {writer}, .is_own_clock = false})
+            .has_value();
+  }
+  return passed;
+}
+
+TEST(TwistMux, AHandWhoseClockIsAnHourOffDrivesAfterASecondAndIsRefusedWhenItIsLate) {
+  for (const double ahead : {-3600.0, 3600.0, 1e9}) {
+    TwistMux m = mux();
+    EXPECT_EQ(drive(m, 0.0, 1.0, ahead, 0.02), 0);
+    EXPECT_EQ(drive(m, 1.0, 3.0, ahead, 0.02), 40);
+    EXPECT_EQ(drive(m, 3.0, 4.0, ahead, 1.0), 0);    // held back by a second
+    EXPECT_EQ(drive(m, 5.0, 7.0, ahead, 0.02), 40);  // a pause is no reason to prove it again
+    // Its clock is set: it stands for a second.
+    EXPECT_EQ(drive(m, 8.0, 8.999, ahead - 1800.003, 0.02), 0);
+    EXPECT_GE(drive(m, 9.0, 11.0, ahead - 1800.003, 0.02), 39);
+    EXPECT_EQ(m.count(kStamped).steps, 1U);
+  }
+}
+
+TEST(TwistMux, TwoHandsWithClocksOfTheirOwn) {
   TwistMux m = mux();
-  EXPECT_EQ(m.command(at(0.0), kStamped, kAhead, at(-10.1)), kAhead);
-  EXPECT_EQ(m.command(at(0.1), kStamped, kAhead, at(3.0)), kAhead);
-  EXPECT_EQ(m.command(at(0.2), kStamped, kAhead, Time{}), kAhead);
+  drive(m, 0.0, 2.0, 500.0, 0.02, 1);
+  drive(m, 2.0, 4.0, -500.0, 0.02, 2);
+  EXPECT_EQ(drive(m, 4.0, 5.0, 500.0, 0.02, 1), 20);
+  EXPECT_EQ(drive(m, 5.0, 6.0, -500.0, 0.02, 2), 20);
+}
+
+// Row 13 of the faults: a stop, and then what was said before it.
+TEST(TwistMux, WhatWasOvertakenIsNotObeyed) {
+  for (const bool is_own : {true, false}) {
+    const StampSource writer{.is_own_clock = is_own};
+    TwistMux m = mux();
+    for (int i = 0; i < 40; ++i) m.command(at(0.05 * i), kStamped, kAhead, at(0.05 * i), writer);
+    EXPECT_EQ(m.command(at(2.05), kStamped, Twist2{}, at(2.05), writer), Twist2{});
+    EXPECT_EQ(m.command(at(2.06), kStamped, kAhead, at(2.0), writer), std::nullopt);
+    EXPECT_EQ(m.command(at(2.07), kStamped, kAhead, at(0.05), writer), std::nullopt);
+    EXPECT_EQ(m.command(at(2.08), kStamped, Twist2{}, at(2.05), writer), Twist2{});  // twice
+    EXPECT_EQ(m.check(at(3.0)), std::nullopt);
+  }
 }
 
 TEST(TwistMux, AThousandOfOneSourceBetweenTwoOfAHigherOneChangeNothing) {

@@ -165,8 +165,7 @@ TEST_F(Commands, WhoMayOnlyLookIsRefusedEachWay) {
   server_->on_services(
       {service(5, "/arm"), service(6, "/planner/get_parameters", "rcl_interfaces/srv/GetParameters")}, {});
   opened(1, false);
-  const std::string reason =
-      "this connection may only look on: from other machines commands need --allow-commands";
+  const std::string reason = "read only: commands need a token";
   advertise(1, 1, "/goal_pose", "json");
   expect_status(1, 2, "advertise /goal_pose: " + reason);
   publish(1, 1, "{}");

@@ -4,8 +4,10 @@ import "./style/statuses.css";
 import { mountBag } from "./bag/mount";
 import { element } from "./page/dom";
 import { PageApp } from "./page/page_app";
+import { mountReadOnly } from "./page/read_only";
 import { mountStatusLines } from "./page/status_lines";
 import { mountTabs, type Tab } from "./page/tabs";
+import { takeToken } from "./page/token";
 import { mountToolbar } from "./page/toolbar";
 import { exposeHook } from "./scene/hook";
 import { SceneOnPage } from "./scene/scene";
@@ -25,6 +27,7 @@ const TABS: Tab[] = [
 ];
 
 mountToolbar(app);
+mountReadOnly(element("connection"), app);
 mountStatusLines(element("statuses"), app);
 exposeHook(app, new SceneOnPage(element("scene"), app));
 mountTabs(app, TABS);
@@ -32,4 +35,4 @@ mountTabs(app, TABS);
 mountStrip(element("strip"), app);
 
 const scheme = location.protocol === "https:" ? "wss" : "ws";
-if (!mountBag(app)) app.open(new LiveSource(`${scheme}://${location.host}`, app));
+if (!mountBag(app)) app.open(new LiveSource(`${scheme}://${location.host}`, app, takeToken(location, history, sessionStorage)));
