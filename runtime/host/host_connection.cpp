@@ -61,6 +61,7 @@ void Host::connect() {
         local_, *clock_,
         [this](const Actor& actor, const std::string& text) { log(actor, LogLevel::warn, text); });
   }
+  runner_->set_on_failure([this](const CallbackFailure& failure) { end_by(failure); });
   std::vector<Actor*> all;
   for (const auto& actor : actors_) all.push_back(actor.get());
   const std::vector<WatchedTopic> watched = find_watched_topics(all, local_);

@@ -21,7 +21,8 @@ struct KobukiDriverOptions {
 class KobukiDriver final : public kobuki::Kobuki {
  public:
   KobukiDriver(const KobukiDriverOptions& options, const DriverContext& context)
-      : Kobuki(options.base, context.robot.wheel_radii(), context.open_link(options.port)) {}
+      : Kobuki(options.base, context.robot.wheel_radii(),
+               context.open_link(options.port, kobuki::base_control({}))) {}
 };
 
 }  // namespace bw

@@ -362,9 +362,7 @@ bool Eddie::command(Time now, const WheelSpeeds& wheels) {
   if (phase_ == Phase::opened) {
     // Its letters make an error of half a line that the board may still hold, and no motion.
     dialogue_.begin(now, kListen);
-    const std::string stop = text_of(Request::stop);
-    if (link_->write({reinterpret_cast<const std::uint8_t*>(stop.data()), stop.size()}))
-      phase_ = Phase::starting;
+    if (link_->write(stop_frame())) phase_ = Phase::starting;
     return false;
   }
   if (dialogue_.is_free(now)) {
@@ -382,9 +380,13 @@ bool Eddie::command(Time now, const WheelSpeeds& wheels) {
 
 void Eddie::stop(Time) {
   if (phase_ == Phase::closed) return;
-  const std::string text = text_of(Request::stop);
-  static_cast<void>(link_->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
   target_ = {};
+  if (link_->write(stop_frame())) link_->rest();
+}
+
+std::vector<std::uint8_t> Eddie::stop_frame() {
+  const std::string text = eddie::command("STOP", {0});
+  return {text.begin(), text.end()};
 }
 
 }  // namespace bw::eddie

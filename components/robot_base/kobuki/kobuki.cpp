@@ -256,6 +256,7 @@ void Kobuki::stop(Time now) {
   if (openings_ == 0 || !link_->write(base_control({}))) return;
   session_.written = now;
   session_.motion = {};
+  link_->rest();
 }
 
 }  // namespace bw::kobuki
