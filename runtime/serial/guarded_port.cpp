@@ -48,9 +48,9 @@ void GuardedPort::rest() {
   if (guardian_) guardian_->rest();
 }
 
-/// Whatever the guardian has said: this process can speak for itself. More than once, as it does.
+/// Whatever the guardian has said: this process can speak for itself.
 void GuardedPort::give_up(Time now, const std::string& why) {
-  for (int i = 0; i < 3; ++i) static_cast<void>(port_->write(stop_frame_));
+  static_cast<void>(port_->write(stop_frame_));
   close(now, why);
 }
 

@@ -48,7 +48,7 @@ class Guardian {
       if (ready > 0) hear();
       if (ready < 0 && errno != EINTR) phase_ = Phase::over;
       if (phase_ == Phase::watching && Clock::now() - heard_ >= kSilence) trip();
-      if (phase_ == Phase::tripped && Clock::now() - stopped_ >= kRepeat) stop(1);
+      if (phase_ == Phase::tripped && Clock::now() - stopped_ >= kRepeat) stop();
     }
   }
 
@@ -81,32 +81,31 @@ class Guardian {
   }
 
   void trip() {
-    stop(kAtOnce);
+    stop();
     phase_ = Phase::tripped;
     say(kTripped);
     tell("is silent");
   }
 
   void outlive() {
-    stop(kAtOnce);
+    stop();
     tell("is gone");
     for (int i = 0; i < kLastWords; ++i) {
       poll(nullptr, 0, static_cast<int>(kRepeat.count()));
-      stop(1);
+      stop();
     }
     phase_ = Phase::over;
   }
 
   void release() {
-    stop(kAtOnce);
+    stop();
     phase_ = Phase::over;
   }
 
   /// The port does not block. Bytes that do not fit now go out with the next repetition.
-  void stop(int times) {
+  void stop() {
     stopped_ = Clock::now();
-    for (int i = 0; i < times; ++i)
-      [[maybe_unused]] const ssize_t taken = write(kPort, stop_frame_.data(), stop_frame_.size());
+    [[maybe_unused]] const ssize_t taken = write(kPort, stop_frame_.data(), stop_frame_.size());
   }
 
   static void say(char message) { send(kSocket, &message, 1, MSG_DONTWAIT | MSG_NOSIGNAL); }

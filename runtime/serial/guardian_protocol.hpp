@@ -22,11 +22,9 @@ inline constexpr char kTripped = 't';  ///< no heartbeat in time: the device is 
 
 inline constexpr std::chrono::milliseconds kHeartbeatPeriod{20};
 inline constexpr std::chrono::milliseconds kSilence{200};  ///< without a heartbeat: the process hangs
-inline constexpr std::chrono::milliseconds kRepeat{20};    ///< between two stop frames
-/// What was half under way when the process ended spoils the first stop frame; on an Eddie a frame, on a Kobuki up to two.
-inline constexpr int kAtOnce = 3;
+inline constexpr std::chrono::milliseconds kRepeat{50};    ///< between two stop frames
 /// So often more after the process is gone; then the guardian ends.
-inline constexpr int kLastWords = 5;
+inline constexpr int kLastWords = 3;
 inline constexpr int kMostUnanswered = 25;  ///< heartbeats, 0.5 s: the guardian hangs
 
 }  // namespace bw::guardian

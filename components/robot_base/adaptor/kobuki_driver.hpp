@@ -22,7 +22,7 @@ class KobukiDriver final : public kobuki::Kobuki {
  public:
   KobukiDriver(const KobukiDriverOptions& options, const DriverContext& context)
       : Kobuki(options.base, context.robot.wheel_radii(),
-               context.open_link(options.port, kobuki::base_control({}))) {}
+               context.open_link(options.port, stop_frame())) {}
 };
 
 }  // namespace bw

@@ -362,7 +362,9 @@ bool Eddie::command(Time now, const WheelSpeeds& wheels) {
   if (phase_ == Phase::opened) {
     // Its letters make an error of half a line that the board may still hold, and no motion.
     dialogue_.begin(now, kListen);
-    if (link_->write(stop_frame())) phase_ = Phase::starting;
+    const std::string stop = text_of(Request::stop);
+    if (link_->write({reinterpret_cast<const std::uint8_t*>(stop.data()), stop.size()}))
+      phase_ = Phase::starting;
     return false;
   }
   if (dialogue_.is_free(now)) {
@@ -381,11 +383,12 @@ bool Eddie::command(Time now, const WheelSpeeds& wheels) {
 void Eddie::stop(Time) {
   if (phase_ == Phase::closed) return;
   target_ = {};
-  if (link_->write(stop_frame())) link_->rest();
+  const std::string text = text_of(Request::stop);
+  if (link_->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()})) link_->rest();
 }
 
 std::vector<std::uint8_t> Eddie::stop_frame() {
-  const std::string text = eddie::command("STOP", {0});
+  const std::string one = eddie::command("STOP", {0}), text = one + one;
   return {text.begin(), text.end()};
 }
 
