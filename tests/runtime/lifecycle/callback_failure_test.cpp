@@ -19,10 +19,10 @@ using testing::HasSubstr;
 class CallbackFailure : public testing::TestWithParam<ClockMode> {
  protected:
   /// `a`, `b` and `c`, of which `b` does what it likes; how it ended.
-  RunEnd run_with(const std::function<void(Setup&)>& configure,
+  RunEnd run_with(const std::function<void(bw::Setup&)>& configure,
                   const std::function<void(const Tick&)>& deactivate = [](const Tick&) {}) {
     ScriptedGraph g;
-    g.add({.name = "a", .lane = "a"}, [this] {
+    g.add(ComponentNode{.name = "a", .lane = "a"}, [this] {
       Script script = talker(events_, "a");
       script.configure = [](bw::Setup& setup) {
         setup.every(Duration::milliseconds(5), "say", [out = setup.output<Float64>("number")](const Tick&) {
@@ -31,13 +31,13 @@ class CallbackFailure : public testing::TestWithParam<ClockMode> {
       };
       return script;
     });
-    g.add({.name = "b", .lane = "b"}, [this, configure, deactivate] {
+    g.add(ComponentNode{.name = "b", .lane = "b"}, [this, configure, deactivate] {
       return Script{.configure = configure, .deactivate = [this, deactivate](const Tick& tick) {
                       events_.push_back("deactivate b");
                       deactivate(tick);
                     }};
     });
-    g.add({.name = "c", .lane = "b"}, [this] { return talker(events_, "c"); });
+    g.add(ComponentNode{.name = "c", .lane = "b"}, [this] { return talker(events_, "c"); });
     Host host(g.graph, {.clock = GetParam()});
     const RunEnd end = host.run(Duration::seconds(20.0));
     std::erase_if(events_, [](const std::string& event) { return !event.starts_with("deactivate"); });
