@@ -26,7 +26,8 @@ struct DriverContext {
   /// The cable, for a driver that has one. `stop_frame`: the bytes that make the base stand, which the port's guardian sends when this
   /// process is killed or hangs: also in the middle of a command, of which they must not become a part. Empty: the base has no such bytes,
   /// and drives on as its firmware likes.
-  std::function<std::unique_ptr<ByteLink>(const PortOptions&, std::vector<std::uint8_t> stop_frame)> open_link;
+  std::function<std::unique_ptr<ByteLink>(const PortOptions&, std::vector<std::uint8_t> stop_frame)>
+      open_link;
   /// To be called when something came that should not wait for the next poll; kept as long as the driver likes.
   std::function<void(Time now)> wake;
 };

@@ -18,15 +18,15 @@ namespace bw {
 struct RunEnd {
   bool ok = true;
   std::string reason;
-  bool has_thrown = false;  ///< by an exception of a callback: a mistake in the program, not a result of the run
+  bool has_thrown = false;  ///< a callback threw: a mistake in the program, not a result of the run
 };
 
 /// A callback that threw.
 struct CallbackFailure {
   Actor& actor;
-  std::string callback;      ///< topic, timer, service or action
-  std::string what;          ///< of the exception
-  bool is_on_lane = true;    ///< told on the actor's own lane, so that it can be brought to rest at once
+  std::string callback;    ///< topic, timer, service or action
+  std::string what;        ///< of the exception
+  bool is_on_lane = true;  ///< told on the actor's own lane, so that it can be brought to rest at once
 };
 
 class Runner : public SampleSink {

@@ -30,7 +30,8 @@ const LinkState& GuardedPort::update(Time now) {
 
 void GuardedPort::begin(Time now, const LinkState& port) {
   guardian_ = std::make_shared<PortGuardian>(
-      GuardedDevice{.descriptor = port_->descriptor(), .name = port.device, .program = program_}, stop_frame_);
+      GuardedDevice{.descriptor = port_->descriptor(), .name = port.device, .program = program_},
+      stop_frame_);
   if (!guardian_->fault().empty()) give_up(now, guardian_->fault());
 }
 

@@ -18,7 +18,8 @@ namespace bw {
 class GuardedPort final : public ByteLink {
  public:
   /// `stop_frame`: the bytes that make the base stand. `guardian`: another program than the one beside this.
-  GuardedPort(std::unique_ptr<SerialPort> port, std::vector<std::uint8_t> stop_frame, std::string guardian = {});
+  GuardedPort(std::unique_ptr<SerialPort> port, std::vector<std::uint8_t> stop_frame,
+              std::string guardian = {});
   /// The guardian says one last stop, and ends.
   ~GuardedPort() override;
   GuardedPort(const GuardedPort&) = delete;

@@ -71,7 +71,8 @@ class Guardian {
     if (got < 0 && (errno == EAGAIN || errno == EINTR)) return;
     if (got <= 0) return outlive();
     if (message == kRelease) return release();
-    if (phase_ == Phase::tripped) return;  // a hang that ends must not drive on: only a port that is opened anew does
+    if (phase_ == Phase::tripped)
+      return;  // a hang that ends must not drive on: only a port that is opened anew does
     if (message == kHeartbeat) {
       phase_ = Phase::watching;
       heard_ = Clock::now();
@@ -115,8 +116,8 @@ class Guardian {
     const std::string line =
         "the guardian of " + port_ + ": process " + process_ + " " + what + ", the base is told to stop\n";
     pollfd terminal{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
-    if (poll(&terminal, 1, 0) > 0)
-      [[maybe_unused]] const ssize_t taken = write(STDERR_FILENO, line.data(), line.size());
+    if (poll(&terminal, 1, 0) > 0) [[maybe_unused]]
+      const ssize_t taken = write(STDERR_FILENO, line.data(), line.size());
   }
 
   std::string process_, port_;

@@ -13,12 +13,14 @@ inline constexpr int kPort = 4;    ///< descriptor of the open port
 
 // From the process.
 inline constexpr char kHeartbeat = 'h';  ///< it lives; each is answered by kAnswer
-inline constexpr char kRest = 'r';       ///< the device was told to stand, and no heartbeat comes until it is used again
-inline constexpr char kRelease = 'q';    ///< the port is given up: one last stop, and the guardian ends
+inline constexpr char kRest =
+    'r';  ///< the device was told to stand, and no heartbeat comes until it is used again
+inline constexpr char kRelease = 'q';  ///< the port is given up: one last stop, and the guardian ends
 
 // From the guardian.
 inline constexpr char kAnswer = 'a';
-inline constexpr char kTripped = 't';  ///< no heartbeat in time: the device is told to stand until the port is given up
+inline constexpr char kTripped =
+    't';  ///< no heartbeat in time: the device is told to stand until the port is given up
 
 inline constexpr std::chrono::milliseconds kHeartbeatPeriod{20};
 inline constexpr std::chrono::milliseconds kSilence{200};  ///< without a heartbeat: the process hangs

@@ -41,7 +41,8 @@ std::string hex_of(std::span<const std::uint8_t> bytes) {
 
 /// In a session of its own and with every signal blocked from its first instruction: neither Ctrl-C, nor Ctrl-Z, nor a closed
 /// terminal, nor a signal to the whole process group reaches it. Returns the error, 0: started.
-int start(const std::string& program, const std::vector<std::string>& words, int socket, int port, pid_t& process) {
+int start(const std::string& program, const std::vector<std::string>& words, int socket, int port,
+          pid_t& process) {
   posix_spawnattr_t how;
   posix_spawnattr_init(&how);
   sigset_t all;
@@ -58,8 +59,7 @@ int start(const std::string& program, const std::vector<std::string>& words, int
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
-  char* no_environment = nullptr;
-  const int error = posix_spawn(&process, program.c_str(), &files, &how, arguments.data(), &no_environment);
+  const int error = posix_spawn(&process, program.c_str(), &files, &how, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   posix_spawnattr_destroy(&how);
   return error;
@@ -88,8 +88,8 @@ PortGuardian::PortGuardian(const GuardedDevice& device, std::span<const std::uin
     const int its_port = clear_of_ours(device.descriptor);
     error = its_end < 0 || its_port < 0
                 ? errno
-                : start(program, {kProgram, std::to_string(getpid()), device.name, hex_of(stop_frame)}, its_end,
-                        its_port, process_);
+                : start(program, {kProgram, std::to_string(getpid()), device.name, hex_of(stop_frame)},
+                        its_end, its_port, process_);
     for (const int descriptor : {pair[1], its_end, its_port})
       if (descriptor >= 0) close(descriptor);
   }

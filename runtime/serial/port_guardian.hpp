@@ -13,8 +13,8 @@ namespace bw {
 
 /// What `stop_frame` is written to, and by whom.
 struct GuardedDevice {
-  int descriptor = -1;      ///< of the open port; the guardian gets one of its own
-  std::string name;         ///< for people
+  int descriptor = -1;       ///< of the open port; the guardian gets one of its own
+  std::string name;          ///< for people
   std::string program = {};  ///< the guardian; empty: beside this program
 };
 

@@ -63,7 +63,8 @@ class EmulatedKobuki {
     stepped_ = now();
     const WheelSpeeds wheels = firmware_.motors();
     left_ += wheels.left * dt, right_ += wheels.right * dt;
-    const double tick = 2.0 * std::numbers::pi * robot_.wheel_radius / static_cast<double>(robot_.ticks_per_revolution);
+    const double tick =
+        2.0 * std::numbers::pi * robot_.wheel_radius / static_cast<double>(robot_.ticks_per_revolution);
     emulators::Body body;
     body.left_ticks = static_cast<std::int32_t>(std::lround(left_ / tick));
     body.right_ticks = static_cast<std::int32_t>(std::lround(right_ / tick));

@@ -232,7 +232,8 @@ bool stands_after(EmulatedBase& firmware, const Bytes& running, const Bytes& com
 // A process may be killed in the middle of a frame.
 TEST(StopFrame, IsHeardByAKobukiAfterAnyPartOfAnyCommand) {
   const Bytes drive = kobuki::base_control({300, 0});
-  for (const Bytes& command : {drive, kobuki::set_user_gains({}), kobuki::request_versions(), kobuki::request_gains()}) {
+  for (const Bytes& command :
+       {drive, kobuki::set_user_gains({}), kobuki::request_versions(), kobuki::request_gains()}) {
     for (std::size_t spoiled = 0; spoiled < command.size(); ++spoiled) {
       KobukiFirmware firmware({}, kobuki_robot(), 1);
       EXPECT_TRUE(stands_after(firmware, drive, command, spoiled, kobuki::Kobuki::stop_frame()))
@@ -243,11 +244,13 @@ TEST(StopFrame, IsHeardByAKobukiAfterAnyPartOfAnyCommand) {
 
 TEST(StopFrame, IsHeardByAnEddieAfterAnyPartOfAnyCommand) {
   const Bytes drive = bytes_of("GOSPD 40 40\r");
-  for (const char* text : {"GOSPD 60 60\r", "GO 7F 7F\r", "TRVL 7FFF 60\r", "DIST\r", "STOP 0\r", "ACC 40\r"}) {
+  for (const char* text :
+       {"GOSPD 60 60\r", "GO 7F 7F\r", "TRVL 7FFF 60\r", "DIST\r", "STOP 0\r", "ACC 40\r"}) {
     const Bytes command = bytes_of(text);
     for (std::size_t spoiled = 0; spoiled < command.size(); ++spoiled) {
       EddieFirmware firmware({}, eddie_robot());
-      EXPECT_TRUE(stands_after(firmware, drive, command, spoiled, eddie::Eddie::stop_frame())) << text << spoiled;
+      EXPECT_TRUE(stands_after(firmware, drive, command, spoiled, eddie::Eddie::stop_frame()))
+          << text << spoiled;
     }
   }
 }

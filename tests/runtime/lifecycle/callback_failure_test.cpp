@@ -19,15 +19,15 @@ using testing::HasSubstr;
 class CallbackFailure : public testing::TestWithParam<ClockMode> {
  protected:
   /// `a`, `b` and `c`, of which `b` does what it likes; how it ended.
-  RunEnd run_with(const std::function<void(bw::Setup&)>& configure,
-                  const std::function<void(const Tick&)>& deactivate = [](const Tick&) {}) {
+  RunEnd run_with(
+      const std::function<void(bw::Setup&)>& configure,
+      const std::function<void(const Tick&)>& deactivate = [](const Tick&) {}) {
     ScriptedGraph g;
     g.add(ComponentNode{.name = "a", .lane = "a"}, [this] {
       Script script = talker(events_, "a");
       script.configure = [](bw::Setup& setup) {
-        setup.every(Duration::milliseconds(5), "say", [out = setup.output<Float64>("number")](const Tick&) {
-          out.publish(value(1.0));
-        });
+        setup.every(Duration::milliseconds(5), "say",
+                    [out = setup.output<Float64>("number")](const Tick&) { out.publish(value(1.0)); });
       };
       return script;
     });
@@ -65,7 +65,8 @@ TEST_P(CallbackFailure, OfATimerEndsTheRunWithEverybodyAtRest) {
 
 TEST_P(CallbackFailure, OfAnInputNamesTheTopic) {
   const RunEnd end = run_with([](bw::Setup& setup) {
-    setup.input<Float64>("number", Qos::standard(), [](const Float64&, const Tick&) { throw std::bad_alloc(); });
+    setup.input<Float64>("number", Qos::standard(),
+                         [](const Float64&, const Tick&) { throw std::bad_alloc(); });
   });
   EXPECT_EQ(end.reason, "b failed in /number: std::bad_alloc");
   EXPECT_THAT(events_, ElementsAre("deactivate b", "deactivate c", "deactivate a"));
@@ -78,7 +79,8 @@ TEST_P(CallbackFailure, OfAServiceNamesTheService) {
     });
     auto client = std::make_shared<Client<Trigger>>(setup.client<Trigger>("push", Need::optional));
     setup.every(Duration::milliseconds(50), "ask", [client](const Tick&) {
-      client->call(Trigger::Request(), Duration::milliseconds(1000), [](const Trigger::Response*, const Tick&) {});
+      client->call(Trigger::Request(), Duration::milliseconds(1000),
+                   [](const Trigger::Response*, const Tick&) {});
     });
   });
   EXPECT_THAT(end.reason, HasSubstr("b failed in /push"));

@@ -27,8 +27,8 @@ std::vector<pid_t> guardians_of(pid_t parent) {
   for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
     const std::string name = entry.path().filename().string();
     if (!std::ranges::all_of(name, [](unsigned char c) { return std::isdigit(c) != 0; })) continue;
-    std::ifstream file(entry.path() / "cmdline");
-    std::string words((std::istreambuf_iterator<char>(file)), {});
+    std::string words;
+    std::getline(std::ifstream(entry.path() / "cmdline"), words);  // nothing of one that ends meanwhile
     const std::string wanted = std::string("bandwagon_port_guardian") + '\0' + std::to_string(parent) + '\0';
     if (words.starts_with(wanted)) found.push_back(std::stoi(name));
   }
@@ -153,9 +153,10 @@ TEST(GuardedPort, CtrlCAndItsLikeAreNotForTheGuardian) {
   auto port = base.port();
   ASSERT_TRUE(opens(*port));
   const pid_t guardian = own_guardian();
-    ASSERT_NE(guardian, -1);
+  ASSERT_NE(guardian, -1);
   EXPECT_EQ(getsid(guardian), guardian) << "a session of its own: no signal of a terminal reaches it";
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGPIPE, SIGUSR1, SIGABRT}) kill(guardian, signal);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGPIPE, SIGUSR1, SIGABRT})
+    kill(guardian, signal);
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(opens(*port));
   EXPECT_EQ(guardians_of(getpid()), std::vector<pid_t>{guardian});
 }
