@@ -2,7 +2,8 @@
 // the cable, the battery, the emergency stop. Values in, wheel speeds and the reason out; a driver decides nothing.
 //
 // What forbids to drive makes a ramp to rest with `stop_deceleration`; a touch, a cliff, a dropped wheel and a device that
-// was opened anew make it zero at once. Afterwards a command is needed that arrived when driving was allowed again.
+// was opened anew make it zero at once. When nothing forbids it any more it stands for `restart.pause` and says so; then a command
+// is needed that arrived after that.
 #pragma once
 
 #include <optional>
@@ -42,7 +43,7 @@ struct BaseOutput {
   WheelSpeeds wheels;  ///< for the driver
   BaseCondition condition = BaseCondition::waiting;
   bool is_latched = false;  ///< it takes a release
-  std::string reason;       ///< for people; empty while it drives or waits
+  std::string reason;       ///< for people; empty while it drives or waits for commands
   WatchdogState commands = WatchdogState::waiting;
   bool operator==(const BaseOutput&) const = default;
 };
@@ -54,19 +55,19 @@ class BaseGuard {
   BaseGuard(const BaseGuardOptions& options, const Robot& robot, double response);
 
   /// False: it is not finite, and refused.
-  bool command(Time now, const WheelSpeeds& wheels) { return watchdog_.command(now, wheels); }
+  bool command(Time now, const WheelSpeeds& wheels);
   /// Commands may not be trusted now: the newest one is dropped.
   void revoke() { watchdog_.revoke(); }
-  void set_emergency_stop(Time now, bool is_on);
+  void set_emergency_stop(bool is_on);
   /// What the driver told at a poll, but for how the wheels moved.
   void read(Time now, const Readings& readings);
   /// Sound travel of the wheels until `stamp`.
-  void moved(Time now, Time stamp, const WheelTravel& travel);
+  void moved(Time stamp, const WheelTravel& travel);
   /// What the wheels shall do from `now` on. Every 10 ms, and when something came.
   BaseOutput step(Time now);
   /// What the driver was given, and whether it got through.
   void told(Time now, const WheelSpeeds& wheels, bool is_through);
-  /// The deliberate reset; says why not.
+  /// The deliberate reset; says why not. Nothing moves for `restart.pause` from then on.
   std::optional<std::string> release();
 
   BatteryLevel battery() const { return battery_.level(); }
@@ -74,11 +75,17 @@ class BaseGuard {
   std::uint64_t timeouts() const { return watchdog_.timeouts(); }
 
  private:
+  friend struct GuardState;  ///< of tests: what decides what it does next
   void read_contacts(Time now, const ContactReading& contacts);
+  bool wants_motion(Time now) const;
   BaseOutput decide(Time now, LinkHealth health);
+  BaseOutput stand(Time now, StopCause cause, bool is_reopened);
+  BaseOutput pause(Time now);
   bool may_back_off() const;
+  WheelSpeeds braked(Time now) const;
 
   double stop_deceleration_;
+  Duration pause_, timeout_, silence_;
   WheelWatchdog watchdog_;
   LinkGuard link_;
   ContactReaction reaction_;
@@ -89,6 +96,8 @@ class BaseGuard {
   std::string overcurrent_;
   double travelled_ = 0.0;  ///< forward, in sum [m]
   BaseOutput output_;
+  Duration pause_left_;
+  std::optional<Time> wished_;  ///< the newest command, if it wants motion
   std::optional<Time> last_step_;
 };
 

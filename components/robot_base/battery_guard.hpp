@@ -37,6 +37,7 @@ class BatteryGuard {
   BatteryLevel level() const { return level_; }
 
  private:
+  friend struct GuardState;  ///< of tests: what decides what it does next
   /// Whether it has been so for long.
   bool lasts(std::optional<Time>& since, Time now, bool is_so) const;
 

@@ -50,6 +50,7 @@ class ContactReaction {
   bool is_backing_off() const { return since_.has_value(); }
 
  private:
+  friend struct GuardState;  ///< of tests: what decides what it does next
   ContactOptions options_;
   double stop_deceleration_;
   std::optional<Time> since_;

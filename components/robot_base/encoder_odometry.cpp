@@ -86,8 +86,7 @@ bool EncoderOdometry::possible(const EncoderCounts& from, const EncoderCounts& t
   constexpr double kRoundingTicks = 2.0;
   const double seconds = (to.time - from.time).to_seconds();
   const double reach = options_.speed_margin * wheel_speed_max_ * seconds / metres_per_tick_ + kRoundingTicks;
-  return static_cast<double>(std::abs(wrapping_difference(from.left, to.left))) <= reach &&
-         static_cast<double>(std::abs(wrapping_difference(from.right, to.right))) <= reach;
+  return wrapping_distance(from.left, to.left) <= reach && wrapping_distance(from.right, to.right) <= reach;
 }
 
 void EncoderOdometry::integrate(double ds_left, double ds_right) {

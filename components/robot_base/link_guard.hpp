@@ -49,6 +49,7 @@ class LinkGuard {
   const std::string& reason() const { return reason_; }
 
  private:
+  friend struct GuardState;  ///< of tests: what decides what it does next
   LinkHealth judge(Time now);
   bool is_beginning(Time now);
 

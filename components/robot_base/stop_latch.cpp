@@ -30,21 +30,22 @@ Restart StopOptions::of(StopCause cause) const {
   return Restart::released;
 }
 
-void StopLatch::set(Time now, StopCause cause, bool is_present, const std::string& reason) {
+void StopLatch::set(StopCause cause, bool is_present, const std::string& reason) {
   Held& held = held_[static_cast<std::size_t>(cause)];
   held.is_present = is_present;
   if (!is_present) return;
   held.holds = true;
-  held.last_present = now;
   held.reason = reason;
 }
 
-void StopLatch::step(Time now) {
+void StopLatch::interrupt() {
+  for (Held& held : held_) held.has_interrupted = held.holds;
+}
+
+void StopLatch::let_go() {
   for (std::size_t i = 0; i < kStopCauses; ++i) {
-    Held& held = held_[i];
-    if (!held.holds || held.is_present || is_latched(static_cast<StopCause>(i))) continue;
-    held.last_present = std::min(held.last_present, now);  // the clock went back
-    if (now - held.last_present >= Duration::seconds(options_.pause)) held.holds = false;
+    const Held& held = held_[i];
+    if (held.holds && !held.is_present && !is_latched(static_cast<StopCause>(i))) held_[i] = {};
   }
 }
 
@@ -54,8 +55,17 @@ std::optional<StopCause> StopLatch::holds() const {
   return static_cast<StopCause>(held - held_.begin());
 }
 
+bool StopLatch::is_latched() const {
+  for (std::size_t i = 0; i < kStopCauses; ++i) {
+    if (is_latched(static_cast<StopCause>(i))) return true;
+  }
+  return false;
+}
+
 bool StopLatch::is_latched(StopCause cause) const {
-  return at(cause).holds && options_.of(cause) == Restart::released;
+  const Restart restart = options_.of(cause);
+  return at(cause).holds &&
+         (restart == Restart::released || (restart == Restart::if_idle && at(cause).has_interrupted));
 }
 
 std::optional<std::string> StopLatch::release() {
@@ -64,7 +74,7 @@ std::optional<std::string> StopLatch::release() {
     if (is_latched(cause) && held_[i].is_present) return held_[i].reason;
   }
   for (std::size_t i = 0; i < kStopCauses; ++i) {
-    if (is_latched(static_cast<StopCause>(i))) held_[i].holds = false;
+    if (is_latched(static_cast<StopCause>(i))) held_[i] = {};
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 // Why the base has to stand, and what it takes until it may drive again: a release by somebody who means it, or that the cause
-// is over for a while. An emergency stop, and by default all that touched, fell, blocked or ran by itself, needs the release:
-// nobody shall be surprised by a robot that drives off after they lifted it or freed it (ISO 3691-4 bars the automatic restart).
+// is over. An emergency stop, and by default all that touched, fell, blocked or ran by itself, needs the release, and so does
+// what interrupted a goal or a hand: nobody shall be surprised by a robot that drives off after they lifted it, freed it, pulled
+// its charger or put its cable in again (ISO 3691-4 bars the automatic restart).
 #pragma once
 
 #include <array>
@@ -10,17 +11,18 @@
 #include "components/robot_base/base_condition.hpp"
 #include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
-#include "runtime/base/time.hpp"
 
 namespace bw {
 
 enum class Restart {
   released,   ///< only by release_stop
-  by_itself,  ///< when the cause has been over for `pause`
+  if_idle,    ///< by itself if nobody wanted motion from its beginning to its end, else only by release_stop
+  by_itself,  ///< when the cause is over
 };
 
 constexpr auto choice_table(Restart) {
-  return choices<Restart>({{Restart::released, "released"}, {Restart::by_itself, "by_itself"}});
+  return choices<Restart>(
+      {{Restart::released, "released"}, {Restart::if_idle, "if_idle"}, {Restart::by_itself, "by_itself"}});
 }
 
 struct StopOptions {
@@ -29,11 +31,11 @@ struct StopOptions {
   Restart bumper = Restart::released;
   Restart runaway = Restart::released;
   Restart stall = Restart::released;
-  Restart link = Restart::by_itself;
-  Restart device = Restart::by_itself;
+  Restart link = Restart::if_idle;
+  Restart device = Restart::if_idle;
   Restart battery = Restart::released;
-  Restart charging = Restart::by_itself;
-  double pause = 0.5;
+  Restart charging = Restart::if_idle;
+  double pause = 2.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -47,7 +49,10 @@ struct StopOptions {
     v("battery", battery, {.doc = "restart after the battery was empty"});
     v("charging", charging, {.doc = "restart after the charger was connected"});
     v("pause", pause,
-      {.unit = "s", .min = 0, .max = 60, .doc = "so long a cause has to be over for a restart by itself"});
+      {.unit = "s",
+       .min = 0.5,
+       .max = 60,
+       .doc = "so long it stands after a release, or after the last cause is over, and says so"});
   }
 
   Restart of(StopCause cause) const;
@@ -57,33 +62,36 @@ class StopLatch {
  public:
   explicit StopLatch(const StopOptions& options) : options_(options) {}
 
-  /// Whether the cause is there at `now`; `reason` is for people.
-  void set(Time now, StopCause cause, bool is_present, const std::string& reason = {});
-  /// What happened once, and is not there longer than that.
-  void strike(Time now, StopCause cause, const std::string& reason) {
-    set(now, cause, true, reason);
-    set(now, cause, false);
+  /// Whether the cause is there; `reason` is for people.
+  void set(StopCause cause, bool is_present, const std::string& reason = {});
+  /// What happened once, and is not there longer than that: it holds until let_go() at least.
+  void strike(StopCause cause, const std::string& reason) {
+    set(cause, true, reason);
+    set(cause, false);
   }
-  /// Lets go of all that can be let go by itself.
-  void step(Time now);
+  /// Somebody wants motion now: all that holds interrupts it.
+  void interrupt();
+  /// Of all that is over and takes no release.
+  void let_go();
   /// The gravest cause that holds; nothing: the base may drive.
   std::optional<StopCause> holds() const;
   bool holds(StopCause cause) const { return at(cause).holds; }
-  bool is_present(StopCause cause) const { return at(cause).is_present; }
-  /// Of a cause that holds: whether it takes a release.
-  bool is_latched(StopCause cause) const;
+  /// Whether it takes a release: of the gravest cause, or of another that holds.
+  bool is_latched() const;
   const std::string& reason(StopCause cause) const { return at(cause).reason; }
   /// The deliberate reset of all. Says why not while a cause lasts that needs it, and lets go of nothing then.
   std::optional<std::string> release();
 
  private:
+  friend struct GuardState;  ///< of tests: what decides what it does next
   struct Held {
     bool is_present = false;
     bool holds = false;
-    Time last_present;
+    bool has_interrupted = false;
     std::string reason;
   };
   const Held& at(StopCause cause) const { return held_[static_cast<std::size_t>(cause)]; }
+  bool is_latched(StopCause cause) const;
 
   StopOptions options_;
   std::array<Held, kStopCauses> held_;

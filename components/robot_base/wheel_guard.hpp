@@ -66,6 +66,7 @@ class WheelGuard {
   const std::string& reason() const { return reason_; }
 
  private:
+  friend struct GuardState;  ///< of tests: what decides what it does next
   struct Side {
     bool is_known = false;
     double lo = 0.0, hi = 0.0;        ///< [m/s]

@@ -31,8 +31,7 @@ WatchdogOutput WheelWatchdog::step(Time now) {
   const double dt = last_step_ && now > *last_step_ ? (now - *last_step_).to_seconds() : 0.0;
   last_step_ = now;
   if (!arrival_ && output_.state == WatchdogState::waiting) return output_;
-  if (arrival_ && *arrival_ > now)
-    arrival_ = now;  // the clock went back: a command must not stay fresh until it is there again
+  if (arrival_ && *arrival_ > now) revoke();  // the clock went back: nobody knows how old it is
   if (arrival_ && now - *arrival_ < timeout_) {
     output_ = {approached(dt), WatchdogState::obeying};
     is_catching_up_ = is_catching_up_ && output_.wheels != commanded_;
@@ -50,8 +49,8 @@ WatchdogOutput WheelWatchdog::step(Time now) {
 void WheelWatchdog::overrule(Time now, const WheelSpeeds& wheels) {
   revoke();
   last_step_ = now;
-  if (output_.state == WatchdogState::waiting && wheels == WheelSpeeds{}) return;
   is_catching_up_ = true;
+  if (output_.state == WatchdogState::waiting && wheels == WheelSpeeds{}) return;
   output_ = {wheels, wheels == WheelSpeeds{} ? WatchdogState::stopped : WatchdogState::stopping};
 }
 

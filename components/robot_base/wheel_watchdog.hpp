@@ -61,6 +61,7 @@ class WheelWatchdog {
   std::uint64_t refused() const { return refused_; }
 
  private:
+  friend struct GuardState;  ///< of tests: what decides what it does next
   WheelSpeeds approached(double dt) const;
 
   Duration timeout_;

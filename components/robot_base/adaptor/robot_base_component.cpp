@@ -60,12 +60,12 @@ class RobotBaseComponent final : public Component {
     setup.input<std_msgs::msg::Bool>(
         "emergency_stop", Qos::standard(),
         [this](const auto& message, const Tick& tick) {
-          guard_->set_emergency_stop(tick.now, message.data());
+          guard_->set_emergency_stop(message.data());
           obey(tick.now);
         },
         Need::optional);
     setup.service<Trigger>(
-        "release_stop", [this](const Trigger::Request&, const Tick&) { return release(); },
+        "release_stop", [this](const Trigger::Request&, const Tick& tick) { return release(tick.now); },
         [](const std::string& reason) { return trigger_response(false, reason); });
     setup.every(Duration::milliseconds(10), "watchdog", [this](const Tick& tick) {
       is_stopped_ = tick.health == Health::stop;
@@ -97,7 +97,7 @@ class RobotBaseComponent final : public Component {
     const Readings readings = driver_->poll(now);
     guard_->read(now, readings);
     for (const EncoderCounts& counts : readings.counts) {
-      if (const auto travel = odometry_.read(counts)) guard_->moved(now, counts.time, *travel);
+      if (const auto travel = odometry_.read(counts)) guard_->moved(counts.time, *travel);
     }
     outputs_.publish(now, readings);
     if (warning_.is_news(readings.warning) && warning_) log_.warn("{}", readings.warning);
@@ -121,11 +121,15 @@ class RobotBaseComponent final : public Component {
 
   void publish_state(Time now) { outputs_.publish_state(now, told_, contacts_, odometry_.measured()); }
 
-  Trigger::Response release() {
-    const auto refusal = guard_->release();
-    if (refusal) log_.warn("release_stop is refused: {}", *refusal);
-    if (!refusal) log_.info("stops are released");
-    return trigger_response(!refusal, refusal.value_or("released: it drives at the next command"));
+  Trigger::Response release(Time now) {
+    if (const auto refusal = guard_->release()) {
+      log_.warn("release_stop is refused: {}", *refusal);
+      return trigger_response(false, *refusal);
+    }
+    log_.info("stops are released");
+    obey(now);
+    const std::string& next = told_.reason.empty() ? "it drives at the next command" : told_.reason;
+    return trigger_response(true, "released: " + next);
   }
 
   void report(const BaseOutput& output) {
@@ -133,7 +137,8 @@ class RobotBaseComponent final : public Component {
     if (!output.reason.empty()) {
       const std::string how = output.is_latched ? "; until release_stop" : "";
       if (complaint_.is_news(output.reason + how)) log_.warn("{}{}", output.reason, how);
-      return diagnostics_->report(Level::error, output.reason + how);
+      const bool is_stop = output.condition != BaseCondition::waiting;
+      return diagnostics_->report(is_stop ? Level::error : Level::warn, output.reason + how);
     }
     if (complaint_.is_news("")) log_.info("nothing keeps the base from driving any more");
     if (output.commands == WatchdogState::stopping) log_.warn("no fresh wheel command: stopping");

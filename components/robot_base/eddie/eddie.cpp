@@ -176,12 +176,10 @@ bool Eddie::take_counts(Time now, const Reply& reply, Readings& readings) {
     has_restarted_ = false;
   }
   const auto old = std::exchange(distances_, distances);
-  const auto moved = [&](std::int32_t Distances::*wheel) {
-    return std::abs(static_cast<double>(wrapping_difference((*old).*wheel, (*distances).*wheel)));
-  };
   if (old) {
     const double seconds = std::max(0.0, (time - distances_time_).to_seconds());
-    const double most = std::max(moved(&Distances::left), moved(&Distances::right));
+    const double most = std::max(wrapping_distance(old->left, distances->left),
+                                 wrapping_distance(old->right, distances->right));
     if (most > 50.0 + reach_ * seconds / std::min(metres_per_count_.left, metres_per_count_.right)) {
       ++jumps_;
       check_.reset();

@@ -12,7 +12,7 @@ std::string in_words(const std::optional<bandwagon_msgs::msg::BaseState>& state)
     case base::DRIVING:
       return state->commanded_left() == 0.0F && state->commanded_right() == 0.0F ? "standing" : "driving";
     case base::WAITING:
-      return "standing";
+      return state->reason().empty() ? "standing" : "standing: " + state->reason();
     case base::BACKING_OFF:
       return "backing off: " + state->reason();
     case base::EMERGENCY_STOP:

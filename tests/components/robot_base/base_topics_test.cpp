@@ -185,7 +185,8 @@ TEST_F(BaseTopics, TellsItsStateTenTimesASecondAndWhatItHas) {
 }
 
 TEST_F(BaseTopics, AnEmergencyStopHoldsUntilItIsOverAndReleased) {
-  run(4.0, {}, [&](double t) {
+  std::size_t first_of_pause = 0;
+  run(6.0, {}, [&](double t) {
     if (is_at(t, 1.0)) press(true);
     if (is_at(t, 1.5)) release();
     if (is_at(t, 2.0)) press(false);
@@ -193,9 +194,16 @@ TEST_F(BaseTopics, AnEmergencyStopHoldsUntilItIsOverAndReleased) {
       EXPECT_EQ(bench_.told.back(), WheelSpeeds{});
     }
     if (is_at(t, 3.0)) release();
+    if (is_at(t, 3.1)) first_of_pause = states_.size();
+    if (is_at(t, 4.9)) {
+      EXPECT_EQ(bench_.told.back(), WheelSpeeds{});
+      EXPECT_EQ(states_[first_of_pause].reason(), "drives on in 2 s");
+      EXPECT_EQ(states_.back().reason(), "drives on in 1 s");
+      EXPECT_EQ(states_.back().state(), state::WAITING);
+    }
   });
   EXPECT_EQ(answers_, (std::vector<std::string>{"no: the emergency stop is pressed",
-                                                "yes: released: it drives at the next command"}));
+                                                "yes: released: drives on in 2 s"}));
   const auto stop =
       std::ranges::find(states_, state::EMERGENCY_STOP, [](const auto& s) { return s.state(); });
   ASSERT_NE(stop, states_.end());
@@ -243,7 +251,7 @@ TEST_F(BaseTopics, SilenceNamesTheCableAndSaysWhatOdometryMissed) {
       });
   const auto says = [&](const std::string& text) { return std::ranges::find(told, text) != told.end(); };
   EXPECT_TRUE(says("device=/dev/bench"));
-  EXPECT_TRUE(says("/dev/bench is silent"));
+  EXPECT_TRUE(says("/dev/bench is silent; until release_stop"));
   EXPECT_TRUE(std::ranges::any_of(told, [](const std::string& text) { return text.starts_with("frames="); }));
   // Silent from 1.00 to 2.50 s. It drives on at 0.3 m/s for `silence` of 0.2 s, and the ramp takes v^2 / 2 a = 0.0225 m more.
   const auto missed = std::ranges::find_if(
@@ -251,7 +259,8 @@ TEST_F(BaseTopics, SilenceNamesTheCableAndSaysWhatOdometryMissed) {
   ASSERT_NE(missed, told.end()) << testing::PrintToString(told);
   const double metres = std::stod(missed->substr(missed->find(" s, ") + 4));
   EXPECT_NEAR(metres, 0.2 * 0.3 + 0.0225, 0.01);
-  EXPECT_EQ(states_.back().state(), state::DRIVING);
+  EXPECT_EQ(states_.back().state(), state::LINK);  // it is heard again, and was interrupted
+  EXPECT_TRUE(states_.back().is_latched());
 }
 
 TEST_F(BaseTopics, ADriverWithoutFieldsReadsNothingOfAnothersSection) {

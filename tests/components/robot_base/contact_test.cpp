@@ -52,7 +52,7 @@ TEST_P(Contact, BacksOffAndStandsUntilReleased) {
   base.run(1.0, kAhead);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});  // gone, and yet latched
   EXPECT_EQ(base.guard().release(), std::nullopt);
-  base.run(0.5, std::nullopt);
+  base.run(2.5, std::nullopt);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});  // no new command
   base.run(1.0, kAhead);
   EXPECT_EQ(base.output().wheels, kAhead);
@@ -121,11 +121,31 @@ TEST(ContactReaction, AShortTouchIsATouch) {
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});
 }
 
+// A touch of 0.1 s that may let go by itself: it backs off 0.15 m all the same, 1.5 s long, and then stands for the pause.
+TEST(ContactReaction, ATouchThatIsOverByItselfLastsUntilItHasBackedOff) {
+  for (const ContactReading& contacts : {bumper(), cliff()}) {
+    GuardedBase base({},
+                     {.restart = {.cliff = Restart::by_itself, .bumper = Restart::by_itself, .pause = 0.5}});
+    base.run(1.0, kAhead);
+    base.readings.contacts = contacts;
+    base.run(0.1, kAhead);
+    base.readings.contacts = ContactReading{};
+    base.run(1.0, kAhead, [&] {
+      ASSERT_EQ(base.output().condition, BaseCondition::backing_off);
+      ASSERT_NE(base.output().reason, "");
+    });
+    ASSERT_TRUE(base.run_until(1.0, kAhead, [&] { return base.output().wheels == WheelSpeeds{}; }));
+    base.run(0.5, kAhead, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+    base.run(1.0, kAhead);
+    EXPECT_EQ(base.output().wheels, kAhead);
+  }
+}
+
 TEST(ContactReaction, AnEmergencyStopEndsBackingOff) {
   GuardedBase base = driving();
   base.readings.contacts = bumper();
   base.run(0.5, kAhead);
-  base.guard().set_emergency_stop(base.now(), true);
+  base.guard().set_emergency_stop(true);
   base.run(0.01, kAhead);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});
   EXPECT_EQ(base.output().condition, BaseCondition::emergency_stop);

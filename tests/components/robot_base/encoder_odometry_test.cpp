@@ -1,5 +1,6 @@
 #include "components/robot_base/encoder_odometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -151,6 +152,41 @@ TEST(EncoderOdometry, ARestartedEncoderBoardIsAResetAndOdometryGoesOn) {
   EXPECT_NEAR(odometry.state().twist.v, 100.0 * metres_per_tick(fast_robot()) / 0.02, 1e-9);
   EXPECT_EQ(odometry.faults().resets, 1U);
   EXPECT_EQ(odometry.faults().jumps, 0U);
+}
+
+// A standing robot, and one bit of one reading or of two in a row that is wrong: the pose moves by no more than the wheels can turn
+// meanwhile, 2 ticks of rounding with it, and is back when the bit is. 2^31 counts beside has no magnitude of 32 bits.
+TEST(EncoderOdometry, AFlippedBitMovesAStandingRobotNoFurtherThanItsWheelsCan) {
+  const Robot robot;
+  const OdometryOptions options;
+  const double wheel_speed_max = std::max(robot.limits.v_max, robot.limits.v_back_max) +
+                                 robot.limits.omega_max * robot.wheel_separation / 2.0;
+  const double in_a_period = options.speed_margin * wheel_speed_max * 0.02 + 2.0 * metres_per_tick(robot);
+  constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min();
+  constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+  for (const std::int32_t count : {0, 1, -1, 12'345, -1'000'000, kLeast, kLeast + 1, kMost}) {
+    for (int flip = 0; flip < 3 * 32; ++flip) {  // of the left, the right, both
+      for (const int wrong : {1, 2}) {
+        const double most = wrong * in_a_period;
+        EncoderOdometry odometry(robot, options);
+        EncoderCounts counts{Time::seconds(1.0), count, count};
+        odometry.add(counts);
+        drive(odometry, counts, 0, 0, 5);
+        const auto flipped = static_cast<std::int32_t>(static_cast<std::uint32_t>(count) ^ 1U << flip % 32);
+        for (int i = 0; i < wrong + 5; ++i) {
+          counts.time = counts.time + Duration::milliseconds(20);
+          counts.left = i < wrong && flip / 32 != 1 ? flipped : count;
+          counts.right = i < wrong && flip / 32 != 0 ? flipped : count;
+          odometry.add(counts);
+          const Pose2& pose = odometry.state().X_OB;
+          ASSERT_LE(std::hypot(pose.x, pose.y), most) << count << " bit " << flip << " reading " << i;
+          ASSERT_LE(std::abs(pose.theta), 2.0 * most / robot.wheel_separation) << count << " bit " << flip;
+          ASSERT_TRUE(std::isfinite(odometry.state().twist.v));
+        }
+        ASSERT_NEAR(odometry.state().X_OB.x, 0.0, 1e-9) << count << " bit " << flip;
+      }
+    }
+  }
 }
 
 TEST(EncoderOdometry, LimitOfThePossibleIsTheMarginTimesTheTopWheelSpeed) {

@@ -41,7 +41,7 @@ class GuardedBase {
       if (is_even && !is_silent) count(poll);
       guard_.read(now_, poll);
       if (!poll.counts.empty() && odometry_.add(poll.counts.front()) == CountsStatus::moved)
-        guard_.moved(now_, now_, odometry_.travel());
+        guard_.moved(now_, odometry_.travel());
       output_ = guard_.step(now_);
       guard_.told(now_, output_.wheels, !is_deaf);
       told_.push_back(output_.wheels);
@@ -58,6 +58,8 @@ class GuardedBase {
     }
     return std::nullopt;
   }
+
+  void step_clock(double seconds) { now_ = now_ + Duration::seconds(seconds); }
 
   Readings readings;       ///< of every poll, but for the counts
   bool is_silent = false;  ///< no counts come

@@ -91,6 +91,52 @@ TEST(Eddie, CountsThatJumpAreToldForASecond) {
 }
 
 // 0x10 is not far from 0, and a second is long: by the counts alone it could have driven there.
+// One bit of one answer to DIST, each of them in turn, while the robot stands: what makes another count of it is told as a fault or is
+// within what wheels can turn, and odometry stays within that.
+TEST(Eddie, AFlippedBitOfDistMovesNoStandingRobot) {
+  const std::string sound = "00000000 00000000\r";
+  const Robot robot = eddie_robot();
+  int counted = 0, told = 0;
+  for (std::size_t bit = 0; bit < 8 * sound.size(); ++bit) {
+    Bench bench;
+    bench.start();
+    EncoderOdometry odometry(robot, {});
+    double farthest = 0.0;
+    bool is_fault = false, is_counted = false;
+    bench.counts.clear();
+    const auto look = [&](int steps) {
+      for (int i = 0; i < steps; ++i) {
+        const Readings readings = bench.step();
+        is_fault |= !readings.fault.empty();
+        for (const EncoderCounts& counts : readings.counts) {
+          is_counted |= counts.left != 0 || counts.right != 0;
+          odometry.add(counts);
+          const Pose2& pose = odometry.state().X_OB;
+          farthest = std::max({farthest, std::abs(pose.x), std::abs(pose.y)});
+        }
+      }
+    };
+    look(30);
+    bench.answers["DIST"] = sound;
+    bench.answers["DIST"][bit / 8] =
+        static_cast<char>(static_cast<unsigned char>(sound[bit / 8]) ^ 1U << bit % 8);
+    const std::size_t before = bench.counts.size();
+    for (int i = 0; i < 20 && bench.counts.size() == before; ++i) look(1);
+    bench.answers["DIST"] = sound;
+    look(60);
+    // Between two answers are 25 ms to 100 ms; see encoder_odometry_test.cpp.
+    const double reach =
+        2.0 * (robot.limits.v_max + robot.limits.omega_max * robot.wheel_separation / 2.0) * 0.1;
+    ASSERT_LE(farthest, reach) << "bit " << bit;
+    ASSERT_NEAR(odometry.state().X_OB.x, 0.0, 1e-9) << "bit " << bit;
+    counted += is_counted ? 1 : 0;
+    told += is_fault ? 1 : 0;
+  }
+  std::printf("%d flips are another count, %d are told\n", counted, told);
+  EXPECT_GT(counted, 16);
+  EXPECT_GT(told, 0);
+}
+
 TEST(Eddie, ABoardThatRestartedInSilenceIsToldByTheVerbosityItForgot) {
   Bench bench;
   bench.answers["DIST"] = "00000010 00000010\r";
