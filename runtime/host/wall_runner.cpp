@@ -142,6 +142,7 @@ void WallRunner::work(Lane& lane) {
   while (!lane.stop) {
     // Timers first, but each once only: a late timer is moved past now, so it cannot starve the queue.
     for (Timer* timer : lane.timers) fire_if_due(lane, *timer, lock);
+    if (lane.stop) return;  // asked while a timer ran: nobody would wake it again
     if (lane.queue.empty()) {
       wait(lane, lock);
       continue;
