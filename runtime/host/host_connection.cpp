@@ -69,6 +69,7 @@ void Host::connect() {
     writer_clock_ = std::make_unique<WriterClock>(
         is_local ? WriterClock::Reach::this_host : WriterClock::Reach::network, system_clock_offset());
   }
+  runner_->set_on_failure([this](const CallbackFailure& failure) { end_by(failure); });
   std::vector<Actor*> all;
   for (const auto& actor : actors_) all.push_back(actor.get());
   for (Actor* actor : all) actor->writer_clock = writer_clock_.get();
