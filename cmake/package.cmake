@@ -10,12 +10,12 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/bandwagon)
 # target and its name outside
 set(exported bandwagon_runtime runtime bandwagon_idl idl bw_graph graph bw_lifecycle lifecycle bw_parameters parameters bw_wire wire bw_model model
   bw_local_planner local_planner bw_robot_base robot_base
-  bandwagon program)
+  bandwagon program bandwagon_port_guardian port_guardian)
 while(exported)
   list(POP_FRONT exported target name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT bandwagon)
-  if(NOT target STREQUAL bandwagon)
+  if(NOT target MATCHES "^bandwagon(_port_guardian)?$")
     target_include_directories(${target} SYSTEM INTERFACE $<INSTALL_INTERFACE:${headers}> $<INSTALL_INTERFACE:${headers}/idl>)
   endif()
 endwhile()

@@ -83,7 +83,7 @@ stop() {
 }
 "$root/launch_scripts/split.sh" "$graph" "${settings[@]}" --stay "${page[@]}" "${options[@]}" &
 processes=$!
-trap stop INT TERM
+trap stop INT TERM HUP
 
 finish() { # waits for all processes; a signal that comes meanwhile is passed on
   local status=0

@@ -66,7 +66,7 @@ interrupt_all() {
   interrupted=1
   for pid in "${!process_of[@]}"; do kill -TERM "$pid" 2>/dev/null || true; done
 }
-trap interrupt_all INT TERM
+trap interrupt_all INT TERM HUP
 
 if ((${#record[@]})); then
   setsid "$program" record --all "${record[@]}" > >(tee "$logs/recorder.out") 2> >(tee "$logs/recorder.log" >&2) &

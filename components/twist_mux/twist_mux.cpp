@@ -29,8 +29,16 @@ std::optional<Twist2> TwistMux::command(Time now, std::size_t i, const Twist2& t
       return std::nullopt;
     }
   }
-  if (is_outranked(now, i)) {
+  const bool is_hand = sources_[i].hand;
+  if (const auto other = who_outranks(now, i)) {
     ++counts_[i].outranked;
+    if (sources_[*other].hand && !is_hand && twist != Twist2{}) interrupt_below(sources_[*other].priority);
+    return std::nullopt;
+  }
+  if (is_hand) {
+    take_over(now, i);
+  } else if (interrupted_below_ && sources_[i].priority < *interrupted_below_) {
+    ++counts_[i].interrupted;
     return std::nullopt;
   }
   ++counts_[i].passed;
@@ -62,14 +70,26 @@ bool TwistMux::is_within(Time now, std::size_t i, double seconds) const {
   return heard_[i] && *heard_[i] <= now && now - *heard_[i] <= Duration::seconds(seconds);
 }
 
-bool TwistMux::is_outranked(Time now, std::size_t i) const {
+std::optional<std::size_t> TwistMux::who_outranks(Time now, std::size_t i) const {
   for (std::size_t other = 0; other < sources_.size(); ++other) {
     const TwistSourceOptions& source = sources_[other];
-    if (source.priority > sources_[i].priority &&
-        is_within(now, other, std::max(source.hold, source.timeout)))
-      return true;
+    if (source.priority > sources_[i].priority && is_within(now, other, source.timeout)) return other;
   }
-  return false;
+  return std::nullopt;
+}
+
+void TwistMux::take_over(Time now, std::size_t i) {
+  bool is_driving = has_goal_;
+  for (std::size_t other = 0; other < sources_.size(); ++other) {
+    const TwistSourceOptions& source = sources_[other];
+    const bool is_below = !source.hand && source.priority < sources_[i].priority;
+    is_driving = is_driving || (is_below && is_within(now, other, source.timeout));
+  }
+  if (is_driving) interrupt_below(sources_[i].priority);
+}
+
+void TwistMux::interrupt_below(std::int64_t priority) {
+  interrupted_below_ = std::max(priority, interrupted_below_.value_or(priority));
 }
 
 }  // namespace bw

@@ -27,6 +27,8 @@ class ByteLink {
   virtual std::span<const std::uint8_t> read() = 0;
   /// False when the bytes were not taken whole: a part of them may be under way, and the link is closed if it is at fault.
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;
+  /// The device was told to stand, and for a while nobody calls: a link that watches over this process takes that for no hang.
+  virtual void rest() {}
   /// Gives the device up; the next update() may open it again. For a device that answers as another model.
   virtual void close(Time now, const std::string& why) = 0;
   /// The control line DTR of a serial port, after each opening; false where there is none (topics, emulators).

@@ -83,7 +83,9 @@ void Server::handle(Client& client, const Publish& op) {
   if (found == client.published.end())
     return say(client, Level::error, fmt::format("publish: channel {} was not advertised", op.channel));
   const ClientChannel& channel = found->second;
-  std::optional<std::string> reason = take_command(client);
+  // Whoever may command at all stops the robot, whose turn it is or not.
+  const bool is_stop = channel.topic.ends_with("/emergency_stop");
+  std::optional<std::string> reason = is_stop ? std::nullopt : take_command(client);
   if (!reason) {
     const std::string_view text(reinterpret_cast<const char*>(op.payload.data()), op.payload.size());
     reason = channel.encoding == kJson ? robot_.publish_json(channel.topic, text)

@@ -64,7 +64,7 @@ bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
   // Two who command: nobody is obeyed, and what moves stops because its commands are too old.
   if (!input.commander.empty() && input.reader->matched_writers() > 1) return true;
   const bool is_heard = input.of_node || is_active();
-  if (role == ActorRole::component && input.qos.durability == Durability::transient_local)
+  if (role == ActorRole::component && !input.of_node && input.qos.durability == Durability::transient_local)
     input.keep(sample_, is_heard);
   if (!is_heard) return true;
   see(now);

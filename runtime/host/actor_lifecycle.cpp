@@ -6,6 +6,7 @@
 
 #include "runtime/host/actor.hpp"
 #include "runtime/host/runner.hpp"
+#include "runtime/host/thrown.hpp"
 
 namespace bw {
 
@@ -58,7 +59,13 @@ std::string ActorLifecycle::change(const lifecycle::Transition& transition, Time
   }
   if (!actor_.is_active()) return reason;
   ++actor_.activations;
-  begin_hearing(now);
+  try {
+    begin_hearing(now);
+  } catch (...) {
+    const std::string what = thrown_text();
+    static_cast<void>(change(*lifecycle::requested_transition(State::active, 0, "deactivate"), now));
+    return "a latched message: " + what;
+  }
   return reason;
 }
 
@@ -89,10 +96,11 @@ std::string ActorLifecycle::work(const lifecycle::Transition& transition, Time n
       default:
         return "no such transition";
     }
-  } catch (const std::exception& error) {
+  } catch (...) {
+    const std::string what = thrown_text();
     mute();
     if (transition.goal == State::shuttingdown) give_up();
-    return error.what();
+    return what.empty() ? "it threw" : what;
   }
   return {};
 }
@@ -166,8 +174,8 @@ void ActorLifecycle::mute() {
 void ActorLifecycle::give_up() {
   try {
     if (actor_.component != nullptr) actor_.component->cleanup();
-  } catch (const std::exception& error) {
-    if (means_.log_error) means_.log_error(std::string("cleanup failed: ") + error.what());
+  } catch (...) {
+    if (means_.log_error) means_.log_error("cleanup failed: " + thrown_text());
   }
   destroy();
 }

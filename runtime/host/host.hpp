@@ -101,6 +101,8 @@ class Host {
   std::optional<RunEnd> bring_up(const std::vector<Actor*>& order);
   /// Brings what is up to rest, backwards, whatever fails.
   void bring_down(const std::vector<Actor*>& order, RunEnd& end);
+  /// A callback threw: its component is deactivated at once, which stops what it moves; all others get their time to rest.
+  void end_by(const CallbackFailure& failure);
   void offer_parameters(Setup& setup, Actor& actor);
   void connect();
   void connect_services(Actor& actor);
@@ -124,6 +126,7 @@ class Host {
   const Actor* outside_actor_ = nullptr;  ///< through which what is accepted enters
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
+  std::unique_ptr<class WriterNames> writers_;
   std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step
   std::unique_ptr<class NamesakeGuard> namesakes_;     ///< null in lock-step
   std::unique_ptr<class NodeAnnouncement> announcement_;

@@ -12,6 +12,7 @@
 #include "runtime/host/terminal.hpp"
 #include "runtime/host/wall_runner.hpp"
 #include "runtime/host/writer_clock.hpp"
+#include "runtime/host/writer_names.hpp"
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/ros/discovery_info.hpp"
 #include "runtime/ros/node_announcement.hpp"
@@ -68,6 +69,7 @@ void Host::connect() {
     writer_clock_ = std::make_unique<WriterClock>(
         is_local ? WriterClock::Reach::this_host : WriterClock::Reach::network, system_clock_offset());
   }
+  runner_->set_on_failure([this](const CallbackFailure& failure) { end_by(failure); });
   std::vector<Actor*> all;
   for (const auto& actor : actors_) all.push_back(actor.get());
   for (Actor* actor : all) actor->writer_clock = writer_clock_.get();
@@ -102,6 +104,7 @@ void Host::connect() {
   for (Actor* actor : local_) connect_clients(*actor);
   if (outside_) outside_->connect(*participant_, heard_outside_, local_);
   if (lockstep) return;
+  writers_->connect(*participant_);
   command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
   namesakes_ = std::make_unique<NamesakeGuard>(*participant_, find_own_nodes(local_));
 }

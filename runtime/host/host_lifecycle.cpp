@@ -139,6 +139,15 @@ std::optional<RunEnd> Host::bring_up(const std::vector<Actor*>& order) {
   return std::nullopt;
 }
 
+void Host::end_by(const CallbackFailure& failure) {
+  Actor& actor = failure.actor;
+  const std::string reason = actor.name + " failed in " + failure.callback + ": " + failure.what;
+  runner_->finish({.ok = false, .reason = reason, .has_thrown = true}, time_to_rest_);
+  if (failure.is_on_lane && actor.role != ActorRole::process && actor.is_active())
+    static_cast<void>(actor.lifecycle->change(transition(State::active, "deactivate"), runner_->now()));
+  log(actor, LogLevel::error, failure.callback + " threw: " + failure.what);
+}
+
 void Host::bring_down(const std::vector<Actor*>& order, RunEnd& end) {
   for (Actor* actor : order) actor->lifecycle->set_running(false);
   const auto take = [&](Actor& actor, State from, std::string_view label) {

@@ -7,6 +7,23 @@
 
 namespace bw {
 
+namespace {
+
+/// With the callback, also when it throws: what is told of that is not held back.
+template <class T>
+class CollectingEnds {
+ public:
+  explicit CollectingEnds(T*& collecting) : collecting_(collecting) {}
+  ~CollectingEnds() { collecting_ = nullptr; }
+  CollectingEnds(const CollectingEnds&) = delete;
+  CollectingEnds& operator=(const CollectingEnds&) = delete;
+
+ private:
+  T*& collecting_;
+};
+
+}  // namespace
+
 LockstepRunner::LockstepRunner(std::vector<Actor*> actors, const LockstepOptions& options)
     : actors_(std::move(actors)), options_(options), now_(options.start) {}
 
@@ -96,7 +113,7 @@ void LockstepRunner::go_to(Time time) {
 void LockstepRunner::dispatch(const Event& event) {
   Actor& actor = *event.actor;
   if (event.inlet == nullptr && event.timer == nullptr) {
-    complete(actor);
+    run_callback(actor, "what it held back for its latency", true, [&] { complete(actor); });
     return;
   }
   // Moved since, or of a component that is not active: activation sets it anew.
@@ -105,7 +122,7 @@ void LockstepRunner::dispatch(const Event& event) {
   // Keeping the newest message runs no user code, so it costs nothing and happens even while the actor is
   // busy.
   if (event.inlet != nullptr && !event.inlet->calls_component()) {
-    event.inlet->take_one(now_, std::nullopt);
+    run_callback(actor, event.inlet->label(), true, [&] { event.inlet->take_one(now_, std::nullopt); });
     return;
   }
   if (const auto busy = busy_.find(actor.rank); busy != busy_.end()) {
@@ -126,14 +143,16 @@ void LockstepRunner::dispatch(const Event& event) {
     collecting_ = &busy_[actor.rank];
     push({.time = now_ + actor.latency, .rank = actor.rank, .actor = &actor});
   }
-  if (event.inlet != nullptr) {
-    event.inlet->take_one(now_, std::nullopt);
-  } else {
-    // The successor of a deferred tick is already scheduled.
-    if (!event.was_deferred) schedule_next(*event.timer, event.time);
-    actor.fire(*event.timer, now_, std::nullopt);
-  }
-  collecting_ = nullptr;
+  // The successor of a deferred tick is already scheduled.
+  if (event.timer != nullptr && !event.was_deferred) schedule_next(*event.timer, event.time);
+  run_callback(actor, event.inlet != nullptr ? event.inlet->label() : event.timer->name, true, [&] {
+    const CollectingEnds ends(collecting_);
+    if (event.inlet != nullptr) {
+      event.inlet->take_one(now_, std::nullopt);
+    } else {
+      actor.fire(*event.timer, now_, std::nullopt);
+    }
+  });
 }
 
 void LockstepRunner::complete(Actor& actor) {

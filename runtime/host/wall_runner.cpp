@@ -59,11 +59,19 @@ void WallRunner::run_and_wake(const std::function<void()>& write) {
   thread_local std::vector<Inlet*> reached;
   t_reached = &reached;
   t_writer = this;
-  write();
-  t_reached = nullptr;
-  t_writer = nullptr;
-  for (Inlet* inlet : reached) enqueue(*inlet);
-  reached.clear();
+  const auto wake = [this] {
+    t_reached = nullptr;
+    t_writer = nullptr;
+    for (Inlet* inlet : reached) enqueue(*inlet);
+    reached.clear();
+  };
+  try {
+    write();
+  } catch (...) {
+    wake();
+    throw;
+  }
+  wake();
 }
 
 void WallRunner::arrived(Inlet& inlet) {
@@ -134,6 +142,7 @@ void WallRunner::work(Lane& lane) {
   while (!lane.stop) {
     // Timers first, but each once only: a late timer is moved past now, so it cannot starve the queue.
     for (Timer* timer : lane.timers) fire_if_due(lane, *timer, lock);
+    if (lane.stop) return;  // asked while a timer ran: nobody would wake it again
     if (lane.queue.empty()) {
       wait(lane, lock);
       continue;
@@ -141,7 +150,7 @@ void WallRunner::work(Lane& lane) {
     Inlet* inlet = lane.queue.front();
     lane.queue.pop_front();
     lock.unlock();
-    drain(*inlet);
+    run_callback(*inlet->actor, inlet->label(), !inlet->is_off_lane(), [&] { drain(*inlet); });
     lock.lock();
   }
 }
@@ -157,9 +166,7 @@ void WallRunner::fire_if_due(Lane& lane, Timer& timer, std::unique_lock<std::mut
   }
   if (!timer.is_periodic()) {
     const Duration late = now - std::exchange(timer.next, Timer::kNever);
-    lock.unlock();
-    timer.actor->fire(timer, now, late);
-    lock.lock();
+    fire(timer, now, late, lock);
     return;
   }
   const Duration late = now - timer.next;
@@ -169,8 +176,12 @@ void WallRunner::fire_if_due(Lane& lane, Timer& timer, std::unique_lock<std::mut
     timer.statistics.missed += static_cast<std::uint64_t>(skipped);
   }
   timer.next = timer.next + timer.period * (skipped + 1);
+  fire(timer, now, late, lock);
+}
+
+void WallRunner::fire(Timer& timer, Time now, Duration late, std::unique_lock<std::mutex>& lock) {
   lock.unlock();
-  timer.actor->fire(timer, now, late);
+  run_callback(*timer.actor, timer.name, true, [&] { timer.actor->fire(timer, now, late); });
   lock.lock();
 }
 

@@ -47,6 +47,7 @@ class WallRunner final : public Runner {
   void work(Lane& lane);
   void become_real_time(const Actor& actor) const;
   void fire_if_due(Lane& lane, Timer& timer, std::unique_lock<std::mutex>& lock);
+  void fire(Timer& timer, Time now, Duration late, std::unique_lock<std::mutex>& lock);
   void drain(Inlet& inlet);
   void wait(Lane& lane, std::unique_lock<std::mutex>& lock);
 

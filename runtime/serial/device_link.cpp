@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "runtime/dds/participant.hpp"
 #include "runtime/serial/emulator_path.hpp"
+#include "runtime/serial/guarded_port.hpp"
 #include "runtime/serial/pseudo_terminal.hpp"
 #include "runtime/serial/serial_port.hpp"
 #include "runtime/serial/topic_link.hpp"
@@ -23,19 +25,24 @@ std::string path_of(const Setup& setup, const std::string& name) {
   return emulator_path(of_robot, setup.network().domain_id).string();
 }
 
+std::unique_ptr<SerialPort> emulated_port(const Setup& setup, const std::string& name, PortOptions options) {
+  options.port = path_of(setup, name);
+  return std::make_unique<SerialPort>(options, "the emulator of the " + name, kEmulatorStarts);
+}
+
 }  // namespace
 
-std::unique_ptr<ByteLink> device_link(Setup& setup, const std::string& name, const PortOptions& options) {
+std::unique_ptr<ByteLink> device_link(Setup& setup, const std::string& name, const PortOptions& options,
+                                      std::vector<std::uint8_t> stop_frame) {
   const bool is_emulated = options.port == kEmulatorPort;
   if (setup.is_lockstep() && !is_emulated)
     throw std::runtime_error("the " + name + " is a real device (port: " + options.port +
                              "): it cannot be driven in lock-step, only in real time");
-  if (!is_emulated) return std::make_unique<SerialPort>(options);
   if (setup.is_lockstep())
     return std::make_unique<TopicLink>(setup, topic(name, "from_device"), topic(name, "to_device"));
-  PortOptions terminal = options;
-  terminal.port = path_of(setup, name);
-  return std::make_unique<SerialPort>(terminal, "the emulator of the " + name, kEmulatorStarts);
+  auto port = is_emulated ? emulated_port(setup, name, options) : std::make_unique<SerialPort>(options);
+  if (stop_frame.empty()) return port;
+  return std::make_unique<GuardedPort>(std::move(port), std::move(stop_frame));
 }
 
 std::unique_ptr<ByteLink> emulator_link(Setup& setup, const std::string& name) {

@@ -32,6 +32,8 @@ class SerialPort final : public ByteLink {
   bool write(std::span<const std::uint8_t> bytes) override;
   void close(Time now, const std::string& why) override;
   bool set_dtr(bool is_set) override;
+  /// Of the open line; -1: it is not open.
+  int descriptor() const { return descriptor_; }
 
  private:
   struct Attempt;

@@ -43,7 +43,8 @@ inline void run_with_script(const std::string& yaml, double seconds, std::functi
   std::vector<ExtraComponent> extra;
   extra.push_back({"script", std::make_unique<Script>(std::move(script))});
   Host host(load_graph(path, {}), {.clock = ClockMode::lockstep}, std::move(extra));
-  host.run(Duration::seconds(seconds));
+  const RunEnd end = host.run(Duration::seconds(seconds));
+  EXPECT_FALSE(end.has_thrown) << end.reason;
   std::filesystem::remove(path);
 }
 

@@ -64,7 +64,14 @@ std::unique_ptr<Driver> make_chosen_driver(Setup& setup, const Robot& robot,
       section.options,
       {.setup = setup,
        .robot = robot,
-       .open_link = [&setup](const PortOptions& port) { return device_link(setup, "base", port); },
+       .open_link =
+           [&setup, &name](const PortOptions& port, std::vector<std::uint8_t> stop_frame) {
+             if (stop_frame.empty() && !setup.is_lockstep())
+               setup.log().warn(
+                   "driver {} names no stop frame: its base is not stopped when this process is killed or hangs",
+                   name);
+             return device_link(setup, "base", port, std::move(stop_frame));
+           },
        .wake = std::move(wake)});
 }
 

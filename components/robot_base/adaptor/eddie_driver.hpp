@@ -25,7 +25,7 @@ struct EddieDriverOptions {
 class EddieDriver final : public eddie::Eddie {
  public:
   EddieDriver(const EddieDriverOptions& options, const DriverContext& context)
-      : Eddie(options.base, context.robot, context.open_link(options.port)) {}
+      : Eddie(options.base, context.robot, context.open_link(options.port, stop_frame())) {}
 };
 
 }  // namespace bw

@@ -21,7 +21,7 @@ struct KobukiDriverOptions {
 class KobukiDriver final : public kobuki::Kobuki {
  public:
   KobukiDriver(const KobukiDriverOptions& options, const DriverContext& context)
-      : Kobuki(options.base, context.robot.wheel_radii(), context.open_link(options.port)) {}
+      : Kobuki(options.base, context.robot.wheel_radii(), context.open_link(options.port, stop_frame())) {}
 };
 
 }  // namespace bw

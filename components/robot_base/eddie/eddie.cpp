@@ -380,9 +380,14 @@ bool Eddie::command(Time now, const WheelSpeeds& wheels) {
 
 void Eddie::stop(Time) {
   if (phase_ == Phase::closed) return;
-  const std::string text = text_of(Request::stop);
-  static_cast<void>(link_->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
   target_ = {};
+  const std::string text = text_of(Request::stop);
+  if (link_->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()})) link_->rest();
+}
+
+std::vector<std::uint8_t> Eddie::stop_frame() {
+  const std::string one = eddie::command("STOP", {0}), text = one + one;
+  return {text.begin(), text.end()};
 }
 
 }  // namespace bw::eddie

@@ -28,6 +28,9 @@ class Eddie : public Driver {
 
   Readings poll(Time now) override;
   bool command(Time now, const WheelSpeeds& wheels) override;
+  /// Makes the board stand, whatever it does: twice, because in the middle of a line the first one makes that an error, which moves
+  /// nothing.
+  static std::vector<std::uint8_t> stop_frame();
   /// Does not wait for a reply that is due: the board's buffer holds both lines, and the process ends.
   void stop(Time now) override;
   std::vector<Ranger> rangers() const override;

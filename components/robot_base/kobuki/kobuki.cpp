@@ -252,10 +252,19 @@ void Kobuki::ask(Time now) {
   link_->write(request_gains());
 }
 
+Bytes Kobuki::stop_frame() {
+  constexpr std::size_t kSwallowed = 0xAA + 4;
+  const Bytes one = base_control({});
+  Bytes all;
+  while (all.size() < kSwallowed + one.size()) all.insert(all.end(), one.begin(), one.end());
+  return all;
+}
+
 void Kobuki::stop(Time now) {
   if (openings_ == 0 || !link_->write(base_control({}))) return;
   session_.written = now;
   session_.motion = {};
+  link_->rest();
 }
 
 }  // namespace bw::kobuki

@@ -61,6 +61,9 @@ class Kobuki : public Driver {
  public:
   Kobuki(const KobukiOptions& options, const WheelRadii& radii, std::unique_ptr<ByteLink> link);
 
+  /// Makes the base stand, whatever it does. Behind AA 55 alone the next frame's first byte is a length of 170: so many frames, that the
+  /// last of them is heard.
+  static Bytes stop_frame();
   Readings poll(Time now) override;
   bool command(Time now, const WheelSpeeds& wheels) override;
   void stop(Time now) override;

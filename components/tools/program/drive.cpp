@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -287,12 +288,15 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
   running = &host;
   slowest(host, planners);  // throws before the drive, not after it
   cli::catch_interrupts();
+  // Whoever reads our output may go first, as `tee` does when its terminal is closed: no reason to leave a robot driving.
+  std::signal(SIGPIPE, SIG_IGN);
   const InterruptWatch watch(host);
   const Duration started = steady_time();
   result.end = host.run(options.longest);
   const double real_s = (steady_time() - started).to_seconds();
   bags.finish(host);
   result.page_fault = bags.page_fault();
+  if (result.end.has_thrown) throw RunFailed(result.end.reason);
 
   const RunFacts facts{.graph = graph_file,
                        .seed = options.host.seed,

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "components/tools/drive_page/drive_page.hpp"
+#include "components/tools/program/drive.hpp"
 #include "components/viewer/adaptor/site.hpp"
 #include "runtime/cli/page_writer.hpp"
 #include "runtime/cli/verb.hpp"
@@ -34,6 +35,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  } catch (const bw::RunFailed& error) {
+    std::cerr << error.what() << "\n";
+    return 1;
   } catch (const std::exception& error) {
     std::cerr << error.what() << "\n";
     return 2;

@@ -3,20 +3,26 @@
 #include <string>
 #include <utility>
 
+#include <bandwagon_msgs/msg/navigation_status.hpp>
 #include <fmt/format.h>
 #include <geometry_msgs/msg/twist.hpp>
 #include <geometry_msgs/msg/twist_stamped.hpp>
+#include <std_msgs/msg/bool.hpp>
+#include <std_msgs/msg/empty.hpp>
 
 #include "components/messages/geometry.hpp"
+#include "components/twist_mux/goal_in_hand.hpp"
 #include "components/twist_mux/twist_mux.hpp"
 #include "runtime/component.hpp"
 
 namespace bw {
 namespace {
 
+using bandwagon_msgs::msg::NavigationStatus;
 using geometry_msgs::msg::Twist;
 using geometry_msgs::msg::TwistStamped;
 
+constexpr const char* kInterrupted = "interrupted by a hand: until release_stop, or another goal";
 constexpr Duration kCheckPeriod = Duration::milliseconds(10);
 
 class TwistMuxComponent final : public Component {
@@ -46,6 +52,24 @@ class TwistMuxComponent final : public Component {
             need);
       }
     }
+    override_ = setup.output<std_msgs::msg::Bool>("manual_override", Qos::latched());
+    setup.input<NavigationStatus>(
+        "navigation_status", Qos::latched(),
+        [this](const auto& status, const Tick&) {
+          if (goal_.see(status.goal_id(), static_cast<GoalStatus>(status.status()),
+                        status.number_of_goals_remaining()))
+            mux_->release();
+          mux_->set_goal(goal_.is_in_hand());
+          tell_override();
+        },
+        Need::optional);
+    setup.input<std_msgs::msg::Empty>(
+        "stop_released", Qos::standard(),
+        [this](const auto&, const Tick&) {
+          mux_->release();
+          tell_override(true);
+        },
+        Need::optional);
     setup.every(kCheckPeriod, "check", [this](const Tick& tick) { check(tick); });
   }
 
@@ -54,6 +78,20 @@ class TwistMuxComponent final : public Component {
  private:
   void on_command(std::size_t i, const Twist2& twist, std::optional<Time> stamp, const Tick& tick) {
     publish(mux_->command(tick.now, i, twist, stamp, {tick.from.writer, tick.from.is_own_clock}), tick);
+    tell_override();
+  }
+
+  /// News, and after each release all the same: who heard of an interruption before this instance was still waits.
+  void tell_override(bool is_asked = false) {
+    const bool is_news = mux_->is_interrupted() != is_interrupted_;
+    if (!is_news && !is_asked) return;
+    is_interrupted_ = mux_->is_interrupted();
+    std_msgs::msg::Bool message;
+    message.data(is_interrupted_);
+    override_.publish(message);
+    if (!is_news) return;
+    log_.info("{}", is_interrupted_ ? kInterrupted : "who was interrupted by a hand is heard again");
+    tell(active_);
   }
 
   void check(const Tick& tick) {
@@ -99,13 +137,17 @@ class TwistMuxComponent final : public Component {
                             count.last_stale.age.to_seconds());
       diagnostics_->set_value(options_.sources[i].topic, text);
     }
-    const std::string who = active ? options_.sources[*active].topic + " drives" : "nobody drives";
+    std::string who = active ? options_.sources[*active].topic + " drives" : "nobody drives";
+    if (mux_->is_interrupted()) who += std::string("; ") + kInterrupted;
     diagnostics_->report(refused_ == 0 ? Level::ok : Level::warn,
                          refused_ == 0 ? who : fmt::format("{}; {} commands refused", who, refused_));
   }
 
   TwistMuxOptions options_;
   std::optional<TwistMux> mux_;
+  GoalInHand goal_;
+  bool is_interrupted_ = false;  ///< as told last
+  Output<std_msgs::msg::Bool> override_;
   std::optional<std::size_t> active_;  ///< as told last
   std::optional<std::size_t> drove_;
   std::uint64_t refused_ = 0, steps_ = 0;

@@ -212,5 +212,48 @@ TEST(DriverAndFirmware, AnEddieWithoutWatchDrivesAndSaysSo) {
   EXPECT_EQ(bench.counters.at("errors"), 1U);
 }
 
+/// Whether the wheels stand after `spoiled` bytes of `command` and the guardian's stop.
+bool stands_after(EmulatedBase& firmware, const Bytes& running, const Bytes& command, std::size_t spoiled,
+                  const Bytes& stop) {
+  Time now = Time::seconds(20.0);
+  const auto live = [&](double seconds) {
+    for (double t = 0.0; t < seconds; t += 0.01) firmware.step(now = now + Duration::milliseconds(10), {});
+  };
+  live(0.1);
+  firmware.receive(now, running);
+  live(1.0);
+  if (firmware.motors().left < 0.1) return false;  // it never drove
+  firmware.receive(now, std::span(command).first(spoiled));
+  firmware.receive(now, stop);
+  live(2.0);
+  return std::abs(firmware.motors().left) < 1e-3 && std::abs(firmware.motors().right) < 1e-3;
+}
+
+// A process may be killed in the middle of a frame.
+TEST(StopFrame, IsHeardByAKobukiAfterAnyPartOfAnyCommand) {
+  const Bytes drive = kobuki::base_control({300, 0});
+  for (const Bytes& command :
+       {drive, kobuki::set_user_gains({}), kobuki::request_versions(), kobuki::request_gains()}) {
+    for (std::size_t spoiled = 0; spoiled < command.size(); ++spoiled) {
+      KobukiFirmware firmware({}, kobuki_robot(), 1);
+      EXPECT_TRUE(stands_after(firmware, drive, command, spoiled, kobuki::Kobuki::stop_frame()))
+          << spoiled << " of " << command.size() << " bytes";
+    }
+  }
+}
+
+TEST(StopFrame, IsHeardByAnEddieAfterAnyPartOfAnyCommand) {
+  const Bytes drive = bytes_of("GOSPD 40 40\r");
+  for (const char* text :
+       {"GOSPD 60 60\r", "GO 7F 7F\r", "TRVL 7FFF 60\r", "DIST\r", "STOP 0\r", "ACC 40\r"}) {
+    const Bytes command = bytes_of(text);
+    for (std::size_t spoiled = 0; spoiled < command.size(); ++spoiled) {
+      EddieFirmware firmware({}, eddie_robot());
+      EXPECT_TRUE(stands_after(firmware, drive, command, spoiled, eddie::Eddie::stop_frame()))
+          << text << spoiled;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bw

@@ -16,7 +16,7 @@ constexpr Duration kCheck = Duration::milliseconds(10);
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TwistMuxOptions three_sources() {
-  return {.sources = {{.topic = "hand", .priority = 100, .timeout = 0.2},
+  return {.sources = {{.topic = "hand", .priority = 100, .timeout = 0.2, .hand = true},
                       {.topic = "behavior", .priority = 50, .timeout = 0.25, .stamped = true},
                       {.topic = "planner", .priority = 10, .timeout = 0.5}}};
 }
@@ -26,6 +26,7 @@ struct MuxWorld {
   /// By README: a word counts unless it is no number, late, or somebody above has spoken within its time-out.
   bool may_speak(std::size_t i, const Twist2& twist, std::optional<Time> stamp) const {
     if (!is_finite(twist)) return false;
+    if (i > 0 && is_interrupted) return false;
     if (stamp && now - *stamp > Duration::seconds(options.sources[i].timeout)) return false;
     for (std::size_t above = 0; above < i; ++above) {
       const auto& source = options.sources[above];
@@ -36,6 +37,10 @@ struct MuxWorld {
 
   void say(std::size_t i, const Twist2& twist, std::optional<Time> stamp = std::nullopt) {
     const bool may = may_speak(i, twist, stamp);
+    const auto speaks = [&](std::size_t k) { return said[k] && now - *said[k] <= Duration::seconds(options.sources[k].timeout); };
+    const bool late = stamp && now - *stamp > Duration::seconds(options.sources[i].timeout);
+    if (i == 0 && may && (has_goal || speaks(1) || speaks(2))) is_interrupted = true;
+    if (i > 0 && is_finite(twist) && !late && twist != Twist2{} && speaks(0)) is_interrupted = true;
     const auto out = mux.command(now, i, twist, stamp);
     if (may && out != twist) violation = "a word that counts does not go on as it is";
     if (!may && out && *out != Twist2{}) violation = "a word that does not count goes on";
@@ -64,6 +69,7 @@ struct MuxWorld {
     check();
   }
   void check() {
+    if (mux.is_interrupted() != is_interrupted) violation = "interrupted, or not";
     give(mux.check(now));
     if (given == Twist2{}) return;
     // The clock cannot say how long ago it was when it went back by less than that.
@@ -87,6 +93,7 @@ struct MuxWorld {
   Duration silent;  ///< true time since the last word that counted
   Duration back;    ///< that the clock went back since the robot stood
   Twist2 given;
+  bool has_goal = false, is_interrupted = false;
   std::string violation;
 };
 
@@ -99,7 +106,7 @@ std::string ages(const MuxWorld& world) {
   add(world.silent);
   add(world.back);
   return text + (world.driver ? std::to_string(*world.driver) : "-") +
-         (world.given == Twist2{} ? " stands" : " moves");
+         (world.given == Twist2{} ? " stands" : " moves") + (world.has_goal ? "g" : "-") + (world.is_interrupted ? "i" : "-");
 }
 
 TEST(TwistMux, PassesOneAndStopsWhoFallsSilentInEverySequence) {
@@ -120,14 +127,17 @@ TEST(TwistMux, PassesOneAndStopsWhoFallsSilentInEverySequence) {
                                                        {"planner drives", says(2, drives)},
                                                        {"planner stops", says(2, stands)},
                                                        {"planner sends NaN", says(2, nan)},
-                                                       {"10 ms", after(10)},
+                                                       {"a goal", [](MuxWorld& w) { w.has_goal = true; w.mux.set_goal(true); }},
+                 {"no goal", [](MuxWorld& w) { w.has_goal = false; w.mux.set_goal(false); }},
+                 {"release", [](MuxWorld& w) { w.is_interrupted = false; w.mux.release(); }},
+                 {"10 ms", after(10)},
                                                        {"200 ms", after(200)},
                                                        {"600 ms", after(600)},
                                                        {"clock back 100 ms", back(100)},
                                                        {"clock back 5 s", back(5000)}},
                                             .broken = [](const MuxWorld& world) { return world.violation; },
                                             .state = ages};
-  test::expect_unbroken("twist_mux", sequences, test::sequence_depth(12));
+  test::expect_unbroken("twist_mux", sequences, test::sequence_depth(8));
 }
 
 }  // namespace

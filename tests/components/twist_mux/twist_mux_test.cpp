@@ -1,10 +1,12 @@
-// Sources with the priorities 100 (time-out 0.2 s, hold 1 s), 90 (the same, stamped), 50 (time-out 0.25 s) and 10 (time-out 0.5 s).
+// Sources with the priorities 100 (a hand, time-out 0.2 s), 90 (the same, stamped), 50 (time-out 0.25 s) and 10 (time-out 0.5 s).
 #include "components/twist_mux/twist_mux.hpp"
 
 #include <cstdint>
 #include <limits>
 
 #include <gmock/gmock.h>
+
+#include "components/twist_mux/goal_in_hand.hpp"
 
 namespace bw {
 namespace {
@@ -23,14 +25,57 @@ TEST(TwistMux, PassesTheCommandsOfTheOneThatSpeaksAsTheyAre) {
   EXPECT_EQ(m.active(at(0.7)), std::nullopt);
 }
 
-TEST(TwistMux, AHigherOneTakesOverAtOnceAndALowerOneIsNotHeardUntilItsHoldIsOver) {
+// Before, the planner went on 1 s after the last key: a person who had driven the robot by hand and let go was surprised.
+TEST(TwistMux, WhomAHandTookOverFromIsNotHeardAgainBeforeARelease) {
   TwistMux m = mux();
   m.command(at(0.0), kNav, kAhead);
+  EXPECT_FALSE(m.is_interrupted());
   EXPECT_EQ(m.command(at(0.05), kTeleop, kBack), kBack);
-  for (int i = 2; i <= 21; ++i) EXPECT_EQ(m.command(at(0.05 * i), kNav, kAhead), std::nullopt) << i;
-  EXPECT_EQ(m.command(at(1.06), kNav, kAhead), kAhead);
-  EXPECT_EQ(m.count(kNav).outranked, 20U);
-  EXPECT_EQ(m.count(kNav).passed, 2U);
+  EXPECT_TRUE(m.is_interrupted());
+  for (int i = 2; i <= 2001; ++i)
+    EXPECT_EQ(m.command(at(0.05 * i), kNav, kAhead), std::nullopt) << i;  // 100 s
+  EXPECT_EQ(m.command(at(101.0), kBehavior, kTurn), std::nullopt);
+  // Silent for 0.2 s and a hand is nobody who outranks: from 0.25 s on, so from i = 6, it is the interruption.
+  EXPECT_EQ(m.count(kNav).outranked, 4U);
+  EXPECT_EQ(m.count(kNav).interrupted, 1996U);
+  m.release();
+  EXPECT_EQ(m.command(at(101.1), kNav, kAhead), kAhead);
+}
+
+TEST(TwistMux, AHandInterruptsWhoeverWantsToDriveMeanwhile) {
+  TwistMux m = mux();
+  m.command(at(0.0), kTeleop, kBack);
+  EXPECT_FALSE(m.is_interrupted());  // nobody is there
+  EXPECT_EQ(m.command(at(0.1), kNav, Twist2{}), std::nullopt);
+  EXPECT_FALSE(m.is_interrupted());
+  EXPECT_EQ(m.command(at(0.15), kNav, kAhead), std::nullopt);
+  EXPECT_TRUE(m.is_interrupted());
+  EXPECT_EQ(m.command(at(5.0), kNav, kAhead), std::nullopt);
+}
+
+// A planner that says nothing at this moment, as between two attempts, has its goal all the same.
+TEST(TwistMux, AHandInterruptsAGoalThoughNobodyDrives) {
+  TwistMux m = mux();
+  m.set_goal(true);
+  EXPECT_EQ(m.command(at(0.0), kStamped, Twist2{}), Twist2{});
+  EXPECT_TRUE(m.is_interrupted());
+  EXPECT_EQ(m.command(at(5.0), kNav, kAhead), std::nullopt);
+  EXPECT_EQ(m.command(at(5.0), kTeleop, kBack), kBack);  // a hand is never interrupted
+  EXPECT_EQ(m.command(at(6.0), kStamped, kBack), kBack);
+}
+
+TEST(TwistMux, WithoutAnybodyToInterruptTheNextGoalIsDrivenAsSoonAsTheHandIsSilent) {
+  TwistMux m = mux();
+  m.command(at(0.0), kTeleop, kBack);
+  EXPECT_EQ(m.command(at(0.21), kNav, kAhead), kAhead);
+}
+
+TEST(TwistMux, ABehaviorInterruptsNobody) {
+  TwistMux m = mux();
+  m.set_goal(true);
+  m.command(at(0.0), kNav, kAhead);
+  m.command(at(0.1), kBehavior, kTurn);
+  EXPECT_FALSE(m.is_interrupted());
 }
 
 // A behavior ends with zero, and then says nothing: the planner's next command counts once its time-out is over, and no zero is added.
@@ -68,7 +113,7 @@ TEST(TwistMux, WhoEndedAtRestLeavesNothingToStop) {
 TEST(TwistMux, TheTimeOutThatCountsIsThatOfTheOneWhoDrives) {
   TwistMux m = mux();
   m.command(at(0.0), kTeleop, kAhead);
-  m.command(at(2.0), kNav, kAhead);
+  m.command(at(2.0), kNav, kAhead);  // it began after the hand
   EXPECT_EQ(m.check(at(2.5)), std::nullopt);
   EXPECT_EQ(m.check(at(2.501)), Twist2{});
 }
@@ -168,6 +213,40 @@ TEST(TwistMux, AThousandOfOneSourceBetweenTwoOfAHigherOneChangeNothing) {
     EXPECT_EQ(m.command(at(t), kNav, kAhead), std::nullopt);
     EXPECT_EQ(m.check(at(t)), std::nullopt);
   }
+}
+
+GoalStatus final_one(int i) { return i == 0 ? GoalStatus::aborted : GoalStatus::canceled; }
+
+TEST(GoalInHand, IsOverWithItsEndOrAnotherOne) {
+  GoalInHand goal;
+  EXPECT_TRUE(goal.see(1, GoalStatus::accepted, 0));
+  EXPECT_FALSE(goal.see(1, GoalStatus::executing, 0));
+  EXPECT_TRUE(goal.is_in_hand());
+  EXPECT_FALSE(goal.see(2, GoalStatus::aborted, 0));  // one that could not be taken
+  EXPECT_TRUE(goal.is_in_hand());
+  EXPECT_TRUE(goal.see(3, GoalStatus::accepted, 0));
+  EXPECT_FALSE(goal.see(1, GoalStatus::aborted, 0));  // preempted, and told after its successor
+  EXPECT_TRUE(goal.is_in_hand());
+  for (int i = 0; i < 2; ++i) EXPECT_TRUE(goal.see(3, final_one(i), 0));
+  EXPECT_FALSE(goal.is_in_hand());
+}
+
+TEST(GoalInHand, WhatFollowsInAListGoesOn) {
+  GoalInHand goal;
+  goal.see(1, GoalStatus::accepted, 2);
+  EXPECT_FALSE(goal.see(1, GoalStatus::succeeded, 2));
+  EXPECT_TRUE(goal.is_in_hand());
+  EXPECT_FALSE(goal.see(2, GoalStatus::accepted, 1));
+  EXPECT_FALSE(goal.see(2, GoalStatus::executing, 1));
+  EXPECT_TRUE(goal.see(2, GoalStatus::canceled, 0));  // the list was given up
+  EXPECT_FALSE(goal.is_in_hand());
+}
+
+// A navigator that begins anew counts from 1 again.
+TEST(GoalInHand, AnotherNavigatorsGoalIsAnother) {
+  GoalInHand goal;
+  goal.see(7, GoalStatus::accepted, 0);
+  EXPECT_TRUE(goal.see(1, GoalStatus::accepted, 0));
 }
 
 TEST(TwistMuxOptions, PrioritiesAndTopicsAreDeclaredOnce) {

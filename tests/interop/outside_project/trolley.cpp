@@ -25,7 +25,7 @@ class Trolley final : public bw::Driver {
   Trolley(const TrolleyOptions& options, const bw::DriverContext& context)
       : patience_(bw::Duration::seconds(options.answer_time)),
         radii_(context.robot.wheel_radii()),
-        link_(context.open_link(options)) {}
+        link_(context.open_link(options, {'V', ' ', '0', ' ', '0', '\n'})) {}
 
   bw::Readings poll(bw::Time now) override {
     bw::Readings readings;

@@ -6,6 +6,7 @@ import { element } from "./page/dom";
 import { PageApp } from "./page/page_app";
 import { mountReadOnly } from "./page/read_only";
 import { mountStatusLines } from "./page/status_lines";
+import { mountStopButton } from "./page/stop_button";
 import { mountTabs, type Tab } from "./page/tabs";
 import { takeToken } from "./page/token";
 import { mountToolbar } from "./page/toolbar";
@@ -29,6 +30,7 @@ const TABS: Tab[] = [
 mountToolbar(app);
 mountReadOnly(element("connection"), app);
 mountStatusLines(element("statuses"), app);
+mountStopButton(element("stop"), app);
 exposeHook(app, new SceneOnPage(element("scene"), app));
 mountTabs(app, TABS);
 

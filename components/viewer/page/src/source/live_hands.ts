@@ -36,6 +36,10 @@ export class LiveHands implements Hands {
     return this.whyNot === "";
   }
 
+  get canStop(): boolean {
+    return this.canCommand || this.whyNot === this.commander;
+  }
+
   get whyNot(): string {
     if (!this.isConnected) return "No connection to the robot";
     if (this.metadata.clock === "lockstep" && this.metadata.accept_inputs !== "true") return "In lock-step the page commands only with --accept-inputs";
@@ -58,7 +62,8 @@ export class LiveHands implements Hands {
   }
 
   async publish(topic: string, type: string, value: object): Promise<void> {
-    if (!this.canCommand) throw new Error(this.whyNot);
+    const isStop = this.canStop && topic.endsWith("/emergency_stop");
+    if (!this.canCommand && !isStop) throw new Error(this.whyNot);
     const schema = this.encodings.includes("cdr") ? knownSchema(type) : undefined;
     const id = this.channelOf(topic, type, schema);
     const payload = schema === undefined ? new TextEncoder().encode(json(value)) : encode(schema, value);
