@@ -7,10 +7,10 @@ set(bw_plain_headers
   <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory> <optional> <random> <set> <span> <string> <string_view>
   <utility> <vector> <Eigen/Dense>)
 
-# bw_precompiled_set(<name> <kind of target> HEADERS ... [LINK ...]): what bw_precompiled() takes by name. GCC accepts the set only where
-# it would have compiled it alike: an OBJECT set is for libraries, an EXECUTABLE one for programs.
+# bw_precompiled_set(<name> <kind of target> HEADERS ... [LINK ...] [CHECKED]): what bw_precompiled() takes by name. GCC accepts the set only
+# where it would have compiled it alike: an OBJECT set is for libraries, an EXECUTABLE one for programs, a CHECKED one for BANDWAGON_CHECKED.
 function(bw_precompiled_set name kind)
-  cmake_parse_arguments(ARG "" "" "HEADERS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "CHECKED" "" "HEADERS;LINK" ${ARGN})
   if(NOT BANDWAGON_PRECOMPILE)
     return()
   endif()
@@ -26,10 +26,18 @@ function(bw_precompiled_set name kind)
   endif()
   target_link_libraries(bw_precompiled_${name} PRIVATE bw_compile_options Eigen3::Eigen ${ARG_LINK})
   target_precompile_headers(bw_precompiled_${name} PRIVATE ${ARG_HEADERS})
+  if(ARG_CHECKED)
+    target_compile_definitions(bw_precompiled_${name} PRIVATE _GLIBCXX_ASSERTIONS)
+  endif()
 endfunction()
 
-# bw_precompiled(<target> <name>): the target's sources begin with the named set.
+# bw_precompiled(<target> <name>): the target's sources begin with the named set, and with the checked one where BANDWAGON_CHECKED names the
+# target.
 function(bw_precompiled target name)
+  if(target IN_LIST BANDWAGON_CHECKED)
+    target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
+    string(APPEND name _checked)
+  endif()
   if(BANDWAGON_PRECOMPILE)
     target_precompile_headers(${target} REUSE_FROM bw_precompiled_${name})
     # Of a precompiled std::string, GCC 12 sees overflows that are not there in operator+ too (its bug 105329).
@@ -38,10 +46,13 @@ function(bw_precompiled target name)
 endfunction()
 
 bw_precompiled_set(plain OBJECT HEADERS ${bw_plain_headers})
+bw_precompiled_set(plain_checked OBJECT HEADERS ${bw_plain_headers} CHECKED)
 bw_precompiled_set(tool OBJECT HEADERS ${bw_plain_headers} <nlohmann/json.hpp> LINK nlohmann_json::nlohmann_json)
 if(BANDWAGON_TESTS)
   bw_precompiled_set(test EXECUTABLE HEADERS ${bw_plain_headers} <gmock/gmock.h> <gtest/gtest.h> LINK GTest::gmock)
 endif()
 if(NOT BANDWAGON_ALGORITHMS_ONLY)
-  bw_precompiled_set(component OBJECT HEADERS ${bw_plain_headers} <fmt/format.h> <runtime/component.hpp> LINK bandwagon_runtime)
+  set(bw_component_headers ${bw_plain_headers} <fmt/format.h> <runtime/component.hpp>)
+  bw_precompiled_set(component OBJECT HEADERS ${bw_component_headers} LINK bandwagon_runtime)
+  bw_precompiled_set(component_checked OBJECT HEADERS ${bw_component_headers} LINK bandwagon_runtime CHECKED)
 endif()

@@ -7,6 +7,7 @@
 # Exit status: 0 ended by Ctrl-C or by --for, 1 something is missing or failed, 2 wrong use. BANDWAGON_BRINGUP_SECONDS: longest wait (60).
 # BANDWAGON_PROGRAM: another program than build/release/bin/bandwagon.
 set -euo pipefail
+umask 077 # logs hold the page's token
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=${BANDWAGON_PROGRAM:-$root/build/release/bin/bandwagon}
@@ -51,6 +52,7 @@ while (($# > 0)); do
       settings+=(--set "$2")
       shift
       ;;
+    --set=*) settings+=("$1") ;;
     *) options+=("$1") ;;
   esac
   shift

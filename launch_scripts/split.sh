@@ -4,6 +4,7 @@
 # Logs, score card and a manifest of the run: run/<graph>-<time>/, or BANDWAGON_LOG_DIR.
 # --record FILE and how it is split: `bandwagon record --all` as one more process, which hears the others; it ends last.
 set -euo pipefail
+umask 077 # logs hold the page's token, recordings who was where
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=${BANDWAGON_PROGRAM:-$root/build/release/bin/bandwagon}
@@ -21,7 +22,7 @@ while (($# > 0)); do
   case $1 in
     --record=*) record+=(--out "${1#*=}") ;;
     --record) record+=(--out "${2:?"--record needs a file"}") && shift ;;
-    --split-size=* | --split-duration=* | --max-size=* | --compression=*) record+=("$1") ;;
+    -b?* | -d?* | --split-size=* | --split-duration=* | --max-size=* | --compression=*) record+=("$1") ;;
     -b | --split-size | -d | --split-duration | --max-size | --compression) record+=("$1" "${2:?"$1 needs a value"}") && shift ;;
     --html | --html=*)
       echo "--html is of one process: record with --record FILE, then: $program view FILE" >&2
@@ -33,9 +34,14 @@ while (($# > 0)); do
 done
 set_options=()
 for ((i = 0; i < ${#arguments[@]}; i++)); do
-  [[ ${arguments[i]} == --set ]] && set_options+=(--set "${arguments[i + 1]}")
-  [[ ${arguments[i]} == --emulate ]] && set_options+=(--set emulate=true)
-  [[ ${arguments[i]} == --page* ]] && set_options+=(--set viewer.enabled=true)
+  case ${arguments[i]} in
+    --set) set_options+=(--set "${arguments[i + 1]:?"--set needs component.param=value"}") ;;
+    --set=*) set_options+=("${arguments[i]}") ;;
+    --emulate) set_options+=(--set emulate=true) ;;
+    --page | --page=* | --bags | --bags=* | --listen | --listen=* | --token-file | --token-file=* | --allow-*)
+      set_options+=(--set viewer.enabled=true) # as the program does
+      ;;
+  esac
 done
 processes=$("$program" graph "$graph" "${set_options[@]}" --processes)
 
@@ -69,7 +75,7 @@ if ((${#record[@]})); then
 fi
 for process in $processes; do
   json=()
-  [[ " ${arguments[*]} " == *" --json "* ]] || json=(--json "$logs/$process.json")
+  [[ " ${arguments[*]} " == *" --json"[\ =]* ]] || json=(--json "$logs/$process.json")
   # In a group of its own, so that Ctrl-C reaches it once, through this script.
   setsid "$program" run "$graph" --only "$process" "${json[@]}" "${arguments[@]}" \
     > >(tee "$logs/$process.out") 2> >(tee "$logs/$process.log" >&2) &

@@ -204,6 +204,22 @@ class Setup {
     return ActionClient<A>::declare(*this, name, need);
   }
 
+  /// What outlives the instance, and with it a cleanup and every later configure: made with the node, the same from then on. What it
+  /// declares in its own `configure(Setup&)` is heard in every state of the component. One for each component.
+  template <class Part>
+  std::shared_ptr<Part> part_of_node() {
+    return std::static_pointer_cast<Part>(keep_part([](Setup& setup) {
+      auto part = std::make_shared<Part>();
+      part->configure(setup);
+      return part;
+    }));
+  }
+  /// A file that outlives the process, below the user's state folder, for this node on this domain alone. Not in lock-step: what a
+  /// run leaves decides nothing of the next one. Throws std::runtime_error where the environment names no folder.
+  virtual std::filesystem::path state_file(const std::string& name) const = 0;
+  /// Who writes what this component hears. Valid as long as the host.
+  virtual Writers& writers() = 0;
+
   /// A transform tree fed from /tf and /tf_static.
   std::shared_ptr<const TransformTree> transforms();
   /// `name` with the frame prefix of the robot; `map` has none.
@@ -235,6 +251,7 @@ class Setup {
                     {ParameterSet(values), std::move(on_change), std::move(fixed)});
   }
 
+  virtual std::shared_ptr<void> keep_part(std::function<std::shared_ptr<void>(Setup&)> make) = 0;
   virtual OutputPort* add_output(const std::string& topic, const MessageType& type, const Qos& qos,
                                  bool command) = 0;
   virtual void add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind,

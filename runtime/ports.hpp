@@ -26,6 +26,16 @@ struct SampleOrigin {
   bool is_own_clock = true;               ///< it writes on this host, so its stamps are of the same clock
 };
 
+/// The writers of the topics that a component hears, by their GID.
+class Writers {
+ public:
+  virtual ~Writers() = default;
+  /// Full name of its node, /robot1/panel; empty: nobody has named it, or not yet.
+  virtual std::string node_of(const std::array<std::uint8_t, 16>& writer) = 0;
+  /// It has not left. Who was killed is there until its lease is over.
+  virtual bool is_there(const std::array<std::uint8_t, 16>& writer) = 0;
+};
+
 /// One call of a component: the frozen time and the state of its inputs. No other clock may be read.
 struct Tick {
   Time now;

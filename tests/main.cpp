@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   constexpr int kSkipped = 77;
   testing::InitGoogleMock(&argc, argv);
   const bw::TemporaryFolder folder;
-  for (const char* name : {"TMPDIR", "TEST_TMPDIR"}) setenv(name, folder.path().c_str(), 1);
+  for (const char* name : {"TMPDIR", "TEST_TMPDIR", "XDG_STATE_HOME"}) setenv(name, folder.path().c_str(), 1);
   const int status = RUN_ALL_TESTS();
   const testing::UnitTest& tests = *testing::UnitTest::GetInstance();
   if (status != 0 || testing::GTEST_FLAG(list_tests)) return status;

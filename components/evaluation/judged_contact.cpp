@@ -94,10 +94,9 @@ std::vector<JudgedContact> judge_contacts(const RunRecording& recording) {
   return judge_contacts(recording.contacts, scene, drive, recording.moments.back().time, *recording.limits);
 }
 
-bool is_excused(const std::vector<JudgedContact>& contacts, int counted, bool only_at_speed) {
+bool is_excused(const std::vector<JudgedContact>& contacts, int counted) {
   int excused = 0;
   for (const JudgedContact& contact : contacts) {
-    if (only_at_speed && !contact.record.at_speed) continue;
     const bool is_lost = contact.is_judged && contact.verdict.avoidance == possible::Avoidance::not_avoidable;
     if (!is_lost) return false;
     ++excused;

@@ -29,8 +29,8 @@ std::vector<JudgedContact> judge_contacts(const std::vector<ContactRecord>& cont
 /// Of a recorded drive whose people walked as they did, linear between its moments. Not judged where its limits are not known.
 std::vector<JudgedContact> judge_contacts(const RunRecording& recording);
 
-/// True when success was impossible: there were contacts of those that count, and none of these could have been avoided.
-/// `counted`: how many contacts count, walls included; `only_at_speed`: those of a robot that stood do not.
-bool is_excused(const std::vector<JudgedContact>& contacts, int counted, bool only_at_speed);
+/// True when success was impossible: there were contacts, and none of them could have been avoided.
+/// `counted`: how many contacts there were, walls included.
+bool is_excused(const std::vector<JudgedContact>& contacts, int counted);
 
 }  // namespace bw

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "runtime/bounded_line.hpp"
+
 namespace bw {
 namespace {
 
@@ -58,10 +60,10 @@ double to_number(std::string_view text, const std::string& file, std::size_t lin
 }
 
 bool next_line(std::istream& input, std::string& text, const std::string& file, std::size_t line) {
-  if (!std::getline(input, text)) return false;
-  if (!text.empty() && text.back() == '\r') text.pop_back();
+  if (!read_line(input, text, kLongestLine)) return false;
   if (text.size() > kLongestLine)
     fail_at(file, line, "line longer than " + std::to_string(kLongestLine) + " characters");
+  if (!text.empty() && text.back() == '\r') text.pop_back();
   return true;
 }
 

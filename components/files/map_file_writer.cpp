@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <png.h>
@@ -83,8 +85,28 @@ std::string yaml_of(const OccupancyGrid& grid, const MapShades& shades, const st
 
 }  // namespace
 
+std::filesystem::path place_of_map(const std::filesystem::path& folder, const std::filesystem::path& asked) {
+  namespace fs = std::filesystem;
+  const auto refuse = [&](const std::string& why) {
+    throw std::runtime_error("'" + asked.string() + "': maps are saved below " + folder.string() + ": " +
+                             why);
+  };
+  if (!asked.has_filename() || asked.filename() == ".") refuse("it names no file");
+  if (std::ranges::find(asked, fs::path("..")) != asked.end()) refuse("a path has no ..");
+  std::error_code error;
+  const fs::path root = fs::canonical(folder, error);
+  if (error) refuse(error.message());
+  const fs::path parent = fs::canonical((root / asked).parent_path(), error);  // an absolute one stays itself
+  if (error) refuse("there is no folder " + (root / asked).parent_path().string());
+  const auto [differs, rest] = std::mismatch(root.begin(), root.end(), parent.begin(), parent.end());
+  if (differs != root.end()) refuse(parent.string() + " is elsewhere");
+  fs::path yaml = parent / asked.filename();
+  if (yaml.extension() != ".yaml") yaml += ".yaml";
+  return yaml;
+}
+
 void save_map(const OccupancyGrid& grid, const std::filesystem::path& yaml, const MapShades& shades,
-              ImageFormat format) {
+              ImageFormat format, Existing existing) {
   if (const auto fault = fault_of(shades)) throw std::runtime_error(yaml.string() + ": " + *fault);
   // A mistyped folder is told and not made.
   const std::filesystem::path folder = yaml.has_parent_path() ? yaml.parent_path() : ".";
@@ -92,6 +114,10 @@ void save_map(const OccupancyGrid& grid, const std::filesystem::path& yaml, cons
     throw std::runtime_error("cannot write " + yaml.string() + ": there is no folder " + folder.string());
   std::filesystem::path image = yaml;
   image.replace_extension("." + std::string(text_of(format)));
+  for (const std::filesystem::path& file : {image, yaml}) {
+    if (existing == Existing::refuse && std::filesystem::exists(std::filesystem::symlink_status(file)))
+      throw std::runtime_error(file.string() + " exists already, and is not to be overwritten");
+  }
   const std::string pixels = pixels_of(grid, shades);
   write_file_atomically(image, format == ImageFormat::png ? png_of(grid, pixels) : pgm_of(grid, pixels));
   write_file_atomically(yaml, yaml_of(grid, shades, image.filename().string()));

@@ -121,6 +121,25 @@ std::vector<Vector2> cut(const std::vector<Vector2>& corners, const Vector2& a, 
   return kept;
 }
 
+/// Of a disc, the corners of a polygon that holds it.
+std::vector<Vector2> corners_around(const Footprint& footprint) {
+  constexpr int kSides = 32;
+  if (footprint.is_polygon()) return footprint.polygon;
+  return outline({footprint.radius / std::cos(std::numbers::pi / kSides), {}}, {}, kSides);
+}
+
+/// Whether all of `inner` lies in `outer`, or within 1 um of it.
+bool holds(const Footprint& outer, const Footprint& inner) {
+  if (!outer.is_polygon()) return inner.radius <= outer.radius + kSame;
+  const std::vector<Vector2>& sides = outer.polygon;
+  const double around = inner.is_polygon() ? 0.0 : inner.radius;
+  const std::vector<Vector2> points = inner.is_polygon() ? inner.polygon : std::vector<Vector2>{{0.0, 0.0}};
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (const Vector2& point : points)
+      if (left_of(sides[i], sides[(i + 1) % sides.size()], point) < around - kSame) return false;
+  return true;
+}
+
 }  // namespace
 
 FootprintResult footprint_of(std::vector<Vector2> corners) {
@@ -180,6 +199,32 @@ Footprint padded(const Footprint& footprint, double distance) {
   for (std::size_t i = 0; i < sides.size(); ++i)
     corners = cut(corners, sides[i], sides[(i + 1) % sides.size()], distance);
   drop_idle(corners);
+  return enclosed(std::move(corners));
+}
+
+Footprint hull(const Footprint& a, const Footprint& b) {
+  if (!a.is_polygon() && !b.is_polygon()) return a.radius >= b.radius ? a : b;
+  if (holds(a, b)) return a;
+  if (holds(b, a)) return b;
+  std::vector<Vector2> points = corners_around(a);
+  const std::vector<Vector2> others = corners_around(b);
+  points.insert(points.end(), others.begin(), others.end());
+  std::ranges::sort(points, [](const Vector2& p, const Vector2& q) {
+    return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
+  });
+  // Lower chain from left to right, upper chain back: only left turns stay.
+  std::vector<Vector2> corners;
+  for (const bool is_lower : {true, false}) {
+    const std::size_t first = corners.size();
+    for (const Vector2& point : points) {
+      while (corners.size() >= first + 2 &&
+             left_of(corners[corners.size() - 2], corners.back(), point) <= kSame)
+        corners.pop_back();
+      corners.push_back(point);
+    }
+    corners.pop_back();  // the first of the other chain
+    if (is_lower) std::ranges::reverse(points);
+  }
   return enclosed(std::move(corners));
 }
 

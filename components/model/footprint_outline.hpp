@@ -34,6 +34,10 @@ std::string to_text(const Footprint& footprint);
 /// in, by half of what is there at most.
 Footprint padded(const Footprint& footprint, double distance);
 
+/// The least that holds both: one of them where it holds the other, else the convex polygon around both, for which a disc counts as
+/// a polygon of 32 sides around it (its radius is up to 0.5 % larger at their corners).
+Footprint hull(const Footprint& a, const Footprint& b);
+
 /// Corners in the frame F that X_FB places the robot in; of a disc `corners_of_disc` on its rim, the first ahead.
 std::vector<Vector2> outline(const Footprint& footprint, const Pose2& X_FB, int corners_of_disc);
 

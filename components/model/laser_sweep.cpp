@@ -33,6 +33,8 @@ const char* to_text(SweepFault fault) {
       return "too few of its beams say anything";
     case SweepFault::unplaced:
       return "nobody says where on the robot its frame is";
+    case SweepFault::bad_stamp:
+      return "its stamp is too old, or nobody knows how old it is";
   }
   return "unknown";
 }

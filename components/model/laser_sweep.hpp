@@ -45,7 +45,7 @@ enum class BeamKind : std::uint8_t {
 };
 BeamKind kind_of(float range, const LaserSweep& sweep);
 
-/// Why a sweep as a whole is of no use. The last four are for readers who need more than fault_of asks for.
+/// Why a sweep as a whole is of no use. The last five are for readers who need more than fault_of asks for.
 enum class SweepFault {
   none,
   bad_angles,    ///< not finite, or no steps of a scanner
@@ -56,6 +56,7 @@ enum class SweepFault {
   no_returns,  ///< nothing is hit where something must be
   mostly_unknown,  ///< too few beams say anything
   unplaced,        ///< nobody says where on the robot its frame is
+  bad_stamp,       ///< it is too old, or nobody knows how old (runtime/base/stamp_age.hpp)
 };
 const char* to_text(SweepFault fault);
 

@@ -23,6 +23,7 @@ struct SensorMount {
   double x = 0.0;
   double y = 0.0;
   double theta = 0.0;
+  double delay = 0.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -30,6 +31,13 @@ struct SensorMount {
     v("x", x, {.unit = "m", .min = -10, .max = 10, .doc = "place on base_link, forward"});
     v("y", y, {.unit = "m", .min = -10, .max = 10, .doc = "place on base_link, left"});
     v("theta", theta, {.unit = "rad", .min = -6.3, .max = 6.3, .doc = "heading on base_link"});
+    v("delay", delay,
+      {.unit = "s",
+       .min = 0,
+       .max = 1,
+       .doc =
+           "of a sensor that another host stamps: how old its messages are at the least when they come; the stamps of "
+           "another clock do not tell"});
   }
 };
 
@@ -77,14 +85,26 @@ struct Robot {
     return {};
   }
 
+  Duration delay_of(const std::string& frame) const {
+    for (const SensorMount& mount : sensors) {
+      if (mount.frame == frame) return Duration::seconds(mount.delay);
+    }
+    return {};
+  }
+
   /// Its footprint while nothing else is said.
   Footprint outline() const {
     FootprintResult polygon = footprint_of(footprint, radius);
     return polygon.fault.empty() ? std::move(polygon.footprint) : Footprint{radius, {}};
   }
 
-  /// From top speed, and a little more: while it brakes, a run goes on.
-  Duration time_to_rest() const { return Duration::milliseconds(1'000); }
+  /// From the top speeds as gently as they are commanded, and a little more until it hears of it: while it brakes, a run goes on.
+  Duration time_to_rest() const {
+    constexpr double kHears = 0.3;  // [s]: the oldest command that motor control obeys, and two cycles
+    const double v = std::max(limits.v_max, limits.v_back_max);
+    const double straight = v / limits.acc_max + limits.acc_max / limits.jerk_max;
+    return Duration::seconds(kHears + std::max(straight, limits.omega_max / limits.alpha_max));
+  }
 
   template <class Visitor>
   void fields(Visitor& v) {

@@ -1,4 +1,5 @@
-// Braking along the curve the robot is on: both wheels shrink by one factor, so the curvature stays.
+// Braking along the curve the robot is on: both wheels shrink by one factor, so the curvature stays. What safety functions reckon
+// with and what motor control does, in turns as well.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +16,14 @@ inline WheelSpeeds brake(const WheelSpeeds& wheels, double deceleration, double 
   const double left_over = fastest - deceleration * dt;
   if (!(left_over > 0.0)) return {};
   return {wheels.left * (left_over / fastest), wheels.right * (left_over / fastest)};
+}
+
+/// How fast |v| [m/s^2] and |omega| [rad/s^2] fall while a robot that moves with `twist` brakes so. Straight on it is `deceleration`, of
+/// a turn on the spot that of the wheels over half their separation.
+inline Twist2 braking_of(const Twist2& twist, double deceleration, double separation) {
+  const double fastest = std::abs(twist.v) + 0.5 * separation * std::abs(twist.omega);
+  if (!(fastest > 0.0)) return {deceleration, 2.0 * deceleration / separation};
+  return {deceleration * std::abs(twist.v) / fastest, deceleration * std::abs(twist.omega) / fastest};
 }
 
 }  // namespace bw

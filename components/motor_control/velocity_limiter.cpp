@@ -6,7 +6,6 @@
 #include "components/model/stopping.hpp"
 
 namespace bw {
-
 std::string_view describe(LimiterState state) {
   switch (state) {
     case LimiterState::waiting:
@@ -51,16 +50,10 @@ void VelocityLimiter::command(Time now, const Twist2& twist) {
 
 LimitedTwist VelocityLimiter::step(Time now) {
   const double dt = elapsed(now);
-  if (arrival_ && *arrival_ > now) arrival_ = now;  // the clock went back
   const LimiterState state = judge(now);
   if (state == LimiterState::following) {
     const Twist2 wish = saturate(command_, allowed_, 2.0 * half_separation_, wheel_speed_max_);
-    const bool slows_down = std::abs(wish.v) < std::abs(twist_.v) || wish.v * twist_.v < 0.0;
-    if (braking_ == Braking::hard && slows_down) {
-      follow_hard(wish, dt);
-    } else {
-      follow(wish, dt);
-    }
+    follow(wish, dt);
   } else {
     brake_to_rest(dt);
   }
@@ -72,11 +65,21 @@ LimitedTwist VelocityLimiter::stop(Time now) {
   return {twist_, LimiterState::told_to};
 }
 
+void VelocityLimiter::rest() {
+  arrival_.reset();
+  last_step_.reset();
+  twist_ = {};
+  acceleration_ = 0.0;
+}
+
+/// After a stall a command catches up no more than the longest step; before that the base has braked, which knows of no stall.
 double VelocityLimiter::elapsed(Time now) {
-  constexpr double kLongestStep = 0.1;  // after a stall, catch up no more than this
-  const double dt = last_step_ ? (now - *last_step_).to_seconds() : 0.0;
+  constexpr double kLongestStep = 0.1;  // [s]
+  const double dt = last_step_ ? std::max(0.0, (now - *last_step_).to_seconds()) : 0.0;
   last_step_ = now;
-  return std::clamp(dt, 0.0, kLongestStep);
+  if (arrival_ && *arrival_ > now) arrival_.reset();  // the clock went back: how old it is nobody knows
+  if (dt > kLongestStep) brake_to_rest(dt - kLongestStep);
+  return std::min(dt, kLongestStep);
 }
 
 LimiterState VelocityLimiter::judge(Time now) const {
@@ -92,34 +95,40 @@ LimiterState VelocityLimiter::judge(Time now) const {
 
 void VelocityLimiter::follow(const Twist2& wish, double dt) {
   if (dt <= 0.0) return;
+  // What falls while a safety function limits falls hard, both wheels by one factor where both do.
+  const auto falls = [this](double to, double from) {
+    return braking_ == Braking::hard && (std::abs(to) < std::abs(from) || to * from < 0.0);
+  };
+  const bool slows = falls(wish.v, twist_.v);
+  const bool slows_turn = falls(wish.omega, twist_.omega);
+  const Twist2 braking = braking_of({slows ? twist_.v : 0.0, slows_turn ? twist_.omega : 0.0},
+                                    limits_.stop_deceleration, 2.0 * half_separation_);
+  slows ? brake_towards(wish.v, braking.v * dt) : approach(wish.v, dt);
+
+  // The speed may still rise to v + a |a| / (2 j); leave the wheels room for it.
+  const double rise = acceleration_ * std::abs(acceleration_) / (2.0 * limits_.jerk_max);
+  const double v_peak = std::max(std::abs(twist_.v), std::abs(twist_.v + rise));
+  const double omega_left = std::max(0.0, wheel_speed_max_ - v_peak) / half_separation_;
+  const double step = std::max(limits_.alpha_max, slows_turn ? braking.omega : 0.0) * dt;
+  const double omega = twist_.omega + std::clamp(wish.omega - twist_.omega, -step, step);
+  twist_.omega = std::clamp(omega, -omega_left, omega_left);
+}
+
+void VelocityLimiter::approach(double wish, double dt) {
   const double jerk = limits_.jerk_max;
   const double v_left = std::max(0.0, wheel_speed_max_ - std::abs(twist_.omega) * half_separation_);
-  const double error = std::clamp(wish.v, -v_left, v_left) - twist_.v;
+  const double error = std::clamp(wish, -v_left, v_left) - twist_.v;
   double a = 2.0 * error / (dt + std::sqrt(dt * dt + 2.0 * std::abs(error) / jerk));
   a = std::clamp(a, -limits_.acc_max, limits_.acc_max);
   a = std::clamp(a, acceleration_ - jerk * dt, acceleration_ + jerk * dt);
   twist_.v += a * dt;
   acceleration_ = a;
-
-  // The speed may still rise to v + a |a| / (2 j); leave the wheels room for it.
-  const double v_peak = std::max(std::abs(twist_.v), std::abs(twist_.v + a * std::abs(a) / (2.0 * jerk)));
-  const double omega_left = std::max(0.0, wheel_speed_max_ - v_peak) / half_separation_;
-  const double step = limits_.alpha_max * dt;
-  const double omega = twist_.omega + std::clamp(wish.omega - twist_.omega, -step, step);
-  twist_.omega = std::clamp(omega, -omega_left, omega_left);
 }
 
-void VelocityLimiter::follow_hard(const Twist2& wish, double dt) {
-  if (dt <= 0.0) return;
-  const double before = std::abs(twist_.v);
-  const double target = wish.v * twist_.v > 0.0 ? std::abs(wish.v) : 0.0;
-  const double after = std::max(target, before - limits_.stop_deceleration * dt);
-  twist_.v = std::copysign(after, twist_.v);
+void VelocityLimiter::brake_towards(double wish, double loss) {
+  const double target = wish * twist_.v > 0.0 ? std::abs(wish) : 0.0;
+  twist_.v = std::copysign(std::max(target, std::abs(twist_.v) - loss), twist_.v);
   acceleration_ = 0.0;
-  const double step = std::max(limits_.alpha_max * dt, std::abs(twist_.omega) * (1.0 - after / before));
-  const double omega_left = std::max(0.0, wheel_speed_max_ - after) / half_separation_;
-  const double omega = twist_.omega + std::clamp(wish.omega - twist_.omega, -step, step);
-  twist_.omega = std::clamp(omega, -omega_left, omega_left);
 }
 
 void VelocityLimiter::brake_to_rest(double dt) {

@@ -9,8 +9,8 @@
 //   with e = command - v
 //
 // clipped to |a'| <= acc_max and |a' - a| <= j dt. The turn rate approaches with alpha_max, within what the
-// wheels have left. While a safety function slows the robot down, |v| falls with stop_deceleration and
-// without jerk limit instead, and the turn rate may fall with it so that the curvature stays.
+// wheels have left. While a safety function slows the robot down, |v| and |omega| fall without jerk limit and as fast as the faster
+// wheel can with stop_deceleration, both in proportion, so that the curvature stays (components/model/stopping.hpp).
 #pragma once
 
 #include <optional>
@@ -41,7 +41,7 @@ struct LimiterOptions {
 };
 
 enum class LimiterState {
-  waiting,      ///< no command yet
+  waiting,      ///< no command yet, or none since the clock went back
   following,    ///< the command is fresh and sound
   stale,        ///< the newest command is older than command_timeout: safety stop
   not_finite,   ///< it holds NaN or infinity: safety stop
@@ -81,12 +81,15 @@ class VelocityLimiter {
   LimitedTwist step(Time now);
   /// Like step(), but brakes with stop_deceleration whatever the command is.
   LimitedTwist stop(Time now);
+  /// The robot stands by other means: the next step begins at rest, and needs a command that arrives from now on.
+  void rest();
 
  private:
   double elapsed(Time now);
   LimiterState judge(Time now) const;
   void follow(const Twist2& wish, double dt);
-  void follow_hard(const Twist2& wish, double dt);
+  void approach(double wish, double dt);
+  void brake_towards(double wish, double loss);
   void brake_to_rest(double dt);
 
   Limits limits_;   ///< of the robot: what a sound command stays near to

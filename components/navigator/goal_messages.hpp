@@ -20,6 +20,7 @@ struct Situation {
   Time now;
   std::optional<Pose2> X_MB;
   Twist2 twist;
+  bool is_overridden = false;  ///< a hand has driven, and nobody has released it
 };
 
 /// Where to go.

@@ -154,6 +154,7 @@ NavigatorActions Navigator::step(const Situation& situation) {
     advance(situation);
     if (has_goal()) navigation_time_ = situation.now - started_;
   }
+  if (plan_id_ == 0) actions_.plan.reset();  // asked for since the last call, and nobody waits for it now
   return std::exchange(actions_, {});
 }
 
@@ -166,6 +167,7 @@ void Navigator::advance(const Situation& situation) {
     }
     return;
   }
+  if (phase_ == Phase::overridden || situation.is_overridden) return advance_overridden(situation);
   if (phase_ == Phase::lost || !situation.X_MB) return advance_lost(situation);
   if (recovery_position_ && (situation.X_MB->position() - *recovery_position_).norm() > kRecoveredDistance) {
     recovery_position_.reset();
@@ -222,6 +224,16 @@ void Navigator::advance_lost(const Situation& situation) {
   } else if (older_than(phase_since_, options_.lost_patience, situation.now)) {
     abort({GoalFault::lost, "the robot does not know where it is"}, situation);
   }
+}
+
+void Navigator::advance_overridden(const Situation& situation) {
+  if (!situation.is_overridden) return begin_planning(situation);
+  if (phase_ == Phase::overridden) return;
+  order(FollowMode::stop, situation.now);
+  plan_id_ = 0;
+  phase_ = Phase::overridden;
+  phase_since_ = situation.now;
+  set_status(status_, "interrupted by a hand: goes on after release_stop", situation);
 }
 
 void Navigator::begin_planning(const Situation& situation) {

@@ -10,6 +10,9 @@
 // the robot stops, and the goal is aborted after lost_patience. A goal may have poses to drive through: each is passed
 // when the robot was near it in its turn, and plans lead through those that are left.
 //
+// A hand that drives meanwhile (Situation::is_overridden) stops the goal, which waits for as long as that lasts: it neither fails
+// nor goes on.
+//
 // Answers and reports count only when they carry the id of the newest order. After every event call step();
 // it is also called at a steady rate, since silence is an event too.
 #pragma once
@@ -51,7 +54,7 @@ class Navigator {
 
  private:
   enum class Cure { wait, wait_then_back_off, back_off_then_wait };
-  enum class Phase { idle, planning, following, waiting, backing_off, lost, canceling };
+  enum class Phase { idle, planning, following, waiting, backing_off, lost, overridden, canceling };
 
   /// Times of the past move along with a clock that goes back.
   void see(Time now);
@@ -59,6 +62,7 @@ class Navigator {
   void advance_following(const Situation& situation);
   void advance_recovery(const Situation& situation);
   void advance_lost(const Situation& situation);
+  void advance_overridden(const Situation& situation);
   void begin_planning(const Situation& situation);
   void request_plan(Time now);
   void order(FollowMode mode, Time now, std::vector<Pose2> path = {});

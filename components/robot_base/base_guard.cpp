@@ -36,8 +36,8 @@ bool BaseGuard::command(Time now, const WheelSpeeds& wheels) {
   return true;
 }
 
-void BaseGuard::set_emergency_stop(bool is_on) {
-  latch_.set(StopCause::emergency_stop, is_on, "the emergency stop is pressed");
+void BaseGuard::set_emergency_stop(bool is_on, const std::string& reason) {
+  latch_.set(StopCause::emergency_stop, is_on, reason);
 }
 
 void BaseGuard::read(Time now, const Readings& readings) {

@@ -58,7 +58,7 @@ class BaseGuard {
   bool command(Time now, const WheelSpeeds& wheels);
   /// Commands may not be trusted now: the newest one is dropped.
   void revoke() { watchdog_.revoke(); }
-  void set_emergency_stop(bool is_on);
+  void set_emergency_stop(bool is_on, const std::string& reason = "the emergency stop is pressed");
   /// What the driver told at a poll, but for how the wheels moved.
   void read(Time now, const Readings& readings);
   /// Sound travel of the wheels until `stamp`.

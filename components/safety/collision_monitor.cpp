@@ -8,7 +8,9 @@
 #include "components/model/differential_drive.hpp"
 #include "components/model/footprint_outline.hpp"
 #include "components/model/footprint_way.hpp"
+#include "components/model/stopping.hpp"
 #include "components/model/sweep_motion.hpp"
+#include "components/safety/stop_path.hpp"
 
 namespace bw::safety {
 namespace {
@@ -16,8 +18,10 @@ namespace {
 constexpr double kStanding = 0.02;  // [m/s]: slower is at rest, and no speed worth driving
 constexpr double kTurning = 0.02;   // [rad/s]: the same of a turn
 constexpr double kShortestLever = 1e-3;
-constexpr double kFreely = 0.9;           // share of the sector of travel that must be covered
-constexpr double kLongestSweepAge = 0.2;  // [s]: a stamp that is older is of another clock
+constexpr double kFreely = 0.9;  // share of the sector of travel that must be covered
+constexpr double kSwings =
+    0.01;  // [m]: what of an outline lies no farther out than its inner disc does not swing
+constexpr double kSwingStep = 0.05;  // [m]
 
 std::string_view cause_of(LaserState state) {
   if (state == LaserState::silent) return kLaserSilent;
@@ -25,12 +29,19 @@ std::string_view cause_of(LaserState state) {
   return state == LaserState::invalid ? kLaserInvalid : kLaserWaiting;
 }
 
+bool covers(const std::vector<Vector2>& corners, const Vector2& p) {
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (cross(corners[(i + 1) % corners.size()] - corners[i], p - corners[i]) < 0.0) return false;
+  return true;
+}
+
 }  // namespace
 
 CollisionMonitor::CollisionMonitor(const Robot& robot, const CollisionMonitorOptions& options)
     : limits_(robot.limits),
       wheel_separation_(robot.wheel_separation),
-      footprint_(robot.outline()),
+      own_(robot.outline()),
+      footprint_(own_),
       empty_sight_(options.sweep),
       watch_(Duration::seconds(options.source_timeout)),
       hold_(Duration::seconds(options.clear_after), robot.limits.acc_max) {
@@ -49,8 +60,8 @@ void CollisionMonitor::set_options(const CollisionMonitorOptions& options) {
 }
 
 void CollisionMonitor::set_footprint(const Footprint& footprint) {
-  footprint_ = footprint;
-  kept_free_ = padded(footprint, options_.stopping.padding);
+  footprint_ = hull(own_, footprint);
+  kept_free_ = padded(footprint_, options_.stopping.padding);
   core_ = padded(kept_free_, -options_.stopping.graze);
   wide_ = padded(kept_free_, options_.stopping.narrow_margin);
 }
@@ -58,26 +69,22 @@ void CollisionMonitor::set_footprint(const Footprint& footprint) {
 void CollisionMonitor::odometry(Time time, const Pose2& X_OB, const Twist2& twist) {
   if (!is_finite(X_OB) || !is_finite(twist)) return;
   odometry_at_ = time;
-  X_OB_ = X_OB;
   twist_ = twist;
+  poses_.add(time, X_OB, twist);
 }
 
-Pose2 CollisionMonitor::pose_at(Time time) const {
-  if (!odometry_at_) return X_OB_;
-  return advance_exact(X_OB_, twist_, std::clamp((time - *odometry_at_).to_seconds(), -0.3, 0.3));
-}
-
-void CollisionMonitor::sweep(Time now, LaserSweep sweep) {
-  const double age = (now - sweep.time).to_seconds();
-  const Time measured_at = age >= 0.0 && age <= kLongestSweepAge ? sweep.time : now;
-  const Pose2 X_OB = pose_at(measured_at);
+void CollisionMonitor::sweep(Time now, LaserSweep sweep, const StampSource& source) {
+  stamp_ = stamps_.add(now, sweep.time, source, Duration::seconds(options_.source_timeout));
+  if (stamp_.fault != StampFault::none) return refuse(now, sweep, SweepFault::bad_stamp);
+  const Time measured_at = now - stamp_.age;
+  const Pose2 X_OB = poses_.at(measured_at);
   const auto pose_at_beam = [&](Time time) {
-    return inverse(X_OB) * pose_at(measured_at + (time - sweep.time));
+    return inverse(X_OB) * poses_.at(measured_at + (time - sweep.time));
   };
   const std::vector<Pose2> poses = beam_poses(sweep, sweep.X_FL, pose_at_beam);
   sweep.beam_poses = poses;
   CheckedSweep checked = check_sweep(sweep, options_.sweep);
-  if (checked.fault == SweepFault::none && !empty_sight_.believes(sweep, checked))
+  if (checked.fault == SweepFault::none && !empty_sight_.believes(sweep, X_OB, checked))
     checked.fault = SweepFault::no_returns;
   sweep_fault_ = checked.fault;
   if (!watch_.add(now, sweep.time, sweep.ranges, checked.fault, X_OB)) return;
@@ -86,21 +93,22 @@ void CollisionMonitor::sweep(Time now, LaserSweep sweep) {
   seen_at_ = measured_at;
 }
 
-void CollisionMonitor::refuse_unplaced(Time now, const LaserSweep& sweep) {
-  sweep_fault_ = SweepFault::unplaced;
-  watch_.add(now, sweep.time, sweep.ranges, sweep_fault_, X_OB_);
+void CollisionMonitor::refuse(Time now, const LaserSweep& sweep, SweepFault why) {
+  sweep_fault_ = why;
+  watch_.add(now, sweep.time, sweep.ranges, why, poses_.at(now));
 }
 
 std::optional<std::string_view> CollisionMonitor::fault(Time now) {
   const LaserState state = watch_.state(now);
+  // After a clock that went back it is as silent as the laser, until the next one.
   const bool has_odometry =
-      odometry_at_ && std::abs((now - *odometry_at_).to_seconds()) <= options_.source_timeout;
+      odometry_at_ && *odometry_at_ <= now && (now - *odometry_at_).to_seconds() <= options_.source_timeout;
   if (fault_at_ && *fault_at_ > now) fault_at_ = now;  // the clock went back
   if (state != LaserState::ok || !has_odometry) {
     const bool is_start = state == LaserState::waiting || !odometry_at_;
     fault_cause_ = state != LaserState::ok ? cause_of(state) : kOdometrySilent;
     fault_at_ = now;
-    latched_ = options_.resume == Resume::manual && !is_start;
+    latched_ = latched_ || (options_.resume == Resume::manual && !is_start);
     return fault_cause_;
   }
   if (latched_) return kWaitingForReset;
@@ -110,10 +118,17 @@ std::optional<std::string_view> CollisionMonitor::fault(Time now) {
 }
 
 CollisionMonitor::Ahead CollisionMonitor::ahead_at(Time now) const {
-  const Pose2 X_now_seen = inverse(pose_at(now)) * X_OB_seen_;
-  Ahead ahead{seen_.points, options_.stopping.approach_speed * (now - seen_at_).to_seconds()};
+  const Pose2 X_now_seen = inverse(poses_.at(now)) * X_OB_seen_;
+  Ahead ahead{seen_.points, options_.stopping.approach_speed * (now - seen_at_).to_seconds(),
+              inverse(X_now_seen)};
   for (SeenPoint& point : ahead.points) point.position = X_now_seen * point.position;
   return ahead;
+}
+
+/// What a stop on the arc of `along` costs: of a turn on the spot [rad/s^2].
+Stopping CollisionMonitor::stopping_on(const Twist2& along) const {
+  const Twist2 braking = braking_of(along, stopping_.deceleration, wheel_separation_);
+  return {stopping_.reaction_time, along.v != 0.0 ? braking.v : braking.omega, stopping_.approach_speed};
 }
 
 /// Speed along the arc of `along` that the stopping distance allows; of a turn on the spot the turn rate.
@@ -121,20 +136,17 @@ double CollisionMonitor::rule_speed(const Twist2& along, const Ahead& ahead) con
   return kept_free_.is_polygon() ? polygon_speed(along, ahead) : disc_speed(along, ahead);
 }
 
-/// Each point on its own: the side that touches it goes its own way, `lever` times that of base_link. Both wheels brake by one
-/// factor, so that the faster one has all of the deceleration.
+/// Each point on its own: the side that touches it goes its own way, `lever` times that of base_link.
 double CollisionMonitor::polygon_speed(const Twist2& along, const Ahead& ahead) const {
   const StoppingOptions& rule = options_.stopping;
-  const double pace = along.v != 0.0 ? std::abs(along.v) : std::abs(along.omega);
-  const double wheel = std::abs(along.v) + 0.5 * wheel_separation_ * std::abs(along.omega);
+  const Stopping on_arc = stopping_on(along);
   double speed = std::numeric_limits<double>::infinity();
   for (const SeenPoint& point : ahead.points) {
     const TouchOnArc touch = first_touch(along, kept_free_.polygon, point.position);
     if (std::isinf(touch.way)) continue;
     const bool is_deep = std::isfinite(first_touch(along, core_.polygon, point.position).way);
     const double lever = std::max(touch.lever, kShortestLever);
-    const Stopping stopping{stopping_.reaction_time, stopping_.deceleration * pace / wheel,
-                            stopping_.approach_speed / lever};
+    const Stopping stopping{on_arc.reaction_time, on_arc.deceleration, stopping_.approach_speed / lever};
     const double way = touch.way - (rule.margin + ahead.nearer) / lever;
     const double end_speed =
         is_deep ? 0.0 : rule.graze_speed / (along.v != 0.0 ? std::max(1.0, lever) : lever);
@@ -154,8 +166,9 @@ double CollisionMonitor::disc_speed(const Twist2& along, const Ahead& ahead) con
       deep_way = std::min(deep_way, touch);
   }
   const double kept = rule.margin + ahead.nearer;
-  return std::min(speed_within(deep_way - kept, stopping_),
-                  speed_within(way - kept, stopping_, rule.graze_speed));
+  const Stopping stopping = stopping_on(along);
+  return std::min(speed_within(deep_way - kept, stopping),
+                  speed_within(way - kept, stopping, rule.graze_speed));
 }
 
 /// The same for narrow things and the bodies that may be above them.
@@ -166,16 +179,58 @@ double CollisionMonitor::narrow_speed(const Twist2& along, const Ahead& ahead) c
     if (!point.is_narrow) continue;
     way = std::min(way, free_way_to_walker(along, wide_, point.position));
   }
-  return speed_within(way - ahead.nearer, stopping_, rule.narrow_speed);
+  return speed_within(way - ahead.nearer, stopping_on(along), rule.narrow_speed);
 }
 
-double CollisionMonitor::sight_speed(double v) const {
+double CollisionMonitor::dark() const {
+  return std::abs(seen_.angle_increment) *
+         static_cast<double>(std::count(seen_.dark.begin(), seen_.dark.end(), true));
+}
+
+double CollisionMonitor::sight_speed(double v, const Ahead& ahead) const {
   const SightOptions& options = options_.sight;
-  const Sight sight = sight_of(seen_, v > 0.0 ? 0.0 : std::numbers::pi, options.half_angle);
-  if (sight.unknown > options.stop_unknown) return 0.0;
+  const double bearing = ahead.X_seen_now.theta + (v > 0.0 ? 0.0 : std::numbers::pi);
+  const Sight sight = sight_of(seen_, bearing, options.half_angle);
+  if (sight.unknown - sight.dark > options.stop_unknown) return 0.0;
   const bool is_seen =
       sight.covered >= kFreely && sight.unknown <= options.max_unknown && sight.widest_gap <= options.max_gap;
   return is_seen ? std::numeric_limits<double>::infinity() : options.creep_speed;
+}
+
+/// Of a motion that is mostly a turn: a polygon's sides swing through places that must be seen, as far as they get before they stand.
+/// Else the outermost point of the outline moves at creep_speed.
+double CollisionMonitor::swing_share(const Twist2& wanted, const Ahead& ahead) const {
+  const double rim = kept_free_.radius * std::abs(wanted.omega);
+  const double fastest = rim + std::abs(wanted.v);
+  if (!kept_free_.is_polygon() || rim <= std::abs(wanted.v) || fastest <= options_.sight.creep_speed)
+    return 1.0;
+  const double braking = braking_of({0.0, wanted.omega}, stopping_.deceleration, wheel_separation_).omega;
+  const double angle =
+      std::abs(wanted.omega) * (stopping_.reaction_time + 0.5 * std::abs(wanted.omega) / braking) +
+      options_.stopping.margin / kept_free_.radius;
+  const double inner = inscribed_radius(kept_free_) + kSwings;
+  const std::vector<Vector2>& corners = kept_free_.polygon;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector2 side = corners[(i + 1) % corners.size()] - corners[i];
+    const int parts = static_cast<int>(std::ceil(side.norm() / kSwingStep));
+    for (int part = 0; part < parts; ++part) {
+      const Vector2 rim_point = corners[i] + side * (static_cast<double>(part) / parts);
+      if (rim_point.norm() <= inner) continue;
+      for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+        const Vector2 place = rotate({0.0, 0.0, std::copysign(share * angle, wanted.omega)}, rim_point);
+        if (!covers(corners, place) && !sees(seen_, ahead.X_seen_now * place))
+          return options_.sight.creep_speed / fastest;
+      }
+    }
+  }
+  return 1.0;
+}
+
+/// Whether the robot, stopped a reaction time from now, closes in on nothing: neither on its present way, nor on that of `command`.
+bool CollisionMonitor::stops_in_time(const Twist2& command, const Ahead& ahead) const {
+  const StopPath path{limits_, wheel_separation_, stopping_.reaction_time};
+  return closing_speed(path, kept_free_, twist_, twist_, ahead.points) <= kGentle &&
+         closing_speed(path, kept_free_, twist_, command, ahead.points) <= kGentle;
 }
 
 CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted, const Ahead& ahead) const {
@@ -186,7 +241,9 @@ CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted, const A
   consider(rule_speed(wanted, ahead), Action::approach, kStoppingDistance);
   if (options_.stopping.narrow_margin > 0.0)
     consider(narrow_speed(wanted, ahead), Action::approach, kNarrowThing);
-  consider(sight_speed(wanted.v), Action::limit, kSight);
+  consider(sight_speed(wanted.v, ahead), Action::limit, kSight);
+  if (const double share = swing_share(wanted, ahead); share < 1.0)
+    consider(share * std::abs(wanted.v), Action::limit, kSight);
   for (const Zone& zone : zones_) {
     const double share = zone.share_left(wanted, ahead.points);
     if (share < 1.0) consider(share * std::abs(wanted.v), zone.options().action_type, zone.options().name);
@@ -204,10 +261,10 @@ double CollisionMonitor::turn_share(double omega, const Ahead& ahead) const {
 /// may turn on the spot.
 Twist2 CollisionMonitor::shrink(const Twist2& wanted, double speed, const Ahead& ahead) const {
   if (speed < kStanding) speed = 0.0;
-  const bool at_rest = speed == 0.0 && std::abs(twist_.v) < kStanding;
+  const bool at_rest = speed == 0.0 && std::abs(twist_.v) < kStanding && wanted.omega != 0.0;
   const double share = speed / std::abs(wanted.v);
-  const double turning =
-      at_rest ? turn_share(wanted.omega, ahead) : std::max(share, std::abs(twist_.v) / std::abs(wanted.v));
+  const double turning = at_rest ? judge_turn({0.0, wanted.omega}, ahead).allowed.omega / wanted.omega
+                                 : std::max(share, std::abs(twist_.v) / std::abs(wanted.v));
   return {wanted.v * share, wanted.omega * std::min(1.0, turning)};
 }
 
@@ -221,6 +278,7 @@ Verdict CollisionMonitor::judge_turn(const Twist2& wanted, const Ahead& ahead) c
   for (const Zone& zone : zones_)
     consider(zone.share_left(wanted, ahead.points), zone.options().action_type, zone.options().name);
   consider(turn_share(wanted.omega, ahead), Action::approach, kStoppingDistance);
+  consider(swing_share(wanted, ahead), Action::limit, kSight);
   // What it does now must fit as well.
   if (std::abs(twist_.omega) > std::abs(verdict.allowed.omega) + kTurning &&
       turn_share(twist_.omega, ahead) < 1.0)
@@ -232,6 +290,11 @@ Verdict CollisionMonitor::judge(Time now, const Twist2& wanted) {
   if (const auto cause = fault(now)) return {{}, Action::stop, *cause};
   if (!is_finite(wanted)) return {{}, Action::stop, "command_not_finite"};
   const Ahead ahead = ahead_at(now);
+  const Verdict verdict = judge_command(now, wanted, ahead);
+  return stops_in_time(verdict.allowed, ahead) ? verdict : Verdict{{}, Action::stop, kStoppingDistance};
+}
+
+Verdict CollisionMonitor::judge_command(Time now, const Twist2& wanted, const Ahead& ahead) {
   Verdict verdict{wanted, Action::do_nothing, ""};
   if (wanted.v != 0.0) {
     const Bound bound = tightest(wanted, ahead);

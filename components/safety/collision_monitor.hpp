@@ -3,11 +3,13 @@
 //
 //   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's footprint
 //           along the wanted arc (free_way.hpp, footprint_way.hpp); v and omega shrink together, so the path stays
+//   stop    what it does now and what it is told to do, a reaction later stopped, closes in on nothing (stop_path.hpp)
 //   graze   what the side of the robot would touch by less than `graze` is passed at graze_speed
 //   body    around narrow things (legs) the robot is down to narrow_speed narrow_margin earlier
-//   sight   into a sector the laser does not see it creeps; into one whose beams are broken it stops
+//   sight   into a sector the laser does not see it creeps; into one whose beams are broken it stops; the sides of a polygon
+//           swing no faster than that through what it does not see
 //   zones   of nav2_collision_monitor (zone.hpp)
-//   laser   silent, frozen or unsound for source_timeout: a stop
+//   laser   silent, frozen, unsound or too old for source_timeout: a stop
 //
 // Turning on the spot is always free for a disc; a polygon's sides come round, and are judged as on any arc. A motion that leads away from what is too near is free.
 #pragma once
@@ -24,9 +26,11 @@
 #include "components/safety/empty_sight.hpp"
 #include "components/safety/free_way.hpp"
 #include "components/safety/limit_hold.hpp"
+#include "components/safety/pose_history.hpp"
 #include "components/safety/sweep.hpp"
 #include "components/safety/sweep_watch.hpp"
 #include "components/safety/zone.hpp"
+#include "runtime/base/stamp_age.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw::safety {
@@ -58,17 +62,19 @@ class CollisionMonitor {
   /// New zones, stopping distances and sight; what watches the laser stays as it was constructed. Causes of verdicts given
   /// before are no longer valid.
   void set_options(const CollisionMonitorOptions& options);
-  /// The robot's outline from now on.
+  /// What the robot carries, too, from now on: the outline is the convex hull around this and the robot file's own, so that no message
+  /// makes it smaller than that.
   void set_footprint(const Footprint& footprint);
   /// It, and its padding.
   const Footprint& kept_free() const { return kept_free_; }
 
   /// Where the encoders say the robot is, and its true body velocity, at `time`.
   void odometry(Time time, const Pose2& X_OB, const Twist2& twist);
-  /// A sweep that arrived at `now`, the laser in base_link; where that was at each beam is found by the odometry here.
-  void sweep(Time now, LaserSweep sweep);
-  /// One that came and is of no use: where its laser sits is not known.
-  void refuse_unplaced(Time now, const LaserSweep& sweep);
+  /// A sweep that arrived at `now`, the laser in base_link; where that was at each beam is found by the odometry here. `source` says
+  /// how old it is; one that is older than source_timeout, or of which nobody knows how old it is, is refused.
+  void sweep(Time now, LaserSweep sweep, const StampSource& source = {});
+  /// One that came and is of no use.
+  void refuse(Time now, const LaserSweep& sweep, SweepFault why);
   /// Ends a stop after a fault of the laser, when resume is manual.
   void reset() {
     latched_ = false;
@@ -76,11 +82,19 @@ class CollisionMonitor {
   }
 
   Verdict judge(Time now, const Twist2& wanted);
+  /// Notices faults while nobody wants anything; that neither laser nor odometry has begun is none.
+  void look(Time now) {
+    if (odometry_at_ && watch_.state(now) != LaserState::waiting) fault(now);
+  }
 
   LaserState laser(Time now) const { return watch_.state(now); }
   SweepFault sweep_fault() const { return sweep_fault_; }
+  /// Of the newest sweep that was not refused for another reason.
+  const StampAge& stamp() const { return stamp_; }
   /// Whether the laser ever hit anything.
   bool has_seen() const { return empty_sight_.has_seen(); }
+  /// Of the last sound sweep, what lies dark [rad].
+  double dark() const;
   const Twist2& actual() const { return twist_; }
 
  private:
@@ -94,27 +108,32 @@ class CollisionMonitor {
   struct Ahead {
     std::vector<SeenPoint> points;  ///< in base_link
     double nearer = 0.0;            ///< [m] that what approaches has come since the sweep
+    Pose2 X_seen_now;               ///< base_link now, in that of the sweep
   };
 
   std::optional<std::string_view> fault(Time now);
-  Pose2 pose_at(Time time) const;
   Ahead ahead_at(Time now) const;
+  Stopping stopping_on(const Twist2& along) const;
   double rule_speed(const Twist2& along, const Ahead& ahead) const;
   double disc_speed(const Twist2& along, const Ahead& ahead) const;
   double polygon_speed(const Twist2& along, const Ahead& ahead) const;
   double narrow_speed(const Twist2& along, const Ahead& ahead) const;
   Bound tightest(const Twist2& wanted, const Ahead& ahead) const;
-  double sight_speed(double v) const;
+  double sight_speed(double v, const Ahead& ahead) const;
+  double swing_share(const Twist2& wanted, const Ahead& ahead) const;
+  bool stops_in_time(const Twist2& command, const Ahead& ahead) const;
+  Verdict judge_command(Time now, const Twist2& wanted, const Ahead& ahead);
   Twist2 shrink(const Twist2& wanted, double speed, const Ahead& ahead) const;
   double turn_share(double omega, const Ahead& ahead) const;
   Verdict judge_turn(const Twist2& wanted, const Ahead& ahead) const;
 
   Limits limits_;
   double wheel_separation_;  ///< [m]
-  Footprint footprint_;
-  Footprint kept_free_;  ///< with padding
-  Footprint core_;       ///< what is touched deeper than by a graze
-  Footprint wide_;       ///< kept free of narrow things
+  Footprint own_;            ///< of the robot file
+  Footprint footprint_;      ///< grown by what was told
+  Footprint kept_free_;      ///< with padding
+  Footprint core_;           ///< what is touched deeper than by a graze
+  Footprint wide_;           ///< kept free of narrow things
   CollisionMonitorOptions options_;
   Stopping stopping_;
   std::vector<Zone> zones_;
@@ -124,8 +143,10 @@ class CollisionMonitor {
   Bound held_cause_;
 
   std::optional<Time> odometry_at_;
-  Pose2 X_OB_;
   Twist2 twist_;
+  PoseHistory poses_;
+  StampAges stamps_;
+  StampAge stamp_;
   CheckedSweep seen_;
   SweepFault sweep_fault_ = SweepFault::none;
   Pose2 X_OB_seen_;  ///< where the robot was when the sweep in use was measured

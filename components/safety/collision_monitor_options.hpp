@@ -16,7 +16,7 @@ struct StoppingOptions {
   double reaction_time = 0.1;
   double approach_speed = 0.0;
   double graze = 0.03;
-  double graze_speed = 0.1;
+  double graze_speed = 0.05;
   double narrow_margin = 0.2;
   double narrow_speed = 0.2;
 

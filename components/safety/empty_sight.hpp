@@ -1,14 +1,19 @@
 // Whether a laser that sees nothing can be believed. By REP 117 a beam of +inf says that nothing is in reach: in an
-// open place whole sweeps do. A laser whose light fails says the same.
+// open place whole sweeps do. A laser whose light fails, or that somebody covers, says the same.
 //
 // What was seen tells them apart. Things leave a laser's sight by the end of its range, or by the edges of its
 // field, a few at a time; they do not vanish from its middle between two sweeps. After a sweep with many returns
 // there, one that hits nothing is a fault, and stays one until something is hit again or somebody says that the
 // place is open. A laser that has seen nothing yet is believed.
+//
+// Of a part of the field the same: where many returns were and no beam hits anything now, nor 0.3 rad to either side, where who walks
+// would be by then, free beams are dark. They stay dark until something is hit there again, or the place of what vanished has left the
+// middle of the field or its range.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "components/safety/sweep.hpp"
 #include "components/safety/sweep_options.hpp"
@@ -19,17 +24,19 @@ class EmptySight {
  public:
   explicit EmptySight(const SweepOptions& options) : min_returns_(options.min_returns) {}
 
-  /// `checked` is what check_sweep made of `sweep`, without fault. False: it hits less than min_returns although
-  /// something that the last believed sweep saw must still be there.
-  bool believes(const LaserSweep& sweep, const CheckedSweep& checked);
+  /// `checked` is what check_sweep made of `sweep`, without fault, and X_OB where the robot was then. False: it hits less than
+  /// min_returns although something that the last believed sweep saw must still be there. Else the free beams of `checked` that cannot
+  /// be believed are dark.
+  bool believes(const LaserSweep& sweep, const Pose2& X_OB, CheckedSweep& checked);
   /// What was seen counts no more: the next empty sweep is believed.
-  void forget() { lasting_ = 0; }
+  void forget() { places_.clear(); }
   /// Whether any sweep had returns.
   bool has_seen() const { return has_seen_; }
 
  private:
   std::int64_t min_returns_;
-  std::size_t lasting_ = 0;  ///< points of the last believed sweep that the next must still show
+  std::vector<Vector2>
+      places_;  ///< in odom: of points of the last believed sweep that the next must still show
   bool has_seen_ = false;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace bw::safety {
 namespace {
@@ -74,6 +75,10 @@ class NarrowThings {
   double range_ = 0.0;
 };
 
+bool says_something(const CheckedSweep& sweep, std::size_t beam) {
+  return sweep.beams[beam] != BeamKind::unknown && (sweep.dark.empty() || !sweep.dark[beam]);
+}
+
 }  // namespace
 
 CheckedSweep check_sweep(const LaserSweep& sweep, const SweepOptions& options) {
@@ -82,6 +87,7 @@ CheckedSweep check_sweep(const LaserSweep& sweep, const SweepOptions& options) {
   if (out.fault != SweepFault::none) return out;
   out.angle_min = sweep.X_FL.theta + sweep.angle_min;
   out.angle_increment = sweep.angle_increment;
+  out.laser = sweep.X_FL.position();
   out.beams.reserve(sweep.ranges.size());
   for (const float range : sweep.ranges) out.beams.push_back(kind_of(range, sweep));
   const auto count = [&](BeamKind beam) { return std::count(out.beams.begin(), out.beams.end(), beam); };
@@ -108,25 +114,49 @@ CheckedSweep check_sweep(const LaserSweep& sweep, const SweepOptions& options) {
 Sight sight_of(const CheckedSweep& sweep, double bearing, double half_angle) {
   Sight sight;
   const double step = std::abs(sweep.angle_increment);
-  int looking = 0;
-  int unknown = 0;
+  const std::size_t n = sweep.beams.size();
+  const auto looks = [&](double angle) { return std::abs(wrap_angle(angle - bearing)) <= half_angle; };
+  const auto angle_of = [&](double beam) { return sweep.angle_min + beam * sweep.angle_increment; };
+  // Nobody looks from the last beam on to the first: little or nothing of a turn, much of a narrower field.
+  const double missing = std::max(0.0, 2.0 * std::numbers::pi - static_cast<double>(n) * step);
+  const bool is_missing =
+      looks(angle_of(static_cast<double>(n) - 0.5) + 0.5 * std::copysign(missing, sweep.angle_increment));
+  std::size_t looking = 0;
+  std::size_t unknown = 0;
+  std::size_t dark = 0;
   double run = 0.0;
-  for (std::size_t i = 0; i < sweep.beams.size(); ++i) {
-    const double angle = sweep.angle_min + static_cast<double>(i) * sweep.angle_increment;
-    if (std::abs(wrap_angle(angle - bearing)) > half_angle) {
-      run = 0.0;
-      continue;
-    }
-    ++looking;
-    const bool is_unknown = sweep.beams[i] == BeamKind::unknown;
-    unknown += is_unknown ? 1 : 0;
+  // Twice round: a gap may go on where the sweep ends and begins.
+  for (std::size_t i = 0; i < 2 * n; ++i) {
+    if (i == n) run = is_missing || missing < step ? run + missing : 0.0;
+    const std::size_t beam = i % n;
+    const bool counts = looks(angle_of(static_cast<double>(beam)));
+    const bool is_unknown = counts && !says_something(sweep, beam);
     run = is_unknown ? run + step : 0.0;
-    sight.widest_gap = std::max(sight.widest_gap, run);
+    sight.widest_gap = std::max(sight.widest_gap, std::min(run, 2.0 * half_angle));
+    if (i >= n) continue;
+    looking += counts ? 1 : 0;
+    unknown += is_unknown ? 1 : 0;
+    dark += counts && !sweep.dark.empty() && sweep.dark[beam] ? 1 : 0;
   }
   if (looking == 0) return sight;
-  sight.covered = std::min(1.0, looking * step / (2.0 * half_angle));
-  sight.unknown = static_cast<double>(unknown) / looking;
+  sight.covered = std::min(1.0, static_cast<double>(looking) * step / (2.0 * half_angle));
+  sight.unknown = static_cast<double>(unknown) / static_cast<double>(looking);
+  sight.dark = static_cast<double>(dark) / static_cast<double>(looking);
   return sight;
+}
+
+bool sees(const CheckedSweep& sweep, const Vector2& place) {
+  const Vector2 way = place - sweep.laser;
+  const double turn = 2.0 * std::numbers::pi;
+  double off = std::fmod((std::atan2(way.y(), way.x()) - sweep.angle_min) / sweep.angle_increment,
+                         turn / std::abs(sweep.angle_increment));
+  if (off < 0.0) off += turn / std::abs(sweep.angle_increment);
+  const auto nearest = static_cast<std::ptrdiff_t>(std::lround(off));
+  for (std::ptrdiff_t beam = nearest - 1; beam <= nearest + 1; ++beam) {
+    if (beam >= 0 && beam < std::ssize(sweep.beams) && says_something(sweep, static_cast<std::size_t>(beam)))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace bw::safety

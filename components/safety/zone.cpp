@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "components/model/differential_drive.hpp"
 
@@ -37,9 +38,28 @@ bool Zone::triggered(const std::vector<SeenPoint>& points, const Pose2& X_BN) co
 double Zone::stop_share(const Twist2& wanted, const std::vector<SeenPoint>& points) const {
   if (!triggered(points, {})) return 1.0;
   const bool approaches = std::any_of(points.begin(), points.end(), [&](const SeenPoint& point) {
-    return contains(point.position) && wanted.v * point.position.x() > 0.0;
+    return contains(point.position) && !leads_out(wanted, point.position);
   });
   return approaches ? 0.0 : 1.0;
+}
+
+/// A turn moves `p`, seen from the robot, around it: out of the zone or not; around a circle, never.
+bool Zone::leads_out(const Twist2& wanted, const Vector2& p) const {
+  if (wanted.v * p.x() > 0.0) return false;
+  if (std::abs(wanted.v) >= std::abs(wanted.omega) * p.norm()) return true;
+  if (options_.type == ZoneShape::circle) return false;
+  const Vector2 turned(wanted.omega * p.y(), -wanted.omega * p.x());
+  double nearest = std::numeric_limits<double>::infinity();
+  bool is_outward = false;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const Vector2 side = corners_[(i + 1) % corners_.size()] - corners_[i];
+    const double share = std::clamp(side.dot(p - corners_[i]) / side.squaredNorm(), 0.0, 1.0);
+    const Vector2 out = corners_[i] + share * side - p;
+    if (out.norm() >= nearest) continue;
+    nearest = out.norm();
+    is_outward = out.dot(turned) > 0.0;
+  }
+  return is_outward;
 }
 
 double Zone::approach_share(const Twist2& wanted, const std::vector<SeenPoint>& points) const {

@@ -31,7 +31,7 @@ constexpr auto choice_table(ZoneShape) {
 }
 
 /// Names and meaning of nav2's parameters. A stop zone differs in one point: motions that lead away from
-/// everything inside, and turns on the spot, stay allowed, so that the robot can get out.
+/// everything inside stay allowed, so that the robot can get out: away from it, or, of a turn, out by the nearest edge of the zone.
 struct ZoneOptions {
   std::string name = "zone";
   ZoneShape type = ZoneShape::circle;
@@ -91,6 +91,7 @@ class Zone {
 
  private:
   bool contains(const Vector2& p) const;
+  bool leads_out(const Twist2& wanted, const Vector2& p) const;
   double stop_share(const Twist2& wanted, const std::vector<SeenPoint>& points) const;
   double approach_share(const Twist2& wanted, const std::vector<SeenPoint>& points) const;
   /// min_points lie in the zone when the robot stands at X_BN.

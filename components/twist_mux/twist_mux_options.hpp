@@ -14,7 +14,8 @@ struct TwistSourceOptions {
   std::string topic = "cmd_vel";
   std::int64_t priority = 0;
   double timeout = 0.2;
-  double hold = 0.0;
+  double max_age = 0.5;
+  bool hand = false;
   bool stamped = false;
   bool optional = false;
 
@@ -27,12 +28,12 @@ struct TwistSourceOptions {
        .min = 0.02,
        .max = 1,
        .doc = "the robot stops when it has been silent for so long; at least two periods of its commands"});
-    v("hold", hold,
+    v("max_age", max_age,
       {.unit = "s",
-       .min = 0,
-       .max = 60,
-       .doc =
-           "others of lower priority are heard again when it has been silent for so long, and not before the timeout"});
+       .min = 0.05,
+       .max = 5,
+       .doc = "stamped commands that are older when they come are refused"});
+    v("hand", hand, {.doc = "a person drives: whom it takes over from waits for a release"});
     v("stamped", stamped, {.doc = "geometry_msgs/TwistStamped instead of geometry_msgs/Twist"});
     v("optional", optional, {.doc = "a graph in which nobody publishes it is none the worse"});
   }
@@ -40,8 +41,8 @@ struct TwistSourceOptions {
 
 struct TwistMuxOptions {
   std::vector<TwistSourceOptions> sources = {
-      {.topic = "cmd_vel_teleop", .priority = 100, .timeout = 0.2, .hold = 1.0},
-      {.topic = "cmd_vel_teleop_stamped", .priority = 90, .timeout = 0.2, .hold = 1.0, .stamped = true},
+      {.topic = "cmd_vel_teleop", .priority = 100, .timeout = 0.2, .hand = true},
+      {.topic = "cmd_vel_teleop_stamped", .priority = 90, .timeout = 0.2, .hand = true, .stamped = true},
       {.topic = "cmd_vel_behavior", .priority = 50, .timeout = 0.25, .optional = true},
       {.topic = "cmd_vel_nav", .priority = 10, .timeout = 0.5},
   };

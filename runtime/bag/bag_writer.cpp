@@ -5,10 +5,12 @@
 #include <cstring>
 #include <limits>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "runtime/atomic_file.hpp"
@@ -31,6 +33,14 @@ int lock_folder(const std::filesystem::path& folder) {
   return descriptor;
 }
 
+/// For its owner alone, as are those above it that are missing.
+void make_folder(const std::filesystem::path& folder) {
+  if (folder.empty() || std::filesystem::exists(folder)) return;
+  make_folder(folder.parent_path());
+  if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
+    throw std::system_error(errno, std::generic_category(), folder.string());
+}
+
 }  // namespace
 
 BagWriter::BagWriter(std::filesystem::path path, BagWriterOptions options)
@@ -38,11 +48,11 @@ BagWriter::BagWriter(std::filesystem::path path, BagWriterOptions options)
   if (options_.max_size > 0 && options_.split_size == 0)
     options_.split_size = std::max<std::uint64_t>(options_.max_size / kPartsOfMaxSize, 1);
   if (!is_folder_) {
-    if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path());
+    make_folder(path_.parent_path());
     open_file();
     return;
   }
-  std::filesystem::create_directories(path_);
+  make_folder(path_);
   path_ = std::filesystem::canonical(path_);
   lock_ = lock_folder(path_);
   if (!std::filesystem::is_empty(path_)) {

@@ -16,7 +16,7 @@ class FileSink final : public ByteSink {
  public:
   explicit FileSink(std::filesystem::path path)
       : path_(std::move(path)),
-        descriptor_(open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644)) {
+        descriptor_(open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600)) {
     if (descriptor_ < 0) fail();
   }
   ~FileSink() override { close(descriptor_); }

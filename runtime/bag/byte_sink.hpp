@@ -20,7 +20,8 @@ class ByteSink {
   [[nodiscard]] virtual std::uint64_t size() const = 0;
 };
 
-/// A new file; nobody else's is overwritten. Throws std::system_error naming the path.
+/// A new file for its owner alone, since a recording tells who was where; nobody else's is overwritten. Throws std::system_error
+/// naming the path.
 std::unique_ptr<ByteSink> create_file(const std::filesystem::path& path);
 
 }  // namespace bw::bag

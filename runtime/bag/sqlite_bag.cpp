@@ -20,10 +20,50 @@ struct FinishStatement {
 };
 using Database = std::unique_ptr<sqlite3, CloseDatabase>;
 
+/// A file may hold queries of its own, as views are, and pages that lead back to themselves: neither may keep the reader for ever.
+class Guard {
+ public:
+  /// `file_size` [bytes]. Must outlive the database's queries.
+  Guard(sqlite3* database, std::uintmax_t file_size)
+      : allowed_(kFewSteps + kStepsPerByte * static_cast<std::int64_t>(file_size)) {
+    sqlite3_set_authorizer(database, &Guard::authorize, this);
+    sqlite3_progress_handler(database, kStepsAtOnce, &Guard::count, this);
+  }
+  void begin() {
+    left_ = allowed_;
+    reason_.clear();
+  }
+  /// Of the query that failed last; empty: SQLite has its own.
+  const std::string& reason() const { return reason_; }
+
+ private:
+  static constexpr int kStepsAtOnce = 100'000;
+  static constexpr std::int64_t kFewSteps = 10'000'000;  // a tenth of a second
+  static constexpr std::int64_t kStepsPerByte = 100;     // a message takes some 20, and at least 10 bytes
+
+  static int authorize(void* self, int action, const char*, const char*, const char*, const char* view) {
+    if (action != SQLITE_RECURSIVE && view == nullptr) return SQLITE_OK;
+    static_cast<Guard*>(self)->reason_ = "it is read by its tables, and has a view in place of one";
+    return SQLITE_DENY;
+  }
+  static int count(void* self) {
+    auto& guard = *static_cast<Guard*>(self);
+    guard.left_ -= kStepsAtOnce;
+    if (guard.left_ > 0) return 0;
+    guard.reason_ = "its pages lead on without an end";
+    return 1;
+  }
+
+  std::int64_t allowed_;
+  std::int64_t left_ = 0;
+  std::string reason_;
+};
+
 /// A query and its current row. Columns count from 0.
 class Query {
  public:
-  Query(sqlite3* database, const std::string& sql) : database_(database) {
+  Query(sqlite3* database, Guard& guard, const std::string& sql) : database_(database), guard_(guard) {
+    guard.begin();
     sqlite3_stmt* raw = nullptr;
     is_valid_ = sqlite3_prepare_v2(database, sql.c_str(), -1, &raw, nullptr) == SQLITE_OK;
     statement_.reset(raw);
@@ -38,7 +78,7 @@ class Query {
     const int result = sqlite3_step(statement_.get());
     return result == SQLITE_ROW ? Row::row : result == SQLITE_DONE ? Row::done : Row::broken;
   }
-  std::string error() const { return sqlite3_errmsg(database_); }
+  std::string error() const { return guard_.reason().empty() ? sqlite3_errmsg(database_) : guard_.reason(); }
   std::int64_t integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
   std::string text(int column) const {
     const auto* characters = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
@@ -55,19 +95,20 @@ class Query {
 
  private:
   sqlite3* database_;
+  Guard& guard_;
   std::unique_ptr<sqlite3_stmt, FinishStatement> statement_;
   bool is_valid_ = false;
 };
 
 class SqliteMessages final : public BagMessages {
  public:
-  SqliteMessages(std::filesystem::path file, sqlite3* database,
+  SqliteMessages(std::filesystem::path file, sqlite3* database, Guard& guard,
                  const std::map<std::int64_t, std::size_t>& topic_of, const std::string& only_topics,
                  const BagSelection& selection)
       : file_(std::move(file)),
         topic_of_(topic_of),
         query_(
-            database,
+            database, guard,
             "SELECT topic_id, timestamp, data, id FROM messages WHERE timestamp >= ?1 AND timestamp <= ?2" +
                 only_topics + " ORDER BY timestamp, id") {
     query_.bind(1, selection.start.nanoseconds);
@@ -113,9 +154,10 @@ class SqliteBag final : public Bag {
     // Of a file that was cut, what is left is read; SQLite refuses it otherwise. Damage is looked for in every page.
     sqlite3_exec(raw, "PRAGMA writable_schema=ON; PRAGMA cell_size_check=ON; PRAGMA trusted_schema=OFF",
                  nullptr, nullptr, nullptr);
+    guard_ = std::make_unique<Guard>(raw, std::filesystem::file_size(file));
     read_topics();
     read_definitions();
-    Query range(raw, "SELECT MIN(timestamp), MAX(timestamp), COUNT(*) FROM messages");
+    Query range(raw, *guard_, "SELECT MIN(timestamp), MAX(timestamp), COUNT(*) FROM messages");
     if (!range.is_valid()) fail("it has no table of messages (" + range.error() + ")");
     if (range.next() != Query::Row::row) {
       // Messages before the damage can be read all the same.
@@ -137,14 +179,14 @@ class SqliteBag final : public Bag {
   std::optional<Bytes> attachment(const std::string&) const override { return std::nullopt; }
   const std::vector<BagFault>& faults() const override { return faults_; }
   std::vector<BagFault> verify() const override {
-    Query query(database_.get(), "PRAGMA quick_check(1)");
+    Query query(database_.get(), *guard_, "PRAGMA quick_check(1)");
     if (query.next() != Query::Row::row) return {{file_, 0, query.error()}};
     if (query.text(0) == "ok") return {};
     return {{file_, 0, query.text(0)}};
   }
 
   std::map<std::string, std::map<std::string, std::string>> metadata() const override {
-    Query query(database_.get(), "SELECT metadata FROM metadata ORDER BY id DESC LIMIT 1");
+    Query query(database_.get(), *guard_, "SELECT metadata FROM metadata ORDER BY id DESC LIMIT 1");
     if (query.next() != Query::Row::row) return {};
     return {{"rosbag2", {{"serialized_metadata", query.text(0)}}}};
   }
@@ -157,7 +199,7 @@ class SqliteBag final : public Bag {
       }
       only = " AND topic_id IN (" + only + ")";
     }
-    return std::make_unique<SqliteMessages>(file_, database_.get(), topic_of_, only, selection);
+    return std::make_unique<SqliteMessages>(file_, database_.get(), *guard_, topic_of_, only, selection);
   }
 
  private:
@@ -169,8 +211,9 @@ class SqliteBag final : public Bag {
     // Columns came with versions: QoS with 2, the hash with 4.
     for (const char* columns :
          {"offered_qos_profiles, type_description_hash", "offered_qos_profiles, ''", "'', ''"}) {
-      Query query(database_.get(), std::string("SELECT id, name, type, serialization_format, ") + columns +
-                                       " FROM topics ORDER BY id");
+      Query query(database_.get(), *guard_,
+                  std::string("SELECT id, name, type, serialization_format, ") + columns +
+                      " FROM topics ORDER BY id");
       if (!query.is_valid()) continue;
       Query::Row row = query.next();
       for (; row == Query::Row::row; row = query.next()) {
@@ -185,11 +228,11 @@ class SqliteBag final : public Bag {
       count_messages();
       return;
     }
-    fail(sqlite3_errmsg(database_.get()));
+    fail(guard_->reason().empty() ? sqlite3_errmsg(database_.get()) : guard_->reason());
   }
 
   void count_messages() {
-    Query query(database_.get(), "SELECT topic_id, COUNT(*) FROM messages GROUP BY topic_id");
+    Query query(database_.get(), *guard_, "SELECT topic_id, COUNT(*) FROM messages GROUP BY topic_id");
     while (query.next() == Query::Row::row) {
       const auto topic = topic_of_.find(query.integer(0));
       if (topic != topic_of_.end())
@@ -198,7 +241,7 @@ class SqliteBag final : public Bag {
   }
 
   void read_definitions() {
-    Query query(database_.get(),
+    Query query(database_.get(), *guard_,
                 "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions");
     while (query.is_valid() && query.next() == Query::Row::row) {
       for (BagTopic& topic : topics_) {
@@ -210,6 +253,7 @@ class SqliteBag final : public Bag {
   }
 
   std::filesystem::path file_;
+  std::unique_ptr<Guard> guard_;
   Database database_;
   std::vector<BagTopic> topics_;
   std::map<std::int64_t, std::size_t> topic_of_;  ///< by topic id

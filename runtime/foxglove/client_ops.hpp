@@ -17,7 +17,7 @@ namespace bw::foxglove {
 /// Longer texts are refused before they are looked at [bytes]: clients publish and call in binary messages.
 inline constexpr std::size_t kLongestText = std::size_t{1} << 20;
 /// Arrays and objects within each other.
-inline constexpr int kDeepestText = 16;
+inline constexpr std::size_t kDeepestText = 16;
 
 struct Subscription {
   std::uint32_t id = 0;  ///< the client's choice

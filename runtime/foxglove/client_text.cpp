@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/foxglove/client_ops.hpp"
+#include "runtime/foxglove/json_bounds.hpp"
 #include "runtime/foxglove/parameter_json.hpp"
 
 namespace bw::foxglove {
@@ -169,29 +170,16 @@ constexpr std::array<Reader, 11> kReaders = {{
      }},
 }};
 
-/// What lies too deep is not kept: a text of brackets alone would take a hundred times its own size.
-json parse(std::string_view text, bool& is_too_deep) {
-  return json::parse(
-      text.begin(), text.end(),
-      [&is_too_deep](int depth, json::parse_event_t, const json&) {
-        if (depth <= kDeepestText) return true;
-        is_too_deep = true;
-        return false;
-      },
-      false);
-}
-
 }  // namespace
 
 std::variant<TextOp, ProtocolError> decode_text(std::string_view text) {
   if (text.size() > kLongestText)
     return ProtocolError{Kind::too_large,
                          fmt::format("a text of {} bytes: at most {} are taken", text.size(), kLongestText)};
-  bool is_too_deep = false;
-  const json message = parse(text, is_too_deep);
+  if (const auto broken = broken_bound(text, kDeepestText, kLongestText))
+    return ProtocolError{Kind::too_large, "a text " + *broken};
+  const json message = json::parse(text, nullptr, false);
   if (message.is_discarded()) return ProtocolError{Kind::not_json, "a text that is not JSON"};
-  if (is_too_deep)
-    return ProtocolError{Kind::too_large, fmt::format("a text nested deeper than {} levels", kDeepestText)};
   if (!message.is_object() || !message.contains("op") || !message.at("op").is_string())
     return ProtocolError{Kind::no_op, "a text without a field op that is a string"};
 

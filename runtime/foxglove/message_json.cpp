@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "runtime/foxglove/json_bounds.hpp"
 #include "runtime/parameters/yaml_file.hpp"
 #include "runtime/ros/message_from_yaml.hpp"
 #include "runtime/wire/cdr_reader.hpp"
@@ -44,7 +45,7 @@ class Tree {
   ConfigNode of(const FieldDescription& field, const Json& value) {
     if (!value.is_array() || field.shape == Shape::kSingle) return element(field, value);
     ConfigNode node = empty(value);
-    node.sequence.reserve(std::min(value.size(), kMaxYamlNodes));
+    node.sequence.reserve(value.size());
     for (const Json& one : value) node.sequence.push_back(element(field, one));
     return node;
   }
@@ -52,9 +53,7 @@ class Tree {
     return field.message != nullptr && value.is_object() ? of(*field.message, value) : empty(value);
   }
   /// A scalar whole; of a list or an object that it is one.
-  ConfigNode empty(const Json& value) {
-    if (++count_ > kMaxYamlNodes)
-      throw std::runtime_error("the message has more than " + std::to_string(kMaxYamlNodes) + " values");
+  ConfigNode empty(const Json& value) const {
     ConfigNode node;
     node.where = where_;
     if (value.is_null()) return node;
@@ -68,7 +67,6 @@ class Tree {
   }
 
   const Location where_{.file = kFile};
-  std::size_t count_ = 0;
 };
 
 /// Walks a validated message: reads cannot fail.
@@ -141,6 +139,8 @@ class Walk {
 }  // namespace
 
 std::vector<std::uint8_t> message_from_json(const TypeDescription& type, std::string_view json) {
+  if (const auto broken = broken_bound(json, kMaxYamlDepth, kMaxYamlNodes))
+    throw std::runtime_error("a message " + *broken);
   const Json parsed = Json::parse(json, nullptr, false);
   if (!parsed.is_object())
     throw std::runtime_error("a " + std::string(type.ros_name) + " is an object of JSON with its fields");

@@ -55,10 +55,10 @@ ServerInfo Server::info_for(const Client& client) const {
   ServerInfo info;
   info.name = options_.name;
   info.capabilities = {"parameters", "parametersSubscribe", "services", "connectionGraph", "time"};
-  if (client.opening.may_command) info.capabilities.emplace_back("clientPublish");
+  if (client.opening.read_only.empty()) info.capabilities.emplace_back("clientPublish");
   if (options_.assets) info.capabilities.emplace_back("assets");
   info.metadata = robot_.metadata();
-  info.metadata["may_command"] = client.opening.may_command ? "true" : "false";
+  info.metadata["may_command"] = client.opening.read_only.empty() ? "true" : "false";
   info.session = options_.session;
   return info;
 }
@@ -73,6 +73,8 @@ void Server::on_open(web::ConnectionId id, const web::Opening& opening) {
   for (const web::Frame& frame : service_frames()) send(client, frame);
   tell_time(client);
   for (const Notice& notice : notices_) say(client, notice.level, notice.message);
+  if (!client.opening.read_only.empty())
+    say(client, Level::info, "Read only: " + client.opening.read_only, kReadOnlyStatus);
   tell_commander(client);
 }
 

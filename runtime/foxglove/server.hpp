@@ -47,6 +47,8 @@ class Server final : public web::SocketHandler, public RobotListener {
  public:
   /// Monotonic; its zero does not matter.
   using Clock = std::function<Time()>;
+  /// Id of the status that says to a client why it may not command.
+  static constexpr const char* kReadOnlyStatus = "read_only";
   /// Id of the status that says who commands. Level 0: this client does, or may; 1: another one does, and this one would be refused.
   static constexpr const char* kCommanderStatus = "commander";
 

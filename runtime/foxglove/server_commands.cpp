@@ -12,8 +12,7 @@ constexpr std::uint64_t kCommanderStream = (std::uint64_t{1} << 32) + 1;
 }  // namespace
 
 std::optional<std::string> Server::take_command(const Client& client) {
-  if (!client.opening.may_command)
-    return "this connection may only look on: from other machines commands need --allow-commands";
+  if (!client.opening.read_only.empty()) return "read only: " + client.opening.read_only;
   if (!commander_.take(client.id, clock_()))
     return fmt::format("{} commands the robot; it is another one's turn {:g} s after its last command",
                        clients_.at(*commander_.holder()).opening.peer,
@@ -49,7 +48,7 @@ void Server::tell_commander(const Client& client) {
 void Server::handle(Client& client, const Advertise& op) {
   for (const ClientChannel& channel : op.channels) {
     std::optional<std::string> reason;
-    if (!client.opening.may_command) {
+    if (!client.opening.read_only.empty()) {
       reason = take_command(client);
     } else if (client.published.contains(channel.id)) {
       reason = fmt::format("channel {} is in use already", channel.id);
@@ -84,7 +83,9 @@ void Server::handle(Client& client, const Publish& op) {
   if (found == client.published.end())
     return say(client, Level::error, fmt::format("publish: channel {} was not advertised", op.channel));
   const ClientChannel& channel = found->second;
-  std::optional<std::string> reason = take_command(client);
+  // Whoever may command at all stops the robot, whose turn it is or not.
+  const bool is_stop = channel.topic.ends_with("/emergency_stop");
+  std::optional<std::string> reason = is_stop ? std::nullopt : take_command(client);
   if (!reason) {
     const std::string_view text(reinterpret_cast<const char*>(op.payload.data()), op.payload.size());
     reason = channel.encoding == kJson ? robot_.publish_json(channel.topic, text)

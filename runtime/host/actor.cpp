@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "runtime/host/led_lifecycle.hpp"
+#include "runtime/host/writer_clock.hpp"
 
 namespace bw {
 
@@ -63,7 +64,7 @@ bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
   // Two who command: nobody is obeyed, and what moves stops because its commands are too old.
   if (!input.commander.empty() && input.reader->matched_writers() > 1) return true;
   const bool is_heard = input.of_node || is_active();
-  if (role == ActorRole::component && input.qos.durability == Durability::transient_local)
+  if (role == ActorRole::component && !input.of_node && input.qos.durability == Durability::transient_local)
     input.keep(sample_, is_heard);
   if (!is_heard) return true;
   see(now);
@@ -78,10 +79,11 @@ bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
 void Actor::give(Input& input, const dds::Guid& writer, std::span<const std::uint8_t> cdr, Time now,
                  std::optional<Duration> waited) {
   const Duration start = thread_cpu_time();
-  const Tick tick{.now = now,
-                  .health = health(now),
-                  .sequence = input.calls,
-                  .from = {writer, dds::same_host(writer, input.reader->guid())}};
+  const Tick tick{
+      .now = now,
+      .health = health(now),
+      .sequence = input.calls,
+      .from = {writer, writer_clock == nullptr || writer_clock->is_own(writer, input.reader->guid())}};
   const bool accepted = input.handler(cdr, tick);
   const Duration spent = thread_cpu_time() - start;
   if (accepted) ++input.calls;

@@ -47,8 +47,11 @@ class Input final : public Inlet {
   std::optional<Duration> max_age;
   OnStale on_stale = OnStale::ignore;
   std::unique_ptr<dds::Reader> reader;
-  Time last_received;    ///< activation time until the first sample
-  bool of_node = false;  ///< the runtime's: it is heard in every state of the component
+  Time last_received;  ///< activation time until the first sample
+  bool of_node =
+      false;  ///< the runtime's, or of the part that outlives instances: heard in every state of the component
+  bool is_declared =
+      true;  ///< of the component and its part; a second end of the part on one topic is an ear more, and no input
 
   /// Samples of a latched topic outlive the instance that heard them: the next one does not get them from the wire again.
   struct Kept {
@@ -119,6 +122,8 @@ struct Actor final : DiagnosticReporter {
   bool is_real_time = false;  ///< its lane comes before others
   std::size_t rank = 0;
   Duration latency;
+  const class WriterClock* writer_clock = nullptr;  ///< null: there is one clock
+  std::shared_ptr<void> part;  ///< of the component, and outlives its instances; null: it has none
   std::unique_ptr<Component> component;
   std::vector<std::unique_ptr<Input>> inputs;
   std::vector<const Input*> watched;  ///< inputs with a max_age

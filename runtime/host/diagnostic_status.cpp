@@ -56,7 +56,7 @@ std::string age_of(const Input& input, Time now) {
 
 void DiagnosticStatuses::add_inputs(DiagnosticStatus& status, const Actor& actor, Time now) {
   for (const auto& input : actor.inputs) {
-    if (input->of_node) continue;
+    if (!input->is_declared) continue;
     add_value(status, "age " + input->topic, age_of(*input, now));
     const Heard heard{input->statistics.run.count(), now};
     const auto [before, is_first] = heard_.try_emplace(input.get(), heard);

@@ -14,6 +14,8 @@
 #include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"
+#include "runtime/host/writer_clock.hpp"
+#include "runtime/host/writer_names.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/registry.hpp"
 #include "runtime/ros/dds_names.hpp"
@@ -44,7 +46,7 @@ std::string services_name(const std::string& process) {
 ComponentDeclaration declaration_of(const Actor& actor) {
   ComponentDeclaration d{.name = actor.name, .inputs = {}, .outputs = {}};
   for (const auto& input : actor.inputs) {
-    if (input->of_node) continue;
+    if (!input->is_declared) continue;
     d.inputs.push_back({.name = input->name,
                         .type = std::string(input->type.ros_name),
                         .qos = input->qos,
@@ -92,7 +94,9 @@ struct NodeParameters {
 }  // namespace
 
 Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
-    : graph_(std::move(graph)), options_(std::move(options)) {
+    : graph_(std::move(graph)),
+      options_(std::move(options)),
+      writers_(std::make_unique<WriterNames>(actors_)) {
   std::erase_if(graph_.components, [](const ComponentNode& node) { return !node.enabled; });
   const std::vector<std::string> processes = graph_.processes();
   const std::string& only = options_.only_process;

@@ -120,11 +120,13 @@ class Host {
   std::vector<Actor*> local_;
   std::vector<ComponentDeclaration> declarations_;
   std::unique_ptr<ComponentClock> clock_;
-  std::unique_ptr<OutsideInputs> outside_;  ///< lock-step
+  std::unique_ptr<class WriterClock> writer_clock_;  ///< null unless time is real
+  std::unique_ptr<OutsideInputs> outside_;           ///< lock-step
   std::vector<OutsideInputs::Topic> heard_outside_;
   const Actor* outside_actor_ = nullptr;  ///< through which what is accepted enters
   std::unique_ptr<Runner> runner_;
   std::unique_ptr<dds::Participant> participant_;
+  std::unique_ptr<class WriterNames> writers_;
   std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step
   std::unique_ptr<class NamesakeGuard> namesakes_;     ///< null in lock-step
   std::unique_ptr<class NodeAnnouncement> announcement_;

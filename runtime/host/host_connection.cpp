@@ -1,6 +1,7 @@
 // How a host comes onto the wire: its ends, its taps, its nodes, and the watch over its commands.
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "runtime/host/command_guard.hpp"
@@ -10,6 +11,8 @@
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"
 #include "runtime/host/wall_runner.hpp"
+#include "runtime/host/writer_clock.hpp"
+#include "runtime/host/writer_names.hpp"
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/ros/discovery_info.hpp"
 #include "runtime/ros/node_announcement.hpp"
@@ -61,9 +64,18 @@ void Host::connect() {
         local_, *clock_,
         [this](const Actor& actor, const std::string& text) { log(actor, LogLevel::warn, text); });
   }
+<<<<<<< HEAD
   runner_->set_on_failure([this](const CallbackFailure& failure) { end_by(failure); });
+=======
+  if (options_.clock == ClockMode::wall) {
+    const bool is_local = network().transport == dds::Transport::localhost;
+    writer_clock_ = std::make_unique<WriterClock>(
+        is_local ? WriterClock::Reach::this_host : WriterClock::Reach::network, system_clock_offset());
+  }
+>>>>>>> main
   std::vector<Actor*> all;
   for (const auto& actor : actors_) all.push_back(actor.get());
+  for (Actor* actor : all) actor->writer_clock = writer_clock_.get();
   const std::vector<WatchedTopic> watched = find_watched_topics(all, local_);
   // In lock-step all ends are in the participant's own partition already.
   const auto partitions = [lockstep](const auto& end) {
@@ -95,6 +107,7 @@ void Host::connect() {
   for (Actor* actor : local_) connect_clients(*actor);
   if (outside_) outside_->connect(*participant_, heard_outside_, local_);
   if (lockstep) return;
+  writers_->connect(*participant_);
   command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
   namesakes_ = std::make_unique<NamesakeGuard>(*participant_, find_own_nodes(local_));
 }
@@ -186,6 +199,11 @@ void Host::look_around(Time now) {
   Actor& services = *actors_.front();
   for (const CommandWatch::News& news : command_guard_->look(now)) log(services, news.level, news.text);
   for (const NamesakeWatch::News& news : namesakes_->look()) log(services, news.level, news.text);
+  if (const auto change = writer_clock_ ? writer_clock_->look(system_clock_offset()) : std::nullopt)
+    log(services, LogLevel::warn,
+        fmt::format(
+            "the system clock was set by {:.3f} s: stamps of other processes are of another clock from now on",
+            change->to_seconds()));
   using Level = DiagnosticReporter::Level;
   Level level = Level::ok;
   std::string message = "ok";

@@ -6,6 +6,9 @@
 
 #include "runtime/host/host.hpp"
 #include "runtime/host/rebinding.hpp"
+#include "runtime/host/writer_names.hpp"
+#include "runtime/ros/node_directory.hpp"
+#include "runtime/state_folder.hpp"
 
 namespace bw {
 
@@ -52,6 +55,25 @@ bool HostSetup::accepts_inputs() const {
 
 dds::Network HostSetup::network() const { return host_.network(); }
 
+std::filesystem::path HostSetup::state_file(const std::string& name) const {
+  const std::string node =
+      full_name({.node_namespace = actor_.node_namespace, .name = actor_.node_name}).substr(1);
+  return state_folder() / ("domain_" + std::to_string(network().domain_id)) / node / name;
+}
+
+Writers& HostSetup::writers() { return *host_.writers_; }
+
+// An instance that comes later finds it there.
+std::shared_ptr<void> HostSetup::keep_part(std::function<std::shared_ptr<void>(Setup&)> make) {
+  if (actor_.part != nullptr) return actor_.part;
+  const bool of_node = std::exchange(of_node_, true);
+  of_part_ = true;
+  actor_.part = make(*this);
+  of_part_ = false;
+  of_node_ = of_node;
+  return actor_.part;
+}
+
 RosDistro HostSetup::ros_distro() const {
   const RosDistro distro = host_.graph().settings.ros_distro;
   return distro == RosDistro::automatic ? RosDistro::jazzy : distro;
@@ -86,6 +108,8 @@ void HostSetup::add_input(const std::string& topic, const MessageType& type, con
   input->actor = &actor_;
   input->name = topic;
   input->of_node = of_node_;
+  const auto is_same = [&](const auto& other) { return other->name == topic; };
+  input->is_declared = !of_node_ || (of_part_ && std::ranges::none_of(actor_.inputs, is_same));
   input->topic = node_.topic_of(topic);
   input->type = type;
   input->qos = qos;

@@ -27,12 +27,15 @@ class HostSetup final : public Setup {
   bool is_lockstep() const override;
   bool accepts_inputs() const override;
   dds::Network network() const override;
+  std::filesystem::path state_file(const std::string& name) const override;
+  Writers& writers() override;
   RosDistro ros_distro() const override;
   Logger log() override;
   DiagnosticReporter& diagnostics() override { return actor_; }
   std::function<void(bool, const std::string&)> finish_run() override;
 
  protected:
+  std::shared_ptr<void> keep_part(std::function<std::shared_ptr<void>(Setup&)> make) override;
   OutputPort* add_output(const std::string& topic, const MessageType& type, const Qos& qos,
                          bool command) override;
   void add_input(const std::string& topic, const MessageType& type, const Qos& qos, InputKind kind, Need need,
@@ -55,6 +58,7 @@ class HostSetup final : public Setup {
   const ComponentNode& node_;
   Rebinding* rebinding_ = nullptr;
   bool of_node_ = false;
+  bool of_part_ = false;
 };
 
 }  // namespace bw

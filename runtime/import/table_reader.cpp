@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "runtime/bounded_line.hpp"
+
 namespace bw::imports {
 namespace {
 
@@ -58,7 +60,7 @@ TableReader::TableReader(const std::filesystem::path& file, const TableFormat& f
 }
 
 bool TableReader::next(Row& row) {
-  while (std::getline(input_, text_)) {
+  while (read_line(input_, text_, kLongestLine)) {
     ++line_;
     if (text_.size() > kLongestLine)
       throw TableError(name_, line_, fmt::format("longer than {} characters", kLongestLine));

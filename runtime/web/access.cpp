@@ -102,6 +102,4 @@ bool is_own_page(const Caller& caller) {
   return authority && *authority == *caller.host && name_of(*authority);
 }
 
-bool may_command(const AccessRules& rules) { return rules.is_loopback || rules.allow_commands; }
-
 }  // namespace bw::web

@@ -14,7 +14,8 @@
 namespace bw::web {
 
 struct AccessRules {
-  bool is_loopback = true;  ///< the address listened on can be reached from this machine only
+  bool is_loopback = true;      ///< the address listened on can be reached from this machine only
+  bool is_reading_free = true;  ///< who shows no token may read: on a loopback address without a token_file
   std::vector<std::string>
       host_names;  ///< names of this machine, beside addresses; used where not is_loopback
   std::vector<std::string> allow_origins;  ///< exactly as a browser writes them: https://app.foxglove.dev
@@ -38,8 +39,5 @@ std::optional<std::string> refused_origin(const AccessRules& rules, const Caller
 
 /// Of a page that the server itself delivered. Needed for what changes something by a plain request.
 bool is_own_page(const Caller& caller);
-
-/// Of a client that has been let in.
-bool may_command(const AccessRules& rules);
 
 }  // namespace bw::web

@@ -65,7 +65,7 @@ struct Opening {
   std::string subprotocol;  ///< the one that was agreed on
   std::string peer;         ///< address:port
   std::string origin;       ///< empty: a program, no page
-  bool may_command = true;  ///< what the access rules allow it (access.hpp)
+  std::string read_only;    ///< why it may not command (gate.hpp); empty: it may
 };
 
 /// Whoever speaks over the sockets. All calls come on the server's thread, and none of them from within a call of SocketSender.

@@ -36,7 +36,7 @@ bool offers_upgrade(const Request& request) {
 /// What every answer has, unless it says otherwise itself.
 constexpr std::pair<std::string_view, std::string_view> kForAll[] = {
     {"X-Content-Type-Options", "nosniff"},
-    {"Referrer-Policy", "same-origin"},  // with no-referrer, browsers post with the Origin `null`
+    {"Referrer-Policy", "strict-origin"},  // no query; with no-referrer, browsers post with the Origin `null`
     {"Cross-Origin-Resource-Policy", "same-origin"},
     {"Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'"},
 };
@@ -140,7 +140,7 @@ bool HttpSession::upgrades() {
                                   Opening{.subprotocol = std::move(admission.subprotocol),
                                           .peer = peer_,
                                           .origin = std::move(admission.origin),
-                                          .may_command = admission.may_command})
+                                          .read_only = std::move(admission.read_only)})
       ->accept(parser_->release());
   return true;
 }

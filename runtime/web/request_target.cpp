@@ -41,13 +41,15 @@ std::string_view wrong_with(std::string_view segment, bool is_last) {
   return {};
 }
 
-bool has_key(std::string_view query, std::string_view key) {
+std::optional<std::string> value_of(std::string_view query, std::string_view key) {
   while (!query.empty()) {
     const std::string_view pair = query.substr(0, query.find('&'));
     query.remove_prefix(std::min(query.size(), pair.size() + 1));
-    if (decoded(pair.substr(0, pair.find('='))) == key) return true;
+    const std::string_view name = pair.substr(0, pair.find('='));
+    if (decoded(name) != key) continue;
+    return name == pair ? "" : decoded(pair.substr(name.size() + 1)).value_or("");
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -56,7 +58,7 @@ std::variant<RequestTarget, std::string> parse_target(std::string_view target) {
   if (!target.starts_with('/')) return std::string("what is asked for begins with /");
   RequestTarget result;
   const std::size_t question = target.find('?');
-  if (question != std::string_view::npos) result.has_token = has_key(target.substr(question + 1), "token");
+  if (question != std::string_view::npos) result.token = value_of(target.substr(question + 1), "token");
   std::string_view rest = target.substr(0, question);
   while (!rest.empty()) {
     rest.remove_prefix(1);  // the slash

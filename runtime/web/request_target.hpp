@@ -1,6 +1,7 @@
 // What a request asks for, taken apart without trust.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -11,7 +12,7 @@ namespace bw::web {
 struct RequestTarget {
   std::string path;                   ///< decoded, from the first /: for looking up; its query is left away
   std::vector<std::string> segments;  ///< of the path, decoded; an empty last one where it ends with /
-  bool has_token = false;             ///< the query has a key `token`: a secret that would be in logs
+  std::optional<std::string> token;   ///< of the query, decoded; empty where it is not well written
 };
 
 /// The reason in words where it is refused: not beginning with /, an escape that is none, control characters, /, \ or NUL hidden

@@ -12,7 +12,13 @@ namespace bw::web {
 namespace {
 
 constexpr std::string_view kTokenInUrl =
-    "a token does not belong into a URL, where logs keep it: use the login at / or Authorization: Bearer";
+    "this token does not belong into a URL, where logs keep it: use the login at / or Authorization: Bearer";
+
+/// One for all servers of a process, so that a server that is started again takes it.
+const std::string& token_of_run() {
+  static const std::string token = random_text();
+  return token;
+}
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t");
@@ -57,13 +63,14 @@ bool has_tag(std::string_view list, std::string_view etag) {
 
 AccessRules rules_of(const ServerOptions& options, bool is_loopback) {
   return {.is_loopback = is_loopback,
+          .is_reading_free = is_loopback && options.token_file.empty(),
           .host_names = options.host_names,
           .allow_origins = options.allow_origins,
           .allow_commands = options.allow_commands};
 }
 
 std::string token_of_options(const ServerOptions& options) {
-  return options.token_file.empty() ? std::string() : read_token_file(options.token_file);
+  return options.token_file.empty() ? token_of_run() : read_token_file(options.token_file);
 }
 
 }  // namespace
@@ -78,14 +85,16 @@ Router::Router(const ServerOptions& options, bool is_loopback, Site site,
       handshakes_(options.limits.handshakes_per_second,
                   std::max(1.0, 2 * options.limits.handshakes_per_second)) {}
 
+std::string Router::run_token() const { return gate_.is_reading_free() ? token_of_run() : std::string(); }
+
 Reply Router::answer(const Request& request) {
-  if (auto refusal = gate_.refuse(request, false)) return *refusal;
+  if (auto refusal = gate_.refuse_caller(request)) return *refusal;
   const auto parsed = parse_target(request.target);
   if (const auto* reason = std::get_if<std::string>(&parsed)) return plain_reply(400, *reason);
   const auto& target = std::get<RequestTarget>(parsed);
-  if (target.has_token) return plain_reply(400, kTokenInUrl);
+  if (target.token && !gate_.is_reading_free()) return plain_reply(400, kTokenInUrl);
   if (request.method == "POST" && target.path == "/login") return gate_.log_in(request);
-  if (auto refusal = gate_.refuse(request)) return *refusal;
+  if (auto refusal = gate_.refuse_reading(request)) return *refusal;
   const Caller caller = caller_of(request);
   if (!caller.origin || is_own_page(caller)) return answer_let_in(request, target);
   const bool is_preflight =
@@ -193,12 +202,13 @@ std::string Router::agreed_subprotocol(const Request& request) const {
 }
 
 std::variant<Admission, Reply> Router::admit(const Request& request) {
-  if (auto refusal = gate_.refuse(request, false)) return *refusal;
+  if (auto refusal = gate_.refuse_caller(request)) return *refusal;
   const auto parsed = parse_target(request.target);
   if (const auto* reason = std::get_if<std::string>(&parsed)) return plain_reply(400, *reason);
-  if (std::get<RequestTarget>(parsed).has_token) return plain_reply(400, kTokenInUrl);
-  if (auto refusal = gate_.refuse(request)) return *refusal;
-  if (std::get<RequestTarget>(parsed).path != "/") return plain_reply(404, "sockets are opened at /");
+  const auto& target = std::get<RequestTarget>(parsed);
+  if (target.token && !gate_.is_loopback()) return plain_reply(400, kTokenInUrl);
+  if (auto refusal = gate_.refuse_reading(request, target.token)) return *refusal;
+  if (target.path != "/") return plain_reply(404, "sockets are opened at /");
   const std::string agreed = agreed_subprotocol(request);
   if (agreed.empty()) {
     return plain_reply(
@@ -209,7 +219,7 @@ std::variant<Admission, Reply> Router::admit(const Request& request) {
     reply.headers.emplace_back("Retry-After", "1");
     return reply;
   }
-  return Admission{agreed, std::string(request.get("Origin")), may_command(gate_.rules())};
+  return Admission{agreed, std::string(request.get("Origin")), gate_.read_only(request, target.token)};
 }
 
 }  // namespace bw::web

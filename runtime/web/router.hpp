@@ -19,7 +19,7 @@ namespace bw::web {
 struct Admission {
   std::string subprotocol;
   std::string origin;
-  bool may_command = true;
+  std::string read_only;  ///< why it may not command; empty: it may
 };
 
 class Router {
@@ -27,6 +27,8 @@ class Router {
   /// Reads the token and looks for the folder of bags: throws as they do.
   Router(const ServerOptions& options, bool is_loopback, Site site, std::vector<std::string> subprotocols);
   void set_port(std::uint16_t port) { gate_.set_port(port); }
+  /// What commands need where reading is free; empty: a token_file holds it.
+  std::string run_token() const;
 
   Reply answer(const Request& request);
   /// Of an upgrade to WebSocket.

@@ -226,6 +226,7 @@ void Server::start(SocketHandler& handler) { impl_->start(handler); }
 void Server::stop() { impl_->stop(); }
 std::uint16_t Server::port() const { return impl_->port(); }
 std::string Server::address() const { return impl_->url(); }
+std::string Server::run_token() const { return impl_->core().router.run_token(); }
 
 void Server::send(ConnectionId id, Frame frame, Keep keep) {
   if (const auto session = impl_->core().find(id)) session->send(std::move(frame), keep);

@@ -37,6 +37,8 @@ class Server : public SocketSender, public Loop {
 
   std::uint16_t port() const;
   std::string address() const;  ///< http://127.0.0.1:8765/
+  /// What commands need where reading is free; empty: a token_file holds it.
+  std::string run_token() const;
 
   void send(ConnectionId id, Frame frame, Keep keep) override;
   void close(ConnectionId id, std::uint16_t code, const std::string& reason) override;

@@ -62,10 +62,11 @@ struct ServerOptions {
   int port_tries = 20;                  ///< this many ports are tried, from `port` on
   std::vector<std::string> host_names;  ///< by which clients call this machine, beside numbers; for --listen
   std::vector<std::string>
-      allow_origins;       ///< pages of elsewhere that may read and command: https://app.foxglove.dev
-  std::string token_file;  ///< empty: no token; needed where the address is not a loopback one
+      allow_origins;       ///< pages of elsewhere that may do what others may: https://app.foxglove.dev
+  std::string token_file;  ///< its token is needed for everything; empty: on loopback reading is free, and
+                           ///< commands need the run's own; needed where the address is not a loopback one
   bool allow_commands =
-      false;               ///< of clients of an address that is not a loopback one; there they always may
+      false;               ///< of clients of an address that is not a loopback one; there the token is enough
   std::string bag_folder;  ///< served below /bags/; empty: none
   Limits limits;
 
@@ -75,8 +76,10 @@ struct ServerOptions {
     v("port", port, {.min = 0, .max = 65535, .doc = "0: any free one"});
     v("port_tries", port_tries, {.min = 1, .max = 1000, .doc = "how many ports to try where it is taken"});
     v("host_names", host_names, {.doc = "names of this machine that clients may use, beside addresses"});
-    v("allow_origins", allow_origins, {.doc = "pages of elsewhere that may read and command"});
-    v("token_file", token_file, {.path = true, .doc = "holds the token that clients must show"});
+    v("allow_origins", allow_origins, {.doc = "pages of elsewhere that may connect"});
+    v("token_file", token_file,
+      {.path = true,
+       .doc = "holds the token that is needed for reading too; none: each run has one for commands"});
     v("allow_commands", allow_commands, {.doc = "clients of other machines may command"});
     v("bag_folder", bag_folder, {.path = true, .doc = "recordings that the page may open"});
     v("limits", limits, {.doc = "what a client may take"});

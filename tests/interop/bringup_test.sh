@@ -6,6 +6,7 @@ bringup=$root/launch_scripts/bringup.sh
 program=$2
 export BANDWAGON_PROGRAM=$program
 folder=$(mktemp -d)
+export XDG_STATE_HOME=$folder/state
 running=
 clean_up() {
   [[ -z $running ]] || kill -TERM "$running" 2>/dev/null || true
@@ -30,6 +31,7 @@ refused 2 'No such robot file: nothing.yaml' nothing.yaml
 refused 2 'There are: config/robots/eddie.yaml' nothing.yaml
 refused 2 'The robot file comes first' --emulate
 refused 2 'No such map' "$root/config/robots/kobuki.yaml" --map "$folder/none.yaml"
+refused 2 'nowhere' "$root/config/robots/kobuki.yaml" --set=nowhere.x=1
 refused 2 '--map needs a file' "$root/config/robots/kobuki.yaml" --map
 printf 'name: X\nwheel_radios: 1\n' >"$folder/robot.yaml"
 refused 2 "wheel_radius" "$folder/robot.yaml"

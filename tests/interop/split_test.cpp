@@ -56,6 +56,16 @@ TEST(Split, EndsAllWhenOneCannotBegin) {
   EXPECT_EQ(text_of(folder / "drive.mcap"), "of yesterday");
 }
 
+// As the program takes them. The page is a process of its own: one that was asked for by --set=... was not started.
+TEST(Split, TakesItsOptionsWithAnEqualsSignToo) {
+  const Folder folder;
+  split(folder, {"--for=3", "--set=viewer.enabled=true", "--set=viewer.port=0"});
+  EXPECT_THAT(text_of(folder / "logs" / "manifest.yaml"), HasSubstr("viewer: exit status"));
+  EXPECT_THAT(text_of(folder / "logs" / "viewer.out"), HasSubstr("?token="));
+  for (const auto& log : std::filesystem::recursive_directory_iterator(folder / "logs"))
+    EXPECT_EQ(log.status().permissions() & std::filesystem::perms(077), std::filesystem::perms::none) << log;
+}
+
 TEST(Split, RefusesAPageOfOneProcessAlone) {
   const Folder folder;
   const Outcome outcome = split(folder, {"--html", folder / "drive.html"});

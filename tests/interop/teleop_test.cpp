@@ -107,8 +107,16 @@ TEST_F(Teleop, ShowsWhyTheRobotStandsAndStopsItForGood) {
     const auto stop = emergency_.take();
     return stop && stop->data();
   }));
+  // A reader of the topic is there; that is no base that stops.
+  EXPECT_TRUE(terminal_.shows("NOT STOPPED: base_state tells of no emergency stop")) << terminal_.out();
+  EXPECT_TRUE(eventually([&] {
+    tell(base::WAITING, "");
+    const auto again = emergency_.take();
+    return again && again->data();
+  }));
   tell(base::EMERGENCY_STOP, "by hand");
   EXPECT_TRUE(terminal_.shows("EMERGENCY STOP: by hand (R releases)")) << terminal_.out();
+  EXPECT_TRUE(terminal_.shows("the emergency stop is in force")) << terminal_.out();
   tell(base::BUMPER, "bumper left");
   EXPECT_TRUE(terminal_.shows("STOPPED: bumper left (R releases)")) << terminal_.out();
   // Deliberately: any other key than y is no.

@@ -24,6 +24,10 @@ test("a lost connection is shown and found again", async (t) => {
   robot = await Robot.start({ port });
   assert.equal(robot.port, port, "the port of a process that was killed is free at once");
   const again = await view.eventually("live again, later than before", (hook) => isDriving(hook) && hook.timeline.end > timeline.end && hook);
-  assert.equal(again.canCommand, true);
+  assert.equal(again.canCommand, false);
+  assert.match(again.whyNot, /not that of this run/); // another run has another token
+  await view.element("read-only");
   await view.picture("found_again");
+  await view.page.goto(robot.address);
+  await view.eventually("commands with the new token", (hook) => isDriving(hook) && hook.canCommand);
 });

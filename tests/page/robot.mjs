@@ -20,7 +20,7 @@ export class Robot {
   /** In real time, waiting for goals; `port` 0 is any free one. */
   static async start({ port = 0, options = quiet } = {}) {
     const robot = new Robot(new Program(program, "run", hallway, `--page=${port}`, "--stay", "--seed", "7", ...options));
-    robot.address = (await robot.process.says(/http:\/\/127\.0\.0\.1:\d+/))[0];
+    robot.address = (await robot.process.says(/http:\/\/127\.0\.0\.1:\d+\/\?token=[0-9a-f]{32}/))[0];
     return robot;
   }
 

@@ -23,6 +23,8 @@ struct MapSaverOptions {
   std::vector<std::string> topics = {"map"};
   double free_thresh_default = 0.25;
   double occupied_thresh_default = 0.65;
+  std::string folder = "run/maps";
+  bool overwrite = false;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -34,10 +36,15 @@ struct MapSaverOptions {
       {.min = 0.02,
        .max = 0.99,
        .doc = "cells from this share on are saved as occupied where a request has 0"});
+    v("folder", folder,
+      {.path = true,
+       .doc = "where maps are saved, and nowhere else; the default is below the working directory"});
+    v("overwrite", overwrite, {.doc = "a map takes the place of one with its name"});
   }
 
   std::optional<std::string> violated_rule() const {
     if (topics.empty()) return "topics must name one";
+    if (folder.empty()) return "folder must name one";
     return fault_of(
         MapShades{.free_thresh = free_thresh_default, .occupied_thresh = occupied_thresh_default});
   }
@@ -63,20 +70,23 @@ class MapSaverComponent final : public Component {
   void configure(Setup& setup) override {
     options_ = setup.parameters<MapSaverOptions>();
     log_ = setup.log();
-    is_lockstep_ = setup.is_lockstep();
+    const std::filesystem::path folder = setup.file_parameter("folder");
+    folder_ = std::filesystem::absolute(folder.empty() ? std::filesystem::path(options_.folder) : folder);
     for (const std::string& topic : options_.topics)
       maps_[topic] = setup.latest<nav_msgs::msg::OccupancyGrid>(topic, Qos::latched());
-    // It changes a file and nothing of the run, so it is answered from outside of a run in lock-step too.
-    setup.service<SaveMap>("~/save_map", [this](const SaveMap::Request& request, const Tick&) {
-      SaveMap::Response response;
-      try {
-        tell(LogLevel::info, "saved " + save(request));
-        response.result(true);
-      } catch (const std::exception& fault) {
-        tell(LogLevel::error, std::string("no map is saved: ") + fault.what());
-      }
-      return response;
-    });
+    setup.service<SaveMap>(
+        "~/save_map",
+        [this](const SaveMap::Request& request, const Tick&) {
+          SaveMap::Response response;
+          try {
+            log_.info("saved {}", save(request));
+            response.result(true);
+          } catch (const std::exception& fault) {
+            log_.error("no map is saved: {}", fault.what());
+          }
+          return response;
+        },
+        [](const std::string&) { return SaveMap::Response(); });
   }
 
  private:
@@ -88,15 +98,16 @@ class MapSaverComponent final : public Component {
       throw std::runtime_error("the map is of no use: " + fault);
     const auto url = path_of_url(request.map_url());
     if (!url) throw std::runtime_error("'" + request.map_url() + "' is no path and no file:// URL");
-    std::filesystem::path yaml = *url;
-    if (yaml.extension() != ".yaml") yaml += ".yaml";
+    std::filesystem::create_directories(folder_);
+    const std::filesystem::path yaml = place_of_map(folder_, *url);
     const MapShades shades{
         .mode = chosen("map_mode", request.map_mode(), MapMode::trinary),
         .free_thresh = threshold(request.free_thresh(), options_.free_thresh_default),
         .occupied_thresh = threshold(request.occupied_thresh(), options_.occupied_thresh_default)};
     const ImageFormat usual = shades.mode == MapMode::scale ? ImageFormat::png : ImageFormat::pgm;
-    save_map(grid, yaml, shades, chosen("image_format", request.image_format(), usual));
-    return std::filesystem::absolute(yaml).string();
+    save_map(grid, yaml, shades, chosen("image_format", request.image_format(), usual),
+             options_.overwrite ? Existing::replace : Existing::refuse);
+    return yaml.string();
   }
 
   const nav_msgs::msg::OccupancyGrid& newest(const std::string& topic) const {
@@ -109,14 +120,8 @@ class MapSaverComponent final : public Component {
                                          fmt::join(options_.topics, ", ")));
   }
 
-  /// In lock-step a line of the log is a sample of the run, and an answer that only tells must not make one.
-  void tell(LogLevel level, const std::string& text) const {
-    if (is_lockstep_) return;
-    level == LogLevel::info ? log_.info("{}", text) : log_.error("{}", text);
-  }
-
   MapSaverOptions options_;
-  bool is_lockstep_ = false;
+  std::filesystem::path folder_;
   Logger log_;
   std::map<std::string, Latest<nav_msgs::msg::OccupancyGrid>> maps_;
 };

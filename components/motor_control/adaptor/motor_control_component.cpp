@@ -51,7 +51,11 @@ class MotorControlComponent final : public Component {
                 [this](const Tick& tick) { step(tick); });
   }
 
-  void deactivate(const Tick& tick) override { publish({}, tick.now); }
+  void deactivate(const Tick& tick) override {
+    publish({}, tick.now);
+    limiter_->rest();
+    last_ = {};
+  }
 
  private:
   void step(const Tick& tick) {

@@ -15,6 +15,7 @@ void RobotSituation::listen(Setup& setup, const NavigatorParameters& parameters,
   map_frame_ = setup.frame("map");
   base_frame_ = setup.frame("base_link");
   transforms_ = std::move(transforms);
+  override_ = setup.latest<std_msgs::msg::Bool>("manual_override", Qos::latched(), Need::optional);
   odometry_ = setup.latest<nav_msgs::msg::Odometry>(by_tf_ ? "odom" : "odometry/filtered", Qos::command());
 }
 
@@ -27,6 +28,7 @@ std::optional<Pose2> RobotSituation::pose(Time now) const {
 
 Situation RobotSituation::at(const Tick& tick) const {
   Situation s{tick.now, std::nullopt, {}};
+  s.is_overridden = override_ && override_->data();
   if (!odometry_) return s;
   s.twist = from_twist(odometry_->twist().twist());
   const bool fresh = tick.now - odometry_.received() <= timeout_;

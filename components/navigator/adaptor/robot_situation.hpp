@@ -6,6 +6,7 @@
 #include <string>
 
 #include <nav_msgs/msg/odometry.hpp>
+#include <std_msgs/msg/bool.hpp>
 
 #include "components/navigator/goal_messages.hpp"
 #include "components/navigator/navigator_parameters.hpp"
@@ -33,6 +34,7 @@ class RobotSituation {
   std::string base_frame_;
   std::shared_ptr<const TransformTree> transforms_;
   Latest<nav_msgs::msg::Odometry> odometry_;
+  Latest<std_msgs::msg::Bool> override_;
 };
 
 }  // namespace bw

@@ -5,11 +5,12 @@
 #include <optional>
 #include <string>
 
-#include <std_msgs/msg/bool.hpp>
+#include <std_msgs/msg/empty.hpp>
 #include <std_srvs/srv/trigger.hpp>
 
 #include "components/robot_base/adaptor/base_outputs.hpp"
 #include "components/robot_base/adaptor/chosen_driver.hpp"
+#include "components/robot_base/adaptor/emergency_stop_inputs.hpp"
 #include "components/robot_base/adaptor/odometry_reader.hpp"
 #include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
@@ -24,10 +25,12 @@ constexpr Qos kNewest{.reliability = Reliability::best_effort, .depth = 1};
 
 struct RobotBaseOptions : BaseGuardOptions {
   OdometryOptions odometry;
+  EmergencyStopOptions emergency_stop;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("odometry", odometry, {.doc = "from encoder counts to pose and twist"});
+    v("emergency_stop", emergency_stop, {.doc = "who presses it; others may press it as well"});
     BaseGuardOptions::fields(v);
   }
 };
@@ -57,13 +60,9 @@ class RobotBaseComponent final : public Component {
     setup.input<sensor_msgs::msg::JointState>(
         "wheel_commands", kNewest,
         [this](const auto& message, const Tick& tick) { on_command(message, tick); });
-    setup.input<std_msgs::msg::Bool>(
-        "emergency_stop", Qos::standard(),
-        [this](const auto& message, const Tick& tick) {
-          guard_->set_emergency_stop(message.data());
-          obey(tick.now);
-        },
-        Need::optional);
+    released_ = setup.output<std_msgs::msg::Empty>("stop_released");
+    emergency_stop_options_ = options.emergency_stop;
+    emergency_stop_ = setup.part_of_node<EmergencyStopInputs>();
     setup.service<Trigger>(
         "release_stop", [this](const Trigger::Request&, const Tick& tick) { return release(tick.now); },
         [](const std::string& reason) { return trigger_response(false, reason); });
@@ -72,14 +71,21 @@ class RobotBaseComponent final : public Component {
       work(tick.now);
     });
     setup.every(Duration::milliseconds(100), "base_state", [this](const Tick& tick) {
+      emergency_stop_->name();
       publish_state(tick.now);
       if (tick.sequence % 10 == 0) tell_counters();
     });
   }
 
-  void activate(const Tick& tick) override { odometry_.publish_mounts(tick.now); }
+  void activate(const Tick& tick) override {
+    odometry_.publish_mounts(tick.now);
+    emergency_stop_->begin(tick.now, emergency_stop_options_, [this](Time now) { obey(now); });
+  }
 
-  void deactivate(const Tick& tick) override { driver_->stop(tick.now); }
+  void deactivate(const Tick& tick) override {
+    emergency_stop_->end();
+    driver_->stop(tick.now);
+  }
 
  private:
   void on_command(const sensor_msgs::msg::JointState& message, const Tick& tick) {
@@ -106,6 +112,8 @@ class RobotBaseComponent final : public Component {
 
   void obey(Time now) {
     if (is_stopped_) guard_->revoke();
+    emergency_stop_->step(now);
+    guard_->set_emergency_stop(emergency_stop_->stop().is_latched(), emergency_stop_->stop().reason());
     const BaseOutput output = guard_->step(now);
     guard_->told(now, output.wheels, driver_->command(now, output.wheels));
     const bool is_news = output.condition != told_.condition || output.reason != told_.reason ||
@@ -121,15 +129,24 @@ class RobotBaseComponent final : public Component {
 
   void publish_state(Time now) { outputs_.publish_state(now, told_, contacts_, odometry_.measured()); }
 
+  /// All or nothing: what another cause refuses leaves the emergency stop latched, too.
   Trigger::Response release(Time now) {
-    if (const auto refusal = guard_->release()) {
+    auto refusal = emergency_stop_->refusal();
+    if (!refusal) {
+      guard_->set_emergency_stop(false);
+      refusal = guard_->release();
+    }
+    if (refusal) {
       log_.warn("release_stop is refused: {}", *refusal);
       return trigger_response(false, *refusal);
     }
-    log_.info("stops are released");
+    const std::string left = emergency_stop_->release();
+    const std::string said = left.empty() ? "" : "; " + left;
+    log_.info("stops are released{}", said);
+    released_.publish({});
     obey(now);
     const std::string& next = told_.reason.empty() ? "it drives at the next command" : told_.reason;
-    return trigger_response(true, "released: " + next);
+    return trigger_response(true, "released: " + next + said);
   }
 
   void report(const BaseOutput& output) {
@@ -162,6 +179,9 @@ class RobotBaseComponent final : public Component {
   OdometryReader odometry_;
   std::unique_ptr<Driver> driver_;
   std::optional<BaseGuard> guard_;
+  Output<std_msgs::msg::Empty> released_;  ///< each release, for whoever waits for one as well
+  std::shared_ptr<EmergencyStopInputs> emergency_stop_;
+  EmergencyStopOptions emergency_stop_options_;
   BaseOutputs outputs_;
   BaseOutput told_;
   ContactReading contacts_;

@@ -1,5 +1,6 @@
 // Adaptor of the collision monitor: sweeps, odometry and wanted velocities in, allowed velocities out.
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -70,6 +71,8 @@ class CollisionMonitorComponent final : public Component {
 
   void deactivate(const Tick& tick) override {
     command_.publish({}, tick.now);
+    wanted_at_.reset();  // what was wanted before counts no more
+    last_ = {};
     if (limited_.cycles() > 0) log_.info("limited in {}", limited_.text());
   }
 
@@ -83,10 +86,14 @@ class CollisionMonitorComponent final : public Component {
   void on_scan(const sensor_msgs::msg::LaserScan& message, const Tick& tick) {
     const std::string& frame = message.header().frame_id();
     const LaserSweep sweep = to_sweep(message, robot_.mount_of(frame));
-    if (frames_.is_placed(frame))
-      monitor_->sweep(tick.now, sweep);
-    else
-      monitor_->refuse_unplaced(tick.now, sweep);
+    if (frames_.is_placed(frame)) {
+      monitor_->sweep(tick.now, sweep, {tick.from.writer, tick.from.is_own_clock, robot_.delay_of(frame)});
+      if (monitor_->stamp().has_stepped)
+        log_.warn("scan: the clock that stamps it was set, or all sweeps before were late");
+    } else {
+      monitor_->refuse(tick.now, sweep, SweepFault::unplaced);
+    }
+    tell_dark();
     if (wanted_at_) pass_on(tick);
   }
 
@@ -99,8 +106,12 @@ class CollisionMonitorComponent final : public Component {
 
   /// Says nothing to a robot that stands and that nobody drives.
   void pass_on(const Tick& tick) {
+    monitor_->look(tick.now);
     if (!wanted_at_) return;
-    if (*wanted_at_ > tick.now) wanted_at_ = tick.now;  // the clock went back
+    if (*wanted_at_ > tick.now) {  // the clock went back: how old it is nobody knows
+      wanted_ = {};
+      wanted_at_ = tick.now;
+    }
     const Verdict verdict = judge(tick);
     const bool silent = verdict.cause == kCommandSilent && !moves(monitor_->actual());
     if (!silent || moves(last_.allowed)) publish(verdict, tick.now);
@@ -129,6 +140,18 @@ class CollisionMonitorComponent final : public Component {
     command_.publish(verdict.allowed, now);
   }
 
+  /// Once when it begins, and when it is over.
+  void tell_dark() {
+    const double dark = monitor_->dark();
+    if ((dark > 0.0) == is_dark_) return;
+    is_dark_ = dark > 0.0;
+    diagnostics_->set_value(
+        "dark", is_dark_ ? fmt::format("{:.0f} degrees", dark * 180.0 / std::numbers::pi) : "none");
+    if (is_dark_)
+      log_.warn("what was seen over {:.0f} degrees has vanished: covered, or its light fails; creeping there",
+                dark * 180.0 / std::numbers::pi);
+  }
+
   void report(const Verdict& verdict, bool silent) {
     using Level = DiagnosticReporter::Level;
     diagnostics_->set_value("limited", limited_.text());
@@ -137,12 +160,20 @@ class CollisionMonitorComponent final : public Component {
     const bool is_laser = safety::is_laser_fault(verdict.cause);
     if (is_laser && last_.cause != verdict.cause) {
       const bool unsound = verdict.cause == safety::kLaserInvalid;
-      log_.error("{}: stopping{}", verdict.cause,
-                 unsound ? std::string(": ") + to_text(monitor_->sweep_fault()) : "");
+      log_.error("{}: stopping{}", verdict.cause, unsound ? ": " + fault_text() : "");
     }
     diagnostics_->report(
         is_laser ? Level::error : Level::warn,
         fmt::format("{}: {}", verdict.action == Action::stop ? "stop" : "limited", verdict.cause));
+  }
+
+  std::string fault_text() const {
+    const SweepFault fault = monitor_->sweep_fault();
+    if (fault != SweepFault::bad_stamp) return to_text(fault);
+    const StampAge& stamp = monitor_->stamp();
+    const std::string why = fmt::format("its stamp is {}", to_text(stamp.fault));
+    const bool is_old = stamp.fault == StampFault::late || stamp.fault == StampFault::overtaken;
+    return is_old ? fmt::format("{}: {:.2f} s old", why, stamp.age.to_seconds()) : why;
   }
 
   safety::CollisionMonitorOptions options_;
@@ -157,6 +188,7 @@ class CollisionMonitorComponent final : public Component {
   LimitedShare limited_;
   ScanFrames frames_;
   bool has_driven_ = false;
+  bool is_dark_ = false;
   std::optional<Time> drawn_at_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;

@@ -98,11 +98,8 @@ Json summary_of(const std::string& planner, const std::vector<CourseOutcome>& ou
                 "{}: {} of {} ({:.2f} to {:.2f}), {} with contacts, mean time {:.2f} s, mean score {:.3f}\n",
                 planner, successes, count, share.low, share.high, contacts, mean(times), mean(scores))
                 .c_str());
-  return {{"courses", count},
-          {"successes", successes},
-          {"with_contacts", contacts},
-          {"mean_time_s", mean(times)},
-          {"mean_score", mean(scores)}};
+  return {{"courses", count},          {"success_means", kSuccessMeans}, {"successes", successes},
+          {"with_contacts", contacts}, {"mean_time_s", mean(times)},     {"mean_score", mean(scores)}};
 }
 
 }  // namespace

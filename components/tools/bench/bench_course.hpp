@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "components/evaluation/success.hpp"
 #include "components/tools/bench/course_world.hpp"
 
 namespace bw {
@@ -43,7 +44,7 @@ struct CourseOutcome {
   std::string reason;       ///< what the navigator said
   std::string samples_sha256;
 
-  bool success() const { return reached && contacts == 0; }
+  bool success() const { return is_success(reached, contacts); }
 };
 
 inline constexpr double kCourseSpeed = 2.0;    ///< [m/s]

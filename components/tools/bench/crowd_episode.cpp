@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "components/evaluation/success.hpp"
 #include "components/tools/bench/crowd_people.hpp"
 #include "components/tools/bench/unicycle.hpp"
 
@@ -133,7 +134,7 @@ CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner
     episode.time = begin + period;
     if ((pose.position() - scene.goal.position()).norm() <= rule.goal_tolerance) {
       episode.reached = true;
-      episode.success = !episode.collision;
+      episode.success = is_success(episode.reached, episode.collision ? 1 : 0);
       break;
     }
   }

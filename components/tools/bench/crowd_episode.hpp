@@ -15,7 +15,7 @@ namespace bw {
 
 struct CrowdEpisode {
   std::string name;
-  bool success = false;             ///< goal reached in time without any contact
+  bool success = false;             ///< components/evaluation/success.hpp
   bool reached = false;             ///< goal reached in time
   bool collision = false;           ///< some clearance fell below the robot's radius
   bool collision_at_speed = false;  ///< and the robot was faster than 0.1 m/s then
@@ -31,9 +31,7 @@ struct CrowdEpisode {
   std::vector<possible::Walk> walks;          ///< of walkers who react, in the order of the scene; else empty
 
   /// It failed, and success was impossible (book 8.10).
-  bool is_excused() const {
-    return reached && bw::is_excused(judged, static_cast<int>(contacts.size()), false);
-  }
+  bool is_excused() const { return reached && bw::is_excused(judged, static_cast<int>(contacts.size())); }
 };
 
 /// CPU time so far [ms].

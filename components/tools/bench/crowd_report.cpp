@@ -57,6 +57,7 @@ CrowdSummary summarize(const std::string& planner, const std::vector<CrowdEpisod
   for (const CrowdEpisode& e : episodes) {
     s.contacts += e.collision ? 1 : 0;
     s.contacts_at_speed += e.collision_at_speed ? 1 : 0;
+    s.reached_without_contact_at_speed += e.reached && !e.collision_at_speed ? 1 : 0;
   }
   s.mean_time = mean(figures(episodes, &CrowdEpisode::time));
   const std::vector<double> clearances = figures(episodes, &CrowdEpisode::min_clearance);
@@ -72,7 +73,8 @@ Json to_json(const CrowdSummary& s, const std::vector<CrowdEpisode>& episodes) {
   Json rows = Json::array();
   for (const CrowdEpisode& e : episodes) rows.push_back(to_json(e));
   Json summary = to_json(s.rates);
-  summary.update(Json{{"contacts", s.contacts},
+  summary.update(Json{{"reached_without_contact_at_speed", s.reached_without_contact_at_speed},
+                      {"contacts", s.contacts},
                       {"contacts_at_speed", s.contacts_at_speed},
                       {"mean_time_s", s.mean_time},
                       {"mean_min_clearance_m", s.mean_min_clearance},
@@ -93,17 +95,18 @@ std::string in_a_line(const CrowdEpisode& e) {
 
 std::string table(const std::vector<CrowdSummary>& summaries) {
   std::vector<DriveRates> rates;
-  OwnColumn contacts{"contacts", "", {}}, at_speed{"at speed", "", {}}, time{"time s", "mean", {}},
-      clearance{"clearance m", "mean / min", {}}, index{"CI", "mean / max", {}};
+  OwnColumn unhit{"no contact", "at speed", {}}, contacts{"contacts", "", {}}, at_speed{"at speed", "", {}},
+      time{"time s", "mean", {}}, clearance{"clearance m", "mean / min", {}}, index{"CI", "mean / max", {}};
   for (const CrowdSummary& s : summaries) {
     rates.push_back(s.rates);
+    unhit.cells.push_back(std::to_string(s.reached_without_contact_at_speed));
     contacts.cells.push_back(std::to_string(s.contacts));
     at_speed.cells.push_back(std::to_string(s.contacts_at_speed));
     time.cells.push_back(fmt::format("{:.2f}", s.mean_time));
     clearance.cells.push_back(fmt::format("{:.3f} / {:.3f}", s.mean_min_clearance, s.min_clearance));
     index.cells.push_back(fmt::format("{:.3f} / {:.3f}", s.mean_max_collision_index, s.max_collision_index));
   }
-  return drive_table(rates, {contacts, at_speed, time, clearance, index});
+  return drive_table(rates, {unhit, contacts, at_speed, time, clearance, index});
 }
 
 std::string outcome_in_words(const CrowdEpisode& e) {

@@ -16,6 +16,7 @@ namespace bw {
 struct CrowdSummary {
   DriveRates rates;
   int contacts = 0, contacts_at_speed = 0;
+  int reached_without_contact_at_speed = 0;
   double mean_time = 0.0;
   double mean_min_clearance = 0.0, min_clearance = 0.0;
   double mean_max_collision_index = 0.0, max_collision_index = 0.0;

@@ -25,9 +25,7 @@ struct CrowdNavEpisode {
   std::vector<JudgedContact> judged;  ///< of a base with limits; people who do not see it go on for 6 s
 
   /// It ended with a contact that could not have been avoided.
-  bool is_excused() const {
-    return outcome == CrowdNavOutcome::collision && bw::is_excused(judged, 1, false);
-  }
+  bool is_excused() const { return outcome == CrowdNavOutcome::collision && bw::is_excused(judged, 1); }
 };
 
 /// What is at the beginning of a step.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "components/evaluation/success.hpp"
 #include "components/tools/bench/bench_common.hpp"
 #include "runtime/base/quantile.hpp"
 
@@ -68,6 +69,7 @@ DriveRates rates_of(const std::string& planner, const std::vector<RatedDrive>& d
 
 Json to_json(const DriveRates& rates) {
   return {{"episodes", rates.episodes},
+          {"success_means", kSuccessMeans},
           {"successes", rates.successes},
           {"wilson95", {rates.wilson.low, rates.wilson.high}},
           {"possible", rates.possible},

@@ -41,7 +41,7 @@ struct DriveRates {
 
 DriveRates rates_of(const std::string& planner, const std::vector<RatedDrive>& drives);
 
-/// {episodes, successes, wilson95, possible, wilson95_possible, hits, timeouts, mean_rms_jerk_mps3, mean_ms, p95_ms, max_ms}.
+/// {episodes, success_means, successes, wilson95, possible, wilson95_possible, hits, timeouts, mean_rms_jerk_mps3, mean_ms, p95_ms, max_ms}.
 nlohmann::ordered_json to_json(const DriveRates& rates);
 
 /// {name, possible, contacts, rms_jerk_mps3, mean_ms, p95_ms, max_ms}.

@@ -79,8 +79,8 @@ void add_contacts(nlohmann::json& card, const std::vector<RobotContacts>& robots
     }
     all.insert(all.end(), robot.contacts.begin(), robot.contacts.end());
   }
-  const int counted = card.value("collisions_at_speed", 0);
-  card["possible"] = !(card.value("reached", false) && counted > 0 && is_excused(all, counted, true));
+  const int counted = card.value("collisions", 0);
+  card["possible"] = !(card.value("reached", false) && counted > 0 && is_excused(all, counted));
 }
 
 std::string contacts_in_words(const nlohmann::json& card, const std::string& indent) {

@@ -22,7 +22,7 @@ struct RobotContacts {
 };
 
 /// Puts the contacts of all on a score card, each with its `robot` where it has a name, and `possible`: false when the goal was reached,
-/// and no contact at speed could have been avoided. The card has `reached` and `collisions_at_speed`, which are those of all together.
+/// and none of the contacts could have been avoided. The card has `reached` and `collisions`, which are those of all together.
 void add_contacts(nlohmann::json& card, const std::vector<RobotContacts>& robots);
 
 /// Contacts of a card, each on a line of its own after `indent`; empty without any.

@@ -74,21 +74,19 @@ std::string page_of(const EvaluateOptions& options, const Suite& suite, const Jo
   return std::filesystem::exists(settings.html) ? settings.html.string() : "";
 }
 
-/// Of several robots each that was touched at speed or did not arrive; of one that one.
+/// Of several robots each that was touched or did not arrive; of one that one.
 void picture_failure(FailureAlbum& album, const std::string& stem, const EpisodeResult& result,
                      const DriveResult& driven) {
   const std::string line = in_a_line(result);
   const std::size_t colon = line.find(": ");
   for (const HeardDrive& one : driven.heard) {
     const nlohmann::json& card = one.robot.empty() ? driven.json : driven.json["robots"][one.robot];
-    const bool failed = !card.value("reached", false) || card.value("collisions_at_speed", 1) > 0;
-    if (!failed || album.is_full() || one.recording.moments.empty()) continue;
+    if (is_success(card) || album.is_full() || one.recording.moments.empty()) continue;
     album.add({.name = stem + (one.robot.empty() ? "" : "_" + one.robot),
                .title = line.substr(0, colon) + (one.robot.empty() ? "" : ", " + one.robot),
                .outcome = line.substr(colon + 2) + (result.is_excused() ? ", could not succeed" : ""),
                .reached = card.value("reached", false),
-               .contacts = one.contacts,
-               .only_at_speed = true},
+               .contacts = one.contacts},
               one.recording);
   }
 }

@@ -92,7 +92,10 @@ PlannerSummary summary_of(const std::string& planner, const std::vector<const Ep
   s.episodes = static_cast<int>(drives.size());
   std::vector<const EpisodeResult*> reached;
   for (const EpisodeResult* drive : drives) {
-    if (drive->card.value("reached", false)) reached.push_back(drive);
+    if (drive->card.value("reached", false)) {
+      reached.push_back(drive);
+      if (drive->card.value("collisions_at_speed", 1) == 0) ++s.reached_without_contact_at_speed;
+    }
     if (drive->succeeded()) ++s.successes;
     if (!drive->is_excused()) ++s.possible;
   }
@@ -125,6 +128,7 @@ nlohmann::json to_json(const PlannerSummary& s) {
   return {
       {"episodes", s.episodes},
       {"reached", s.reached},
+      {"reached_without_contact_at_speed", s.reached_without_contact_at_speed},
       {"successes", s.successes},
       {"wilson95", {s.wilson.low, s.wilson.high}},
       {"possible", s.possible},
@@ -153,8 +157,8 @@ std::string stem_of(const SuiteResult& result) { return std::filesystem::path(re
 
 }  // namespace
 
-bool EpisodeResult::succeeded() const {
-  return card.value("reached", false) && card.value("collisions_at_speed", 1) == 0;
+bool is_success(const nlohmann::json& card) {
+  return is_success(card.value("reached", false), card.value("collisions", 1));
 }
 
 std::vector<PlannerSummary> summarize(const SuiteResult& result) {
@@ -181,7 +185,10 @@ nlohmann::json to_json(const SuiteResult& result, const std::vector<PlannerSumma
   }
   nlohmann::json summary = nlohmann::json::object();
   for (const PlannerSummary& row : planners) summary[row.planner] = to_json(row);
-  return {{"suite", result.suite}, {"summary", std::move(summary)}, {"episodes", std::move(episodes)}};
+  return {{"suite", result.suite},
+          {"success_means", kSuccessMeans},
+          {"summary", std::move(summary)},
+          {"episodes", std::move(episodes)}};
 }
 
 std::string in_words(const std::vector<SuiteResult>& results,
@@ -195,20 +202,21 @@ std::string in_words(const std::vector<SuiteResult>& results,
     }
   }
   constexpr auto kRow =
-      "{:<11} {:<13} {:>9} {:>11} {:>9} {:>11} {:>8} {:>8} {:>8} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6} {:>7} {:>7} {:>7}\n";
+      "{:<11} {:<13} {:>9} {:>11} {:>9} {:>11} {:>10} {:>8} {:>8} {:>8} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6} {:>7} {:>7} {:>7}\n";
   out += fmt::format(kRow, "suite", "planner", "success", "Wilson 95 %", "possible", "Wilson 95 %",
-                     "contacts", "at speed", "person m", "CI max", "median", "time s", "jerk", "pose m",
-                     "max", "ms mean", "p95", "max");
+                     "no contact", "contacts", "at speed", "person m", "CI max", "median", "time s", "jerk",
+                     "pose m", "max", "ms mean", "p95", "max");
   std::string hits;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const std::string suite = stem_of(results[i]);
     for (const PlannerSummary& row : planners[i]) {
-      out += fmt::format(
-          kRow, suite, row.planner, fmt::format("{} of {}", row.successes, row.episodes), text(row.wilson),
-          fmt::format("{} of {}", row.successes, row.possible), text(row.wilson_possible), row.contacts,
-          row.contacts_at_speed, text(row.closest_person, 2), text(row.max_index, 2),
-          text(row.median_index, 2), text(row.mean_time, 1), text(row.mean_jerk, 2), text(row.mean_pose, 3),
-          text(row.max_pose, 2), text(row.mean_ms, 2), text(row.p95_ms, 2), text(row.max_ms, 2));
+      out += fmt::format(kRow, suite, row.planner, fmt::format("{} of {}", row.successes, row.episodes),
+                         text(row.wilson), fmt::format("{} of {}", row.successes, row.possible),
+                         text(row.wilson_possible), row.reached_without_contact_at_speed, row.contacts,
+                         row.contacts_at_speed, text(row.closest_person, 2), text(row.max_index, 2),
+                         text(row.median_index, 2), text(row.mean_time, 1), text(row.mean_jerk, 2),
+                         text(row.mean_pose, 3), text(row.max_pose, 2), text(row.mean_ms, 2),
+                         text(row.p95_ms, 2), text(row.max_ms, 2));
       hits += fmt::format("contacts in {} of {}: {}\n", suite, row.planner, row.hits.in_words());
     }
   }

@@ -1,6 +1,4 @@
-// Many drives as one result: per planner how many succeeded, and the figures of all. A drive succeeds when
-// the goal is reached and nobody was touched while the robot moved (collisions_at_speed is 0): people who do
-// not see the robot may walk into one that stands.
+// Many drives as one result: per planner how many succeeded (components/evaluation/success.hpp), and the figures of all.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +10,14 @@
 #include <nlohmann/json.hpp>
 
 #include "components/evaluation/rate_interval.hpp"
+#include "components/evaluation/success.hpp"
 #include "components/tools/comparison/comparison_report.hpp"
 #include "components/tools/contacts/contact_report.hpp"
 
 namespace bw {
+
+/// Of a score card.
+bool is_success(const nlohmann::json& card);
 
 /// One drive: name, seed, planner (and the condition it drove under), and its score card (score_card_json.hpp).
 struct EpisodeResult {
@@ -25,7 +27,7 @@ struct EpisodeResult {
   nlohmann::json card;
   std::string page = {};  ///< file that plays the drive; empty: none
 
-  bool succeeded() const;
+  bool succeeded() const { return bw::is_success(card); }
   /// It failed, and success was impossible for people who walk as they did (book 8.10).
   bool is_excused() const { return !succeeded() && !card.value("possible", true); }
 };
@@ -41,6 +43,7 @@ struct PlannerSummary {
   std::string planner;
   int episodes = 0, reached = 0, successes = 0;
   Interval wilson;
+  int reached_without_contact_at_speed = 0;
   int possible = 0;          ///< episodes in which success was possible (book 8.10)
   Interval wilson_possible;  ///< of the successes among them
   HitCounts hits;            ///< contacts with somebody by who hit whom
@@ -57,7 +60,7 @@ struct PlannerSummary {
 std::vector<PlannerSummary> summarize(const SuiteResult& result);
 
 /// Of one suite; the verb adds {planned, driven, complete}, which count drives:
-/// {suite, summary: {planner: {episodes, reached, successes, wilson95, possible, wilson95_possible, hits, contacts, contacts_at_speed,
+/// {suite, success_means, summary: {planner: {episodes, reached, reached_without_contact_at_speed, successes, wilson95, possible, wilson95_possible, hits, contacts, contacts_at_speed,
 /// min_distance_m, closest_person_m, max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3,
 /// localization: {mean_rms_m, max_m}, planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner,
 /// success, possible, ... score card}]}. The robot's way is told of drives that failed, and their `page` where there is one.

@@ -66,21 +66,31 @@ std::vector<Criterion> criteria_of(const AllPart& part) {
 Verdict verdict_of(const AllPart& part) {
   if (!part.results.is_object()) return Verdict::missing;
   const std::vector<Criterion> criteria = criteria_of(part);
+  if (criteria.empty()) return Verdict::not_judged;
   if (!all_met(criteria)) return Verdict::not_reproduced;
   const auto open = std::ranges::count_if(criteria, [](const Criterion& c) { return !c.not_judged.empty(); });
   if (open == 0) return Verdict::reproduced;
   return open == std::ssize(criteria) ? Verdict::not_judged : Verdict::in_part;
 }
 
-bool all_reproduced(const std::vector<AllPart>& parts) {
+bool nothing_missed(const std::vector<AllPart>& parts) {
   return std::ranges::none_of(parts, [](const AllPart& part) {
     const Verdict verdict = verdict_of(part);
     return verdict == Verdict::missing || verdict == Verdict::not_reproduced;
   });
 }
 
+bool is_reproduced(const AllRun& run) {
+  return run.is_finished && !run.parts.empty() && std::ranges::all_of(run.parts, [](const AllPart& part) {
+           return verdict_of(part) == Verdict::reproduced;
+         });
+}
+
 nlohmann::ordered_json all_json(const AllRun& run) {
   Json parts = Json::array();
+  Json verdicts = Json::object();
+  for (const Verdict verdict : kAllVerdicts)
+    verdicts[std::string(to_string(verdict))] = std::ranges::count(run.parts, verdict, verdict_of);
   for (const AllPart& part : run.parts) {
     Json json = {{"subject", part.subject},
                  {"experiments", part.experiments},
@@ -97,7 +107,9 @@ nlohmann::ordered_json all_json(const AllRun& run) {
   return {{"experiment", "all"},
           {"quick", run.quick},
           {"finished", run.is_finished},
-          {"reproduced", run.is_finished && all_reproduced(run.parts)},
+          {"reproduced", is_reproduced(run)},
+          {"nothing_missed", run.is_finished && nothing_missed(run.parts)},
+          {"verdicts", std::move(verdicts)},
           {"parts", std::move(parts)}};
 }
 

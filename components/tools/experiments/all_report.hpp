@@ -1,6 +1,7 @@
 // What `bandwagon reproduce all` makes of the results of its parts: one list of verdicts, one page.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -26,16 +27,18 @@ enum class Verdict {
   reproduced,      ///< all criteria are judged and met
   not_reproduced,  ///< some are not met
   in_part,         ///< some are met, others need more seeds
-  not_judged,      ///< all need more seeds
+  not_judged,      ///< there are none, or all need more seeds
   missing          ///< it did not come to an end
 };
+inline constexpr std::array kAllVerdicts = {Verdict::reproduced, Verdict::not_reproduced, Verdict::in_part,
+                                            Verdict::not_judged, Verdict::missing};
 std::string_view to_string(Verdict verdict);
 
 std::vector<Criterion> criteria_of(const AllPart& part);
 Verdict verdict_of(const AllPart& part);
 
-/// Every part came to an end, and what it judges is met.
-bool all_reproduced(const std::vector<AllPart>& parts);
+/// Every part came to an end, and what it judges is met: the exit status. A quick run judges little and may miss nothing.
+bool nothing_missed(const std::vector<AllPart>& parts);
 
 struct AllRun {
   std::vector<AllPart> parts;
@@ -44,7 +47,10 @@ struct AllRun {
   std::string program = {};  ///< version and revision
 };
 
-/// {experiment: "all", quick, finished, reproduced, parts: [{subject, experiments, verdict, judged, criteria, other_readings, published,
+/// Finished, and every criterion of every part is judged and met.
+bool is_reproduced(const AllRun& run);
+
+/// {experiment: "all", quick, finished, reproduced, nothing_missed, verdicts: {verdict: number of parts}, parts: [{subject, experiments, verdict, judged, criteria, other_readings, published,
 /// tuned_to_published, page}]}
 nlohmann::ordered_json all_json(const AllRun& run);
 

@@ -33,7 +33,7 @@ constexpr std::string_view kHallway =
     "TEB to "
     "PTEB to ETEB, and PTEB and ETEB stay below 0.54 in at least 80 % of the seeds. The whole graph in "
     "lock-step, "
-    "six walkers (full) or three (light). A success reaches the goal and touches nobody while it moves; "
+    "six walkers (full) or three (light). A success reaches the goal without any contact; "
     "times and "
     "lengths are means of drives that reached it.</p>\n"
     "<p>Judged are drives by <b>ideal senses</b>: pose, people and walls are told without error, so that "

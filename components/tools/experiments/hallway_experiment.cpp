@@ -163,7 +163,7 @@ nlohmann::ordered_json hallway_json(const std::vector<HallwayDrive>& drives) {
                     {"path_length_m", drive.path_length}});
     if (!drive.page.empty()) list.back()["page"] = drive.page;
   }
-  return {{"rows", std::move(rows)}, {"drives", std::move(list)}};
+  return {{"success_means", kSuccessMeans}, {"rows", std::move(rows)}, {"drives", std::move(list)}};
 }
 
 std::string hallway_table(const std::vector<HallwayRow>& rows) {

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "components/evaluation/success.hpp"
 #include "components/tools/experiments/criterion.hpp"
 #include "runtime/base/pose2.hpp"
 
@@ -36,8 +37,7 @@ struct HallwayDrive {
   std::string page = {};             ///< that plays the drive, beside the results; empty: none
 
   const char* senses() const { return own_senses ? "own" : "ideal"; }
-  /// As a suite counts it: reached, and nobody was touched while the robot moved.
-  bool succeeded() const { return reached && contacts_at_speed == 0; }
+  bool succeeded() const { return is_success(reached, contacts); }
 };
 
 /// Missing or null figures stay 0; a drive without a score card has not reached.

@@ -168,6 +168,7 @@ nlohmann::ordered_json navigation_json(const NavigationResults& results) {
   for (const NavigationDrive& drive : results.drives) drives.push_back(drive_json(drive));
   return {{"experiment", "navigation"},
           {"emulated", results.emulated},
+          {"success_means", kSuccessMeans},
           {"rows", std::move(rows)},
           {"drives", std::move(drives)}};
 }

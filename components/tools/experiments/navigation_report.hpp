@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "components/evaluation/success.hpp"
 #include "components/tools/experiments/criterion.hpp"
 #include "components/tools/experiments/published_value.hpp"
 
@@ -45,8 +46,8 @@ struct NavigationDrive {
   double localization_rms = 0.0;
   std::string page = {};  ///< that plays the drive, beside the results; empty: none
 
-  /// What is judged.
-  bool succeeded() const { return reached && contacts == 0; }
+  /// What is judged (components/evaluation/success.hpp).
+  bool succeeded() const { return is_success(reached, contacts); }
 };
 
 /// What the card does not say stays 0.

@@ -139,7 +139,7 @@ bool reproduce_all(const ReproduceArguments& arguments) {
   fmt::print("{}{}written: {}\n", all_table(run.parts),
              is_finished ? "" : "interrupted: the same command goes on from here\n",
              (arguments.out / "index.html").string());
-  return is_finished && all_reproduced(run.parts);
+  return is_finished && nothing_missed(run.parts);
 }
 
 }  // namespace bw

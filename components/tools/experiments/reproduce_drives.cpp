@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "components/tools/evaluate/suite_report.hpp"
 #include "components/tools/experiments/graph_text.hpp"
 #include "components/tools/experiments/index_course.hpp"
 #include "components/tools/experiments/kept.hpp"
@@ -28,11 +29,6 @@ std::string made_by(const DriveJob& job) {
 DriveSettings settings_of(const DriveJob& job) {
   return {.host = {.clock = ClockMode::lockstep, .seed = static_cast<std::uint64_t>(job.seed), .alone = true},
           .longest = Duration::seconds(job.time_limit)};
-}
-
-/// As a suite counts it: reached, and nobody was touched while the robot moved.
-bool succeeded(const nlohmann::json& card) {
-  return card.value("reached", false) && card.value("collisions_at_speed", 1) == 0;
 }
 
 DriveResult drive_uninterrupted(const DriveJob& job, const DriveSettings& settings) {
@@ -81,7 +77,7 @@ void tell(const DriveJob& job, const nlohmann::json& card, std::size_t done, std
     return found != card.end() && found->is_number() ? found->get<double>() : 0.0;
   };
   std::cerr << fmt::format("[{}/{}] {}: {}, largest CI {:.2f}{}\n", done, all, job.title,
-                           succeeded(card) ? fmt::format("{:.1f} s", figure("time_to_goal_s")) : "FAILED",
+                           is_success(card) ? fmt::format("{:.1f} s", figure("time_to_goal_s")) : "FAILED",
                            figure("max_collision_index"), is_kept ? ", kept" : "");
 }
 
@@ -112,7 +108,7 @@ std::vector<DrivenJob> drive_all(const std::vector<DriveJob>& jobs, const Reprod
   if (!arguments.shard.is_all()) return {};
   int pages = viewer::page_files().empty() ? kMostPages : 0;  // of a program without the page none
   for (std::size_t i = 0; i < jobs.size() && pages < kMostPages; ++i) {
-    if (succeeded(driven[i].card)) continue;
+    if (is_success(driven[i].card)) continue;
     driven[i].page = page_of(jobs[i], kept, arguments.out);
     ++pages;
   }

@@ -68,11 +68,7 @@ std::string list_of(const std::vector<ExplainedFailure>& failures) {
 }  // namespace
 
 std::optional<JudgedContact> deciding_contact(const FailedDrive& drive) {
-  const auto counts = [&](const JudgedContact& contact) {
-    return !drive.only_at_speed || contact.record.at_speed;
-  };
-  const auto found = std::find_if(drive.contacts.begin(), drive.contacts.end(), counts);
-  return found == drive.contacts.end() ? std::nullopt : std::optional(*found);
+  return drive.contacts.empty() ? std::nullopt : std::optional(drive.contacts.front());
 }
 
 std::string causes_in_words(const std::vector<ExplainedFailure>& failures) {

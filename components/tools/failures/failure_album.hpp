@@ -18,10 +18,9 @@ struct FailedDrive {
   std::string outcome;   ///< one line: how it ended
   bool reached = false;  ///< the goal
   std::vector<JudgedContact> contacts;
-  bool only_at_speed = false;  ///< contacts of a robot that stood do not count
 };
 
-/// The contact that made the drive fail, the first that counts; nothing without any.
+/// The contact that made the drive fail, the first; nothing without any.
 std::optional<JudgedContact> deciding_contact(const FailedDrive& drive);
 
 /// A drive with what was found about it.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "components/evaluation/adaptor/truth_messages.hpp"
+#include "components/evaluation/success.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/model/robot.hpp"
 #include "components/tools/contacts/contact_report.hpp"
@@ -77,12 +78,12 @@ int score(const ScoreOptions& options) {
   for (const ScoredDrive& drive : score.drives) {
     json["drives"].push_back(to_json(drive));
     if (drive.has_goal) {
-      const bool is_success = drive.card.reached && drive.card.collisions_at_speed == 0;
-      successes += is_success ? 1 : 0;
+      successes += is_success(drive.card.reached, drive.card.collisions) ? 1 : 0;
       possible += json["drives"].back()["possible"].get<bool>() ? 1 : 0;
     }
     all_reached &= drive.card.reached || !drive.has_goal;
   }
+  json["success_means"] = kSuccessMeans;
   json["successes"] = successes;
   json["possible"] = possible;
   if (options.json) {
@@ -95,9 +96,8 @@ int score(const ScoreOptions& options) {
   if (score.drives.empty()) std::cout << "No drive is in the bag: no goal was set.\n";
   for (const auto& drive : json["drives"]) std::cout << in_words(drive);
   if (possible > 0 || successes > 0)
-    std::cout << fmt::format(
-        "{} of {} drives without a contact at speed to the goal, {} of {} where possible.\n", successes,
-        score.drives.size(), successes, possible);
+    std::cout << fmt::format("{} of {} drives without a contact to the goal, {} of {} where possible.\n",
+                             successes, score.drives.size(), successes, possible);
   return all_reached ? 0 : 1;
 }
 

@@ -31,12 +31,14 @@ using cli::Key;
 using std_srvs::srv::Trigger;
 
 constexpr Duration kPeriod = Duration::milliseconds(50);
+constexpr Duration kUntilInForce = Duration::milliseconds(300);  ///< from the key to base_state
 constexpr int kZeros = 3;  ///< after a motion: one may be lost, and then the hand is silent
 
 constexpr const char* kHelp =
     R"(        u   up   o            w, s, a, d and the arrows drive and turn, u and o on an arc
        left     right         + and - change the speed, SPACE stops
-           down               x EMERGENCY STOP, R and then y releases it and all other latches
+           down               x EMERGENCY STOP, R and then y releases it and all other latches,
+                              and lets a goal go on that you interrupted
 The robot drives while a key is held: it stops 0.2 s after the last one, and once between the first and the
 moment at which the keyboard begins to repeat it. q or Ctrl-C ends.
 )";
@@ -79,6 +81,7 @@ class Teleop {
         emergency_(participant_, name(options, "emergency_stop"), Qos::standard()),
         odometry_(participant_, name(options, "odom")),
         state_(participant_, name(options, "base_state")),
+        override_(participant_, name(options, "manual_override"), Qos::latched()),
         release_(participant_, name(options, "release_stop"), service_type<Trigger>(), [] {}) {}
 
   /// Ends at rest, whatever ended it.
@@ -132,6 +135,8 @@ class Teleop {
     if (auto odometry = odometry_.take_newest())
       measured_ = Twist2{odometry->twist().twist().linear().x(), odometry->twist().twist().angular().z()};
     if (auto state = state_.take_newest()) base_ = std::move(state);
+    if (auto override = override_.take_newest()) is_interrupted_ = override->data();
+    if (stopping_since_) see_stop(t);
     if (release_at_ && t >= *release_at_) ask_for_release();
     if (asked_) hear_release();
   }
@@ -181,14 +186,28 @@ class Teleop {
   }
 
   void stop_at_once() {
-    stop(true);
     publish({});
-    said_ = emergency_.readers() > 0 ? "emergency stop"
-                                     : "NOBODY HEARS emergency_stop: use the switch of the base";
+    base_.reset();  // what it says from now on counts
+    stopping_since_ = now();
+    see_stop(*stopping_since_);
+  }
+
+  /// That somebody has a reader says nothing: the base itself tells that it is latched. Until then it is said again.
+  void see_stop(Time t) {
+    namespace base = bandwagon_msgs::msg::BaseState_Constants;
+    if (base_ && base_->state() == base::EMERGENCY_STOP && base_->is_latched()) {
+      said_ = "the emergency stop is in force";
+      return stopping_since_.reset();
+    }
+    stop(true);
+    said_ = t - *stopping_since_ < kUntilInForce
+                ? "emergency stop"
+                : "NOT STOPPED: base_state tells of no emergency stop; use the switch of the base";
   }
 
   /// The switch is pulled out first, and heard: what is still pressed is not released.
   void release() {
+    stopping_since_.reset();
     stop(false);
     release_at_ = now() + Duration::milliseconds(100);
     said_ = "releasing";
@@ -214,9 +233,10 @@ class Teleop {
   std::string in_one_line() const {
     const std::string robot = measured_ ? "robot " + in_words(*measured_) : "no odom is heard";
     const std::string ear = commands_.readers() > 0 ? "" : " | nobody hears cmd_vel_teleop";
-    return fmt::format("{:3.0f} % | hand {} | {} | {}{}{}{}", hand_.share() * 100.0,
-                       in_words(hand_.twist(now())), robot, in_words(base_), ear, said_.empty() ? "" : " | ",
-                       said_);
+    const std::string waits = is_interrupted_ ? " | a goal waits (R lets it go on)" : "";
+    return fmt::format("{:3.0f} % | hand {} | {} | {}{}{}{}{}", hand_.share() * 100.0,
+                       in_words(hand_.twist(now())), robot, in_words(base_), waits, ear,
+                       said_.empty() ? "" : " | ", said_);
   }
 
   DeadMan hand_;
@@ -225,14 +245,17 @@ class Teleop {
   cli::TopicWriter<std_msgs::msg::Bool> emergency_;
   cli::TopicReader<nav_msgs::msg::Odometry> odometry_;
   cli::TopicReader<bandwagon_msgs::msg::BaseState> state_;
+  cli::TopicReader<std_msgs::msg::Bool> override_;
   ServiceCaller release_;
   Twist2 sent_;
   Time sent_at_;
   int zeros_owed_ = 0;
   bool has_driven_ = false;
+  bool is_interrupted_ = false;  ///< somebody whom a hand took over from waits for a release
   std::optional<Twist2> measured_;
   std::optional<bandwagon_msgs::msg::BaseState> base_;
   bool is_release_asked_ = false;
+  std::optional<Time> stopping_since_;  ///< x was pressed, and the base has not said that it is stopped
   std::optional<Time> release_at_;
   std::optional<std::int64_t> asked_;
   std::string said_;

@@ -20,9 +20,11 @@
 
 #include "components/tools/drive_page/drive_page.hpp"
 #include "components/viewer/adaptor/page_server.hpp"
+#include "runtime/atomic_file.hpp"
 #include "runtime/build_identity.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/temporary_folder.hpp"
 
 namespace bw {
 namespace {
@@ -36,10 +38,19 @@ struct ViewOptions {
   bool open = false;
 };
 
+/// A page of our own folder that leads to the address: on a command line every user of the machine could read its token.
+std::string page_that_leads_to(const std::string& address) {
+  static const TemporaryFolder folder;  // as long as the program: browsers take their time
+  const fs::path page = folder.path() / "open.html";
+  write_file_atomically(
+      page, fmt::format("<!doctype html><meta http-equiv=\"refresh\" content=\"0; url={}\">\n", address));
+  return page.string();
+}
+
 /// Asks the desktop to show it; who has none opens it by hand.
 void open_browser(const std::string& address) {
   std::string program = "xdg-open";
-  std::string argument = address;
+  std::string argument = address.find("?token=") == std::string::npos ? address : page_that_leads_to(address);
   char* const arguments[] = {program.data(), argument.data(), nullptr};
   pid_t child = 0;
   int status = 0;

@@ -88,7 +88,10 @@ PageServer::PageServer(const web::ServerOptions& options, foxglove::WireRobotOpt
 
 PageServer::~PageServer() = default;
 
-std::string PageServer::address() const { return parts_->web.address(); }
+std::string PageServer::address() const {
+  const std::string token = parts_->web.run_token();
+  return parts_->web.address() + (token.empty() ? "" : "?token=" + token);
+}
 
 /// There is nobody to talk to.
 struct NoRobot final : web::SocketHandler {

@@ -20,7 +20,7 @@ class PageServer {
   PageServer(const PageServer&) = delete;
   PageServer& operator=(const PageServer&) = delete;
 
-  /// http://127.0.0.1:8765/
+  /// http://127.0.0.1:8765/?token=...: with the run's token, which commands need. Without one where a token_file holds it.
   std::string address() const;
 
  private:

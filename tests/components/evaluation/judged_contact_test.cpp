@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "components/evaluation/success.hpp"
+
 namespace bw {
 namespace {
 
@@ -35,7 +37,7 @@ TEST(JudgedContact, WhoWasThereCouldBeAvoided) {
   EXPECT_EQ(judged[0].verdict.avoidance, Avoidance::avoidable);
   // Braking at 1 m/s^2 takes 0.5 m.
   EXPECT_NEAR(*judged[0].verdict.saveable_until, 2.9, 0.15);
-  EXPECT_FALSE(is_excused(judged, 1, true));
+  EXPECT_FALSE(is_excused(judged, 1));
 }
 
 // 0.1 m ahead of the rim: braking takes 0.5 m, and 0.25 m with twice the deceleration.
@@ -45,8 +47,8 @@ TEST(JudgedContact, WhoAppearsInMidFloorCouldNot) {
   ASSERT_EQ(judged.size(), 1U);
   EXPECT_TRUE(judged[0].record.begins_mid_floor);
   EXPECT_EQ(judged[0].verdict.avoidance, Avoidance::not_avoidable);
-  EXPECT_TRUE(is_excused(judged, 1, true));
-  EXPECT_FALSE(is_excused(judged, 2, true));  // a wall besides
+  EXPECT_TRUE(is_excused(judged, 1));
+  EXPECT_FALSE(is_excused(judged, 2));  // a wall besides
 }
 
 TEST(JudgedContact, WithoutLimitsNothingIsJudged) {
@@ -55,15 +57,19 @@ TEST(JudgedContact, WithoutLimitsNothingIsJudged) {
   const std::vector<JudgedContact> judged = judge_contacts(recording);
   ASSERT_EQ(judged.size(), 1U);
   EXPECT_FALSE(judged[0].is_judged);
-  EXPECT_FALSE(is_excused(judged, 1, true));
+  EXPECT_FALSE(is_excused(judged, 1));
 }
 
-TEST(JudgedContact, AStandingRobotsContactsCountOnlyWhereAllDo) {
+// Success is one thing (success.hpp): the contact of a robot that stands counts as any other, for failure and for excuse.
+TEST(JudgedContact, AStandingRobotsContactsCountAsAllOthers) {
   JudgedContact stood;
   stood.is_judged = true;
   stood.verdict.avoidance = Avoidance::not_avoidable;
-  EXPECT_FALSE(is_excused({stood}, 0, true));  // none of those that count
-  EXPECT_TRUE(is_excused({stood}, 1, false));
+  EXPECT_TRUE(is_excused({stood}, 1));
+  EXPECT_FALSE(is_excused({}, 0));
+  EXPECT_FALSE(is_success(true, 1));
+  EXPECT_FALSE(is_success(false, 0));
+  EXPECT_TRUE(is_success(true, 0));
 }
 
 }  // namespace

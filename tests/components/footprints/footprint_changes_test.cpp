@@ -46,8 +46,10 @@ struct Corridor {
   std::map<int, geometry_msgs::msg::Polygon> told;
   std::map<int, std::vector<NamedValue>> changes;
   bool accepts_inputs = true;
+  /// A rectangle that carries something round, which the costmap tells from the start on.
   std::string graph =
-      "{lifecycle: own, robot: {radius: 0.334}, components: {collision_monitor: {}, local_costmap: {parameters: {nav2_names: true}}}}";
+      "{lifecycle: own, robot: {footprint: [[0.255, 0.215], [-0.255, 0.215], [-0.255, -0.215], [0.255, -0.215]]}, "
+      "components: {collision_monitor: {}, local_costmap: {parameters: {nav2_names: true, robot_radius: 0.334}}}}";
 
   std::vector<std::string> refusals;
   std::map<int, double> speed;         ///< allowed at the end of each second
@@ -171,7 +173,7 @@ TEST(FootprintChanges, ByTopicForEveryComponent) {
   // The arrow turns inwards: refused, and the rectangle stays.
   EXPECT_EQ(corridor.speed[5], 0.5);
   EXPECT_EQ(corridor.corners[5], 4U);
-  EXPECT_EQ(corridor.heard.size(), 1U);
+  EXPECT_EQ(corridor.heard.size(), 2U);
   EXPECT_EQ(corridor.heard.front().header().frame_id(), "base_link");
   EXPECT_THAT(corridor.costmap_diagnostics["footprint"], HasSubstr("refused: it must be convex"));
 }
@@ -188,9 +190,12 @@ TEST(FootprintChanges, ByTheParametersOfNav2) {
   EXPECT_EQ(corridor.speed[4], 0.5) << "a rectangle, and no arrow";
   EXPECT_EQ(corridor.corners[4], 4U);
   EXPECT_EQ(corridor.speed[6], 0.0) << "0.215 m and 0.1 m are more than 0.25 m";
-  EXPECT_EQ(corridor.speed[8], 0.5) << "a disc of 0.2 m";
+  EXPECT_EQ(corridor.speed[8], 0.5)
+      << "a disc of 0.2 m for who plans; the monitor keeps the robot file's rectangle";
   EXPECT_EQ(corridor.corners[8], 16U);
-  EXPECT_EQ(corridor.speed[10], 0.0) << "the robot's own disc again";
+  EXPECT_EQ(corridor.marked[8], 5U);
+  EXPECT_EQ(corridor.speed[10], 0.5) << "the robot's own rectangle again";
+  EXPECT_EQ(corridor.corners[10], 4U);
   ASSERT_EQ(corridor.refusals.size(), 7U);
   EXPECT_EQ(corridor.refusals[0], "");
   EXPECT_THAT(corridor.refusals[1], HasSubstr("footprint = "));
@@ -198,21 +203,24 @@ TEST(FootprintChanges, ByTheParametersOfNav2) {
   for (std::size_t i = 2; i < corridor.refusals.size(); ++i) EXPECT_EQ(corridor.refusals[i], "") << i;
 }
 
-// What the graph says of the costmap holds for all from the start.
+// What the graph says of the costmap holds for all from the start, but the monitor takes no less than the robot file says.
 TEST(FootprintChanges, FromTheGraphOfACostmap) {
   Corridor corridor;
   corridor.graph =
       "{robot: {radius: 0.334}, components: {collision_monitor: {}, local_costmap: {parameters: {nav2_names: true, "
       "footprint: [[0.255, 0.215], [-0.255, 0.215], [-0.255, -0.215], [0.255, -0.215]]}}}}";
   corridor.run(1.9);
-  EXPECT_EQ(corridor.speed[1], 0.5);
+  EXPECT_EQ(corridor.speed[1], 0.0) << "a disc of 0.334 m";
   EXPECT_EQ(corridor.corners[1], 4U);
+  EXPECT_EQ(corridor.marked[1], 49U);
 }
 
 // Where nothing may change from outside, nobody listens, and the parameter says so.
 TEST(FootprintChanges, NotInLockStepWithoutInputs) {
   Corridor corridor;
   corridor.accepts_inputs = false;
+  corridor.graph =
+      "{lifecycle: own, robot: {radius: 0.334}, components: {collision_monitor: {}, local_costmap: {parameters: {nav2_names: true}}}}";
   corridor.told = {{2, rectangle()}};
   corridor.changes = {{1, {{"footprint", std::string(kRectangle)}}}};
   corridor.run(3.9);

@@ -36,12 +36,13 @@ struct Drive {
 };
 
 /// The hallway's graph with these settings until the card says that it is over, or `limit` [s].
-/// `changes_at` [s]: it begins as the disc around the rectangle, and is told that it is the rectangle by then.
+/// `changes_at` [s]: it carries something as wide as the disc around the rectangle, and is told that it is the rectangle by then.
 Drive driven(std::vector<std::string> settings, double limit, std::optional<double> changes_at = {}) {
   Drive drive;
   std::vector<std::string> refusals;
   const Footprint rectangle = footprint_of(kRectangle, 0.0).footprint;
-  settings.push_back(changes_at ? "robot.radius=0.334" : "robot.footprint='" + kRectangle + "'");
+  settings.push_back("robot.footprint='" + kRectangle + "'");
+  if (changes_at) settings.emplace_back("local_costmap.robot_radius=0.334");
   const auto watch = [&](Setup& setup) {
     setup.input<GroundTruth>("sim/ground_truth", Qos::standard(), [&](const auto& truth, const Tick&) {
       if (drive.is_over) return;
@@ -128,6 +129,7 @@ TEST(FootprintGraph, ARobotFileWithAPolygonDrives) {
 }
 
 // As a disc it stands before the passage; what it carried is put down at 9 s, and all who plan, guard, judge and simulate it hear so.
+// (It is the rectangle of the robot file then, and no less: the monitor would not take less.)
 // Later it stands far beside the passage, from where it finds none (Limits in components/local_planner/homotopy/README.md).
 TEST(FootprintGraph, APassageIsPassedOnceTheOutlineIsSmaller) {
   const Drive stood = driven(passage(0.6, false), 12.0, 30.0);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "components/evaluation/success.hpp"
 #include "components/tools/evaluate/suite.hpp"
 #include "components/tools/program/drive.hpp"
 #include "runtime/registry.hpp"
@@ -50,7 +51,7 @@ Drive drive_once(const Suite& suite, std::size_t episode, int seed, bool by_acti
   options.host.seed = static_cast<std::uint64_t>(seed);
   options.longest = Duration::seconds(suite.options.time_limit);
   const nlohmann::json card = drive(std::move(graph), options).json;
-  return {.success = card["reached"].get<bool>() && card["collisions_at_speed"].get<int>() == 0,
+  return {.success = is_success(card["reached"], card["collisions"]),
           .time = card["time_to_goal_s"].is_number() ? card["time_to_goal_s"].get<double>() : 0.0,
           .jerk = card["rms_jerk_mps3"].get<double>()};
 }

@@ -129,16 +129,20 @@ TEST_P(Rooms, StartAnywhere) {
 
 TEST_P(Rooms, CarriedAway) {
   Found found;
-  for (int t = 0; t < trials(); ++t) {
+  // In a crowd what is asked is not reached: as many drives as the README's figure has, so that a loss is seen.
+  const int drives = GetParam() ? std::max(trials(), 20) : trials();
+  for (int t = 0; t < drives; ++t) {
     const OccupancyGrid map = test::repeated_rooms(seed(1, t));
     found.add(test::kidnap(map, test::Roads(map), kDefaults, noise(), seed(300, t), 60, 8.0), 30);
   }
   found.print(named("carried away"));
-  EXPECT_GE(found.found, enough(trials()));
-  // In a crowd a look-alike room agrees for a while.
+  EXPECT_GE(found.found, enough(drives));
+  // In a crowd a look-alike room agrees for a while: 17 of 20. Seeds are fixed, so that one drive more or less is what a change of
+  // something else, or another CPU, may do; binomial noise of 20 drives would be 2.6.
   if (GetParam()) {
-    bw::test::expect_at_least("share of drives in which LOST is said within 3 s", 1.0,
-                              trials() * 4 / 5 / double(trials()), found.reported / double(trials()));
+    bw::test::expect_at_least("share of drives in which LOST is said within 3 s",
+                              {.asked = 1.0, .measured = 17.0 / 20.0, .noise = 1.0 / drives},
+                              found.reported / double(drives));
   } else {
     EXPECT_GE(found.reported, enough(trials()));
   }

@@ -23,9 +23,11 @@ using testing::ElementsAre;
 
 using namespace std::string_literals;
 
-const std::string kGraph =
-    "components: {map_server: {parameters: {area: {length: 2.0, width: 1.0, resolution: 0.5}, walls: [{x1: 0.1, y1: 0.1, "
-    "x2: 0.2, y2: 0.1}]}}, map_saver: {}}";
+std::string graph(const std::string& saver) {
+  return "components: {map_server: {parameters: {area: {length: 2.0, width: 1.0, resolution: 0.5}, walls: [{x1: 0.1, y1: 0.1, "
+         "x2: 0.2, y2: 0.1}]}}, map_saver: {parameters: {" +
+         saver + "}}}";
+}
 /// 4 x 2 cells of the graph's area, with its wall.
 const OccupancyGrid kArea{.resolution = 0.5, .width = 4, .height = 2, .cells = {100, 0, 0, 0, 0, 0, 0, 0}};
 
@@ -53,7 +55,8 @@ SaveMap::Request save(const std::string& topic, const std::string& url, const st
 }
 
 /// One load or save each tenth of a second, then a look at the map.
-Answers run(const std::vector<std::string>& urls, const std::vector<SaveMap::Request>& savings) {
+Answers run(const std::vector<std::string>& urls, const std::vector<SaveMap::Request>& savings,
+            const std::string& saver = "") {
   Answers answers;
   std::vector<TimedRequest<LoadMap>> loads;
   std::vector<TimedRequest<SaveMap>> saves;
@@ -61,7 +64,7 @@ Answers run(const std::vector<std::string>& urls, const std::vector<SaveMap::Req
     loads.push_back({0.1 * static_cast<double>(loads.size() + 1), load(url)});
   for (const auto& request : savings)
     saves.push_back({2.0 + 0.1 * static_cast<double>(saves.size()), request});
-  run_with_script(kGraph, 5.0, [&](bw::Setup& setup) {
+  run_with_script(graph(saver), 5.0, [&](bw::Setup& setup) {
     setup.input<nav_msgs::msg::OccupancyGrid>("map", Qos::latched(),
                                               [&](const auto& m, const Tick&) { answers.maps.push_back(m); });
     call_at<GetMap>(setup, "map_server/map", {{0.05}, {4.9}}, answers.shown);
@@ -127,8 +130,10 @@ TEST_F(MapServices, ABrokenMapIsNamedAndTheFirstOneStays) {
 
 TEST_F(MapServices, TheMapIsSavedAndReadBack) {
   const auto at = [&](const char* name) { return (folder_ / name).string(); };
-  const Answers answers = run({}, {save("", at("a")), save("map", at("b.yaml"), "raw", "png"),
-                                   save("/map", "file://" + at("c"), "scale")});
+  const Answers answers = run({},
+                              {save("", at("a")), save("map", at("b.yaml"), "raw", "png"),
+                               save("/map", "file://" + at("c"), "scale")},
+                              "folder: " + at(""));
   ASSERT_EQ(answers.saved.size(), 3U);
   for (const auto& response : answers.saved) EXPECT_TRUE(response.result());
   for (const auto* name : {"a.yaml", "b.yaml", "c.yaml"}) {
@@ -146,13 +151,55 @@ TEST_F(MapServices, WhatCannotBeSavedIsNot) {
   crossed.free_thresh(0.7F);
   SaveMap::Request nan = save("map", at("nan"));
   nan.occupied_thresh(std::numeric_limits<float>::quiet_NaN());
-  const Answers answers =
-      run({}, {save("scan", at("topic")), save("map", ""), save("map", at("no/such/folder")),
-               save("map", "/proc/self/map"), save("map", at("mode"), "grey"),
-               save("map", at("format"), "", "bmp"), crossed, nan});
+  const Answers answers = run({},
+                              {save("scan", at("topic")), save("map", ""), save("map", at("no/such/folder")),
+                               save("map", "/proc/self/map"), save("map", at("mode"), "grey"),
+                               save("map", at("format"), "", "bmp"), crossed, nan},
+                              "folder: " + at(""));
   ASSERT_EQ(answers.saved.size(), 8U);
   for (std::size_t i = 0; i < answers.saved.size(); ++i) EXPECT_FALSE(answers.saved[i].result()) << i;
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / ""));
+}
+
+// Nav2's clients ask for "map" or for an absolute path: within the folder that the graph names, and nowhere else; nothing is overwritten.
+TEST_F(MapServices, MapsAreSavedBelowTheirFolderAlone) {
+  const auto at = [&](const char* name) { return (folder_ / name).string(); };
+  std::filesystem::create_directories(folder_ / "maps/floor");
+  std::filesystem::create_directory_symlink(folder_ / "", folder_ / "maps/out");
+  std::filesystem::create_symlink(folder_ / "victim", folder_ / "maps/link.pgm");
+  test::write_file(folder_ / "maps/old.yaml", "old");
+  const std::vector<std::pair<std::string, bool>> asked = {{"map", true},          {at("maps/floor/a"), true},
+                                                           {"floor/b.yaml", true}, {"map", false},
+                                                           {"map.yaml", false},    {"old", false},
+                                                           {"link", false},        {"../up", false},
+                                                           {"floor/../c", false},  {at("elsewhere"), false},
+                                                           {"out/d", false},       {at("maps/../e"), false},
+                                                           {at("maps_f"), false},  {"floor/", false},
+                                                           {".", false},           {"..", false}};
+  std::vector<SaveMap::Request> requests;
+  for (const auto& [url, is_saved] : asked) requests.push_back(save("map", url));
+  const Answers answers = run({}, requests, "folder: " + at("maps"));
+  ASSERT_EQ(answers.saved.size(), asked.size());
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    EXPECT_EQ(answers.saved[i].result(), asked[i].second) << asked[i].first;
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / ""))
+    if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder_ / "").string());
+  EXPECT_THAT(files, testing::UnorderedElementsAre("maps/map.yaml", "maps/map.pgm", "maps/floor/a.yaml",
+                                                   "maps/floor/a.pgm", "maps/floor/b.yaml",
+                                                   "maps/floor/b.pgm", "maps/old.yaml"));
+}
+
+TEST_F(MapServices, AMapIsOverwrittenWhereThatIsSaid) {
+  test::write_file(folder_ / "map.yaml", "old");
+  test::write_file(folder_ / "victim", "old");
+  std::filesystem::create_symlink(folder_ / "victim", folder_ / "map.pgm");
+  const Answers answers =
+      run({}, {save("map", "map")}, "overwrite: true, folder: " + (folder_ / "").string());
+  ASSERT_EQ(answers.saved.size(), 1U);
+  EXPECT_TRUE(answers.saved[0].result());
+  EXPECT_EQ(load_map(folder_ / "map.yaml").cells, kArea.cells);
+  EXPECT_EQ(std::filesystem::file_size(folder_ / "victim"), 3U);  // the link went, not what it led to
 }
 
 }  // namespace

@@ -133,5 +133,25 @@ TEST(FootprintOutline, WhatIsNearerThanThePaddingLiesInside) {
   EXPECT_GT(outside, 5000);
 }
 
+TEST(FootprintHull, HoldsBothAndNothingElse) {
+  const Footprint square =
+      footprint_of("[[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]", 0.0).footprint;
+  const Footprint tail = footprint_of("[[0.1, 0.1], [-0.6, 0.1], [-0.6, -0.1], [0.1, -0.1]]", 0.0).footprint;
+  EXPECT_EQ(hull({0.2, {}}, {0.3, {}}).radius, 0.3);
+  EXPECT_EQ(hull({0.3, {}}, square).radius, 0.3);
+  EXPECT_FALSE(hull({0.3, {}}, square).is_polygon());
+  EXPECT_EQ(hull(square, {0.2, {}}).polygon, square.polygon);
+  EXPECT_EQ(hull({0.001, {}}, square).polygon, square.polygon);
+  // Six corners: the square's four and the two ends of the tail.
+  const Footprint both = hull(square, tail);
+  EXPECT_EQ(both.polygon.size(), 6U);
+  EXPECT_NEAR(both.radius, std::hypot(0.6, 0.1), 1e-12);
+  // A disc of 0.25 m reaches out of the square's sides, and the square's corners out of the disc.
+  const Footprint round = hull({0.25, {}}, square);
+  EXPECT_NEAR(inscribed_radius(round), 0.25, 0.25 * 0.005);
+  EXPECT_GE(inscribed_radius(round), 0.25 - 1e-9);
+  EXPECT_NEAR(round.radius, std::hypot(0.2, 0.2), 1e-12);
+}
+
 }  // namespace
 }  // namespace bw

@@ -7,6 +7,7 @@
 #include "components/messages/geometry.hpp"
 #include "components/messages/wheel_joints.hpp"
 #include "tests/components/component_rig.hpp"
+#include "tests/components/transitions.hpp"
 
 namespace bw {
 namespace {
@@ -16,11 +17,12 @@ constexpr double kRadius = 0.0762;  // wheel of the default robot [m]
 /// Forward speeds commanded to the wheels, every 20 ms from 0.02 s on, when /cmd_vel follows `wish` at 10 Hz.
 std::vector<double> speeds(
     double seconds, const std::function<std::optional<Twist2>(double t)>& wish,
-    const std::function<std::optional<double>(double t)>& limit = [](double) {
-      return std::optional<double>();
-    }) {
+    const std::function<std::optional<double>(double t)>& limit =
+        [](double) { return std::optional<double>(); },
+    const std::vector<std::pair<double, std::string>>& transitions = {}) {
   std::vector<double> list;
   run_with_script("components: {motor_control: {}}", seconds, [&](bw::Setup& setup) {
+    change_states(setup, "motor_control", transitions);
     setup.input<sensor_msgs::msg::JointState>(
         "wheel_commands", Qos::standard(50), [&](const auto& m, const Tick&) {
           const WheelSpeeds wheels = wheel_speeds_of(m, {kRadius, kRadius}).value();
@@ -102,6 +104,19 @@ TEST(MotorControlComponent, KeepsASpeedLimitWhateverIsCommanded) {
   EXPECT_NEAR(at(list, 5.0), 0.05, 1e-3);
   EXPECT_NEAR(at(list, 7.0), 0.05, 1e-6);
   EXPECT_NEAR(at(list, 9.9), 1.0, 1e-3);  // the robot's own
+}
+
+// The robot is at full speed when it is deactivated, which is a stop; 40 ms later it is activated, and nobody commands any more.
+TEST(MotorControlComponent, ActivatedAgainItStaysAtRest) {
+  const auto list = speeds(
+      3.0,
+      [](double t) {
+        return t < 2.0 ? std::optional(Twist2{0.8, 0.0}) : std::nullopt;
+      },
+      [](double) { return std::optional<double>(); }, {{2.01, "deactivate"}, {2.05, "activate"}});
+  ASSERT_GT(list.size(), 140U);  // at 50 Hz
+  EXPECT_NEAR(at(list, 2.0), 0.8, 1e-6);
+  for (std::size_t i = 100; i < list.size(); ++i) EXPECT_EQ(list[i], 0.0) << i;
 }
 
 }  // namespace

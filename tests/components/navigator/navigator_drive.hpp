@@ -20,7 +20,7 @@ class Drive {
   explicit Drive(const NavigatorOptions& options = {}) : navigator(options) {}
 
   Situation situation() const {
-    return {now, lost ? std::nullopt : std::optional(Pose2{x, 0.0, 0.0}), {v, 0.0}};
+    return {now, lost ? std::nullopt : std::optional(Pose2{x, 0.0, 0.0}), {v, 0.0}, is_overridden};
   }
 
   /// Sends what the navigator wants sent; planners answer at once through it.
@@ -92,6 +92,7 @@ class Drive {
   double x = 0.0;
   double v = 0.0;
   double speed = 1.0;
+  bool is_overridden = false;  ///< by a hand
   bool lost = false;
   std::optional<double> goal_x;
   bool answer_plans = true;

@@ -42,6 +42,50 @@ TEST(Navigator, BlockedForAWhileGoesOnAndForgetsItsRecoveries) {
   EXPECT_EQ(drive.last().recoveries, 10U);
 }
 
+// Ten minutes: it neither goes on nor is given up for want of progress, and says what it waits for.
+TEST(Navigator, AGoalThatAHandInterruptedWaitsUntilItIsReleased) {
+  Drive drive;
+  const std::uint64_t goal = drive.go_to(10.0);
+  drive.run(2.0);
+  const double x = drive.x;
+  drive.is_overridden = true;
+  drive.run(600.0);
+  EXPECT_LE(drive.x, x + 0.05);
+  EXPECT_EQ(drive.orders.back().mode, FollowMode::stop);
+  EXPECT_EQ(drive.last().goal_id, goal);
+  EXPECT_EQ(drive.last().status, GoalStatus::executing);
+  EXPECT_EQ(drive.last().reason, "interrupted by a hand: goes on after release_stop");
+  EXPECT_EQ(drive.last().recoveries, 0U);
+  drive.x = -3.0;  // where the hand left it
+  drive.is_overridden = false;
+  drive.run(60.0);
+  EXPECT_EQ(drive.last().goal_id, goal);
+  EXPECT_EQ(drive.last().status, GoalStatus::succeeded);
+}
+
+TEST(Navigator, AGoalThatAHandInterruptedIsCanceledOrPreemptedAsEver) {
+  Drive drive;
+  drive.go_to(10.0);
+  drive.run(1.0);
+  drive.is_overridden = true;
+  drive.run(1.0);
+  const std::uint64_t other = drive.go_to(5.0);
+  drive.run(1.0);
+  EXPECT_EQ(drive.orders.back().mode, FollowMode::stop);  // the hand is still there
+  drive.is_overridden = false;
+  drive.run(1.0);
+  EXPECT_EQ(drive.orders.back().mode, FollowMode::follow);
+  EXPECT_EQ(drive.last().goal_id, other);
+  drive.is_overridden = true;
+  drive.run(1.0);
+  drive.navigator.cancel(drive.situation());
+  drive.run(1.0);
+  EXPECT_EQ(drive.last().status, GoalStatus::canceled);
+  drive.is_overridden = false;
+  drive.run(5.0);
+  EXPECT_EQ(drive.orders.back().mode, FollowMode::stop);
+}
+
 TEST(Navigator, BackingOffEndsAfterItsDistance) {
   Drive drive;
   drive.go_to(10.0);

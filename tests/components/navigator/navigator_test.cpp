@@ -247,5 +247,20 @@ TEST(Navigator, TellsProgramsWhyAGoalWasNotReached) {
   EXPECT_EQ(preempted.navigator.report(preempted.situation()).fault, GoalFault::none);
 }
 
+// A report of the local planner asks for another plan, and the same step finds the robot at its goal.
+TEST(Navigator, AsksForNoPlanThatNobodyWaitsFor) {
+  Navigator navigator{NavigatorOptions{}};
+  const auto at = [](double t, double x) { return Situation{Time::seconds(t), Pose2{x, 0.0, 0.0}, {}}; };
+  navigator.accept({{1.0, 0.0, 0.0}, {}}, at(100.0, 0.0));
+  const std::uint64_t plan = navigator.step(at(100.0, 0.0)).plan->id;
+  navigator.on_plan({.id = plan, .path = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}}, at(100.0, 0.0));
+  const std::uint64_t order = navigator.step(at(100.0, 0.0)).follow->id;
+  navigator.on_follow({.id = order, .state = FollowState::blocked, .reason = "a wall"}, at(101.0, 1.0));
+  const NavigatorActions actions = navigator.step(at(101.0, 1.0));
+  ASSERT_FALSE(actions.reports.empty());
+  EXPECT_EQ(actions.reports.back().status, GoalStatus::succeeded);
+  EXPECT_FALSE(actions.plan.has_value());
+}
+
 }  // namespace
 }  // namespace bw

@@ -93,10 +93,11 @@ inline RoomsRecord run_rooms(std::uint64_t seed, double seconds) {
 }
 
 /// Full of furniture, robot driving; nobody there, or 1 to 20 people as above.
-inline RoomsRecord run_full_rooms(std::uint64_t seed, double seconds, bool with_people) {
+inline RoomsRecord run_full_rooms(std::uint64_t seed, double seconds, bool with_people,
+                                  std::size_t rooms = 20) {
   RoomsRecord all;
   if (with_people) print_heading();
-  for (std::size_t i = 0; i < 20; ++i) {
+  for (std::size_t i = 0; i < rooms; ++i) {
     const int people = with_people ? kPeopleInRooms[i % kPeopleInRooms.size()] : 0;
     run_room({.people = people, .crowded = true}, seed++, seconds, all);
   }

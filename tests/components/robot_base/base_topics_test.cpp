@@ -202,7 +202,7 @@ TEST_F(BaseTopics, AnEmergencyStopHoldsUntilItIsOverAndReleased) {
       EXPECT_EQ(states_.back().state(), state::WAITING);
     }
   });
-  EXPECT_EQ(answers_, (std::vector<std::string>{"no: the emergency stop is pressed",
+  EXPECT_EQ(answers_, (std::vector<std::string>{"no: the emergency stop is pressed by /script",
                                                 "yes: released: drives on in 2 s"}));
   const auto stop =
       std::ranges::find(states_, state::EMERGENCY_STOP, [](const auto& s) { return s.state(); });

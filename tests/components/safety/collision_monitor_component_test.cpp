@@ -20,6 +20,7 @@
 #include "components/messages/geometry.hpp"
 #include "runtime/wire/serialization.hpp"
 #include "tests/components/component_rig.hpp"
+#include "tests/components/transitions.hpp"
 
 namespace bw {
 namespace {
@@ -66,9 +67,11 @@ struct Drive {
 /// `wish` at 10 Hz, `laser` at 10 Hz, odometry at 50 Hz that says `speed`.
 Drive run(double seconds, double speed, const std::function<std::optional<Twist2>(double t)>& wish,
           const std::function<std::optional<LaserScan>(double t, const Tick&)>& laser,
-          const std::string& parameters = "", double reset_at = -1.0, const std::string& head = "") {
+          const std::string& parameters = "", double reset_at = -1.0, const std::string& head = "",
+          const std::vector<std::pair<double, std::string>>& transitions = {}) {
   Drive drive;
   run_with_script(head + "components: {collision_monitor: {" + parameters + "}}", seconds, [&](Setup& setup) {
+    change_states(setup, "collision_monitor", transitions);
     setup.input<geometry_msgs::msg::Twist>(
         "cmd_vel", Qos::standard(50), [&](const auto& m, const Tick& tick) {
           drive.commands.push_back({seconds_since_start(tick.now), from_twist(m)});
@@ -185,6 +188,31 @@ TEST(CollisionMonitorComponent, WithManualResumeItWaitsForTheReset) {
   const Drive drive = run(5.0, 0.8, ahead, laser, "parameters: {resume: manual}", 4.0);
   EXPECT_EQ(drive.at(3.9).twist, Twist2{});
   EXPECT_EQ(drive.at(4.2).twist.v, 0.8);
+}
+
+// The laser fails from 1 to 2 s, while nobody drives: from 0.5 to 3 s. The stop holds until the reset at 4 s all the same.
+TEST(CollisionMonitorComponent, WithManualResumeAFaultWhileNobodyDrivesWaitsForTheResetToo) {
+  const auto laser = [](double t, const Tick& tick) {
+    return t < 1.05 || t > 1.95 ? std::optional(scan_at(tick, 5.0F)) : std::nullopt;
+  };
+  const auto wish = [](double t) {
+    return t < 0.55 || t > 2.95 ? std::optional(Twist2{0.8, 0.0}) : std::nullopt;
+  };
+  const Drive drive = run(5.0, 0.0, wish, laser, "parameters: {resume: manual}", 4.0);
+  EXPECT_EQ(drive.at(3.9).twist, Twist2{});
+  EXPECT_EQ(drive.at(4.2).twist.v, 0.8);
+}
+
+// The planner's last word before the monitor is activated again was a stop, at 1.1 s, while nobody listened.
+TEST(CollisionMonitorComponent, ActivatedAgainItPassesNothingOnThatWasSaidBefore) {
+  const auto wish = [](double t) -> std::optional<Twist2> {
+    if (t > 1.15) return std::nullopt;
+    return Twist2{t < 1.05 ? 0.8 : 0.0, 0.0};
+  };
+  const Drive drive = run(3.0, 0.8, wish, room, "", -1.0, "", {{1.02, "deactivate"}, {1.12, "activate"}});
+  EXPECT_EQ(drive.at(1.01).twist.v, 0.8);
+  for (const Given& given : drive.commands)
+    EXPECT_TRUE(given.t < 1.025 || given.twist == Twist2{}) << given.t;
 }
 
 TEST(CollisionMonitorComponent, AFrozenLaserStopsAMovingRobotWithinASecond) {

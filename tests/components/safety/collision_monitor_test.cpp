@@ -135,7 +135,7 @@ TEST(CollisionMonitor, WhatItsSideWouldOnlyGrazeIsPassedSlowly) {
   // A pillar of 0.5 m beside the way, 0.28 m from its middle: 0.02 m of the robot's 0.3 m would touch
   const Disc beside{{0.2, 0.78}, 0.5};
   const Verdict verdict = Bench().run(0.1, sweep_of({beside}), {0.5, 0.0});
-  EXPECT_DOUBLE_EQ(verdict.allowed.v, 0.1);
+  EXPECT_DOUBLE_EQ(verdict.allowed.v, 0.05);
   EXPECT_EQ(verdict.cause, kStoppingDistance);
   const Disc deeper{{0.2, 0.76}, 0.5};
   EXPECT_EQ(Bench().run(0.1, sweep_of({deeper}), {0.5, 0.0}).allowed.v, 0.0);
@@ -150,23 +150,25 @@ TEST(CollisionMonitor, AroundLegsItIsSlowEarlier) {
 }
 
 TEST(CollisionMonitor, AccountsForWhereTheRobotWentSinceTheSweep) {
-  // 0.08 s after the sweep the robot is 0.08 m nearer: 0.36 - 0.08 - 0.10 m are left
+  // 0.08 s after the sweep the robot is 0.04 m nearer: 0.36 - 0.04 - 0.10 m are left
   Bench bench;
   Sweep sweep = sweep_of({pillar(0.66)});
   sweep.time = bench.now;
-  bench.monitor.odometry(bench.now, {}, {1.0, 0.0});
+  bench.monitor.odometry(bench.now, {}, {0.5, 0.0});
   bench.monitor.sweep(bench.now, sweep.view());
   bench.now = bench.now + Duration::milliseconds(80);
-  bench.monitor.odometry(bench.now, {0.08, 0.0, 0.0}, {1.0, 0.0});
-  EXPECT_NEAR(bench.monitor.judge(bench.now, {1.0, 0.0}).allowed.v, -0.2 + std::sqrt(0.04 + 4.0 * 0.18),
+  bench.monitor.odometry(bench.now, {0.04, 0.0, 0.0}, {0.5, 0.0});
+  EXPECT_NEAR(bench.monitor.judge(bench.now, {1.0, 0.0}).allowed.v, -0.2 + std::sqrt(0.04 + 4.0 * 0.22),
               2e-3);
 }
 
 TEST(CollisionMonitor, ACommandThatSlowsDownTooLateIsBrakedHard) {
-  // At 1 m/s with 0.3 m free way a stop at 2 m/s^2 is due; the command asks for one, the verdict says how.
-  const Verdict verdict = Bench().run(0.1, sweep_of({pillar(0.6)}), {0.0, 0.0}, {1.0, 0.0});
+  // At 1 m/s with 0.42 m free way a stop at 2 m/s^2, 0.35 m long, is due; the command asks for one, the verdict says how.
+  const Verdict verdict = Bench().run(0.1, sweep_of({pillar(0.72)}), {0.0, 0.0}, {1.0, 0.0});
   EXPECT_EQ(verdict.allowed, Twist2{});
   EXPECT_EQ(verdict.action, Action::approach);
+  // With 0.3 m it will not stand before it touches: whatever is commanded, this is a stop.
+  EXPECT_EQ(Bench().run(0.1, sweep_of({pillar(0.6)}), {0.9, 0.0}, {1.0, 0.0}).action, Action::stop);
   EXPECT_EQ(Bench().run(0.1, sweep_of({}), {0.0, 0.0}, {1.0, 0.0}).action, Action::do_nothing);
 }
 
@@ -237,11 +239,25 @@ TEST(CollisionMonitor, CreepsWhereSomebodyCouldHideAndStopsWhereNothingIsSeen) {
   EXPECT_EQ(Bench().run(0.1, blind(0, 180), {1.0, 0.0}).action, Action::do_nothing);  // far off the way
 }
 
+// A wall all round at 3.3 m, and then the front third is covered: 120 degrees read +inf, as they do of an RPLIDAR that measures nothing.
+TEST(CollisionMonitor, CreepsIntoWhatWasSeenAndVanished) {
+  Bench bench;
+  EXPECT_EQ(bench.run(0.5, sweep_of({}, 3.3F), {1.0, 0.0}).allowed.v, 1.0);
+  Sweep covered = sweep_of({}, 3.3F);
+  std::fill(covered.ranges.begin() + 200, covered.ranges.begin() + 520, kInfinity);
+  const Verdict verdict = bench.run(0.5, covered, {1.0, 0.0});
+  EXPECT_DOUBLE_EQ(verdict.allowed.v, 0.1);
+  EXPECT_EQ(verdict.cause, kSight);
+  EXPECT_NEAR(bench.monitor.dark(), 2.0, 0.2);
+  EXPECT_EQ(bench.run(3.0, sweep_of({}, 3.3F), {1.0, 0.0}).allowed.v, 1.0);
+}
+
 TEST(CollisionMonitor, ZonesLimitByName) {
   CollisionMonitorOptions options;
   options.polygons = {
       {.name = "slow", .radius = 2.0, .action_type = Action::slowdown, .slowdown_ratio = 0.3}};
-  const Verdict verdict = Bench(options).run(0.1, sweep_of({pillar(1.8)}), {1.0, 0.5});
+  Bench bench(options);  // the verdict's cause is the name of its zone
+  const Verdict verdict = bench.run(0.1, sweep_of({pillar(1.8)}), {1.0, 0.5});
   EXPECT_NEAR(verdict.allowed.v, 0.3, 1e-9);
   EXPECT_NEAR(verdict.allowed.omega, 0.15, 1e-9);
   EXPECT_EQ(verdict.action, Action::slowdown);
@@ -253,6 +269,34 @@ TEST(CollisionMonitor, AnythingThatIsNotFiniteIsAStop) {
   Bench bench;
   EXPECT_EQ(bench.run(0.1, sweep_of({}), {std::nan(""), 0.0}).allowed, Twist2{});
   EXPECT_EQ(bench.run(0.1, sweep_of({}), {1.0, std::numeric_limits<double>::infinity()}).allowed, Twist2{});
+}
+
+// The first sweep is a fault, and then the laser is silent, as if it had never been: the stop still waits for the reset.
+TEST(CollisionMonitor, SilenceAfterAFaultIsNoReset) {
+  CollisionMonitorOptions options;
+  options.resume = Resume::manual;
+  Bench bench(options);
+  Sweep lost = sweep_of({});
+  std::fill(lost.ranges.begin(), lost.ranges.end(), kNan);
+  EXPECT_EQ(bench.run(0.1, lost, {1.0, 0.0}).cause, kLaserInvalid);
+  bench.now = bench.now + Duration::milliseconds(300);
+  EXPECT_EQ(bench.monitor.judge(bench.now, {1.0, 0.0}).cause, kLaserWaiting);
+  EXPECT_EQ(bench.run(2.0, sweep_of({}), {1.0, 0.0}).cause, kWaitingForReset);
+  bench.monitor.reset();
+  EXPECT_EQ(bench.run(0.5, sweep_of({}), {1.0, 0.0}).action, Action::do_nothing);
+}
+
+// 200 ms back: sweeps go on, odometry does not, and must not count as fresh until the clock is there again.
+TEST(CollisionMonitor, OdometryOfBeforeTheClockWentBackIsNotFresh) {
+  Bench bench;
+  EXPECT_EQ(bench.run(0.5, sweep_of({}), {1.0, 0.0}).action, Action::do_nothing);
+  bench.now = bench.now - Duration::milliseconds(200);
+  for (int i = 0; i < 2; ++i) {  // the first one after a jump is lost
+    Sweep sweep = sweep_of({pillar(5.0 + i)});
+    sweep.time = bench.now = bench.now + Duration::milliseconds(20);
+    bench.monitor.sweep(bench.now, sweep.view());
+  }
+  EXPECT_EQ(bench.monitor.judge(bench.now, {1.0, 0.0}).cause, kOdometrySilent);
 }
 
 /// Whatever the sweep and the wish: the answer is finite, no faster than the wish, and on its side.

@@ -13,9 +13,24 @@ namespace {
 const Sweep kNothing = sweep_of({}, kInfinity);
 
 bool believes(EmptySight& sight, const Sweep& sweep, const SweepOptions& options = {}) {
-  const CheckedSweep checked = check_sweep(sweep.view(), options);
+  CheckedSweep checked = check_sweep(sweep.view(), options);
   EXPECT_EQ(checked.fault, SweepFault::none);
-  return sight.believes(sweep.view(), checked);
+  return sight.believes(sweep.view(), {}, checked);
+}
+
+/// How many beams are dark once `sweep` follows on what the sight has seen, with the robot at X_OB.
+std::ptrdiff_t dark(EmptySight& sight, const Sweep& sweep, const Pose2& X_OB = {}) {
+  CheckedSweep checked = check_sweep(sweep.view(), {});
+  EXPECT_TRUE(sight.believes(sweep.view(), X_OB, checked));
+  return std::count(checked.dark.begin(), checked.dark.end(), true);
+}
+
+/// A wall all round, `degrees` of it right ahead without returns.
+Sweep covered(double degrees, float background = 3.3F) {
+  Sweep sweep = sweep_of({}, background);
+  const int half = static_cast<int>(std::lround(0.5 * degrees / 270.0 * 719.0));
+  for (int i = 360 - half; i < 360 + half; ++i) sweep.ranges[static_cast<std::size_t>(i)] = kInfinity;
+  return sweep;
 }
 
 /// Whether an empty sweep is believed right after one among `discs`.
@@ -79,6 +94,50 @@ TEST(EmptySight, WhoSaysThatThePlaceIsOpenIsBelieved) {
   SweepOptions open_floor;
   open_floor.min_returns = 0;
   EXPECT_TRUE(believes_after({{{2.0, 0.0}, 1.0}}, open_floor));
+}
+
+// The front third is covered: 120 degrees, 320 beams of 0.3755 degrees. What lies 0.3 rad from what is still hit may be somebody who
+// walked; the points of the 85.6 degrees between vanished, and with 0.3 rad to either side all 320 beams are dark, but those that have
+// less than ten of these points in reach.
+TEST(EmptySight, ACoveredThirdIsDarkUntilSomethingIsHitThereAgain) {
+  EmptySight sight({});
+  EXPECT_EQ(dark(sight, sweep_of({}, 3.3F)), 0);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_NEAR(static_cast<double>(dark(sight, covered(120.0))), 320.0 - 18.0, 6.0);
+  EXPECT_EQ(dark(sight, sweep_of({}, 3.3F)), 0);
+  for (int i = 0; i < 3; ++i) dark(sight, covered(120.0));
+  sight.forget();
+  EXPECT_EQ(dark(sight, covered(120.0)), 0) << "somebody said that the place is open";
+}
+
+TEST(EmptySight, AnOpenDoorSeenFromTheStartIsNotDark) {
+  EmptySight sight({});
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(dark(sight, covered(60.0)), 0);
+}
+
+// A robot that turns by 0.2 rad from sweep to sweep sees the same third empty from the start on, elsewhere in its field.
+TEST(EmptySight, WhatTheRobotTurnsAwayFromHasNotVanished) {
+  EmptySight sight({});
+  for (int i = 0; i < 12; ++i) {
+    Sweep sweep = sweep_of({}, 3.3F);
+    for (std::size_t k = 0; k < 720; ++k) {
+      const double bearing =
+          wrap_angle(sweep.angle_min + sweep.angle_increment * static_cast<double>(k) + 0.2 * i);
+      if (std::abs(bearing) < 1.0) sweep.ranges[k] = kInfinity;
+    }
+    EXPECT_EQ(dark(sight, sweep, {0.0, 0.0, 0.2 * i}), 0) << i;
+  }
+}
+
+// In an open place nothing is behind who walks: 1.5 m/s past the robot, 0.8 m before it, and out of the range.
+TEST(EmptySight, WhoWalksPastInAnOpenPlaceHasNotVanished) {
+  EmptySight sight({});
+  for (int i = 0; i < 60; ++i) {
+    const double y = -4.0 + 0.15 * i;
+    EXPECT_EQ(
+        dark(sight, sweep_of({{{0.8, y}, 0.07}, {{0.8, y + 0.3}, 0.07}, {{-3.0, 0.5}, 0.4}}, kInfinity)), 0)
+        << i;
+  }
 }
 
 }  // namespace

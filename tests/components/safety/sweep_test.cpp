@@ -128,6 +128,34 @@ TEST(Sweep, SightIsLessWhereBeamsAreUnknownOrMissing) {
   EXPECT_NEAR(sight_of(out, std::numbers::pi / 2.0, 1.0).covered, 1.785 / 2.0, 0.01);
 }
 
+/// 360 degrees from the rear on, `blind` beams unknown at its beginning and at its end.
+CheckedSweep all_round(int beams, int blind_first, int blind_last, double from = -std::numbers::pi) {
+  CheckedSweep sweep{.angle_min = from, .angle_increment = 2.0 * std::numbers::pi / beams};
+  sweep.beams.assign(static_cast<std::size_t>(beams), BeamKind::hit);
+  for (int i = 0; i < blind_first; ++i) sweep.beams[static_cast<std::size_t>(i)] = BeamKind::unknown;
+  for (int i = 0; i < blind_last; ++i)
+    sweep.beams[static_cast<std::size_t>(beams - 1 - i)] = BeamKind::unknown;
+  return sweep;
+}
+
+// A mast straight behind hides 10 degrees at either end of the sweep: one gap of 20 degrees, not two of 10. Turned so that the ends
+// lie elsewhere the same gap is as wide.
+TEST(Sweep, TheEndsOfATurnAreOneDirection) {
+  const double degree = std::numbers::pi / 180.0;
+  EXPECT_NEAR(sight_of(all_round(720, 20, 20), std::numbers::pi, 0.785).widest_gap, 20.0 * degree, 1e-9);
+  EXPECT_NEAR(sight_of(all_round(720, 20, 20), -std::numbers::pi, 0.785).widest_gap, 20.0 * degree, 1e-9);
+  EXPECT_NEAR(sight_of(all_round(720, 40, 0), std::numbers::pi, 0.785).widest_gap, 20.0 * degree, 1e-9);
+  EXPECT_NEAR(sight_of(all_round(720, 20, 20, 0.0), 0.0, 0.785).widest_gap, 20.0 * degree, 1e-9);
+  EXPECT_EQ(sight_of(all_round(720, 20, 20), 0.0, 0.785).widest_gap, 0.0);
+  CheckedSweep clockwise = all_round(720, 20, 20, std::numbers::pi);
+  clockwise.angle_increment = -clockwise.angle_increment;
+  EXPECT_NEAR(sight_of(clockwise, std::numbers::pi, 0.785).widest_gap, 20.0 * degree, 1e-9);
+  // 350 degrees of beams, and 5 degrees unknown at either end: 20 degrees without sight behind.
+  CheckedSweep part = all_round(720, 10, 10, -175.0 * degree);
+  part.beams.erase(part.beams.begin() + 360, part.beams.begin() + 380);
+  EXPECT_NEAR(sight_of(part, std::numbers::pi, 0.785).widest_gap, 20.0 * degree, 1e-9);
+}
+
 TEST(Sweep, RandomBytesNeitherCrashNorGivePointsThatAreNotFinite) {
   Random random(11);
   for (int i = 0; i < 3000; ++i) {

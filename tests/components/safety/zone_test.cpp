@@ -21,12 +21,23 @@ TEST(Zone, AStopZoneAllowsOnlyWhatLeadsAway) {
   const auto ahead = returns({0.4, 0.1});
   EXPECT_EQ(zone.share_left({0.3, 0.1}, ahead), 0.0);
   EXPECT_EQ(zone.share_left({-0.1, 0.0}, ahead), 1.0);
-  EXPECT_EQ(zone.share_left({0.0, 0.5}, ahead), 1.0);
+  EXPECT_EQ(zone.share_left({0.0, 0.5}, ahead), 0.0) << "a turn leaves it as near";
   EXPECT_EQ(zone.share_left({0.3, 0.0}, returns({0.6, 0.0})), 1.0);
   auto both = returns({0.4, 0.0});
   for (const SeenPoint& point : returns({-0.4, 0.0})) both.push_back(point);
   EXPECT_EQ(zone.share_left({0.3, 0.0}, both), 0.0);
   EXPECT_EQ(zone.share_left({-0.1, 0.0}, both), 0.0);
+}
+
+// A rectangle from 0 to 1 m ahead, 0.4 m to either side; something at its left edge. A turn to the left brings it to the middle, one to
+// the right out of it.
+TEST(Zone, AStopZoneStopsTurnsThatDoNotLeadOut) {
+  const Zone zone({.type = ZoneShape::polygon, .points = {{0.0, -0.4}, {1.0, -0.4}, {1.0, 0.4}, {0.0, 0.4}}});
+  const auto left = returns({0.5, 0.35});
+  EXPECT_EQ(zone.share_left({0.0, 0.5}, left), 0.0);
+  EXPECT_EQ(zone.share_left({0.0, -0.5}, left), 1.0);
+  EXPECT_EQ(zone.share_left({-1e-6, 0.5}, left), 0.0) << "as good as on the spot";
+  EXPECT_EQ(zone.share_left({-0.2, 0.1}, left), 1.0);
 }
 
 TEST(Zone, FewerThanMinPointsDoNotCount) {

@@ -30,8 +30,8 @@ void append(std::vector<std::uint8_t>& bytes, const std::string& text) {
 
 }  // namespace
 
-FoxgloveClient::FoxgloveClient(std::uint16_t port, bool hears_everything)
-    : client_(port), hears_everything_(hears_everything), thread_([this] { read(); }) {
+FoxgloveClient::FoxgloveClient(const PageAddress& page, bool hears_everything)
+    : client_(page.port, 0, page.token), hears_everything_(hears_everything), thread_([this] { read(); }) {
   // Nothing may be said before the server has agreed to speak the protocol.
   eventually([this] { return !info().empty(); });
 }
@@ -216,10 +216,11 @@ double FoxgloveClient::seconds() const {
   return static_cast<double>(time_) * 1e-9;
 }
 
-std::uint16_t port_in(const std::string& words) {
-  static const std::regex kAddress("http://127\\.0\\.0\\.1:([0-9]+)/");
+PageAddress page_in(const std::string& words) {
+  static const std::regex kAddress("http://127\\.0\\.0\\.1:([0-9]+)/(\\?token=([0-9a-f]{32}))?\n");
   std::smatch found;
-  return std::regex_search(words, found, kAddress) ? static_cast<std::uint16_t>(std::stoi(found[1])) : 0;
+  if (!std::regex_search(words, found, kAddress)) return {};
+  return {static_cast<std::uint16_t>(std::stoi(found[1])), found[3]};
 }
 
 }  // namespace bw::test

@@ -16,6 +16,13 @@
 
 namespace bw::test {
 
+/// Of the line `Page: http://127.0.0.1:PORT/?token=TOKEN` that a program prints.
+struct PageAddress {
+  std::uint16_t port = 0;  ///< 0: there is no such line
+  std::string token;       ///< empty: the client may read
+};
+PageAddress page_in(const std::string& words);
+
 class FoxgloveClient {
  public:
   using Bytes = std::vector<std::uint8_t>;
@@ -25,7 +32,7 @@ class FoxgloveClient {
   };
 
   /// With `hears_everything` it subscribes to each channel as it comes.
-  FoxgloveClient(std::uint16_t port, bool hears_everything);
+  FoxgloveClient(const PageAddress& page, bool hears_everything);
   ~FoxgloveClient();
   FoxgloveClient(const FoxgloveClient&) = delete;
   FoxgloveClient& operator=(const FoxgloveClient&) = delete;
@@ -75,8 +82,5 @@ class FoxgloveClient {
   std::atomic<bool> is_closed_ = false;
   std::thread thread_;
 };
-
-/// Of the line `Page: http://127.0.0.1:PORT/` that a program prints; 0 without.
-std::uint16_t port_in(const std::string& words);
 
 }  // namespace bw::test

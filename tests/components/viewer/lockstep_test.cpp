@@ -31,10 +31,10 @@ std::vector<std::string> hallway(const std::filesystem::path& card, const std::v
 
 nlohmann::json card(const std::filesystem::path& path) { return nlohmann::json::parse(std::ifstream(path)); }
 
-std::uint16_t port_of(const Process& run) {
-  std::uint16_t port = 0;
-  eventually([&] { return (port = port_in(run.out())) != 0; });
-  return port;
+PageAddress page_of(const Process& run) {
+  PageAddress page;
+  eventually([&] { return (page = page_in(run.out())).port != 0; });
+  return page;
 }
 
 nlohmann::json goal(double x) {
@@ -60,7 +60,7 @@ TEST(ViewerInLockstep, WhoLooksOnChangesNothingAndSeesTheBytesOfTheRecord) {
 
   Process run(hallway(folder / "seen.json",
                       {"--for", "20", "--pace", "1", "--page=0", "--record", folder / "drive.mcap"}));
-  FoxgloveClient client(port_of(run), true);
+  FoxgloveClient client(page_of(run), true);
   client.advertise(1, "/goal_pose", "geometry_msgs/PoseStamped");
   client.publish(1, goal(3.0));
   EXPECT_TRUE(client.hears_status("start it with --accept-inputs"));
@@ -94,7 +94,7 @@ TEST(ViewerInLockstep, TwentyClicksAreAPartOfTheRecord) {
   const Folder folder;
   Process run(hallway(folder / "clicks.json", {"--for", "16", "--pace", "2", "--page=0", "--accept-inputs",
                                                "--record", folder / "drive"}));
-  FoxgloveClient client(port_of(run), false);
+  FoxgloveClient client(page_of(run), false);
   client.advertise(1, "/goal_pose", "geometry_msgs/PoseStamped");
   ASSERT_TRUE(client.subscribe("/odom"));
   for (int i = 0; i < 20; ++i) {

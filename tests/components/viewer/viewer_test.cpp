@@ -26,22 +26,22 @@ std::vector<std::string> program(const std::vector<std::string>& words) {
   return command;
 }
 
-std::uint16_t port_of(const Process& server) {
-  std::uint16_t port = 0;
-  eventually([&] { return (port = port_in(server.out())) != 0; });
-  return port;
+PageAddress page_of(const Process& server) {
+  PageAddress page;
+  eventually([&] { return (page = page_in(server.out())).port != 0; });
+  return page;
 }
 
 /// A robot in a room, which waits for goals.
 class Room : public testing::Test {
  protected:
   Process robot_{program({"run", kRoom, "--stay", "--page=0"})};
-  std::uint16_t port_ = port_of(robot_);
+  PageAddress page_ = page_of(robot_);
 };
 
 TEST_F(Room, AParameterSetByTheProtocolIsReadBackByTheService) {
   using rcl_interfaces::srv::GetParameters;
-  FoxgloveClient client(port_, false);
+  FoxgloveClient client(page_, false);
   for (const char* service : {"list_parameters", "get_parameters", "set_parameters"})
     ASSERT_TRUE(client.has_service(std::string("/local_planner/") + service));
   const std::string name = "/local_planner.teb.band.min_obstacle_dist";
@@ -60,7 +60,7 @@ TEST_F(Room, AParameterSetByTheProtocolIsReadBackByTheService) {
 }
 
 TEST_F(Room, ServicesAnswer) {
-  FoxgloveClient client(port_, false);
+  FoxgloveClient client(page_, false);
   const nlohmann::json state = client.call("/local_planner/get_state", nlohmann::json::object());
   EXPECT_EQ(state["current_state"]["label"], "active") << state;
   EXPECT_THAT(client.call("/local_planner/get_state", {{"nothing", 1}})["error"].get<std::string>(),
@@ -69,17 +69,17 @@ TEST_F(Room, ServicesAnswer) {
 }
 
 TEST_F(Room, EachClientGetsTheMap) {
-  FoxgloveClient first(port_, false);
+  FoxgloveClient first(page_, false);
   ASSERT_TRUE(first.subscribe("/map"));
   ASSERT_TRUE(first.wait_for("/map", 1));
-  FoxgloveClient second(port_, false);
+  FoxgloveClient second(page_, false);
   ASSERT_TRUE(second.subscribe("/map"));
   ASSERT_TRUE(second.wait_for("/map", 1));
   EXPECT_EQ(first.messages()["/map"][0].cdr, second.messages()["/map"][0].cdr);
 }
 
 TEST_F(Room, AClickedGoalIsReached) {
-  FoxgloveClient client(port_, false);
+  FoxgloveClient client(page_, false);
   ASSERT_TRUE(client.has_channel("/odom"));
   client.advertise(7, "/goal_pose", "geometry_msgs/PoseStamped");
   client.publish(7, {{"header", {{"frame_id", "map"}, {"stamp", {{"sec", 0}, {"nsec", 5}}}}},
@@ -89,8 +89,8 @@ TEST_F(Room, AClickedGoalIsReached) {
 }
 
 TEST_F(Room, WhoComesLaterTakesTheNextFreePort) {
-  Process second(program({"view", "--port", std::to_string(port_)}));
-  EXPECT_GT(port_of(second), port_);
+  Process second(program({"view", "--port", std::to_string(page_.port)}));
+  EXPECT_GT(page_of(second).port, page_.port);
   second.signal(SIGINT);
   EXPECT_EQ(second.wait(std::chrono::seconds(20)), 0) << second.err();
 }
@@ -98,7 +98,7 @@ TEST_F(Room, WhoComesLaterTakesTheNextFreePort) {
 // A server without a robot of its own: as for any ROS 2 system.
 TEST(View, ARobotGoesAndComesBack) {
   Process server(program({"view", "--port", "0"}));
-  FoxgloveClient client(port_of(server), false);
+  FoxgloveClient client(page_of(server), false);
   auto robot = std::make_unique<Process>(program({"run", kRoom, "--stay"}));
   ASSERT_TRUE(client.subscribe("/odom"));
   ASSERT_TRUE(client.wait_for("/odom", 10));

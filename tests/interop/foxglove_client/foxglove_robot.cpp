@@ -20,7 +20,7 @@ class Gate final : public web::SocketHandler {
   Gate(Server& server, bool may_command) : server_(server), may_command_(may_command) {}
   void on_open(web::ConnectionId id, const web::Opening& opening) override {
     web::Opening changed = opening;
-    changed.may_command = changed.may_command && may_command_;
+    if (!may_command_) changed.read_only = "nobody may command";
     server_.on_open(id, changed);
   }
   void on_text(web::ConnectionId id, std::string_view text) override { server_.on_text(id, text); }
@@ -62,7 +62,7 @@ void serve(const std::string& option) {
   Gate gate(server, option != "look_only");
   web.start(gate);
   keep_ticking(web, server);
-  std::cout << web.address() << std::endl;
+  std::cout << web.address() << "?token=" << web.run_token() << std::endl;
   for (std::string line; std::getline(std::cin, line);)
     web.post([&robot, order = json::parse(line)] { robot.obey(order); });
   web.stop();

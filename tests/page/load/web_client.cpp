@@ -43,7 +43,8 @@ std::optional<FrameHead> frame_head(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-WebClient::WebClient(std::uint16_t port, int receive_buffer) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+WebClient::WebClient(std::uint16_t port, int receive_buffer, const std::string& token)
+    : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
   if (socket_ < 0) fail("socket");
   if (receive_buffer > 0) {
     ::setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
@@ -58,7 +59,8 @@ WebClient::WebClient(std::uint16_t port, int receive_buffer) : socket_(::socket(
     ::close(std::exchange(socket_, -1));
     fail("connect to port " + std::to_string(port));
   }
-  const std::string request = "GET / HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) +
+  const std::string request = "GET /" + (token.empty() ? "" : "?token=" + token) +
+                              " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) +
                               "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
                               "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n"
                               "Sec-WebSocket-Protocol: foxglove.websocket.v1\r\n\r\n";

@@ -87,6 +87,81 @@ TEST_P(SqliteVersions, AreRead) {
   EXPECT_EQ(bag->topics()[0].schema_text, GetParam() >= 4 ? "string data" : "");
 }
 
+/// Of a bag with one topic and `sql`.
+std::string said_of_database(const std::filesystem::path& file, const std::string& sql) {
+  sqlite3* database = nullptr;
+  EXPECT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+      << sqlite3_errmsg(database);
+  sqlite3_close(database);
+  return said_by([&] { static_cast<void>(open_bag(file)); });
+}
+
+// A view is a query that the file brings along: this one has no end, and `bag info` of it had none either.
+TEST(SqliteBag, AViewIsNoTable) {
+  const mcap::Folder folder;
+  const std::string topics =
+      "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT);";
+  const std::string endless = "WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) ";
+  const std::string view = "has a view in place of one";
+  EXPECT_THAT(said_of_database(folder / "a.db3",
+                               topics + "CREATE VIEW messages AS " + endless +
+                                   "SELECT x AS id, 1 AS topic_id, x AS timestamp, x AS data FROM c"),
+              HasSubstr(view));
+  EXPECT_THAT(
+      said_of_database(folder / "b.db3",
+                       "CREATE VIEW topics AS " + endless +
+                           "SELECT x AS id, 'a' AS name, 'b' AS type, 'cdr' AS serialization_format FROM c"),
+      HasSubstr(view));
+  EXPECT_THAT(said_of_database(folder / "c.db3", topics + "CREATE TABLE own(id, topic_id, timestamp, data);"
+                                                          "CREATE VIEW messages AS SELECT * FROM own"),
+              HasSubstr(view));
+}
+
+/// An inner page of a table (SQLite's file format, section 1.6) of 512 bytes whose 51 children are all the same page.
+std::string page_to(std::uint8_t child) {
+  std::string page(512, '\0');
+  page[0] = 5;
+  page[4] = 50;  // cells
+  page[5] = 1;   // and where they begin: 512 - 50 * 5 = 0x106
+  page[6] = 6;
+  page[11] = static_cast<char>(child);  // the rightmost
+  for (std::size_t i = 0; i < 50; ++i) {
+    const std::size_t at = 507 - 5 * i;
+    page[at + 3] = static_cast<char>(child);
+    page[at + 4] = 1;  // its key
+    page[12 + 2 * i] = static_cast<char>(at >> 8);
+    page[13 + 2 * i] = static_cast<char>(at & 0xff);
+  }
+  return page;
+}
+
+// Twelve pages, each 51 times the way to the next, are a table of 3e20 rows in 22 kB.
+TEST(SqliteBag, PagesThatLeadOnWithoutAnEndAreGivenUp) {
+  const mcap::Folder folder;
+  static_cast<void>(said_of_database(
+      folder / "a.db3",
+      "PRAGMA page_size = 512; CREATE TABLE topics(id INTEGER PRIMARY KEY, name, type, serialization_format);"
+      "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id, timestamp, data);"
+      "CREATE TABLE filler(data); INSERT INTO filler VALUES (zeroblob(20000));"
+      "INSERT INTO topics VALUES (1, '/a', 'a/msg/A', 'cdr'); INSERT INTO messages VALUES (1, 1, 5, x'00')"));
+  std::string file = mcap::content_of(folder / "a.db3");
+  const auto page = [&](std::size_t number) {
+    return file.begin() + static_cast<std::ptrdiff_t>((number - 1) * 512);
+  };
+  constexpr std::uint8_t kMessages = 3;  // page of the second table; those of the filler come after the third
+  const std::string leaf(page(kMessages), page(kMessages + 1));
+  for (std::uint8_t i = 0; i < 12; ++i) {
+    const std::uint8_t from = i == 0 ? kMessages : 10 + i;
+    std::ranges::copy(page_to(11 + i), page(from));
+  }
+  std::ranges::copy(leaf, page(22));
+  mcap::write_content(folder / "b.db3", file);
+  const auto bag = open_bag(folder / "b.db3");
+  ASSERT_EQ(bag->faults().size(), 1U);
+  EXPECT_THAT(bag->faults()[0].what, HasSubstr("lead on without an end"));
+}
+
 INSTANTIATE_TEST_SUITE_P(All, SqliteVersions, ::testing::Values(1, 2, 3, 4));
 
 TEST(Bag, JoinsTheFilesOfAFolder) {

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "runtime/bag/qos_text.hpp"
@@ -63,6 +64,20 @@ TEST(BagWriter, WritesAFolderThatRosbag2Reads) {
   const Bytes graph = bag->attachment("graph.yaml").value();
   EXPECT_EQ(std::string(graph.begin(), graph.end()), "components:");
   EXPECT_THAT(bag->metadata().at("rosbag2").at("serialized_metadata"), HasSubstr("version: 5"));
+}
+
+// A recording tells who was where and when.
+TEST(BagWriter, WritesForItsOwnerAlone) {
+  const mcap::Folder folder;
+  const auto mode = [&](const char* name) { return std::filesystem::status(folder / name).permissions(); };
+  const mode_t before = umask(0);
+  BagWriter(folder / "new/drive", {}).close();
+  BagWriter(folder / "single/drive.mcap", {}).close();
+  umask(before);
+  for (const char* made : {"new", "new/drive", "single"})
+    EXPECT_EQ(mode(made), std::filesystem::perms(0700)) << made;
+  for (const char* made : {"new/drive/drive_0.mcap", "single/drive.mcap"})
+    EXPECT_EQ(mode(made), std::filesystem::perms(0600)) << made;
 }
 
 TEST(BagWriter, WritesASingleFileByItsName) {

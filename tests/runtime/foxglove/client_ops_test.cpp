@@ -170,7 +170,7 @@ TEST(ClientText, TooMuchIsRefused) {
   const std::string deep(kLongestText / 2, '[');
   expect_refused(deep + std::string(kLongestText / 2, ']'), Kind::too_large,
                  "a text nested deeper than 16 levels");
-  expect_refused(deep, Kind::not_json, "a text that is not JSON");
+  expect_refused(deep, Kind::too_large, "a text nested deeper than 16 levels");
   // As many entries as fit.
   std::string wide = R"({"op":"unsubscribe","subscriptionIds":[0)";
   while (wide.size() + 4 < kLongestText) wide += ",0";

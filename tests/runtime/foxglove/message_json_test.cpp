@@ -1,7 +1,9 @@
 // Messages as Foxglove's panels write them in JSON, and replies as they read them.
 #include "runtime/foxglove/message_json.hpp"
 
+#include <iterator>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -12,8 +14,10 @@
 #include <std_msgs/msg/string.hpp>
 #include <std_srvs/srv/empty.hpp>
 
+#include "runtime/foxglove/json_bounds.hpp"
 #include "runtime/wire/serialization.hpp"
 #include "runtime/wire/type_registry.hpp"
+#include "tests/runtime/largest_allocation.hpp"
 
 namespace bw::foxglove {
 namespace {
@@ -74,13 +78,56 @@ TEST(MessageJson, WhatTheTypeDoesNotHaveIsRefusedWithItsName) {
   EXPECT_THAT(refusal<PoseStamped>("{\"pose\":"), HasSubstr("is an object of JSON"));
 }
 
-// 100,000 values, as in YAML; and depth costs nothing, since it goes as deep as the type.
+// 100,000 values and 32 levels, as in YAML: refused before memory is taken for them. A tree of 4 MB of brackets took 350 MB.
 TEST(MessageJson, TooMuchIsRefused) {
   std::string list = "0";
   for (int i = 0; i < 100'000; ++i) list += ",0";
   EXPECT_THAT(refusal<LaserScan>("{\"ranges\": [" + list + "]}"), HasSubstr("more than 100000 values"));
-  const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
-  EXPECT_THAT(refusal<PoseStamped>("{\"pose\": " + deep + "}"), HasSubstr("must be a map"));
+  const auto nested = [](std::size_t levels) {
+    return "{\"pose\": " + std::string(levels, '[') + std::string(levels, ']') + "}";
+  };
+  EXPECT_THAT(refusal<PoseStamped>(nested(31)), HasSubstr("must be a map"));
+  largest_allocation = 0;
+  EXPECT_THAT(refusal<PoseStamped>(nested(32)), HasSubstr("nested deeper than 32 levels"));
+  const std::string brackets(std::size_t{4} << 20, '[');
+  const std::string texts = "[\"" + std::string(std::size_t{4} << 20, '[') + "\"]";
+  largest_allocation = 0;
+  EXPECT_THAT(refusal<PoseStamped>(brackets), HasSubstr("nested deeper than 32 levels"));
+  EXPECT_LT(largest_allocation, 4096U);
+  EXPECT_THAT(refusal<PoseStamped>(texts), HasSubstr("is an object of JSON"))
+      << "brackets in a text are none";
+}
+
+TEST(JsonBounds, CountWhatIsOpenAndWhatThereIs) {
+  EXPECT_EQ(broken_bound(R"({"a": [1, 2], "b,[{": "\"[,"})", 2, 5), std::nullopt);  // the root, a, 1, 2, b
+  EXPECT_EQ(broken_bound(R"({"a": [1, 2], "b,[{": "\"[,"})", 1, 5), "nested deeper than 1 levels");
+  EXPECT_EQ(broken_bound(R"({"a": [1, 2], "b,[{": "\"[,"})", 2, 4), "of more than 4 values");
+  EXPECT_EQ(broken_bound("[[],[],[]]", 2, 100), std::nullopt);  // side by side is not within each other
+  for (const std::string broken : {"", "]", "]]]]", "\"", "\"\\", "\\", "[\"\\\"]"})
+    EXPECT_EQ(broken_bound(broken, 1, 2), std::nullopt) << broken;
+}
+
+// Whatever comes is a message or refused with a reason, and takes no more memory than in proportion.
+TEST(MessageJson, MutatedTextsAreTakenOrRefused) {
+  const std::string seed =
+      R"({"header": {"stamp": {"sec": 1, "nsec": 2}, "frame_id": "a\u00e4"}, "pose": {"position": {"x": 1e3}}})";
+  const std::string pieces[] = {
+      "[", "{", "]", "}", "\"", "\\", ",", ":", "null", "1e999", std::string(40, '[')};
+  std::mt19937 random(7);
+  largest_allocation = 0;
+  for (int i = 0; i < 5000; ++i) {
+    std::string text = seed;
+    for (std::size_t n = 1 + random() % 4; n > 0; --n) {
+      const std::size_t at = random() % text.size();
+      if (random() % 2 == 0)
+        text.erase(at, 1 + random() % 8);
+      else
+        text.insert(at, pieces[random() % std::size(pieces)]);
+      if (text.empty()) text = "{";
+    }
+    static_cast<void>(refusal<PoseStamped>(text));
+  }
+  EXPECT_LT(largest_allocation, 64U << 10);
 }
 
 TEST(MessageJson, AMessageReadsBack) {

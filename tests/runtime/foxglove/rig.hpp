@@ -76,7 +76,7 @@ class Rig : public testing::Test {
     server_->on_open(id, {.subprotocol = std::string(subprotocol),
                           .peer = "127.0.0.1:" + std::to_string(50000 + id),
                           .origin = "",
-                          .may_command = may_command});
+                          .read_only = may_command ? "" : "commands need a token"});
   }
   void opened(ConnectionId id, bool may_command = true, std::string_view subprotocol = kSdkV1) {
     open(id, may_command, subprotocol);

@@ -165,8 +165,7 @@ TEST_F(Commands, WhoMayOnlyLookIsRefusedEachWay) {
   server_->on_services(
       {service(5, "/arm"), service(6, "/planner/get_parameters", "rcl_interfaces/srv/GetParameters")}, {});
   opened(1, false);
-  const std::string reason =
-      "this connection may only look on: from other machines commands need --allow-commands";
+  const std::string reason = "read only: commands need a token";
   advertise(1, 1, "/goal_pose", "json");
   expect_status(1, 2, "advertise /goal_pose: " + reason);
   publish(1, 1, "{}");
@@ -224,6 +223,12 @@ TEST_F(Commands, OpenToTheNetworkThereIsOneCommanderAtATime) {
       json::parse(
           R"({"op": "status", "level": 1, "message": "127.0.0.1:50001 commands the robot", "id": "commander"})"));
 
+  advertise(2, 2, "/robot1/emergency_stop", "json");
+  publish(2, 2, R"({"data": true})");  // whose turn it is or not
+  ASSERT_EQ(robot_.published.size(), 2U);
+  EXPECT_EQ(robot_.published.back().topic, "/robot1/emergency_stop");
+  EXPECT_TRUE(texts(2).empty());
+
   const std::string reason =
       "127.0.0.1:50001 commands the robot; it is another one's turn 10 s after its last command";
   publish(2, 1, "{}");
@@ -232,14 +237,14 @@ TEST_F(Commands, OpenToTheNetworkThereIsOneCommanderAtATime) {
   expect_failure(2, 5, 1, reason);
   text(2, {{"op", "setParameters"}, {"parameters", {{{"name", "/a.b"}, {"value", true}}}}});
   expect_status(2, 2, "setParameters: " + reason);
-  EXPECT_EQ(robot_.published.size(), 1U);
+  EXPECT_EQ(robot_.published.size(), 2U);
   EXPECT_TRUE(robot_.calls.empty());
   EXPECT_TRUE(robot_.sets.empty());
 
   server_->on_close(1);
   EXPECT_EQ(only_text(2), json::parse(R"({"op": "removeStatus", "statusIds": ["commander"]})"));
   publish(2, 1, "{}");
-  EXPECT_EQ(robot_.published.size(), 2U);
+  EXPECT_EQ(robot_.published.size(), 3U);
   EXPECT_EQ(only_text(2).at("message"), "You command the robot");
 }
 

@@ -120,7 +120,7 @@ TEST_F(Parameters, AnswersToThoseWhoLeftAreDropped) {
 TEST_F(Parameters, WhoMayNotCommandHearsWhyAndWhatHolds) {
   opened(1, false);
   text(1, {{"op", "setParameters"}, {"parameters", {{{"name", "/a.b"}, {"value", true}}}}, {"id", "s"}});
-  expect_status(1, 2, "setParameters: this connection may only look on");
+  expect_status(1, 2, "setParameters: read only: commands need a token");
   EXPECT_TRUE(robot_.sets.empty());
   ASSERT_EQ(robot_.gets.size(), 1U);
   EXPECT_EQ(robot_.gets[0].names, std::vector<std::string>{"/a.b"});

@@ -41,6 +41,8 @@ TEST_F(Rig, WhoMayOnlyLookIsNotOfferedToPublish) {
   EXPECT_EQ(ops[0].at("metadata").at("may_command"), "false");
   EXPECT_EQ(ops[1],
             json::parse(R"({"op": "advertise", "channels": []})"));  // one at least, as the document says
+  EXPECT_EQ(ops.back(), json::parse(R"({"op": "status", "level": 0, "id": "read_only",
+      "message": "Read only: commands need a token"})"));
 }
 
 TEST_F(Rig, ChannelsAndServicesComeAndGo) {

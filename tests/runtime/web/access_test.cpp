@@ -92,11 +92,5 @@ TEST(Access, ABrowserThatFetchesForAPageOfElsewhereIsRefusedWithoutAnOriginToo) 
   EXPECT_FALSE(refused_origin(kLocal, own));
 }
 
-TEST(Access, CommandsAreForThisMachineOrWhereTheyAreAllowed) {
-  EXPECT_TRUE(may_command(kLocal));
-  EXPECT_FALSE(may_command(kOpen));
-  EXPECT_TRUE(may_command({.is_loopback = false, .allow_commands = true}));
-}
-
 }  // namespace
 }  // namespace bw::web

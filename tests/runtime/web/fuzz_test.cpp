@@ -58,6 +58,8 @@ std::vector<std::string> requests() {
           "5\r\ntoken\r\n0\r\n\r\n",
       request_text("POST", "/login", "Authorization: Basic YTpi\r\n", "token=%41+b&c"),
       handshake_text("Origin: http://localhost\r\n", "foxglove.sdk.v1, foxglove.websocket.v1"),
+      handshake_text("Authorization: Bearer 0123\r\n", "foxglove.sdk.v1", "/?a=%41&token=%30%31&token"),
+      request_text("GET", "/?token=0123456789abcdef0123456789abcdef&bag=a.mcap"),
       handshake_text("Sec-WebSocket-Extensions: permessage-deflate; client_max_window_bits\r\n"),
   };
 }

@@ -18,8 +18,10 @@ TEST(RequestTarget, IsTakenApart) {
   const auto& target = std::get<RequestTarget>(parsed);
   EXPECT_EQ(target.path, "/bags/my run/run_0.mcap");
   EXPECT_EQ(target.segments, (std::vector<std::string>{"bags", "my run", "run_0.mcap"}));
-  EXPECT_FALSE(target.has_token);
-  EXPECT_TRUE(std::get<RequestTarget>(parse_target("/?a=1&tok%65n=x")).has_token);
+  EXPECT_FALSE(target.token);
+  EXPECT_EQ(std::get<RequestTarget>(parse_target("/?a=1&tok%65n=%78=y&token=z")).token, "x=y");
+  for (const std::string_view empty : {"/?token", "/?token=", "/?token=%", "/?token=&token=x"})
+    EXPECT_EQ(std::get<RequestTarget>(parse_target(empty)).token, "") << empty;
   EXPECT_EQ(std::get<RequestTarget>(parse_target("/bags/")).segments, (std::vector<std::string>{"bags", ""}));
 }
 

@@ -18,6 +18,8 @@
 namespace bw::web {
 namespace {
 
+using ::testing::HasSubstr;
+
 constexpr const char* kToken = "a token of 16 or more characters has none of these spaces";
 constexpr const char* kSecret = "correct-horse-battery";
 
@@ -31,11 +33,14 @@ class RouterTest : public ::testing::Test {
   }
 
   Router router(bool is_loopback, bool allow_commands = false) const {
+    return router(is_loopback, !is_loopback, allow_commands);
+  }
+  Router router(bool is_loopback, bool has_token_file, bool allow_commands) const {
     ServerOptions options;
     options.bag_folder = folder_ / "bags";
     options.allow_commands = allow_commands;
     options.allow_origins = {"https://app.foxglove.dev"};
-    if (!is_loopback) options.token_file = folder_ / "token";
+    if (has_token_file) options.token_file = folder_ / "token";
     Router result(options, is_loopback, {}, {"foxglove.sdk.v1"});
     result.set_port(8765);
     return result;
@@ -56,6 +61,22 @@ int status_of(const std::variant<Admission, Reply>& admitted) {
   const auto* refused = std::get_if<Reply>(&admitted);
   return refused ? refused->status : 101;
 }
+
+/// Why it may not command; of a socket that is let in.
+std::string read_only(const std::variant<Admission, Reply>& admitted) {
+  const auto* let_in = std::get_if<Admission>(&admitted);
+  return let_in ? let_in->read_only : "not let in";
+}
+
+Request on_loopback(const std::string& method, const std::string& target,
+                    std::vector<std::pair<std::string, std::string>> headers = {}) {
+  headers.emplace_back("Host", "localhost:8765");
+  headers.emplace_back("Sec-WebSocket-Protocol", "foxglove.sdk.v1");
+  return {
+      .method = method, .target = target, .headers = std::move(headers), .address = "127.0.0.1", .now = 1};
+}
+
+std::string token_of_run() { return Router({}, true, {}, {}).run_token(); }
 
 /// A browser's login: the cookie as it sends it back.
 std::string log_in(Router& router, Request login) {
@@ -135,13 +156,67 @@ TEST_F(RouterTest, WithoutAFolderTheListOfBagsIsEmpty) {
   EXPECT_EQ(without.answer(local("/bags/a.mcap")).status, 404);
 }
 
-TEST_F(RouterTest, CommandsAreOffUnlessTheyAreAllowed) {
+TEST_F(RouterTest, FromOtherMachinesCommandsAreOffUnlessTheyAreAllowed) {
   const auto asked = request("GET", "/", {{"Authorization", std::string("Bearer ") + kSecret}});
-  EXPECT_FALSE(std::get<Admission>(router(false).admit(asked)).may_command);
-  EXPECT_TRUE(std::get<Admission>(router(false, true).admit(asked)).may_command);
-  Request local = request("GET", "/");
-  local.headers.front().second = "localhost:8765";
-  EXPECT_TRUE(std::get<Admission>(router(true).admit(local)).may_command);
+  EXPECT_THAT(read_only(router(false).admit(asked)), HasSubstr("--allow-commands"));
+  EXPECT_EQ(read_only(router(false, true).admit(asked)), "");
+}
+
+// On loopback everybody may read; commands need the token, whoever asks: a page of any port, the server's own, a program without Origin.
+TEST_F(RouterTest, OnLoopbackCommandsNeedTheRunsToken) {
+  Router local = router(true);
+  const std::string token = local.run_token();
+  EXPECT_EQ(token.size(), 32U);                // 128 bits
+  EXPECT_EQ(token, router(true).run_token());  // of the run, not of the server
+  const std::vector<std::pair<std::string, std::string>> callers = {
+      {"X-None", ""}, {"Origin", "http://localhost:3000"}, {"Origin", "http://localhost:8765"}};
+  for (const auto& caller : callers) {
+    const auto ask = [&](const std::string& target, std::pair<std::string, std::string> more = {"X", ""}) {
+      return read_only(local.admit(on_loopback("GET", target, {caller, std::move(more)})));
+    };
+    EXPECT_THAT(ask("/"), HasSubstr("commands need the token of this run")) << caller.second;
+    for (int i = 0; i < 10; ++i)  // no lockout: it would take the stop from who has the token
+      EXPECT_THAT(ask("/?token=" + std::string(32, '0')), HasSubstr("not that of this run"));
+    for (const std::string& wrong : {std::string(), token.substr(1), token + "0", "x" + token.substr(1)})
+      EXPECT_THAT(ask("/?token=" + wrong), HasSubstr("not that of this run")) << wrong;
+    EXPECT_THAT(ask("/?token=" + token, {"Authorization", "Bearer wrong"}),
+                HasSubstr("not that of this run"));
+    EXPECT_EQ(ask("/?token=" + token), "");
+    EXPECT_EQ(ask("/", {"Authorization", "Bearer " + token}), "");
+  }
+  EXPECT_EQ(local.answer(on_loopback("GET", "/?token=" + token)).status, 200);
+  EXPECT_EQ(local.answer(on_loopback("GET", "/?token=wrong")).status, 200);
+}
+
+// The rules of other machines, and the token is enough for commands.
+TEST_F(RouterTest, OnLoopbackATokenFileIsForReadingToo) {
+  const auto with_file = [this] { return router(true, true, false); };
+  EXPECT_EQ(with_file().run_token(), "");
+  EXPECT_EQ(with_file().answer(on_loopback("GET", "/bags/a.mcap")).status, 401);
+  EXPECT_EQ(status_of(with_file().admit(on_loopback("GET", "/"))), 401);
+  EXPECT_EQ(status_of(with_file().admit(on_loopback("GET", "/?token=wrong"))), 401);
+  EXPECT_EQ(status_of(with_file().admit(on_loopback("GET", "/?token=" + token_of_run()))), 401);
+  EXPECT_EQ(read_only(with_file().admit(on_loopback("GET", std::string("/?token=") + kSecret))), "");
+  EXPECT_EQ(with_file().answer(on_loopback("GET", std::string("/?token=") + kSecret)).status, 400);
+  Router locked = with_file();
+  for (int i = 0; i < 5; ++i) static_cast<void>(locked.admit(on_loopback("GET", "/?token=wrong")));
+  EXPECT_EQ(status_of(locked.admit(on_loopback("GET", std::string("/?token=") + kSecret))), 429);
+}
+
+// To a browser all ports of a machine are one site: SameSite keeps no cookie from a page of another port.
+TEST_F(RouterTest, ACookieIsForItsOwnPage) {
+  Router local = router(true, true, false);
+  Request login = on_loopback("POST", "/login", {{"Origin", "http://localhost:8765"}});
+  login.body = std::string("token=") + kSecret;
+  const Reply reply = local.answer(login);
+  ASSERT_EQ(reply.status, 303);
+  const std::string cookie = reply.headers.back().second.substr(0, reply.headers.back().second.find(';'));
+  const auto asked = [&](const std::string& origin) {
+    return on_loopback("GET", "/", {{"Cookie", cookie}, {"Origin", origin}});
+  };
+  EXPECT_EQ(read_only(local.admit(asked("http://localhost:8765"))), "");
+  EXPECT_EQ(status_of(local.admit(asked("http://localhost:3000"))), 401);
+  EXPECT_EQ(local.answer(asked("http://localhost:3000")).status, 401);
 }
 
 TEST_F(RouterTest, TheTokenHelpsNoForeignHostOrOrigin) {
@@ -173,7 +248,7 @@ TEST_F(RouterTest, ReplayedCookiesAreRefused) {
   EXPECT_EQ(status_of(open.admit(late)), 401);
 
   auto other_page = request("POST", "/logout", {{"Cookie", cookie}, {"Origin", "http://localhost:3000"}});
-  EXPECT_EQ(open.answer(other_page).status, 403);
+  EXPECT_EQ(open.answer(other_page).status, 401);
   EXPECT_EQ(open.answer(request("GET", "/", {{"Cookie", cookie}})).status, 200);
   EXPECT_EQ(open.answer(request("POST", "/logout", {{"Cookie", cookie}, {"Origin", "http://10.0.0.5:8765"}}))
                 .status,
@@ -221,10 +296,9 @@ TEST_F(RouterTest, ATokenInAUrlIsRefusedEvenIfItIsRight) {
   EXPECT_EQ(status_of(open.admit(request("GET", target, {right}))), 400);
 }
 
-TEST_F(RouterTest, OnLoopbackNoTokenIsNeeded) {
+TEST_F(RouterTest, OnLoopbackReadingNeedsNoToken) {
   Router local = router(true);
-  auto asked = request("GET", "/bags/a.mcap");
-  asked.headers.front().second = "localhost:8765";
+  auto asked = on_loopback("GET", "/bags/a.mcap");
   EXPECT_EQ(local.answer(asked).status, 200);
   asked.method = "POST";
   asked.target = "/login";

@@ -89,6 +89,8 @@ export interface Cursor {
 export interface Hands {
   /** False: a bag, no connection, another one commands, or the server does not allow it. */
   readonly canCommand: boolean;
+  /** Its emergency stop is heard though another one commands. */
+  readonly canStop: boolean;
   readonly whyNot: string;
   /** Fields that are left out are zero. */
   publish(topic: string, type: string, value: object): Promise<void>;

@@ -4,8 +4,11 @@ import "./style/statuses.css";
 import { mountBag } from "./bag/mount";
 import { element } from "./page/dom";
 import { PageApp } from "./page/page_app";
+import { mountReadOnly } from "./page/read_only";
 import { mountStatusLines } from "./page/status_lines";
+import { mountStopButton } from "./page/stop_button";
 import { mountTabs, type Tab } from "./page/tabs";
+import { takeToken } from "./page/token";
 import { mountToolbar } from "./page/toolbar";
 import { exposeHook } from "./scene/hook";
 import { SceneOnPage } from "./scene/scene";
@@ -25,11 +28,13 @@ const TABS: Tab[] = [
 ];
 
 mountToolbar(app);
+mountReadOnly(element("connection"), app);
 mountStatusLines(element("statuses"), app);
+mountStopButton(element("stop"), app);
 exposeHook(app, new SceneOnPage(element("scene"), app));
 mountTabs(app, TABS);
 
 mountStrip(element("strip"), app);
 
 const scheme = location.protocol === "https:" ? "wss" : "ws";
-if (!mountBag(app)) app.open(new LiveSource(`${scheme}://${location.host}`, app));
+if (!mountBag(app)) app.open(new LiveSource(`${scheme}://${location.host}`, app, takeToken(location, history, sessionStorage)));

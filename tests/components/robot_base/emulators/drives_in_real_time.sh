@@ -9,6 +9,7 @@ count=${3:-1}
 robots=("${@:4}")
 ((${#robots[@]})) || robots=(kobuki qbot2e eddie)
 scratch=$(mktemp -d)
+export XDG_STATE_HOME=$scratch/state
 trap 'rm -rf "$scratch"' EXIT
 graph=$root/config/graphs/hallway.yaml
 light="$(sed -n '/name: light/,$p' "$root/config/suites/hallway.yaml" | tr -d '\n' | sed 's/.*"\(.*\)".*/\1/')"

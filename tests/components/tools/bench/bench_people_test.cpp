@@ -298,9 +298,14 @@ TEST(RecordedPeople, AreFollowed) {
     EXPECT_GT(stretch.score.clear_mot.mota(), 0.332) << stretch.name;
     EXPECT_LE(stretch.score.clear_mot.motp(), 0.10) << stretch.name;  // asked for in simulation
   }
-  test::expect_at_least("0 to 20 s, MOTA", 0.85, 0.66, run.stretches[0].score.clear_mot.mota());
-  test::expect_at_least("33 to 53 s, MOTA", 0.97, 0.97, run.stretches[1].score.clear_mot.mota());
-  test::expect_at_least("97.5 to 105 s, MOTA", 0.95, 0.95, run.stretches[2].score.clear_mot.mota());
+  // A recording is always the same; one place more or less is what another CPU may do.
+  const auto expect_mota = [&](const char* what, std::size_t i, double asked, double measured) {
+    const auto& mot = run.stretches[i].score.clear_mot;
+    test::expect_at_least(what, {asked, measured, 1.0 / static_cast<double>(mot.people)}, mot.mota());
+  };
+  expect_mota("0 to 20 s, MOTA", 0, 0.85, 73.0 / 108.0);
+  expect_mota("33 to 53 s, MOTA", 1, 0.97, 1.0);
+  expect_mota("97.5 to 105 s, MOTA", 2, 0.95, 1.0);
 }
 
 }  // namespace

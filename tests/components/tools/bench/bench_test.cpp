@@ -39,7 +39,7 @@ class SharedScenes : public ::testing::Test {
 
 TEST_F(SharedScenes, TebKeepsTheCostOfTheReleasedPlanner) {
   // Cost of warm cycle 20 measured with the released planner: 3.98, 6.86, 7.75, 6.96. Two scenes miss it by the mean
-  // dt, which may differ by 5 %, one by a local minimum.
+  // dt, which may differ by 5 %, one by a local minimum. Scenes are given and nothing is drawn: 0.005 is for another CPU's rounding.
   BenchTebArguments arguments;
   arguments.scenes = folder_ + "teb_scenes.yaml";
   arguments.repetitions = 1;
@@ -48,12 +48,14 @@ TEST_F(SharedScenes, TebKeepsTheCostOfTheReleasedPlanner) {
   ASSERT_EQ(bench_teb(arguments), 0);
   const nlohmann::json scenes = result()["scenes"];
   const std::vector<double> released{3.98, 6.86, 7.75, 6.96};
+  const std::vector<double> measured{1.051, 1.035, 1.063, 0.988};
   ASSERT_EQ(scenes.size(), released.size());
   for (std::size_t i = 0; i < released.size(); ++i) {
     const nlohmann::json& warm = scenes[i]["warm"];
     const std::string what =
         "cost of " + scenes[i]["name"].get<std::string>() + " over that of the released planner";
-    bw::test::expect_at_most(what.c_str(), 1.0, 1.08, warm["cost"]["total"].get<double>() / released[i]);
+    bw::test::expect_at_most(what.c_str(), {.asked = 1.0, .measured = measured[i], .noise = 0.005},
+                             warm["cost"]["total"].get<double>() / released[i]);
     EXPECT_NEAR(warm["mean_dt_s"].get<double>(), 0.3, 0.015) << scenes[i]["name"];
   }
 }
@@ -67,18 +69,22 @@ TEST_F(SharedScenes, CrowdReachesMostGoalsAmongWalkersThatDoNotReact) {
   EXPECT_GE(result()["summary"]["successes"].get<int>(), 27);
 }
 
-// Asked of the anticipating planners: 99 % of 300 generated crowds; 296 and 295 are reached. Here the first 30 of the
-// seeds that no parameter was chosen on.
+// Asked of the anticipating planners: 99 % of the generated crowds. Of the 900 of seeds 31001 to 31900, on which nothing was chosen, `eteb`
+// crossed 890 (0.989). Here the first 60 of them, all of which it crosses.
 TEST(CrowdSuccess, OfTheDefaultPlannerIsBelow99Percent) {
+  constexpr int kCrowds = 60;
   BenchCrowdArguments arguments;
-  arguments.generate = 30;
-  arguments.first_seed = 2001;
+  arguments.generate = kCrowds;
+  arguments.first_seed = 31001;
   arguments.planners = {"eteb"};
   arguments.json = ::testing::TempDir() + "bench_crowd_success.json";
   ASSERT_EQ(bench_crowd(arguments), 0);
   const nlohmann::json result = nlohmann::json::parse(std::ifstream(arguments.json));
-  bw::test::expect_at_least("share of crowds crossed", 0.99, 0.9,
-                            result["summary"]["successes"].get<double>() / 30.0);
+  // All of 60 and 0.989 of 900 differ by what chance makes of 60 (0.022), and that is the noise: 59 of 60 must be crossed.
+  bw::test::expect_at_least(
+      "share of crowds crossed",
+      {.asked = 0.99, .measured = 1.0, .noise = bw::test::binomial_noise(0.989, kCrowds)},
+      result["summary"]["successes"].get<double>() / kCrowds);
 }
 
 nlohmann::json crowd_result(BenchCrowdArguments arguments) {

@@ -45,16 +45,38 @@ TEST(AllReport, AVerdictIsThatOfWhatIsJudged) {
   EXPECT_EQ(verdict({kMet, kMissed, kOpen}), Verdict::not_reproduced);
   EXPECT_EQ(verdict({kMet, kOpen}), Verdict::in_part);
   EXPECT_EQ(verdict({kOpen}), Verdict::not_judged);
+  EXPECT_EQ(verdict({}), Verdict::not_judged);
   EXPECT_EQ(verdict_of({}), Verdict::missing);
 }
 
 TEST(AllReport, TheExitStatusAsksForEveryPart) {
-  EXPECT_TRUE(all_reproduced(run_of({{kMet}}).parts));
-  EXPECT_TRUE(all_reproduced(run_of({{kOpen}, {kMet, kOpen}}).parts));  // a quick run
-  EXPECT_FALSE(all_reproduced(run_of({{kMet}, {kMissed}, {kMet}}).parts));
+  EXPECT_TRUE(nothing_missed(run_of({{kMet}}).parts));
+  EXPECT_TRUE(nothing_missed(run_of({{kOpen}, {kMet, kOpen}}).parts));  // a quick run
+  EXPECT_FALSE(nothing_missed(run_of({{kMet}, {kMissed}, {kMet}}).parts));
   AllRun run = run_of({{kMet}});
   run.parts[4].results = nullptr;
-  EXPECT_FALSE(all_reproduced(run.parts));
+  EXPECT_FALSE(nothing_missed(run.parts));
+}
+
+// `reproduced` in results.json is what a script may rely on: every criterion of every part was judged and is met. A part that is met in
+// part or not judged, and one without any criteria, is none of that, although nothing is missed.
+TEST(AllReport, ReproducedSaysThatEverythingWasJudgedAndMet) {
+  const auto json = [](const std::vector<std::vector<Criterion>>& criteria) {
+    return all_json(run_of(criteria));
+  };
+  EXPECT_TRUE(json({{kMet}})["reproduced"]);
+  for (const std::vector<Criterion>& second : {std::vector{kMet, kOpen}, std::vector{kOpen}, {}}) {
+    const nlohmann::ordered_json quick = json({{kMet}, second, {kMet}});
+    EXPECT_FALSE(quick["reproduced"]);
+    EXPECT_TRUE(quick["nothing_missed"]);
+    EXPECT_EQ(quick["verdicts"]["reproduced"], 4);
+  }
+  EXPECT_EQ(json({{kMet}, {kMet, kOpen}, {kMet}})["verdicts"]["what few seeds show is met"], 1);
+  EXPECT_FALSE(json({{kMissed}})["nothing_missed"]);
+  AllRun interrupted = run_of({{kMet}});
+  interrupted.is_finished = false;
+  EXPECT_FALSE(all_json(interrupted)["reproduced"]);
+  EXPECT_FALSE(all_json(interrupted)["nothing_missed"]);
 }
 
 TEST(AllPage, HoldsEveryVerdictAndLinksToEveryPart) {

@@ -123,7 +123,9 @@ TEST(EdwaExperiment, TheGainOverDwaFallsShort) {
   const auto gain = std::find_if(criteria.begin(), criteria.end(),
                                  [](const Criterion& c) { return c.name.starts_with("smallest gain"); });
   ASSERT_NE(gain, criteria.end());
-  bw::test::expect_at_least("smallest gain of EDWA over DWA in a scene [m/s]", 0.01, -0.02, gain->measured);
+  // Noise: each of the two means is of three seeds, and one that is another by 0.003 m/s moves it by 0.001; two in each.
+  bw::test::expect_at_least("smallest gain of EDWA over DWA in a scene [m/s]",
+                            {.asked = 0.01, .measured = -0.0161, .noise = 0.002}, gain->measured);
 }
 
 TEST(EdwaExperiment, PrintedHeadingDoesNotReachTheGoal) {

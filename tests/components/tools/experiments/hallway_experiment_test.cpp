@@ -7,9 +7,9 @@
 namespace bw {
 namespace {
 
-nlohmann::json card(double index) {
+nlohmann::json card(double index, int contacts = 0) {
   return {{"reached", true},
-          {"collisions", 1},
+          {"collisions", contacts},
           {"collisions_at_speed", 0},
           {"max_collision_index", index},
           {"share_ci_above_0_54", 0.1},
@@ -33,15 +33,13 @@ std::vector<HallwayDrive> operator+(std::vector<HallwayDrive> a, const std::vect
 }
 
 TEST(HallwayExperiment, ReadsAScoreCard) {
-  const HallwayDrive drive = hallway_drive("teb", "full", false, 7, card(0.4));
-  EXPECT_TRUE(drive.succeeded()) << "a contact while standing is no failure";
+  const HallwayDrive drive = hallway_drive("teb", "full", false, 7, card(0.4, 1));
+  EXPECT_FALSE(drive.succeeded()) << "a contact while standing is one";
   EXPECT_EQ(drive.contacts, 1);
   EXPECT_EQ(drive.max_collision_index, 0.4);
   EXPECT_EQ(drive.share_above_0_14, 0.3);
   EXPECT_EQ(drive.path_length, 18.5);
-  nlohmann::json touched = card(0.7);
-  touched["collisions_at_speed"] = 1;
-  EXPECT_FALSE(hallway_drive("teb", "full", false, 7, touched).succeeded());
+  EXPECT_TRUE(hallway_drive("teb", "full", false, 7, card(0.7)).succeeded());
   const HallwayDrive nothing =
       hallway_drive("teb", "full", true, 1, {{"reached", false}, {"time_to_goal_s", nullptr}});
   EXPECT_FALSE(nothing.reached);
@@ -54,7 +52,7 @@ TEST(HallwayExperiment, RowsAreMediansAndSharesOverSeeds) {
   EXPECT_EQ(rows[0].episode, "light");
   EXPECT_EQ(rows[0].drives, 4);
   EXPECT_EQ(rows[0].successes, 4);
-  EXPECT_EQ(rows[0].contacts, 4);
+  EXPECT_EQ(rows[0].contacts, 0);
   EXPECT_EQ(rows[0].median_max_collision_index, 0.5);  // nearest rank: the second of four
   EXPECT_EQ(rows[0].share_of_seeds_below_0_54, 0.5);
   EXPECT_NEAR(*rows[0].mean_time, 20.0, 1e-12);

@@ -128,7 +128,7 @@ TEST_F(RecordedDrive, TellsWhoHitWhomAndJudgesByTheRobotsLimits) {
   EXPECT_EQ(contact.record.closing.who, WhoHit::robot_closing);
   EXPECT_TRUE(contact.is_judged);
   EXPECT_EQ(contact.verdict.avoidance, possible::Avoidance::avoidable);
-  EXPECT_FALSE(is_excused(judged.drives[0].contacts, judged.drives[0].card.collisions_at_speed, true));
+  EXPECT_FALSE(is_excused(judged.drives[0].contacts, judged.drives[0].card.collisions));
 }
 
 // The robot believes to drive along y = 0.1 and sees the person where it is from there: 1.0 - 0.3 - 0.3 m aside.

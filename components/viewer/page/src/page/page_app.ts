@@ -17,6 +17,7 @@ const NOTHING: Timeline = {
 
 const NO_HANDS: Hands = {
   canCommand: false,
+  canStop: false,
   whyNot: "A recording takes no commands",
   publish: () => Promise.reject(new Error(NO_HANDS.whyNot)),
   call: () => Promise.reject(new Error(NO_HANDS.whyNot)),

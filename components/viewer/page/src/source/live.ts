@@ -7,6 +7,7 @@ import { SUBPROTOCOLS, readBinary, type AdvertisedChannel, type BinaryMessage, t
 
 const RETRY = 1000; // [ms]
 const COMMANDER = "commander"; // id of the status that says who commands
+const READ_ONLY = "read_only"; // id of the status that says why this page may not
 const LEVELS = ["info", "warning", "error"] as const;
 
 /** Connects, and again each second when the robot is gone. */
@@ -30,7 +31,8 @@ export class LiveSource implements Source {
     () => this.app.emit("graph"),
   );
 
-  constructor(readonly name: string, private readonly app: Pick<App, "emit" | "say">) {
+  /** `token`: what commands need, where there is one. */
+  constructor(readonly name: string, private readonly app: Pick<App, "emit" | "say">, private readonly token?: string) {
     this.timeline = new LiveTimeline((topic, reason) => app.say("warning", `${topic} cannot be read: ${reason}`));
     this.hands = new LiveHands((frame) => this.send(frame), () => app.emit("services"), () => app.emit("parameters"));
     this.connect();
@@ -71,7 +73,8 @@ export class LiveSource implements Source {
   }
 
   private connect(): void {
-    const socket = new WebSocket(this.name, SUBPROTOCOLS);
+    const query = this.token === undefined ? "" : `/?token=${encodeURIComponent(this.token)}`;
+    const socket = new WebSocket(this.name + query, SUBPROTOCOLS);
     socket.binaryType = "arraybuffer";
     this.socket = socket;
     socket.onmessage = (event) => {
@@ -113,6 +116,7 @@ export class LiveSource implements Source {
         break;
       case "status":
         if (message.id === COMMANDER) this.setCommander(message.level > 0 ? message.message : "");
+        else if (message.id === READ_ONLY) this.setReadOnly(message.message);
         else this.app.say(LEVELS[message.level] ?? "info", message.message);
         break;
       case "removeStatus":
@@ -135,6 +139,12 @@ export class LiveSource implements Source {
       default:
         this.hands.onText(message);
     }
+  }
+
+  private setReadOnly(why: string): void {
+    this.hands.setReadOnly(why);
+    this.app.emit("status");
+    this.app.emit("source");
   }
 
   private setCommander(why: string): void {

@@ -19,6 +19,7 @@ export class LiveHands implements Hands {
   private encodings: string[] = [];
   private metadata: Record<string, string> = {};
   private commander = "";
+  private readOnly = "";
   private readonly known = new Map<number, AdvertisedService>();
   private readonly calls = new Map<number, Call>();
   private readonly advertised = new Map<string, { id: number; type: string }>();
@@ -35,11 +36,20 @@ export class LiveHands implements Hands {
     return this.whyNot === "";
   }
 
+  get canStop(): boolean {
+    return this.canCommand || this.whyNot === this.commander;
+  }
+
   get whyNot(): string {
     if (!this.isConnected) return "No connection to the robot";
     if (this.metadata.clock === "lockstep" && this.metadata.accept_inputs !== "true") return "In lock-step the page commands only with --accept-inputs";
-    if (this.metadata.may_command === "false" || !this.capabilities.includes("clientPublish")) return "The server lets this page look on, not command";
+    if (this.metadata.may_command === "false" || !this.capabilities.includes("clientPublish")) return this.readOnly || "Read only: the server takes no commands from this page";
     return this.commander;
+  }
+
+  /** Why the server takes none of this page. */
+  setReadOnly(why: string): void {
+    this.readOnly = why;
   }
 
   /** Why another one's commands go before ours; empty when they do not. */
@@ -52,7 +62,8 @@ export class LiveHands implements Hands {
   }
 
   async publish(topic: string, type: string, value: object): Promise<void> {
-    if (!this.canCommand) throw new Error(this.whyNot);
+    const isStop = this.canStop && topic.endsWith("/emergency_stop");
+    if (!this.canCommand && !isStop) throw new Error(this.whyNot);
     const schema = this.encodings.includes("cdr") ? knownSchema(type) : undefined;
     const id = this.channelOf(topic, type, schema);
     const payload = schema === undefined ? new TextEncoder().encode(json(value)) : encode(schema, value);
@@ -76,6 +87,7 @@ export class LiveHands implements Hands {
     this.isConnected = true;
     this.metadata = metadata;
     this.commander = "";
+    this.readOnly = "";
     this.capabilities = capabilities;
     this.encodings = encodings;
   }

@@ -23,6 +23,7 @@ export function handsOf(answers: Record<string, unknown> = {}): Hands & Told {
   return {
     ...told,
     canCommand: true,
+    canStop: true,
     whyNot: "",
     async publish(topic, type, value) {
       told.published.push([topic, type, value]);

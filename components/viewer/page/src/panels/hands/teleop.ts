@@ -4,6 +4,7 @@ import { create, setText } from "../dom";
 import type { Hand, HandsContext } from "./context";
 import { DIRECTION_OF_KEY, Driver, type Direction } from "./driver";
 import { slider } from "./slider";
+import { STAMPED_TWIST, stampedTwist } from "./stamped_twist";
 
 const PAD: readonly [Direction, string, string][] = [
   ["forward", "▲", "W or arrow up"],
@@ -37,7 +38,7 @@ export class Teleop implements Hand {
 
   constructor(private readonly context: HandsContext) {
     this.driver = new Driver(
-      (twist) => context.app.hands.publish(`${this.driven}/cmd_vel_teleop`, "geometry_msgs/msg/Twist", twist),
+      async (twist) => context.app.hands.publish(`${this.driven}/cmd_vel_teleop_stamped`, STAMPED_TWIST, stampedTwist(twist, context.app.timeline.end)),
       () => ({ linear: this.linear.value(), angular: this.angular.value() }),
       { every: (ms, tick) => every(ms, tick) },
       (reason) => {

@@ -1,0 +1,66 @@
+// node stop_test.mjs PROGRAM: the page's emergency stop on a running robot, by mouse alone.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { Browser, size } from "./browser.mjs";
+import { eventually, Program, run } from "./process.mjs";
+import { program, quiet, Robot } from "./robot.mjs";
+
+test("somebody stops the robot, and lets it go on", async (t) => {
+  const robot = await Robot.start({ options: [...quiet, "--set", "robot.limits.v_max=0.3"] });
+  t.after(() => robot.end("SIGKILL"));
+  const browser = await Browser.start();
+  t.after(() => browser.end());
+  const view = await browser.open(robot.address);
+  /** What release_stop answers, whatever it is. */
+  const release = async () => {
+    const call = new Program(program, "service", "call", "/release_stop");
+    await call.ended;
+    return call.said;
+  };
+  const why = () => view.page.$eval('[data-test="stop-why"]', (text) => text.textContent);
+  const speed = async () => Number((await run(program, "topic", "echo", "/odom", "--once")).match(/linear:\s+x: (\S+)/)[1]);
+  const says = (text) => eventually(async () => `"${text}"; the page says "${await why()}"`, async () => (await why()).includes(text));
+
+  await t.test("the button is large, and stays wherever one looks", async () => {
+    const box = await (await view.element("stop")).boundingBox();
+    assert.ok(box.width >= 100 && box.height >= 100, `${box.width} x ${box.height}`);
+    assert.ok(box.x >= 0 && box.x + box.width <= size.width && box.y + box.height <= size.height);
+    for (const tab of ["#tab-parameters", "#tab-health", "#tab-drive", "#side-toggle", "#side-toggle"]) {
+      await view.page.click(tab);
+      await view.element("stop");
+    }
+    await view.picture("stop_ready");
+  });
+
+  await t.test("it stops a robot with a goal, and says who", async () => {
+    await view.click("goal");
+    await view.drag([8, 0], [8.6, 0]);
+    await eventually("the robot drives", async () => (await speed()) > 0.1);
+    await view.page.keyboard.press("ArrowLeft"); // another time than now is looked at
+    await view.click("stop");
+    await says("Stopped: the emergency stop is pressed by /");
+    await view.picture("stop_in_force");
+    assert.ok(await view.page.$eval('[data-test="stop"]', (button) => button.classList.contains("in-force")));
+    await eventually("the robot stands", async () => Math.abs(await speed()) < 0.01);
+    // The button is down: nobody else's release lets go.
+    assert.match(await release(), /the emergency stop is pressed by/);
+    await says("Stopped: the emergency stop is pressed by /");
+  });
+
+  await t.test("a release asks before, and lets it go on", async () => {
+    await view.click("stop-release");
+    await view.element("stop-release-yes");
+    await view.picture("stop_release");
+    await view.click("stop-release-yes");
+    await eventually("the robot drives again", async () => (await speed()) > 0.1);
+    assert.equal(await why(), "");
+  });
+
+  await t.test("a page that is closed leaves the robot stopped, and does not refuse the release", async () => {
+    await view.click("stop");
+    await says("Stopped: the emergency stop is pressed by /");
+    await view.page.close();
+    let answer;
+    await eventually(() => `a release; ${answer}`, async () => /pressed the emergency stop and has left/.test((answer = await release())));
+  });
+});
