@@ -16,9 +16,10 @@ constexpr Duration kCheck = Duration::milliseconds(10);
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TwistMuxOptions three_sources() {
-  return {.sources = {{.topic = "hand", .priority = 100, .timeout = 0.2, .hand = true},
-                      {.topic = "behavior", .priority = 50, .timeout = 0.25, .stamped = true},
-                      {.topic = "planner", .priority = 10, .timeout = 0.5}}};
+  return {
+      .sources = {{.topic = "hand", .priority = 100, .timeout = 0.2, .hand = true},
+                  {.topic = "behavior", .priority = 50, .timeout = 0.25, .max_age = 0.25, .stamped = true},
+                  {.topic = "planner", .priority = 10, .timeout = 0.5}}};
 }
 
 struct MuxWorld {
@@ -27,7 +28,7 @@ struct MuxWorld {
   bool may_speak(std::size_t i, const Twist2& twist, std::optional<Time> stamp) const {
     if (!is_finite(twist)) return false;
     if (i > 0 && is_interrupted) return false;
-    if (stamp && now - *stamp > Duration::seconds(options.sources[i].timeout)) return false;
+    if (is_late(i, stamp)) return false;
     for (std::size_t above = 0; above < i; ++above) {
       const auto& source = options.sources[above];
       if (said[above] && now - *said[above] <= Duration::seconds(source.timeout)) return false;
@@ -35,12 +36,18 @@ struct MuxWorld {
     return true;
   }
 
+  bool is_late(std::size_t i, std::optional<Time> stamp) const {
+    return stamp && now - *stamp > Duration::seconds(options.sources[i].max_age);
+  }
+
   void say(std::size_t i, const Twist2& twist, std::optional<Time> stamp = std::nullopt) {
     const bool may = may_speak(i, twist, stamp);
-    const auto speaks = [&](std::size_t k) { return said[k] && now - *said[k] <= Duration::seconds(options.sources[k].timeout); };
-    const bool late = stamp && now - *stamp > Duration::seconds(options.sources[i].timeout);
+    const auto speaks = [&](std::size_t k) {
+      return said[k] && now - *said[k] <= Duration::seconds(options.sources[k].timeout);
+    };
     if (i == 0 && may && (has_goal || speaks(1) || speaks(2))) is_interrupted = true;
-    if (i > 0 && is_finite(twist) && !late && twist != Twist2{} && speaks(0)) is_interrupted = true;
+    if (i > 0 && is_finite(twist) && !is_late(i, stamp) && twist != Twist2{} && speaks(0))
+      is_interrupted = true;
     const auto out = mux.command(now, i, twist, stamp);
     if (may && out != twist) violation = "a word that counts does not go on as it is";
     if (!may && out && *out != Twist2{}) violation = "a word that does not count goes on";
@@ -106,7 +113,8 @@ std::string ages(const MuxWorld& world) {
   add(world.silent);
   add(world.back);
   return text + (world.driver ? std::to_string(*world.driver) : "-") +
-         (world.given == Twist2{} ? " stands" : " moves") + (world.has_goal ? "g" : "-") + (world.is_interrupted ? "i" : "-");
+         (world.given == Twist2{} ? " stands" : " moves") + (world.has_goal ? "g" : "-") +
+         (world.is_interrupted ? "i" : "-");
 }
 
 TEST(TwistMux, PassesOneAndStopsWhoFallsSilentInEverySequence) {
@@ -127,10 +135,22 @@ TEST(TwistMux, PassesOneAndStopsWhoFallsSilentInEverySequence) {
                                                        {"planner drives", says(2, drives)},
                                                        {"planner stops", says(2, stands)},
                                                        {"planner sends NaN", says(2, nan)},
-                                                       {"a goal", [](MuxWorld& w) { w.has_goal = true; w.mux.set_goal(true); }},
-                 {"no goal", [](MuxWorld& w) { w.has_goal = false; w.mux.set_goal(false); }},
-                 {"release", [](MuxWorld& w) { w.is_interrupted = false; w.mux.release(); }},
-                 {"10 ms", after(10)},
+                                                       {"a goal",
+                                                        [](MuxWorld& w) {
+                                                          w.has_goal = true;
+                                                          w.mux.set_goal(true);
+                                                        }},
+                                                       {"no goal",
+                                                        [](MuxWorld& w) {
+                                                          w.has_goal = false;
+                                                          w.mux.set_goal(false);
+                                                        }},
+                                                       {"release",
+                                                        [](MuxWorld& w) {
+                                                          w.is_interrupted = false;
+                                                          w.mux.release();
+                                                        }},
+                                                       {"10 ms", after(10)},
                                                        {"200 ms", after(200)},
                                                        {"600 ms", after(600)},
                                                        {"clock back 100 ms", back(100)},
