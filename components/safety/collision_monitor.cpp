@@ -66,7 +66,19 @@ void CollisionMonitor::set_footprint(const Footprint& footprint) {
   wide_ = padded(kept_free_, options_.stopping.narrow_margin);
 }
 
+void CollisionMonitor::follow_clock(Time now) {
+  if (now < newest_) {
+    watch_.forget(now);
+    stamps_ = {};
+    poses_ = {};
+    if (odometry_at_) odometry_at_ = now - Duration::seconds(options_.source_timeout) - Duration{1};
+    if (fault_at_) fault_at_ = now;
+  }
+  newest_ = now;
+}
+
 void CollisionMonitor::odometry(Time time, const Pose2& X_OB, const Twist2& twist) {
+  follow_clock(time);
   if (!is_finite(X_OB) || !is_finite(twist)) return;
   odometry_at_ = time;
   twist_ = twist;
@@ -74,7 +86,9 @@ void CollisionMonitor::odometry(Time time, const Pose2& X_OB, const Twist2& twis
 }
 
 void CollisionMonitor::sweep(Time now, LaserSweep sweep, const StampSource& source) {
+  follow_clock(now);
   stamp_ = stamps_.add(now, sweep.time, source, Duration::seconds(options_.source_timeout));
+  if (poses_.is_empty()) return;  // nobody says where it was measured
   if (stamp_.fault != StampFault::none) return refuse(now, sweep, SweepFault::bad_stamp);
   const Time measured_at = now - stamp_.age;
   const Pose2 X_OB = poses_.at(measured_at);
@@ -94,19 +108,19 @@ void CollisionMonitor::sweep(Time now, LaserSweep sweep, const StampSource& sour
 }
 
 void CollisionMonitor::refuse(Time now, const LaserSweep& sweep, SweepFault why) {
+  follow_clock(now);
   sweep_fault_ = why;
   watch_.add(now, sweep.time, sweep.ranges, why, poses_.at(now));
 }
 
 std::optional<std::string_view> CollisionMonitor::fault(Time now) {
   const LaserState state = watch_.state(now);
-  // After a clock that went back it is as silent as the laser, until the next one.
   const bool has_odometry =
-      odometry_at_ && *odometry_at_ <= now && (now - *odometry_at_).to_seconds() <= options_.source_timeout;
-  if (fault_at_ && *fault_at_ > now) fault_at_ = now;  // the clock went back
+      odometry_at_ && (now - *odometry_at_).to_seconds() <= options_.source_timeout;
   if (state != LaserState::ok || !has_odometry) {
     const bool is_start = state == LaserState::waiting || !odometry_at_;
-    fault_cause_ = state != LaserState::ok ? cause_of(state) : kOdometrySilent;
+    const bool is_laser = state != LaserState::ok && !poses_.is_empty();  // without odometry no sweep counts
+    fault_cause_ = is_laser ? cause_of(state) : kOdometrySilent;
     fault_at_ = now;
     latched_ = latched_ || (options_.resume == Resume::manual && !is_start);
     return fault_cause_;
@@ -287,6 +301,7 @@ Verdict CollisionMonitor::judge_turn(const Twist2& wanted, const Ahead& ahead) c
 }
 
 Verdict CollisionMonitor::judge(Time now, const Twist2& wanted) {
+  follow_clock(now);
   if (const auto cause = fault(now)) return {{}, Action::stop, *cause};
   if (!is_finite(wanted)) return {{}, Action::stop, "command_not_finite"};
   const Ahead ahead = ahead_at(now);

@@ -54,7 +54,7 @@ inline constexpr bool is_laser_fault(std::string_view cause) {
 inline constexpr std::string_view kOdometrySilent = "odometry_silent";
 inline constexpr std::string_view kWaitingForReset = "waiting_for_reset";
 
-/// Times are of the component clock.
+/// Times are of the component clock. After one that went back nothing of before counts: neither sweep nor odometry is fresh.
 class CollisionMonitor {
  public:
   CollisionMonitor(const Robot& robot, const CollisionMonitorOptions& options);
@@ -84,6 +84,7 @@ class CollisionMonitor {
   Verdict judge(Time now, const Twist2& wanted);
   /// Notices faults while nobody wants anything; that neither laser nor odometry has begun is none.
   void look(Time now) {
+    follow_clock(now);
     if (odometry_at_ && watch_.state(now) != LaserState::waiting) fault(now);
   }
 
@@ -111,6 +112,7 @@ class CollisionMonitor {
     Pose2 X_seen_now;               ///< base_link now, in that of the sweep
   };
 
+  void follow_clock(Time now);
   std::optional<std::string_view> fault(Time now);
   Ahead ahead_at(Time now) const;
   Stopping stopping_on(const Twist2& along) const;
@@ -127,6 +129,7 @@ class CollisionMonitor {
   double turn_share(double omega, const Ahead& ahead) const;
   Verdict judge_turn(const Twist2& wanted, const Ahead& ahead) const;
 
+  Time newest_;  ///< of all that came, on a clock that has not gone back since
   Limits limits_;
   double wheel_separation_;  ///< [m]
   Footprint own_;            ///< of the robot file

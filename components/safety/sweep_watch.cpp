@@ -43,9 +43,14 @@ bool SweepWatch::add(Time now, Time measured_at, std::span<const float> ranges, 
   return true;
 }
 
+void SweepWatch::forget(Time now) {
+  if (fresh_at_) fresh_at_ = now - timeout_ - Duration{1};
+  arrived_at_.reset();
+  stamp_.reset();
+}
+
 LaserState SweepWatch::state(Time now) const {
-  // After a clock that went back nothing is fresh until the next sweep.
-  if (fresh_at_ && *fresh_at_ <= now && now - *fresh_at_ <= timeout_) return LaserState::ok;
+  if (fresh_at_ && now - *fresh_at_ <= timeout_) return LaserState::ok;
   if (arrived_at_ && now - *arrived_at_ <= timeout_ && last_ != LaserState::ok) return last_;
   return fresh_at_ ? LaserState::silent : LaserState::waiting;
 }

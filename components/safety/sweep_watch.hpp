@@ -28,6 +28,8 @@ class SweepWatch {
   /// is. True when it is fresh.
   bool add(Time now, Time measured_at, std::span<const float> ranges, SweepFault fault, const Pose2& X_OB);
 
+  /// The clock went back to `now`: what came before is not fresh, and no later than what comes.
+  void forget(Time now);
   LaserState state(Time now) const;
 
  private:

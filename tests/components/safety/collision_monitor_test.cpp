@@ -291,12 +291,61 @@ TEST(CollisionMonitor, OdometryOfBeforeTheClockWentBackIsNotFresh) {
   Bench bench;
   EXPECT_EQ(bench.run(0.5, sweep_of({}), {1.0, 0.0}).action, Action::do_nothing);
   bench.now = bench.now - Duration::milliseconds(200);
-  for (int i = 0; i < 2; ++i) {  // the first one after a jump is lost
+  for (int i = 0; i < 2; ++i) {
     Sweep sweep = sweep_of({pillar(5.0 + i)});
     sweep.time = bench.now = bench.now + Duration::milliseconds(20);
     bench.monitor.sweep(bench.now, sweep.view());
   }
   EXPECT_EQ(bench.monitor.judge(bench.now, {1.0, 0.0}).cause, kOdometrySilent);
+}
+
+// 100 ms back: the sweep that comes next has an older stamp than the last one, and shows a wall.
+TEST(CollisionMonitor, AfterTheClockWentBackOnlyWhatIsSeenThenCounts) {
+  Bench bench;
+  EXPECT_EQ(bench.run(0.5, sweep_of({}), {1.0, 0.0}).action, Action::do_nothing);
+  bench.now = bench.now - Duration::milliseconds(100);
+  EXPECT_EQ(bench.monitor.judge(bench.now, {1.0, 0.0}).cause, kOdometrySilent);
+  bench.now = bench.now + Duration::milliseconds(20);
+  bench.monitor.odometry(bench.now, {}, {});
+  EXPECT_EQ(bench.monitor.judge(bench.now, {1.0, 0.0}).cause, kLaserSilent);
+  Sweep wall = sweep_of({pillar(0.35)});
+  wall.time = bench.now;
+  bench.monitor.sweep(bench.now, wall.view());
+  EXPECT_EQ(bench.monitor.laser(bench.now), LaserState::ok);
+  EXPECT_EQ(bench.monitor.judge(bench.now, {1.0, 0.0}).allowed, Twist2{});
+}
+
+// With a reset between: odometry of before must not become fresh while the clock comes back to where it was.
+TEST(CollisionMonitor, AResetAfterTheClockWentBackDoesNotMakeOldOdometryFresh) {
+  CollisionMonitorOptions options;
+  options.resume = Resume::manual;
+  Bench bench(options);
+  bench.monitor.odometry(bench.now, {}, {});
+  bench.now = bench.now - Duration::milliseconds(100);
+  bench.monitor.judge(bench.now, {1.0, 0.0});
+  for (int i = 0; i < 2; ++i) {
+    Sweep sweep = sweep_of({pillar(5.0 + i)});
+    sweep.time = bench.now = bench.now + Duration::milliseconds(50);
+    bench.monitor.sweep(bench.now, sweep.view());
+  }
+  bench.monitor.reset();
+  const std::string_view cause = bench.monitor.judge(bench.now, {1.0, 0.0}).cause;
+  EXPECT_NE(cause, "");
+  EXPECT_NE(cause, kWaitingForReset);
+  bench.run(0.1, sweep_of({}), {1.0, 0.0});
+  bench.monitor.reset();
+  EXPECT_EQ(bench.run(0.6, sweep_of({}), {1.0, 0.0}).action, Action::do_nothing);
+}
+
+// A sweep that came before the first odometry was measured nobody knows where.
+TEST(CollisionMonitor, ASweepBeforeTheFirstOdometryDoesNotCount) {
+  Bench bench;
+  Sweep wall = sweep_of({pillar(0.5)});
+  wall.time = bench.now;
+  bench.monitor.sweep(bench.now, wall.view());
+  bench.now = bench.now + Duration::milliseconds(20);
+  bench.monitor.odometry(bench.now, {5.0, 3.0, 1.0}, {});
+  EXPECT_EQ(bench.monitor.judge(bench.now, {1.0, 0.0}).cause, kLaserWaiting);
 }
 
 /// Whatever the sweep and the wish: the answer is finite, no faster than the wish, and on its side.
