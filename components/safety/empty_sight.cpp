@@ -52,9 +52,9 @@ class Field {
     if (has_edges_ && (at < 0 || at >= size_)) return std::nullopt;
     return static_cast<std::size_t>(wrapped(at));
   }
-  /// Adds up, for each beam, `of` over all beams up to kRound to either side.
-  std::vector<std::size_t> around(const std::vector<std::size_t>& of) const {
-    const auto reach = std::min<std::ptrdiff_t>(std::lround(kRound / std::abs(step_)), (size_ - 1) / 2);
+  /// Adds up, for each beam, `of` over all beams up to `angle` to either side.
+  std::vector<std::size_t> around(const std::vector<std::size_t>& of, double angle = kRound) const {
+    const auto reach = std::min<std::ptrdiff_t>(std::lround(angle / std::abs(step_)), (size_ - 1) / 2);
     std::vector<std::size_t> sums(of.size(), 0);
     std::size_t sum = 0;
     const auto at = [&](std::ptrdiff_t beam) {
@@ -95,15 +95,14 @@ class EmptySight::Memory {
     const std::vector<std::size_t> hits_around = count([&](std::size_t i) { return is_hit(i); });
     std::erase_if(places, [&](Place& place) { return !keeps(place, hits_around); });
     const std::vector<Place> seen = anew(places);
-    std::vector<std::size_t> moved(beams(), 0);
-    for (const Place& place : seen)
-      if (sweep_.time - place.since < kStands) ++moved[*field_.lasting(place.position)];
-    const std::vector<std::size_t> moved_around = field_.around(moved);
+    places.insert(places.end(), seen.begin(), seen.end());
+    const auto moved = around(
+        places, [&](const Place& place) { return !place.lost_at && sweep_.time - place.since < kStands; });
     const auto is_new = [&](const Place& place) { return place.lost_at == sweep_.time; };
-    const std::vector<std::size_t> vanished = around(places, is_new);
+    const auto vanished = around(places, is_new, 0.5 * kRound);  // what was there went up to kRound aside
     const auto has_moved = [&](const Place& place) {
       const std::size_t beam = *field_.lasting(place.position);
-      return is_new(place) && moved_around[beam] >= vanished[beam];
+      return is_new(place) && moved[beam] >= vanished[beam];
     };
     std::erase_if(places, has_moved);
     const std::vector<bool> gone = is_gone(places);
@@ -111,7 +110,6 @@ class EmptySight::Memory {
       return place.lost_at && !gone[*field_.lasting(place.position)] &&
              sweep_.time - *place.lost_at > kForgets;
     });
-    places.insert(places.end(), seen.begin(), seen.end());
   }
   /// Which free beams look at what is lost.
   std::vector<bool> dark(const std::vector<Place>& places) const {
@@ -130,11 +128,12 @@ class EmptySight::Memory {
     return field_.around(of);
   }
   template <class Counts>
-  std::vector<std::size_t> around(const std::vector<Place>& places, Counts counts) const {
+  std::vector<std::size_t> around(const std::vector<Place>& places, Counts counts,
+                                  double angle = kRound) const {
     std::vector<std::size_t> of(beams(), 0);
     for (const Place& place : places)
       if (counts(place)) ++of[*field_.lasting(place.position)];
-    return field_.around(of);
+    return field_.around(of, angle);
   }
 
   /// By beams, whether so much is lost around that something was there.
