@@ -106,6 +106,8 @@ class EmptySight::Memory {
     };
     std::erase_if(places, has_moved);
     const std::vector<bool> gone = is_gone(places);
+    for (Place& place : places)
+      if (place.lost_at && gone[*field_.lasting(place.position)]) place.is_missed = true;
     std::erase_if(places, [&](const Place& place) {
       return place.lost_at && !gone[*field_.lasting(place.position)] &&
              sweep_.time - *place.lost_at > kForgets;
@@ -141,8 +143,11 @@ class EmptySight::Memory {
     const auto lost = around(places, [](const Place& place) { return place.lost_at.has_value(); });
     const auto stood = around(
         places, [](const Place& place) { return place.lost_at && *place.lost_at - place.since >= kStands; });
+    // What is missed lies farther apart the nearer it is.
+    const auto missed = around(places, [](const Place& place) { return place.is_missed; });
     std::vector<bool> gone(beams(), false);
-    for (std::size_t i = 0; i < beams(); ++i) gone[i] = lost[i] >= kCannotVanish || stood[i] >= kStanding;
+    for (std::size_t i = 0; i < beams(); ++i)
+      gone[i] = missed[i] > 0 || lost[i] >= kCannotVanish || stood[i] >= kStanding;
     return gone;
   }
 
@@ -155,7 +160,7 @@ class EmptySight::Memory {
       if (!near || !is_hit(*near)) continue;
       is_another = true;
       if (std::abs(sweep_.ranges[*near] - field_.distance(place.position)) > kSame) continue;
-      if (place.lost_at) place = {place.position, sweep_.time, {}};  // of another thing, maybe
+      if (place.lost_at) place = {place.position, sweep_.time, {}, false};  // of another thing, maybe
       return true;
     }
     if (is_another) return false;
@@ -179,7 +184,7 @@ class EmptySight::Memory {
       const Vector2 position = X_OB_ * point.position;
       const auto beam = field_.lasting(position);
       if (!beam || since[*beam]) continue;
-      Place place{position, sweep_.time, {}};
+      Place place{position, sweep_.time, {}, false};
       for (const std::ptrdiff_t offset : {-1, 1})
         if (const auto near = field_.beside(*beam, offset); near && since[*near])
           place.since = std::min(place.since, *since[*near]);

@@ -43,6 +43,7 @@ class EmptySight {
     Vector2 position{0.0, 0.0};   ///< in odom
     Time since;                   ///< hit there
     std::optional<Time> lost_at;  ///< where free beams are now
+    bool is_missed = false;       ///< with so many that something was there
   };
   class Memory;
 
