@@ -7,6 +7,7 @@ namespace bw::kobuki {
 namespace {
 
 constexpr std::int64_t kMillisecond = 1'000'000;
+constexpr Duration kSooner = Duration::milliseconds(100);  ///< than any before: no delay that ended
 
 }  // namespace
 
@@ -19,9 +20,12 @@ std::int64_t BoardClock::unwrap(std::uint16_t stamp, Time arrival) const {
 }
 
 /// `board`: the newest of what was read together.
-void BoardClock::take(Time arrival, std::int64_t board, bool went_back) {
+void BoardClock::take(Time arrival, std::int64_t board, bool is_first, bool went_back) {
+  const Duration least = clock_.least();
   if (went_back) clock_ = ForeignClock(ForeignClock::Way::direct);
-  if (!clock_.add(arrival, Time{board}).has_stepped && !went_back) return;
+  const bool has_stepped = clock_.add(arrival, Time{board}).has_stepped;
+  const bool is_sooner = !is_first && clock_.least() < least - kSooner;
+  if (!has_stepped && !went_back && !is_sooner) return;
   ++jumps_;
   may_step_ = true;
 }
@@ -38,7 +42,7 @@ std::vector<Time> BoardClock::times(Time arrival, std::span<const std::uint16_t>
     newest_ = {stamp, unwrapped, arrival, Time{}};
     board.push_back(unwrapped);
   }
-  take(arrival, went_back ? board.back() : *std::ranges::max_element(board), went_back);
+  take(arrival, went_back ? board.back() : *std::ranges::max_element(board), !before, went_back);
   for (std::size_t i = 0; i < stamps.size(); ++i) {
     Time time{board[i] + offset()};
     // A lower offset must not squeeze what was measured evenly.

@@ -27,7 +27,7 @@ class BoardClock {
 
  private:
   std::int64_t unwrap(std::uint16_t stamp, Time arrival) const;
-  void take(Time arrival, std::int64_t board, bool went_back);
+  void take(Time arrival, std::int64_t board, bool is_first, bool went_back);
 
   struct Newest {
     std::uint16_t stamp = 0;
