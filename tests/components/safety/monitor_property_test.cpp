@@ -37,7 +37,7 @@ struct Finding {
 };
 
 TEST(MonitorProperty, NoCommandMakesTheRobotTouchWhatItCouldSee) {
-  const std::uint64_t cases = from_environment("BANDWAGON_MONITOR_CASES", 1'000);
+  const std::uint64_t cases = from_environment("BANDWAGON_MONITOR_CASES", 3'000);
   const std::uint64_t first = from_environment("BANDWAGON_MONITOR_SEED", 1);
   std::atomic<std::uint64_t> next{0};
   std::mutex mutex;
