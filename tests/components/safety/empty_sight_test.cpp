@@ -101,8 +101,7 @@ TEST(EmptySight, WhoSaysThatThePlaceIsOpenIsBelieved) {
 TEST(EmptySight, ACoveredThirdIsDarkUntilSomethingIsHitThereAgain) {
   EmptySight sight({});
   EXPECT_EQ(dark(sight, sweep_of({}, 3.3F)), 0);
-  for (int i = 0; i < 20; ++i)
-    EXPECT_EQ(dark(sight, covered(120.0)), 320);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(dark(sight, covered(120.0)), 320);
   EXPECT_EQ(dark(sight, sweep_of({}, 3.3F)), 0);
   for (int i = 0; i < 3; ++i) dark(sight, covered(120.0));
   sight.forget();
