@@ -115,8 +115,7 @@ void CollisionMonitor::refuse(Time now, const LaserSweep& sweep, SweepFault why)
 
 std::optional<std::string_view> CollisionMonitor::fault(Time now) {
   const LaserState state = watch_.state(now);
-  const bool has_odometry =
-      odometry_at_ && (now - *odometry_at_).to_seconds() <= options_.source_timeout;
+  const bool has_odometry = odometry_at_ && (now - *odometry_at_).to_seconds() <= options_.source_timeout;
   if (state != LaserState::ok || !has_odometry) {
     const bool is_start = state == LaserState::waiting || !odometry_at_;
     const bool is_laser = state != LaserState::ok && !poses_.is_empty();  // without odometry no sweep counts

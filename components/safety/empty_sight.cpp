@@ -15,6 +15,14 @@ constexpr double kRound = 0.3;  // [rad]
 // So many points are a wall, a pillar, or a person nearer than 4 m (two legs of 0.14 m, beams 0.4 degrees apart). Who is
 // farther away may be hidden by a leg, or missed.
 constexpr std::size_t kCannotVanish = 10;
+// What stands is so many already: a leg at 2 m, beams 1 degree apart,
+constexpr std::size_t kStanding = 5;
+constexpr Duration kStands = Duration::milliseconds(500);
+// where hits lie no farther apart than noise and the odometry of that time bring them.
+constexpr double kSame = 0.1;          // [m]
+constexpr std::ptrdiff_t kBeside = 2;  // beams
+// Fewer that are lost may be of a thing that is hit now and then.
+constexpr Duration kForgets = Duration::milliseconds(5'000);
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// The beams of one sweep by their directions in the laser's frame.
@@ -37,9 +45,16 @@ class Field {
     const auto beam = std::lround(0.5 * static_cast<double>(size_ - 1) + off / step_);
     return static_cast<std::size_t>(wrapped(beam));
   }
-  /// Adds up, for each beam, `of` over all beams up to kRound to either side.
-  std::vector<std::size_t> around(const std::vector<std::size_t>& of) const {
-    const auto reach = std::min<std::ptrdiff_t>(std::lround(kRound / std::abs(step_)), (size_ - 1) / 2);
+  double distance(const Vector2& place) const { return (X_LO_ * place).norm(); }
+  /// The beam `offset` beams beside one; none beyond the edges.
+  std::optional<std::size_t> beside(std::size_t beam, std::ptrdiff_t offset) const {
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(beam) + offset;
+    if (has_edges_ && (at < 0 || at >= size_)) return std::nullopt;
+    return static_cast<std::size_t>(wrapped(at));
+  }
+  /// Adds up, for each beam, `of` over all beams up to `angle` to either side.
+  std::vector<std::size_t> around(const std::vector<std::size_t>& of, double angle = kRound) const {
+    const auto reach = std::min<std::ptrdiff_t>(std::lround(angle / std::abs(step_)), (size_ - 1) / 2);
     std::vector<std::size_t> sums(of.size(), 0);
     std::size_t sum = 0;
     const auto at = [&](std::ptrdiff_t beam) {
@@ -69,31 +84,129 @@ class Field {
 
 }  // namespace
 
-bool EmptySight::believes(const LaserSweep& sweep, const Pose2& X_OB, CheckedSweep& checked) {
-  std::vector<std::size_t> hits(checked.beams.size(), 0);
-  for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = checked.beams[i] == BeamKind::hit ? 1 : 0;
-  const bool is_empty = std::count(hits.begin(), hits.end(), 1U) < min_returns_;
-  if (is_empty && places_.size() >= kCannotVanish) return false;
-  const Field field(sweep, X_OB);
-  const std::vector<std::size_t> hits_around = field.around(hits);
-  std::vector<std::size_t> lost(hits.size(), 0);
-  const auto is_lost = [&](const Vector2& place) {
-    const auto beam = field.lasting(place);
-    return beam && checked.beams[*beam] == BeamKind::free && hits_around[*beam] == 0;
-  };
-  std::erase_if(places_, [&](const Vector2& place) { return min_returns_ == 0 || !is_lost(place); });
-  for (const Vector2& place : places_) ++lost[*field.lasting(place)];
-  const std::vector<std::size_t> lost_around = field.around(lost);
-  std::erase_if(places_,
-                [&](const Vector2& place) { return lost_around[*field.lasting(place)] < kCannotVanish; });
-  checked.dark.assign(hits.size(), false);
-  for (std::size_t i = 0; i < hits.size(); ++i)
-    checked.dark[i] = checked.beams[i] == BeamKind::free && lost_around[i] >= kCannotVanish;
-  for (const SeenPoint& point : checked.points) {
-    const Vector2 place = X_OB * point.position;
-    if (field.lasting(place)) places_.push_back(place);
+/// What one sweep says of the places that were seen before.
+class EmptySight::Memory {
+ public:
+  Memory(const LaserSweep& sweep, const Pose2& X_OB, const CheckedSweep& checked)
+      : sweep_(sweep), X_OB_(X_OB), checked_(checked), field_(sweep, X_OB) {}
+
+  /// Keeps of `places` what is seen again, and what is lost; adds what is seen anew.
+  void follow(std::vector<Place>& places) const {
+    const std::vector<std::size_t> hits_around = count([&](std::size_t i) { return is_hit(i); });
+    std::erase_if(places, [&](Place& place) { return !keeps(place, hits_around); });
+    const std::vector<Place> seen = anew(places);
+    places.insert(places.end(), seen.begin(), seen.end());
+    const auto moved = around(
+        places, [&](const Place& place) { return !place.lost_at && sweep_.time - place.since < kStands; });
+    const auto is_new = [&](const Place& place) { return place.lost_at == sweep_.time; };
+    const auto vanished = around(places, is_new, 0.5 * kRound);  // what was there went up to kRound aside
+    const auto has_moved = [&](const Place& place) {
+      const std::size_t beam = *field_.lasting(place.position);
+      return is_new(place) && moved[beam] >= vanished[beam];
+    };
+    std::erase_if(places, has_moved);
+    const std::vector<bool> gone = is_gone(places);
+    for (Place& place : places)
+      if (place.lost_at && gone[*field_.lasting(place.position)]) place.is_missed = true;
+    std::erase_if(places, [&](const Place& place) {
+      return place.lost_at && !gone[*field_.lasting(place.position)] &&
+             sweep_.time - *place.lost_at > kForgets;
+    });
   }
+  /// Which free beams look at what is lost.
+  std::vector<bool> dark(const std::vector<Place>& places) const {
+    std::vector<bool> dark = is_gone(places);
+    for (std::size_t i = 0; i < beams(); ++i) dark[i] = dark[i] && checked_.beams[i] == BeamKind::free;
+    return dark;
+  }
+
+ private:
+  std::size_t beams() const { return checked_.beams.size(); }
+  bool is_hit(std::size_t beam) const { return checked_.beams[beam] == BeamKind::hit; }
+  template <class Counts>
+  std::vector<std::size_t> count(Counts counts) const {
+    std::vector<std::size_t> of(beams(), 0);
+    for (std::size_t i = 0; i < of.size(); ++i) of[i] = counts(i) ? 1 : 0;
+    return field_.around(of);
+  }
+  template <class Counts>
+  std::vector<std::size_t> around(const std::vector<Place>& places, Counts counts,
+                                  double angle = kRound) const {
+    std::vector<std::size_t> of(beams(), 0);
+    for (const Place& place : places)
+      if (counts(place)) ++of[*field_.lasting(place.position)];
+    return field_.around(of, angle);
+  }
+
+  /// By beams, whether so much is lost around that something was there.
+  std::vector<bool> is_gone(const std::vector<Place>& places) const {
+    const auto lost = around(places, [](const Place& place) { return place.lost_at.has_value(); });
+    const auto stood = around(
+        places, [](const Place& place) { return place.lost_at && *place.lost_at - place.since >= kStands; });
+    // What is missed lies farther apart the nearer it is.
+    const auto missed = around(places, [](const Place& place) { return place.is_missed; });
+    std::vector<bool> gone(beams(), false);
+    for (std::size_t i = 0; i < beams(); ++i)
+      gone[i] = missed[i] > 0 || lost[i] >= kCannotVanish || stood[i] >= kStanding;
+    return gone;
+  }
+
+  bool keeps(Place& place, const std::vector<std::size_t>& hits_around) const {
+    const auto beam = field_.lasting(place.position);
+    if (!beam) return false;
+    bool is_another = false;
+    for (std::ptrdiff_t offset = -kBeside; offset <= kBeside; ++offset) {
+      const auto near = field_.beside(*beam, offset);
+      if (!near || !is_hit(*near)) continue;
+      is_another = true;
+      if (std::abs(sweep_.ranges[*near] - field_.distance(place.position)) > kSame) continue;
+      if (place.lost_at) place = {place.position, sweep_.time, {}, false};  // of another thing, maybe
+      return true;
+    }
+    if (is_another) return false;
+    if (checked_.beams[*beam] != BeamKind::free) return true;
+    const bool stands = sweep_.time - place.since >= kStands;
+    if (!place.lost_at && !stands && hits_around[*beam] > 0) return false;
+    if (!place.lost_at) place.lost_at = sweep_.time;
+    return true;
+  }
+
+  /// Of beams that no place tells of; one right beside a place is of the same thing.
+  std::vector<Place> anew(const std::vector<Place>& places) const {
+    std::vector<std::optional<Time>> since(beams());
+    for (const Place& place : places) {
+      if (place.lost_at) continue;
+      std::optional<Time>& oldest = since[*field_.lasting(place.position)];
+      oldest = std::min(oldest.value_or(place.since), place.since);
+    }
+    std::vector<Place> seen;
+    for (const SeenPoint& point : checked_.points) {
+      const Vector2 position = X_OB_ * point.position;
+      const auto beam = field_.lasting(position);
+      if (!beam || since[*beam]) continue;
+      Place place{position, sweep_.time, {}, false};
+      for (const std::ptrdiff_t offset : {-1, 1})
+        if (const auto near = field_.beside(*beam, offset); near && since[*near])
+          place.since = std::min(place.since, *since[*near]);
+      seen.push_back(place);
+    }
+    return seen;
+  }
+
+  const LaserSweep& sweep_;
+  const Pose2& X_OB_;
+  const CheckedSweep& checked_;
+  Field field_;
+};
+
+bool EmptySight::believes(const LaserSweep& sweep, const Pose2& X_OB, CheckedSweep& checked) {
+  const auto hits = std::ranges::count(checked.beams, BeamKind::hit);
+  if (hits < min_returns_ && places_.size() >= kCannotVanish) return false;
   has_seen_ = has_seen_ || !checked.points.empty();
+  if (min_returns_ == 0) return true;
+  const Memory memory(sweep, X_OB, checked);
+  memory.follow(places_);
+  checked.dark = memory.dark(places_);
   return true;
 }
 

@@ -6,17 +6,20 @@
 // there, one that hits nothing is a fault, and stays one until something is hit again or somebody says that the
 // place is open. A laser that has seen nothing yet is believed.
 //
-// Of a part of the field the same: where many returns were and no beam hits anything now, nor 0.3 rad to either side, where who walks
-// would be by then, free beams are dark. They stay dark until something is hit there again, or the place of what vanished has left the
-// middle of the field or its range.
+// Of a part of the field the same, place by place: one that was hit for half a second at the same spot stands, and may be hidden, but
+// not gone, however slowly a cover grows; one that was not may have walked up to 0.3 rad aside. As many as appear anew within 0.3 rad
+// are those that moved. Where more are gone, free beams are dark, until something is hit there again, or the place has left the middle
+// of the field or its range.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "components/safety/sweep.hpp"
 #include "components/safety/sweep_options.hpp"
+#include "runtime/base/time.hpp"
 
 namespace bw::safety {
 
@@ -35,8 +38,16 @@ class EmptySight {
 
  private:
   std::int64_t min_returns_;
-  std::vector<Vector2>
-      places_;  ///< in odom: of points of the last believed sweep that the next must still show
+  /// Of a point that the next sweep must still show.
+  struct Place {
+    Vector2 position{0.0, 0.0};   ///< in odom
+    Time since;                   ///< hit there
+    std::optional<Time> lost_at;  ///< where free beams are now
+    bool is_missed = false;       ///< with so many that something was there
+  };
+  class Memory;
+
+  std::vector<Place> places_;
   bool has_seen_ = false;
 };
 

@@ -97,17 +97,60 @@ TEST(EmptySight, WhoSaysThatThePlaceIsOpenIsBelieved) {
 }
 
 // The front third is covered: 120 degrees, 320 beams of 0.3755 degrees. What lies 0.3 rad from what is still hit may be somebody who
-// walked; the points of the 85.6 degrees between vanished, and with 0.3 rad to either side all 320 beams are dark, but those that have
-// less than ten of these points in reach.
+// walked; the points of the 85.6 degrees between vanished, and all beams within 0.3 rad of one of these are dark.
 TEST(EmptySight, ACoveredThirdIsDarkUntilSomethingIsHitThereAgain) {
   EmptySight sight({});
   EXPECT_EQ(dark(sight, sweep_of({}, 3.3F)), 0);
-  for (int i = 0; i < 20; ++i)
-    EXPECT_NEAR(static_cast<double>(dark(sight, covered(120.0))), 320.0 - 18.0, 6.0);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(dark(sight, covered(120.0)), 320);
   EXPECT_EQ(dark(sight, sweep_of({}, 3.3F)), 0);
   for (int i = 0; i < 3; ++i) dark(sight, covered(120.0));
   sight.forget();
   EXPECT_EQ(dark(sight, covered(120.0)), 0) << "somebody said that the place is open";
+}
+
+/// At 10 Hz, `seconds` after the beginning.
+Sweep at(double seconds, Sweep sweep) {
+  sweep.time = Time::seconds(seconds);
+  return sweep;
+}
+
+// A hand slides over the laser: 0.2 rad/s, 0.02 rad from sweep to sweep, from one side to 120 degrees. Beams that stood are missed
+// once five are gone, three beams wide of the last hit: after half a second. Something is hit again where it is taken away.
+TEST(EmptySight, AHandThatSlidesOverTheLaserIsDarkHoweverSlow) {
+  for (const double rate : {0.02, 0.2, 1.0}) {  // [rad/s]
+    EmptySight sight({});
+    int step = 0;
+    for (; step < 10; ++step) EXPECT_EQ(dark(sight, at(0.1 * step, sweep_of({}, 3.3F))), 0);
+    const double seconds = 2.0 / rate;
+    const int begin = step;
+    for (; step < begin + static_cast<int>(10.0 * seconds); ++step) {
+      Sweep sweep = sweep_of({}, 3.3F);
+      const double angle = rate * 0.1 * (step - begin);
+      const auto beams = static_cast<std::ptrdiff_t>(angle / sweep.angle_increment);
+      std::fill_n(sweep.ranges.begin() + 100, beams, kInfinity);
+      const std::ptrdiff_t seen_dark = dark(sight, at(0.1 * step, sweep));
+      if (beams > 10) {
+        ASSERT_GE(seen_dark, beams - 2) << rate << " rad/s, " << angle << " rad";
+      }
+    }
+    EXPECT_EQ(dark(sight, at(0.1 * step, sweep_of({}, 3.3F))), 0);
+  }
+}
+
+// Who stood for 3 s in an open place and walks away, aside or farther off, has not vanished.
+TEST(EmptySight, WhoStoodAndWalksAwayInAnOpenPlaceHasNotVanished) {
+  for (const Vector2& speed : {Vector2(0.0, 1.3), Vector2(1.3, 0.0), Vector2(0.9, -0.9), Vector2(0.0, 0.4)}) {
+    EmptySight sight({});
+    for (int i = 0; i < 80; ++i) {
+      const double walked = std::max(0.0, 0.1 * i - 3.0);
+      const Vector2 p = Vector2(1.5, 0.0) + walked * speed;
+      EXPECT_EQ(
+          dark(sight, at(0.1 * i, sweep_of({{p, 0.07}, {p + Vector2(0.0, 0.3), 0.07}, {{-3.0, 0.5}, 0.4}},
+                                           kInfinity))),
+          0)
+          << i << " towards " << speed.transpose();
+    }
+  }
 }
 
 TEST(EmptySight, AnOpenDoorSeenFromTheStartIsNotDark) {

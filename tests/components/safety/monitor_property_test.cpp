@@ -37,7 +37,7 @@ struct Finding {
 };
 
 TEST(MonitorProperty, NoCommandMakesTheRobotTouchWhatItCouldSee) {
-  const std::uint64_t cases = from_environment("BANDWAGON_MONITOR_CASES", 1'000);
+  const std::uint64_t cases = from_environment("BANDWAGON_MONITOR_CASES", 3'000);
   const std::uint64_t first = from_environment("BANDWAGON_MONITOR_SEED", 1);
   std::atomic<std::uint64_t> next{0};
   std::mutex mutex;
@@ -56,9 +56,10 @@ TEST(MonitorProperty, NoCommandMakesTheRobotTouchWhatItCouldSee) {
   std::vector<std::thread> threads;
   for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
-  std::printf("%llu cases from seed %llu, %.0f m driven: %zu touched what they could see, %llu what they could not\n",
-              static_cast<unsigned long long>(cases), static_cast<unsigned long long>(first), driven,
-              findings.size(), static_cast<unsigned long long>(unseen));
+  std::printf(
+      "%llu cases from seed %llu, %.0f m driven: %zu touched what they could see, %llu what they could not\n",
+      static_cast<unsigned long long>(cases), static_cast<unsigned long long>(first), driven, findings.size(),
+      static_cast<unsigned long long>(unseen));
   std::fflush(stdout);
   std::ranges::sort(findings, {}, [](const Finding& finding) { return -finding.worst; });
   for (std::size_t i = 0; i < findings.size() && i < 3; ++i)

@@ -178,7 +178,7 @@ void expect_sound(const char* name, Resume resume) {
             return world.recovers() ? std::string() : std::string("does not drive though all is well again");
           },
       .state = [](const World& world) { return world.state(); }};
-  test::expect_unbroken(name, sequences, test::sequence_depth(5));
+  test::expect_unbroken(name, sequences, test::sequence_depth(4));
 }
 
 TEST(CollisionMonitor, DrivesOnlyOnWhatIsFreshAndSoundInEverySequence) {
