@@ -20,7 +20,7 @@ async function goalBy(address, options) {
   const message = Buffer.from(JSON.stringify({ header: { frame_id: "map" }, pose: { position: { x: 4 }, orientation: { w: 1 } } }));
   socket.send(Buffer.concat([Buffer.from([1, 1, 0, 0, 0]), message]));
   const told = await eventually(() => JSON.stringify(heard), () => heard.find(({ op, level, id }) => op === "status" && (level === 2 || id === "commander")));
-  assert.ok(heard.some(({ op, channels }) => op === "advertise" && channels.length > 0), "channels are told to everybody");
+  await eventually(() => "channels are told to everybody", () => heard.some(({ op, channels }) => op === "advertise" && channels.length > 0));
   socket.close();
   return told.message;
 }
