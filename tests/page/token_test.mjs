@@ -19,7 +19,7 @@ async function goalBy(address, options) {
   socket.send(JSON.stringify({ op: "advertise", channels: [{ id: 1, topic: "/goal_pose", encoding: "json", schemaName: "geometry_msgs/PoseStamped" }] }));
   const message = Buffer.from(JSON.stringify({ header: { frame_id: "map" }, pose: { position: { x: 4 }, orientation: { w: 1 } } }));
   socket.send(Buffer.concat([Buffer.from([1, 1, 0, 0, 0]), message]));
-  const told = await eventually(() => JSON.stringify(heard), () => heard.find(({ op, level, id }) => op === "status" && (level === 2 || id === "commander")));
+  const told = await eventually(() => JSON.stringify(heard), () => heard.find(({ op, level, id, message }) => op === "status" && (level === 2 || (id === "commander" && message.startsWith("You")))));
   await eventually(() => "channels are told to everybody", () => heard.some(({ op, channels }) => op === "advertise" && channels.length > 0));
   socket.close();
   return told.message;
