@@ -27,8 +27,8 @@ CountsStatus EncoderOdometry::add(const EncoderCounts& counts) {
     history_size_ = 1;
     return CountsStatus::first;
   }
-  const Time newest = suspect_ ? suspect_->time : reference_->time;
-  if (clock_went_back(counts.time, newest)) {
+  if (begins_anew_) {
+    begins_anew_ = false;
     const Travelled last = history_[history_size_ - 1];
     history_[0] = {counts.time, last.distance, last.turn};
     history_size_ = 1;
@@ -37,7 +37,7 @@ CountsStatus EncoderOdometry::add(const EncoderCounts& counts) {
     state_.time = counts.time;
     return CountsStatus::rebased;
   }
-  if (counts.time <= newest) {
+  if (counts.time <= (suspect_ ? suspect_->time : reference_->time)) {
     ++faults_.stale;
     return CountsStatus::stale;
   }
@@ -71,15 +71,6 @@ CountsStatus EncoderOdometry::add(const EncoderCounts& counts) {
   integrate(ds_left, ds_right);
   measure_twist();
   return status;
-}
-
-bool EncoderOdometry::clock_went_back(Time stamp, Time newest) {
-  constexpr Duration kLatest = Duration::milliseconds(500);
-  constexpr int kConfirmations = 5;
-  readings_behind_ = stamp < newest - kLatest ? readings_behind_ + 1 : 0;
-  if (readings_behind_ < kConfirmations) return false;
-  readings_behind_ = 0;
-  return true;
 }
 
 bool EncoderOdometry::possible(const EncoderCounts& from, const EncoderCounts& to) const {

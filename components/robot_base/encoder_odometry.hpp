@@ -7,8 +7,8 @@
 //
 // A counter that moves further than the wheels can is not motion. One such reading is dropped and the next
 // good one bridges it; two that agree with each other are a new count (the board restarted or lost counts):
-// odometry goes on from there and leaves the unknown part out. One old stamp is a fault of one reading; several in a row are
-// a clock that went back, and odometry goes on from there too.
+// odometry goes on from there and leaves the unknown part out. Old stamps are never motion: a driver stamps by the clock of its caller
+// (driver.hpp), and who sees that clock go back says begin_anew().
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ enum class CountsStatus {
   stale,   ///< stamp not after the previous one; ignored
   jump,    ///< further than the wheels can go; ignored
   reset,   ///< like jump, and the counters are back near zero
-  rebased  ///< second reading that agrees with a jump or reset: the new reference
+  rebased  ///< second reading that agrees with a jump or reset, or the first after begin_anew(): the new reference
 };
 
 /// Of the wheels between two readings [m].
@@ -82,6 +82,8 @@ class EncoderOdometry {
   EncoderOdometry(const Robot& robot, const OdometryOptions& options);
 
   CountsStatus add(const EncoderCounts& counts);
+  /// The clock went back: the next reading is the new reference, whenever it is of.
+  void begin_anew() { begins_anew_ = true; }
   const OdometryState& state() const { return state_; }
   /// Of the reading that was integrated last.
   const WheelTravel& travel() const { return travel_; }
@@ -89,7 +91,6 @@ class EncoderOdometry {
 
  private:
   bool possible(const EncoderCounts& from, const EncoderCounts& to) const;
-  bool clock_went_back(Time stamp, Time newest);
   void integrate(double ds_left, double ds_right);
   void measure_twist();
 
@@ -104,7 +105,7 @@ class EncoderOdometry {
   OdometryFaults faults_;
   std::optional<EncoderCounts> reference_;
   std::optional<EncoderCounts> suspect_;
-  int readings_behind_ = 0;  ///< in a row, by more than late ones are
+  bool begins_anew_ = false;
 
   /// Travel and turn up to a moment; the difference of two gives the mean twist between them.
   struct Travelled {

@@ -14,7 +14,9 @@ OdometryReader::OdometryReader(Setup& setup, const Robot& robot, const OdometryO
       outputs_(setup, robot),
       joints_(setup.output<sensor_msgs::msg::JointState>("joint_states")) {}
 
-std::optional<WheelTravel> OdometryReader::read(const EncoderCounts& counts) {
+std::optional<WheelTravel> OdometryReader::read(Time now, const EncoderCounts& counts) {
+  if (now < newest_) odometry_->begin_anew();
+  newest_ = now;
   const Time before = odometry_->state().time;
   const CountsStatus status = odometry_->add(counts);
   const bool is_new = status == CountsStatus::moved || status == CountsStatus::rebased;

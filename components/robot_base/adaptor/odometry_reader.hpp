@@ -19,7 +19,7 @@ class OdometryReader {
 
   void publish_mounts(Time now) { outputs_.publish_mounts(now); }
   /// The travel, when it is a sound one.
-  std::optional<WheelTravel> read(const EncoderCounts& counts);
+  std::optional<WheelTravel> read(Time now, const EncoderCounts& counts);
   WheelSpeeds measured() const { return to_wheel_speeds(odometry_->state().twist, robot_.wheel_separation); }
 
  private:
@@ -30,6 +30,7 @@ class OdometryReader {
   Robot robot_;
   std::optional<EncoderOdometry> odometry_;
   Duration silence_;
+  Time newest_;
   std::optional<Time> fault_told_;
   int gaps_ = 0, unknown_gaps_ = 0;
   double gap_seconds_ = 0.0, gap_distance_ = 0.0;

@@ -103,7 +103,7 @@ class RobotBaseComponent final : public Component {
     const Readings readings = driver_->poll(now);
     guard_->read(now, readings);
     for (const EncoderCounts& counts : readings.counts) {
-      if (const auto travel = odometry_.read(counts)) guard_->moved(counts.time, *travel);
+      if (const auto travel = odometry_.read(now, counts)) guard_->moved(counts.time, *travel);
     }
     outputs_.publish(now, readings);
     if (warning_.is_news(readings.warning) && warning_) log_.warn("{}", readings.warning);
