@@ -65,9 +65,8 @@ Outcome Ekf::add(const Measurement& measurement, Time now) {
   }
   Outcome outcome = sort_in(measurement, now);
   const auto* step = std::get_if<WheelStep>(&measurement);
-  if (step != nullptr && used(outcome.verdict)) stamps_.wheel_accepted();
   const bool wrong_stamp = outcome.verdict == Verdict::future || outcome.verdict == Verdict::too_old;
-  if (step != nullptr && wrong_stamp && stamps_.jumped(*step, now)) {
+  if (step != nullptr && stamps_.was_set(*step, wrong_stamp, now)) {
     jump_to(step->time, stamps_.lost());
     jumped = true;
   }

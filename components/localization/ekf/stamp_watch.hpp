@@ -1,19 +1,17 @@
 // Are stamps on the time base of the component's clock, and when have both jumped?
 //
-// Wheel steps carry the time base: they are many, local and quick. One stamp far off is a fault of that
-// message. kConfirmations in a row that are off by the same amount are a clock that jumped.
+// Wheel steps carry the time base: they are many, local and quick. One stamp far off is a fault of that message; steps that are refused
+// for a second by a clock that keeps to itself (runtime/base/stamp_age.hpp) are of a clock that was set.
 #pragma once
 
 #include "components/localization/measurements.hpp"
+#include "runtime/base/stamp_age.hpp"
 
 namespace bw::localization {
 
 class StampWatch {
  public:
   explicit StampWatch(Duration future_tolerance) : tolerance_(future_tolerance) {}
-
-  static constexpr int kConfirmations = 20;
-  static constexpr Duration kSteady = Duration::milliseconds(100);
 
   /// True when now went back by more than the tolerance: simulated time began again, or a record did.
   bool clock_went_back(Time now) {
@@ -25,26 +23,15 @@ class StampWatch {
 
   bool in_future(Time stamp, Time now) const { return stamp > now + shift_ + tolerance_; }
 
-  /// A wheel step that was refused for its stamp. True when the clock behind the stamps has jumped: the
-  /// stamps' new base counts from then on.
-  bool jumped(const WheelStep& step, Time now) {
-    const Duration offset = step.time - now;
-    const Duration change = offset - offset_;
-    const bool steady = count_ > 0 && change <= kSteady && change >= kSteady * -1;
-    if (!steady) {
-      count_ = 0;
-      lost_ = Duration{};
-    }
-    offset_ = offset;
-    ++count_;
-    lost_ = lost_ + step.over;
-    if (count_ < kConfirmations) return false;
-    count_ = 0;
-    shift_ = offset;
+  /// Each wheel step; `is_refused`: for its stamp. True when the clock behind the stamps was set: their new base counts from then on.
+  bool was_set(const WheelStep& step, bool is_refused, Time now) {
+    const StampAge age = clock_.add(now, step.time);
+    lost_ = is_refused ? lost_ + step.over : Duration{};
+    if (!is_refused || age.fault != StampFault::none) return false;
+    shift_ = step.time - now;
     return true;
   }
 
-  void wheel_accepted() { count_ = 0; }
   void forget_shift() { shift_ = Duration{}; }
   /// Time that the refused steps before the last jump spanned: motion that was missed.
   Duration lost() const { return lost_; }
@@ -53,10 +40,9 @@ class StampWatch {
 
  private:
   Duration tolerance_;
+  ForeignClock clock_{ForeignClock::Way::direct};
   Duration shift_;
-  Duration offset_;
   Duration lost_;
-  int count_ = 0;
   Time last_now_;
   bool seen_ = false;
 };

@@ -85,9 +85,8 @@ Outcome ParticleFilter::add(const Measurement& measurement, Time now) {
   bool jumped = look_at_clock(now);
   Outcome outcome = sort_in(measurement, now);
   if (const auto* step = std::get_if<WheelStep>(&measurement)) {
-    if (used(outcome.verdict)) stamps_.wheel_accepted();
     const bool wrong_stamp = outcome.verdict == Verdict::future || outcome.verdict == Verdict::too_old;
-    if (wrong_stamp && stamps_.jumped(*step, now)) {
+    if (stamps_.was_set(*step, wrong_stamp, now)) {
       jump_to(step->time, stamps_.lost());
       jumped = true;
     }
