@@ -14,7 +14,7 @@ class Folder {
   Folder()
       : path_(std::filesystem::temp_directory_path() /
               ("bandwagon_" + std::to_string(getpid()) + "_" +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+               ::testing::UnitTest::GetInstance()->current_test_info()->name() + "_" + std::to_string(made()++))) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }
@@ -24,6 +24,12 @@ class Folder {
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
  private:
+  /// A test may have several.
+  static int& made() {
+    static int count = 0;
+    return count;
+  }
+
   std::filesystem::path path_;
 };
 

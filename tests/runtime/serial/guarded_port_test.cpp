@@ -9,6 +9,7 @@
 #include <fstream>
 #include <functional>
 
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -63,7 +64,7 @@ struct Guarded {
     for (;;) {
       host->update(now());
       then(*host);
-      usleep(5'000);
+      poll(nullptr, 0, 5);  // the period of a driver's look at its port
     }
   }
   /// Bytes that the device heard, until `end` of them is `words`.
@@ -168,12 +169,18 @@ TEST(GuardedPort, WithoutAGuardianItIsNotOpen) {
   EXPECT_FALSE(port->write(bytes_of("go\n")));
 }
 
+// Another process that hangs from then on tells the time: its guardian says the fourth stop 150 ms after it has found the hang.
 TEST(GuardedPort, WhoRestsIsNotTakenForHung) {
-  Guarded base;
+  Guarded base, other;
+  const pid_t hung = other.process(kDrives);  // forked before this process has threads
+  ASSERT_TRUE(other.hears("D\n"));
   auto port = base.port();
   ASSERT_TRUE(opens(*port));
+  port->update(now());
   port->rest();
-  usleep(400'000);  // twice what counts as a hang; a slow machine makes it longer, never shorter
+  kill(hung, SIGSTOP);
+  ASSERT_TRUE(other.hears(kStop + kStop + kStop + kStop));
+  end(hung);
   EXPECT_TRUE(port->update(now()).is_open);
   EXPECT_EQ(port->update(now()).openings, 1U);
   EXPECT_TRUE(port->write(bytes_of("go\n")));
@@ -182,12 +189,15 @@ TEST(GuardedPort, WhoRestsIsNotTakenForHung) {
 }
 
 TEST(GuardedPort, AProcessKilledWhileItStartsLeavesNobody) {
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 21; ++i) {
     Guarded base;
     const pid_t child = base.process(kDrives);
-    usleep(static_cast<useconds_t>(i) * 1'000);
+    // At once, when its guardian is there, at its first bytes.
+    const bool has_come = i % 3 == 0 || (i % 3 == 1 ? eventually([&] { return !guardians_of(child).empty(); })
+                                                    : base.hears("D"));
+    EXPECT_TRUE(has_come);
     end(child);
-    EXPECT_TRUE(base.leaves_nobody(child)) << "after " << i << " ms";
+    EXPECT_TRUE(base.leaves_nobody(child)) << "try " << i;
   }
 }
 
