@@ -276,8 +276,9 @@ Twist2 CollisionMonitor::shrink(const Twist2& wanted, double speed, const Ahead&
   if (speed < kStanding) speed = 0.0;
   const bool at_rest = speed == 0.0 && std::abs(twist_.v) < kStanding && wanted.omega != 0.0;
   const double share = speed / std::abs(wanted.v);
+  const double present = std::max(0.0, twist_.v / wanted.v);  // nothing of a path that leads the other way
   const double turning = at_rest ? judge_turn({0.0, wanted.omega}, ahead).allowed.omega / wanted.omega
-                                 : std::max(share, std::abs(twist_.v) / std::abs(wanted.v));
+                                 : std::max(share, present);
   return {wanted.v * share, wanted.omega * std::min(1.0, turning)};
 }
 

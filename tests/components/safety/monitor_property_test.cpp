@@ -1,9 +1,13 @@
-// A monitor that cannot be beaten. Claim: whoever commands whatever, the robot itself never closes in on what its laser could see and
-// touches it at more than 0.05 m/s. The judge is the true world.
+// A monitor that cannot be beaten. Claims, whoever commands whatever, with the true world as judge:
+//
+//   seen         the robot itself never closes in on what its laser could see and touches it at more than 0.05 m/s
+//   ahead        where its laser does not look, in the sector of travel: at no more than base_link and the rim at creep_speed together
+//   turned into  by a turn on the spot, where it does not look: the rim at no more than creep_speed
 //
 // Premises: a place counts as seen when each sweep of the last second shows it (four of five beams), so that what is in a blind
-// sector, behind something else, or thinner than three beams is not; stopping.reaction_time is at least the true one (motor control, wheels); sweeps say
-// when they were taken; odometry is right; things stand. Who walks into a robot is not counted here (tests/faults/head_on_test.cpp).
+// sector, behind something else, or thinner than three beams is not; stopping.reaction_time is at least the true one (motor control,
+// wheels); sweeps say when they were taken, those of another clock with their delay; odometry is right; things stand. Who walks into a
+// robot is not counted here (tests/faults/head_on_test.cpp). Told and not claimed: what is hidden, and what a side sweeps on an arc.
 //
 // BANDWAGON_MONITOR_CASES=1000000 build/release/bin/test_monitor_property     as many, on all cores
 // BANDWAGON_MONITOR_SEED=...                                               another beginning
@@ -19,12 +23,19 @@
 
 #include <gtest/gtest.h>
 
+#include "components/safety/collision_monitor_options.hpp"
 #include "tests/components/safety/monitor_simulation.hpp"
 
 namespace bw::safety::test {
 namespace {
 
 constexpr double kClaim = 0.05;  // [m/s]
+const double kCreep = CollisionMonitorOptions{}.sight.creep_speed;
+
+/// How much faster than claimed, the worst of all [m/s].
+double excess(const Result& result) {
+  return std::max({result.worst - kClaim, result.ahead - 2.0 * kCreep, result.turned_into - kCreep});
+}
 
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
   const char* text = std::getenv(name);
@@ -33,7 +44,7 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 
 struct Finding {
   std::uint64_t seed = 0;
-  double worst = 0.0;
+  double excess = 0.0;
 };
 
 TEST(MonitorProperty, NoCommandMakesTheRobotTouchWhatItCouldSee) {
@@ -43,28 +54,31 @@ TEST(MonitorProperty, NoCommandMakesTheRobotTouchWhatItCouldSee) {
   std::mutex mutex;
   std::vector<Finding> findings;
   double driven = 0.0;
-  std::uint64_t unseen = 0;
+  Result worst;
   const auto work = [&] {
     for (std::uint64_t i = next++; i < cases; i = next++) {
       const Result result = run(random_scene(first + i));
       const std::lock_guard lock(mutex);
       driven += result.driven;
-      unseen += result.unseen > kClaim ? 1 : 0;
-      if (result.worst > kClaim) findings.push_back({first + i, result.worst});
+      for (double Result::*kind :
+           {&Result::worst, &Result::ahead, &Result::turned_into, &Result::swept, &Result::hidden})
+        worst.*kind = std::max(worst.*kind, result.*kind);
+      if (excess(result) > 0.0) findings.push_back({first + i, excess(result)});
     }
   };
   std::vector<std::thread> threads;
   for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
   std::printf(
-      "%llu cases from seed %llu, %.0f m driven: %zu touched what they could see, %llu what they could not\n",
+      "%llu cases from seed %llu, %.0f m driven, %zu touched faster than claimed; fastest [m/s]: seen %.3f, ahead %.3f, "
+      "turned into %.3f; swept %.3f, hidden %.3f\n",
       static_cast<unsigned long long>(cases), static_cast<unsigned long long>(first), driven, findings.size(),
-      static_cast<unsigned long long>(unseen));
+      worst.worst, worst.ahead, worst.turned_into, worst.swept, worst.hidden);
   std::fflush(stdout);
-  std::ranges::sort(findings, {}, [](const Finding& finding) { return -finding.worst; });
+  std::ranges::sort(findings, {}, [](const Finding& finding) { return -finding.excess; });
   for (std::size_t i = 0; i < findings.size() && i < 3; ++i)
-    std::printf("seed %llu at %.3f m/s, smaller: %s\n", static_cast<unsigned long long>(findings[i].seed),
-                findings[i].worst, to_text(shrunk(random_scene(findings[i].seed), kClaim)).c_str());
+    std::printf("seed %llu by %.3f m/s, smaller: %s\n", static_cast<unsigned long long>(findings[i].seed),
+                findings[i].excess, to_text(shrunk(random_scene(findings[i].seed), excess)).c_str());
   EXPECT_EQ(findings.size(), 0U);
 }
 
@@ -78,7 +92,7 @@ TEST(MonitorProperty, ScenesThatBeatItOnceDoNotAnyMore) {
       story = line;
       continue;
     }
-    EXPECT_LE(run(scene_of(line)).worst, kClaim) << story;
+    EXPECT_LE(excess(run(scene_of(line))), 0.0) << story;
     ++scenes;
   }
   std::printf("%d scenes\n", scenes);

@@ -1,0 +1,123 @@
+#include "tests/components/safety/monitor_laser.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace bw::safety::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kBlind = 0.12;  // [rad] to either side: more than half of what sight.max_gap lets pass
+constexpr float kNothing = std::numeric_limits<float>::infinity();
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+/// Along unit vector `u` from `from` to the rim of a disc.
+double to_disc(const Vector2& from, const Vector2& u, const Vector2& center, double radius) {
+  const Vector2 way = center - from;
+  const double along = way.dot(u);
+  const double off = cross(u, way);
+  const double under_root = radius * radius - off * off;
+  if (under_root <= 0.0 || along <= 0.0) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, along - std::sqrt(under_root));
+}
+
+double to_thing(const Vector2& from, const Vector2& u, const Capsule& thing) {
+  double range = std::min(to_disc(from, u, thing.a, thing.radius), to_disc(from, u, thing.b, thing.radius));
+  const Vector2 side = thing.b - thing.a;
+  const double length = side.norm();
+  if (length == 0.0) return range;
+  for (const double sign : {-1.0, 1.0}) {
+    const Vector2 a = thing.a + Vector2(-side.y(), side.x()) / length * (sign * thing.radius);
+    const double slant = cross(u, side);
+    if (slant == 0.0) continue;
+    const double along = cross(a - from, side) / slant;
+    const double share = cross(a - from, u) / slant;
+    if (along > 0.0 && share >= 0.0 && share <= 1.0) range = std::min(range, along);
+  }
+  return range;
+}
+
+}  // namespace
+
+Laser::Laser(const Scene& scene)
+    : numbers_(scene.numbers),
+      random_(static_cast<std::uint64_t>(numbers_[kSeed])),
+      X_BL_{numbers_[kLaserX], 0.0, numbers_[kLaserHeading]} {}
+
+Laser::Sweep Laser::begin(double t) const { return {t, t + numbers_[kTurns] * numbers_[kPeriod], {}, {}}; }
+
+bool Laser::go_on(Sweep& sweep, double t, const Pose2& X_WB, const std::vector<Capsule>& things) {
+  const double taken = sweep.ended - sweep.begun;
+  const double share = taken > 0.0 ? std::min(1.0, (t - sweep.begun) / taken) : 1.0;
+  const auto due = static_cast<std::size_t>(std::floor(share * numbers_[kBeams]));
+  const Pose2 X_WL = X_WB * X_BL_;
+  while (sweep.ranges.size() < due) {
+    sweep.X_WL.push_back(X_WL);
+    sweep.ranges.push_back(range(angle_of(static_cast<double>(sweep.ranges.size())), t, X_WL, things));
+  }
+  return share == 1.0;
+}
+
+LaserSweep Laser::view(const Sweep& sweep) const {
+  const double t = sweep.middle();
+  return {.time = Time::seconds(100.0 + t + numbers_[kClock] + numbers_[kDrift] * t),
+          .X_FL = X_BL_,
+          .angle_min = angle_of(0),
+          .angle_increment = increment(),
+          .range_min = 0.02,
+          .range_max = numbers_[kRange],
+          .ranges = sweep.ranges,
+          .time_increment = (sweep.ended - sweep.begun) / numbers_[kBeams]};
+}
+
+double Laser::beam_to(const Sweep& sweep, const Vector2& place) const {
+  const auto beam_at = [&](std::size_t from) {
+    const Vector2 p_L = inverse(sweep.X_WL[from]) * place;
+    const double off = wrap_angle(std::atan2(p_L.y(), p_L.x()) - angle_of(0));
+    return (off < 0.0 ? off + 2.0 * kPi : off) / increment();
+  };
+  // Twice: where the scanner was is known when the beam is.
+  const std::size_t last = sweep.X_WL.size() - 1;
+  return beam_at(std::min(last, static_cast<std::size_t>(beam_at(last / 2))));
+}
+
+bool Laser::shows(const Sweep& sweep, const Vector2& place) const {
+  const auto beam = static_cast<std::ptrdiff_t>(std::lround(beam_to(sweep, place)));
+  int shown = 0;
+  for (std::ptrdiff_t at = beam - 2; at <= beam + 2; ++at) {
+    const std::ptrdiff_t i = is_round() ? (at + std::ssize(sweep.ranges)) % std::ssize(sweep.ranges) : at;
+    if (i < 0 || i >= std::ssize(sweep.ranges)) return false;
+    const auto index = static_cast<std::size_t>(i);
+    const double range = (place - sweep.X_WL[index].position()).norm();
+    if (std::abs(sweep.ranges[index] - range) < 0.05 + 5.0 * numbers_[kNoise]) ++shown;
+  }
+  return shown >= 4;
+}
+
+bool Laser::is_blind_to(const Sweep& sweep, const Vector2& place) const {
+  const double beam = beam_to(sweep, place);
+  const double turn = 2.0 * kPi / increment();
+  for (std::size_t i = 0; i < sweep.ranges.size(); ++i) {
+    const double off = std::abs(static_cast<double>(i) - beam);
+    if (std::min(off, turn - off) * increment() < kBlind && !std::isnan(sweep.ranges[i])) return false;
+  }
+  return true;
+}
+
+float Laser::range(double angle, double t, const Pose2& X_WL, const std::vector<Capsule>& things) {
+  const bool is_lost = random_.uniform() < numbers_[kDropout];
+  const double noise = numbers_[kNoise] * std::clamp(random_.normal(), -3.0, 3.0);
+  if (is_lost || std::abs(wrap_angle(angle - numbers_[kBlindAt])) < 0.5 * numbers_[kBlindWidth])
+    return kUnknown;
+  if (t > numbers_[kDarkFrom] && std::abs(wrap_angle(angle - numbers_[kDarkAt])) < 0.5 * numbers_[kDarkWidth])
+    return kNothing;
+  const Vector2 u = direction(X_WL.theta + angle);
+  double range = std::numeric_limits<double>::infinity();
+  for (const Capsule& thing : things) range = std::min(range, to_thing(X_WL.position(), u, thing));
+  if (range >= numbers_[kRange]) return kNothing;
+  return static_cast<float>(std::clamp(range + noise, 0.021, numbers_[kRange]));
+}
+
+}  // namespace bw::safety::test

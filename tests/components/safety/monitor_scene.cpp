@@ -1,0 +1,137 @@
+#include "tests/components/safety/monitor_scene.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+
+#include "components/model/random.hpp"
+
+namespace bw::safety::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kThick = 0.01;  // [m], half of a wall
+
+}  // namespace
+
+Capsule shape_of(const Thing& thing) {
+  const Vector2 a(thing.x, thing.y);
+  return thing.is_wall != 0.0 ? Capsule{a, {thing.p, thing.q}, kThick} : Capsule{a, a, thing.p};
+}
+
+bool is_apart(const Footprint& outline, const Thing& thing) {
+  return gap_to(outline, {}, shape_of(thing)) > 0.02;
+}
+
+Robot robot_of(const Scene& scene) {
+  const auto& n = scene.numbers;
+  Robot robot;
+  robot.radius = n[kFront];
+  robot.wheel_separation = n[kSeparation];
+  robot.wheel_speed_max = n[kSpeed] + 0.5 * n[kSeparation] * n[kTurnRate];
+  robot.limits = {.v_max = n[kSpeed],
+                  .v_back_max = n[kSpeedBack],
+                  .omega_max = n[kTurnRate],
+                  .acc_max = n[kAcceleration],
+                  .alpha_max = n[kTurnAcceleration],
+                  .jerk_max = 10.0,
+                  .stop_deceleration = n[kDeceleration]};
+  Footprint outline;
+  if (n[kShape] == 1.0) {
+    outline.polygon = {
+        {n[kFront], n[kWidth]}, {-n[kBack], n[kWidth]}, {-n[kBack], -n[kWidth]}, {n[kFront], -n[kWidth]}};
+  } else if (n[kShape] == 2.0) {
+    for (int i = 0; i < static_cast<int>(n[kCorners]); ++i) {
+      const Vector2 u = direction(2.0 * kPi * i / n[kCorners]);
+      outline.polygon.emplace_back(u.x() * (u.x() > 0.0 ? n[kFront] : n[kBack]), u.y() * n[kWidth]);
+    }
+  }
+  if (outline.is_polygon()) robot.footprint = to_text(outline);
+  return robot;
+}
+
+Scene random_scene(std::uint64_t seed) {
+  Random random(seed);
+  const auto pick = [&](std::initializer_list<double> of) {
+    return *(of.begin() + random.bits() % of.size());
+  };
+  Scene scene;
+  auto& n = scene.numbers;
+  n[kShape] = pick({0.0, 1.0, 1.0, 2.0});
+  n[kFront] = random.uniform(0.12, 0.5);
+  n[kBack] = random.uniform(0.12, 0.9);
+  n[kWidth] = random.uniform(0.1, 0.4);
+  n[kCorners] = 3.0 + static_cast<double>(random.bits() % 9);
+  n[kSpeed] = random.uniform(0.2, 1.5);
+  n[kSpeedBack] = random.uniform(0.05, 0.6);
+  n[kTurnRate] = random.uniform(0.3, 3.0);
+  n[kDeceleration] = random.uniform(1.0, 4.0);
+  n[kAcceleration] = n[kDeceleration] * random.uniform(0.3, 1.0);
+  n[kTurnAcceleration] = random.uniform(0.8, 6.0);
+  n[kSeparation] = random.uniform(0.2, 0.5);
+  n[kLaserX] = random.uniform(-0.08, 0.1);
+  n[kLaserHeading] = pick({0.0, 0.0, kPi});
+  n[kField] = pick({2.0 * kPi, 2.0 * kPi, 1.5 * kPi, kPi, 0.5 * kPi});
+  n[kBeams] = std::ceil(n[kField] / (kPi / 180.0) * pick({1.0, 1.0, 2.0}));
+  n[kPeriod] = 1.0 / random.uniform(5.0, 40.0);
+  n[kAge] = random.uniform(0.0, 0.15);
+  n[kNoise] = pick({0.0, 0.005, 0.01});
+  n[kDropout] = pick({0.0, 0.0, 0.05});
+  n[kRange] = random.uniform(4.0, 20.0);
+  n[kBlindAt] = random.uniform(-kPi, kPi);
+  n[kBlindWidth] = pick({0.0, 0.0, 0.3});
+  n[kDarkFrom] = random.uniform(0.5, 4.0);
+  n[kDarkAt] = random.uniform(-kPi, kPi);
+  n[kDarkWidth] = pick({0.0, 0.0, 0.0, 1.0, 2.0});
+  n[kDelay] = random.uniform(0.0, 0.1);
+  n[kDriver] = static_cast<double>(random.bits() % 6);
+  n[kSeed] = static_cast<double>(random.bits() % 100'000);
+  n[kSeconds] = 4.0;
+  n[kCommandPeriod] = pick({0.02, 0.1, 0.5, 1.5});
+  Random other(seed + 1'000'000'007);  // so that the numbers above stay what they are
+  n[kTurns] = other.uniform() < 0.3 ? 0.9 : 0.0;
+  if (other.uniform() < 0.3) {
+    n[kClock] = other.uniform(-1000.0, 1000.0);
+    n[kDrift] = other.uniform(-5e-4, 5e-4);
+  }
+  const Footprint outline = robot_of(scene).outline();
+  const std::size_t count = 1 + random.bits() % 5;
+  while (scene.things.size() < count) {
+    const Vector2 a = random.uniform(0.15, 2.0) * direction(random.uniform(-kPi, kPi));
+    Thing thing{random.uniform() < 0.4 ? 1.0 : 0.0, a.x(), a.y(), random.uniform(0.06, 0.4), 0.0};
+    if (thing.is_wall != 0.0) {
+      const Vector2 b = a + random.uniform(0.3, 4.0) * direction(random.uniform(-kPi, kPi));
+      thing.p = b.x();
+      thing.q = b.y();
+    }
+    if (is_apart(outline, thing)) scene.things.push_back(thing);
+  }
+  return scene;
+}
+
+std::string to_text(const Scene& scene) {
+  std::ostringstream text;
+  text.precision(6);
+  for (const double number : scene.numbers) text << number << ' ';
+  for (const Thing& thing : scene.things)
+    text << "| " << thing.is_wall << ' ' << thing.x << ' ' << thing.y << ' ' << thing.p << ' ' << thing.q
+         << ' ';
+  return text.str();
+}
+
+Scene scene_of(const std::string& line) {
+  std::istringstream text(line);
+  Scene scene;
+  for (double& number : scene.numbers)
+    if (!(text >> number)) throw std::invalid_argument("a scene has too few numbers: " + line);
+  for (std::string bar; text >> bar;) {
+    Thing thing;
+    if (!(text >> thing.is_wall >> thing.x >> thing.y >> thing.p >> thing.q))
+      throw std::invalid_argument("a thing has five numbers: " + line);
+    scene.things.push_back(thing);
+  }
+  return scene;
+}
+
+}  // namespace bw::safety::test
