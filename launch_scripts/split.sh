@@ -58,6 +58,9 @@ cp "$graph" "$logs/graph.yaml"
 
 declare -A process_of
 recorder=
+# What comes while processes are started waits until all of them can be told.
+asked_to_end=0
+trap 'asked_to_end=1' INT TERM HUP
 interrupted=0
 interrupt_all() {
   # Once: a second one would end a process before its robot stands. SIGTERM: SIGINT is ignored by what a script starts beside
@@ -66,7 +69,6 @@ interrupt_all() {
   interrupted=1
   for pid in "${!process_of[@]}"; do kill -TERM "$pid" 2>/dev/null || true; done
 }
-trap interrupt_all INT TERM HUP
 
 if ((${#record[@]})); then
   setsid "$program" record --all "${record[@]}" > >(tee "$logs/recorder.out") 2> >(tee "$logs/recorder.log" >&2) &
@@ -74,6 +76,7 @@ if ((${#record[@]})); then
   echo "recorder: pid $recorder" >>"$logs/manifest.yaml"
 fi
 for process in $processes; do
+  ((asked_to_end)) && break
   json=()
   [[ " ${arguments[*]} " == *" --json"[\ =]* ]] || json=(--json "$logs/$process.json")
   # In a group of its own, so that Ctrl-C reaches it once, through this script.
@@ -82,6 +85,8 @@ for process in $processes; do
   process_of[$!]=$process
   echo "$process: pid $!" >>"$logs/manifest.yaml"
 done
+trap interrupt_all INT TERM HUP
+((asked_to_end)) && interrupt_all
 
 worst=0
 collect() { # NAME STATUS

@@ -1,5 +1,6 @@
 // launch_scripts/split.sh: a graph in several processes that end together, recorded by one more.
 #include <algorithm>
+#include <csignal>
 #include <fstream>
 #include <sstream>
 
@@ -64,6 +65,31 @@ TEST(Split, TakesItsOptionsWithAnEqualsSignToo) {
   EXPECT_THAT(text_of(folder / "logs" / "viewer.out"), HasSubstr("?token="));
   for (const auto& log : std::filesystem::recursive_directory_iterator(folder / "logs"))
     EXPECT_EQ(log.status().permissions() & std::filesystem::perms(077), std::filesystem::perms::none) << log;
+}
+
+// The first process asks for the end while the second one is not started yet: nobody is left behind. In place of the program
+// a script that has three processes and notes who ran.
+TEST(Split, EndsWhatItStartsWhileItIsAskedToEnd) {
+  const Folder folder;
+  const std::filesystem::path program = folder / "program";
+  std::ofstream(program) << "#!/bin/sh\n"
+                            "[ $1 = graph ] && printf 'a\\nb\\nc\\n'\n"
+                            "[ $1 = run ] || exit 0\n"
+                            "echo $$ >>"
+                         << (folder / "ran")
+                         << "\n"
+                            "[ $4 = a ] && kill -INT $PPID\n"
+                            "exec tail -f /dev/null\n";
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const std::string root = BANDWAGON_SOURCE_DIR;
+  const Outcome outcome = run_to_end(
+      {root + "/launch_scripts/split.sh", root + "/config/graphs/hallway.yaml"}, std::chrono::seconds(60),
+      {{"BANDWAGON_PROGRAM", program}, {"BANDWAGON_LOG_DIR", folder / "logs"}});
+  EXPECT_NE(outcome.status, -1) << "still ran after a minute";
+  std::ifstream ran(folder / "ran");
+  int processes = 0;
+  for (pid_t id = 0; ran >> id; ++processes) EXPECT_NE(kill(id, 0), 0) << id << " was left behind";
+  EXPECT_GE(processes, 1);
 }
 
 TEST(Split, RefusesAPageOfOneProcessAlone) {
