@@ -27,7 +27,7 @@ Outcome bandwagon(std::vector<std::string> arguments) {
 class ForeignBag : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = std::filesystem::path(BANDWAGON_BINARY_DIR) / "foreign_bag";
+    folder_ = std::filesystem::temp_directory_path() / "foreign_bag";
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
     const Outcome run =
