@@ -15,7 +15,8 @@ namespace {
 constexpr int kPortBase = 7400;
 constexpr int kPortsOfADomain = 250;
 
-/// The port in the second column of /proc/net/udp, `sl local_address ...` with the address as HEX:HEX; -1: there is none.
+/// The port in the second column of /proc/net/udp, `sl local_address ...` with the address as HEX:HEX; -1:
+/// there is none.
 int port_in(const std::string& line) {
   const std::size_t number = line.find(':');  // behind the row's number
   const std::size_t colon = number == std::string::npos ? number : line.find(':', number + 1);

@@ -1,5 +1,6 @@
-// in_test_environment COMMAND ARGUMENTS...: runs a test that is no GoogleTest program, or any other command, in an environment of its
-// own (test_environment.hpp). Ends as the command does; 128 and the signal's number where a signal ended it.
+// in_test_environment COMMAND ARGUMENTS...: runs a test that is no GoogleTest program, or any other command,
+// in an environment of its own (test_environment.hpp). Ends as the command does; 128 and the signal's number
+// where a signal ended it.
 #include <csignal>
 #include <cstdio>
 #include <exception>

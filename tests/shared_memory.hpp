@@ -1,4 +1,5 @@
-// What Fast DDS has in shared memory, of one process or one domain: others on this machine have theirs in the same folder.
+// What Fast DDS has in shared memory, of one process or one domain: others on this machine have theirs in the
+// same folder.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +10,8 @@
 
 namespace bw::test {
 
-/// Of what the process maps and holds open, the parts in shared memory: a line each. Fast DDS maps its segments and ports, and
-/// keeps their locks open, for as long as a participant lives.
+/// Of what the process maps and holds open, the parts in shared memory: a line each. Fast DDS maps its
+/// segments and ports, and keeps their locks open, for as long as a participant lives.
 inline std::string in_shared_memory(pid_t process) {
   const std::filesystem::path proc = "/proc/" + std::to_string(process);
   std::string found;
@@ -26,7 +27,8 @@ inline std::string in_shared_memory(pid_t process) {
   return found;
 }
 
-/// Fast DDS's files for the ports of a domain, a line each: fastrtps_port32410, sem.fastrtps_port32410_mutex. Their owners may be gone.
+/// Fast DDS's files for the ports of a domain, a line each: fastrtps_port32410, sem.fastrtps_port32410_mutex.
+/// Their owners may be gone.
 inline std::string shared_ports_of(int domain) {
   const std::string mark = "fastrtps_port";
   std::string found;

@@ -11,6 +11,9 @@
 namespace bw::replay {
 namespace {
 
+/// Of a replay, against the budget: a short one costs its start.
+constexpr Duration kLeastCost = Duration::milliseconds(5'000);
+
 /// How far around a difference its inputs are looked for.
 Duration reach(const FirstDifference& difference) { return std::max(difference.period, kCloseTogether); }
 
@@ -95,7 +98,7 @@ OrderVerdict explain_by_order(const bag::Bag& recording, const std::set<std::str
     const auto found = std::ranges::find_if(verdict.close, [&](const Exchange& exchange) {
       if (verdict.tried + verdict.taken.size() > 0 && spent > budget) return false;
       ++verdict.tried;
-      spent = spent + (end - recording.start());
+      spent = spent + std::max(end - recording.start(), kLeastCost);
       std::vector<Delay> with = delays;
       with.insert(with.end(), exchange.delays.begin(), exchange.delays.end());
       const auto next = replay_with(with, end);

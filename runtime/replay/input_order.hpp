@@ -1,5 +1,6 @@
-// Whether a difference comes from the order of inputs. A bag of real time holds when its recorder heard each message. A component
-// may have taken two that arrived close together in the other order: the bag does not tell. So other orders are tried.
+// Whether a difference comes from the order of inputs. A bag of real time holds when its recorder heard each
+// message. A component may have taken two that arrived close together in the other order: the bag does not
+// tell. So other orders are tried.
 #pragma once
 
 #include <cstddef>
@@ -47,8 +48,9 @@ struct FirstDifference {
   Duration period;  ///< usual time between messages of that topic; 0: not known
 };
 
-/// Orders in which `inputs` (in the bag's order) may have been taken: pairs of two topics, kCloseTogether or less apart. The likeliest
-/// come first: those with an input of the difference's own stamp, which is what it answers, then the closest.
+/// Orders in which `inputs` (in the bag's order) may have been taken: pairs of two topics, kCloseTogether or
+/// less apart. The likeliest come first: those with an input of the difference's own stamp, which is what it
+/// answers, then the closest.
 [[nodiscard]] std::vector<Exchange> exchanges_around(const FirstDifference& difference,
                                                      const std::vector<RecordedInput>& inputs);
 
@@ -70,8 +72,8 @@ struct OrderVerdict {
 using TryOrder =
     std::function<std::optional<FirstDifference>(const std::vector<Delay>& delays, std::optional<Time> end)>;
 
-/// Explains `first`, then what differs first with that order, and so on, while the virtual time replayed stays below `budget`; at
-/// least one exchange is tried.
+/// Explains `first`, then what differs first with that order, and so on, while the virtual time replayed
+/// stays below `budget`; at least one exchange is tried.
 [[nodiscard]] OrderVerdict explain_by_order(const bag::Bag& recording, const std::set<std::string>& topics,
                                             const FirstDifference& first, Duration budget,
                                             const TryOrder& replay_with);

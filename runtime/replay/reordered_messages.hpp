@@ -1,5 +1,5 @@
-// The messages of a bag, some of them in another order: where a bag does not say in which order its inputs were taken, this is how
-// another order is tried.
+// The messages of a bag, some of them in another order: where a bag does not say in which order its inputs
+// were taken, this is how another order is tried.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace bw::replay {
 
-/// Of two messages, by their numbers in the bag from 0, the first comes directly behind the second and at its log time. It is the
-/// earlier one in the bag.
+/// Of two messages, by their numbers in the bag from 0, the first comes directly behind the second and at its
+/// log time. It is the earlier one in the bag.
 struct Delay {
   std::uint64_t message = 0;
   std::uint64_t behind = 0;

@@ -97,8 +97,8 @@ TEST(DomainLease, ADomainWithAnOpenPortIsNotTaken) {
   // On a domain that is leased to this program, so that no other test is disturbed.
   const int domain = std::atoi(std::getenv("ROS_DOMAIN_ID"));
   EXPECT_FALSE(domains_in_use().contains(domain));
-  // By the RTPS specification (9.6.1.1): 7400 + 250 domain for discovery by multicast, + 10 and + 11 for the first participant, and
-  // 249 is the last port before the next domain's.
+  // By the RTPS specification (9.6.1.1): 7400 + 250 domain for discovery by multicast, + 10 and + 11 for the
+  // first participant, and 249 is the last port before the next domain's.
   for (const int offset : {0, 1, 10, 11, 249}) {
     const OpenPort somebody(7400 + 250 * domain + offset);
     ASSERT_TRUE(somebody.is_open()) << offset;

@@ -1,5 +1,6 @@
-// Tests beside somebody else's ROS 2 on ten domains, and beside themselves: a selection of programs that other tests are, which come
-// into their domains (test_environment.hpp) and look at what is theirs. The whole suite beside strangers, by hand:
+// Tests beside somebody else's ROS 2 on ten domains, and beside themselves: a selection of programs that
+// other tests are, which come into their domains (test_environment.hpp) and look at what is theirs. The whole
+// suite beside strangers, by hand:
 //   build/release/bin/strangers & ctest --test-dir build/release; kill -INT $!
 #include <cstdlib>
 #include <list>
