@@ -113,7 +113,7 @@ void print(const replay::OrderVerdict& order, Time start) {
   }
   std::cout << fmt::format(
       "order of inputs: {} other orders of two that arrived close together around it, {} tried: none makes it "
-      "equal\n",
+      "equal; a timer's phase, more than two inputs, or the code\n",
       order.close.size(), order.tried);
   for (std::size_t i = 0; i < std::min(order.close.size(), kToldExchanges); ++i)
     std::cout << "  not equal when " << to_text(order.close[i], start) << "\n";
