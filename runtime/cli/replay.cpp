@@ -50,6 +50,7 @@ nlohmann::json to_json(const replay::OrderVerdict& order) {
   nlohmann::json json = {{"equal_when", nlohmann::json::array()},
                          {"close_together", nlohmann::json::array()},
                          {"tried", order.tried},
+                         {"lacks_input", order.lacks_input},
                          {"left", nullptr}};
   for (const replay::Exchange& exchange : order.taken) json["equal_when"].push_back(to_json(exchange));
   for (const replay::Exchange& exchange : order.close) json["close_together"].push_back(to_json(exchange));
@@ -106,6 +107,13 @@ void print(const replay::OrderVerdict& order, Time start) {
   if (!order.taken.empty())
     std::cout << fmt::format("order of inputs: with that, the first difference is {} at {:.3f} s\n",
                              order.left->topic, (order.left->time - start).to_seconds());
+  if (order.lacks_input) {
+    std::cout << fmt::format(
+        "order of inputs: no input in the bag has its stamp, {:.9f} s: the recorder did not hear what it "
+        "answers, and what comes later may differ for that\n",
+        order.left->stamp.to_seconds());
+    return;
+  }
   if (order.close.empty()) {
     std::cout << fmt::format("order of inputs: no two arrived within {:.0f} ms of each other around it\n",
                              replay::kCloseTogether.to_seconds() * 1e3);

@@ -1,6 +1,7 @@
 #include "runtime/replay/input_order.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -82,6 +83,23 @@ std::vector<RecordedInput> inputs_between(const bag::Bag& recording, const std::
   return inputs;
 }
 
+bool lacks_its_input(const bag::Bag& recording, const std::set<std::string>& topics,
+                     const FirstDifference& difference) {
+  std::set<std::string> all = topics;
+  all.insert(difference.topic);
+  std::set<Time> inputs;
+  std::vector<Time> outputs;
+  for (const RecordedInput& message : inputs_between(recording, all, recording.start(), recording.end())) {
+    if (message.topic == difference.topic) {
+      outputs.push_back(message.stamp);
+    } else {
+      inputs.insert(message.stamp);
+    }
+  }
+  const auto answers = [&inputs](Time stamp) { return inputs.contains(stamp); };
+  return !answers(difference.stamp) && 2 * std::ranges::count_if(outputs, answers) > std::ssize(outputs);
+}
+
 OrderVerdict explain_by_order(const bag::Bag& recording, const std::set<std::string>& topics,
                               const FirstDifference& first, Duration budget, const TryOrder& replay_with) {
   OrderVerdict verdict{.left = first};
@@ -92,6 +110,9 @@ OrderVerdict explain_by_order(const bag::Bag& recording, const std::set<std::str
     const Duration around = reach(difference);
     const Time end = difference.time + around + around;
     verdict.tried = 0;
+    verdict.close.clear();
+    verdict.lacks_input = lacks_its_input(recording, topics, difference);
+    if (verdict.lacks_input) return verdict;
     verdict.close = exchanges_around(
         difference, inputs_between(recording, topics, difference.time - around, difference.time + around));
     std::erase_if(verdict.close, [&](const Exchange& exchange) { return is_settled(delays, exchange); });

@@ -59,12 +59,18 @@ struct FirstDifference {
                                                         const std::set<std::string>& topics, Time from,
                                                         Time to);
 
+/// The messages of a topic usually carry the stamp of the input that they answer, and of none that is in the bag
+/// here: the recorder did not hear it, and no order of the others makes up for it.
+[[nodiscard]] bool lacks_its_input(const bag::Bag& recording, const std::set<std::string>& topics,
+                                   const FirstDifference& difference);
+
 /// What was found.
 struct OrderVerdict {
   std::vector<Exchange> taken;  ///< with all of these, what differed at first is equal
   std::vector<Exchange>
       close;  ///< around the first difference that is left: they may have been taken in another order
   std::size_t tried = 0;                ///< so many of `close`, from its beginning: none makes it equal
+  bool lacks_input = false;             ///< what is left answers an input that is not in the bag
   std::optional<FirstDifference> left;  ///< nothing: all is equal with `taken`
 };
 

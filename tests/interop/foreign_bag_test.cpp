@@ -196,6 +196,14 @@ TEST_F(ForeignBag, SaysWhichOtherOrderOfInputsMakesItEqual) {
   EXPECT_EQ(order["equal_when"][0]["after"]["topic"], "/tracks");
 }
 
+TEST_F(ForeignBag, SaysWhenTheRecorderDidNotHearWhatAnOutputAnswers) {
+  as_others_record("unheard.mcap", [](std::vector<Message>& all) { all.erase(nearest(all, "/scan", 4.0)); });
+  const Outcome outcome = replay("unheard.mcap");
+  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
+  // A sweep is answered with its stamp; virtual time begins at 1000 s.
+  EXPECT_THAT(outcome.out, HasSubstr("order of inputs: no input in the bag has its stamp, 1004.000000000 s"));
+}
+
 TEST_F(ForeignBag, SaysThatNoOrderOfInputsMakesOtherParametersEqual) {
   as_others_record("same.mcap", [](std::vector<Message>&) {});
   const auto [outcome, verdict] = costmap_again("same.mcap", {"--set", "local_costmap.inflation_radius=0.3"});

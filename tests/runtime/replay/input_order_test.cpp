@@ -57,14 +57,16 @@ class InputOrderOfABag : public testing::Test {
  protected:
   void SetUp() override {
     bag::BagWriter writer(folder_ / "bag.mcap", {});
-    for (const char* topic : {"/odom", "/scan", "/other"})
+    for (const char* topic : {"/odom", "/scan", "/tracks"})
       writer.add_topic({.name = topic, .type = "geometry_msgs/msg/TwistStamped", .writer = "world"});
     for (int k = 1; k <= 5; ++k) {
       const auto stamp = twist(0.1 * k, 0.0);
       writer.write(0, at_ms(100 * k - 1), at_ms(100 * k - 1), stamp);
       writer.write(1, at_ms(100 * k), at_ms(100 * k), stamp);
     }
-    writer.write(2, at_ms(600), at_ms(600), twist(0.6, 0.0));
+    // Answers to the scans, and one to a scan of 600 ms that the bag does not have.
+    for (int k = 1; k <= 6; ++k)
+      writer.write(2, at_ms(550 + 10 * k), at_ms(550 + 10 * k), twist(0.1 * k, 0.0));
     writer.close();
     bag_ = bag::open_bag(folder_ / "bag.mcap");
   }
@@ -116,6 +118,20 @@ TEST_F(InputOrderOfABag, ADifferenceOfTheCodeIsNotExplained) {
   // Within a period of the difference, 100 to 300 ms; the scan of 100 ms is 99 ms from the next odometry.
   EXPECT_THAT(texts(verdict.close), ElementsAre("2 after 3", "4 after 5"));
   EXPECT_EQ(verdict.tried, 2U);
+}
+
+TEST_F(InputOrderOfABag, WhatTheRecorderDidNotHearIsSaidAndNoOrderTried) {
+  int runs = 0;
+  const auto never = [&](const std::vector<Delay>&, std::optional<Time>) {
+    ++runs;
+    return std::optional(difference(610, 600));
+  };
+  const OrderVerdict verdict = explain(difference(610, 600), never);
+  EXPECT_TRUE(verdict.lacks_input);
+  EXPECT_EQ(runs, 0);
+  EXPECT_FALSE(explain(difference(600, 500), never).lacks_input) << "this one is there";
+  EXPECT_FALSE(lacks_its_input(*bag_, {"/none"}, difference(610, 600)))
+      << "where messages answer no input by their stamps, a stamp of no input says nothing";
 }
 
 TEST_F(InputOrderOfABag, AnEarlierDifferenceIsNoExplanation) {
