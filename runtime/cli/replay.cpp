@@ -109,7 +109,7 @@ void print(const replay::OrderVerdict& order, Time start) {
                              order.left->topic, (order.left->time - start).to_seconds());
   if (order.lacks_input) {
     std::cout << fmt::format(
-        "order of inputs: no input in the bag has its stamp, {:.9f} s: the recorder did not hear what it "
+        "order of inputs: the bag lacks the input of its stamp, {:.9f} s: the recorder did not hear what it "
         "answers, and what comes later may differ for that\n",
         order.left->stamp.to_seconds());
     return;

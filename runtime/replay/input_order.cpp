@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -87,17 +88,21 @@ bool lacks_its_input(const bag::Bag& recording, const std::set<std::string>& top
                      const FirstDifference& difference) {
   std::set<std::string> all = topics;
   all.insert(difference.topic);
-  std::set<Time> inputs;
-  std::vector<Time> outputs;
-  for (const RecordedInput& message : inputs_between(recording, all, recording.start(), recording.end())) {
-    if (message.topic == difference.topic) {
-      outputs.push_back(message.stamp);
-    } else {
-      inputs.insert(message.stamp);
-    }
+  std::map<std::string, std::set<Time>> stamps;
+  for (const RecordedInput& message : inputs_between(recording, all, recording.start(), recording.end()))
+    stamps[message.topic].insert(message.stamp);
+  const std::set<Time> outputs = std::exchange(stamps[difference.topic], {});
+  double best_share = 0.0;
+  bool is_there = true;
+  for (const auto& [topic, own] : stamps) {
+    const auto answered = std::ranges::count_if(own, [&](Time stamp) { return outputs.contains(stamp); });
+    const double share =
+        static_cast<double>(answered) / static_cast<double>(std::max(own.size(), std::size_t{1}));
+    if (2 * answered <= std::ssize(outputs) || share <= best_share) continue;
+    best_share = share;
+    is_there = own.contains(difference.stamp);
   }
-  const auto answers = [&inputs](Time stamp) { return inputs.contains(stamp); };
-  return !answers(difference.stamp) && 2 * std::ranges::count_if(outputs, answers) > std::ssize(outputs);
+  return !is_there;
 }
 
 OrderVerdict explain_by_order(const bag::Bag& recording, const std::set<std::string>& topics,

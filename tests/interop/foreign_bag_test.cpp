@@ -201,7 +201,8 @@ TEST_F(ForeignBag, SaysWhenTheRecorderDidNotHearWhatAnOutputAnswers) {
   const Outcome outcome = replay("unheard.mcap");
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   // A sweep is answered with its stamp; virtual time begins at 1000 s.
-  EXPECT_THAT(outcome.out, HasSubstr("order of inputs: no input in the bag has its stamp, 1004.000000000 s"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("order of inputs: the bag lacks the input of its stamp, 1004.000000000 s"));
 }
 
 TEST_F(ForeignBag, SaysThatNoOrderOfInputsMakesOtherParametersEqual) {
