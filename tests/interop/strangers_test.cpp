@@ -2,7 +2,7 @@
 // other tests are, which come into their domains (test_environment.hpp) and look at what is theirs. The whole
 // suite beside strangers, by hand:
 //   build/release/bin/strangers & ctest --test-dir build/release; kill -INT $!
-#include <cstdlib>
+#include <csignal>
 #include <list>
 #include <sstream>
 
@@ -23,6 +23,13 @@ class Strangers : public testing::Test {
     std::istringstream line(strangers_.out());
     for (int domain = 0; line >> domain;) domains_.push_back(domain);
     ASSERT_EQ(domains_.size(), 10U) << strangers_.err();
+  }
+
+  /// Not by a kill, which would leave their shared memory behind.
+  void TearDown() override {
+    strangers_.signal(SIGINT);
+    EXPECT_EQ(strangers_.wait(std::chrono::seconds(60)), 0) << strangers_.err();
+    for (const int domain : domains_) EXPECT_EQ(shared_ports_of(domain), "");
   }
 
   Process strangers_{{STRANGERS}};
