@@ -87,11 +87,11 @@ std::vector<RecordedInput> inputs_between(const bag::Bag& recording, const std::
 bool lacks_its_input(const bag::Bag& recording, const std::set<std::string>& topics,
                      const FirstDifference& difference) {
   std::set<std::string> all = topics;
-  all.insert(difference.topic);
+  all.insert(difference.stamped_topic);
   std::map<std::string, std::set<Time>> stamps;
   for (const RecordedInput& message : inputs_between(recording, all, recording.start(), recording.end()))
     stamps[message.topic].insert(message.stamp);
-  const std::set<Time> outputs = std::exchange(stamps[difference.topic], {});
+  const std::set<Time> outputs = std::exchange(stamps[difference.stamped_topic], {});
   double best_share = 0.0;
   bool is_there = true;
   for (const auto& [topic, own] : stamps) {

@@ -43,9 +43,11 @@ struct Exchange {
 /// The earliest difference of a replay.
 struct FirstDifference {
   std::string topic;
-  Time time;        ///< log time of the recorded message
-  Time stamp;       ///< its own, else `time`
-  Duration period;  ///< usual time between messages of that topic; 0: not known
+  Time time;  ///< log time of the recorded message
+  std::string
+      stamped_topic;  ///< one whose messages carry a stamp and that differs first within half a period
+  Time stamp;         ///< of its message
+  Duration period;    ///< usual time between messages of `topic`; 0: not known
 };
 
 /// Orders in which `inputs` (in the bag's order) may have been taken: pairs of two topics, kCloseTogether or
@@ -59,7 +61,7 @@ struct FirstDifference {
                                                         const std::set<std::string>& topics, Time from,
                                                         Time to);
 
-/// Most messages of the topic carry the stamp of a message of one input, the one of which the greatest share is
+/// Most messages of the stamped topic carry the stamp of a message of one input, the one of which the greatest share is
 /// answered so; and it has none of that stamp in the bag. The recorder did not hear it, and no order of the
 /// others makes up for it.
 [[nodiscard]] bool lacks_its_input(const bag::Bag& recording, const std::set<std::string>& topics,

@@ -164,8 +164,20 @@ std::optional<FirstDifference> first_of(const OutputComparison& comparison) {
   const auto topic = comparison.first_topic();
   if (!topic) return std::nullopt;
   const TopicVerdict& verdict = comparison.verdicts().at(*topic);
-  return FirstDifference{
-      .topic = *topic, .time = verdict.first->time, .stamp = verdict.first->stamp, .period = verdict.period};
+  FirstDifference difference{.topic = *topic,
+                             .time = verdict.first->time,
+                             .stamped_topic = *topic,
+                             .stamp = verdict.first->stamp,
+                             .period = verdict.period};
+  // Markers are written beside what they show, and carry no stamp of their own.
+  for (const auto& [name, other] : comparison.verdicts()) {
+    if (difference.stamp != difference.time) break;
+    if (!other.first || other.first->stamp == other.first->time) continue;
+    if ((other.first->time - difference.time) * 2 > other.period) continue;
+    difference.stamped_topic = name;
+    difference.stamp = other.first->stamp;
+  }
+  return difference;
 }
 
 OrderVerdict explain(const Plan& plan, const FirstDifference& first) {

@@ -19,8 +19,11 @@ RecordedInput input(std::uint64_t number, const char* topic, std::int64_t ms) {
 }
 
 FirstDifference difference(std::int64_t ms, std::int64_t stamp_ms = -1) {
-  return {
-      .topic = "/tracks", .time = at_ms(ms), .stamp = at_ms(stamp_ms), .period = Duration::milliseconds(100)};
+  return {.topic = "/tracks",
+          .time = at_ms(ms),
+          .stamped_topic = "/tracks",
+          .stamp = at_ms(stamp_ms),
+          .period = Duration::milliseconds(100)};
 }
 
 /// "/scan after /odom": of each exchange, in their order.
@@ -147,8 +150,11 @@ TEST_F(InputOrderOfABag, TheBudgetEndsTheSearchAfterOneTry) {
     ++runs;
     return std::optional(difference(300, 300));
   };
-  const FirstDifference wide{
-      .topic = "/tracks", .time = at_ms(300), .stamp = at_ms(300), .period = Duration::milliseconds(250)};
+  const FirstDifference wide{.topic = "/tracks",
+                             .time = at_ms(300),
+                             .stamped_topic = "/tracks",
+                             .stamp = at_ms(300),
+                             .period = Duration::milliseconds(250)};
   const OrderVerdict verdict = explain(wide, never, Duration{});
   EXPECT_EQ(runs, 1);
   EXPECT_EQ(verdict.tried, 1U);
