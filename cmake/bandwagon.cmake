@@ -89,20 +89,16 @@ function(bw_verb name)
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_VERBS bw_verb_${name})
 endfunction()
 
-# bw_test(<name> SOURCES ... [LINK ...] [DOMAIN <id>] [RECORDED <filter>] [SHORTFALL <filter>] [NOTHING_ELSE]): one GoogleTest program. A
-# test that uses DDS names a domain id of its own; it never leaves loopback. The filters name tests as --gtest_filter does, and make entries of
-# their own:
+# bw_test(<name> SOURCES ... [LINK ...] [RECORDED <filter>] [SHORTFALL <filter>] [NOTHING_ELSE]): one GoogleTest program. A
+# program takes a DDS domain that nobody is on (tests/test_environment.hpp), and never leaves loopback; what is no such program gets one as
+# `in_test_environment COMMAND...`. The filters name tests as --gtest_filter does, and make entries of their own:
 #
 #   RECORDED   tests that need recorded data: entry <name>_recorded, label `recorded`, shown as skipped where the data are not at hand
 #   SHORTFALL  tests whose limits lie below what was asked: entry <name>_shortfall, label `shortfall`; they print asked and reached
 #
 # A test that both name is one of the shortfalls. NOTHING_ELSE: the program has no other tests, and no entry <name>.
 function(bw_test name)
-  cmake_parse_arguments(ARG "NOTHING_ELSE" "DOMAIN;RECORDED;SHORTFALL" "SOURCES;LINK" ${ARGN})
-  if(NOT TARGET bw_test_main)
-    add_library(bw_test_main STATIC ${PROJECT_SOURCE_DIR}/tests/main.cpp)
-    target_link_libraries(bw_test_main PRIVATE bw_compile_options PUBLIC GTest::gmock GTest::gtest)
-  endif()
+  cmake_parse_arguments(ARG "NOTHING_ELSE" "RECORDED;SHORTFALL" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
   target_link_libraries(test_${name} PRIVATE bw_compile_options ${ARG_LINK} bw_test_main)
   target_compile_definitions(test_${name} PRIVATE BANDWAGON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
@@ -129,12 +125,4 @@ function(bw_test name)
     list(APPEND entries ${name}_shortfall)
   endif()
   set_tests_properties(${entries} PROPERTIES TIMEOUT 600)
-  if(ARG_DOMAIN)
-    get_property(domains GLOBAL PROPERTY BANDWAGON_TEST_DOMAINS)
-    if(ARG_DOMAIN IN_LIST domains)
-      message(FATAL_ERROR "test ${name}: domain ${ARG_DOMAIN} belongs to another test; tests run side by side")
-    endif()
-    set_property(GLOBAL APPEND PROPERTY BANDWAGON_TEST_DOMAINS ${ARG_DOMAIN})
-    set_tests_properties(${entries} PROPERTIES ENVIRONMENT "ROS_DOMAIN_ID=${ARG_DOMAIN}" RESOURCE_LOCK domain_${ARG_DOMAIN})
-  endif()
 endfunction()

@@ -1,20 +1,19 @@
 // The main() of every test program. Tests that need recorded data skip themselves without it; a program in which one
 // did ends with 77, which CTest shows as skipped where the entry says so (RECORDED of bw_test) and as failed where it
-// does not. A program in which anything fails, or that runs nothing, fails. What it and the programs that it starts put
-// into the folder for temporary files goes when it ends.
+// does not. A program in which anything fails, or that runs nothing, fails. Its DDS domain and its folder for temporary
+// files are its own, and go when it ends.
 #include <cstdio>
 #include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/temporary_folder.hpp"
+#include "tests/test_environment.hpp"
 
 int main(int argc, char** argv) {
   constexpr int kSkipped = 77;
   testing::InitGoogleMock(&argc, argv);
-  const bw::TemporaryFolder folder;
-  for (const char* name : {"TMPDIR", "TEST_TMPDIR", "XDG_STATE_HOME"}) setenv(name, folder.path().c_str(), 1);
+  const bw::test::TestEnvironment environment;
   const int status = RUN_ALL_TESTS();
   const testing::UnitTest& tests = *testing::UnitTest::GetInstance();
   if (status != 0 || testing::GTEST_FLAG(list_tests)) return status;

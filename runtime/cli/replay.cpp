@@ -35,6 +35,28 @@ struct ReplayArguments {
 };
 
 constexpr double kUsualClockHz = 40.0;  // as `ros2 bag play`
+constexpr std::size_t kToldExchanges = 5;
+
+nlohmann::json to_json(const replay::Exchange& exchange) {
+  const auto input = [](const replay::RecordedInput& i) {
+    return nlohmann::json{{"topic", i.topic}, {"log_time_s", i.log_time.to_seconds()}, {"message", i.number}};
+  };
+  return {{"input", input(exchange.moved)},
+          {exchange.is_after() ? "after" : "before", input(exchange.past)},
+          {"apart_s", exchange.apart().to_seconds()}};
+}
+
+nlohmann::json to_json(const replay::OrderVerdict& order) {
+  nlohmann::json json = {{"equal_when", nlohmann::json::array()},
+                         {"close_together", nlohmann::json::array()},
+                         {"tried", order.tried},
+                         {"lacks_input", order.lacks_input},
+                         {"left", nullptr}};
+  for (const replay::Exchange& exchange : order.taken) json["equal_when"].push_back(to_json(exchange));
+  for (const replay::Exchange& exchange : order.close) json["close_together"].push_back(to_json(exchange));
+  if (order.left) json["left"] = {{"topic", order.left->topic}, {"time_s", order.left->time.to_seconds()}};
+  return json;
+}
 
 nlohmann::json to_json(const replay::ReplayResult& result) {
   nlohmann::json json = {{"equal", result.is_equal()},
@@ -45,7 +67,9 @@ nlohmann::json to_json(const replay::ReplayResult& result) {
                          {"pairing", result.pairing == replay::Pairing::in_order ? "in_order" : "by_stamp"},
                          {"notes", result.notes},
                          {"topics", nlohmann::json::object()},
-                         {"first_difference", nullptr}};
+                         {"first_difference", nullptr},
+                         {"input_order", nullptr}};
+  if (result.order) json["input_order"] = to_json(*result.order);
   for (const auto& [topic, verdict] : result.topics) {
     json["topics"][topic] = {{"type", verdict.type},           {"equal", verdict.equal},
                              {"differing", verdict.differing}, {"missing", verdict.missing},
@@ -63,6 +87,46 @@ nlohmann::json to_json(const replay::ReplayResult& result) {
   return json;
 }
 
+std::string to_text(const replay::Exchange& exchange, Time start) {
+  const auto at = [start](const replay::RecordedInput& input) {
+    return fmt::format("{} at {:.6f} s", input.topic, (input.log_time - start).to_seconds());
+  };
+  return fmt::format("{} is taken {} {} ({:.3f} ms apart in the bag)", at(exchange.moved),
+                     exchange.is_after() ? "after" : "before", at(exchange.past),
+                     exchange.apart().to_seconds() * 1e3);
+}
+
+void print(const replay::OrderVerdict& order, Time start) {
+  for (const replay::Exchange& exchange : order.taken)
+    std::cout << "  equal there when " << to_text(exchange, start) << "\n";
+  if (!order.left) {
+    std::cout << fmt::format("order of inputs: with {} everything is equal; it is not the code\n",
+                             order.taken.size() == 1 ? "that order" : "these orders");
+    return;
+  }
+  if (!order.taken.empty())
+    std::cout << fmt::format("order of inputs: with that, the first difference is {} at {:.3f} s\n",
+                             order.left->topic, (order.left->time - start).to_seconds());
+  if (order.lacks_input) {
+    std::cout << fmt::format(
+        "order of inputs: the bag lacks the input of its stamp, {:.9f} s: the recorder did not hear what it "
+        "answers, and what comes later may differ for that\n",
+        order.left->stamp.to_seconds());
+    return;
+  }
+  if (order.close.empty()) {
+    std::cout << fmt::format("order of inputs: no two arrived within {:.0f} ms of each other around it\n",
+                             replay::kCloseTogether.to_seconds() * 1e3);
+    return;
+  }
+  std::cout << fmt::format(
+      "order of inputs: {} other orders of two that arrived close together around it, {} tried: none makes it "
+      "equal; a timer's phase, more than two inputs, or the code\n",
+      order.close.size(), order.tried);
+  for (std::size_t i = 0; i < std::min(order.close.size(), kToldExchanges); ++i)
+    std::cout << "  not equal when " << to_text(order.close[i], start) << "\n";
+}
+
 void print(const replay::ReplayResult& result, Time start) {
   for (const std::string& note : result.notes) std::cout << "note: " << note << "\n";
   if (result.malformed > 0)
@@ -77,6 +141,7 @@ void print(const replay::ReplayResult& result, Time start) {
     std::cout << fmt::format("first difference: {} at {:.3f} s{}{}\n  recorded {}\n  replayed {}\n",
                              result.first_topic, (d.time - start).to_seconds(), d.field.empty() ? "" : ", ",
                              d.field, d.recorded, d.replayed);
+    if (result.order) print(*result.order, start);
   }
   std::size_t width = 5;
   for (const auto& [topic, verdict] : result.topics) width = std::max(width, topic.size());

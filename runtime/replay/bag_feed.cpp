@@ -40,7 +40,7 @@ BagFeed::BagFeed(const bag::Bag& recording, FeedOptions options, OutputCompariso
     : recording_(recording),
       options_(std::move(options)),
       comparison_(comparison),
-      messages_(recording.messages({})) {
+      messages_(reordered(recording.messages({}), options_.delays)) {
   for (const bag::BagTopic& topic : recording.topics()) ++writers_[topic.name];
   for (const bag::BagTopic& topic : recording.topics()) {
     const bool is_live = std::ranges::any_of(options_.live, [&](const auto& live) {

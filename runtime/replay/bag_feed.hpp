@@ -19,6 +19,7 @@
 #include "runtime/component.hpp"
 #include "runtime/host/event_source.hpp"
 #include "runtime/replay/output_comparison.hpp"
+#include "runtime/replay/reordered_messages.hpp"
 
 namespace bw::replay {
 
@@ -27,6 +28,7 @@ struct FeedOptions {
       live;  ///< topic and node of what running components write: compared, not published
   std::set<std::string> ignored;               ///< neither
   std::uint64_t messages = ~std::uint64_t{0};  ///< only so many of the bag, from its beginning
+  std::vector<Delay> delays = {};              ///< what comes in another order
   /// Sees every message of the run in its order, recorded ones and new ones, by the topic of the bag.
   std::function<void(std::size_t topic, Time log_time, Time publish_time, bag::BytesView cdr)> on_message =
       nullptr;

@@ -77,6 +77,7 @@ void OutputComparison::match_by_stamp(const std::string& topic, Time end) {
     std::erase_if(pair.got, [&](const Waiting& w) { return w.stamp < first || w.stamp > last; });
   }
   const std::optional<Duration> limit = half_period(pair.expected);
+  if (limit) verdict.period = *limit + *limit;
   auto recorded = pair.expected.begin();
   auto replayed = pair.got.begin();
   while (recorded != pair.expected.end() && replayed != pair.got.end()) {
@@ -114,9 +115,10 @@ void OutputComparison::compare(const std::string& topic, const Waiting& recorded
   }
   std::optional<Difference> first;
   if (!by_stamp && recorded.time != replayed.time) {
-    first = {recorded.time, "", time_text(recorded.time), time_text(replayed.time)};
+    first = {recorded.time, recorded.stamp, "", time_text(recorded.time), time_text(replayed.time)};
   } else if (difference.first) {
-    first = {recorded.time, difference.first->field, difference.first->recorded, difference.first->replayed};
+    first = {recorded.time, recorded.stamp, difference.first->field, difference.first->recorded,
+             difference.first->replayed};
   }
   ++(first ? verdict.differing : verdict.equal);
   if (!verdict.first) verdict.first = std::move(first);
@@ -124,13 +126,13 @@ void OutputComparison::compare(const std::string& topic, const Waiting& recorded
 
 void OutputComparison::missing(TopicVerdict& verdict, const Waiting& recorded) {
   ++verdict.missing;
-  if (!verdict.first) verdict.first = Difference{recorded.time, "", "a message", "none"};
+  if (!verdict.first) verdict.first = Difference{recorded.time, recorded.stamp, "", "a message", "none"};
 }
 
 void OutputComparison::extra(TopicVerdict& verdict, const Waiting& replayed, Time end) {
   if (replayed.time >= end) return;
   ++verdict.extra;
-  if (!verdict.first) verdict.first = Difference{replayed.time, "", "none", "a message"};
+  if (!verdict.first) verdict.first = Difference{replayed.time, replayed.stamp, "", "none", "a message"};
 }
 
 void OutputComparison::finish(Time end) {

@@ -24,6 +24,7 @@ enum class Pairing {
 /// The first place where a topic differs.
 struct Difference {
   Time time;             ///< of the recorded message, or of the new one if none was recorded
+  Time stamp;            ///< its own, else `time`
   std::string field;     ///< empty: a message is missing or too many, or the times differ
   std::string recorded;  ///< as text
   std::string replayed;
@@ -35,6 +36,7 @@ struct TopicVerdict {
   std::uint64_t differing = 0;
   std::uint64_t missing = 0;  ///< recorded, not written now
   std::uint64_t extra = 0;    ///< written now, not recorded
+  Duration period{};          ///< usual time between recorded messages, by_stamp; 0: fewer than two
   double apart = 0.0;         ///< largest time between the two of a pair, by_stamp [s]
   double largest = 0.0;       ///< difference of a number
   std::string largest_field;

@@ -93,6 +93,8 @@ void tell_tolerances(ReplayResult& result, const Tolerances& tolerances, const O
   if (result.pairing == Pairing::by_stamp) {
     result.notes.emplace_back(
         "the bag is of real time: messages are compared with the nearest by stamp, within half a period");
+    result.notes.emplace_back(
+        "it does not say in which order inputs were taken: they are taken as its recorder heard them");
   }
   for (const auto& [topic, fields] : tolerances) {
     if (std::ranges::none_of(live, [&](const auto& output) { return output.first == topic; })) continue;
@@ -101,6 +103,99 @@ void tell_tolerances(ReplayResult& result, const Tolerances& tolerances, const O
     for (const auto& [field, value] : fields.absolute)
       result.notes.push_back(fmt::format("may differ by {}: {} of {}", value, field, topic));
   }
+}
+
+/// What stays the same when the components run in another order of inputs.
+struct Plan {
+  const bag::Bag& recording;
+  Graph graph;
+  FeedOptions feed;
+  Tolerances tolerances;
+  Pairing pairing = Pairing::in_order;
+  std::uint64_t seed = 1;
+};
+
+Plan plan_of(const bag::Bag& recording, Graph graph, const std::vector<std::string>& run) {
+  keep_only(graph, run);
+  const auto metadata = recording.metadata();
+  const bool is_lockstep = entry(metadata, "bandwagon", "clock") == "lockstep";
+  if (!is_lockstep) graph.settings.external_lifecycle = false;  // what its manager said is not in the bag
+  std::set<std::string> recorded;
+  for (const bag::BagTopic& topic : recording.topics()) {
+    // In real time, what nobody reads is not sent.
+    if (is_lockstep || topic.message_count > 0) recorded.insert(topic.name);
+  }
+  FeedOptions feed{.ignored = kOfTheProcess};
+  for (const auto& [topic, node] : outputs_of(graph)) {
+    if (recorded.contains(topic) && !kOfTheProcess.contains(topic)) feed.live.insert({topic, node});
+  }
+  if (feed.live.empty()) throw std::runtime_error("nothing that these components write is in the bag");
+  if (const std::string count = entry(metadata, "result", "messages_of_run"); !count.empty())
+    feed.messages = std::stoull(count);
+  const std::string seed = entry(metadata, "bandwagon", "seed");
+  Tolerances tolerances = read_tolerances(graph.tolerances, recording.topics());
+  return {.recording = recording,
+          .graph = std::move(graph),
+          .feed = std::move(feed),
+          .tolerances = std::move(tolerances),
+          .pairing = is_lockstep ? Pairing::in_order : Pairing::by_stamp,
+          .seed = seed.empty() ? 1 : std::stoull(seed)};
+}
+
+/// Runs the components to `end`. `text` may be null. Returns their parameters as YAML.
+std::string run_components(const Plan& plan, BagFeed& feed, ChangeText* text, Time end, bool alone) {
+  std::vector<ExtraComponent> extra;
+  extra.push_back({.name = "bag_player", .component = feed.make_component(), .first = true});
+  const HostOptions options{.clock = ClockMode::lockstep,
+                            .seed = plan.seed,
+                            .start = plan.recording.start(),
+                            .source = &feed,
+                            .alone = alone,
+                            .tap = std::make_shared<LiveTap>(feed, plan.feed.live, text)};
+  Host host(plan.graph, options, std::move(extra));
+  std::string parameters;
+  for (const auto& [name, report] : host.parameters())
+    parameters += fmt::format("# {}\n{}\n", name, report.yaml);
+  host.run(end - plan.recording.start());
+  return parameters;
+}
+
+std::optional<FirstDifference> first_of(const OutputComparison& comparison) {
+  const auto topic = comparison.first_topic();
+  if (!topic) return std::nullopt;
+  const TopicVerdict& verdict = comparison.verdicts().at(*topic);
+  FirstDifference difference{.topic = *topic,
+                             .time = verdict.first->time,
+                             .stamped_topic = *topic,
+                             .stamp = verdict.first->stamp,
+                             .period = verdict.period};
+  // Markers are written beside what they show, and carry no stamp of their own.
+  for (const auto& [name, other] : comparison.verdicts()) {
+    if (difference.stamp != difference.time) break;
+    if (!other.first || other.first->stamp == other.first->time) continue;
+    if ((other.first->time - difference.time) * 2 > other.period) continue;
+    difference.stamped_topic = name;
+    difference.stamp = other.first->stamp;
+  }
+  return difference;
+}
+
+OrderVerdict explain(const Plan& plan, const FirstDifference& first) {
+  std::set<std::string> inputs;
+  for (const auto& [name, ends] : ends_of(plan.graph)) inputs.insert(ends.inputs.begin(), ends.inputs.end());
+  for (const auto& [topic, node] : plan.feed.live) inputs.erase(topic);
+  return explain_by_order(plan.recording, inputs, first, kOrderBudget,
+                          [&plan](const std::vector<Delay>& delays, std::optional<Time> end) {
+                            const Time last = plan.recording.end();
+                            OutputComparison comparison(plan.pairing, plan.tolerances);
+                            FeedOptions options = plan.feed;
+                            options.delays = delays;
+                            BagFeed feed(plan.recording, std::move(options), comparison);
+                            run_components(plan, feed, nullptr, std::min(end.value_or(last), last), true);
+                            feed.finish();
+                            comparison.finish(last);
+                            return first_of(comparison);
+                          });
 }
 
 void tell(ReplayResult& result, const OutputComparison& comparison, const BagFeed& feed) {
@@ -120,60 +215,28 @@ void tell(ReplayResult& result, const OutputComparison& comparison, const BagFee
 }  // namespace
 
 ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions& options) {
-  keep_only(graph, options.run);
-  const auto metadata = recording.metadata();
-  const bool is_lockstep = entry(metadata, "bandwagon", "clock") == "lockstep";
-  if (!is_lockstep) graph.settings.external_lifecycle = false;  // what its manager said is not in the bag
-  std::set<std::string> recorded;
-  for (const bag::BagTopic& topic : recording.topics()) {
-    // In real time, what nobody reads is not sent.
-    if (is_lockstep || topic.message_count > 0) recorded.insert(topic.name);
-  }
-  FeedOptions feed_options{.ignored = kOfTheProcess};
-  for (const auto& [topic, node] : outputs_of(graph)) {
-    if (recorded.contains(topic) && !kOfTheProcess.contains(topic)) feed_options.live.insert({topic, node});
-  }
-  if (feed_options.live.empty())
-    throw std::runtime_error("nothing that these components write is in the bag");
-  const Outputs live = feed_options.live;
-  ReplayResult result{.pairing = is_lockstep ? Pairing::in_order : Pairing::by_stamp,
-                      .notes = notes_on(recording)};
-  if (const std::string count = entry(metadata, "result", "messages_of_run"); !count.empty()) {
-    feed_options.messages = std::stoull(count);
-  }
-  const std::string seed = entry(metadata, "bandwagon", "seed");
-
-  const Tolerances tolerances = read_tolerances(graph.tolerances, recording.topics());
-  tell_tolerances(result, tolerances, live);
+  const Plan plan = plan_of(recording, std::move(graph), options.run);
+  ReplayResult result{.pairing = plan.pairing, .notes = notes_on(recording)};
+  tell_tolerances(result, plan.tolerances, plan.feed.live);
+  FeedOptions feed_options = plan.feed;
   std::optional<UpdatedBag> updated;
   if (!options.update.empty()) {
     updated.emplace(recording, options.update);
     feed_options.on_message = [&updated](auto... message) { updated->write(message...); };
   }
-  OutputComparison comparison(result.pairing, tolerances);
+  OutputComparison comparison(plan.pairing, plan.tolerances);
   BagFeed feed(recording, std::move(feed_options), comparison);
   ChangeText text(recording.start());
-  const auto tap = std::make_shared<LiveTap>(feed, live, options.with_text ? &text : nullptr);
-  std::vector<ExtraComponent> extra;
-  extra.push_back({.name = "bag_player", .component = feed.make_component(), .first = true});
-  HostOptions host_options{.clock = ClockMode::lockstep,
-                           .seed = seed.empty() ? 1 : std::stoull(seed),
-                           .start = recording.start(),
-                           .source = &feed,
-                           .tap = tap};
-  std::string parameters;
-  {
-    Host host(std::move(graph), host_options, std::move(extra));
-    for (const auto& [name, report] : host.parameters())
-      parameters += fmt::format("# {}\n{}\n", name, report.yaml);
-    host.run(recording.end() - recording.start());
-  }
+  const std::string parameters =
+      run_components(plan, feed, options.with_text ? &text : nullptr, recording.end(), false);
   feed.finish();
   comparison.finish(recording.end());
   if (updated) updated->finish(parameters);
 
   tell(result, comparison, feed);
   result.text = text.text();
+  if (const auto first = first_of(comparison); first && plan.pairing == Pairing::by_stamp)
+    result.order = explain(plan, *first);
   return result;
 }
 

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "runtime/bag/bag.hpp"
 #include "runtime/graph/graph.hpp"
+#include "runtime/replay/input_order.hpp"
 #include "runtime/replay/output_comparison.hpp"
 
 namespace bw::replay {
@@ -28,10 +30,15 @@ struct ReplayResult {
   std::string sha256;           ///< of the outputs now
   std::string text;             ///< outputs as change_text.hpp has them
   Pairing pairing = Pairing::in_order;
+  std::optional<OrderVerdict>
+      order;                       ///< of a difference that the order of inputs may explain: by_stamp alone
   std::vector<std::string> notes;  ///< what limits the comparison: another build, another CPU type, damage
 
   [[nodiscard]] bool is_equal() const { return first_topic.empty() && compared > 0; }
 };
+
+/// Virtual time that may be replayed to explain a difference by the order of inputs.
+constexpr Duration kOrderBudget = Duration::milliseconds(600'000);
 
 /// In lock-step, from the bag's first message to its last, by the tolerances of the graph. Throws ConfigError or std::runtime_error: a component that
 /// is not in the graph or writes nothing that was recorded, an input nobody feeds.

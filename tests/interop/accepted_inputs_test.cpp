@@ -36,7 +36,7 @@ using rcl_interfaces::srv::SetParameters;
 using rcl_interfaces::srv::SetParametersAtomically;
 
 const std::string kGraph = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml";
-const std::filesystem::path kFolder = std::filesystem::path(BANDWAGON_BINARY_DIR) / "accepted_inputs";
+std::filesystem::path folder() { return std::filesystem::temp_directory_path() / "accepted_inputs"; }
 constexpr std::chrono::seconds kLong{5};
 
 template <class M>
@@ -161,11 +161,11 @@ class Operator {
 };
 
 TEST(AcceptedInputs, AReplayOfTheRecordSaysTheSameBytes) {
-  std::filesystem::remove_all(kFolder);
-  std::filesystem::create_directories(kFolder);
+  std::filesystem::remove_all(folder());
+  std::filesystem::create_directories(folder());
   Process run({BANDWAGON_PROGRAM, "run", kGraph, "--clock", "lockstep", "--seed", "7", "--pace", "2",
-               "--accept-inputs", "--stay", "--for", "16", "--record", kFolder / "drive", "--json",
-               kFolder / "card.json"});
+               "--accept-inputs", "--stay", "--for", "16", "--record", folder() / "drive", "--json",
+               folder() / "card.json"});
   Operator hand;
   int changes = 0;
   const auto at = [&](double seconds, auto change) {
@@ -203,29 +203,29 @@ TEST(AcceptedInputs, AReplayOfTheRecordSaysTheSameBytes) {
   EXPECT_EQ(changes, 24) << run.err();
   ASSERT_EQ(run.wait(std::chrono::seconds(60)), 0) << run.err();
 
-  std::ifstream card(kFolder / "card.json");
+  std::ifstream card(folder() / "card.json");
   EXPECT_EQ(nlohmann::json::parse(card)["inputs"], "outside");
   for (const char* component :
        {"world", "localization", "people", "local_costmap", "global_planner", "local_planner", "twist_mux",
         "collision_monitor", "motor_control", "navigator"}) {
-    const Outcome replay = run_to_end({BANDWAGON_PROGRAM, "replay", kFolder / "drive", "--graph", kGraph,
+    const Outcome replay = run_to_end({BANDWAGON_PROGRAM, "replay", folder() / "drive", "--graph", kGraph,
                                        "--clock", "lockstep", "--run", component},
                                       std::chrono::seconds(120));
     EXPECT_EQ(replay.status, 0) << component << ": " << replay.out << replay.err;
   }
-  std::filesystem::remove_all(kFolder);
+  std::filesystem::remove_all(folder());
 }
 
 // Without --accept-inputs nobody comes: the answer says why, and the run says the bytes it says alone.
 TEST(AcceptedInputs, WithoutThemNobodyJoins) {
-  std::filesystem::create_directories(kFolder);
+  std::filesystem::create_directories(folder());
   const auto command = [](const char* card, const char* pace) {
     return std::vector<std::string>{
-        BANDWAGON_PROGRAM, "run", kGraph,   "--clock", "lockstep", "--seed",      "7",
-        "--for",           "6",   "--pace", pace,      "--json",   kFolder / card};
+        BANDWAGON_PROGRAM, "run", kGraph,   "--clock", "lockstep", "--seed",       "7",
+        "--for",           "6",   "--pace", pace,      "--json",   folder() / card};
   };
   const auto sha256 = [](const char* card) {
-    std::ifstream in(kFolder / card);
+    std::ifstream in(folder() / card);
     return nlohmann::json::parse(in)["samples_sha256"].get<std::string>();
   };
   Process asked(command("asked.json", "2"));
@@ -238,7 +238,7 @@ TEST(AcceptedInputs, WithoutThemNobodyJoins) {
   ASSERT_TRUE(asked.wait(std::chrono::seconds(60))) << asked.err();
   run_to_end(command("alone.json", "0"), std::chrono::seconds(60));
   EXPECT_EQ(sha256("asked.json"), sha256("alone.json"));
-  std::filesystem::remove_all(kFolder);
+  std::filesystem::remove_all(folder());
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ Outcome bandwagon(std::vector<std::string> arguments) {
 class BagVerbs : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = std::filesystem::path(BANDWAGON_BINARY_DIR) / "bag_verbs";
+    folder_ = std::filesystem::temp_directory_path() / "bag_verbs";
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
     const Outcome run = bandwagon({"run", std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml",

@@ -6,7 +6,6 @@ bringup=$root/launch_scripts/bringup.sh
 program=$2
 export BANDWAGON_PROGRAM=$program
 folder=$(mktemp -d)
-export XDG_STATE_HOME=$folder/state
 running=
 clean_up() {
   [[ -z $running ]] || kill -TERM "$running" 2>/dev/null || true

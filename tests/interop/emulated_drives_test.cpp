@@ -2,7 +2,7 @@
 // the same seeds in lock-step, which have neither cable nor firmware.
 //
 // One drive over 6 m, where nobody walks; BANDWAGON_DRIVES=20 drives the whole hallway with seeds 1 to 20, each base in one process and in three:
-//   BANDWAGON_DRIVES=20 ROS_DOMAIN_ID=44 build/release/bin/test_emulated_drives
+//   BANDWAGON_DRIVES=20 build/release/bin/test_emulated_drives
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

@@ -67,7 +67,7 @@ Frames frames_of(const std::filesystem::path& file) {
 }
 
 Frames frames_of_run(const std::string& graph, const std::string& seconds) {
-  const std::filesystem::path recording = std::filesystem::path(BANDWAGON_BINARY_DIR) / "frames.mcap";
+  const std::filesystem::path recording = std::filesystem::temp_directory_path() / "frames.mcap";
   std::filesystem::remove(recording);
   const Outcome run = run_to_end({BANDWAGON_PROGRAM, "run", graph, "--clock", "lockstep", "--seed", "7",
                                   "--for", seconds, "--record", recording.string()},
@@ -109,7 +109,7 @@ TEST(Frames, OfARobotWithNamespaceAndPrefixHangOnTheMapAllShare) {
   std::string text((std::istreambuf_iterator<char>(hallway)), std::istreambuf_iterator<char>());
   const std::string robot = "../robots/";
   text.replace(text.find(robot), robot.size(), folder + "robots/");
-  const std::string graph = std::string(BANDWAGON_BINARY_DIR) + "/namespaced.yaml";
+  const std::string graph = (std::filesystem::temp_directory_path() / "namespaced.yaml").string();
   std::ofstream(graph) << "namespace: robot1\nframe_prefix: robot1/\n" << text;
   const Frames frames = frames_of_run(graph, "6");
   expect_one_tree(frames, "map");
@@ -120,7 +120,7 @@ TEST(Frames, OfARobotWithNamespaceAndPrefixHangOnTheMapAllShare) {
 
 // A graph that says nothing of the robot's sensors: they sit at base_link, and tf says so.
 TEST(Frames, OfSensorsThatTheRobotDoesNotListSitAtTheBase) {
-  const std::string graph = std::string(BANDWAGON_BINARY_DIR) + "/frames.yaml";
+  const std::string graph = (std::filesystem::temp_directory_path() / "frames.yaml").string();
   std::ofstream(graph)
       << "components:\n  world: {parameters: {gps: {frame: antenna}}}\n  robot_base:\n    inputs: "
          "{wheel_commands: {external: true}}\n";

@@ -1,6 +1,7 @@
 // Goals by `ros2 topic pub --once`: the participant that sends one leaves a tenth of a second later, and the goal counts.
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -34,7 +35,7 @@ bool was_taken(const std::string& log, int x) {
 }
 
 TEST(GoalsByOnce, AreAllTaken) {
-  const std::string graph = std::string(BANDWAGON_BINARY_DIR) + "/goal_once.yaml";
+  const std::string graph = (std::filesystem::temp_directory_path() / "goal_once.yaml").string();
   std::ofstream(graph) << kGraph;
   Process taker({BANDWAGON_PROGRAM, "run", graph});
   const int count = goals();

@@ -111,7 +111,7 @@ TEST_F(Param, LoadTakesWhatDumpWrote) {
     EXPECT_EQ(dump.status, 0) << dump.err;
     EXPECT_THAT(dump.out, StartsWith(node + ":\n  ros__parameters:\n"));
     EXPECT_THAT(dump.out, EndsWith("    use_sim_time: false\n"));
-    const std::string file = std::string(BANDWAGON_BINARY_DIR) + "/param_dump.yaml";
+    const std::string file = (std::filesystem::temp_directory_path() / "param_dump.yaml").string();
     std::ofstream(file) << dump.out;
     const Outcome load = param({"load", node, file});
     EXPECT_EQ(load.status, 0) << load.err;

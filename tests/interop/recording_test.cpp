@@ -30,7 +30,7 @@ nlohmann::json read_json(const std::filesystem::path& file) {
 class Recording : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = std::filesystem::path(BANDWAGON_BINARY_DIR) / "recording";
+    folder_ = std::filesystem::temp_directory_path() / "recording";
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
     for (const bool records : {true, false}) {

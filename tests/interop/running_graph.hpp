@@ -12,7 +12,7 @@
 
 namespace bw::test {
 
-/// drive.yaml for a ROS distribution, as a file of this test's own. Domains differ from test to test.
+/// drive.yaml for a ROS distribution, as a file of this test's own.
 inline std::string graph_for(const std::string& distro) {
   const std::string source = BANDWAGON_SOURCE_DIR;
   std::ifstream file(source + "/tests/interop/drive.yaml");
@@ -22,9 +22,7 @@ inline std::string graph_for(const std::string& distro) {
   };
   replace("jazzy", distro);
   replace("../..", source);
-  const char* domain = std::getenv("ROS_DOMAIN_ID");
-  std::string path =
-      std::string(BANDWAGON_BINARY_DIR) + "/drive_" + distro + "_" + (domain ? domain : "0") + ".yaml";
+  const std::string path = std::filesystem::temp_directory_path() / ("drive_" + distro + ".yaml");
   std::ofstream(path) << text;
   return path;
 }

@@ -52,7 +52,7 @@ std::vector<std::filesystem::path> folders_in(const std::filesystem::path& folde
 class Snapshot : public testing::Test {
  protected:
   Snapshot()
-      : folder_(std::filesystem::path(BANDWAGON_BINARY_DIR) /
+      : folder_(std::filesystem::temp_directory_path() /
                 ("snapshot_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);

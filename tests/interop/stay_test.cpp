@@ -1,5 +1,6 @@
 // `run --stay`: a graph that is there for goals, until somebody ends it.
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -16,15 +17,15 @@ namespace {
 using testing::HasSubstr;
 
 const std::string kGraph = std::string(BANDWAGON_SOURCE_DIR) + "/tests/interop/one_room.yaml";
-const std::string kCard = std::string(BANDWAGON_BINARY_DIR) + "/stay.json";
+std::string card_path() { return std::filesystem::temp_directory_path() / "stay.json"; }
 
 std::vector<std::string> run(const std::vector<std::string>& options) {
-  std::vector<std::string> command = {BANDWAGON_PROGRAM, "run", kGraph, "--json", kCard};
+  std::vector<std::string> command = {BANDWAGON_PROGRAM, "run", kGraph, "--json", card_path()};
   command.insert(command.end(), options.begin(), options.end());
   return command;
 }
 
-nlohmann::json card() { return nlohmann::json::parse(std::ifstream(kCard)); }
+nlohmann::json card() { return nlohmann::json::parse(std::ifstream(card_path())); }
 
 void send_goal(const std::string& x) {
   const Outcome sent = run_to_end({GOAL_ONCE, "jazzy", x, "1"}, std::chrono::seconds(30));

@@ -3,7 +3,7 @@
 //   BANDWAGON_NODE_MODULES=build/node node tests/page/cost.mjs build/release/bin/bandwagon [SECONDS [MINUTES]]
 //
 // SECONDS (20) are what each share of a core is taken over, MINUTES (1) how long the page is looked at for its heap. Shares by the kernel's
-// count of threads' time on a core: without viewer, with one, with one and its client. Set ROS_DOMAIN_ID to one that nobody uses.
+// count of threads' time on a core: without viewer, with one, with one and its client. By in_test_environment.
 import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
 import { loadavg } from "node:os";

@@ -1,12 +1,5 @@
 // Programs that a test starts, and waiting for what they do.
 import { spawn } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
-import path from "node:path";
-
-/** What programs keep beyond their end is this test's own. */
-const state = mkdtempSync(path.join(tmpdir(), "bandwagon_state_"));
-process.on("exit", () => rmSync(state, { recursive: true, force: true }));
 
 /** Polls until `seen` gives something true, which is returned; after `seconds` the test fails with what `what` says. */
 export async function eventually(what, seen, seconds = 30) {
@@ -25,7 +18,6 @@ export class Program {
     this.status = undefined;
     this.child = spawn(command, arguments_, {
       stdio: ["ignore", "pipe", "pipe"],
-      env: { ...process.env, XDG_STATE_HOME: state },
     });
     for (const stream of [this.child.stdout, this.child.stderr]) stream.on("data", (text) => (this.said += text));
     this.ended = new Promise((ended) => this.child.on("close", (code, signal) => ended((this.status = code ?? signal))));

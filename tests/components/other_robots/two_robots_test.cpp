@@ -1,5 +1,5 @@
 // Two robots of one graph cross in the hallway, each from its end to the other's, among walkers. The full count of 20 seeds:
-//   ROS_DOMAIN_ID=144 BANDWAGON_CROSSINGS=20 build/release/bin/test_two_robots
+//   BANDWAGON_CROSSINGS=20 build/release/bin/test_two_robots
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 #include "tests/interop/eventually.hpp"
@@ -26,9 +27,7 @@ int stop_process(Process& process) {
 }
 
 std::string card_path(int seed) {
-  const char* domain = std::getenv("ROS_DOMAIN_ID");
-  return std::string(BANDWAGON_BINARY_DIR) + "/card_" + (domain ? domain : "0") + "_" + std::to_string(seed) +
-         ".json";
+  return std::filesystem::temp_directory_path() / ("card_" + std::to_string(seed) + ".json");
 }
 
 std::vector<std::string> body_options(int seed, std::vector<std::string> options) {

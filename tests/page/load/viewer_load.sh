@@ -2,7 +2,7 @@
 # A hundred clients beside a robot that drives through the hallway in real time: viewer_load.sh [PAIRS [SECONDS]]
 #
 # First one drive of SECONDS (60) with the load: updates that each healthy client received, their delays, the viewer's memory. Then PAIRS (5) of drives with
-# and without it, either first every other time: the planner's cycles (CPU of its thread), pooled. Needs jq; set ROS_DOMAIN_ID to one that nobody uses.
+# and without it, either first every other time: the planner's cycles (CPU of its thread), pooled. Needs jq; by in_test_environment.
 # BANDWAGON_BUILD: the build folder, if it is not build/release.
 set -euo pipefail
 
