@@ -37,7 +37,13 @@ class DriveJudge {
   void end_run(Time now);
   /// True when it ends the drive, or one of the goals of a whole run.
   bool on_goal(const GoalNews& news, Time now);
+  /// The goal takes the place of the one that is being driven to, which is not over.
+  bool is_preempting(const GoalNews& news) const {
+    return running() && news.goal_id > goal_id_ && !news.is_over && !others_follow_;
+  }
   void on_truth(const TruthSample& sample);
+  /// Nobody knows where the robot is until the next sample.
+  void lose_place() { keeper_.lose_place(); }
   /// The robot's outline from now on.
   void on_footprint(const Footprint& footprint) {
     keeper_.set_footprint(footprint);

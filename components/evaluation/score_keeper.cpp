@@ -14,6 +14,9 @@ constexpr double kApart = 0.02;       // bodies farther apart are no longer in c
 constexpr double kMovingSpeed = 0.1;  // a contact slower than this is the other's doing [m/s]
 constexpr double kSigmaNarrow = 0.45;
 constexpr const char* kFalseClaim = "the robot claims the goal but is not there";
+constexpr const char* kUnknownPlace = "the robot claims the goal, and nothing tells where it was then";
+constexpr const char* kMissedLeg = "an earlier goal was not reached";
+constexpr const char* kUnknownLeg = "the robot claims an earlier goal, and nothing tells where it was then";
 
 }  // namespace
 
@@ -59,6 +62,7 @@ void ScoreKeeper::add(const TruthSample& sample) {
   card_.mean_speed = elapsed > 0.0 ? card_.path_length / elapsed : 0.0;
   card_.distance_to_goal = (goal_ - sample.X_MB.position()).norm();
   last_ = sample;
+  knows_place_ = true;
 }
 
 void ScoreKeeper::count_contacts(const TruthSample& sample) {
@@ -102,14 +106,30 @@ void ScoreKeeper::touch(std::int64_t key, double gap, bool fast) {
   }
 }
 
-bool ScoreKeeper::is_there(bool claimed) const {
-  const double allowed = options_.goal_tolerance > 0.0 ? options_.goal_tolerance : judged_xy(tolerance_);
-  return claimed && last_ && card_.distance_to_goal <= allowed;
+std::optional<bool> ScoreKeeper::is_there(bool claimed) const {
+  if (!claimed) return false;
+  if (!knows_place_) return std::nullopt;
+  return card_.distance_to_goal <=
+         (options_.goal_tolerance > 0.0 ? options_.goal_tolerance : judged_xy(tolerance_));
 }
 
-void ScoreKeeper::end_goal(bool claimed, const std::string& reason) {
-  card_.reached = is_there(claimed);
-  card_.reason = claimed && !card_.reached ? kFalseClaim : reason;
+void ScoreKeeper::end_leg(bool claimed) {
+  const std::optional<bool> there = is_there(claimed);
+  missed_a_leg_ |= there == false;
+  has_unknown_leg_ |= !there;
+}
+
+void ScoreKeeper::settle(bool claimed, const std::string& reason) {
+  const std::optional<bool> there = is_there(claimed);
+  const bool is_missed = there == false || missed_a_leg_;
+  card_.reached = there == true && !missed_a_leg_ && !has_unknown_leg_;
+  card_.is_outcome_known = card_.reached || is_missed;
+  card_.reason = reason;
+  if (there == false && claimed) card_.reason = kFalseClaim;
+  if (there == true && has_unknown_leg_) card_.reason = kUnknownLeg;
+  if (there == true && missed_a_leg_) card_.reason = kMissedLeg;
+  if (!there && !is_missed) card_.reason = kUnknownPlace;
+  if (!knows_place_) card_.distance_to_goal = std::numeric_limits<double>::quiet_NaN();
 }
 
 void ScoreKeeper::close() {
@@ -124,10 +144,7 @@ void ScoreKeeper::finish(Time now, bool claimed, const std::string& reason) {
   card_.finished = true;
   card_.time_to_goal = (now - started_).to_seconds();
   card_.mean_speed = card_.time_to_goal > 0.0 ? card_.path_length / card_.time_to_goal : 0.0;
-  card_.reached = is_there(claimed) && !missed_a_leg_;
-  card_.reason = reason;
-  if (claimed && !is_there(claimed)) card_.reason = kFalseClaim;
-  if (claimed && is_there(claimed) && missed_a_leg_) card_.reason = "an earlier goal was not reached";
+  settle(claimed, reason);
 }
 
 }  // namespace bw

@@ -28,7 +28,8 @@ struct Encounter {
 
 struct ScoreCard {
   bool finished = false;
-  bool reached = false;  ///< claimed, and truly within the judge's tolerance; of several goals, each
+  bool reached = false;          ///< claimed, and truly within the judge's tolerance; of several goals, each
+  bool is_outcome_known = true;  ///< false: the robot claims it, and where it truly was nobody tells
   std::string reason;
   double time_to_goal = 0.0;      ///< since the start of the drive; of a goal not reached, the time spent [s]
   double path_length = 0.0;       ///< truly driven [m]
@@ -68,7 +69,7 @@ class ScoreKeeper {
   /// Opens a fresh card; the drive lasts until finish(). `tolerance`: the navigator's.
   void start(Time now, const Vector2& goal, const GoalTolerance& tolerance = {});
   /// A goal of the drive that others follow is over.
-  void end_leg(bool claimed) { missed_a_leg_ |= !is_there(claimed); }
+  void end_leg(bool claimed);
   /// The goal after it.
   void next_leg(const Vector2& goal, const GoalTolerance& tolerance) {
     goal_ = goal;
@@ -77,7 +78,7 @@ class ScoreKeeper {
     card_.reason.clear();
   }
   /// The goal in hand is over and the card goes on: its outcome stands on it until the next goal or close().
-  void end_goal(bool claimed, const std::string& reason);
+  void end_goal(bool claimed, const std::string& reason) { settle(claimed, reason); }
   /// Ends the card with the outcome that stands on it.
   void close();
   /// Counts while a drive lasts. Samples that are not newer, or whose places are not finite, are ignored; without a
@@ -85,6 +86,9 @@ class ScoreKeeper {
   void add(const TruthSample& sample);
   /// `claimed`: the robot says that it stands at the goal.
   void finish(Time now, bool claimed, const std::string& reason);
+
+  /// The truth of the last sample holds no more, and until the next one nobody knows where the robot is.
+  void lose_place() { knows_place_ = false; }
 
   /// The robot's outline from now on.
   void set_footprint(const Footprint& footprint) { footprint_ = footprint; }
@@ -99,7 +103,9 @@ class ScoreKeeper {
     bool at_speed = false;
   };
 
-  bool is_there(bool claimed) const;
+  /// Nothing: nobody knows.
+  std::optional<bool> is_there(bool claimed) const;
+  void settle(bool claimed, const std::string& reason);
   void count_contacts(const TruthSample& sample);
   void touch(std::int64_t key, double gap, bool fast);
 
@@ -107,6 +113,8 @@ class ScoreKeeper {
   Footprint footprint_;
   bool running_ = false;
   bool missed_a_leg_ = false;
+  bool has_unknown_leg_ = false;
+  bool knows_place_ = false;
   ScoreCard card_;
   Vector2 goal_{0.0, 0.0};
   GoalTolerance tolerance_;

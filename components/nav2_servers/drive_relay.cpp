@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "components/model/nav2_error_codes.hpp"
+
 namespace bw {
 namespace {
 
@@ -111,17 +113,25 @@ RelayActions DriveRelay::stop() {
 }
 
 PlanOutcome outcome_of(std::uint16_t error_code) {
-  switch (error_code % 100) {  // both actions count alike, from 200 and from 300
-    case 1:
-    case 9:
-      return PlanOutcome::bad_request;  // no such planner; no poses
-    case 3:
-    case 5:
+  namespace through = compute_path_through_poses_error;
+  namespace to_pose = compute_path_error;
+  switch (error_code) {
+    case to_pose::kInvalidPlanner:
+    case through::kInvalidPlanner:
+    case through::kNoViapointsGiven:
+      return PlanOutcome::bad_request;
+    case to_pose::kStartOutsideMap:
+    case to_pose::kStartOccupied:
+    case through::kStartOutsideMap:
+    case through::kStartOccupied:
       return PlanOutcome::start_blocked;
-    case 4:
-    case 6:
+    case to_pose::kGoalOutsideMap:
+    case to_pose::kGoalOccupied:
+    case through::kGoalOutsideMap:
+    case through::kGoalOccupied:
       return PlanOutcome::goal_blocked;
-    case 8:
+    case to_pose::kNoValidPath:
+    case through::kNoValidPath:
       return PlanOutcome::disconnected;
     default:
       return PlanOutcome::failed;

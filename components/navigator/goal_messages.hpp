@@ -15,12 +15,20 @@
 
 namespace bw {
 
+/// The base stands and obeys nobody.
+struct BaseStop {
+  std::string reason;       ///< the base's own, for people
+  bool is_latched = false;  ///< it takes a release
+  bool operator==(const BaseStop&) const = default;
+};
+
 /// What the robot knows of itself at a moment; no pose while localization is lost.
 struct Situation {
   Time now;
   std::optional<Pose2> X_MB;
   Twist2 twist;
-  bool is_overridden = false;  ///< a hand has driven, and nobody has released it
+  bool is_overridden = false;         ///< a hand has driven, and nobody has released it
+  std::optional<BaseStop> base_stop;  ///< nothing: the base drives, or does not tell
 };
 
 /// Where to go.
@@ -32,22 +40,18 @@ struct NavigationGoal {
 /// Why a goal was not reached, as far as programs care.
 enum class GoalFault : std::uint8_t {
   none,
-  invalid_goal,   ///< no pose
+  refused,        ///< for what Nav2 has no code: too many poses, the navigator is deactivated
   no_poses,       ///< an empty list
   behavior_tree,  ///< asks for one by name, and there are none here
-  unknown_frame,
-  lost,  ///< the robot does not know where it is
-  start_blocked,
-  goal_blocked,
-  no_path,
+  unplaced,       ///< no pose, or in an unknown frame; the robot does not know where it is
+  base_stands,    ///< the base stands and obeys nobody
   planner_silent,
-  planner_failed,
+  planner_failed,  ///< the planner's code tells more
   blocked,
   no_progress,
   controller_failed,
   controller_silent,
   preempted,
-  deactivated,
 };
 
 /// What went wrong, for people and for programs.

@@ -11,20 +11,6 @@ constexpr double kRecoveredDistance = 1.0;  // farther from the last recovery th
 constexpr double kFailedPatience = 1.0;     // a missing input often comes back [s]
 constexpr double kCancelPatience = 5.0;     // for the robot to come to rest [s]
 
-GoalFault fault_of(PlanOutcome outcome) {
-  switch (outcome) {
-    case PlanOutcome::start_blocked:
-      return GoalFault::start_blocked;
-    case PlanOutcome::goal_blocked:
-      return GoalFault::goal_blocked;
-    case PlanOutcome::disconnected:
-    case PlanOutcome::succeeded:  // and yet no path
-      return GoalFault::no_path;
-    default:
-      return GoalFault::planner_failed;
-  }
-}
-
 }  // namespace
 
 void Navigator::see(Time now) {
@@ -40,7 +26,7 @@ void Navigator::see(Time now) {
 std::uint64_t Navigator::accept(const NavigationGoal& goal, const Situation& situation) {
   see(situation.now);
   if (!is_finite(goal.X_MG) || !std::ranges::all_of(goal.via, [](const Pose2& X) { return is_finite(X); }))
-    return refuse({}, {GoalFault::invalid_goal, "the goal is not a finite pose"});
+    return refuse({}, {GoalFault::unplaced, "the goal is not a finite pose"});
   const std::uint64_t id = ++last_goal_id_;
   std::optional<GoalReport> preempted;
   if (has_goal()) {
@@ -59,6 +45,7 @@ std::uint64_t Navigator::accept(const NavigationGoal& goal, const Situation& sit
   recoveries_in_row_ = 0;
   plan_failures_in_row_ = 0;
   recovery_position_.reset();
+  base_stop_.reset();
   set_status(GoalStatus::accepted, "", situation);
   if (preempted)
     actions_.reports.push_back(*preempted);  // after its successor, so that nobody thinks the job is over
@@ -100,7 +87,7 @@ void Navigator::on_plan(const PlanAnswer& answer, const Situation& situation) {
       progress_.reset();
       stuck_since_.reset();
       within_since_.reset();
-      set_status(GoalStatus::executing, "", situation);
+      set_status(GoalStatus::executing, waiting_for_base(), situation);
     }
     path_ = answer.path;
     order(FollowMode::follow, situation.now, answer.path);
@@ -114,7 +101,7 @@ void Navigator::plan_failed(const PlanAnswer& answer, const Situation& situation
       answer.outcome == PlanOutcome::succeeded ? "the plan is empty" : "no plan: " + answer.reason;
   if (phase_ == Phase::following)
     return;  // the path in hand is still good; a drive that gets stuck is seen elsewhere
-  const GoalProblem problem{fault_of(answer.outcome), reason, answer.error_code};
+  const GoalProblem problem{GoalFault::planner_failed, reason, answer.error_code};
   if (answer.outcome == PlanOutcome::bad_request) return abort(problem, situation);
   const bool out_of_reach =
       answer.outcome == PlanOutcome::goal_blocked || answer.outcome == PlanOutcome::disconnected;
@@ -169,6 +156,7 @@ void Navigator::advance(const Situation& situation) {
   }
   if (phase_ == Phase::overridden || situation.is_overridden) return advance_overridden(situation);
   if (phase_ == Phase::lost || !situation.X_MB) return advance_lost(situation);
+  see_base(situation);
   if (recovery_position_ && (situation.X_MB->position() - *recovery_position_).norm() > kRecoveredDistance) {
     recovery_position_.reset();
     recoveries_in_row_ = 0;
@@ -197,12 +185,13 @@ void Navigator::advance_following(const Situation& situation) {
   if (follow_mode_ == FollowMode::stop)
     return begin_planning(situation);  // rolled out of the tolerance again
 
-  if (!progress_.update(now, *situation.X_MB, options_.progress()))
+  if (!base_stop_ && !progress_.update(now, *situation.X_MB, options_.progress()))
     return recover({GoalFault::no_progress, "no progress towards the goal"}, situation);
   if (older_than(follow_heard_, options_.follow_timeout, now)) {
     return recover({GoalFault::controller_silent, "the local planner does not answer"}, situation);
   }
-  if (stuck_since_ && older_than(*stuck_since_, stuck_patience_, now)) return recover(stuck_, situation);
+  if (!base_stop_ && stuck_since_ && older_than(*stuck_since_, stuck_patience_, now))
+    return recover(stuck_, situation);
   if (plan_id_ == 0 && (now - plan_requested_).to_seconds() >= options_.replan_period) request_plan(now);
 }
 
@@ -211,29 +200,6 @@ void Navigator::advance_recovery(const Situation& situation) {
   const bool moved = phase_ == Phase::backing_off && recovery_position_ &&
                      (situation.X_MB->position() - *recovery_position_).norm() >= options_.back_off_distance;
   if (moved || older_than(phase_since_, limit, situation.now)) begin_planning(situation);
-}
-
-void Navigator::advance_lost(const Situation& situation) {
-  if (situation.X_MB) return begin_planning(situation);
-  if (phase_ != Phase::lost) {
-    order(FollowMode::stop, situation.now);
-    plan_id_ = 0;
-    phase_ = Phase::lost;
-    phase_since_ = situation.now;
-    reason_ = "waiting for a pose in the map";
-  } else if (older_than(phase_since_, options_.lost_patience, situation.now)) {
-    abort({GoalFault::lost, "the robot does not know where it is"}, situation);
-  }
-}
-
-void Navigator::advance_overridden(const Situation& situation) {
-  if (!situation.is_overridden) return begin_planning(situation);
-  if (phase_ == Phase::overridden) return;
-  order(FollowMode::stop, situation.now);
-  plan_id_ = 0;
-  phase_ = Phase::overridden;
-  phase_since_ = situation.now;
-  set_status(status_, "interrupted by a hand: goes on after release_stop", situation);
 }
 
 void Navigator::begin_planning(const Situation& situation) {

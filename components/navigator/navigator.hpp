@@ -11,7 +11,8 @@
 // when the robot was near it in its turn, and plans lead through those that are left.
 //
 // A hand that drives meanwhile (Situation::is_overridden) stops the goal, which waits for as long as that lasts: it neither fails
-// nor goes on.
+// nor goes on. While the base stands (Situation::base_stop) a goal in hand waits likewise, but the local
+// planner goes on to command, so that the base knows and says that it will drive on.
 //
 // Answers and reports count only when they carry the id of the newest order. After every event call step();
 // it is also called at a steady rate, since silence is an event too.
@@ -39,6 +40,9 @@ class Navigator {
   std::uint64_t accept(const NavigationGoal& goal, const Situation& situation);
   /// Reports a goal that cannot be taken (another frame, say) as aborted; the one in hand goes on.
   std::uint64_t refuse(const Pose2& X_MG, const GoalProblem& problem);
+  /// Why a goal that somebody gives now should be refused: the base stands, and no goal waits for it whose
+  /// place this one takes.
+  GoalProblem hindrance(const Situation& situation) const;
   void cancel(const Situation& situation);
   void on_plan(const PlanAnswer& answer, const Situation& situation);
   void on_follow(const FollowReport& report, const Situation& situation);
@@ -59,6 +63,8 @@ class Navigator {
   /// Times of the past move along with a clock that goes back.
   void see(Time now);
   void advance(const Situation& situation);
+  void see_base(const Situation& situation);
+  std::string waiting_for_base() const;
   void advance_following(const Situation& situation);
   void advance_recovery(const Situation& situation);
   void advance_lost(const Situation& situation);
@@ -101,6 +107,7 @@ class Navigator {
   std::optional<Time> stuck_since_;
   double stuck_patience_ = 0.0;  ///< [s]
   GoalProblem stuck_;
+  std::optional<BaseStop> base_stop_;  ///< as told of the goal in hand
   std::optional<Time> within_since_;
   Time phase_since_;
   std::optional<Vector2> recovery_position_;  ///< where the last recovery began

@@ -19,6 +19,18 @@ test("somebody stops the robot, and lets it go on", async (t) => {
   };
   const why = () => view.page.$eval('[data-test="stop-why"]', (text) => text.textContent);
   const speed = async () => Number((await run(program, "topic", "echo", "/odom", "--once")).match(/linear:\s+x: (\S+)/)[1]);
+  /** Whole in the scene, and nothing lies over their middles. */
+  const seen = async (...names) => {
+    const scene = await (await view.page.$("#scene")).boundingBox();
+    for (const name of names) {
+      const box = await (await view.element(name)).boundingBox();
+      const isInside =
+        box.x >= scene.x && box.y >= scene.y && box.x + box.width <= scene.x + scene.width && box.y + box.height <= scene.y + scene.height;
+      assert.ok(isInside, `${name} at ${JSON.stringify(box)} of the scene at ${JSON.stringify(scene)}`);
+      const top = await view.page.evaluate((x, y) => document.elementFromPoint(x, y).dataset.test, box.x + box.width / 2, box.y + box.height / 2);
+      assert.equal(top, name);
+    }
+  };
   const says = (text) => eventually(async () => `"${text}"; the page says "${await why()}"`, async () => (await why()).includes(text));
 
   await t.test("the button is large, and stays wherever one looks", async () => {
@@ -39,6 +51,7 @@ test("somebody stops the robot, and lets it go on", async (t) => {
     await view.page.keyboard.press("ArrowLeft"); // another time than now is looked at
     await view.click("stop");
     await says("Stopped: the emergency stop is pressed by /");
+    await says("Goal 1 waits for the release");
     await view.picture("stop_in_force");
     assert.ok(await view.page.$eval('[data-test="stop"]', (button) => button.classList.contains("in-force")));
     await eventually("the robot stands", async () => Math.abs(await speed()) < 0.01);
@@ -54,6 +67,29 @@ test("somebody stops the robot, and lets it go on", async (t) => {
     await view.click("stop-release-yes");
     await eventually("the robot drives again", async () => (await speed()) > 0.1);
     assert.equal(await why(), "");
+  });
+
+  await t.test("a goal that comes while it is stopped is not taken, which is said large, on a telephone too", async () => {
+    await view.click("stop");
+    await says("Goal 1 waits for the release");
+    await eventually("the robot stands", async () => Math.abs(await speed()) < 0.01);
+    await view.click("cancel");
+    await eventually("no goal is in hand", async () => !(await why()).includes("waits"));
+    await view.click("goal");
+    await view.drag([8, 0], [8.6, 0]);
+    await says("Goal 2 was not taken");
+    await view.picture("stop_goal");
+    await view.page.setViewport({ width: 375, height: 667 });
+    await view.picture("stop_goal_narrow");
+    await seen("stop", "stop-why", "stop-release");
+    const pixels = await view.page.$eval('[data-test="stop-why"]', (text) => parseFloat(getComputedStyle(text).fontSize));
+    assert.ok(pixels >= 18.6, `${pixels} px`); // WCAG calls bold text of 14 pt large
+    await view.click("stop-release");
+    await seen("stop", "stop-why", "stop-release-yes");
+    await view.click("stop-release-yes");
+    await view.page.setViewport(size);
+    await eventually("nothing keeps it", async () => (await why()) === "");
+    assert.ok(Math.abs(await speed()) < 0.01, "it drives off without a goal");
   });
 
   await t.test("a page that is closed leaves the robot stopped, and does not refuse the release", async () => {

@@ -9,9 +9,9 @@
 
 #include "components/behaviors/behavior_goals.hpp"
 #include "components/behaviors/wait.hpp"
-#include "components/messages/nav2_error_codes.hpp"
 #include "components/messages/nav2_goals.hpp"
 #include "components/messages/nav2_results.hpp"
+#include "components/model/nav2_error_codes.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "components/global_planner/adaptor/path_answer.hpp"
-#include "components/messages/nav2_error_codes.hpp"
 #include "components/messages/nav2_goals.hpp"
 #include "components/messages/nav2_layouts.hpp"
 #include "components/messages/nav2_results.hpp"
+#include "components/model/nav2_error_codes.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {
@@ -37,8 +37,13 @@ PathQuestion question_of(const Goal& goal) {
 }
 
 template <class Action>
-void answer(const GoalHandle<Action>& handle, const PathServer& server, std::uint16_t base,
-            const Tick& tick) {
+constexpr Nav2ErrorCode code_of(Nav2ErrorCode to_pose) {
+  return requires(const typename Action::Goal& goal) { goal.goal(); }
+  ? to_pose : of_through_poses(to_pose);
+}
+
+template <class Action>
+void answer(const GoalHandle<Action>& handle, const PathServer& server, const Tick& tick) {
   typename Action::Result result;
   set_last_reached_index(result, -1);
   if (handle.is_canceling()) return handle.canceled(result);
@@ -47,8 +52,7 @@ void answer(const GoalHandle<Action>& handle, const PathServer& server, std::uin
   const PathAnswer answer = answer_question(server.planner, question_of(handle.goal()), tick.now);
   if (!answer.is_found) {
     server.log.warn("no path: {}", answer.reason);
-    set_error(result, static_cast<std::uint16_t>(base + static_cast<std::uint16_t>(answer.error)),
-              answer.reason);
+    set_error(result, code_of<Action>(answer.error), answer.reason);
     return handle.abort(result);
   }
   // In lock-step nothing measured on a real clock may enter a sample.
@@ -61,18 +65,17 @@ void answer(const GoalHandle<Action>& handle, const PathServer& server, std::uin
 }
 
 template <class Action>
-void offer(Setup& setup, const std::string& name, const std::shared_ptr<const PathServer>& server,
-           std::uint16_t base) {
+void offer(Setup& setup, const std::string& name, const std::shared_ptr<const PathServer>& server) {
   setup.action<Action>(
-      name, {.on_goal = [server, base](const GoalHandle<Action>& handle,
-                                       const Tick& tick) { answer(handle, *server, base, tick); },
+      name, {.on_goal = [server](const GoalHandle<Action>& handle,
+                                 const Tick& tick) { answer(handle, *server, tick); },
              // Nothing is left to be canceled: a goal is answered when it is heard.
              .on_cancel = [](const GoalHandle<Action>& handle, const Tick&) { handle.canceled({}); },
              .abandoned =
-                 [base](const std::string& reason) {
+                 [](const std::string& reason) {
                    typename Action::Result result;
                    set_last_reached_index(result, -1);
-                   set_error(result, base, reason);
+                   set_error(result, code_of<Action>(compute_path_error::kUnknown), reason);
                    return result;
                  }});
 }
@@ -84,10 +87,8 @@ void offer_path_actions(Setup& setup, MapPlanner& planner,
   const auto server = std::make_shared<const PathServer>(PathServer{
       .planner = planner, .show = std::move(show), .log = setup.log(), .is_lockstep = setup.is_lockstep()});
   with_nav2_layout(setup.ros_distro(), [&]<class Nav2>(Nav2) {
-    offer<typename Nav2::ComputePathToPose>(setup, "compute_path_to_pose", server,
-                                            compute_path_error::kUnknown);
-    offer<typename Nav2::ComputePathThroughPoses>(setup, "compute_path_through_poses", server,
-                                                  compute_path_through_poses_error::kUnknown);
+    offer<typename Nav2::ComputePathToPose>(setup, "compute_path_to_pose", server);
+    offer<typename Nav2::ComputePathThroughPoses>(setup, "compute_path_through_poses", server);
   });
 }
 

@@ -1,4 +1,4 @@
-// The planner's result as a message.
+// The planner's result as a message, and Nav2's code for it.
 #pragma once
 
 #include <bandwagon_msgs/msg/plan_result.hpp>
@@ -6,6 +6,7 @@
 
 #include "components/global_planner/planner.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/model/nav2_error_codes.hpp"
 
 namespace bw {
 
@@ -32,6 +33,31 @@ inline std::uint8_t to_code(PathStatus status) {
   return codes::BAD_REQUEST;
 }
 
+/// Of compute_path_to_pose. A map that has not come yet is what Nav2 calls a costmap that is late: its tree
+/// tries again then.
+constexpr Nav2ErrorCode error_code_of(PathStatus status) {
+  switch (status) {
+    case PathStatus::ok:
+      return kNoError;
+    case PathStatus::no_map:
+      return compute_path_error::kTimeout;
+    case PathStatus::unplaced:
+    case PathStatus::bad_request:
+      return compute_path_error::kTfError;
+    case PathStatus::start_outside:
+      return compute_path_error::kStartOutsideMap;
+    case PathStatus::goal_outside:
+      return compute_path_error::kGoalOutsideMap;
+    case PathStatus::start_blocked:
+      return compute_path_error::kStartOccupied;
+    case PathStatus::goal_blocked:
+      return compute_path_error::kGoalOccupied;
+    case PathStatus::disconnected:
+      return compute_path_error::kNoValidPath;
+  }
+  return compute_path_error::kUnknown;
+}
+
 inline bandwagon_msgs::msg::PlanResult to_plan_result(const PathResult& result, std::uint64_t id,
                                                       const std_msgs::msg::Header& header) {
   bandwagon_msgs::msg::PlanResult message;
@@ -39,6 +65,7 @@ inline bandwagon_msgs::msg::PlanResult to_plan_result(const PathResult& result, 
   message.id(id);
   message.status(to_code(result.status));
   message.reason(result.reason);
+  message.error_code(error_code_of(result.status));
   message.path(to_path(header.frame_id(), from_stamp(header.stamp()), result.path));
   return message;
 }

@@ -3,15 +3,11 @@
 #include <utility>
 
 #include "components/messages/geometry.hpp"
-#include "components/messages/nav2_error_codes.hpp"
 #include "components/messages/nav2_goals.hpp"
 #include "components/messages/nav2_layouts.hpp"
 
 namespace bw {
 namespace {
-
-static_assert(static_cast<Nav2ErrorCode>(FollowFault::controller_timed_out) ==
-              follow_path_error::kControllerTimedOut);
 
 template <class A>
 typename A::Result to_result(const FollowFailure& failure) {

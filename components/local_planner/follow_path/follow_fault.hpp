@@ -1,22 +1,23 @@
 // Why a goal of follow_path ends without the robot being there: Nav2's kinds of failure, and a sentence.
 #pragma once
 
-#include <cstdint>
 #include <string>
+
+#include "components/model/nav2_error_codes.hpp"
 
 namespace bw {
 
-/// With the numbers of FollowPath's error_code, from Jazzy on.
-enum class FollowFault : std::uint16_t {
-  none = 0,
-  unknown = 100,
-  invalid_controller = 101,
-  tf_error = 102,
-  invalid_path = 103,
-  patience_exceeded = 104,
-  failed_to_make_progress = 105,
-  no_valid_control = 106,
-  controller_timed_out = 107,
+/// With the values of FollowPath's error_code.
+enum class FollowFault : Nav2ErrorCode {
+  none = kNoError,
+  unknown = follow_path_error::kUnknown,
+  invalid_controller = follow_path_error::kInvalidController,
+  tf_error = follow_path_error::kTfError,
+  invalid_path = follow_path_error::kInvalidPath,
+  patience_exceeded = follow_path_error::kPatienceExceeded,
+  failed_to_make_progress = follow_path_error::kFailedToMakeProgress,
+  no_valid_control = follow_path_error::kNoValidControl,
+  controller_timed_out = follow_path_error::kControllerTimedOut,
 };
 
 struct FollowFailure {

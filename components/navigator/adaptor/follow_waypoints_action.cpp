@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "components/messages/nav2_error_codes.hpp"
 #include "components/messages/nav2_layouts.hpp"
+#include "components/model/nav2_error_codes.hpp"
 #include "components/navigator/adaptor/navigate_messages.hpp"
 #include "components/navigator/adaptor/navigation_errors.hpp"
 
@@ -61,6 +61,7 @@ void FollowWaypointsAction::offer_action(Setup& setup) {
   const auto on_goal = [this, tell, end, distro](const Handle& handle, const Tick& tick) {
     handle.execute();
     PlacedGoal all = placed(frames_, handle.goal(), tick.now);
+    if (all.is_good()) all.problem = desk_.hindrance(tick);
     if (!all.is_good()) {
       desk_.take(all, tick);
       desk_.settle(tick);

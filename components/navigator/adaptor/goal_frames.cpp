@@ -18,7 +18,7 @@ void GoalFrames::listen(Setup& setup, std::shared_ptr<const TransformTree> trans
 
 PlacedGoal GoalFrames::place(const geometry_msgs::msg::PoseStamped& pose, Time now) const {
   if (const std::string fault = fault_of(pose.pose()); !fault.empty())
-    return {{}, {GoalFault::invalid_goal, "the goal is no pose: " + fault}};
+    return {{}, {GoalFault::unplaced, "the goal is no pose: " + fault}};
   const Pose2 X_FG = from_pose(normalised(pose.pose()));
   const std::string& frame = pose.header().frame_id();
   if (frame == map_frame_) return {{X_FG, {}}, {}};
@@ -28,14 +28,14 @@ PlacedGoal GoalFrames::place(const geometry_msgs::msg::PoseStamped& pose, Time n
   const std::optional<Pose2> X_MF_newest = transforms_->lookup_planar(map_frame_, frame);
   if (!X_MF_newest)
     return {{X_FG, {}},
-            {GoalFault::unknown_frame,
+            {GoalFault::unplaced,
              "the goal is in frame '" + frame + "', which is not known in '" + map_frame_ + "'"}};
   const double age = (now - stamp).to_seconds();
   if (!X_MF && std::abs(age) <= kLongest) X_MF = X_MF_newest;
   if (!X_MF)
     return {
         {X_FG, {}},
-        {GoalFault::unknown_frame,
+        {GoalFault::unplaced,
          fmt::format(
              "the goal is in frame '{}' as it is {:.1f} s {}: its place in '{}' at that time is not known",
              frame, std::abs(age), age < 0.0 ? "ahead" : "ago", map_frame_)}};

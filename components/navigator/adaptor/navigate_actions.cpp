@@ -27,10 +27,9 @@ PlacedGoal placed(const GoalFrames& frames, const Goal& goal, Time now) {
                                        goal.behavior_tree() + "'"}};
   const auto poses = poses_of(goal);
   if (poses.size() > kMostPoses)
-    return {
-        {},
-        {GoalFault::invalid_goal, std::to_string(poses.size()) + " poses to drive through are more than " +
-                                      std::to_string(kMostPoses)}};
+    return {{},
+            {GoalFault::refused, std::to_string(poses.size()) + " poses to drive through are more than " +
+                                     std::to_string(kMostPoses)}};
   if constexpr (requires { goal.pose(); }) return frames.place(goal.pose(), now);
   return frames.place(poses, now);
 }
@@ -58,25 +57,25 @@ void NavigateActions::offer_action(Setup& setup, const std::string& name) {
     handle.abort(result);
   };
   setup.action<Action>(
-      name,
-      {.on_goal =
-           [this, tell, end](const Handle& handle, const Tick& tick) {
-             handle.execute();
-             const std::uint64_t id = desk_.take(placed(frames_, handle.goal(), tick.now), tick);
-             clients_[id] = {.tell = [=](const GoalReport& report, Time now) { tell(handle, report, now); },
-                             .end = [=](const GoalReport& report) { end(handle, report); }};
-             desk_.settle(tick);
-           },
-       .on_cancel =
-           [this](const Handle& handle, const Tick& tick) {
-             if (handle.is_open()) desk_.cancel(tick);
-             desk_.settle(tick);
-           },
-       .abandoned =
-           [result_of](const std::string& reason) {
-             return result_of(
-                 {}, {.status = GoalStatus::aborted, .reason = reason, .fault = GoalFault::deactivated});
-           }});
+      name, {.on_goal =
+                 [this, tell, end](const Handle& handle, const Tick& tick) {
+                   handle.execute();
+                   const std::uint64_t id = desk_.take(placed(frames_, handle.goal(), tick.now), tick);
+                   clients_[id] = {
+                       .tell = [=](const GoalReport& report, Time now) { tell(handle, report, now); },
+                       .end = [=](const GoalReport& report) { end(handle, report); }};
+                   desk_.settle(tick);
+                 },
+             .on_cancel =
+                 [this](const Handle& handle, const Tick& tick) {
+                   if (handle.is_open()) desk_.cancel(tick);
+                   desk_.settle(tick);
+                 },
+             .abandoned =
+                 [result_of](const std::string& reason) {
+                   return result_of(
+                       {}, {.status = GoalStatus::aborted, .reason = reason, .fault = GoalFault::refused});
+                 }});
 }
 
 void NavigateActions::offer(Setup& setup) {

@@ -1,66 +1,50 @@
 #include "components/navigator/adaptor/navigation_errors.hpp"
 
-#include "components/messages/nav2_error_codes.hpp"
+#include "components/model/nav2_error_codes.hpp"
 
 namespace bw {
 namespace {
 
-/// The codes of one action.
+/// What the navigator itself has codes for, of one action.
 struct Codes {
-  std::uint16_t unknown;
-  std::uint16_t tf_error;
-  std::uint16_t behavior_tree;
-  int plan;  ///< added to the codes of compute_path_to_pose
+  Nav2ErrorCode unknown;
+  Nav2ErrorCode tf_error;
+  Nav2ErrorCode behavior_tree;
 };
 
 Codes codes_of(NavigateAction action, RosDistro distro) {
-  const bool through = action == NavigateAction::through_poses;
-  const int plan = through ? compute_path_through_poses_error::kUnknown - compute_path_error::kUnknown : 0;
-  if (distro < RosDistro::kilted) {
-    const auto shifted = [plan](std::uint16_t code) { return static_cast<std::uint16_t>(code + plan); };
-    return {shifted(compute_path_error::kUnknown), shifted(compute_path_error::kTfError),
-            shifted(compute_path_error::kUnknown), plan};
-  }
-  if (through)
+  if (distro < RosDistro::kilted)
+    return {compute_path_error::kUnknown, compute_path_error::kTfError, compute_path_error::kUnknown};
+  if (action == NavigateAction::through_poses)
     return {navigate_through_poses_error::kUnknown, navigate_through_poses_error::kTfError,
-            navigate_through_poses_error::kFailedToLoadBehaviorTree, plan};
+            navigate_through_poses_error::kFailedToLoadBehaviorTree};
   return {navigate_to_pose_error::kUnknown, navigate_to_pose_error::kTfError,
-          navigate_to_pose_error::kFailedToLoadBehaviorTree, plan};
+          navigate_to_pose_error::kFailedToLoadBehaviorTree};
 }
 
-}  // namespace
-
-std::uint16_t error_code(const GoalReport& report, NavigateAction action, RosDistro distro) {
-  if (report.error_code != 0) return report.error_code;
-  const Codes codes = codes_of(action, distro);
-  const auto plan = [&](std::uint16_t code) { return static_cast<std::uint16_t>(code + codes.plan); };
-  switch (report.fault) {
+/// Those of the planner are of compute_path_to_pose.
+Nav2ErrorCode code_of(GoalFault fault, NavigateAction action, RosDistro distro) {
+  const Codes own = codes_of(action, distro);
+  switch (fault) {
     case GoalFault::none:
     case GoalFault::preempted:
       return kNoError;
-    case GoalFault::invalid_goal:
-    case GoalFault::deactivated:
-      return codes.unknown;
+    case GoalFault::refused:
+      return own.unknown;
     case GoalFault::no_poses:
-      return action == NavigateAction::to_pose ? codes.unknown
+      return action == NavigateAction::to_pose ? own.unknown
                                                : compute_path_through_poses_error::kNoViapointsGiven;
     case GoalFault::behavior_tree:
-      return codes.behavior_tree;
-    case GoalFault::unknown_frame:
-    case GoalFault::lost:
-      return codes.tf_error;
-    case GoalFault::start_blocked:
-      return plan(compute_path_error::kStartOccupied);
-    case GoalFault::goal_blocked:
-      return plan(compute_path_error::kGoalOccupied);
-    case GoalFault::no_path:
-      return plan(compute_path_error::kNoValidPath);
+      return own.behavior_tree;
+    case GoalFault::unplaced:
+      return own.tf_error;
     case GoalFault::planner_silent:
-      return plan(compute_path_error::kTimeout);
+      return compute_path_error::kTimeout;
     case GoalFault::planner_failed:
-      return plan(compute_path_error::kUnknown);
+      return compute_path_error::kUnknown;
     case GoalFault::blocked:
       return follow_path_error::kPatienceExceeded;
+    case GoalFault::base_stands:
     case GoalFault::no_progress:
       return follow_path_error::kFailedToMakeProgress;
     case GoalFault::controller_failed:
@@ -68,7 +52,15 @@ std::uint16_t error_code(const GoalReport& report, NavigateAction action, RosDis
     case GoalFault::controller_silent:
       return follow_path_error::kControllerTimedOut;
   }
-  return codes.unknown;
+  return own.unknown;
+}
+
+}  // namespace
+
+std::uint16_t error_code(const GoalReport& report, NavigateAction action, RosDistro distro) {
+  const Nav2ErrorCode code =
+      report.error_code != kNoError ? report.error_code : code_of(report.fault, action, distro);
+  return action == NavigateAction::through_poses ? of_through_poses(code) : code;
 }
 
 std::uint16_t no_waypoints_code(RosDistro distro) {

@@ -70,9 +70,14 @@ void NavigatorComponent::deactivate(const Tick& tick) {
 }
 
 std::uint64_t NavigatorComponent::take(const PlacedGoal& placed, const Tick& tick) {
-  if (!placed.is_good()) return navigator_->refuse(placed.goal.X_MG, placed.problem);
+  const GoalProblem problem = placed.is_good() ? hindrance(tick) : placed.problem;
+  if (problem.fault != GoalFault::none) return navigator_->refuse(placed.goal.X_MG, problem);
   drop_list();
   return navigator_->accept(placed.goal, situation_.at(tick));
+}
+
+GoalProblem NavigatorComponent::hindrance(const Tick& tick) const {
+  return navigator_->hindrance(situation_.at(tick));
 }
 
 void NavigatorComponent::take_list(GoalListOptions options, const Tick& tick) {

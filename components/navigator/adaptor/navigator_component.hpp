@@ -28,6 +28,7 @@ class NavigatorComponent final : public Component, private GoalDesk {
 
   // Goals in hand.
   std::uint64_t take(const PlacedGoal& placed, const Tick& tick) override;
+  GoalProblem hindrance(const Tick& tick) const override;
   void take_list(GoalListOptions options, const Tick& tick) override;
   void cancel(const Tick& tick) override;
   void settle(const Tick& tick) override;

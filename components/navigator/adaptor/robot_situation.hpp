@@ -1,10 +1,12 @@
-// Where the robot is and how it moves, by the localization or as Nav2's servers go by it.
+// Where the robot is and how it moves, by the localization or as Nav2's servers go by it; and whether a hand
+// or the base keeps it from going on.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
 
+#include <bandwagon_msgs/msg/base_state.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <std_msgs/msg/bool.hpp>
 
@@ -27,6 +29,7 @@ class RobotSituation {
 
  private:
   std::optional<Pose2> pose(Time now) const;
+  std::optional<BaseStop> base_stop(Time now) const;
 
   bool by_tf_ = false;
   Duration timeout_;
@@ -35,6 +38,7 @@ class RobotSituation {
   std::shared_ptr<const TransformTree> transforms_;
   Latest<nav_msgs::msg::Odometry> odometry_;
   Latest<std_msgs::msg::Bool> override_;
+  Latest<bandwagon_msgs::msg::BaseState> base_;
 };
 
 }  // namespace bw

@@ -33,7 +33,9 @@ using bandwagon_msgs::msg::Tracks;
 using geometry_msgs::msg::PolygonStamped;
 using nav_msgs::msg::Odometry;
 
-constexpr double kTopSpeed = 1.0;  // only a picture's colours need it [m/s]
+constexpr double kTopSpeed = 1.0;                                 // only a picture's colours need it [m/s]
+constexpr Duration kForgetsPlace = Duration::milliseconds(1000);  // a claim is not judged by an older truth
+constexpr double kMissedBeginning = 1.0;  // [s] of a drive that are not in the bag, and said
 constexpr Duration kForgetsPeople =
     Duration::milliseconds(500);  // tracks older than this are not people any more
 
@@ -167,10 +169,32 @@ class Scorer {
   }
 
   void on_status(const NavigationStatus& message) {
-    if (judge_.on_goal(to_goal_news(message), now_)) keep();
+    const GoalNews news = to_goal_news(message);
+    if (!std::exchange(heard_status_, true) && !news.is_over) tell_of_missed_beginning(message);
+    if (judge_.is_preempting(news)) end_unfinished(fmt::format("preempted by goal {}", news.goal_id));
+    if (now_ - sampled_at_ > kForgetsPlace || !is_in_frame_of(message)) judge_.lose_place();
+    if (judge_.on_goal(news, now_)) keep();
+  }
+
+  /// The status is latched: the first one may be of a drive that began before the bag.
+  void tell_of_missed_beginning(const NavigationStatus& message) {
+    const double driven = message.navigation_time().sec() + 1e-9 * message.navigation_time().nanosec();
+    if (driven > kMissedBeginning)
+      score_.notes.push_back(fmt::format(
+          "the bag begins {:.1f} s into the drive to goal {}: what was before is not judged, and in no figure",
+          driven, message.goal_id()));
+  }
+
+  /// A place in odom tells nothing of a goal in map. The truth is in map.
+  bool is_in_frame_of(const NavigationStatus& message) {
+    const std::string& frame = message.header().frame_id();
+    if (from_.truth || frame.empty() || belief_frame_.empty() || frame == belief_frame_) return true;
+    foreign_goal_frame_ = frame;
+    return false;
   }
 
   void on_truth(const TruthSample& sample) {
+    sampled_at_ = now_;
     if (!from_.status && !judge_.running()) judge_.begin_run(now_);
     judge_.on_truth(sample);
   }
@@ -184,6 +208,7 @@ class Scorer {
       judge_.on_pose(stamp, X_FB);
       return;
     }
+    belief_frame_ = message.header().frame_id();
     TruthSample sample;
     sample.time = stamp;
     sample.X_MB = X_FB;
@@ -218,20 +243,30 @@ class Scorer {
   }
 
   void keep() {
-    score_.drives.push_back({judge_.card(), judge_.pose_errors(),
-                             judge_contacts(judge_.recorder().recording()), from_.status.has_value()});
+    const RunRecording& recording = judge_.recorder().recording();
+    score_.drives.push_back({judge_.card(), judge_.pose_errors(), judge_contacts(recording),
+                             from_.status.has_value(), !recording.moments.empty()});
+  }
+
+  void end_unfinished(const std::string& reason) {
+    judge_.end_run(now_);
+    keep();
+    if (from_.status) score_.drives.back().card.reason = reason;
   }
 
   void finish() {
     if (judge_.running()) {
-      judge_.end_run(now_);
-      keep();
-      if (from_.status) score_.drives.back().card.reason = "the bag ends before the drive";
+      end_unfinished("the bag ends before the drive");
+      score_.drives.back().card.is_outcome_known = !from_.status;
     }
     if (malformed_ > 0) score_.notes.push_back(fmt::format("{} messages do not fit their types", malformed_));
     if (lost_frame_)
       score_.notes.push_back("tracks are in frame '" + *lost_frame_ +
                              "', which no odometry tells of: people are not judged");
+    if (foreign_goal_frame_)
+      score_.notes.push_back(
+          fmt::format("{} is in frame '{}', goals are in '{}': whether they were reached is not known",
+                      recording_.topics()[*from_.belief].name, belief_frame_, *foreign_goal_frame_));
   }
 
   const bag::Bag& recording_;
@@ -244,6 +279,10 @@ class Scorer {
   Time tracked_at_{std::numeric_limits<std::int64_t>::min() / 2};
   std::optional<std::string> lost_frame_;
   std::uint64_t malformed_ = 0;
+  Time sampled_at_{std::numeric_limits<std::int64_t>::min() / 2};
+  bool heard_status_ = false;
+  std::string belief_frame_;
+  std::optional<std::string> foreign_goal_frame_;
 };
 
 }  // namespace

@@ -19,7 +19,8 @@ struct ScoredDrive {
   ScoreCard card;
   PoseErrors pose_errors;
   std::vector<JudgedContact> contacts;
-  bool has_goal = true;  ///< false: nobody said where the robot goes, the whole bag is one drive
+  bool has_goal = true;     ///< false: nobody said where the robot goes, the whole bag is one drive
+  bool is_measured = true;  ///< false: no truth of it is in the bag, and no figure is known
 };
 
 struct BagScore {

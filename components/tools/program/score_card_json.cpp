@@ -98,6 +98,8 @@ std::string run_in_words(const nlohmann::json& card) {
 }
 
 std::string outcome_in_words(const nlohmann::json& card) {
+  if (card.contains("reached") && card["reached"].is_null())
+    return "Not known whether the goal was reached: " + card.value("reason", "");
   const bool is_reached = card.value("reached", false);
   const auto time = card.find("time_to_goal_s");
   const double seconds = time != card.end() && time->is_number() ? time->get<double>() : 0.0;
@@ -194,6 +196,8 @@ std::string in_words(const nlohmann::json& card) {
   if (!card.value("has_goal", true)) return run_in_words(card);
   std::string text = outcome_in_words(card);
   if (!card.contains("collisions")) return text + ".\n";
+  if (card["collisions"].is_null()) return text + ". Nothing of the drive is in the recording.\n";
+  if (card["reached"].is_null()) text += "; recorded";
   if (card.contains("robots"))
     text = fmt::format("{} robots, the worst of each figure. {}", card["robots"].size(), text);
   text += fmt::format(" over {}, {} contacts ({} while the robot moved).\n", meters(card["path_length_m"]),

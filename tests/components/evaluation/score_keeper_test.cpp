@@ -172,6 +172,25 @@ TEST(ScoreKeeper, AFalseClaimIsNotReached) {
   EXPECT_NEAR(keeper.card().distance_to_goal, 1.0, 1e-12);
 }
 
+// Nobody told where the robot was, or not lately: that is no false claim.
+TEST(ScoreKeeper, AClaimWithoutATruthIsNotKnown) {
+  for (const bool had_a_truth : {false, true}) {
+    ScoreKeeper keeper = started(0.0, {10.0, 0.0});
+    if (had_a_truth) keeper.add(sample(1.0, 2.0, 1.0));
+    keeper.lose_place();
+    keeper.finish(Time::seconds(10.0), true, "reached");
+    EXPECT_FALSE(keeper.card().reached);
+    EXPECT_FALSE(keeper.card().is_outcome_known);
+    EXPECT_EQ(keeper.card().reason, "the robot claims the goal, and nothing tells where it was then");
+    EXPECT_TRUE(std::isnan(keeper.card().distance_to_goal));
+  }
+  // One that the robot itself gave up is known.
+  ScoreKeeper keeper = started();
+  keeper.finish(Time::seconds(10.0), false, "blocked");
+  EXPECT_TRUE(keeper.card().is_outcome_known);
+  EXPECT_EQ(keeper.card().reason, "blocked");
+}
+
 TEST(ScoreKeeper, AFailureKeepsItsReason) {
   ScoreKeeper keeper = started();
   keeper.add(sample(1.0, 1.0, 0.0));

@@ -35,14 +35,18 @@ struct PlannerWorld {
   bool has_map = true;
   bool knows_its_place = true;
   std::string distro = "jazzy";
+  Pose2 X_OB{};      ///< of the robot in odom
+  std::string more;  ///< further components, in YAML, indented by two
+  double seconds = 3.0;
 };
 
-/// For 3 s. The planner's node is `global_planner`, its costmap /global_costmap/global_costmap.
+/// The planner's node is `global_planner`, its costmap /global_costmap/global_costmap.
 inline void run_planner(const PlannerWorld& world, const std::function<void(Setup&)>& ask) {
   const std::string yaml =
       "ros_distro: " + world.distro +
-      "\ncomponents:\n  global_planner:\n  global_costmap: {namespace: global_costmap, remap: {map: /map}}\n";
-  run_with_script(yaml, 3.0, [&](Setup& setup) {
+      "\ncomponents:\n  global_planner:\n  global_costmap: {namespace: global_costmap, remap: {map: /map}}\n" +
+      world.more;
+  run_with_script(yaml, world.seconds, [&](Setup& setup) {
     setup.output<bandwagon_msgs::msg::PlanRequest>("plan_request");  // somebody feeds it
     setup.every(Duration::milliseconds(100), "world",
                 [world, map = setup.output<nav_msgs::msg::OccupancyGrid>("map", Qos::latched()),
@@ -52,7 +56,7 @@ inline void run_planner(const PlannerWorld& world, const std::function<void(Setu
                   if (!world.knows_its_place) return;
                   tf2_msgs::msg::TFMessage message;
                   message.transforms().push_back(to_transform("map", "odom", tick.now, kX_MO));
-                  message.transforms().push_back(to_transform("odom", "base_link", tick.now, {}));
+                  message.transforms().push_back(to_transform("odom", "base_link", tick.now, world.X_OB));
                   tf.publish(message);
                 });
     ask(setup);

@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "components/messages/nav2_error_codes.hpp"
 #include "components/messages/nav2_goals.hpp"
 #include "components/messages/nav2_results.hpp"
+#include "components/model/nav2_error_codes.hpp"
 #include "runtime/wire/type_registry.hpp"
 #include "tests/components/messages/every_nav2_message.hpp"
 

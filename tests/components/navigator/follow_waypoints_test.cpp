@@ -113,6 +113,40 @@ TEST(FollowWaypoints, OneThatIsMissedIsTheLastOrNot) {
   }
 }
 
+// The base stands from the pause after the first waypoint on, and is released 20 s later: the list goes on,
+// nothing is missed.
+TEST(FollowWaypoints, AListWaitsForABaseThatStands) {
+  Drive drive;
+  drive.world.base = base_state(BaseState_Constants::DRIVING);
+  drive.go(40.0,
+           {{1.0,
+             [&] {
+               drive.waypoints.send(over({2.0, 4.0}));
+             }},
+            {3.5, [&] { drive.world.base = base_state(BaseState_Constants::CLIFF, true, "cliff: left"); }},
+            {23.5, [&] { drive.world.base = base_state(BaseState_Constants::WAITING); }}},
+           "waypoint_pause: 1.0");
+  EXPECT_THAT(drive.waypoints.goals[0].ends, ElementsAre(GoalStatus::succeeded));
+  EXPECT_THAT(drive.waypoints.goals[0].result.missed_waypoints(), IsEmpty());
+  EXPECT_NEAR(drive.waypoints.goals[0].ended_at, 25.5, 0.3);
+}
+
+TEST(FollowWaypoints, AListThatComesWhileTheBaseStandsEndsAtOnce) {
+  Drive drive;
+  drive.world.base = base_state(BaseState_Constants::CLIFF, true, "cliff: left");
+  drive.go(6.0, {{1.0,
+                  [&] {
+                    drive.waypoints.send(over({2.0, 4.0}));
+                  }},
+                 {2.0, [&] { drive.world.base = base_state(BaseState_Constants::WAITING); }}});
+  const auto& sent = drive.waypoints.goals[0];
+  EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_EQ(sent.result.error_code(), 600);
+  EXPECT_EQ(sent.result.error_msg(), "the base stands: cliff: left; until release_stop");
+  EXPECT_NEAR(sent.ended_at, 1.0, 0.051);
+  EXPECT_EQ(drive.world.x, 0.0);
+}
+
 template <class Action>
 typename SentGoals<Action>::Goal missed_in(const std::string& distro) {
   World world;

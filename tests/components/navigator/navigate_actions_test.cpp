@@ -177,10 +177,11 @@ std::vector<BadGoal> bad_goals() {
       pose.header(make_header("odom", LockstepRunner::kStart + Duration::seconds(seconds)));
     };
   };
+  // tf2 refuses a pose of NaN and a quaternion of length 0, whatever the frame.
   return {{[](auto& pose, auto&) { pose.header().frame_id("mars"); }, 202, 9002, "frame 'mars'"},
           {[](auto& pose, auto&) { pose.header().frame_id(""); }, 202, 9002, "frame ''"},
-          {[](auto& pose, auto&) { pose.pose().position().x(kNan); }, 200, 9000, "position is not finite"},
-          {[](auto& pose, auto&) { pose.pose().orientation().w(0.0); }, 200, 9000, "length 0"},
+          {[](auto& pose, auto&) { pose.pose().position().x(kNan); }, 202, 9002, "position is not finite"},
+          {[](auto& pose, auto&) { pose.pose().orientation().w(0.0); }, 202, 9002, "length 0"},
           {[](auto&, auto& tree) { tree = "my_tree.xml"; }, 200, 9001, "'my_tree.xml'"},
           {in_odom_at(60.0), 202, 9002, "57.0 s ahead"},
           {in_odom_at(-30.0), 202, 9002, "33.0 s ago"}};
@@ -257,6 +258,78 @@ TEST(NavigateActions, AGoalInAWallEndsWithThePlannersReason) {
   EXPECT_EQ(drive.to_pose.goals[0].result.error_code(), 206);
   EXPECT_THAT(drive.to_pose.goals[0].result.error_msg(), HasSubstr("the goal lies in a wall"));
   EXPECT_EQ(drive.world.x, 0.0);
+}
+
+// The bumper touches something 2 s on the way and is released 30 s later: the status says so at once, the
+// goal goes on afterwards.
+TEST(NavigateActions, AGoalWaitsForABaseThatStands) {
+  Drive drive;
+  drive.world.base = base_state(BaseState_Constants::DRIVING);
+  std::string told;
+  drive.go(50.0,
+           {{1.0, [&] { drive.to_pose.send(to(10.0)); }},
+            {3.0, [&] { drive.world.base = base_state(BaseState_Constants::BUMPER, true, "bumper: left"); }},
+            {3.2, [&] { told = drive.world.statuses.back().reason(); }},
+            {33.0, [&] { drive.world.base = base_state(BaseState_Constants::WAITING); }}});
+  EXPECT_EQ(told, "waiting: the base stands: bumper: left; until release_stop");
+  EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::succeeded));
+  EXPECT_EQ(drive.to_pose.goals[0].feedback.back().number_of_recoveries(), 0);
+  EXPECT_NEAR(drive.to_pose.goals[0].ended_at, 41.0, 0.3);  // 2 m before, 8 m after it, at 1 m/s
+}
+
+// By each way in a goal that comes meanwhile ends within a step (0.05 s), aborted, with the base's reason;
+// 105 is what Nav2's controller would say of a robot that does not move.
+TEST(NavigateActions, GoalsEndAtOnceWhileTheBaseStands) {
+  const std::string kReason = "the base stands: the emergency stop is pressed by /panel; until release_stop";
+  Drive drive;
+  drive.world.base =
+      base_state(BaseState_Constants::EMERGENCY_STOP, true, "the emergency stop is pressed by /panel");
+  Output<geometry_msgs::msg::PoseStamped> topic;
+  drive.more = [&](bw::Setup& setup) { topic = setup.output<geometry_msgs::msg::PoseStamped>("goal_pose"); };
+  drive.go(6.0, {{1.0, [&] { drive.to_pose.send(to(10.0)); }},
+                 {2.0,
+                  [&] {
+                    drive.through_poses.send(through<ThroughPoses>({3.0, 6.0}));
+                  }},
+                 {3.0, [&] { topic.publish(goal(10.0)); }},
+                 {4.0, [&] { drive.world.base = base_state(BaseState_Constants::WAITING); }}});
+  const auto& to_pose = drive.to_pose.goals[0];
+  EXPECT_THAT(to_pose.ends, ElementsAre(GoalStatus::aborted));
+  EXPECT_EQ(to_pose.result.error_msg(), kReason);
+  EXPECT_EQ(to_pose.result.error_code(), 105);
+  EXPECT_NEAR(to_pose.ended_at, 1.0, 0.051);
+  EXPECT_EQ(drive.through_poses.goals[0].result.error_msg(), kReason);
+  EXPECT_EQ(drive.through_poses.goals[0].result.error_code(), 105);
+  const NavigationStatus& status = drive.world.statuses.back();
+  EXPECT_EQ(status.status(), NavigationStatus_Constants::ABORTED);
+  EXPECT_EQ(status.reason(), kReason);
+  EXPECT_THAT(drive.world.log, ::testing::Contains(HasSubstr(kReason)));
+  EXPECT_EQ(drive.world.x, 0.0) << "nor does anybody drive off when the stop is released";
+}
+
+// The goal of the graph is there already: it waits in hand, so that the base knows that it is interrupted,
+// and takes a release.
+TEST(NavigateActions, TheGraphsGoalWaitsForTheBase) {
+  Drive drive;
+  drive.world.base = base_state(BaseState_Constants::CHARGING, false, "the charger is connected");
+  std::uint8_t mode = 0;
+  drive.go(25.0,
+           {{11.0, [&] { mode = drive.world.mode; }},
+            {12.0, [&] { drive.world.base = base_state(BaseState_Constants::WAITING); }}},
+           "goal: {enabled: true, x: 3.0}");
+  EXPECT_EQ(mode, FollowRequest_Constants::FOLLOW);
+  EXPECT_THAT(drive.world.log,
+              ::testing::Contains("goal 1: waiting: the base stands: the charger is connected"));
+  EXPECT_EQ(drive.world.statuses.back().status(), NavigationStatus_Constants::SUCCEEDED);
+  EXPECT_NEAR(drive.world.x, 3.0, 1e-9);
+}
+
+// One that fell silent a second ago may have any state now: what it said last keeps no goal.
+TEST(NavigateActions, ABaseThatFellSilentHindersNobody) {
+  Drive drive;
+  drive.world.base = base_state(BaseState_Constants::BUMPER, true, "bumper: left");
+  drive.go(8.0, {{1.0, [&] { drive.world.base.reset(); }}, {2.2, [&] { drive.to_pose.send(to(3.0)); }}});
+  EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::succeeded));
 }
 
 TEST(NavigateActions, ARobotThatIsLostStopsAndItsGoalEnds) {

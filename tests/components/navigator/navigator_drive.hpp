@@ -20,7 +20,7 @@ class Drive {
   explicit Drive(const NavigatorOptions& options = {}) : navigator(options) {}
 
   Situation situation() const {
-    return {now, lost ? std::nullopt : std::optional(Pose2{x, 0.0, 0.0}), {v, 0.0}, is_overridden};
+    return {now, lost ? std::nullopt : std::optional(Pose2{x, 0.0, 0.0}), {v, 0.0}, is_overridden, base_stop};
   }
 
   /// Sends what the navigator wants sent; planners answer at once through it.
@@ -38,7 +38,9 @@ class Drive {
       plans.push_back(*actions.plan);
       plan_times.push_back(now);
       if (answer_plans)
-        navigator.on_plan({actions.plan->id, outcome, outcome_reason, path(actions.plan->X_MG)}, situation());
+        navigator.on_plan(
+            {actions.plan->id, outcome, outcome_reason, path(actions.plan->X_MG), plan_error_code},
+            situation());
     }
     FAIL() << "the navigator orders without end";
   }
@@ -61,6 +63,7 @@ class Drive {
     while (now < end) {
       now = now + Duration::milliseconds(50);
       if (follow_state == FollowState::blocked && v > 0.0) v = 0.0;
+      if (base_stop) v = 0.0;
       x += v * 0.05;
       if (goal_x && v > 0.0 && x >= *goal_x) {
         x = *goal_x;
@@ -92,7 +95,8 @@ class Drive {
   double x = 0.0;
   double v = 0.0;
   double speed = 1.0;
-  bool is_overridden = false;  ///< by a hand
+  bool is_overridden = false;         ///< by a hand
+  std::optional<BaseStop> base_stop;  ///< wheels stand whatever is ordered
   bool lost = false;
   std::optional<double> goal_x;
   bool answer_plans = true;
@@ -100,6 +104,7 @@ class Drive {
   bool report_follow = true;
   PlanOutcome outcome = PlanOutcome::succeeded;
   std::string outcome_reason;
+  std::uint16_t plan_error_code = 0;
   FollowState follow_state = FollowState::following;
   std::uint16_t error_code = 0;  ///< of the reports
   std::vector<GoalReport> reports;

@@ -86,6 +86,87 @@ TEST(Navigator, AGoalThatAHandInterruptedIsCanceledOrPreemptedAsEver) {
   EXPECT_EQ(drive.orders.back().mode, FollowMode::stop);
 }
 
+// The base touches something 2 m on its way and takes a release, which comes after ten minutes: the goal
+// neither fails nor ends, and its status says why with the next step, 0.05 s later. The order to follow
+// stays, so that the base knows that it will drive on.
+TEST(Navigator, AGoalWaitsWhileTheBaseStandsAndSaysWhy) {
+  Drive drive;
+  const std::uint64_t goal = drive.go_to(10.0);
+  drive.run(2.0);
+  const std::size_t orders = drive.orders.size();
+  drive.base_stop = {"bumper: left", true};
+  drive.run(0.05);
+  EXPECT_EQ(drive.last().status, GoalStatus::executing);
+  EXPECT_EQ(drive.last().reason, "waiting: the base stands: bumper: left; until release_stop");
+  drive.follow_state = FollowState::blocked;  // a planner that gets nowhere
+  drive.run(600.0);
+  EXPECT_EQ(drive.last().goal_id, goal);
+  EXPECT_EQ(drive.last().reason, "waiting: the base stands: bumper: left; until release_stop");
+  EXPECT_EQ(drive.navigator.report(drive.situation()).recoveries, 0U);
+  for (std::size_t i = orders; i < drive.orders.size(); ++i)
+    ASSERT_EQ(drive.orders[i].mode, FollowMode::follow);
+  drive.base_stop.reset();
+  drive.follow_state = FollowState::following;
+  drive.run(0.05);
+  EXPECT_EQ(drive.last().reason, "");
+  drive.v = drive.speed;
+  drive.run(20.0);
+  EXPECT_EQ(drive.last().goal_id, goal);
+  EXPECT_EQ(drive.last().status, GoalStatus::succeeded);
+}
+
+// What the base says changes: each is told once.
+TEST(Navigator, AGoalThatWaitsForTheBaseTellsEachReasonOnce) {
+  Drive drive;
+  drive.go_to(10.0);
+  drive.run(1.0);
+  drive.reports.clear();
+  drive.base_stop = {"the base is silent", false};
+  drive.run(1.0);
+  drive.base_stop = {"the base is silent", true};
+  drive.run(1.0);
+  drive.base_stop.reset();
+  drive.run(0.05);
+  ASSERT_EQ(drive.reports.size(), 3U);
+  EXPECT_EQ(drive.reports[0].reason, "waiting: the base stands: the base is silent");
+  EXPECT_EQ(drive.reports[1].reason, "waiting: the base stands: the base is silent; until release_stop");
+  EXPECT_EQ(drive.reports[2].reason, "");
+}
+
+// Refused with the base's reason; one that takes the place of a goal in hand is not.
+TEST(Navigator, AGoalIsHinderedByABaseThatStandsUnlessAnotherWaits) {
+  Navigator navigator{NavigatorOptions{}};
+  Situation situation{.now = Time::seconds(100.0), .X_MB = Pose2{}};
+  EXPECT_EQ(navigator.hindrance(situation).fault, GoalFault::none);
+  situation.base_stop = BaseStop{"the charger is connected", false};
+  const GoalProblem problem = navigator.hindrance(situation);
+  EXPECT_EQ(problem.fault, GoalFault::base_stands);
+  EXPECT_EQ(problem.reason, "the base stands: the charger is connected");
+  navigator.accept({{10.0, 0.0, 0.0}, {}}, situation);
+  EXPECT_EQ(navigator.hindrance(situation).fault, GoalFault::none);
+}
+
+// A newer goal takes the place of one that waits, and waits likewise: after the release nobody drives to the
+// older one.
+TEST(Navigator, AGoalThatWaitsForTheBaseIsPreemptedOrCanceledAsEver) {
+  Drive drive;
+  drive.go_to(10.0);
+  drive.run(1.0);
+  drive.base_stop = {"bumper: left", true};
+  drive.run(1.0);
+  const std::uint64_t other = drive.go_to(5.0);
+  drive.run(1.0);
+  EXPECT_EQ(drive.last().goal_id, other);
+  EXPECT_EQ(drive.last().reason, "waiting: the base stands: bumper: left; until release_stop");
+  EXPECT_EQ(drive.orders.back().path.back().x, 5.0);
+  drive.navigator.cancel(drive.situation());
+  drive.run(1.0);
+  EXPECT_EQ(drive.last().status, GoalStatus::canceled);
+  drive.base_stop.reset();
+  drive.run(5.0);
+  EXPECT_EQ(drive.orders.back().mode, FollowMode::stop);
+}
+
 TEST(Navigator, BackingOffEndsAfterItsDistance) {
   Drive drive;
   drive.go_to(10.0);

@@ -29,7 +29,9 @@ NavigatorOptions quick() {
 
 struct GoalWorld {
   Situation situation() const {
-    return {now, is_lost ? std::nullopt : std::optional(Pose2{x, 0.0, 0.0}), {moves ? 0.5 : 0.0, 0.0}};
+    Situation s{now, is_lost ? std::nullopt : std::optional(Pose2{x, 0.0, 0.0}), {moves ? 0.5 : 0.0, 0.0}};
+    if (base_stands) s.base_stop = {"bumper: left", true};
+    return s;
   }
 
   /// When what happened last, for the state.
@@ -49,7 +51,7 @@ struct GoalWorld {
     exchange();
   }
   void refuse() {
-    navigator.refuse({}, {GoalFault::unknown_frame, "nobody knows that frame"});
+    navigator.refuse({}, {GoalFault::unplaced, "nobody knows that frame"});
     exchange();
   }
   void cancel() {
@@ -91,16 +93,16 @@ struct GoalWorld {
   void pass(double seconds, bool speaks) {
     for (double t = 0.0; t < seconds - 1e-9; t += 0.25) {
       now = now + Duration::seconds(0.25);
-      moves = order && order->mode != FollowMode::stop;
-      if (order && order->mode == FollowMode::follow)
+      moves = !base_stands && order && order->mode != FollowMode::stop;
+      if (moves && order->mode == FollowMode::follow)
         x += std::clamp(order->path.back().x - x, -0.125, 0.125);
-      if (order && order->mode == FollowMode::back_off) x -= 0.05;
+      if (moves && order->mode == FollowMode::back_off) x -= 0.05;
       if (speaks) mark("heard");
       if (speaks) marks.erase("stuck");
       if (speaks && order) navigator.on_follow({order->id, FollowState::following, "", 0}, situation());
       exchange();
     }
-    moves = order && order->mode != FollowMode::stop;
+    moves = !base_stands && order && order->mode != FollowMode::stop;
   }
 
   void exchange() {
@@ -157,12 +159,17 @@ struct GoalWorld {
     const GoalReport report = navigator.report(situation());
     if (in_hand && report.status == GoalStatus::executing && !drives && !asked && report.reason.empty())
       violation = "stands without a reason";
+    if (in_hand && report.status == GoalStatus::executing && base_stands && !is_lost && report.reason.empty())
+      violation = "the base stands, and the status does not say so";
+    const GoalFault hindrance = navigator.hindrance(situation()).fault;
+    if ((hindrance == GoalFault::base_stands) != (base_stands && (!in_hand || cancels)))
+      violation = "another goal is hindered, or is not, though the base stands";
   }
 
   Navigator navigator{quick()};
   Time now = Time::seconds(100.0);
   double x = 0.0;
-  bool is_lost = false, moves = false, cancels = false;
+  bool is_lost = false, moves = false, cancels = false, base_stands = false;
   std::optional<std::uint64_t> in_hand;
   std::map<std::uint64_t, double> goals;
   std::map<std::uint64_t, GoalStatus> ended;
@@ -178,8 +185,8 @@ struct GoalWorld {
   std::string state() const {
     char text[200];
     const GoalReport report = navigator.report(situation());
-    std::snprintf(text, sizeof text, "%.3f %d%d%d %d %d %d %u %d %d %d ", x, is_lost, moves, cancels,
-                  in_hand ? static_cast<int>(goals.at(*in_hand)) : 0,
+    std::snprintf(text, sizeof text, "%.3f %d%d%d%d %d %d %d %u %d %d %d ", x, is_lost, moves, cancels,
+                  base_stands, in_hand ? static_cast<int>(goals.at(*in_hand)) : 0,
                   order ? static_cast<int>(order->mode) : -1, static_cast<int>(report.status),
                   report.recoveries, failures, static_cast<int>(stuck),
                   asked ? static_cast<int>(asked->X_MG.x) : -1);
@@ -205,6 +212,13 @@ TEST(Navigator, GivesEachGoalOneEndAndDrivesForOneGoalInEverySequence) {
       w.exchange();
     };
   };
+  const auto base = [](bool stands) {
+    return [=](GoalWorld& w) {
+      if (w.base_stands != stands) w.mark("base");
+      w.base_stands = stands;
+      w.exchange();
+    };
+  };
   const test::Sequences<GoalWorld> sequences{
       .make = [] { return GoalWorld{}; },
       .events = {{"goal at 1 m", goal(1.0)},
@@ -222,6 +236,8 @@ TEST(Navigator, GivesEachGoalOneEndAndDrivesForOneGoalInEverySequence) {
                  {"reached", follow(FollowState::reached)},
                  {"lost", lost(true)},
                  {"found", lost(false)},
+                 {"the base stands", base(true)},
+                 {"the base obeys", base(false)},
                  {"2 s", after(2.0, true)},
                  {"1.5 s of silence", after(1.5, false)},
                  {"10 s", after(10.0, true)},

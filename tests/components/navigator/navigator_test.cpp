@@ -210,20 +210,17 @@ TEST(Navigator, AGoalThatIsNotFiniteIsAbortedAndPreemptsNothing) {
 }
 
 TEST(Navigator, TellsProgramsWhyAGoalWasNotReached) {
-  const std::pair<PlanOutcome, GoalFault> outcomes[] = {
-      {PlanOutcome::start_blocked, GoalFault::start_blocked},
-      {PlanOutcome::goal_blocked, GoalFault::goal_blocked},
-      {PlanOutcome::disconnected, GoalFault::no_path},
-      {PlanOutcome::no_map, GoalFault::planner_failed},
-      {PlanOutcome::bad_request, GoalFault::planner_failed},
-      {PlanOutcome::failed, GoalFault::planner_failed}};
-  for (const auto& [outcome, fault] : outcomes) {
+  for (const PlanOutcome outcome :
+       {PlanOutcome::start_blocked, PlanOutcome::goal_blocked, PlanOutcome::disconnected, PlanOutcome::no_map,
+        PlanOutcome::bad_request, PlanOutcome::failed}) {
     Drive drive;
     drive.outcome = outcome;
+    drive.plan_error_code = 204;
     drive.go_to(10.0);
     drive.run(60.0);
     EXPECT_EQ(drive.last().status, GoalStatus::aborted);
-    EXPECT_EQ(drive.last().fault, fault);
+    EXPECT_EQ(drive.last().fault, GoalFault::planner_failed);
+    EXPECT_EQ(drive.last().error_code, 204) << "the code of the planner comes along";
   }
   const std::pair<FollowState, GoalFault> states[] = {{FollowState::blocked, GoalFault::blocked},
                                                       {FollowState::failed, GoalFault::controller_failed}};

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <bandwagon_msgs/msg/base_state.hpp>
 #include <bandwagon_msgs/msg/follow_request.hpp>
 #include <bandwagon_msgs/msg/follow_status.hpp>
 #include <bandwagon_msgs/msg/navigation_status.hpp>
@@ -20,11 +22,13 @@
 
 namespace bw {
 
+using bandwagon_msgs::msg::BaseState;
 using bandwagon_msgs::msg::FollowRequest;
 using bandwagon_msgs::msg::FollowStatus;
 using bandwagon_msgs::msg::NavigationStatus;
 using bandwagon_msgs::msg::PlanRequest;
 using bandwagon_msgs::msg::PlanResult;
+namespace BaseState_Constants = bandwagon_msgs::msg::BaseState_Constants;
 namespace FollowRequest_Constants = bandwagon_msgs::msg::FollowRequest_Constants;
 namespace FollowStatus_Constants = bandwagon_msgs::msg::FollowStatus_Constants;
 namespace NavigationStatus_Constants = bandwagon_msgs::msg::NavigationStatus_Constants;
@@ -34,6 +38,8 @@ namespace PlanResult_Constants = bandwagon_msgs::msg::PlanResult_Constants;
 struct World {
   double wall = 1e9;     ///< no goal beyond this x can be reached
   bool is_lost = false;  ///< no odometry
+  std::optional<BaseState>
+      base;  ///< nothing: a base that does not tell; one that does obeys when it drives or waits
   double x = 0.0;
   double goal_x = 0.0;
   std::uint8_t mode = FollowRequest_Constants::STOP;
@@ -57,6 +63,7 @@ struct World {
                                if (goal.x > wall) {
                                  result.status(PlanResult_Constants::GOAL_BLOCKED);
                                  result.reason("the goal lies in a wall");
+                                 result.error_code(206);
                                } else {
                                  goal_x = goal.x;
                                  result.path(to_path("map", tick.now, {{x, 0, 0}, goal}));
@@ -80,9 +87,12 @@ struct World {
         Need::optional);
     setup.every(Duration::milliseconds(50), "move",
                 [this, odometry = setup.output<nav_msgs::msg::Odometry>("odometry/filtered"),
+                 states = setup.output<BaseState>("base_state"),
                  follow = setup.output<FollowStatus>("follow_status")](const Tick&) mutable {
+                  if (base) states.publish(*base);
+                  const bool stands = base && base->state() > BaseState_Constants::WAITING;
                   const double left = goal_x - x;
-                  const double v = mode == FollowRequest_Constants::FOLLOW && std::abs(left) > 1e-9
+                  const double v = mode == FollowRequest_Constants::FOLLOW && !stands && std::abs(left) > 1e-9
                                        ? std::copysign(1.0, left)
                                        : 0.0;
                   x = std::abs(left) < 0.05 && v != 0.0 ? goal_x : x + 0.05 * v;
@@ -97,6 +107,14 @@ struct World {
                 });
   }
 };
+
+inline BaseState base_state(std::uint8_t state, bool is_latched = false, const std::string& reason = "") {
+  BaseState message;
+  message.state(state);
+  message.is_latched(is_latched);
+  message.reason(reason);
+  return message;
+}
 
 inline geometry_msgs::msg::PoseStamped goal(double x, const std::string& frame = "map") {
   geometry_msgs::msg::PoseStamped message;

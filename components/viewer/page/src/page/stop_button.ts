@@ -3,7 +3,7 @@
 import "../style/stop.css";
 import type { App } from "../app";
 import { make } from "./dom";
-import { stopState, type BaseState, type StopState } from "./stop_state";
+import { stopState, type BaseState, type GoalStatus, type StopState } from "./stop_state";
 import { Wants } from "./wants";
 
 const AGAIN_MS = 200;
@@ -51,7 +51,8 @@ class StopButton {
     const base = timeline.at<BaseState>(`${robot}/base_state`, timeline.end);
     const override = timeline.at<{ data: boolean }>(`${robot}/manual_override`, timeline.end);
     const isFresh = base !== undefined && timeline.end - base.time < STALE_S;
-    return stopState(isFresh ? base.value : undefined, override?.value.data ?? false);
+    const goal = timeline.at<GoalStatus>(`${robot}/navigation_status`, timeline.end);
+    return stopState(isFresh ? base.value : undefined, override?.value.data ?? false, goal?.value);
   }
 
   private press(): void {
@@ -98,7 +99,7 @@ class StopButton {
     const { app } = this;
     const isLive = app.source?.kind === "live";
     this.button.hidden = this.why.hidden = !isLive;
-    this.wants.set(isLive ? [`${app.robot}/base_state`, `${app.robot}/manual_override`] : []);
+    this.wants.set(isLive ? ["base_state", "manual_override", "navigation_status"].map((topic) => `${app.robot}/${topic}`) : []);
     if (!isLive) return;
     const state = this.state();
     if (this.pressing && state.isInForce && this.pressing.robot === app.robot) this.pressing = undefined;

@@ -1,7 +1,9 @@
-// Values of `error_code` in the results of Nav2's actions, from Jazzy on (Humble's results have no such field). Nav2's default tree
-// clears a costmap and plans or follows once more after 100, 104, 105 and 106, and after 200, 207 and 208 or 300, 307 and 308; any
-// other code ends the navigation at once. Codes are never renamed from one distribution to the next, only added: those that are
-// younger than Jazzy say so, and mean nothing to an older client.
+// Values of `error_code` in the results of Nav2's actions, from Jazzy on (Humble's results have no such
+// field): the only place where they stand as numbers; nav2_error_codes.md says when each is given. Nav2's
+// default tree clears a costmap and plans or follows once more after 100, 104, 105 and 106, and after 200,
+// 207 and 208 or 300, 307 and 308; any other code ends the navigation at once. Codes are never renamed from
+// one distribution to the next, only added: those that are younger than Jazzy say so, and mean nothing to an
+// older client.
 #pragma once
 
 #include <cstdint>
@@ -50,6 +52,13 @@ inline constexpr Nav2ErrorCode kTimeout = 307;
 inline constexpr Nav2ErrorCode kNoValidPath = 308;
 inline constexpr Nav2ErrorCode kNoViapointsGiven = 309;
 }  // namespace compute_path_through_poses_error
+
+/// What compute_path_through_poses calls it where compute_path_to_pose gives `code`. Any other code stays.
+constexpr Nav2ErrorCode of_through_poses(Nav2ErrorCode code) {
+  constexpr Nav2ErrorCode kShift = compute_path_through_poses_error::kUnknown - compute_path_error::kUnknown;
+  const bool is_to_pose = code >= compute_path_error::kUnknown && code <= compute_path_error::kNoValidPath;
+  return is_to_pose ? static_cast<Nav2ErrorCode>(code + kShift) : code;
+}
 
 namespace follow_waypoints_error {
 inline constexpr Nav2ErrorCode kUnknown = 600;
