@@ -14,6 +14,7 @@
 #include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"
+#include "runtime/host/type_description_service.hpp"
 #include "runtime/host/writer_clock.hpp"
 #include "runtime/host/writer_names.hpp"
 #include "runtime/parameters/nearest.hpp"
@@ -215,6 +216,7 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
   setup.declare_for_the_node();
   offer_lifecycle(added, setup);
   offer_parameters(setup, added);
+  offer_type_descriptions(setup, added);
 }
 
 void Host::offer_parameters(Setup& setup, Actor& actor) {
