@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "runtime/graph/names.hpp"
 #include "runtime/host/command_guard.hpp"
@@ -36,7 +37,8 @@ std::unique_ptr<Component> make_or_refuse(const ComponentNode& node) {
                      .rule = unknown_rule("component", node.type, views)});
 }
 
-/// A node name may hold letters, digits and underscores only; a process name anything.
+/// A node name may hold letters, digits and underscores only; a process name anything. The node has the process id behind it,
+/// since ROS 2's tools cannot tell nodes of one name apart; logs and diagnostics, which lock-step repeats to the byte, do not.
 std::string services_name(const std::string& process) {
   std::string name = process.empty() ? "bandwagon" : "bandwagon_" + process;
   std::ranges::replace_if(
@@ -139,7 +141,9 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
     service_options.bond_namespaces = bond_namespaces(graph_);
   auto services = std::make_unique<ProcessServices>(std::move(service_options), local_);
   services_ = services.get();
-  const ComponentNode services_node{.name = services_name(only), .lane = "services"};
+  const std::string process_name = services_name(only);
+  const ComponentNode services_node{
+      .name = process_name, .lane = "services", .node = process_name + "_" + std::to_string(getpid())};
   add_component(services_node, std::move(services), true, ActorRole::process);
   std::vector<Violation> violations;
   for (const ComponentNode& node : graph_.components) {
@@ -270,8 +274,8 @@ void Host::log(const Actor& actor, LogLevel level, const std::string& text) {
 
 /// Under the name that rclcpp gives the logger of a node: robot1.base for /robot1/base.
 void Host::publish_log(const Actor& actor, LogLevel level, const std::string& text) {
-  std::string name =
-      actor.node_namespace == "/" ? actor.node_name : actor.node_namespace.substr(1) + "." + actor.node_name;
+  const std::string& node = actor.role == ActorRole::process ? actor.name : actor.node_name;
+  std::string name = actor.node_namespace == "/" ? node : actor.node_namespace.substr(1) + "." + node;
   std::ranges::replace(name, '/', '.');
   services_->log(name, runner_->now(), level, text);
 }

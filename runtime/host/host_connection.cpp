@@ -169,14 +169,17 @@ void Host::announce_nodes() {
   if (options.looks_around)
     options.warn = [this](const std::string& text) { log(*local_.front(), LogLevel::warn, text); };
   announcement_ = std::make_unique<NodeAnnouncement>(*participant_, std::move(options));
-  const auto& parameter_events = *std::ranges::find_if(
-      actors_.front()->outputs, [](const auto& o) { return o->topic == kParameterEvents; });
+  std::vector<dds::Guid> of_every_node;  // one writer of the process, told at each of its nodes
+  for (const auto& output : actors_.front()->outputs) {
+    if (output->topic == kRosout || output->topic == kParameterEvents)
+      of_every_node.push_back(output->writer->guid());
+  }
   for (const Actor* actor : local_) {
     NodeEntities node{
         .node_namespace = actor->node_namespace, .name = actor->node_name, .readers = {}, .writers = {}};
     for (const auto& input : actor->inputs) node.readers.push_back(input->reader->guid());
     for (const auto& output : actor->outputs) node.writers.push_back(output->writer->guid());
-    if (actor->rank > 0) node.writers.push_back(parameter_events->writer->guid());
+    if (actor->rank > 0) node.writers.insert(node.writers.end(), of_every_node.begin(), of_every_node.end());
     for (const auto& service : actor->services) {
       node.readers.push_back(service->reader->guid());
       node.writers.push_back(service->writer->guid());

@@ -7,7 +7,7 @@
 namespace bw {
 
 void ProcessServices::configure(Setup& setup) {
-  rosout_ = setup.output<rcl_interfaces::msg::Log>("/rosout", Qos::rosout());
+  rosout_ = setup.output<rcl_interfaces::msg::Log>(kRosout, Qos::rosout());
   parameter_events_ =
       setup.output<rcl_interfaces::msg::ParameterEvent>(kParameterEvents, Qos::standard(1000));
   diagnostics_ = setup.output<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics");

@@ -19,7 +19,8 @@
 
 namespace bw {
 
-/// Every node is said to write here: ROS 2's tools look for it at each.
+// Every node is said to write here: ROS 2's tools look for both at each.
+inline constexpr const char* kRosout = "/rosout";
 inline constexpr const char* kParameterEvents = "/parameter_events";
 
 struct ProcessServiceOptions {
