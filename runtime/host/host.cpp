@@ -1,11 +1,9 @@
 #include "runtime/host/host.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "runtime/graph/names.hpp"
 #include "runtime/host/command_guard.hpp"
@@ -35,15 +33,6 @@ std::unique_ptr<Component> make_or_refuse(const ComponentNode& node) {
                      .key = "components." + node.name + ".type",
                      .value = node.type,
                      .rule = unknown_rule("component", node.type, views)});
-}
-
-/// A node name may hold letters, digits and underscores only; a process name anything. The node has the process id behind it,
-/// since ROS 2's tools cannot tell nodes of one name apart; logs and diagnostics, which lock-step repeats to the byte, do not.
-std::string services_name(const std::string& process) {
-  std::string name = process.empty() ? "bandwagon" : "bandwagon_" + process;
-  std::ranges::replace_if(
-      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
 }
 
 ComponentDeclaration declaration_of(const Actor& actor) {
@@ -141,10 +130,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
     service_options.bond_namespaces = bond_namespaces(graph_);
   auto services = std::make_unique<ProcessServices>(std::move(service_options), local_);
   services_ = services.get();
-  const std::string process_name = services_name(only);
-  const ComponentNode services_node{
-      .name = process_name, .lane = "services", .node = process_name + "_" + std::to_string(getpid())};
-  add_component(services_node, std::move(services), true, ActorRole::process);
+  add_component(node_of_process(only), std::move(services), true, ActorRole::process);
   std::vector<Violation> violations;
   for (const ComponentNode& node : graph_.components) {
     const auto own = std::ranges::find(extra, node.name, &ExtraComponent::name);

@@ -32,6 +32,10 @@ struct ProcessServiceOptions {
                         ///< real clock may enter a sample
 };
 
+/// The node of a process, `process` as the graph calls it, empty for the only one. The process id is behind its name on the wire,
+/// since ROS 2's tools cannot tell nodes of one name apart; logs and diagnostics, which lock-step repeats to the byte, do without.
+ComponentNode node_of_process(const std::string& process);
+
 class ProcessServices final : public Component {
  public:
   ProcessServices(ProcessServiceOptions options, const std::vector<Actor*>& watched)
