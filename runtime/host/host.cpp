@@ -239,6 +239,7 @@ RunEnd Host::run(std::optional<Duration> duration) {
     log(*local_.front(), end.ok ? LogLevel::info : LogLevel::error, "the run ends: " + end.reason);
   if (options_.tap) options_.tap->run_is_over();
   bring_down(order, end);
+  if (options_.clock != ClockMode::lockstep) leave();
   return end;
 }
 

@@ -193,6 +193,29 @@ void Host::announce_nodes() {
   announcement_->publish();
 }
 
+void Host::leave() {
+  announcement_.reset();
+  for (const auto& actor : actors_) {
+    for (const auto& output : actor->outputs) {
+      output->sink = nullptr;
+      output->writer.reset();
+    }
+    for (const auto& input : actor->inputs) input->reader.reset();
+    for (const auto& service : actor->services) {
+      service->reader.reset();
+      service->writer.reset();
+    }
+    for (const auto& client : actor->clients) {
+      client->reader.reset();
+      client->writer.reset();
+    }
+  }
+  command_guard_.reset();
+  namesakes_.reset();
+  writers_->disconnect();
+  participant_.reset();
+}
+
 /// Says what is news; the rest is on /diagnostics as long as it holds.
 void Host::look_around(Time now) {
   if (!command_guard_) return;

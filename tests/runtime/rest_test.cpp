@@ -8,6 +8,7 @@
 
 #include "runtime/host/commanded_motion.hpp"
 #include "runtime/wire/serialization.hpp"
+#include "tests/interop/eventually.hpp"
 #include "tests/runtime/test_graph.hpp"
 
 namespace bw {
@@ -102,6 +103,20 @@ TEST(Rest, IsLeftToTheRobotsTimeByWhoNeverStops) {
   const int stops = callbacks_to_rest(0.5, [](int) { return 0.5; });
   EXPECT_GE(stops, 5);
   EXPECT_LE(stops, 60);
+}
+
+// A recording may still be written then.
+TEST(Rest, IsFollowedByTheLeaveFromTheWire) {
+  const dds::Participant outside({.network = dds::Network::from_environment({})});
+  TestGraph builder;
+  builder.add({.name = "guest"}, [&](bw::Setup& setup) {
+    setup.every(Duration::milliseconds(10), "look", [&, finish = setup.finish_run()](const Tick&) {
+      if (!outside.remote_participants().empty()) finish(true, "seen");
+    });
+  });
+  Host host(builder.graph(), {.clock = ClockMode::wall});
+  EXPECT_EQ(host.run(Duration::seconds(60.0)).reason, "seen");
+  EXPECT_TRUE(test::eventually([&] { return outside.remote_participants().empty(); }));
 }
 
 }  // namespace
