@@ -1,5 +1,6 @@
 #include "runtime/bag/bag_metadata.hpp"
 
+#include <cstdlib>
 #include <stdexcept>
 
 #include <yaml-cpp/yaml.h>
@@ -17,7 +18,7 @@ void write_body(YAML::Emitter& out, const BagMetadata& m) {
         << YAML::EndMap;
   };
   out << YAML::BeginMap;
-  out << YAML::Key << "version" << YAML::Value << 5;
+  out << YAML::Key << "version" << YAML::Value << 8;
   out << YAML::Key << "storage_identifier" << YAML::Value << m.storage;
   nanoseconds("duration", "nanoseconds", m.duration);
   nanoseconds("starting_time", "nanoseconds_since_epoch", m.start);
@@ -30,6 +31,7 @@ void write_body(YAML::Emitter& out, const BagMetadata& m) {
     out << YAML::Key << "serialization_format" << YAML::Value << topic.serialization_format;
     out << YAML::Key << "offered_qos_profiles" << YAML::Value << YAML::DoubleQuoted
         << topic.offered_qos_profiles;
+    out << YAML::Key << "type_description_hash" << YAML::Value << YAML::DoubleQuoted << topic.type_hash;
     out << YAML::EndMap;
     out << YAML::Key << "message_count" << YAML::Value << topic.message_count << YAML::EndMap;
   }
@@ -46,7 +48,10 @@ void write_body(YAML::Emitter& out, const BagMetadata& m) {
     nanoseconds("duration", "nanoseconds", file.duration);
     out << YAML::Key << "message_count" << YAML::Value << file.message_count << YAML::EndMap;
   }
-  out << YAML::EndSeq << YAML::EndMap;
+  out << YAML::EndSeq;
+  out << YAML::Key << "custom_data" << YAML::Value << YAML::BeginMap << YAML::EndMap;
+  out << YAML::Key << "ros_distro" << YAML::Value << YAML::DoubleQuoted << m.ros_distro;
+  out << YAML::EndMap;
 }
 
 /// Reads keys that must be there, and says where when they are not.
@@ -119,6 +124,7 @@ BagMetadata Reader::read(const YAML::Node& body) const {
   }
   for (const YAML::Node& path : list(body, "relative_file_paths"))
     m.files.push_back({.path = path.as<std::string>("")});
+  if (m.version >= 8) m.ros_distro = value<std::string>(body, "ros_distro");
   if (m.version < 5) return m;
   const YAML::Node files = list(body, "files");
   for (std::size_t i = 0; i < files.size() && i < m.files.size(); ++i) {
@@ -130,6 +136,21 @@ BagMetadata Reader::read(const YAML::Node& body) const {
 }
 
 }  // namespace
+
+std::string default_ros_distro() {
+  const char* name = std::getenv("ROS_DISTRO");
+  return name == nullptr || *name == '\0' ? "jazzy" : name;
+}
+
+std::string ros_distro_in(const std::map<std::string, std::map<std::string, std::string>>& records) {
+  const auto record = records.find("rosbag2");
+  if (record == records.end() || !record->second.contains("serialized_metadata")) return {};
+  try {
+    return YAML::Load(record->second.at("serialized_metadata"))["ros_distro"].as<std::string>("");
+  } catch (const YAML::Exception&) {  // whoever wrote it, its messages can be read without
+    return {};
+  }
+}
 
 std::string to_yaml(const BagMetadata& metadata) {
   YAML::Emitter out;

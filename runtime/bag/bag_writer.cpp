@@ -45,6 +45,7 @@ void make_folder(const std::filesystem::path& folder) {
 
 BagWriter::BagWriter(std::filesystem::path path, BagWriterOptions options)
     : path_(std::move(path)), options_(std::move(options)), is_folder_(path_.extension() != ".mcap") {
+  metadata_.ros_distro = options_.ros_distro;
   if (options_.max_size > 0 && options_.split_size == 0)
     options_.split_size = std::max<std::uint64_t>(options_.max_size / kPartsOfMaxSize, 1);
   if (!is_folder_) {

@@ -24,6 +24,7 @@ namespace bw::bag {
 struct BagWriterOptions {
   Compression compression = Compression::zstd;
   std::string profile = "ros2";  ///< of MCAP: what messages and schemas are to be understood as
+  std::string ros_distro = default_ros_distro();
   std::uint64_t split_size = 0;  ///< a new file begins beyond this [bytes]; 0: never. Folders only
   Duration split_duration{};     ///< or after this time; 0: never. Folders only
   /// The oldest files go, so that all together stay below this [bytes]; 0: they stay. Attachments, metadata and latched

@@ -40,7 +40,9 @@ void copy_attachments(const Bag& from, BagWriter& to, std::vector<BagFault>& los
 
 ConvertReport convert(const Bag& from, const std::filesystem::path& to, Compression compression) {
   ConvertReport report{.lost = from.faults()};
-  BagWriter writer(to, {.compression = compression, .profile = from.profile()});
+  BagWriter writer(
+      to,
+      {.compression = compression, .profile = from.profile(), .ros_distro = ros_distro_in(from.metadata())});
   for (const BagTopic& topic : from.topics()) writer.add_topic(with_schema(topic));
   copy_attachments(from, writer, report.lost);
   for (const auto& [name, entries] : from.metadata()) {

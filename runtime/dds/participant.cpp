@@ -41,6 +41,14 @@ void add_peer(rtps::LocatorList_t& peers, const std::string& address) {
   peers.push_back(locator);
 }
 
+// Who comes is answered at once, but may miss it: Fast DDS (2.9 to 2.14) announces itself before it hears. The next
+// announcement has to come within the half second in which ROS 2's tools look around.
+Duration announcement_period(const Network& network) {
+  // Peers by address get a packet on each of their ports, through the network.
+  const bool seeks_hosts = network.transport == Transport::lan && !network.static_peers.empty();
+  return Duration::milliseconds(seeks_hosts ? 1000 : 200);
+}
+
 efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   constexpr unsigned kPeerPorts = 32;  // participants per host that discovery by unicast tries
   efd::DomainParticipantQos qos = efd::PARTICIPANT_QOS_DEFAULT;
@@ -56,7 +64,8 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
 
   efd::WireProtocolConfigQos& wire = qos.wire_protocol();
   wire.builtin.discovery_config.leaseDuration = {4, 0};
-  wire.builtin.discovery_config.leaseDuration_announcementperiod = {1, 0};
+  wire.builtin.discovery_config.leaseDuration_announcementperiod =
+      to_duration(announcement_period(options.network));
   wire.builtin.readerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
   wire.builtin.writerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
   rtps::Locator_t loopback;

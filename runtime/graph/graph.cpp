@@ -8,7 +8,9 @@ std::string ComponentNode::topic_of(std::string_view declared) const {
   return resolve_name(node_namespace, node_name(), declared, remaps);
 }
 
-std::string ComponentNode::node_name() const { return name.substr(name.rfind('/') + 1); }
+std::string ComponentNode::node_name() const {
+  return node.empty() ? name.substr(name.rfind('/') + 1) : node;
+}
 
 const InputSettings* ComponentNode::input(std::string_view declared) const {
   const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const InputSettings& input) {

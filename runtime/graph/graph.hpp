@@ -75,8 +75,8 @@ struct ComponentNode {
   std::string process = "main";
   std::string lane = "main";
   bool is_real_time = false;  ///< its lane comes before others, on a real clock
-  bool enabled = true;  ///< hosts leave out what is not
-  Duration latency;     ///< computing time in lock-step, at least 0
+  bool enabled = true;        ///< hosts leave out what is not
+  Duration latency;           ///< computing time in lock-step, at least 0
   Manager manager = Manager::navigation;
   std::string follows;               ///< the component whose states it goes through with; empty: its own
   std::string node_namespace = "/";  ///< absolute
@@ -86,8 +86,8 @@ struct ComponentNode {
   std::vector<EmulationChange> emulation;
   Location where;
   std::string robot = {};  ///< of a graph with several: whose it is; empty: shared
+  std::string node = {};   ///< on the wire; empty: as `name`, without the robot's
 
-  /// The name without the robot's.
   std::string node_name() const;
   /// The absolute topic behind a declared name.
   std::string topic_of(std::string_view declared) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "runtime/host/commanded_motion.hpp"
 #include "runtime/host/led_lifecycle.hpp"
 #include "runtime/host/writer_clock.hpp"
 
@@ -78,6 +79,7 @@ bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
 
 void Actor::give(Input& input, const dds::Guid& writer, std::span<const std::uint8_t> cdr, Time now,
                  std::optional<Duration> waited) {
+  if (motion != nullptr && !input.commander.empty()) motion->see(input.type, cdr, steady_time());
   const Duration start = thread_cpu_time();
   const Tick tick{
       .now = now,

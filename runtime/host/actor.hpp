@@ -123,6 +123,7 @@ struct Actor final : DiagnosticReporter {
   std::size_t rank = 0;
   Duration latency;
   const class WriterClock* writer_clock = nullptr;  ///< null: there is one clock
+  class CommandedMotion* motion = nullptr;          ///< sees the commands that it obeys; null: nobody does
   std::shared_ptr<void> part;  ///< of the component, and outlives its instances; null: it has none
   std::unique_ptr<Component> component;
   std::vector<std::unique_ptr<Input>> inputs;

@@ -1,7 +1,6 @@
 #include "runtime/host/host.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"
+#include "runtime/host/type_description_service.hpp"
 #include "runtime/host/writer_clock.hpp"
 #include "runtime/host/writer_names.hpp"
 #include "runtime/parameters/nearest.hpp"
@@ -33,14 +33,6 @@ std::unique_ptr<Component> make_or_refuse(const ComponentNode& node) {
                      .key = "components." + node.name + ".type",
                      .value = node.type,
                      .rule = unknown_rule("component", node.type, views)});
-}
-
-/// A node name may hold letters, digits and underscores only; a process name anything.
-std::string services_name(const std::string& process) {
-  std::string name = process.empty() ? "bandwagon" : "bandwagon_" + process;
-  std::ranges::replace_if(
-      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
 }
 
 ComponentDeclaration declaration_of(const Actor& actor) {
@@ -138,8 +130,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
     service_options.bond_namespaces = bond_namespaces(graph_);
   auto services = std::make_unique<ProcessServices>(std::move(service_options), local_);
   services_ = services.get();
-  const ComponentNode services_node{.name = services_name(only), .lane = "services"};
-  add_component(services_node, std::move(services), true, ActorRole::process);
+  add_component(node_of_process(only), std::move(services), true, ActorRole::process);
   std::vector<Violation> violations;
   for (const ComponentNode& node : graph_.components) {
     const auto own = std::ranges::find(extra, node.name, &ExtraComponent::name);
@@ -215,6 +206,7 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
   setup.declare_for_the_node();
   offer_lifecycle(added, setup);
   offer_parameters(setup, added);
+  offer_type_descriptions(setup, added);
 }
 
 void Host::offer_parameters(Setup& setup, Actor& actor) {
@@ -247,6 +239,7 @@ RunEnd Host::run(std::optional<Duration> duration) {
     log(*local_.front(), end.ok ? LogLevel::info : LogLevel::error, "the run ends: " + end.reason);
   if (options_.tap) options_.tap->run_is_over();
   bring_down(order, end);
+  if (options_.clock != ClockMode::lockstep) leave();
   return end;
 }
 
@@ -268,8 +261,8 @@ void Host::log(const Actor& actor, LogLevel level, const std::string& text) {
 
 /// Under the name that rclcpp gives the logger of a node: robot1.base for /robot1/base.
 void Host::publish_log(const Actor& actor, LogLevel level, const std::string& text) {
-  std::string name =
-      actor.node_namespace == "/" ? actor.node_name : actor.node_namespace.substr(1) + "." + actor.node_name;
+  const std::string& node = actor.role == ActorRole::process ? actor.name : actor.node_name;
+  std::string name = actor.node_namespace == "/" ? node : actor.node_namespace.substr(1) + "." + node;
   std::ranges::replace(name, '/', '.');
   services_->log(name, runner_->now(), level, text);
 }

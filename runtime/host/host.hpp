@@ -108,6 +108,8 @@ class Host {
   void connect_services(Actor& actor);
   void connect_clients(Actor& actor);
   void announce_nodes();
+  /// Off the wire: the others hear at once that we are gone, whatever a recording has still to write.
+  void leave();
   void look_around(Time now);
   void tap_outputs();
   void log(const Actor& actor, LogLevel level, const std::string& text);

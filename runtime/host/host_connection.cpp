@@ -169,14 +169,17 @@ void Host::announce_nodes() {
   if (options.looks_around)
     options.warn = [this](const std::string& text) { log(*local_.front(), LogLevel::warn, text); };
   announcement_ = std::make_unique<NodeAnnouncement>(*participant_, std::move(options));
-  const auto& parameter_events = *std::ranges::find_if(
-      actors_.front()->outputs, [](const auto& o) { return o->topic == kParameterEvents; });
+  std::vector<dds::Guid> of_every_node;  // one writer of the process, told at each of its nodes
+  for (const auto& output : actors_.front()->outputs) {
+    if (output->topic == kRosout || output->topic == kParameterEvents)
+      of_every_node.push_back(output->writer->guid());
+  }
   for (const Actor* actor : local_) {
     NodeEntities node{
         .node_namespace = actor->node_namespace, .name = actor->node_name, .readers = {}, .writers = {}};
     for (const auto& input : actor->inputs) node.readers.push_back(input->reader->guid());
     for (const auto& output : actor->outputs) node.writers.push_back(output->writer->guid());
-    if (actor->rank > 0) node.writers.push_back(parameter_events->writer->guid());
+    if (actor->rank > 0) node.writers.insert(node.writers.end(), of_every_node.begin(), of_every_node.end());
     for (const auto& service : actor->services) {
       node.readers.push_back(service->reader->guid());
       node.writers.push_back(service->writer->guid());
@@ -188,6 +191,29 @@ void Host::announce_nodes() {
     announcement_->add(std::move(node));
   }
   announcement_->publish();
+}
+
+void Host::leave() {
+  announcement_.reset();
+  for (const auto& actor : actors_) {
+    for (const auto& output : actor->outputs) {
+      output->sink = nullptr;
+      output->writer.reset();
+    }
+    for (const auto& input : actor->inputs) input->reader.reset();
+    for (const auto& service : actor->services) {
+      service->reader.reset();
+      service->writer.reset();
+    }
+    for (const auto& client : actor->clients) {
+      client->reader.reset();
+      client->writer.reset();
+    }
+  }
+  command_guard_.reset();
+  namesakes_.reset();
+  writers_->disconnect();
+  participant_.reset();
 }
 
 /// Says what is news; the rest is on /diagnostics as long as it holds.

@@ -8,8 +8,7 @@ std::vector<OwnNode> find_own_nodes(const std::vector<Actor*>& local) {
   std::vector<OwnNode> nodes;
   for (const Actor* actor : local) {
     OwnNode node{.name = full_name({.node_namespace = actor->node_namespace, .name = actor->node_name}),
-                 .services = {},
-                 .is_server = actor->role != ActorRole::process};
+                 .services = {}};
     for (const auto& service : actor->services) node.services.push_back(service->service);
     nodes.push_back(std::move(node));
   }

@@ -33,16 +33,6 @@ std::string served_name(const std::string& service) {
   return name == service || service.ends_with("/send_goal") ? std::string(name) : std::string();
 }
 
-/// Another process of this program: its node serves what that of ours does.
-bool is_alike(const OwnNode& ours, const dds::Guid& theirs, const DomainView& view) {
-  const auto is_served = [&](const std::string& service) {
-    return std::ranges::any_of(view.endpoints, [&](const dds::Endpoint& end) {
-      return !end.is_writer && prefix_of(end.guid) == theirs && service_of_request(end.topic) == service;
-    });
-  };
-  return !ours.services.empty() && std::ranges::all_of(ours.services, is_served);
-}
-
 std::string listed(const std::vector<std::string>& names) {
   const std::size_t shown = std::min(names.size(), kMostServices);
   std::string text =
@@ -71,7 +61,7 @@ NamesakeWatch::Rivals NamesakeWatch::rivals_in(const DomainView& view) const {
     const std::string service = service_of_request(end.topic);
     if (service.empty()) continue;
     for (const OwnNode& ours : nodes_) {
-      if (!ours.is_server || std::ranges::find(ours.services, service) == ours.services.end()) continue;
+      if (std::ranges::find(ours.services, service) == ours.services.end()) continue;
       Rival& rival = rivals[{&ours, prefix}];
       if (rival.node.empty()) rival.node = view.node_of(end.guid);
       const std::string name = served_name(service);
@@ -81,10 +71,6 @@ NamesakeWatch::Rivals NamesakeWatch::rivals_in(const DomainView& view) const {
         rival.services.push_back(name);
     }
   }
-  std::erase_if(rivals, [&](const auto& item) {
-    const auto& [ours, theirs] = item.first;
-    return !ours->is_server && is_alike(*ours, theirs, view);
-  });
   return rivals;
 }
 
@@ -99,8 +85,7 @@ std::string NamesakeWatch::sentence(const OwnNode& ours, const dds::Guid& theirs
                      rival.node.empty() ? "somebody without a node name" : rival.node, place);
 }
 
-NamesakeWatch::News NamesakeWatch::news_of(const OwnNode& ours, std::string text) {
-  if (!ours.is_server) return {LogLevel::warn, std::move(text)};
+NamesakeWatch::News NamesakeWatch::news_of(std::string text) {
   return {LogLevel::error, std::move(text) + "; end one of the two: nobody can say which is asked"};
 }
 
@@ -112,7 +97,7 @@ std::vector<NamesakeWatch::News> NamesakeWatch::look(const DomainView& view) {
     rival.looks = before == rivals_.end() ? 1 : before->second.looks + 1;
     if (rival.looks < 2 || told_.contains(key)) continue;
     told_[key] = sentence(*key.first, key.second, rival, view.own_participant);
-    news.push_back(news_of(*key.first, told_[key]));
+    news.push_back(news_of(told_[key]));
   }
   rivals_ = std::move(now);
   std::erase_if(told_, [&](const auto& item) {
@@ -123,15 +108,14 @@ std::vector<NamesakeWatch::News> NamesakeWatch::look(const DomainView& view) {
     return true;
   });
   for (auto& [name, state] : states_) state = {LogLevel::info, "has no rival any more"};
-  for (const auto& [key, text] : told_) states_[key.first->name] = news_of(*key.first, text);
+  for (const auto& [key, text] : told_) states_[key.first->name] = news_of(text);
   return news;
 }
 
 std::string NamesakeWatch::rivals_of(const std::string& node, const DomainView& view) const {
   for (const auto& [key, rival] : rivals_in(view)) {
     const OwnNode& ours = *key.first;
-    if (ours.name == node && ours.is_server)
-      return news_of(ours, sentence(ours, key.second, rival, view.own_participant)).text;
+    if (ours.name == node) return news_of(sentence(ours, key.second, rival, view.own_participant)).text;
   }
   return {};
 }

@@ -18,7 +18,6 @@ namespace bw {
 struct OwnNode {
   std::string name;                   ///< full, /planner_server
   std::vector<std::string> services;  ///< absolute; those of actions too
-  bool is_server = true;  ///< false: of the process itself, of which others of this program have one too
 };
 
 /// What is on the domain at one moment.
@@ -61,7 +60,7 @@ class NamesakeWatch {
   Rivals rivals_in(const DomainView& view) const;
   static std::string sentence(const OwnNode& ours, const dds::Guid& theirs, const Rival& rival,
                               const dds::Guid& own_participant);
-  static News news_of(const OwnNode& ours, std::string text);
+  static News news_of(std::string text);
 
   std::vector<OwnNode> nodes_;
   Rivals rivals_;

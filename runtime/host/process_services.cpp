@@ -1,13 +1,26 @@
 #include "runtime/host/process_services.hpp"
 
+#include <algorithm>
+#include <cctype>
+
+#include <unistd.h>
+
 #include "runtime/host/container_services.hpp"
 #include "runtime/ros/parameter_messages.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {
 
+ComponentNode node_of_process(const std::string& process) {
+  std::string name = process.empty() ? "bandwagon" : "bandwagon_" + process;
+  // A node name may hold letters, digits and underscores only; a process name anything.
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return {.name = name, .lane = "services", .node = name + "_" + std::to_string(getpid())};
+}
+
 void ProcessServices::configure(Setup& setup) {
-  rosout_ = setup.output<rcl_interfaces::msg::Log>("/rosout", Qos::rosout());
+  rosout_ = setup.output<rcl_interfaces::msg::Log>(kRosout, Qos::rosout());
   parameter_events_ =
       setup.output<rcl_interfaces::msg::ParameterEvent>(kParameterEvents, Qos::standard(1000));
   diagnostics_ = setup.output<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics");

@@ -19,7 +19,8 @@
 
 namespace bw {
 
-/// Every node is said to write here: ROS 2's tools look for it at each.
+// Every node is said to write here: ROS 2's tools look for both at each.
+inline constexpr const char* kRosout = "/rosout";
 inline constexpr const char* kParameterEvents = "/parameter_events";
 
 struct ProcessServiceOptions {
@@ -30,6 +31,10 @@ struct ProcessServiceOptions {
   bool timings = true;  ///< statistics go into the diagnostics; off in lock-step, where nothing measured on a
                         ///< real clock may enter a sample
 };
+
+/// The node of a process, `process` as the graph calls it, empty for the only one. The process id is behind its name on the wire,
+/// since ROS 2's tools cannot tell nodes of one name apart; logs and diagnostics, which lock-step repeats to the byte, do without.
+ComponentNode node_of_process(const std::string& process);
 
 class ProcessServices final : public Component {
  public:

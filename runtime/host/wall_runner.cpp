@@ -19,6 +19,7 @@ WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock, Warn w
       lane->name = actor->lane;
     }
     lane_of_[actor] = lane.get();
+    actor->motion = &motion_;
     if (actor->is_real_time && lane->real_time == nullptr) lane->real_time = actor;
     for (const auto& timer : actor->timers) lane->timers.push_back(timer.get());
     for (const auto& client : actor->clients) lane->timers.push_back(&client->deadline_timer);
@@ -37,7 +38,10 @@ WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock, Warn w
   });
 }
 
-WallRunner::~WallRunner() { clock_.on_step(nullptr); }
+WallRunner::~WallRunner() {
+  clock_.on_step(nullptr);
+  for (Actor* actor : actors_) actor->motion = nullptr;
+}
 
 namespace {
 
@@ -51,6 +55,7 @@ thread_local const WallRunner* t_writer = nullptr;
 
 void WallRunner::publish(OutputEnd& output, std::span<const std::uint8_t> cdr) {
   if (tap_ != nullptr) tap_->on_sample(output, clock_.now(), cdr);
+  if (output.command) motion_.see(output.type, cdr, steady_time());
   run_and_wake([&] { output.writer->write(cdr); });
 }
 
@@ -116,10 +121,7 @@ RunEnd WallRunner::run(std::optional<Duration> duration) {
   }
   const Duration grace = grace_;
   lock.unlock();
-  if (grace > Duration{}) {
-    for (Actor* actor : actors_) actor->stop_requested = true;
-    std::this_thread::sleep_for(std::chrono::nanoseconds(grace.nanoseconds));
-  }
+  if (grace > Duration{}) come_to_rest(grace);
   for (const auto& [name, lane] : lanes_) {
     const std::lock_guard lane_lock(lane->mutex);
     lane->stop = true;
@@ -128,6 +130,16 @@ RunEnd WallRunner::run(std::optional<Duration> duration) {
   for (const auto& [name, lane] : lanes_) lane->thread.join();
   lock.lock();
   return *end_;
+}
+
+void WallRunner::come_to_rest(Duration longest) {
+  // As long as a command may be obeyed: what nobody has told to move for that long stands, or is on its way there by itself.
+  constexpr Duration kQuiet = Duration::milliseconds(200);
+  constexpr std::chrono::milliseconds kPause{5};
+  for (Actor* actor : actors_) actor->stop_requested = true;
+  const Duration end = steady_time() + longest;
+  for (Duration now = steady_time(); now < end && !motion_.is_over_since(kQuiet, now); now = steady_time())
+    std::this_thread::sleep_for(kPause);
 }
 
 void WallRunner::become_real_time(const Actor& actor) const {

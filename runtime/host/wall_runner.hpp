@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "runtime/host/commanded_motion.hpp"
 #include "runtime/host/component_clock.hpp"
 #include "runtime/host/runner.hpp"
 
@@ -42,6 +43,8 @@ class WallRunner final : public Runner {
     std::thread thread;
   };
 
+  /// Until nothing is told to move any more, for at most `longest`.
+  void come_to_rest(Duration longest);
   void run_and_wake(const std::function<void()>& write);
   void enqueue(Inlet& inlet);
   void work(Lane& lane);
@@ -56,6 +59,7 @@ class WallRunner final : public Runner {
   Warn warn_;
   std::map<std::string, std::unique_ptr<Lane>> lanes_;
   std::map<const Actor*, Lane*> lane_of_;
+  CommandedMotion motion_;
   Lane* acknowledgments_ = nullptr;  ///< of what is taken off the actors' lanes; null where nobody has such
 
   std::mutex end_mutex_;

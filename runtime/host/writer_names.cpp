@@ -12,6 +12,12 @@ void WriterNames::connect(dds::Participant& participant) {
   directory_.emplace(participant);
 }
 
+void WriterNames::disconnect() {
+  const std::lock_guard lock(mutex_);
+  directory_.reset();
+  participant_ = nullptr;
+}
+
 const Actor* WriterNames::own(const dds::Guid& writer) const {
   const auto is_it = [&](const auto& output) { return output->writer && output->writer->guid() == writer; };
   const auto actor = std::ranges::find_if(

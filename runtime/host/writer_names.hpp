@@ -18,8 +18,10 @@ struct Actor;
 class WriterNames final : public Writers {
  public:
   explicit WriterNames(const std::vector<std::unique_ptr<Actor>>& actors) : actors_(actors) {}
-  /// Others are known from now on: not in lock-step. The participant must outlive the last call.
+  /// Others are known from now on: not in lock-step. The participant must be there until disconnect().
   void connect(dds::Participant& participant);
+  /// Nobody else is known any more.
+  void disconnect();
 
   std::string node_of(const dds::Guid& writer) override;
   bool is_there(const dds::Guid& writer) override;

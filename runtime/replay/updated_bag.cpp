@@ -16,7 +16,7 @@ std::filesystem::path beside(const std::filesystem::path& recording) {
 }
 
 UpdatedBag::UpdatedBag(const bag::Bag& recording, const std::filesystem::path& path)
-    : recording_(recording), writer_(path, {}) {
+    : recording_(recording), writer_(path, {.ros_distro = bag::ros_distro_in(recording.metadata())}) {
   for (const bag::BagTopic& topic : recording.topics()) writer_.add_topic(topic);
 }
 

@@ -82,7 +82,9 @@ TEST_F(CommandLine, TopicHzMeasures) {
 TEST_F(CommandLine, NodeListNamesEveryComponent) {
   const Outcome list = bandwagon({"node", "list"});
   EXPECT_EQ(list.status, 0) << list.err;
-  EXPECT_EQ(list.out, "/bandwagon\n/lifecycle_manager_navigation\n/map_server\n/motor_control\n/robot_base\n/world\n");
+  EXPECT_EQ(list.out,
+            "/bandwagon_" + std::to_string(graph_->process().id()) +
+                "\n/lifecycle_manager_navigation\n/map_server\n/motor_control\n/robot_base\n/world\n");
 }
 
 TEST_F(CommandLine, ParamListTellsDefaultsAndWhatTheGraphSets) {

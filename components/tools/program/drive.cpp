@@ -101,9 +101,12 @@ class Bags {
   }
   void open(const Host& host) {
     if (snapshots_) taps_->add(snapshots_->open(graph_, host, options_.host, describe(host, options_.host)));
-    if (recording_)
-      taps_->add(recording_->open(options_.record, {.writer = options_.record_options, .waits = lockstep_},
+    if (recording_) {
+      bag::BagWriterOptions writer = options_.record_options;
+      writer.ros_distro = ros_distro_of(graph_);
+      taps_->add(recording_->open(options_.record, {.writer = std::move(writer), .waits = lockstep_},
                                   describe(host, options_.host)));
+    }
     if (page_) taps_->add(page_->open(lockstep_, describe(host, options_.host)));
   }
   /// Says what was lost, and where snapshots are.

@@ -10,6 +10,7 @@
 #include <std_msgs/msg/string.hpp>
 #include <unistd.h>
 
+#include "components/tools/program/bag_description.hpp"
 #include "runtime/bag/snapshot_events.hpp"
 
 namespace bw {
@@ -105,6 +106,7 @@ std::shared_ptr<SampleTap> Snapshots::open(const Graph& graph, const Host& host,
   recorder.most = settings.most;
   recorder.folder = settings.to;
   recorder.events = bag::resolve_events(settings, graph, host.declarations());
+  recorder.writer.ros_distro = ros_distro_of(graph);
   recorder.waits = options.clock == ClockMode::lockstep;
   recorder.name_of = [clock = options.clock, process = options.only_process](Time time) {
     return name_of(time, clock, process);

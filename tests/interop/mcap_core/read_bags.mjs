@@ -122,7 +122,7 @@ function checkFolder(name, folder, { messages, metadata, reader }) {
   const inside = yaml.parse(metadata.filter((m) => m.name === "rosbag2").at(-1).metadata.get("serialized_metadata"));
   const top = yaml.parse(readFileSync(path.join(folder, "metadata.yaml"), "utf8")).rosbag2_bagfile_information;
   for (const said of [top, inside]) {
-    assert.equal(said.version, 5, name);
+    assert.equal(said.version, 8, name);
     assert.equal(said.storage_identifier, "mcap", name);
     assert.equal(said.message_count, messages.length, name);
     assert.deepEqual(said.relative_file_paths, readdirSync(folder).filter((f) => f.endsWith(".mcap")), name);

@@ -1,5 +1,6 @@
 // How a running graph looks to somebody who comes later, in seconds:
 //   plain_newcomer                            until every node and each of the ends that it lists is known
+//   plain_newcomer SECONDS                    what is known then, as `ros2 node list --no-daemon` looks after 0.5 s
 //   plain_newcomer TOPIC TYPE COMMAND...      until the first sample of a topic, from the start of COMMAND on
 #include <chrono>
 #include <csignal>
@@ -22,6 +23,18 @@ using Clock = std::chrono::steady_clock;
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 constexpr std::chrono::milliseconds kPause{2};
+
+int look_after(double seconds) {
+  const auto start = Clock::now();
+  plain::Node node("newcomer");
+  bw::test::poll_until(
+      start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)), kPause,
+      [] { return false; });
+  const auto ends = node.ends();
+  const auto nodes = node.nodes();
+  std::printf("%zu nodes, %zu ends after %.3f s\n", nodes.size(), ends.size(), since(start));
+  return 0;
+}
 
 int know_everybody() {
   const auto start = Clock::now();
@@ -76,5 +89,6 @@ int hear_first(const std::string& topic, const std::string& type, char** command
 }  // namespace
 
 int main(int argc, char** argv) {
-  return argc > 3 ? hear_first(argv[1], argv[2], argv + 3) : know_everybody();
+  if (argc > 3) return hear_first(argv[1], argv[2], argv + 3);
+  return argc == 2 ? look_after(std::stod(argv[1])) : know_everybody();
 }

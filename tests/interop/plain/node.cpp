@@ -107,6 +107,7 @@ class Node::Listener final : public dds::DomainParticipantListener {
       return;
     const Gid gone = to_gid(info.info.m_guid);
     const std::lock_guard lock(mutex_);
+    if (info.status == rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT) ++expired_;
     std::erase_if(ends_, [&](const auto& item) {
       return std::equal(gone.begin(), gone.begin() + 12, item.first.begin());
     });
@@ -131,6 +132,10 @@ class Node::Listener final : public dds::DomainParticipantListener {
     const std::lock_guard lock(mutex_);
     return ends_;
   }
+  int expired() const {
+    const std::lock_guard lock(mutex_);
+    return expired_;
+  }
   int count(const std::string& topic, bool is_writer) const {
     const std::lock_guard lock(mutex_);
     return static_cast<int>(std::ranges::count_if(ends_, [&](const auto& item) {
@@ -141,6 +146,7 @@ class Node::Listener final : public dds::DomainParticipantListener {
  private:
   mutable std::mutex mutex_;
   std::map<Gid, End> ends_;
+  int expired_ = 0;
 };
 
 Node::Node(std::string name, std::shared_ptr<Wire> wire, GidSize gid_size)
@@ -240,6 +246,8 @@ std::map<Gid, End> Node::ends() const { return listener_->ends(); }
 int Node::count(const std::string& topic_name, bool is_writer) const {
   return listener_->count(topic_name, is_writer);
 }
+
+int Node::expired() const { return listener_->expired(); }
 
 rtps::GUID_t Node::guid() const { return participant_->guid(); }
 

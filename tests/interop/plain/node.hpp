@@ -74,6 +74,8 @@ class Node {
   std::map<Gid, End> ends() const;
   /// Of a topic in the whole graph, own ones too.
   int count(const std::string& topic, bool is_writer) const;
+  /// Participants whose lease ran out: they left without a word.
+  int expired() const;
   /// Nodes of other participants, by the newest message of each; their GIDs have the size of our own.
   std::vector<NodeInfo> nodes();
   rtps::GUID_t guid() const;

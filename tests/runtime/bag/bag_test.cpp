@@ -203,11 +203,13 @@ TEST(BagMetadata, ReadsBackWhatItWrites) {
                             .topics = {{.name = "/odom",
                                         .type = "nav_msgs/msg/Odometry",
                                         .offered_qos_profiles = to_qos_text({Qos::latched()}),
+                                        .type_hash = "RIHS01_00",
                                         .message_count = 7}},
-                            .files = {{.path = "d_0.mcap", .start = 3, .duration = 4, .message_count = 7}}};
+                            .files = {{.path = "d_0.mcap", .start = 3, .duration = 4, .message_count = 7}},
+                            .ros_distro = "humble"};
   mcap::write_content(folder / "metadata.yaml", to_yaml(written));
   const BagMetadata read = read_bag_metadata(folder / "metadata.yaml");
-  EXPECT_EQ(read.version, 5);
+  EXPECT_EQ(read.version, 8);
   EXPECT_EQ(read.start, written.start);
   EXPECT_EQ(read.message_count, 7U);
   ASSERT_THAT(read.topics, SizeIs(1));
@@ -215,6 +217,17 @@ TEST(BagMetadata, ReadsBackWhatItWrites) {
   EXPECT_THAT(from_qos_text(read.topics[0].offered_qos_profiles), ElementsAre(Qos::latched()));
   ASSERT_THAT(read.files, SizeIs(1));
   EXPECT_EQ(read.files[0].duration, 4U);
+  EXPECT_EQ(read.topics[0].type_hash, "RIHS01_00");
+  EXPECT_EQ(read.ros_distro, "humble");
+}
+
+// What `ros2 bag info` of Jazzy looks for, by the keys that rosbag2_storage/yaml.hpp (branch jazzy) demands from version 6 and
+// from version 8 on.
+TEST(BagMetadata, HasTheKeysOfItsVersion) {
+  const std::string text = to_yaml({.ros_distro = "jazzy"});
+  EXPECT_THAT(text, HasSubstr("\n  version: 8\n"));
+  EXPECT_THAT(text, HasSubstr("\n  custom_data:\n    {}\n"));
+  EXPECT_THAT(text, HasSubstr("\n  ros_distro: \"jazzy\"\n"));
 }
 
 /// As Jazzy writes it: words in a YAML list, hashes, newer keys.
@@ -270,6 +283,7 @@ TEST(BagMetadata, ReadsVersion9) {
   const BagMetadata read = read_bag_metadata(folder / "metadata.yaml");
   ASSERT_THAT(read.topics, SizeIs(1));
   EXPECT_EQ(read.topics[0].type_hash, "RIHS01_00");
+  EXPECT_EQ(read.ros_distro, "jazzy");
   EXPECT_THAT(from_qos_text(read.topics[0].offered_qos_profiles),
               ElementsAre(Qos{.reliability = Reliability::best_effort,
                               .durability = Durability::transient_local,

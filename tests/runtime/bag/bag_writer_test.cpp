@@ -2,6 +2,8 @@
 #include "runtime/bag/bag_writer.hpp"
 
 #include <cerrno>
+#include <cstdlib>
+#include <string>
 #include <system_error>
 
 #include <gmock/gmock.h>
@@ -43,7 +45,7 @@ std::vector<std::string> names_in(const std::filesystem::path& folder) {
 TEST(BagWriter, WritesAFolderThatRosbag2Reads) {
   const mcap::Folder folder;
   {
-    BagWriter writer(folder / "drive", {});
+    BagWriter writer(folder / "drive", {.ros_distro = "humble"});
     const std::size_t topic = writer.add_topic(kTopic);
     writer.attach("graph.yaml", "text/yaml", "components:", {5});
     for (std::int64_t i = 1; i <= 3; ++i) writer.write(topic, {i}, {10 * i}, mcap::as_bytes("abc"));
@@ -51,7 +53,8 @@ TEST(BagWriter, WritesAFolderThatRosbag2Reads) {
   }
   EXPECT_THAT(names_in(folder / "drive"), UnorderedElementsAre("drive_0.mcap", "metadata.yaml"));
   const BagMetadata metadata = read_bag_metadata(folder / "drive/metadata.yaml");
-  EXPECT_EQ(metadata.version, 5);
+  EXPECT_EQ(metadata.version, 8);
+  EXPECT_EQ(metadata.ros_distro, "humble");
   EXPECT_EQ(metadata.message_count, 3U);
   EXPECT_EQ(metadata.start, 1U);
   EXPECT_EQ(metadata.duration, 2U);
@@ -63,7 +66,19 @@ TEST(BagWriter, WritesAFolderThatRosbag2Reads) {
   EXPECT_EQ(bag->topics()[0].type_hash, kTopic.type_hash);
   const Bytes graph = bag->attachment("graph.yaml").value();
   EXPECT_EQ(std::string(graph.begin(), graph.end()), "components:");
-  EXPECT_THAT(bag->metadata().at("rosbag2").at("serialized_metadata"), HasSubstr("version: 5"));
+  EXPECT_THAT(bag->metadata().at("rosbag2").at("serialized_metadata"), HasSubstr("version: 8"));
+  EXPECT_EQ(ros_distro_in(bag->metadata()), "humble");
+}
+
+// As rosbag2 takes it from the environment; without one the layouts are Jazzy's.
+TEST(BagWriter, NamesTheDistributionOfTheEnvironment) {
+  const char* before = std::getenv("ROS_DISTRO");
+  const std::string kept = before == nullptr ? "" : before;
+  setenv("ROS_DISTRO", "kilted", 1);
+  EXPECT_EQ(BagWriterOptions{}.ros_distro, "kilted");
+  unsetenv("ROS_DISTRO");
+  EXPECT_EQ(BagWriterOptions{}.ros_distro, "jazzy");
+  if (before != nullptr) setenv("ROS_DISTRO", kept.c_str(), 1);
 }
 
 // A recording tells who was where and when.

@@ -18,6 +18,7 @@
 #include <rcl_interfaces/msg/log.hpp>
 #include <std_srvs/srv/empty.hpp>
 #include <std_srvs/srv/trigger.hpp>
+#include <unistd.h>
 
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/ros/service_call.hpp"
@@ -287,13 +288,14 @@ TEST(OutsideTools, SeeStatesTransitionsAndWhatRunsInTheProcess) {
             25U);
 
   using namespace composition_interfaces::srv;
-  const auto list = nav.call<ListNodes>("/bandwagon/_container/list_nodes");
+  const std::string container = "/bandwagon_" + std::to_string(getpid()) + "/_container/";
+  const auto list = nav.call<ListNodes>(container + "list_nodes");
   EXPECT_THAT(list.full_node_names(), ElementsAre("/controller_server", "/planner_server"));
   EXPECT_THAT(list.unique_ids(), ElementsAre(1U, 2U));
-  const auto load = nav.call<LoadNode>("/bandwagon/_container/load_node");
+  const auto load = nav.call<LoadNode>(container + "load_node");
   EXPECT_FALSE(load.success());
   EXPECT_THAT(load.error_message(), HasSubstr("graph file"));
-  const auto unload = nav.call<UnloadNode>("/bandwagon/_container/unload_node");
+  const auto unload = nav.call<UnloadNode>(container + "unload_node");
   EXPECT_FALSE(unload.success());
   EXPECT_THAT(unload.error_message(), HasSubstr("stay in it"));
 }
