@@ -21,7 +21,8 @@ class CallbackFailure : public testing::TestWithParam<ClockMode> {
   /// `a`, `b` and `c`, of which `b` does what it likes; how it ended.
   RunEnd run_with(
       const std::function<void(bw::Setup&)>& configure,
-      const std::function<void(const Tick&)>& deactivate = [](const Tick&) {}) {
+      const std::function<void(const Tick&)>& deactivate = [](const Tick&) {},
+      const std::shared_ptr<SampleTap>& tap = nullptr) {
     ScriptedGraph g;
     g.add(ComponentNode{.name = "a", .lane = "a"}, [this] {
       Script script = talker(events_, "a");
@@ -38,7 +39,7 @@ class CallbackFailure : public testing::TestWithParam<ClockMode> {
                     }};
     });
     g.add(ComponentNode{.name = "c", .lane = "b"}, [this] { return talker(events_, "c"); });
-    Host host(g.graph, {.clock = GetParam()});
+    Host host(g.graph, {.clock = GetParam(), .tap = tap});
     const RunEnd end = host.run(Duration::seconds(20.0));
     std::erase_if(events_, [](const std::string& event) { return !event.starts_with("deactivate"); });
     return end;
@@ -110,6 +111,23 @@ TEST_P(CallbackFailure, ThrowingAtAnOrderlyEndKeepsNobodyFromTheirs) {
       [](const Tick&) { throw std::runtime_error("stuck"); });
   EXPECT_EQ(end.reason, "b failed at the end: stuck");
   EXPECT_THAT(events_, ElementsAre("deactivate c", "deactivate b", "deactivate a"));
+}
+
+/// What a run is told by fails as well.
+class FailingLog final : public SampleTap {
+ public:
+  void connect(const std::vector<const OutputEnd*>&) override {}
+  void on_sample(const OutputEnd& output, Time, std::span<const std::uint8_t>) override {
+    if (output.topic == "/rosout") throw std::runtime_error("no space left");
+  }
+};
+
+TEST_P(CallbackFailure, ALogThatFailsTooKeepsNobodyFromTheirs) {
+  const RunEnd end = run_with(
+      timer_that([] { throw std::runtime_error("no such wheel"); }), [](const Tick&) {},
+      std::make_shared<FailingLog>());
+  EXPECT_EQ(end.reason, "b failed in work: no such wheel");
+  EXPECT_THAT(events_, ElementsAre("deactivate b", "deactivate c", "deactivate a"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Clocks, CallbackFailure, testing::Values(ClockMode::lockstep, ClockMode::wall),
