@@ -19,8 +19,8 @@ inline std::string thrown_text() {
   }
 }
 
-/// What a thread of one's own threw. Let out of the thread it would end the process; thrown again on the lane of its owner it ends the
-/// run as whatever a callback throws does: told, with everybody brought to rest.
+/// What a thread of one's own threw. Let out of the thread it would end the process; thrown again on the lane
+/// of its owner it ends the run as whatever a callback throws does: told, with everybody brought to rest.
 class KeptException {
  public:
   /// False: `work` threw. Of several the first is kept. On any thread.

@@ -20,7 +20,8 @@ class BackgroundJobs {
   BackgroundJobs(const BackgroundJobs&) = delete;
   BackgroundJobs& operator=(const BackgroundJobs&) = delete;
   void add(std::function<void()> job);
-  /// Throws what the first job threw that did, once; those behind it are done all the same. On the lane that asks for the jobs.
+  /// Throws what the first job threw that did, once; those behind it are done all the same. On the lane that
+  /// asks for the jobs.
   void rethrow() { failure_.rethrow(); }
 
  private:

@@ -196,8 +196,8 @@ TEST(FlightRecorder, ADiskThatFailsEndsASnapshotAndTheNextOneTriesAnew) {
   EXPECT_THAT(messages(*open_bag(folder / "misses/9000_alarm")), SizeIs(31 + 1));
 }
 
-// Linux takes no name longer than 255 bytes, and refuses to look whether it is there. In lock-step that was thrown to whoever wrote the
-// message, and in real time it ended the process.
+// Linux takes no name longer than 255 bytes, and refuses to look whether it is there. In lock-step that was
+// thrown to whoever wrote the message, and in real time it ended the process.
 TEST(FlightRecorder, ANameThatCannotBeLookedForEndsTheSnapshotAlone) {
   const mcap::Folder folder;
   const Talker run;
