@@ -42,6 +42,7 @@ class WallRunner final : public Runner {
     std::thread thread;
   };
 
+  void start_lanes();
   void run_and_wake(const std::function<void()>& write);
   void enqueue(Inlet& inlet);
   void work(Lane& lane);

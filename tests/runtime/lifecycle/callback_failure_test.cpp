@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
 #include <std_srvs/srv/trigger.hpp>
 
 #include "tests/runtime/lifecycle/scripted_graph.hpp"
@@ -128,6 +129,40 @@ TEST_P(CallbackFailure, ALogThatFailsTooKeepsNobodyFromTheirs) {
       std::make_shared<FailingLog>());
   EXPECT_EQ(end.reason, "b failed in work: no such wheel");
   EXPECT_THAT(events_, ElementsAre("deactivate b", "deactivate c", "deactivate a"));
+}
+
+// Lanes start when everybody is active. Threads that are to have a stack as large as all of the address space of
+// a process (2^47 bytes) are not to be had.
+TEST(LaneFailure, OfALaneThatCannotBeStartedEndsTheRunWithEverybodyAtRest) {
+  Events events;
+  pthread_attr_t usual;
+  pthread_getattr_default_np(&usual);
+  const auto want_stack = [](std::size_t bytes) {
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, bytes);
+    EXPECT_EQ(pthread_setattr_default_np(&attributes), 0);
+    pthread_attr_destroy(&attributes);
+  };
+  std::size_t usual_size = 0;
+  pthread_attr_getstacksize(&usual, &usual_size);
+  ScriptedGraph g;
+  for (const std::string name : {"a", "b"}) {
+    g.add(ComponentNode{.name = name, .lane = name}, [&, name] {
+      return Script{.activate = [&](const Tick&) { want_stack(std::size_t{1} << 47); },
+                    .deactivate =
+                        [&, name](const Tick&) {
+                          want_stack(usual_size);
+                          events.push_back("deactivate " + name);
+                        }};
+    });
+  }
+  Host host(g.graph, {.clock = ClockMode::wall});
+  const RunEnd end = host.run(Duration::seconds(20.0));
+  want_stack(usual_size);
+  EXPECT_TRUE(end.has_thrown);
+  EXPECT_THAT(end.reason, HasSubstr("cannot be started: Resource temporarily unavailable"));
+  EXPECT_THAT(events, ElementsAre("deactivate b", "deactivate a"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Clocks, CallbackFailure, testing::Values(ClockMode::lockstep, ClockMode::wall),
