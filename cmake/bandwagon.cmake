@@ -22,10 +22,13 @@ endif()
 
 # What moves the base, or decides that it must not move: checked containers (_GLIBCXX_ASSERTIONS) in release builds too. A wrong index or an
 # optional without a value then ends the process and says where, in place of driving by whatever is found there. The macro changes no
-# layout, so that these mix with targets without it; functions that the compiler does not inline may come from those.
-set(BANDWAGON_CHECKED
-  bandwagon_runtime bw_lifecycle bw_serial bw_tty bw_model bw_laser bw_safety bw_twist_mux bw_motor_control bw_robot_base bw_base_drivers
-  bw_component_laser bw_component_collision_monitor bw_component_twist_mux bw_component_motor_control bw_component_robot_base)
+# layout, so that these mix with targets without it; functions that the compiler does not inline may come from
+# those. To measure what it costs, -DBANDWAGON_CHECKED= builds without.
+if(NOT DEFINED BANDWAGON_CHECKED)
+  set(BANDWAGON_CHECKED
+    bandwagon_runtime bw_lifecycle bw_serial bw_tty bw_model bw_laser bw_safety bw_twist_mux bw_motor_control bw_robot_base bw_base_drivers
+    bw_component_laser bw_component_collision_monitor bw_component_twist_mux bw_component_motor_control bw_component_robot_base)
+endif()
 
 include(${CMAKE_CURRENT_LIST_DIR}/precompiled.cmake)
 

@@ -32,8 +32,9 @@ class Writers {
   virtual ~Writers() = default;
   /// Full name of its node, /robot1/panel; empty: nobody has named it, or not yet.
   virtual std::string node_of(const std::array<std::uint8_t, 16>& writer) = 0;
-  /// It has not left. Who was killed is there until its lease is over.
-  virtual bool is_there(const std::array<std::uint8_t, 16>& writer) = 0;
+  /// For how long it counts as there when its process is killed: its lease in DDS, 0 in this process;
+  /// nothing: it has left.
+  virtual std::optional<Duration> lease_of(const std::array<std::uint8_t, 16>& writer) = 0;
 };
 
 /// One call of a component: the frozen time and the state of its inputs. No other clock may be read.

@@ -1,7 +1,5 @@
 #include "runtime/worker_pool.hpp"
 
-#include <utility>
-
 namespace bw {
 
 WorkerPool::WorkerPool(std::size_t threads) {
@@ -24,16 +22,14 @@ void WorkerPool::run(std::size_t count, const Body& body) {
   }
   work_came_.notify_all();
   take_bodies(body, count);
-  std::exception_ptr error;
   {
     // A worker that wakes only now finds the call closed: nobody waits for a thread that has nothing to do.
     std::unique_lock lock(mutex_);
     body_ = nullptr;
     worker_left_.wait(lock, [this] { return working_ == 0; });
-    error = std::exchange(error_, nullptr);
   }
   in_use_ = false;
-  if (error) std::rethrow_exception(error);
+  failure_.rethrow();
 }
 
 void WorkerPool::wait_for_work(const std::stop_token& stop) {
@@ -53,13 +49,7 @@ void WorkerPool::wait_for_work(const std::stop_token& stop) {
 
 void WorkerPool::take_bodies(const Body& body, std::size_t count) {
   for (std::size_t i = next_++; i < count; i = next_++) {
-    try {
-      body(i);
-    } catch (...) {
-      next_ = count;
-      const std::lock_guard lock(mutex_);
-      if (!error_) error_ = std::current_exception();
-    }
+    if (!failure_.run([&] { body(i); })) next_ = count;
   }
 }
 

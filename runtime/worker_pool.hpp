@@ -5,12 +5,13 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
-#include <exception>
 #include <functional>
 #include <mutex>
 #include <stop_token>
 #include <thread>
 #include <vector>
+
+#include "runtime/base/thrown.hpp"
 
 namespace bw {
 
@@ -40,8 +41,8 @@ class WorkerPool {
   std::size_t count_ = 0;
   std::size_t call_ = 0;     ///< number of the call, so that a worker joins each once
   std::size_t working_ = 0;  ///< workers inside the call
-  std::exception_ptr error_;
 
+  KeptException failure_;  ///< of a body
   std::atomic<std::size_t> next_ = 0;
   std::atomic<bool> in_use_ = false;
   std::vector<std::jthread> workers_;  ///< last: they end before what they use

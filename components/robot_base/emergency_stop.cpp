@@ -22,6 +22,15 @@ std::string names_of(const std::vector<EmergencyStop::Pressed>& pressed) {
   return text;
 }
 
+/// A process that was killed has said nothing, and is taken for gone when its lease is over.
+std::string told_lease(Duration lease) {
+  if (lease <= Duration{}) return "";
+  if (lease >= Duration::seconds(3600.0))
+    return "; one that was killed counts as there until this base is started anew";
+  const std::int64_t seconds = (lease.nanoseconds + 999'999'999) / 1'000'000'000;
+  return "; one that was killed counts as there for " + std::to_string(seconds) + " s after that";
+}
+
 }  // namespace
 
 std::optional<std::string> EmergencyStopOptions::violated_rule() const {
@@ -77,11 +86,15 @@ std::string EmergencyStop::reason() const {
   return "the emergency stop is pressed by " + names_of(record_.pressed);
 }
 
-std::optional<std::string> EmergencyStop::refusal(const IsThere& is_there) const {
+std::optional<std::string> EmergencyStop::refusal(const LeaseOf& lease_of) const {
   std::vector<Pressed> there;
-  std::ranges::copy_if(record_.pressed, std::back_inserter(there),
-                       [&](const Pressed& button) { return is_there(button.writer); });
-  if (!there.empty()) return "the emergency stop is pressed by " + names_of(there);
+  Duration longest;
+  for (const Pressed& button : record_.pressed) {
+    const std::optional<Duration> lease = lease_of(button.writer);
+    if (lease) there.push_back(button);
+    longest = std::max(longest, lease.value_or(Duration{}));
+  }
+  if (!there.empty()) return "the emergency stop is pressed by " + names_of(there) + told_lease(longest);
   const auto silent = std::ranges::find(buttons_, true, &Button::is_silent);
   if (silent == buttons_.end()) return std::nullopt;
   return "the emergency stop button " + silent->options.node + " is silent";

@@ -3,7 +3,7 @@
 //
 //   stop.hear(now, writer, node, is_pressed);     // each message
 //   stop.step(now);                               // while the base is active
-//   if (const auto why_not = stop.refusal(is_there)) ... else text = stop.release();
+//   if (const auto why_not = stop.refusal(lease_of)) ... else text = stop.release();
 #pragma once
 
 #include <array>
@@ -47,7 +47,8 @@ struct EmergencyStopOptions {
 class EmergencyStop {
  public:
   using Writer = std::array<std::uint8_t, 16>;  ///< its GID
-  using IsThere = std::function<bool(const Writer&)>;
+  /// For how long it counts as there when its process is killed; nothing: it has left.
+  using LeaseOf = std::function<std::optional<Duration>(const Writer&)>;
   using NodeOf = std::function<std::string(const Writer&)>;  ///< empty: not named yet
 
   struct Pressed {
@@ -79,8 +80,9 @@ class EmergencyStop {
   /// For people; empty when it is not latched.
   std::string reason() const;
   const Record& record() const { return record_; }
-  /// Why a release is refused. Who has left with the button pressed does not refuse it.
-  std::optional<std::string> refusal(const IsThere& is_there) const;
+  /// Why a release is refused, and for how long one who was killed refuses it. Who has left with the button
+  /// pressed does not refuse it.
+  std::optional<std::string> refusal(const LeaseOf& lease_of) const;
   /// Lets go; says who had pressed and has left. Not while refusal() has an answer.
   std::string release();
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
-#include <exception>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "runtime/bag/message_stamp.hpp"
 #include "runtime/bag/output_topic.hpp"
 #include "runtime/bag/qos_text.hpp"
+#include "runtime/base/thrown.hpp"
 #include "runtime/wire/type_registry.hpp"
 
 namespace bw::bag {
@@ -52,7 +52,7 @@ void FlightRecorder::connect(const std::vector<const OutputEnd*>& outputs) {
     numbers_[output] = {ring_.add_topic(latched_depth({output->qos})),
                         type != nullptr && begins_with_stamp(*type)};
   }
-  if (!options_.waits) thread_ = std::thread([this] { run(); });
+  if (!options_.waits) thread_ = std::thread([this] { on_disk([this] { run(); }); });
 }
 
 void FlightRecorder::on_sample(const OutputEnd& output, Time now, std::span<const std::uint8_t> cdr) {
@@ -161,8 +161,6 @@ void FlightRecorder::happened(const std::string& name, const std::string& topic,
 /// Writes the time before the event, up to `behind`.
 void FlightRecorder::begin(const std::string& name, const std::string& topic, Time time,
                            SnapshotRing::Cursor behind) {
-  const std::filesystem::path path =
-      free_path(options_.folder / (options_.name_of(time) + "_" + file_part(name)));
   snapshot_.emplace(Snapshot{.event = time, .until = time + options_.after});
   snapshot_->events = name + " at " + time_text(time);
   {
@@ -172,7 +170,8 @@ void FlightRecorder::begin(const std::string& name, const std::string& topic, Ti
     snapshot_->lost_before = status_.lost;
   }
   on_disk([&] {
-    snapshot_->writer = std::make_unique<BagWriter>(path, options_.writer);
+    const std::string folder = options_.name_of(time) + "_" + file_part(name);
+    snapshot_->writer = std::make_unique<BagWriter>(free_path(options_.folder / folder), options_.writer);
     for (const BagTopic& t : topics_) snapshot_->writer->add_topic(t);
     for (const auto& a : description_.attachments)
       snapshot_->writer->attach(a.name, a.media_type, a.content, time);
@@ -185,7 +184,7 @@ void FlightRecorder::begin(const std::string& name, const std::string& topic, Ti
                                                  {"after", fmt::format("{}", options_.after.to_seconds())}});
   });
   if (!snapshot_) return;
-  say(fmt::format("{} at {} s: snapshot {}", name, time_text(time), path.string()));
+  say(fmt::format("{} at {} s: snapshot {}", name, time_text(time), snapshot_->writer->path().string()));
   write_past(time - options_.ring.keep, behind);
   if (!options_.waits && snapshot_) {
     on_disk([this] {
@@ -268,12 +267,13 @@ void FlightRecorder::on_disk(Action action) {
   try {
     action();
     return;
-  } catch (const std::exception& failure) {
+  } catch (...) {
+    const std::string failure = thrown_text();
     {
       const std::lock_guard lock(mutex_);
-      status_.error = failure.what();
+      status_.error = failure;
     }
-    say(std::string("the snapshot ended early: ") + failure.what());
+    say("the snapshot ended early: " + failure);
   }
   snapshot_.reset();
 }

@@ -1,10 +1,11 @@
 #include "runtime/bag/recorder.hpp"
 
 #include <chrono>
-#include <exception>
 #include <utility>
 
 #include <time.h>
+
+#include "runtime/base/thrown.hpp"
 
 namespace bw::bag {
 namespace {
@@ -29,7 +30,14 @@ Recorder::Recorder(const std::filesystem::path& path, RecorderOptions options)
       sync_(options_.waits ? nullptr
                            : std::make_unique<SyncThread>([this](const std::string& error) { fail(error); })),
       writer_(path, writer_options()) {
-  if (!options_.waits) thread_ = std::thread([this] { run(); });
+  if (options_.waits) return;
+  thread_ = std::thread([this] {
+    try {
+      run();
+    } catch (...) {
+      fail(thrown_text());
+    }
+  });
 }
 
 Recorder::~Recorder() { close(); }
@@ -55,8 +63,8 @@ void Recorder::on_disk(Action action) {
   std::string error;
   try {
     action();
-  } catch (const std::exception& failure) {
-    error = failure.what();
+  } catch (...) {
+    error = thrown_text();
   }
   const std::lock_guard lock(mutex_);
   if (error_.empty()) error_ = std::move(error);

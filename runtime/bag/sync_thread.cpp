@@ -1,8 +1,9 @@
 #include "runtime/bag/sync_thread.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <utility>
+
+#include "runtime/base/thrown.hpp"
 
 namespace bw::bag {
 
@@ -38,8 +39,8 @@ void SyncThread::run() {
     }
     try {
       sink->sync();
-    } catch (const std::exception& failure) {
-      on_error_(failure.what());
+    } catch (...) {
+      on_error_(thrown_text());
     }
   }
 }

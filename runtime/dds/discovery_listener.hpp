@@ -47,13 +47,13 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
         info.status == rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT) {
       participants_.erase(guid);
       std::erase_if(endpoints_, [&](const auto& item) {
-        const bool is_its = std::equal(guid.begin(), guid.begin() + 12, item.first.begin());
+        const bool is_its = same_participant(guid, item.first);
         if (is_its) remember(item.second);
         return is_its;
       });
       ++changes_;
     } else {
-      participants_[guid] = true;
+      participants_[guid] = Duration{info.info.m_leaseDuration.to_ns()};
     }
   }
   void on_subscriber_discovery(efd::DomainParticipant*, rtps::ReaderDiscoveryInfo&& info) override {
@@ -88,10 +88,17 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
     const std::lock_guard lock(mutex_);
     return std::exchange(departed_, {});
   }
+  std::optional<Duration> lease_of(const Guid& endpoint) const {
+    const std::lock_guard lock(mutex_);
+    if (!endpoints_.contains(endpoint)) return std::nullopt;
+    const auto its = std::ranges::find_if(
+        participants_, [&](const auto& one) { return same_participant(one.first, endpoint); });
+    return its == participants_.end() ? std::nullopt : std::optional(its->second);
+  }
   std::vector<Guid> participants() const {
     const std::lock_guard lock(mutex_);
     std::vector<Guid> all;
-    for (const auto& [guid, alive] : participants_) all.push_back(guid);
+    for (const auto& [guid, lease] : participants_) all.push_back(guid);
     return all;
   }
 
@@ -113,7 +120,7 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
 
   std::atomic<std::uint64_t> changes_ = 0;
   mutable std::mutex mutex_;
-  std::map<Guid, bool> participants_;
+  std::map<Guid, Duration> participants_;  ///< with their leases
   std::map<Guid, Endpoint> endpoints_;
   std::vector<Endpoint> departed_;
 };

@@ -229,6 +229,9 @@ std::vector<Endpoint> Participant::take_departed() { return impl_->discovery.tak
 
 std::uint64_t Participant::endpoint_changes() const { return impl_->discovery.changes(); }
 
+std::optional<Duration> Participant::lease_of(const Guid& endpoint) const {
+  return impl_->discovery.lease_of(endpoint);
+}
 std::vector<Guid> Participant::remote_participants() const { return impl_->discovery.participants(); }
 
 }  // namespace bw::dds

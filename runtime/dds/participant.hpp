@@ -149,6 +149,9 @@ class Participant {
   std::vector<Endpoint> take_departed();
   /// Counts the changes of endpoints(): cheap to look at often.
   std::uint64_t endpoint_changes() const;
+  /// For how long the participant of a remote endpoint counts as there after its last sign of life; nothing:
+  /// the endpoint is not there.
+  std::optional<Duration> lease_of(const Guid& endpoint) const;
   /// Remote participants alive now.
   std::vector<Guid> remote_participants() const;
 

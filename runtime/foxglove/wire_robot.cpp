@@ -49,6 +49,7 @@ void WireRobot::watch() {
 }
 
 void WireRobot::tick() {
+  link_.announcement.rethrow();
   const auto now = steady_clock::now();
   look();
   topics_.tick(now);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/base/thrown.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/host/command_guard.hpp"
 #include "runtime/host/host_setup.hpp"
@@ -264,7 +265,12 @@ void Host::publish_log(const Actor& actor, LogLevel level, const std::string& te
   const std::string& node = actor.role == ActorRole::process ? actor.name : actor.node_name;
   std::string name = actor.node_namespace == "/" ? node : actor.node_namespace.substr(1) + "." + node;
   std::ranges::replace(name, '/', '.');
-  services_->log(name, runner_->now(), level, text);
+  // Whoever speaks goes on: it may be the end of the run that is told, and on a thread that is no lane.
+  try {
+    services_->log(name, runner_->now(), level, text);
+  } catch (...) {
+    write_to_terminal(LogLevel::error, "not on /rosout: " + thrown_text());
+  }
 }
 
 std::vector<std::pair<std::string, ParameterReport>> Host::parameters() const {

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -141,7 +140,6 @@ class Host {
   };
   std::vector<EarlyLine> early_log_;  ///< of the time before the run
   Duration time_to_rest_;             ///< the longest that a component asked for
-  std::mutex log_mutex_;
 };
 
 }  // namespace bw

@@ -219,6 +219,7 @@ void Host::leave() {
 /// Says what is news; the rest is on /diagnostics as long as it holds.
 void Host::look_around(Time now) {
   if (!command_guard_) return;
+  announcement_->rethrow();
   Actor& services = *actors_.front();
   for (const CommandWatch::News& news : command_guard_->look(now)) log(services, news.level, news.text);
   for (const NamesakeWatch::News& news : namesakes_->look()) log(services, news.level, news.text);

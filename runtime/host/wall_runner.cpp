@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 #include <pthread.h>
@@ -106,10 +107,7 @@ RunEnd WallRunner::run(std::optional<Duration> duration) {
       if (timer->is_periodic() && actor->runs(*timer)) timer->next = start + timer->period;
     }
   }
-  for (const auto& [name, lane] : lanes_) {
-    lane->thread = std::thread([this, worker = lane.get()] { work(*worker); });
-    pthread_setname_np(lane->thread.native_handle(), name.substr(0, 15).c_str());
-  }
+  start_lanes();
   std::unique_lock lock(end_mutex_);
   const auto ended = [this] { return end_.has_value(); };
   if (duration) {
@@ -127,7 +125,9 @@ RunEnd WallRunner::run(std::optional<Duration> duration) {
     lane->stop = true;
     lane->wake.notify_one();
   }
-  for (const auto& [name, lane] : lanes_) lane->thread.join();
+  for (const auto& [name, lane] : lanes_) {
+    if (lane->thread.joinable()) lane->thread.join();
+  }
   lock.lock();
   return *end_;
 }
@@ -140,6 +140,19 @@ void WallRunner::come_to_rest(Duration longest) {
   const Duration end = steady_time() + longest;
   for (Duration now = steady_time(); now < end && !motion_.is_over_since(kQuiet, now); now = steady_time())
     std::this_thread::sleep_for(kPause);
+}
+
+/// The system may have no more threads: everybody who is active has to come to rest then too.
+void WallRunner::start_lanes() {
+  for (const auto& [name, lane] : lanes_) {
+    try {
+      lane->thread = std::thread([this, worker = lane.get()] { work(*worker); });
+    } catch (const std::system_error& error) {
+      const std::string reason = "lane " + name + " cannot be started: " + error.what();
+      return finish({.ok = false, .reason = reason, .has_thrown = true}, {});
+    }
+    pthread_setname_np(lane->thread.native_handle(), name.substr(0, 15).c_str());
+  }
 }
 
 void WallRunner::become_real_time(const Actor& actor) const {

@@ -45,6 +45,7 @@ class WallRunner final : public Runner {
 
   /// Until nothing is told to move any more, for at most `longest`.
   void come_to_rest(Duration longest);
+  void start_lanes();
   void run_and_wake(const std::function<void()>& write);
   void enqueue(Inlet& inlet);
   void work(Lane& lane);

@@ -35,12 +35,10 @@ std::string WriterNames::node_of(const dds::Guid& writer) {
   return directory_->node_of(writer);
 }
 
-bool WriterNames::is_there(const dds::Guid& writer) {
-  if (own(writer) != nullptr) return true;
+std::optional<Duration> WriterNames::lease_of(const dds::Guid& writer) {
+  if (own(writer) != nullptr) return Duration{};
   const std::lock_guard lock(mutex_);
-  if (participant_ == nullptr) return false;
-  const std::vector<dds::Endpoint> ends = participant_->endpoints();
-  return std::ranges::find(ends, writer, &dds::Endpoint::guid) != ends.end();
+  return participant_ == nullptr ? std::nullopt : participant_->lease_of(writer);
 }
 
 }  // namespace bw

@@ -24,7 +24,7 @@ class WriterNames final : public Writers {
   void disconnect();
 
   std::string node_of(const dds::Guid& writer) override;
-  bool is_there(const dds::Guid& writer) override;
+  std::optional<Duration> lease_of(const dds::Guid& writer) override;
 
  private:
   const Actor* own(const dds::Guid& writer) const;

@@ -12,6 +12,7 @@
 #include "runtime/bag/message_stamp.hpp"
 #include "runtime/bag/qos_text.hpp"
 #include "runtime/bag/schema.hpp"
+#include "runtime/base/thrown.hpp"
 #include "runtime/build_identity.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/ros/dds_names.hpp"
@@ -86,14 +87,23 @@ WireRecorder::WireRecorder(const std::filesystem::path& path, WireRecorderOption
     announcement_.add(*clock_reader_);
   }
   announcement_.publish();
-  thread_ = std::thread([this] { work(); });
+  thread_ = std::thread([this] {
+    try {
+      work();
+    } catch (...) {
+      const std::lock_guard lock(status_mutex_);
+      failure_ = thrown_text();
+    }
+  });
 }
 
 WireRecorder::~WireRecorder() { close(); }
 
 WireRecorderStatus WireRecorder::status() const {
   const std::lock_guard lock(status_mutex_);
-  return {.bag = recorder_.status(), .lost = lost_, .topics = recorded_topics_.size()};
+  WireRecorderStatus status{.bag = recorder_.status(), .lost = lost_, .topics = recorded_topics_.size()};
+  if (status.bag.error.empty()) status.bag.error = failure_;
+  return status;
 }
 
 void WireRecorder::close() {

@@ -126,6 +126,7 @@ class WireRecorder {
   mutable std::mutex status_mutex_;
   std::map<std::string, std::uint64_t> lost_;
   std::set<std::string> recorded_topics_;
+  std::string failure_;  ///< what ended the thread
 
   std::atomic<bool> stop_ = false;
   std::thread thread_;

@@ -34,7 +34,7 @@ NodeAnnouncement::NodeAnnouncement(dds::Participant& participant, AnnouncementOp
   if (!said && !options_.looks_around) said = RosDistro::jazzy;
   if (said) decide(*said);
   if (!options_.looks_around || is_told_everything()) return;
-  thread_ = std::thread([this] { look_around(); });
+  thread_ = std::thread([this] { failure_.run([this] { look_around(); }); });
 }
 
 NodeAnnouncement::NodeAnnouncement(dds::Participant& participant, const std::string& name, RosDistro distro)

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "runtime/base/ros_distro.hpp"
+#include "runtime/base/thrown.hpp"
 #include "runtime/ros/discovery_info.hpp"
 #include "runtime/ros/distro_evidence.hpp"
 
@@ -53,6 +54,8 @@ class NodeAnnouncement {
 
   /// Nothing until it is decided.
   [[nodiscard]] std::optional<RosDistro> distro() const;
+  /// Throws what ended the announcement's own thread, once.
+  void rethrow() { failure_.rethrow(); }
 
  private:
   void look_around();
@@ -75,6 +78,7 @@ class NodeAnnouncement {
   std::unique_ptr<dds::Writer> writer_;
   bool stop_ = false;
   std::condition_variable wake_;
+  KeptException failure_;
   std::thread thread_;
 };
 

@@ -30,7 +30,7 @@ void BackgroundJobs::work(const std::stop_token& stop) {
       job = std::move(jobs_.front());
       jobs_.pop_front();
     }
-    job();
+    failure_.run(job);
   }
 }
 

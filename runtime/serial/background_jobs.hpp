@@ -8,6 +8,8 @@
 #include <stop_token>
 #include <thread>
 
+#include "runtime/base/thrown.hpp"
+
 namespace bw {
 
 class BackgroundJobs {
@@ -18,6 +20,9 @@ class BackgroundJobs {
   BackgroundJobs(const BackgroundJobs&) = delete;
   BackgroundJobs& operator=(const BackgroundJobs&) = delete;
   void add(std::function<void()> job);
+  /// Throws what the first job threw that did, once; those behind it are done all the same. On the lane that
+  /// asks for the jobs.
+  void rethrow() { failure_.rethrow(); }
 
  private:
   void work(const std::stop_token& stop);
@@ -25,7 +30,8 @@ class BackgroundJobs {
   std::mutex mutex_;
   std::condition_variable_any came_;
   std::deque<std::function<void()>> jobs_;  ///< guarded by mutex_
-  std::jthread thread_;                     ///< last: it ends before what it uses
+  KeptException failure_;
+  std::jthread thread_;  ///< last: it ends before what it uses
 };
 
 }  // namespace bw

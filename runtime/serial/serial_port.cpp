@@ -48,6 +48,7 @@ SerialPort::~SerialPort() {
 }
 
 const LinkState& SerialPort::update(Time now) {
+  jobs_.rethrow();
   if (!first_update_) first_update_ = now;
   if (attempt_ && attempt_->is_done) look_at_attempt(now);
   if (descriptor_ >= 0) {

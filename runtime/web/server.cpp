@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -15,6 +14,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <fmt/format.h>
 
+#include "runtime/base/thrown.hpp"
 #include "runtime/web/http_session.hpp"
 #include "runtime/web/socket_session.hpp"
 
@@ -152,8 +152,8 @@ void Server::Impl::run() {
     try {
       core_.io.run();
       return;
-    } catch (const std::exception& error) {
-      core_.logger.error("page server: {}", error.what());
+    } catch (...) {
+      core_.logger.error("page server: {}", thrown_text());
     }
   }
 }

@@ -1,6 +1,7 @@
 // Measures in real time what share of a core a base's driver and robot_base take: a process of their own, with a real driver at the
 // pseudo-terminal of its emulator; floor, emulator and the commander of its wheels are another process.
-//   base_cpu ROBOT.yaml [SECONDS]          a robot file such as config/robots/kobuki.yaml
+//   base_cpu [--unguarded] ROBOT.yaml [SECONDS]      a robot file such as config/robots/kobuki.yaml
+// --unguarded: the port has no guardian, for what one costs: its own process, and the heartbeat of this one.
 // CPU time of the whole process, DDS included, and of each of its threads; other programs on the machine take no part in it, but
 // caches that they wash out do. Asked: less than 2 % of a core. A measurement, not a test: it judges nothing;
 // status 1 when the base did not drive all the time.
@@ -18,14 +19,16 @@
 #include <utility>
 #include <vector>
 
+#include <bandwagon_msgs/msg/base_state.hpp>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <bandwagon_msgs/msg/base_state.hpp>
-
+#include "components/robot_base/driver_registry.hpp"
+#include "runtime/base/byte_link.hpp"
 #include "runtime/host/host.hpp"
 #include "tests/benchmarks/commanded_base.hpp"
+#include "tests/faults/guardian_of.hpp"
 
 namespace bw {
 namespace {
@@ -52,6 +55,26 @@ std::map<std::string, double> thread_seconds() {
   return all;
 }
 
+/// [s] of the guardian's process; 0 without one.
+double guardian_seconds() {
+  const pid_t guardian = test::guardian_of(getpid());
+  double nanoseconds = 0.0;
+  if (guardian > 0) std::ifstream("/proc/" + std::to_string(guardian) + "/schedstat") >> nanoseconds;
+  return 1e-9 * nanoseconds;
+}
+
+/// Its cable has no guardian then. A robot has no such switch, so that the registered type itself is changed.
+void take_stop_frame_from(const std::string& driver) {
+  auto* type = const_cast<DriverType*>(find_driver(driver));
+  type->make = [make = type->make](const AnyOptions& options, const DriverContext& context) {
+    DriverContext unguarded = context;
+    unguarded.open_link = [&context](const PortOptions& port, const std::vector<std::uint8_t>&) {
+      return context.open_link(port, {});
+    };
+    return make(options, unguarded);
+  };
+}
+
 /// Measures from when the base has driven for 2 s; a base that stops by itself is not what is asked for.
 class Meter final : public Component {
  public:
@@ -76,6 +99,7 @@ class Meter final : public Component {
       began_ = now;
       cpu_ = cpu_seconds();
       threads_ = thread_seconds();
+      guardian_ = guardian_seconds();
     } else if (began_ && !measured_ && now - *began_ >= span_) {
       report((now - *began_).to_seconds());
       measured_ = true;
@@ -90,13 +114,14 @@ class Meter final : public Component {
       const double of_thread = share * (now - threads_[name]);
       if (of_thread >= 0.01) std::printf("  %-16s %.2f %%\n", name.c_str(), of_thread);
     }
+    std::printf("its guardian: %.2f %% of a core\n", share * (guardian_seconds() - guardian_));
   }
 
   Duration span_;
   bool& measured_;
   std::function<void(bool, const std::string&)> finish_;
   std::optional<Time> driving_since_, began_;
-  double cpu_ = 0.0;
+  double cpu_ = 0.0, guardian_ = 0.0;
   std::map<std::string, double> threads_;
 };
 
@@ -104,8 +129,13 @@ class Meter final : public Component {
 }  // namespace bw
 
 int main(int argc, char** argv) {
+  const bool is_guarded = argc < 2 || std::string(argv[1]) != "--unguarded";
+  if (!is_guarded) {
+    --argc;
+    ++argv;
+  }
   if (argc < 2) {
-    std::fprintf(stderr, "usage: %s ROBOT.yaml [SECONDS]\n", argv[0]);
+    std::fprintf(stderr, "usage: base_cpu [--unguarded] ROBOT.yaml [SECONDS]\n");
     return 2;
   }
   const double seconds = argc < 3 ? 60.0 : std::max(1.0, std::atof(argv[2]));
@@ -123,6 +153,9 @@ int main(int argc, char** argv) {
     return 0;
   }
   bool measured = false;
+  if (!is_guarded) {
+    for (const std::string& driver : bw::registered_drivers()) bw::take_stop_frame_from(driver);
+  }
   {
     std::vector<bw::ExtraComponent> extra;
     extra.push_back({"meter", std::make_unique<bw::Meter>(seconds, measured), "meter"});

@@ -1,7 +1,9 @@
 // Measures the loop between robot_base and its driver in real time: by how much the time between two polls differs from 10 ms, and
 // what share of a core the whole process takes: a driver that counts 100 times a second, the base, and the commander of its wheels (a real
 // driver and the base alone: base_cpu). Beside `spinners` processes that take all CPU they get.
-//   driver_jitter [--normal] [SECONDS [SPINNERS]]       --normal: without a real-time priority
+//   driver_jitter [--normal] [--port|--guarded] [SECONDS [SPINNERS]]
+// --normal: without a real-time priority. --port: each poll writes 13 bytes to a pseudo-terminal, as a
+// Kobuki's does; --guarded: the same, with a guardian.
 // Asked: 2 ms in 999 of 1000 alone, 10 ms beside four spinners where real-time rights are given. A measurement,
 // not a test: it judges nothing.
 #include <algorithm>
@@ -26,6 +28,9 @@
 #include "components/robot_base/driver_registry.hpp"
 #include "runtime/host/host.hpp"
 #include "runtime/host/real_time.hpp"
+#include "runtime/serial/guarded_port.hpp"
+#include "runtime/serial/pseudo_terminal.hpp"
+#include "runtime/temporary_folder.hpp"
 #include "tests/benchmarks/commanded_base.hpp"
 
 namespace bw {
@@ -36,6 +41,33 @@ using Clock = std::chrono::steady_clock;
 std::vector<Clock::time_point>& polls() {
   static std::vector<Clock::time_point> all;
   return all;
+}
+
+/// Who reads it, and the port; the guardian's stop frame is as good as any for nobody.
+struct Cable {
+  explicit Cable(bool is_guarded) : device(folder.path() / "cable") {
+    device.update({});
+    auto serial = std::make_unique<SerialPort>(PortOptions{.port = (folder.path() / "cable").string()});
+    if (is_guarded)
+      port = std::make_unique<GuardedPort>(std::move(serial), kBytes);
+    else
+      port = std::move(serial);
+  }
+  void exchange(Time now) {
+    device.update(now);
+    static_cast<void>(device.read());
+    if (port->update(now).is_open) written += port->write(kBytes) ? 1U : 0U;
+  }
+
+  inline static const std::vector<std::uint8_t> kBytes = std::vector<std::uint8_t>(13, 0xaa);
+  TemporaryFolder folder;
+  PseudoTerminal device;
+  std::unique_ptr<ByteLink> port;
+  std::size_t written = 0;
+};
+std::unique_ptr<Cable>& cable() {
+  static std::unique_ptr<Cable> one;
+  return one;
 }
 
 struct TimedDriverOptions {
@@ -49,6 +81,7 @@ class TimedDriver final : public Driver {
   TimedDriver(const TimedDriverOptions&, const DriverContext&) {}
   Readings poll(Time now) override {
     polls().push_back(Clock::now());
+    if (cable()) cable()->exchange(now);
     ticks_ += wheels_.left * 0.01 * 5385.0;  // ticks a metre of the generic robot
     Readings readings;
     const auto ticks = static_cast<std::int32_t>(ticks_);
@@ -99,6 +132,8 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--normal") == 0)
       is_normal = true;
+    else if (std::strcmp(argv[i], "--port") == 0 || std::strcmp(argv[i], "--guarded") == 0)
+      bw::cable() = std::make_unique<bw::Cable>(std::strcmp(argv[i], "--guarded") == 0);
     else
       numbers.push_back(std::atof(argv[i]));
   }
@@ -119,6 +154,7 @@ int main(int argc, char** argv) {
     const double before = bw::cpu_seconds();
     host.run(bw::Duration::seconds(seconds));
     bw::report(bw::cpu_seconds() - before, seconds);
+    if (bw::cable()) std::printf("%zu writes\n", bw::cable()->written);
   }
   for (const pid_t child : children) {
     kill(child, SIGKILL);

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,6 +19,7 @@
 #include "runtime/host/real_time.hpp"
 #include "runtime/temporary_folder.hpp"
 #include "tests/faults/emulated_kobuki.hpp"
+#include "tests/faults/guardian_of.hpp"
 #include "tests/faults/outside_driver.hpp"
 #include "tests/interop/process.hpp"
 
@@ -32,18 +32,6 @@ constexpr double kSpeed = 0.5;  // [m/s]
 const std::map<std::string, int> kSignals = {{"KILL", SIGKILL}, {"STOP", SIGSTOP},    {"ABRT", SIGABRT},
                                              {"SEGV", SIGSEGV}, {"TERM", SIGTERM},    {"INT", SIGINT},
                                              {"HUP", SIGHUP},   {"guardian", SIGKILL}};
-
-/// The guardian that process `parent` started; -1: there is none.
-pid_t guardian_of(pid_t parent) {
-  const std::string wanted = std::string("bandwagon_port_guardian") + '\0' + std::to_string(parent) + '\0';
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
-    std::string words;
-    std::getline(std::ifstream(entry.path() / "cmdline"), words);  // nothing of one that ends meanwhile
-    if (words.starts_with(wanted)) return std::atoi(entry.path().filename().c_str());
-  }
-  return -1;
-}
 
 struct Figures {
   std::vector<double> stop_ms, rest_ms;

@@ -17,6 +17,7 @@
 
 #include "runtime/dds/loopback_sockets.hpp"
 #include "runtime/dds/participant.hpp"
+#include "tests/interop/eventually.hpp"
 #include "tests/shared_memory.hpp"
 
 namespace bw::dds {
@@ -205,6 +206,21 @@ TEST_P(Alone, SeesNobodyAndNobodySeesIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Transports, Alone, testing::Values(Transport::localhost, Transport::lan));
+
+// 4 s is what every participant of this project announces (participant_qos).
+TEST(Participant, TellsTheLeaseOfARemoteWriterAsLongAsItIsThere) {
+  Participant one(local()), two(local());
+  const EndpointOptions number{
+      .topic = "rt/a", .type = "std_msgs::msg::dds_::String_", .qos = {}, .user_data = {}};
+  const auto own = one.create_writer(number);
+  auto writer = two.create_writer(number);
+  const Guid guid = writer->guid();
+  EXPECT_TRUE(bw::test::eventually([&] { return one.lease_of(guid).has_value(); }));
+  EXPECT_EQ(one.lease_of(guid), Duration::milliseconds(4000));
+  EXPECT_EQ(one.lease_of(own->guid()), std::nullopt);
+  writer.reset();
+  EXPECT_TRUE(bw::test::eventually([&] { return !one.lease_of(guid).has_value(); }));
+}
 
 TEST(Participant, ASecondTypeOnATopicIsRefused) {
   Participant participant(local());

@@ -107,6 +107,27 @@ class Announcement : public testing::Test {
   std::unique_ptr<NodeAnnouncement> announcement;  ///< ends before what it uses
 };
 
+// Of the thread that looks around: its owner hears of it on a thread of the owner's, once.
+TEST_F(Announcement, WhatItsThreadThrowsIsThrownToItsOwner) {
+  announcement = std::make_unique<NodeAnnouncement>(
+      participant, AnnouncementOptions{.distro = RosDistro::humble, .warn = [](const std::string& text) {
+                                         throw std::runtime_error("cannot say: " + text);
+                                       }});
+  const Other other(kHash);
+  std::string what;
+  const auto is_thrown = [&] {
+    try {
+      announcement->rethrow();
+    } catch (const std::runtime_error& error) {
+      what = error.what();
+    }
+    return !what.empty();
+  };
+  ASSERT_TRUE(eventually(is_thrown));
+  EXPECT_THAT(what, HasSubstr("cannot say: this domain has processes of ROS 2 Iron or later"));
+  EXPECT_NO_THROW(announcement->rethrow());
+}
+
 TEST_F(Announcement, IsForJazzyWhereNobodyIs) {
   announce(RosDistro::automatic);
   EXPECT_EQ(announcement->distro(), std::nullopt);

@@ -103,6 +103,7 @@ void EmergencyStopFile::keep(const EmergencyStop::Record& record) {
     next_ = record;
   }
   if (!jobs_) jobs_ = std::make_unique<BackgroundJobs>();
+  jobs_->rethrow();
   jobs_->add([this] { write(); });
 }
 

@@ -76,7 +76,7 @@ void EmergencyStopInputs::keep() {
 }
 
 std::optional<std::string> EmergencyStopInputs::refusal() const {
-  return stop_.refusal([this](const auto& writer) { return writers_->is_there(writer); });
+  return stop_.refusal([this](const auto& writer) { return writers_->lease_of(writer); });
 }
 
 std::string EmergencyStopInputs::release() {

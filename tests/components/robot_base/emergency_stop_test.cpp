@@ -15,8 +15,8 @@ using Writer = EmergencyStop::Writer;
 Time at(double seconds) { return Time::seconds(1000.0 + seconds); }
 Writer writer(int i) { return {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i >> 8)}; }
 const Writer kA = writer(1), kB = writer(2);
-bool everybody(const Writer&) { return true; }
-bool nobody(const Writer&) { return false; }
+std::optional<Duration> everybody(const Writer&) { return Duration{}; }
+std::optional<Duration> nobody(const Writer&) { return std::nullopt; }
 
 TEST(EmergencyStop, AFalseFirstLatchesNothing) {
   EmergencyStop stop;
@@ -47,7 +47,8 @@ TEST(EmergencyStop, WhoHasLeftDoesNotRefuseAndIsNamed) {
   EmergencyStop stop;
   stop.hear(at(0.0), kA, "/a", true);
   stop.hear(at(0.1), kB, "/b", true);
-  EXPECT_EQ(stop.refusal([](const Writer& w) { return w == kB; }), "the emergency stop is pressed by /b");
+  EXPECT_EQ(stop.refusal([](const Writer& w) { return w == kB ? std::optional(Duration{}) : std::nullopt; }),
+            "the emergency stop is pressed by /b");
   stop.hear(at(0.2), kB, "/b", false);
   EXPECT_EQ(stop.refusal(nobody), std::nullopt);
   EXPECT_EQ(stop.release(), "/a pressed the emergency stop and has left");
@@ -65,6 +66,26 @@ TEST(EmergencyStop, AThousandWhoPressAreAsManyButtons) {
   EXPECT_EQ(*stop.refusal(everybody), "the emergency stop is pressed by /n999");
   stop.hear(at(3.0), writer(999), "", false);
   EXPECT_EQ(stop.refusal(everybody), std::nullopt);
+}
+
+// A killed process has said nothing: for its lease it counts as there, which who asks for a release has to
+// know. Of several the longest counts; 1.5 s is told as 2, and a lease without an end as one.
+TEST(EmergencyStop, ARefusalSaysForHowLongWhoWasKilledCountsAsThere) {
+  EmergencyStop stop;
+  stop.hear(at(0.0), kA, "/a", true);
+  const auto leases = [](Duration of_a, Duration of_b) {
+    return [=](const Writer& w) { return std::optional(w == kA ? of_a : of_b); };
+  };
+  EXPECT_EQ(stop.refusal(leases(Duration::seconds(1.5), {})),
+            "the emergency stop is pressed by /a; one that was killed counts as there for 2 s after that");
+  stop.hear(at(0.0), kB, "/b", true);
+  EXPECT_EQ(
+      stop.refusal(leases(Duration::seconds(4.0), Duration::seconds(20.0))),
+      "the emergency stop is pressed by /a, /b; one that was killed counts as there for 20 s after that");
+  const Duration no_end{std::numeric_limits<std::int64_t>::max()};
+  EXPECT_EQ(
+      stop.refusal(leases(Duration::seconds(4.0), no_end)),
+      "the emergency stop is pressed by /a, /b; one that was killed counts as there until this base is started anew");
 }
 
 TEST(EmergencyStop, ANameThatComesLateIsToldOfLater) {
@@ -147,7 +168,9 @@ TEST(EmergencyStop, EverySequenceOfSixEventsKeepsTheRule) {
     for (int i = 0, rest = code; i < kDepth; ++i, rest /= kEvents) {
       const int event = rest % kEvents;
       const Time now = at(0.01 * i);
-      const auto is_there = [&](const Writer& w) { return !(has_left && w == kA); };
+      const auto lease_of = [&](const Writer& w) {
+        return has_left && w == kA ? std::nullopt : std::optional(Duration{});
+      };
       if (event <= 1 && !(event == 0 && has_left)) {
         stop.hear(now, event == 0 ? kA : kB, event == 0 ? "/a" : "/b", true);
         down.insert(event);
@@ -159,7 +182,7 @@ TEST(EmergencyStop, EverySequenceOfSixEventsKeepsTheRule) {
         has_left = true;
       } else if (event == 5) {
         const bool is_refused = down.contains(1) || (down.contains(0) && !has_left);
-        ASSERT_EQ(stop.refusal(is_there).has_value(), is_refused) << code;
+        ASSERT_EQ(stop.refusal(lease_of).has_value(), is_refused) << code;
         if (!is_refused) {
           const std::string said = stop.release();
           ASSERT_EQ(said.empty(), !down.contains(0)) << code << said;

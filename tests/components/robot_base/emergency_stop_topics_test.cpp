@@ -1,5 +1,6 @@
 // The emergency stop of robot_base on its topics: through every state of the component in lock-step, and over a restart in real
 // time, pressed by writers that keep their samples and by some that do not.
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -22,6 +23,7 @@
 #include "runtime/ros/service_call.hpp"
 #include "tests/components/component_rig.hpp"
 #include "tests/interop/eventually.hpp"
+#include "tests/interop/process.hpp"
 
 namespace bw {
 namespace {
@@ -324,6 +326,25 @@ TEST_F(EmergencyStopRestart, WhoPressedAndLeftDoesNotRefuseTheRelease) {
     EXPECT_THAT(answer, HasSubstr("pressed the emergency stop and has left"));
     stop();
   }
+}
+
+// It says nothing when it goes: until its lease is over, 4 s for a participant of this project, the answer
+// names it and says for how long.
+TEST_F(EmergencyStopRestart, WhoPressedAndWasKilledRefusesTheReleaseForItsLease) {
+  test::Process button({PRESSED_BUTTON});
+  start();
+  ASSERT_TRUE(says(HasSubstr("is pressed by /panel")));
+  const std::string refusal =
+      "no: the emergency stop is pressed by /panel; one that was killed counts as there for 4 s after that";
+  EXPECT_EQ(release(), refusal);
+  button.signal(SIGKILL);
+  std::string answer;
+  EXPECT_TRUE(test::eventually([&] {
+    answer = release();
+    return answer != refusal;
+  }));
+  EXPECT_THAT(answer, testing::AllOf(StartsWith("yes: "),
+                                     HasSubstr("/panel pressed the emergency stop and has left")));
 }
 
 TEST_F(EmergencyStopRestart, AButtonThatKeepsItsSampleIsHeardByWhoComesLater) {

@@ -196,6 +196,24 @@ TEST(FlightRecorder, ADiskThatFailsEndsASnapshotAndTheNextOneTriesAnew) {
   EXPECT_THAT(messages(*open_bag(folder / "misses/9000_alarm")), SizeIs(31 + 1));
 }
 
+// Linux takes no name longer than 255 bytes, and refuses to look whether it is there. In lock-step that was
+// thrown to whoever wrote the message, and in real time it ended the process.
+TEST(FlightRecorder, ANameThatCannotBeLookedForEndsTheSnapshotAlone) {
+  const mcap::Folder folder;
+  const Talker run;
+  for (const bool waits : {true, false}) {
+    FlightRecorderOptions long_name = options(folder);
+    long_name.waits = waits;
+    long_name.events.front().name = std::string(300, 'a');
+    FlightRecorder recorder(long_name);
+    recorder.connect(run.outputs());
+    drive(recorder, run, 0, 60, {50});
+    recorder.close();
+    EXPECT_THAT(recorder.status().error, HasSubstr("File name too long")) << waits;
+  }
+  EXPECT_TRUE(names_in(folder / "misses").empty());
+}
+
 TEST(FlightRecorder, OnAThreadOfItsOwnItWritesTheSame) {
   const mcap::Folder folder;
   const Talker run;

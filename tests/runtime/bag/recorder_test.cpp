@@ -93,6 +93,32 @@ TEST(Recorder, WritesEverythingInOrder) {
   }
 }
 
+// On the writing thread, which the second message makes write the chunk of the first.
+TEST(Recorder, WhatIsNoExceptionEndsTheRecordingAndNotTheProcess) {
+  class Odd final : public ByteSink {
+   public:
+    void write(BytesView bytes) override {
+      if (bytes.size() > 500'000) throw 7;
+      size_ += bytes.size();
+    }
+    void sync() override {}
+    std::uint64_t size() const override { return size_; }
+
+   private:
+    std::atomic<std::uint64_t> size_ = 0;
+  };
+  const mcap::Folder folder;
+  RecorderOptions options{.queue_size = 2'500'000};
+  options.writer.compression = Compression::none;
+  options.writer.create = [](const std::filesystem::path&) { return std::make_unique<Odd>(); };
+  Recorder recorder(folder / "a.mcap", options);
+  const std::size_t a = recorder.add_topic(topic("/a"));
+  const std::string megabyte(1'000'000, 'm');
+  for (std::int64_t i = 0; i < 2; ++i) recorder.record(a, {i}, {i}, mcap::as_bytes(megabyte));
+  recorder.close();
+  EXPECT_EQ(recorder.status().error, "something that is no std::exception");
+}
+
 TEST(Recorder, DropsAndCountsWhileTheDiskIsStuck) {
   const mcap::Folder folder;
   auto gate = std::make_shared<StuckDisk::Gate>();

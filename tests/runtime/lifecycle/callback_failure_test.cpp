@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
 #include <std_srvs/srv/trigger.hpp>
 
 #include "tests/runtime/lifecycle/scripted_graph.hpp"
@@ -21,7 +22,8 @@ class CallbackFailure : public testing::TestWithParam<ClockMode> {
   /// `a`, `b` and `c`, of which `b` does what it likes; how it ended.
   RunEnd run_with(
       const std::function<void(bw::Setup&)>& configure,
-      const std::function<void(const Tick&)>& deactivate = [](const Tick&) {}) {
+      const std::function<void(const Tick&)>& deactivate = [](const Tick&) {},
+      const std::shared_ptr<SampleTap>& tap = nullptr) {
     ScriptedGraph g;
     g.add(ComponentNode{.name = "a", .lane = "a"}, [this] {
       Script script = talker(events_, "a");
@@ -38,7 +40,7 @@ class CallbackFailure : public testing::TestWithParam<ClockMode> {
                     }};
     });
     g.add(ComponentNode{.name = "c", .lane = "b"}, [this] { return talker(events_, "c"); });
-    Host host(g.graph, {.clock = GetParam()});
+    Host host(g.graph, {.clock = GetParam(), .tap = tap});
     const RunEnd end = host.run(Duration::seconds(20.0));
     std::erase_if(events_, [](const std::string& event) { return !event.starts_with("deactivate"); });
     return end;
@@ -110,6 +112,57 @@ TEST_P(CallbackFailure, ThrowingAtAnOrderlyEndKeepsNobodyFromTheirs) {
       [](const Tick&) { throw std::runtime_error("stuck"); });
   EXPECT_EQ(end.reason, "b failed at the end: stuck");
   EXPECT_THAT(events_, ElementsAre("deactivate c", "deactivate b", "deactivate a"));
+}
+
+/// What a run is told by fails as well.
+class FailingLog final : public SampleTap {
+ public:
+  void connect(const std::vector<const OutputEnd*>&) override {}
+  void on_sample(const OutputEnd& output, Time, std::span<const std::uint8_t>) override {
+    if (output.topic == "/rosout") throw std::runtime_error("no space left");
+  }
+};
+
+TEST_P(CallbackFailure, ALogThatFailsTooKeepsNobodyFromTheirs) {
+  const RunEnd end = run_with(
+      timer_that([] { throw std::runtime_error("no such wheel"); }), [](const Tick&) {},
+      std::make_shared<FailingLog>());
+  EXPECT_EQ(end.reason, "b failed in work: no such wheel");
+  EXPECT_THAT(events_, ElementsAre("deactivate b", "deactivate c", "deactivate a"));
+}
+
+// Lanes start when everybody is active. Threads that are to have a stack as large as all of the address space of
+// a process (2^47 bytes) are not to be had.
+TEST(LaneFailure, OfALaneThatCannotBeStartedEndsTheRunWithEverybodyAtRest) {
+  Events events;
+  pthread_attr_t usual;
+  pthread_getattr_default_np(&usual);
+  const auto want_stack = [](std::size_t bytes) {
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, bytes);
+    EXPECT_EQ(pthread_setattr_default_np(&attributes), 0);
+    pthread_attr_destroy(&attributes);
+  };
+  std::size_t usual_size = 0;
+  pthread_attr_getstacksize(&usual, &usual_size);
+  ScriptedGraph g;
+  for (const std::string name : {"a", "b"}) {
+    g.add(ComponentNode{.name = name, .lane = name}, [&, name] {
+      return Script{.activate = [&](const Tick&) { want_stack(std::size_t{1} << 47); },
+                    .deactivate =
+                        [&, name](const Tick&) {
+                          want_stack(usual_size);
+                          events.push_back("deactivate " + name);
+                        }};
+    });
+  }
+  Host host(g.graph, {.clock = ClockMode::wall});
+  const RunEnd end = host.run(Duration::seconds(20.0));
+  want_stack(usual_size);
+  EXPECT_TRUE(end.has_thrown);
+  EXPECT_THAT(end.reason, HasSubstr("cannot be started: Resource temporarily unavailable"));
+  EXPECT_THAT(events, ElementsAre("deactivate b", "deactivate a"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Clocks, CallbackFailure, testing::Values(ClockMode::lockstep, ClockMode::wall),
