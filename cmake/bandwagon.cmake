@@ -5,6 +5,7 @@
 #   bw_component   adapts an algorithm to topics                  components/<name>/adaptor/, components/messages/
 #   bw_tool        benches, experiments, training; no middleware  components/tools/<name>/
 #   bw_verb        a verb of the program `bandwagon`              components/tools/<name>/, runtime/cli/
+#   bw_lab_verb    a verb of the program `bandwagon-lab`          components/tools/<name>/, runtime/cli/
 #   bw_test        one GoogleTest program, one to three CTest entries   tests/
 
 add_library(bw_compile_options INTERFACE)
@@ -79,7 +80,7 @@ function(bw_component name)
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_COMPONENTS bw_component_${name})
 endfunction()
 
-# bw_verb(<name> SOURCES ... [LINK ...]): registers itself with BW_VERB.
+# bw_verb(<name> SOURCES ... [LINK ...]): of the program `bandwagon`; registers itself with BW_VERB.
 function(bw_verb name)
   if(BANDWAGON_ALGORITHMS_ONLY)
     return()
@@ -87,6 +88,16 @@ function(bw_verb name)
   bw_part_of_program(bw_verb_${name} component ${ARGN})
   target_link_libraries(bw_verb_${name} PUBLIC bw_cli)
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_VERBS bw_verb_${name})
+endfunction()
+
+# bw_lab_verb(<name> SOURCES ... [LINK ...]): the same of `bandwagon-lab`, which no robot needs.
+function(bw_lab_verb name)
+  if(BANDWAGON_ALGORITHMS_ONLY)
+    return()
+  endif()
+  bw_part_of_program(bw_verb_${name} component ${ARGN})
+  target_link_libraries(bw_verb_${name} PUBLIC bw_cli)
+  set_property(GLOBAL APPEND PROPERTY BANDWAGON_LAB_VERBS bw_verb_${name})
 endfunction()
 
 # bw_test(<name> SOURCES ... [LINK ...] [DOMAIN <id>] [RECORDED <filter>] [SHORTFALL <filter>] [NOTHING_ELSE]): one GoogleTest program. A
