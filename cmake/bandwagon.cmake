@@ -4,7 +4,7 @@
 #   bw_files       reads and writes files, no middleware          components/files/, components/<name>/files/
 #   bw_component   adapts an algorithm to topics                  components/<name>/adaptor/, components/messages/
 #   bw_tool        benches, experiments, training; no middleware  components/tools/<name>/
-#   bw_verb        a verb of the program `bandwagon`              components/tools/<name>/, runtime/cli/
+#   bw_verb        a verb of `bandwagon` or `bandwagon-lab`       components/tools/<name>/, runtime/cli/
 #   bw_test        one GoogleTest program, one to three CTest entries   tests/
 
 add_library(bw_compile_options INTERFACE)
@@ -82,14 +82,20 @@ function(bw_component name)
   set_property(GLOBAL APPEND PROPERTY BANDWAGON_COMPONENTS bw_component_${name})
 endfunction()
 
-# bw_verb(<name> SOURCES ... [LINK ...]): registers itself with BW_VERB.
+# bw_verb(<name> [LAB] SOURCES ... [LINK ...]): of the program `bandwagon`, or with LAB of `bandwagon-lab`, which no robot needs; registers
+# itself with BW_VERB.
 function(bw_verb name)
   if(BANDWAGON_ALGORITHMS_ONLY)
     return()
   endif()
-  bw_part_of_program(bw_verb_${name} component ${ARGN})
+  cmake_parse_arguments(VERB "LAB" "" "" ${ARGN})
+  bw_part_of_program(bw_verb_${name} component ${VERB_UNPARSED_ARGUMENTS})
   target_link_libraries(bw_verb_${name} PUBLIC bw_cli)
-  set_property(GLOBAL APPEND PROPERTY BANDWAGON_VERBS bw_verb_${name})
+  if(VERB_LAB)
+    set_property(GLOBAL APPEND PROPERTY BANDWAGON_LAB_VERBS bw_verb_${name})
+  else()
+    set_property(GLOBAL APPEND PROPERTY BANDWAGON_VERBS bw_verb_${name})
+  endif()
 endfunction()
 
 # bw_test(<name> SOURCES ... [LINK ...] [RECORDED <filter>] [SHORTFALL <filter>] [NOTHING_ELSE]): one GoogleTest program. A

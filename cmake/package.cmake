@@ -19,9 +19,10 @@ while(exported)
     target_include_directories(${target} SYSTEM INTERFACE $<INSTALL_INTERFACE:${headers}> $<INSTALL_INTERFACE:${headers}/idl>)
   endif()
 endwhile()
+install(TARGETS bandwagon-lab OPTIONAL)  # where it was built
 set_target_properties(bandwagon_runtime bandwagon_idl bw_local_planner bw_robot_base PROPERTIES INSTALL_RPATH $ORIGIN)
 file(RELATIVE_PATH libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
-set_target_properties(bandwagon PROPERTIES INSTALL_RPATH $ORIGIN/${libraries})
+set_target_properties(bandwagon bandwagon-lab PROPERTIES INSTALL_RPATH $ORIGIN/${libraries})
 
 # What a component and its tests include; Fast DDS stays inside.
 install(DIRECTORY runtime DESTINATION ${headers} FILES_MATCHING PATTERN "*.hpp"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# build.sh [PRESET] [program|tests|idl_compiler]: configures and builds a preset (default: release, tests: everything).
+# build.sh [PRESET] [program|lab|tests|idl_compiler]: configures and builds a preset (default: release, tests: everything).
 # A new build folder that is asked for the program alone needs neither GoogleTest nor Benchmark; tests that a folder once had stay.
 set -euo pipefail
 
@@ -18,6 +18,11 @@ case $what in
     targets=(--target bandwagon)
     echo "Building the program, $preset (from scratch: about 8 minutes on two cores) ..."
     ;;
+  lab)
+    $new && options+=(-DBANDWAGON_TESTS=OFF)
+    targets=(--target bandwagon-lab)
+    echo "Building the lab: evaluate, bench, reproduce, bag import, $preset ..."
+    ;;
   idl_compiler)
     $new && options+=(-DBANDWAGON_TESTS=OFF)
     targets=(--target bandwagon_idl_compiler)
@@ -28,7 +33,7 @@ case $what in
     echo "Building the program, its tests and benchmarks, $preset (from scratch: up to 20 minutes on two cores) ..."
     ;;
   *)
-    echo "usage: $0 [PRESET] [program|tests|idl_compiler]" >&2
+    echo "usage: $0 [PRESET] [program|lab|tests|idl_compiler]" >&2
     exit 2
     ;;
 esac

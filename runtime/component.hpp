@@ -31,6 +31,7 @@
 #include "runtime/logger.hpp"
 #include "runtime/parameters/list_parameters.hpp"
 #include "runtime/parameters/read_parameters.hpp"
+#include "runtime/parameters/write_parameters.hpp"
 #include "runtime/ports.hpp"
 #include "runtime/service.hpp"
 #include "runtime/wire/serialization.hpp"

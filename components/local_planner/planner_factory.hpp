@@ -15,7 +15,7 @@
 #include "components/local_planner/teb/prediction_options.hpp"
 #include "components/local_planner/teb/teb_options.hpp"
 #include "components/model/planning.hpp"
-#include "runtime/base/any_fields.hpp"
+#include "runtime/base/any_options.hpp"
 
 namespace bw {
 

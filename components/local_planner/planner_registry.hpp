@@ -20,7 +20,7 @@
 
 #include "components/local_planner/checked_planner.hpp"
 #include "components/model/planning.hpp"
-#include "runtime/base/any_fields.hpp"
+#include "runtime/base/any_options.hpp"
 
 namespace bw {
 

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "components/robot_base/driver.hpp"
-#include "runtime/base/any_fields.hpp"
+#include "runtime/base/any_options.hpp"
 
 namespace bw {
 

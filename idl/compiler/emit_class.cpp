@@ -37,14 +37,25 @@ std::string cpp_type(const Member& member, const Struct& user, const Types& type
 
 bool is_number(const Member& member) { return member.shape == Shape::kSingle && wire_size(member.kind) > 0; }
 
-bool owns_memory(const Struct& type, const Types& types) {
-  return std::any_of(type.members.begin(), type.members.end(), [&](const Member& member) {
-    return member.shape == Shape::kSequence || member.kind == Kind::kString ||
-           (member.kind == Kind::kMessage && owns_memory(nested(types, type, member), types));
-  });
+bool owns_memory(const Struct& type, const Types& types);
+
+bool owns_memory(const Member& member, const Struct& user, const Types& types) {
+  return member.shape == Shape::kSequence || member.kind == Kind::kString ||
+         (member.kind == Kind::kMessage && owns_memory(nested(types, user, member), types));
 }
 
-std::string accessors(const Member& member, const std::string& type) {
+bool owns_memory(const Struct& type, const Types& types) {
+  return std::any_of(type.members.begin(), type.members.end(),
+                     [&](const Member& member) { return owns_memory(member, type, types); });
+}
+
+/// Whether its setters are compiled once, not by each user: they instantiate the assignment of a vector.
+bool has_setters_apart(const Member& member, const Struct& user, const Types& types) {
+  return member.shape == Shape::kSequence ||
+         (member.kind == Kind::kMessage && owns_memory(member, user, types));
+}
+
+std::string accessors(const Member& member, const std::string& type, bool has_setters_apart) {
   const std::string& name = member.name;
   const std::string field = name + "_";
   const std::string refer = "  " + type + "& " + name + "() { return " + field + "; }\n";
@@ -52,9 +63,14 @@ std::string accessors(const Member& member, const std::string& type) {
     return "  [[nodiscard]] " + type + " " + name + "() const { return " + field + "; }\n" + refer +
            "  void " + name + "(" + type + " to) { " + field + " = to; }\n";
   }
-  return "  [[nodiscard]] const " + type + "& " + name + "() const { return " + field + "; }\n" + refer +
-         "  void " + name + "(const " + type + "& to) { " + field + " = to; }\n  void " + name + "(" + type +
-         "&& to) { " + field + " = std::move(to); }\n";
+  const std::string readers =
+      "  [[nodiscard]] const " + type + "& " + name + "() const { return " + field + "; }\n" + refer;
+  if (has_setters_apart) {
+    return readers + "  void " + name + "(const " + type + "& to);\n  void " + name + "(" + type +
+           "&& to);\n";
+  }
+  return readers + "  void " + name + "(const " + type + "& to) { " + field + " = to; }\n  void " + name +
+         "(" + type + "&& to) { " + field + " = std::move(to); }\n";
 }
 
 std::string open_namespace(const Interface& interface) {
@@ -108,7 +124,7 @@ std::string class_definition(const Struct& type, const Types& types) {
   std::string fields;
   for (const Member& member : type.members) {
     const std::string type_of_member = cpp_type(member, type, types);
-    out += accessors(member, type_of_member);
+    out += accessors(member, type_of_member, has_setters_apart(member, type, types));
     visits += " f(" + member.name + "_);";
     fields += "  " + type_of_member + " " + member.name + "_{};\n";
   }
@@ -140,10 +156,18 @@ std::string special_members(const Struct& type, const Types& types) {
   if (!owns_memory(type, types)) return "";
   const std::string& name = type.name;
   const std::string scope = name + "::";
+  std::string setters;
+  for (const Member& member : type.members) {
+    if (!has_setters_apart(member, type, types)) continue;
+    const std::string head = "void " + scope + member.name + "(";
+    const std::string type_of_member = cpp_type(member, type, types);
+    setters += head + "const " + type_of_member + "& to) { " + member.name + "_ = to; }\n" + head +
+               type_of_member + "&& to) { " + member.name + "_ = std::move(to); }\n";
+  }
   return open_namespace(type) + scope + name + "() = default;\n" + scope + "~" + name + "() = default;\n" +
          scope + name + "(const " + name + "&) = default;\n" + scope + name + "(" + name +
          "&&) noexcept = default;\n" + name + "& " + scope + "operator=(const " + name + "&) = default;\n" +
-         name + "& " + scope + "operator=(" + name + "&&) noexcept = default;\n}\n";
+         name + "& " + scope + "operator=(" + name + "&&) noexcept = default;\n" + setters + "}\n";
 }
 
 }  // namespace bw::idl

@@ -18,8 +18,8 @@ namespace bw::idl {
 /// struct GetState { using Request = GetState_Request; ... }; likewise of an action. Empty for a message.
 [[nodiscard]] std::string interface_definition(const Interface& interface);
 
-/// Constructors, destructor and assignments of a class that owns memory: compiled once, not by each user. Empty for
-/// a class of numbers alone, whose own are trivial.
+/// Constructors, destructor, assignments, and setters of what owns memory: compiled once, not by each user. Empty for a
+/// class of numbers alone, whose own are trivial.
 [[nodiscard]] std::string special_members(const Struct& type, const Types& types);
 
 }  // namespace bw::idl

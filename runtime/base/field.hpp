@@ -15,20 +15,37 @@
 // here is theirs. Plain C++ only: algorithms include this header.
 #pragma once
 
+#include <cstddef>
+#include <initializer_list>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <vector>
 
 namespace bw {
 
+/// Texts that somebody else holds: a list in braces, or a vector, for as long as the call of the visitor lasts.
+class Texts {
+ public:
+  Texts() = default;
+  Texts(std::initializer_list<std::string_view> texts) : texts_(texts.begin(), texts.size()) {}
+  Texts(const std::vector<std::string_view>& texts) : texts_(texts) {}
+
+  bool empty() const { return texts_.empty(); }
+  std::vector<std::string_view> all() const { return {texts_.begin(), texts_.end()}; }
+
+ private:
+  std::span<const std::string_view> texts_;
+};
+
 struct Field {
   std::string_view unit = {};                             ///< SI unit, empty when dimensionless
   double min = -std::numeric_limits<double>::infinity();  ///< smallest allowed number, inclusive
   double max = std::numeric_limits<double>::infinity();   ///< largest allowed number, inclusive
-  bool infinity = false;  ///< .inf and -.inf are numbers here, as far as min and max allow
-  std::vector<std::string_view> choices = {};  ///< allowed texts of a string; empty: any
-  bool path = false;                           ///< a file, read as relative to the YAML that names it
-  std::string_view doc = {};                   ///< one line: what it does, when to raise it
+  bool infinity = false;      ///< .inf and -.inf are numbers here, as far as min and max allow
+  Texts choices = {};         ///< allowed texts of a string; empty: any
+  bool path = false;          ///< a file, read as relative to the YAML that names it
+  std::string_view doc = {};  ///< one line: what it does, when to raise it
 };
 
 }  // namespace bw

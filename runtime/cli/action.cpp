@@ -5,7 +5,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -212,36 +211,33 @@ int send(ActionOptions options) {
   return GoalOfTheShell(options, layout, session).drive(request);
 }
 
-CLI::App* add_action(CLI::App& app, int& status) {
+void add_action(Verb action) {
   auto options = std::make_shared<ActionOptions>();
-  CLI::App* action = app.add_subcommand("action", "Actions on the wire")->require_subcommand(1);
-  CLI::App* list_verb = action->add_subcommand("list", "Names of all actions");
-  list_verb->add_flag("-t,--show-types", options->types, "With types");
-  list_verb->add_flag("--json", options->json, "As JSON");
-  list_verb->callback([options] { list(*options); });
-  CLI::App* info_verb = action->add_subcommand("info", "Type, servers and clients of an action");
-  info_verb->add_option("ACTION", options->name, "Name, such as /navigate_to_pose")->required();
-  info_verb->callback([options] { info(*options); });
-  CLI::App* send_verb = action->add_subcommand(
+  Verb list_verb = action.verb("list", "Names of all actions");
+  list_verb.flag("-t,--show-types", options->types, "With types");
+  list_verb.flag("--json", options->json, "As JSON");
+  list_verb.run([options] { list(*options); });
+  Verb info_verb = action.verb("info", "Type, servers and clients of an action");
+  info_verb.option("ACTION", options->name, "Name, such as /navigate_to_pose").required();
+  info_verb.run([options] { info(*options); });
+  Verb send_verb = action.verb(
       "send",
       "Sends a goal and prints its result; Ctrl-C cancels it and waits. Exit status 0 if it succeeded, else 1");
-  send_verb->alias("send_goal");
-  send_verb->add_option("ACTION", options->name, "Name, such as /navigate_to_pose")->required();
-  send_verb->add_option("TYPE", options->type,
-                        "Type, such as nav2_msgs/action/NavigateToPose; default: as offered");
-  send_verb->add_option("GOAL", options->goal, "Its fields as YAML; what is not given is zero");
-  send_verb->add_flag("-f,--feedback", options->feedback, "Prints the feedback");
-  send_verb->add_option("--timeout", options->timeout_s, "Longest wait for the server's acknowledgement [s]");
-  send_verb->add_option(
-      "--distro", options->distro,
-      "Whose nav2_msgs the server has where it tells no type hash, as in Humble: humble, jazzy, "
-      "kilted, lyrical; default: ROS_DISTRO, or jazzy");
-  send_verb->callback([options, &status] { status = send(*options); });
-  return action;
+  send_verb.alias("send_goal");
+  send_verb.option("ACTION", options->name, "Name, such as /navigate_to_pose").required();
+  send_verb.option("TYPE", options->type,
+                   "Type, such as nav2_msgs/action/NavigateToPose; default: as offered");
+  send_verb.option("GOAL", options->goal, "Its fields as YAML; what is not given is zero");
+  send_verb.flag("-f,--feedback", options->feedback, "Prints the feedback");
+  send_verb.option("--timeout", options->timeout_s, "Longest wait for the server's acknowledgement [s]");
+  send_verb.option("--distro", options->distro,
+                   "Whose nav2_msgs the server has where it tells no type hash, as in Humble: humble, jazzy, "
+                   "kilted, lyrical; default: ROS_DISTRO, or jazzy");
+  send_verb.run([options] { return send(*options); });
 }
 
 }  // namespace
 
-BW_VERB(look, "action", add_action)
+BW_VERB(look, "action", "Actions on the wire", add_action)
 
 }  // namespace bw::cli

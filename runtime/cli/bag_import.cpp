@@ -1,5 +1,4 @@
-#include "runtime/cli/bag_import.hpp"
-
+// bandwagon-lab bag import: a bag of tables.
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,6 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "runtime/bag/log_record.hpp"
+#include "runtime/cli/verb.hpp"
 #include "runtime/import/imported_bag.hpp"
 
 namespace bw::cli {
@@ -40,7 +41,7 @@ void print(const imports::ImportedLog& log, const std::filesystem::path& out) {
 
 nlohmann::json to_json(const imports::ImportedLog& log, const std::filesystem::path& out) {
   nlohmann::json json = {{"bag", out.string()},
-                         {"log", log.metadata.at(imports::kLogRecord)},
+                         {"log", log.metadata.at(bag::kLogRecord)},
                          {"messages", log.messages.size()},
                          {"tables", nlohmann::json::array()}};
   for (const imports::TopicImport& topic : log.report) {
@@ -71,17 +72,18 @@ void run(const ImportOptions& options) {
   }
 }
 
+void add_bag(Verb bag) {
+  auto options = std::make_shared<ImportOptions>();
+  Verb verb = bag.verb("import", "A bag of CSV or white-space tables (config/imports/README.md)");
+  verb.option("TABLE", options->tables, "Tables, or the folder that they are in").required();
+  verb.option("--columns", options->columns, "Which column is which field of which message").required();
+  verb.option("--out", options->out, "New .mcap file, or a folder; else NAME.mcap by the log's name");
+  verb.flag("--json", options->json, "What was imported, as JSON");
+  verb.run([options] { run(*options); });
+}
+
 }  // namespace
 
-void add_bag_import(CLI::App& bag) {
-  auto options = std::make_shared<ImportOptions>();
-  CLI::App* verb =
-      bag.add_subcommand("import", "A bag of CSV or white-space tables (config/imports/README.md)");
-  verb->add_option("TABLE", options->tables, "Tables, or the folder that they are in")->required();
-  verb->add_option("--columns", options->columns, "Which column is which field of which message")->required();
-  verb->add_option("--out", options->out, "New .mcap file, or a folder; else NAME.mcap by the log's name");
-  verb->add_flag("--json", options->json, "What was imported, as JSON");
-  verb->callback([options] { run(*options); });
-}
+BW_VERB(look, "bag", "Recorded bags, made of tables", add_bag)
 
 }  // namespace bw::cli

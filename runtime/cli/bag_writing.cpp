@@ -34,12 +34,12 @@ Duration duration_option(const std::string& option, const std::string& text) {
   return *duration;
 }
 
-void BagWriting::add_to(CLI::App& verb) {
-  verb.add_option("-b,--split-size", split_size, "Recording: a new file begins beyond this, such as 100MB");
-  verb.add_option("-d,--split-duration", split_duration, "Recording: or after this time, such as 10min");
-  verb.add_option("--max-size", max_size, "Recording: the oldest files go, so that all stay below this");
-  verb.add_option("--compression", compression, "Of the recording: zstd, lz4 or none")
-      ->check(CLI::IsMember({"zstd", "lz4", "none"}));
+void BagWriting::add_to(Verb verb) {
+  verb.option("-b,--split-size", split_size, "Recording: a new file begins beyond this, such as 100MB");
+  verb.option("-d,--split-duration", split_duration, "Recording: or after this time, such as 10min");
+  verb.option("--max-size", max_size, "Recording: the oldest files go, so that all stay below this");
+  verb.option("--compression", compression, "Of the recording: zstd, lz4 or none")
+      .one_of({"zstd", "lz4", "none"});
 }
 
 bag::BagWriterOptions BagWriting::options(const std::string& path) const {

@@ -3,9 +3,8 @@
 
 #include <string>
 
-#include <CLI/App.hpp>
-
 #include "runtime/bag/bag_writer.hpp"
+#include "runtime/cli/verb.hpp"
 
 namespace bw::cli {
 
@@ -15,7 +14,7 @@ struct BagWriting {
   std::string max_size;
   std::string compression = "zstd";
 
-  void add_to(CLI::App& verb);
+  void add_to(Verb verb);
   [[nodiscard]] bool splits() const {
     return !split_size.empty() || !split_duration.empty() || !max_size.empty();
   }

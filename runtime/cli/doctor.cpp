@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <sys/socket.h>
 
@@ -119,21 +118,19 @@ int examine(const DoctorOptions& options) {
   return report.status();
 }
 
-CLI::App* add_doctor(CLI::App& app, int& status) {
+void add_doctor(Verb doctor) {
   auto options = std::make_shared<DoctorOptions>();
-  CLI::App* doctor = app.add_subcommand(
-      "doctor",
-      "Checks this machine: sockets, discovery, buffers, leftovers, serial ports, real-time rights");
-  doctor->add_flag("--ports", options->ports, "Only serial ports and real-time rights");
-  CLI::Option* graph = doctor->add_option(
-      "--graph", options->graph, "Only whether the ports of its robot can be opened; status 1 when not");
-  doctor->add_option("--set", options->set, "component.param=value")->allow_extra_args(false)->needs(graph);
-  doctor->callback([options, &status] { status = examine(*options); });
-  return doctor;
+  doctor.flag("--ports", options->ports, "Only serial ports and real-time rights");
+  const Option graph = doctor.option("--graph", options->graph,
+                                     "Only whether the ports of its robot can be opened; status 1 when not");
+  doctor.option("--set", options->set, "component.param=value").one_each_time().needs(graph);
+  doctor.run([options] { return examine(*options); });
 }
 
 }  // namespace
 
-BW_VERB(look, "doctor", add_doctor)
+BW_VERB(look, "doctor",
+        "Checks this machine: sockets, discovery, buffers, leftovers, serial ports, real-time rights",
+        add_doctor)
 
 }  // namespace bw::cli

@@ -1,7 +1,6 @@
 #include <iostream>
 #include <memory>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "runtime/cli/emulate_option.hpp"
@@ -41,20 +40,18 @@ void show(const GraphOptions& options) {
   }
 }
 
-CLI::App* add_graph(CLI::App& app, int&) {
+void add_graph(Verb graph) {
   auto options = std::make_shared<GraphOptions>();
-  CLI::App* graph = app.add_subcommand("graph", "Checks a graph file and shows its components and topics");
-  graph->add_option("GRAPH", options->path, "Graph file")->required();
-  graph->add_option("--set", options->set, "component.param=value")->allow_extra_args(false);
-  graph->add_flag("--emulate", options->emulate, kEmulateHelp);
-  graph->add_flag("--dot", options->dot, "As a Graphviz picture");
-  graph->add_flag("--processes", options->processes, "Only the names of its processes");
-  graph->callback([options] { show(*options); });
-  return graph;
+  graph.option("GRAPH", options->path, "Graph file").required();
+  graph.option("--set", options->set, "component.param=value").one_each_time();
+  graph.flag("--emulate", options->emulate, kEmulateHelp);
+  graph.flag("--dot", options->dot, "As a Graphviz picture");
+  graph.flag("--processes", options->processes, "Only the names of its processes");
+  graph.run([options] { show(*options); });
 }
 
 }  // namespace
 
-BW_VERB(look, "graph", add_graph)
+BW_VERB(look, "graph", "Checks a graph file and shows its components and topics", add_graph)
 
 }  // namespace bw::cli

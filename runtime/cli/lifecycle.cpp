@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <lifecycle_msgs/srv/change_state.hpp>
 #include <lifecycle_msgs/srv/get_available_transitions.hpp>
@@ -133,30 +132,27 @@ int set(const LifecycleOptions& options) {
   return 0;
 }
 
-CLI::App* add_lifecycle(CLI::App& app, int& status) {
+void add_lifecycle(Verb lifecycle) {
   auto options = std::make_shared<LifecycleOptions>();
-  CLI::App* lifecycle = app.add_subcommand("lifecycle", "States of managed nodes")->require_subcommand(1);
-  lifecycle->add_subcommand("nodes", "Nodes that have a lifecycle")->callback([] { nodes(); });
-  CLI::App* get_verb = lifecycle->add_subcommand("get", "State of a node, or of all");
-  get_verb->add_option("NODE", options->node, "Full name");
-  get_verb->callback([options] { get(*options); });
-  CLI::App* list_verb = lifecycle->add_subcommand("list", "Transitions that a node has now");
-  list_verb->add_option("NODE", options->node, "Full name")->required();
-  list_verb->add_flag("-a,--all", options->all, "The whole graph of transitions");
-  list_verb->callback([options] { list(*options); });
-  CLI::App* set_verb =
-      lifecycle->add_subcommand("set", "Asks a node for a transition; exit status 1 when it failed");
-  set_verb->add_option("NODE", options->node, "Full name")->required();
+  lifecycle.verb("nodes", "Nodes that have a lifecycle").run([] { nodes(); });
+  Verb get_verb = lifecycle.verb("get", "State of a node, or of all");
+  get_verb.option("NODE", options->node, "Full name");
+  get_verb.run([options] { get(*options); });
+  Verb list_verb = lifecycle.verb("list", "Transitions that a node has now");
+  list_verb.option("NODE", options->node, "Full name").required();
+  list_verb.flag("-a,--all", options->all, "The whole graph of transitions");
+  list_verb.run([options] { list(*options); });
+  Verb set_verb = lifecycle.verb("set", "Asks a node for a transition; exit status 1 when it failed");
+  set_verb.option("NODE", options->node, "Full name").required();
   set_verb
-      ->add_option("TRANSITION", options->transition,
-                   "configure, activate, deactivate, cleanup, shutdown, or its number")
-      ->required();
-  set_verb->callback([options, &status] { status = set(*options); });
-  return lifecycle;
+      .option("TRANSITION", options->transition,
+              "configure, activate, deactivate, cleanup, shutdown, or its number")
+      .required();
+  set_verb.run([options] { return set(*options); });
 }
 
 }  // namespace
 
-BW_VERB(look, "lifecycle", add_lifecycle)
+BW_VERB(look, "lifecycle", "States of managed nodes", add_lifecycle)
 
 }  // namespace bw::cli

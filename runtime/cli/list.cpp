@@ -6,14 +6,14 @@
 namespace bw::cli {
 namespace {
 
-CLI::App* add_list(CLI::App& app, int&) {
-  return app.add_subcommand("list", "Component types this program knows")->callback([] {
+void add_list(Verb verb) {
+  verb.run([] {
     for (const std::string& name : registered_components()) std::cout << name << "\n";
   });
 }
 
 }  // namespace
 
-BW_VERB(look, "list", add_list)
+BW_VERB(look, "list", "Component types this program knows", add_list)
 
 }  // namespace bw::cli

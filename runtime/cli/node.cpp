@@ -1,17 +1,14 @@
 #include <iostream>
 #include <set>
 
-#include <CLI/App.hpp>
-
 #include "runtime/cli/outside.hpp"
 #include "runtime/cli/verb.hpp"
 
 namespace bw::cli {
 namespace {
 
-CLI::App* add_node(CLI::App& app, int&) {
-  CLI::App* node = app.add_subcommand("node", "Nodes on the wire")->require_subcommand(1);
-  node->add_subcommand("list", "Full names of all nodes")->callback([] {
+void add_node(Verb node) {
+  node.verb("list", "Full names of all nodes").run([] {
     Outside outside;
     outside.settle();
     std::multiset<std::string> names;
@@ -22,11 +19,10 @@ CLI::App* add_node(CLI::App& app, int&) {
     }
     for (const std::string& name : names) std::cout << name << "\n";
   });
-  return node;
 }
 
 }  // namespace
 
-BW_VERB(look, "node", add_node)
+BW_VERB(look, "node", "Nodes on the wire", add_node)
 
 }  // namespace bw::cli

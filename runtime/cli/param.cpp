@@ -2,8 +2,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include <CLI/App.hpp>
-
 #include "runtime/cli/param_graph.hpp"
 #include "runtime/cli/param_node.hpp"
 #include "runtime/cli/verb.hpp"
@@ -31,43 +29,37 @@ struct Target {
 };
 
 /// A verb on a graph file or on a node.
-std::shared_ptr<Target> add_target(CLI::App* verb) {
+std::shared_ptr<Target> add_target(Verb verb, bool is_required) {
   auto target = std::make_shared<Target>();
-  verb->add_option("TARGET", target->name, "Graph file (.yaml), or a running node");
-  verb->add_option("COMPONENT", target->graph.component, "Only this component of the graph");
-  verb->add_option("--set", target->graph.set, "component.param=value, of the graph")
-      ->allow_extra_args(false);
+  const Option name = verb.option("TARGET", target->name, "Graph file (.yaml), or a running node");
+  if (is_required) name.required();
+  verb.option("COMPONENT", target->graph.component, "Only this component of the graph");
+  verb.option("--set", target->graph.set, "component.param=value, of the graph").one_each_time();
   return target;
 }
 
-void add_list(CLI::App& param, int& status) {
-  CLI::App* verb = param.add_subcommand(
+void add_list(Verb param) {
+  Verb verb = param.verb(
       "list",
       "Of a graph: names, types, ranges, defaults, values, meaning. Of a node, or all of them: names");
-  auto target = add_target(verb);
-  verb->callback([target, &status] {
-    if (target->is_graph()) {
-      list_graph(target->as_graph());
-    } else if (target->name.empty()) {
-      status = list_nodes_parameters();
-    } else {
-      status = list_node(target->as_node());
-    }
+  auto target = add_target(verb, false);
+  verb.run([target] {
+    if (target->name.empty()) return list_nodes_parameters();
+    if (!target->is_graph()) return list_node(target->as_node());
+    list_graph(target->as_graph());
+    return 0;
   });
 }
 
-void add_dump(CLI::App& param, int& status) {
-  CLI::App* verb = param.add_subcommand(
+void add_dump(Verb param) {
+  Verb verb = param.verb(
       "dump",
       "Values in use. Of a graph: YAML for its parameters: sections. Of a node: a file for `param load`");
-  auto target = add_target(verb);
-  verb->get_option("TARGET")->required();
-  verb->callback([target, &status] {
-    if (target->is_graph()) {
-      dump_graph(target->as_graph());
-    } else {
-      status = dump_node(target->as_node());
-    }
+  auto target = add_target(verb, true);
+  verb.run([target] {
+    if (!target->is_graph()) return dump_node(target->as_node());
+    dump_graph(target->as_graph());
+    return 0;
   });
 }
 
@@ -75,40 +67,37 @@ struct Named {
   std::string node, name, value;
 };
 
-void add_one(CLI::App& param, int& status) {
+void add_one(Verb param) {
   auto named = std::make_shared<Named>();
   const auto add = [&](const char* verb_name, const char* help) {
-    CLI::App* verb = param.add_subcommand(verb_name, help);
-    verb->add_option("NODE", named->node, "Running node")->required();
+    Verb verb = param.verb(verb_name, help);
+    verb.option("NODE", named->node, "Running node").required();
     return verb;
   };
-  CLI::App* get = add("get", "Value of a parameter of a running node");
-  get->add_option("NAME", named->name, "Parameter")->required();
-  get->callback([named, &status] { status = get_parameter(named->node, named->name); });
-  CLI::App* describe =
+  Verb get = add("get", "Value of a parameter of a running node");
+  get.option("NAME", named->name, "Parameter").required();
+  get.run([named] { return get_parameter(named->node, named->name); });
+  Verb describe =
       add("describe", "Type, meaning, range of a parameter of a running node; may it be changed?");
-  describe->add_option("NAME", named->name, "Parameter")->required();
-  describe->callback([named, &status] { status = describe_parameter(named->node, named->name); });
-  CLI::App* set = add("set", "Changes a parameter of a running node, if its component takes it");
-  set->add_option("NAME", named->name, "Parameter")->required();
-  set->add_option("VALUE", named->value, "As YAML: 1 is an integer, 1.0 a double")->required();
-  set->callback([named, &status] { status = set_parameter(named->node, named->name, named->value); });
-  CLI::App* load = add("load", "Changes parameters of a running node to those of a file");
-  load->add_option("FILE", named->value, "As `param dump NODE` writes it")->required();
-  load->callback([named, &status] { status = load_node(named->node, named->value); });
+  describe.option("NAME", named->name, "Parameter").required();
+  describe.run([named] { return describe_parameter(named->node, named->name); });
+  Verb set = add("set", "Changes a parameter of a running node, if its component takes it");
+  set.option("NAME", named->name, "Parameter").required();
+  set.option("VALUE", named->value, "As YAML: 1 is an integer, 1.0 a double").required();
+  set.run([named] { return set_parameter(named->node, named->name, named->value); });
+  Verb load = add("load", "Changes parameters of a running node to those of a file");
+  load.option("FILE", named->value, "As `param dump NODE` writes it").required();
+  load.run([named] { return load_node(named->node, named->value); });
 }
 
-CLI::App* add_param(CLI::App& app, int& status) {
-  CLI::App* param = app.add_subcommand("param", "Parameters of a graph's components or of running nodes")
-                        ->require_subcommand(1);
-  add_list(*param, status);
-  add_dump(*param, status);
-  add_one(*param, status);
-  return param;
+void add_param(Verb param) {
+  add_list(param);
+  add_dump(param);
+  add_one(param);
 }
 
 }  // namespace
 
-BW_VERB(look, "param", add_param)
+BW_VERB(look, "param", "Parameters of a graph's components or of running nodes", add_param)
 
 }  // namespace bw::cli

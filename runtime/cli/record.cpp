@@ -8,7 +8,6 @@
 #include <thread>
 #include <utility>
 
-#include <CLI/App.hpp>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -89,30 +88,27 @@ int run_record(const RecordOptions& options) {
   return status.bag.error.empty() && status.bag.dropped.empty() ? 0 : 1;
 }
 
-CLI::App* add_record(CLI::App& app, int& status) {
+void add_record(Verb verb) {
   auto options = std::make_shared<RecordOptions>();
-  CLI::App* verb = app.add_subcommand("record", "Records topics of a running ROS 2 system, of any type");
-  verb->add_option("TOPIC", options->choice.topics, "Topics, also ones that appear later");
-  verb->add_flag("-a,--all", options->choice.all, "Every topic but hidden ones");
-  verb->add_flag("--include-hidden-topics", options->choice.hidden,
-                 "With --all: those with a _ before a token as well");
-  verb->add_option("-x,--exclude", options->exclude,
-                   "With --all or --node: not what this regular expression finds");
-  verb->add_option("--node", options->choice.nodes,
-                   "All topics that this node writes or reads, as often as needed")
-      ->allow_extra_args(false);
-  verb->add_option("-o,--out", options->out,
-                   "New folder, or a file.mcap; rosbag2_ and the date if not given");
-  options->writing.add_to(*verb);
-  verb->add_option("--max-cache-size", options->cache_size, "Of messages that wait for the disk (100MiB)");
-  verb->add_option("--for", options->for_s, "Ends after so many seconds")->check(CLI::PositiveNumber);
-  verb->add_flag("--use-sim-time", options->use_sim_time, "Times of the bag from /clock");
-  verb->callback([options, &status] { status = run_record(*options); });
-  return verb;
+  verb.option("TOPIC", options->choice.topics, "Topics, also ones that appear later");
+  verb.flag("-a,--all", options->choice.all, "Every topic but hidden ones");
+  verb.flag("--include-hidden-topics", options->choice.hidden,
+            "With --all: those with a _ before a token as well");
+  verb.option("-x,--exclude", options->exclude,
+              "With --all or --node: not what this regular expression finds");
+  verb.option("--node", options->choice.nodes,
+              "All topics that this node writes or reads, as often as needed")
+      .one_each_time();
+  verb.option("-o,--out", options->out, "New folder, or a file.mcap; rosbag2_ and the date if not given");
+  options->writing.add_to(verb);
+  verb.option("--max-cache-size", options->cache_size, "Of messages that wait for the disk (100MiB)");
+  verb.option("--for", options->for_s, "Ends after so many seconds").positive();
+  verb.flag("--use-sim-time", options->use_sim_time, "Times of the bag from /clock");
+  verb.run([options] { return run_record(*options); });
 }
 
 }  // namespace
 
-BW_VERB(drive, "record", add_record)
+BW_VERB(drive, "record", "Records topics of a running ROS 2 system, of any type", add_record)
 
 }  // namespace bw::cli

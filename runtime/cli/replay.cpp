@@ -6,7 +6,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +13,7 @@
 #include "runtime/cli/page_writer.hpp"
 #include "runtime/cli/replay_topics.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/parameters/scalar_text.hpp"
 #include "runtime/replay/replay_run.hpp"
 #include "runtime/replay/updated_bag.hpp"
 #include "runtime/temporary_folder.hpp"
@@ -178,7 +178,7 @@ int run_replay(const ReplayArguments& arguments) {
 }
 
 /// What belongs to one way of replaying is refused beside the other.
-void refuse_mixture(const CLI::App& verb, const ReplayArguments& arguments, bool as_truth) {
+void refuse_mixture(Verb verb, const ReplayArguments& arguments, bool as_truth) {
   const std::string alien = given_replay_topics_option(verb);
   if (as_truth && !alien.empty())
     throw std::runtime_error(alien + " is for a replay as topics, without --graph and --run");
@@ -187,65 +187,62 @@ void refuse_mixture(const CLI::App& verb, const ReplayArguments& arguments, bool
   if (as_truth && arguments.paths.size() != 1)
     throw std::runtime_error("with --graph the bag is one: " + arguments.paths.at(1) + " is too many");
   for (const char* name : {"--set", "--json", "--text", "--html", "--update"}) {
-    if (!as_truth && verb.count(name) > 0)
+    if (!as_truth && verb.has(name))
       throw std::runtime_error(std::string(name) + " is for a replay as the truth, with --graph and --run");
   }
 }
 
 /// `--clock`, `--clock 100`; nothing without it.
-std::optional<double> clock_hz(const CLI::App& verb, const std::string& text) {
-  if (verb.count("--clock") == 0) return std::nullopt;
+std::optional<double> clock_hz(Verb verb, const std::string& text) {
+  if (!verb.has("--clock")) return std::nullopt;
   if (text.empty()) return kUsualClockHz;
-  double hz = 0.0;
-  if (text == "lockstep" || !CLI::detail::lexical_cast(text, hz) || !(hz > 0.0 && hz <= 10'000.0))
+  const std::optional<double> hz = parse_number(text);
+  if (!hz || !(*hz > 0.0 && *hz <= 10'000.0))
     throw std::runtime_error(
         "--clock " + text +
         ": without --graph it is how often /clock is published, 40 Hz if no number follows");
   return hz;
 }
 
-int run(const CLI::App& verb, const ReplayArguments& arguments) {
+int run(Verb verb, const ReplayArguments& arguments) {
   const bool as_truth = !arguments.graph.empty() || !arguments.run.empty();
   refuse_mixture(verb, arguments, as_truth);
   if (!as_truth) return replay_topics(arguments.paths, arguments.as_topics, clock_hz(verb, arguments.clock));
-  if (verb.count("--clock") > 0 && arguments.clock != "lockstep")
+  if (verb.has("--clock") && arguments.clock != "lockstep")
     throw std::runtime_error("--clock " + arguments.clock + ": with --graph the clock is lockstep");
   return run_replay(arguments);
 }
 
-CLI::App* add_replay(CLI::App& app, int& status) {
+void add_replay(Verb verb) {
   auto arguments = std::make_shared<ReplayArguments>();
-  CLI::App* verb = app.add_subcommand(
-      "replay", "Plays recordings as topics; with --graph runs components again on one and compares");
   constexpr const char* kTruth = "As the truth (with --graph)";
-  verb->add_option("BAG", arguments->paths, "Files or folders; several are played together, by their times")
-      ->required();
-  verb->add_option("--graph", arguments->graph, "Graph file")->group(kTruth);
-  verb->add_option("--run", arguments->run, "Components to run; everything else is the bag")->group(kTruth);
-  verb->add_option("--set", arguments->set, "component.param=value, as often as needed")
-      ->allow_extra_args(false)
-      ->group(kTruth);
-  verb->add_option("--json", arguments->json, "Writes the verdict here")->group(kTruth);
-  verb->add_option("--text", arguments->text, "Writes the outputs here as text to review, rounded")
-      ->group(kTruth);
-  verb->add_option(
+  verb.option("BAG", arguments->paths, "Files or folders; several are played together, by their times")
+      .required();
+  verb.option("--graph", arguments->graph, "Graph file").under(kTruth);
+  verb.option("--run", arguments->run, "Components to run; everything else is the bag").under(kTruth);
+  verb.option("--set", arguments->set, "component.param=value, as often as needed")
+      .one_each_time()
+      .under(kTruth);
+  verb.option("--json", arguments->json, "Writes the verdict here").under(kTruth);
+  verb.option("--text", arguments->text, "Writes the outputs here as text to review, rounded").under(kTruth);
+  verb.option(
           "--html", arguments->html,
           "Writes one page here that plays the recording with the new outputs: a file that needs no server")
-      ->group(kTruth);
-  verb->add_flag("--update", arguments->update,
-                 "Writes a new bag beside the old one, with the new outputs: drive.replayed.mcap")
-      ->group(kTruth);
-  verb->add_option(
+      .under(kTruth);
+  verb.flag("--update", arguments->update,
+            "Writes a new bag beside the old one, with the new outputs: drive.replayed.mcap")
+      .under(kTruth);
+  verb.option(
           "--clock", arguments->clock,
           "As topics: publishes /clock, so many times a second (40); as the truth: lockstep, virtual time")
-      ->expected(0, 1);
-  add_replay_topics_options(*verb, arguments->as_topics);
-  verb->callback([arguments, verb, &status] { status = run(*verb, *arguments); });
-  return verb;
+      .optional_value();
+  add_replay_topics_options(verb, arguments->as_topics);
+  verb.run([arguments, verb] { return run(verb, *arguments); });
 }
 
 }  // namespace
 
-BW_VERB(drive, "replay", add_replay)
+BW_VERB(drive, "replay", "Plays recordings as topics; with --graph runs components again on one and compares",
+        add_replay)
 
 }  // namespace bw::cli

@@ -97,30 +97,30 @@ void print(const replay::PlayerStatus& status, std::size_t topics) {
 
 }  // namespace
 
-void add_replay_topics_options(CLI::App& verb, ReplayTopicsOptions& options) {
+void add_replay_topics_options(Verb verb, ReplayTopicsOptions& options) {
   constexpr const char* kGroup = "As topics, in real time (without --graph)";
-  verb.add_option("-r,--rate", options.rate, "Bag seconds per second; 0 as fast as possible")
-      ->check(CLI::NonNegativeNumber)
-      ->group(kGroup);
-  verb.add_option("--start", options.start_s, "Begins so many seconds behind the bag's beginning")
-      ->check(CLI::NonNegativeNumber)
-      ->group(kGroup);
-  verb.add_option("--duration", options.duration_s, "Ends after so many seconds of the bag")
-      ->check(CLI::PositiveNumber)
-      ->group(kGroup);
-  verb.add_option("--topics", options.topics, "Only these")->group(kGroup);
-  verb.add_option("--exclude", options.exclude, "Not what this regular expression finds")->group(kGroup);
-  verb.add_option("--remap", options.remap, "/recorded:=/played, as many as needed")->group(kGroup);
-  verb.add_option("--wait-for", options.wait_for, "Begins when somebody reads these topics")->group(kGroup);
-  verb.add_flag("--pause", options.pause,
-                "Begins paused. Keys: SPACE pause, RIGHT or n next message, UP and DOWN rate")
-      ->group(kGroup);
+  verb.option("-r,--rate", options.rate, "Bag seconds per second; 0 as fast as possible")
+      .not_negative()
+      .under(kGroup);
+  verb.option("--start", options.start_s, "Begins so many seconds behind the bag's beginning")
+      .not_negative()
+      .under(kGroup);
+  verb.option("--duration", options.duration_s, "Ends after so many seconds of the bag")
+      .positive()
+      .under(kGroup);
+  verb.option("--topics", options.topics, "Only these").under(kGroup);
+  verb.option("--exclude", options.exclude, "Not what this regular expression finds").under(kGroup);
+  verb.option("--remap", options.remap, "/recorded:=/played, as many as needed").under(kGroup);
+  verb.option("--wait-for", options.wait_for, "Begins when somebody reads these topics").under(kGroup);
+  verb.flag("--pause", options.pause,
+            "Begins paused. Keys: SPACE pause, RIGHT or n next message, UP and DOWN rate")
+      .under(kGroup);
 }
 
-std::string given_replay_topics_option(const CLI::App& verb) {
+std::string given_replay_topics_option(Verb verb) {
   for (const char* name :
        {"--rate", "--start", "--duration", "--topics", "--exclude", "--remap", "--wait-for", "--pause"}) {
-    if (verb.count(name) > 0) return name;
+    if (verb.has(name)) return name;
   }
   return {};
 }

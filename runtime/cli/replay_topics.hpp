@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
+#include "runtime/cli/verb.hpp"
 
 namespace bw::cli {
 
@@ -21,10 +21,10 @@ struct ReplayTopicsOptions {
 };
 
 /// Adds them to the verb `replay`.
-void add_replay_topics_options(CLI::App& verb, ReplayTopicsOptions& options);
+void add_replay_topics_options(Verb verb, ReplayTopicsOptions& options);
 
 /// The options of the verb that were given and belong to this way of replaying alone, for a refusal; else empty.
-[[nodiscard]] std::string given_replay_topics_option(const CLI::App& verb);
+[[nodiscard]] std::string given_replay_topics_option(Verb verb);
 
 /// `clock_hz`: publishes /clock. Exit status 1 when it was interrupted or the bag is damaged.
 int replay_topics(const std::vector<std::string>& paths, const ReplayTopicsOptions& options,

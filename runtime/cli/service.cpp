@@ -3,7 +3,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -99,25 +98,22 @@ int call(ServiceOptions options) {
   return 0;
 }
 
-CLI::App* add_service(CLI::App& app, int& status) {
+void add_service(Verb service) {
   auto options = std::make_shared<ServiceOptions>();
-  CLI::App* service = app.add_subcommand("service", "Services on the wire")->require_subcommand(1);
-  CLI::App* list_verb = service->add_subcommand("list", "Names of all services");
-  list_verb->add_flag("-t,--show-types", options->types, "With types");
-  list_verb->add_flag("--json", options->json, "As JSON");
-  list_verb->callback([options] { list(*options); });
-  CLI::App* call_verb =
-      service->add_subcommand("call", "Calls a service and prints its reply; exit status 1 without one");
-  call_verb->add_option("SERVICE", options->name, "Name, such as /map_server/load_map")->required();
-  call_verb->add_option("TYPE", options->type, "Type, such as nav_msgs/srv/LoadMap; default: as offered");
-  call_verb->add_option("REQUEST", options->request, "Its fields as YAML; what is not given is zero");
-  call_verb->add_option("--timeout", options->timeout_s, "Longest wait for the reply [s]");
-  call_verb->callback([options, &status] { status = call(*options); });
-  return service;
+  Verb list_verb = service.verb("list", "Names of all services");
+  list_verb.flag("-t,--show-types", options->types, "With types");
+  list_verb.flag("--json", options->json, "As JSON");
+  list_verb.run([options] { list(*options); });
+  Verb call_verb = service.verb("call", "Calls a service and prints its reply; exit status 1 without one");
+  call_verb.option("SERVICE", options->name, "Name, such as /map_server/load_map").required();
+  call_verb.option("TYPE", options->type, "Type, such as nav_msgs/srv/LoadMap; default: as offered");
+  call_verb.option("REQUEST", options->request, "Its fields as YAML; what is not given is zero");
+  call_verb.option("--timeout", options->timeout_s, "Longest wait for the reply [s]");
+  call_verb.run([options] { return call(*options); });
 }
 
 }  // namespace
 
-BW_VERB(look, "service", add_service)
+BW_VERB(look, "service", "Services on the wire", add_service)
 
 }  // namespace bw::cli

@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -219,33 +218,30 @@ int hz(const TopicOptions& options) {
   return gaps.empty() ? 1 : 0;
 }
 
-CLI::App* add_topic(CLI::App& app, int& status) {
+void add_topic(Verb topic) {
   auto options = std::make_shared<TopicOptions>();
-  CLI::App* topic = app.add_subcommand("topic", "Topics on the wire")->require_subcommand(1);
-  CLI::App* list_verb = topic->add_subcommand("list", "Names of all topics");
-  list_verb->add_flag("-t,--show-types", options->types, "With their types");
-  list_verb->add_flag("--json", options->json, "As JSON");
-  list_verb->callback([options] { list(*options); });
-  CLI::App* info_verb = topic->add_subcommand("info", "Type and ends of a topic");
-  info_verb->add_option("TOPIC", options->topic)->required();
-  info_verb->add_flag("-v,--verbose", options->verbose, "Node, QoS and type hash of every end");
-  info_verb->callback([options, &status] { status = info(*options); });
-  CLI::App* echo_verb = topic->add_subcommand("echo", "Prints the messages of a topic as YAML");
-  echo_verb->add_option("TOPIC", options->topic)->required();
-  echo_verb->add_flag("--once", options->once, "Only the first message");
-  echo_verb->add_option("--for", options->window_s, "Ends after so many seconds");
-  echo_verb->add_option("--bag", options->bag, "Of this recording, instead of the wire");
-  echo_verb->callback(
-      [options, &status] { status = options->bag.empty() ? echo(*options) : echo_bag(*options); });
-  CLI::App* hz_verb = topic->add_subcommand("hz", "Measures the rate of a topic");
-  hz_verb->add_option("TOPIC", options->topic)->required();
-  hz_verb->add_option("--for", options->window_s, "Ends after so many seconds");
-  hz_verb->callback([options, &status] { status = hz(*options); });
-  return topic;
+  Verb list_verb = topic.verb("list", "Names of all topics");
+  list_verb.flag("-t,--show-types", options->types, "With their types");
+  list_verb.flag("--json", options->json, "As JSON");
+  list_verb.run([options] { list(*options); });
+  Verb info_verb = topic.verb("info", "Type and ends of a topic");
+  info_verb.option("TOPIC", options->topic).required();
+  info_verb.flag("-v,--verbose", options->verbose, "Node, QoS and type hash of every end");
+  info_verb.run([options] { return info(*options); });
+  Verb echo_verb = topic.verb("echo", "Prints the messages of a topic as YAML");
+  echo_verb.option("TOPIC", options->topic).required();
+  echo_verb.flag("--once", options->once, "Only the first message");
+  echo_verb.option("--for", options->window_s, "Ends after so many seconds");
+  echo_verb.option("--bag", options->bag, "Of this recording, instead of the wire");
+  echo_verb.run([options] { return options->bag.empty() ? echo(*options) : echo_bag(*options); });
+  Verb hz_verb = topic.verb("hz", "Measures the rate of a topic");
+  hz_verb.option("TOPIC", options->topic).required();
+  hz_verb.option("--for", options->window_s, "Ends after so many seconds");
+  hz_verb.run([options] { return hz(*options); });
 }
 
 }  // namespace
 
-BW_VERB(look, "topic", add_topic)
+BW_VERB(look, "topic", "Topics on the wire", add_topic)
 
 }  // namespace bw::cli

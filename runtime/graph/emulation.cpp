@@ -41,18 +41,18 @@ std::string driver_of(const ConfigNode& robot, std::string_view device) {
 std::vector<EmulationChange> read_emulation(const ConfigNode& map, const std::string& key,
                                             std::vector<Violation>& violations) {
   std::vector<EmulationChange> changes;
-  if (!detail::is_section(map, key, violations)) return changes;
+  if (!is_section(map, key, violations)) return changes;
   for (const ConfigEntry& entry : map.map) {
     const std::string of_device = joined(key, entry.key);
     if (std::ranges::find(kDevices, entry.key) == kDevices.end())
       violations.push_back({entry.where, of_device, "", unknown_rule("device", entry.key, kDevices)});
-    if (!detail::is_section(entry.value, of_device, violations)) continue;
+    if (!is_section(entry.value, of_device, violations)) continue;
     ParameterReader reader(entry.value, of_device, violations);
     EmulationChange change{.device = entry.key, .enabled = {}, .parameters = {}, .remaps = {}};
     if (const ConfigNode* enabled = reader.find("enabled"))
-      detail::read_bool(*enabled, joined(of_device, "enabled"), change.enabled.emplace(), violations);
+      read_value(*enabled, joined(of_device, "enabled"), {}, change.enabled.emplace(), violations);
     const ConfigNode* parameters = reader.find("parameters");
-    if (parameters != nullptr && detail::is_section(*parameters, joined(of_device, "parameters"), violations))
+    if (parameters != nullptr && is_section(*parameters, joined(of_device, "parameters"), violations))
       change.parameters = *parameters;
     if (const ConfigNode* remap = reader.find("remap"))
       change.remaps = read_remaps(*remap, joined(of_device, "remap"), violations);

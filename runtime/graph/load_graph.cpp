@@ -169,7 +169,7 @@ class GraphReader {
   }
 
   void read_bring_up(const ConfigNode& names) {
-    if (!detail::is_list(names, "bring_up", violations_)) return;
+    if (!is_list(names, "bring_up", violations_)) return;
     std::vector<std::string_view> known;
     for (const ComponentNode& node : graph_.components) known.push_back(node.name);
     for (const ConfigNode& name : names.sequence) {
@@ -261,10 +261,10 @@ class GraphReader {
   }
 
   void read_inputs(const ConfigNode& map, const std::string& key, ComponentNode& node) {
-    if (!detail::is_section(map, key, violations_)) return;
+    if (!is_section(map, key, violations_)) return;
     for (const ConfigEntry& entry : map.map) {
       const std::string entry_key = joined(key, entry.key);
-      if (!detail::is_section(entry.value, entry_key, violations_)) continue;
+      if (!is_section(entry.value, entry_key, violations_)) continue;
       ParameterReader reader(entry.value, entry_key, violations_);
       InputSettings input;
       input.name = entry.key;
@@ -319,7 +319,7 @@ class GraphReader {
 bool switch_component(ComponentNode& node, const Override& change) {
   if (change.path.size() != 2 || change.path.back() != "enabled") return false;
   std::vector<Violation> violations;
-  detail::read_bool(change.value, change.key(), node.enabled, violations);
+  read_value(change.value, change.key(), {}, node.enabled, violations);
   throw_if_any(std::move(violations));
   return true;
 }
@@ -328,7 +328,7 @@ bool switch_component(ComponentNode& node, const Override& change) {
 bool set_distro(Graph& graph, const Override& change) {
   if (change.path != std::vector<std::string>{"ros_distro"}) return false;
   std::vector<Violation> violations;
-  detail::read_value(change.value, change.key(), {}, graph.settings.ros_distro, violations);
+  read_value(change.value, change.key(), {}, graph.settings.ros_distro, violations);
   throw_if_any(std::move(violations));
   return true;
 }
@@ -353,7 +353,7 @@ bool set_emulation(Graph& graph, const Override& change) {
   if (!is_emulate(change)) return false;
   std::vector<Violation> violations;
   bool emulate = false;
-  detail::read_bool(change.value, change.key(), emulate, violations);
+  read_value(change.value, change.key(), {}, emulate, violations);
   throw_if_any(std::move(violations));
   if (emulate) emulate_devices(graph, change.value.where);
   return true;

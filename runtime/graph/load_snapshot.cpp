@@ -90,7 +90,7 @@ void read_events(ParameterReader& reader, SnapshotSettings& settings, std::vecto
   const ConfigNode* list = reader.find("on");
   if (list == nullptr) return;
   const std::string key = joined(kSection, "on");
-  if (!detail::is_list(*list, key, violations)) return;
+  if (!is_list(*list, key, violations)) return;
   if (list->sequence.empty())
     reader.refuse(*list, "on", "must name an event; without `on` every declared one counts");
   for (const ConfigNode& node : list->sequence) {

@@ -48,12 +48,12 @@ std::string expand(std::string_view node_namespace, std::string_view node, std::
 std::vector<Remap> read_remaps(const ConfigNode& map, const std::string& key,
                                std::vector<Violation>& violations) {
   std::vector<Remap> remaps;
-  if (!detail::is_section(map, key, violations)) return remaps;
+  if (!is_section(map, key, violations)) return remaps;
   for (const ConfigEntry& entry : map.map) {
     const std::string entry_key = joined(key, entry.key);
     Remap remap{entry.key, "", entry.where};
     const std::size_t before = violations.size();
-    detail::read_string(entry.value, entry_key, {}, remap.to, violations);
+    read_value(entry.value, entry_key, {}, remap.to, violations);
     if (violations.size() > before) continue;
     if (const auto rule = topic_name_rule(remap.from))
       violations.push_back({entry.where, entry_key, "", *rule});

@@ -40,7 +40,7 @@ bool is_below(const std::string& name, const std::string& outer) {
 
 void give_to_robots(Graph& graph, const ConfigNode* robots, const std::vector<std::string>& shared,
                     std::vector<Violation>& violations) {
-  if (robots == nullptr || !detail::is_section(*robots, "robots", violations)) return;
+  if (robots == nullptr || !is_section(*robots, "robots", violations)) return;
   const std::string outer = join_namespaces("", graph.settings.graph_namespace);
   const auto is_shared = [&](const std::string& name) {
     return std::ranges::find(shared, name) != shared.end();
@@ -57,14 +57,14 @@ void give_to_robots(Graph& graph, const ConfigNode* robots, const std::vector<st
   for (const ConfigEntry& robot : robots->map) {
     const std::string key = joined("robots", robot.key);
     if (const auto rule = node_name_rule(robot.key)) violations.push_back({robot.where, key, "", *rule});
-    if (!detail::is_section(robot.value, key, violations)) continue;
+    if (!is_section(robot.value, key, violations)) continue;
     for (const ConfigEntry& own : robot.value.map) {
       const bool is_known = std::ranges::find(names, own.key) != names.end();
       if (!is_known)
         violations.push_back({own.where, joined(key, own.key), "",
                               is_shared(own.key) ? "is one for all robots: its parameters stand with it"
                                                  : unknown_rule("component", own.key, names)});
-      detail::is_section(own.value, joined(key, own.key), violations);
+      is_section(own.value, joined(key, own.key), violations);
     }
     graph.robots.push_back(robot.key);
   }

@@ -29,12 +29,12 @@ void read_log(const ConfigNode& node, LogDescription& log, Violations& violation
   reader("licence", log.licence);
   if (const ConfigNode* start = reader.find("start")) {
     double seconds = 0.0;
-    detail::read_double(*start, "log.start", {}, seconds, violations);
+    read_value(*start, "log.start", {}, seconds, violations);
     log.start = seconds;
   }
   const ConfigNode none;
   for (const ConfigEntry& entry : section(reader, "parameters", none).map)
-    detail::read_double(entry.value, "log.parameters." + entry.key, {}, log.parameters[entry.key],
+    read_value(entry.value, "log.parameters." + entry.key, {}, log.parameters[entry.key],
                         violations);
   reader.refuse_unknown_keys();
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fnmatch.h>
 
+#include "runtime/bag/log_record.hpp"
 #include "runtime/bag/qos_text.hpp"
 #include "runtime/bag/schema.hpp"
 #include "runtime/parameters/nearest.hpp"
@@ -177,7 +178,7 @@ ImportedLog import_tables(const ColumnsFile& columns, const std::vector<std::fil
           Violation{rule.where, rule.key + ".file", rule.file, "no table of this name is given"});
   }
   std::ranges::stable_sort(log.messages, {}, &ImportedMessage::stamp);
-  log.metadata[kLogRecord] = log_record(columns, files);
+  log.metadata[bag::kLogRecord] = log_record(columns, files);
   return log;
 }
 

@@ -31,13 +31,9 @@ struct ImportedLog {
   std::vector<bag::BagTopic> topics;
   /// By stamp; those of one stamp in the order of the columns file, then of the rows.
   std::vector<ImportedMessage> messages;
-  std::map<std::string, std::map<std::string, std::string>> metadata;  ///< record `log`
+  std::map<std::string, std::map<std::string, std::string>> metadata;  ///< bag::kLogRecord
   std::vector<TopicImport> report;
 };
-
-/// Metadata record of a bag that was made of tables: name, source, licence, columns (the columns file), tables, start
-/// [s], and what the log declares of the robot.
-inline constexpr const char* kLogRecord = "log";
 
 /// Each table is read by the entry whose `file` is its name. A folder stands for the files in it that entries name.
 /// Throws ConfigError for what is wrong with the columns file, TableError for what is wrong in a table, and

@@ -1,52 +1,23 @@
-// What a parameter field may be, asked of its C++ type.
+// Names of nested fields, and the texts that a field may have.
 #pragma once
 
-#include <concepts>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
-#include "runtime/base/choice.hpp"
-#include "runtime/base/field.hpp"
+#include "runtime/base/field_ref.hpp"
 
 namespace bw {
-
-namespace detail {
-
-struct AnyVisitor {
-  template <class T>
-  void operator()(std::string_view, T&, const Field& = {}) {}
-};
-
-template <class T>
-inline constexpr bool kIsVector = false;
-template <class T>
-inline constexpr bool kIsVector<std::vector<T>> = true;
-
-}  // namespace detail
-
-template <class T>
-concept HasFields = requires(T& t, detail::AnyVisitor& visitor) {
-  t.fields(visitor);
-};
-
-template <class T>
-concept HasRule = requires(const T& t) {
-  { t.violated_rule() } -> std::convertible_to<std::optional<std::string>>;
-};
-
-template <class T>
-concept ListField = detail::kIsVector<T>;
-
-template <class T>
-concept IntegerField = std::integral<T> && !std::same_as<T, bool>;
 
 /// `path.name`, or `name` at the top.
 inline std::string joined(std::string_view path, std::string_view name) {
   return path.empty() ? std::string(name) : std::string(path) + "." + std::string(name);
+}
+
+/// Of a choice, of a list of them, or of a text whose field says so; empty: any, or it is no text.
+inline std::vector<std::string_view> texts_allowed(const FieldType& type, const Field& field) {
+  if (type.kind == FieldKind::list) return texts_allowed(type.element(), field);
+  return type.kind == FieldKind::choice ? type.texts() : field.choices.all();
 }
 
 }  // namespace bw

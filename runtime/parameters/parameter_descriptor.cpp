@@ -40,7 +40,7 @@ ParameterDescriptor describe(ParameterType type, const Field& field, const Integ
   if (!choices.empty()) {
     descriptor.additional_constraints = "must be one of " + comma_separated(choices);
   } else if ((low != high && !is_list(type)) || ((low || high) && is_list(type))) {
-    descriptor.additional_constraints = (is_list(type) ? "each element " : "") + detail::range_rule(field);
+    descriptor.additional_constraints = (is_list(type) ? "each element " : "") + range_rule(field);
   }
   return descriptor;
 }

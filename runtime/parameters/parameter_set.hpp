@@ -79,7 +79,7 @@ class ParameterSet {
     }
     ConfigNode config() const override {
       P copy = value;  // fields() wants to be able to change it
-      return to_config(copy);
+      return to_config(FieldRef::of(copy));
     }
     P value;
   };

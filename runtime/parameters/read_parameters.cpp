@@ -28,7 +28,6 @@ void ParameterReader::refuse_unknown_keys() {
   }
 }
 
-namespace detail {
 namespace {
 
 bool is_in_range(double value, const Field& field) { return value >= field.min && value <= field.max; }
@@ -54,6 +53,26 @@ std::string range_rule(const Field& field) {
   return field.unit.empty() ? rule : rule.append(" ").append(field.unit);
 }
 
+bool is_list(const ConfigNode& node, const std::string& key, std::vector<Violation>& violations) {
+  if (!node.is_sequence()) {
+    violations.push_back({node.where, key, node.text(), "must be a list"});
+  } else if (node.sequence.size() > kMaxListElements) {
+    violations.push_back({node.where, key, std::to_string(node.sequence.size()) + " elements",
+                          "must have at most " + std::to_string(kMaxListElements) + " elements"});
+  } else {
+    return true;
+  }
+  return false;
+}
+
+bool is_section(const ConfigNode& node, const std::string& key, std::vector<Violation>& violations) {
+  if (node.is_map() || node.is_null()) return true;
+  violations.push_back({node.where, key, node.text(), "must be a map of parameters"});
+  return false;
+}
+
+namespace {
+
 void read_bool(const ConfigNode& node, const std::string& key, bool& value,
                std::vector<Violation>& violations) {
   const std::optional<bool> parsed = is_plain(node) ? parse_bool(node.scalar) : std::nullopt;
@@ -65,15 +84,16 @@ void read_bool(const ConfigNode& node, const std::string& key, bool& value,
 }
 
 bool read_integer(const ConfigNode& node, const std::string& key, const Field& field, std::int64_t& value,
-                  std::int64_t lowest, std::int64_t highest, std::vector<Violation>& violations) {
+                  const FieldType& type, std::vector<Violation>& violations) {
   const std::optional<std::int64_t> parsed = is_plain(node) ? parse_integer(node.scalar) : std::nullopt;
   if (!parsed) {
     violations.push_back({node.where, key, node.text(), "must be a whole number"});
   } else if (!is_in_range(static_cast<double>(*parsed), field)) {
     violations.push_back({node.where, key, node.text(), range_rule(field)});
-  } else if (*parsed < lowest || *parsed > highest) {
-    violations.push_back({node.where, key, node.text(),
-                          "must be between " + std::to_string(lowest) + " and " + std::to_string(highest)});
+  } else if (*parsed < type.lowest || *parsed > type.highest) {
+    violations.push_back(
+        {node.where, key, node.text(),
+         "must be between " + std::to_string(type.lowest) + " and " + std::to_string(type.highest)});
   } else {
     value = *parsed;
     return true;
@@ -113,7 +133,7 @@ const std::string* read_choice(const ConfigNode& node, const std::string& key,
 void read_string(const ConfigNode& node, const std::string& key, const Field& field, std::string& value,
                  std::vector<Violation>& violations) {
   if (!field.choices.empty()) {
-    if (read_choice(node, key, field.choices, violations) != nullptr) value = node.scalar;
+    if (read_choice(node, key, field.choices.all(), violations) != nullptr) value = node.scalar;
     return;
   }
   if (!node.is_scalar()) {
@@ -127,23 +147,57 @@ void read_string(const ConfigNode& node, const std::string& key, const Field& fi
   value = field.path && !node.scalar.empty() ? resolve_path(node.where, node.scalar).string() : node.scalar;
 }
 
-bool is_list(const ConfigNode& node, const std::string& key, std::vector<Violation>& violations) {
-  if (!node.is_sequence()) {
-    violations.push_back({node.where, key, node.text(), "must be a list"});
-  } else if (node.sequence.size() > kMaxListElements) {
-    violations.push_back({node.where, key, std::to_string(node.sequence.size()) + " elements",
-                          "must have at most " + std::to_string(kMaxListElements) + " elements"});
-  } else {
-    return true;
+void read_list(const ConfigNode& node, const std::string& key, const Field& field, FieldRef value,
+               std::vector<Violation>& violations) {
+  if (!is_list(node, key, violations)) return;
+  auto element = node.sequence.begin();
+  value.replace(node.sequence.size(), [&](FieldRef item) {
+    const auto index = element - node.sequence.begin();
+    read_value(*element++, joined(key, std::to_string(index)), field, item, violations);
+  });
+}
+
+void read_section(const ConfigNode& node, const std::string& key, FieldRef value,
+                  std::vector<Violation>& violations) {
+  if (!is_section(node, key, violations)) return;
+  const std::size_t before = violations.size();
+  ParameterReader reader(node, key, violations);
+  value.accept(reader);
+  if (!value.type().leaves_other_keys) reader.refuse_unknown_keys();
+  // A rule over fields says nothing once one of them is refused.
+  if (violations.size() > before) return;
+  if (std::optional<std::string> rule = value.violated_rule())
+    violations.push_back({node.where, key, "", std::move(*rule)});
+}
+
+}  // namespace
+
+void read_value(const ConfigNode& node, const std::string& key, const Field& field, FieldRef value,
+                std::vector<Violation>& violations) {
+  switch (value.kind()) {
+    case FieldKind::boolean:
+      return read_bool(node, key, value.boolean(), violations);
+    case FieldKind::integer:
+      if (std::int64_t read = 0; read_integer(node, key, field, read, value.type(), violations))
+        value.set_integer(read);
+      return;
+    case FieldKind::number:
+      return read_double(node, key, field, value.number(), violations);
+    case FieldKind::text:
+      return read_string(node, key, field, value.text(), violations);
+    case FieldKind::choice:
+      if (const std::string* text = read_choice(node, key, value.type().texts(), violations))
+        value.set_choice(*text);
+      return;
+    case FieldKind::list:
+      return read_list(node, key, field, value, violations);
+    case FieldKind::section:
+      return read_section(node, key, value, violations);
   }
-  return false;
 }
 
-bool is_section(const ConfigNode& node, const std::string& key, std::vector<Violation>& violations) {
-  if (node.is_map() || node.is_null()) return true;
-  violations.push_back({node.where, key, node.text(), "must be a map of parameters"});
-  return false;
+void ParameterReader::visit(std::string_view name, FieldRef value, const Field& field) {
+  if (const ConfigNode* node = find(name)) read_value(*node, joined(path_, name), field, value, violations_);
 }
 
-}  // namespace detail
 }  // namespace bw

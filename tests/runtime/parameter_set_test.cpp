@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/base/any_fields.hpp"
+#include "runtime/base/any_options.hpp"
 #include "runtime/parameters/yaml_file.hpp"
 
 namespace bw {

@@ -1,6 +1,7 @@
 // Parameter reading, listing and writing. Expected texts are the message form of config_error.hpp filled in
 // by hand.
 #include "runtime/parameters/parameters.hpp"
+#include "runtime/parameters/scalar_text.hpp"
 
 #include <limits>
 

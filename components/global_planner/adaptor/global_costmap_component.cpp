@@ -13,6 +13,7 @@
 #include "components/global_planner/global_costmap_parameters.hpp"
 #include "components/mapping/costmap/inflation.hpp"
 #include "components/messages/costmap.hpp"
+#include "components/messages/costmap_clearing.hpp"
 #include "components/messages/footprint_source.hpp"
 #include "components/messages/grid.hpp"
 #include "components/model/robot.hpp"

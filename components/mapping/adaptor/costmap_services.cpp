@@ -2,7 +2,7 @@
 
 #include <nav2_msgs/srv/get_costmap.hpp>
 
-#include "components/messages/costmap.hpp"
+#include "components/messages/costmap_clearing.hpp"
 
 namespace bw::costmap {
 

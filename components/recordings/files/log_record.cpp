@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/import/import_tables.hpp"
+#include "runtime/bag/log_record.hpp"
 #include "runtime/parameters/scalar_text.hpp"
 
 namespace bw {
@@ -14,7 +14,7 @@ namespace bw {
 LogRecord log_record_of(const bag::Bag& bag, const std::string& path) {
   LogRecord log{.name = std::filesystem::path(path).stem().string()};
   const auto metadata = bag.metadata();
-  const auto record = metadata.find(imports::kLogRecord);
+  const auto record = metadata.find(bag::kLogRecord);
   if (record == metadata.end()) return log;
   const auto text = [&](const char* name, std::string& value) {
     if (const auto found = record->second.find(name); found != record->second.end()) value = found->second;
@@ -25,7 +25,7 @@ LogRecord log_record_of(const bag::Bag& bag, const std::string& path) {
     const std::optional<double> value = parse_number(found->second);
     if (value && std::isfinite(*value)) return value;
     throw std::runtime_error(
-        fmt::format("{}: record {}: {} = '{}' is no number", path, imports::kLogRecord, name, found->second));
+        fmt::format("{}: record {}: {} = '{}' is no number", path, bag::kLogRecord, name, found->second));
   };
   text("name", log.name);
   text("source", log.source);

@@ -1,4 +1,4 @@
-// What a bag says of the log that it holds: its metadata record `log` (runtime/import/import_tables.hpp).
+// What a bag says of the log that it holds: its metadata record `log` (runtime/bag/log_record.hpp).
 #pragma once
 
 #include <optional>

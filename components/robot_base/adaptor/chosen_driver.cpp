@@ -13,12 +13,12 @@
 namespace bw {
 namespace {
 
-struct FieldCounter {
+class FieldCounter final : public FieldVisitor {
+ public:
   int fields = 0;
-  template <class T>
-  void operator()(std::string_view, T&, const Field& = {}) {
-    ++fields;
-  }
+
+ private:
+  void visit(std::string_view, FieldRef, const Field&) override { ++fields; }
 };
 
 /// A driver without any leaves those that stand there for another one alone: `--set robot.base.driver=simulated`.

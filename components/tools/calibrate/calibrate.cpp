@@ -7,7 +7,6 @@
 #include <numbers>
 #include <sstream>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "components/robot_base/calibration/calibrate_odometry.hpp"
@@ -215,48 +214,35 @@ int calibrate_odometry_verb(const CalibrateOptions& options) {
   }
 }
 
-void add_options(CLI::App& verb, CalibrateOptions& options) {
-  verb.add_option("ROBOT", options.robot, "Robot file, with which the graph runs")
-      ->required()
-      ->check(CLI::ExistingFile);
-  verb.add_option("--straight", options.straight, "Length of a straight way [m]")
-      ->check(CLI::Range(0.5, 100.0))
-      ->capture_default_str();
-  verb.add_option("--straights", options.straights, "How many")
-      ->check(CLI::Range(0, 100))
-      ->capture_default_str();
-  verb.add_option("--side", options.side, "Side of the squares [m]")
-      ->check(CLI::Range(0.3, 20.0))
-      ->capture_default_str();
-  verb.add_option("--laps", options.laps, "Squares to each side")
-      ->check(CLI::Range(0, 100))
-      ->capture_default_str();
-  verb.add_option("--v", options.legs.v, "Speed [m/s]")->check(CLI::Range(0.05, 1.0))->capture_default_str();
-  verb.add_option("--omega", options.legs.omega, "Turn rate [rad/s]")
-      ->check(CLI::Range(0.1, 2.0))
-      ->capture_default_str();
-  verb.add_option(
+void add_options(cli::Verb verb, CalibrateOptions& options) {
+  verb.option("ROBOT", options.robot, "Robot file, with which the graph runs").required().existing_file();
+  verb.option("--straight", options.straight, "Length of a straight way [m]")
+      .within(0.5, 100.0)
+      .shows_default();
+  verb.option("--straights", options.straights, "How many").within(0, 100).shows_default();
+  verb.option("--side", options.side, "Side of the squares [m]").within(0.3, 20.0).shows_default();
+  verb.option("--laps", options.laps, "Squares to each side").within(0, 100).shows_default();
+  verb.option("--v", options.legs.v, "Speed [m/s]").within(0.05, 1.0).shows_default();
+  verb.option("--omega", options.legs.omega, "Turn rate [rad/s]").within(0.1, 2.0).shows_default();
+  verb.option(
       "--poses", options.poses,
       "Takes ends and corners from this topic of a localization that has the laser and a map, such as amcl_pose; "
       "without it they are measured and typed in");
-  verb.add_option("--namespace", options.ns, "Of the robot, among several");
-  verb.add_option("--out", options.out,
-                  "Writes the corrected robot file here; default: over ROBOT, if you say so");
+  verb.option("--namespace", options.ns, "Of the robot, among several");
+  verb.option("--out", options.out,
+              "Writes the corrected robot file here; default: over ROBOT, if you say so");
 }
 
-CLI::App* add_calibrate(CLI::App& app, int& status) {
+void add_calibrate(cli::Verb verb) {
   auto options = std::make_shared<CalibrateOptions>();
-  CLI::App* verb =
-      app.add_subcommand("calibrate", "Measures what a robot file says of a robot")->require_subcommand(1);
-  CLI::App* odometry =
-      verb->add_subcommand("odometry", "Wheel radius, ratio of the radii and wheel separation, on the floor");
-  add_options(*odometry, *options);
-  odometry->callback([options, &status] { status = calibrate_odometry_verb(*options); });
-  return verb;
+  cli::Verb odometry =
+      verb.verb("odometry", "Wheel radius, ratio of the radii and wheel separation, on the floor");
+  add_options(odometry, *options);
+  odometry.run([options] { return calibrate_odometry_verb(*options); });
 }
 
 }  // namespace
 
-BW_VERB(measure, "calibrate", add_calibrate)
+BW_VERB(measure, "calibrate", "Measures what a robot file says of a robot", add_calibrate)
 
 }  // namespace bw

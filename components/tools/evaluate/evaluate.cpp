@@ -244,49 +244,46 @@ int evaluate(const EvaluateOptions& options) {
   return driven == jobs.size() && enough_succeeded(report, options.at_least) ? 0 : 1;
 }
 
-CLI::App* add_evaluate(CLI::App& app, int& status) {
+void add_evaluate(cli::Verb verb) {
   auto options = std::make_shared<EvaluateOptions>();
-  CLI::App* verb = app.add_subcommand("evaluate", "Drives suites of episodes in lock-step and sums up");
-  verb->add_option("SUITE", options->suites, "Suite files");
-  verb->add_option("--planners", options->planners,
-                   "Algorithms of local_planner, separated by commas; default: the graph's own")
-      ->delimiter(',');
-  verb->add_option("--seeds", options->seeds, "A..B instead of the suite's seeds");
-  verb->add_option("--episode", options->only_episode, "Only the episode of this name");
-  verb->add_option("--set", options->set, "component.param=value for all episodes, as often as needed")
-      ->allow_extra_args(false);
-  verb->add_option("--shard", options->shard, "I/N: only every N-th drive, beginning with the I-th");
-  verb->add_option(
+  verb.option("SUITE", options->suites, "Suite files");
+  verb.option("--planners", options->planners,
+              "Algorithms of local_planner, separated by commas; default: the graph's own")
+      .separated_by_commas();
+  verb.option("--seeds", options->seeds, "A..B instead of the suite's seeds");
+  verb.option("--episode", options->only_episode, "Only the episode of this name");
+  verb.option("--set", options->set, "component.param=value for all episodes, as often as needed")
+      .one_each_time();
+  verb.option("--shard", options->shard, "I/N: only every N-th drive, beginning with the I-th");
+  verb.option(
       "--json", options->json,
       "Writes summary and score cards here, after every drive; `complete` tells whether all are in it");
-  verb->add_option("--svg-dir", options->svg_dir, "Writes a picture of every drive into this folder");
-  verb->add_option(
+  verb.option("--svg-dir", options->svg_dir, "Writes a picture of every drive into this folder");
+  verb.option(
       "--html", options->html_dir,
       "Writes a page of every drive that failed into this folder: it plays the drive, and needs no server");
-  verb->add_option("--failures", options->failures_dir,
-                   "Pictures of the first 30 drives that failed, and a page of them, go into this folder");
-  verb->add_option("--variants", options->variants,
-                   "Conditions that the suite names, as ideal,own: each planner drives under each")
-      ->delimiter(',');
-  verb->add_option(
+  verb.option("--failures", options->failures_dir,
+              "Pictures of the first 30 drives that failed, and a page of them, go into this folder");
+  verb.option("--variants", options->variants,
+              "Conditions that the suite names, as ideal,own: each planner drives under each")
+      .separated_by_commas();
+  verb.option(
       "--vary", options->vary,
       "component.param=value,value,...: every episode once with each, as navigator.goal.delay=0.6,1.0,1.4");
-  verb->add_option(
+  verb.option(
       "--against", options->against,
       "The planner that the others are held against, with its variant: \"eteb ideal\"; default: the first");
-  verb->add_option(
+  verb.option(
           "--from", options->from,
           "[LABEL:]FILE: drives nothing, sums up what earlier evaluations wrote; a label tells planners of two files apart")
-      ->allow_extra_args(false);
-  verb->add_option("--at-least", options->at_least,
-                   "Exit status 1 when a planner's share of successes is lower")
-      ->check(CLI::Range(0.0, 1.0));
-  verb->callback([options, &status] { status = evaluate(*options); });
-  return verb;
+      .one_each_time();
+  verb.option("--at-least", options->at_least, "Exit status 1 when a planner's share of successes is lower")
+      .within(0.0, 1.0);
+  verb.run([options] { return evaluate(*options); });
 }
 
 }  // namespace
 
-BW_VERB(measure, "evaluate", add_evaluate)
+BW_VERB(measure, "evaluate", "Drives suites of episodes in lock-step and sums up", add_evaluate)
 
 }  // namespace bw

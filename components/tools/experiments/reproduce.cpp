@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -48,43 +49,38 @@ Shard shard_of(const std::string& text) {
     const bool is_read = second.ec == std::errc() && second.ptr == end;
     if (is_read && shard.index >= 1 && shard.index <= shard.count && shard.count <= 1000) return shard;
   }
-  throw CLI::ValidationError("--shard", text + ": must be I/N with 1 <= I <= N <= 1000");
+  throw std::runtime_error("--shard " + text + ": must be I/N with 1 <= I <= N <= 1000");
 }
 
-CLI::App* add_reproduce(CLI::App& app, int& status) {
-  CLI::App* verb =
-      app.add_subcommand(
-             "reproduce",
-             "A table or figure of the dissertation again. Exit status 0: what is judged meets all criteria "
-             "(the last lines say what that is), 1: it does not")
-          ->require_subcommand(1);
+void add_reproduce(cli::Verb verb) {
   for (const Subject& subject : kSubjects) {
     auto arguments = std::make_shared<ReproduceArguments>();
-    CLI::App* one = verb->add_subcommand(subject.name, subject.what);
-    one->add_option("--out", arguments->out, "Folder for the page and results.json")->required();
-    one->add_flag("--quick", arguments->quick, "Few seeds, only the main rows");
+    cli::Verb one = verb.verb(subject.name, subject.what);
+    one.option("--out", arguments->out, "Folder for the page and results.json").required();
+    one.flag("--quick", arguments->quick, "Few seeds, only the main rows");
     const std::string_view name = subject.name;
     if (subject.drives)
-      one->add_option_function<std::string>(
+      one.option_function(
           "--shard", [arguments](const std::string& text) { arguments->shard = shard_of(text); },
           "I/N: only every N-th drive, beginning with the I-th; they are kept in the folder for a run without this option, which "
           "makes the page");
     if (name == "navigation" || name == "all")
-      one->add_flag(
+      one.flag(
           "--simulated-drivers", arguments->simulated_drivers,
           "navigation: the world turns the wheels and makes the scans, without emulated bases and lasers");
     if (name == "all") {
       arguments->jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-      one->add_option("--jobs", arguments->jobs, "Processes at a time; default: one a core")
-          ->check(CLI::Range(1, 256));
+      one.option("--jobs", arguments->jobs, "Processes at a time; default: one a core").within(1, 256);
     }
-    one->callback([&subject, arguments, &status] { status = subject.reproduce(*arguments) ? 0 : 1; });
+    one.run([&subject, arguments] { return subject.reproduce(*arguments) ? 0 : 1; });
   }
-  return verb;
 }
 
 }  // namespace
 
-BW_VERB(measure, "reproduce", add_reproduce)
+BW_VERB(measure, "reproduce",
+        "A table or figure of the dissertation again. Exit status 0: what is judged meets all criteria "
+        "(the last lines say what that is), 1: it does not",
+        add_reproduce)
 
 }  // namespace bw

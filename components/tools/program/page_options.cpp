@@ -44,17 +44,16 @@ int port_of(const std::string& text) {
 
 }  // namespace
 
-void PageOptions::add_to(CLI::App& verb) {
-  verb.add_flag("--page{" + std::string(kAsGiven) + "}", page,
-                "Serves the page, and Foxglove, while it runs: --page=PORT (8765, or the next free one)");
-  verb.add_option("--bags", bags, "Folder of recordings that the page may open");
-  verb.add_option("--listen", listen, "Address for others than this machine; needs --token-file");
-  verb.add_option("--token-file", token_file, "File with the token that the page asks for");
-  verb.add_option(
-          "--allow-origin", allow_origins,
-          "A page of elsewhere that may connect, such as https://app.foxglove.dev; as often as needed")
-      ->allow_extra_args(false);
-  verb.add_flag("--allow-commands", allow_commands, "With --listen: others may command, one at a time");
+void PageOptions::add_to(cli::Verb verb) {
+  verb.flag("--page", kAsGiven, page,
+            "Serves the page, and Foxglove, while it runs: --page=PORT (8765, or the next free one)");
+  verb.option("--bags", bags, "Folder of recordings that the page may open");
+  verb.option("--listen", listen, "Address for others than this machine; needs --token-file");
+  verb.option("--token-file", token_file, "File with the token that the page asks for");
+  verb.option("--allow-origin", allow_origins,
+              "A page of elsewhere that may connect, such as https://app.foxglove.dev; as often as needed")
+      .one_each_time();
+  verb.flag("--allow-commands", allow_commands, "With --listen: others may command, one at a time");
 }
 
 void PageOptions::apply_to(Graph& graph) const {

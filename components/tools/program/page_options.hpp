@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
-
+#include "runtime/cli/verb.hpp"
 #include "runtime/graph/graph.hpp"
 
 namespace bw {
@@ -19,7 +18,7 @@ struct PageOptions {
   bool allow_commands = false;
 
   /// --page and where it listens.
-  void add_to(CLI::App& verb);
+  void add_to(cli::Verb verb);
   /// Enables the viewer of the graph, or adds one, and puts what was given over its parameters. Does nothing where nothing was
   /// given. Throws std::runtime_error naming option, value and rule.
   void apply_to(Graph& graph) const;

@@ -11,17 +11,17 @@ namespace {
 
 }  // namespace
 
-void RecordOptions::add_to(CLI::App& verb) {
-  verb.add_option("--record", record, "Records every message: a new folder, or a file.mcap");
+void RecordOptions::add_to(cli::Verb verb) {
+  verb.option("--record", record, "Records every message: a new folder, or a file.mcap");
   writing.add_to(verb);
-  verb.add_option(
+  verb.option(
       "--snapshot", snapshot,
       "Keeps so much of the last time in memory, such as 30s, and writes it when something happens; off: does not");
-  verb.add_option("--snapshot-memory", snapshot_memory, "At most so much of it (256MB)");
-  verb.add_option("--snapshot-on", snapshot_on,
-                  "Events and topics to wait for, as often as needed (every known event)")
-      ->allow_extra_args(false);
-  verb.add_option("--snapshot-to", snapshot_to, "Folder for snapshots (snapshots)");
+  verb.option("--snapshot-memory", snapshot_memory, "At most so much of it (256MB)");
+  verb.option("--snapshot-on", snapshot_on,
+              "Events and topics to wait for, as often as needed (every known event)")
+      .one_each_time();
+  verb.option("--snapshot-to", snapshot_to, "Folder for snapshots (snapshots)");
 }
 
 bag::BagWriterOptions RecordOptions::writer_options() const {

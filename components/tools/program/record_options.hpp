@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
-
 #include "runtime/cli/bag_writing.hpp"
+#include "runtime/cli/verb.hpp"
 #include "runtime/graph/graph.hpp"
 
 namespace bw {
@@ -20,7 +19,7 @@ struct RecordOptions {
   std::string snapshot_to;
   std::vector<std::string> snapshot_on;
 
-  void add_to(CLI::App& verb);
+  void add_to(cli::Verb verb);
   /// Throws std::runtime_error naming option, value and rule.
   [[nodiscard]] bag::BagWriterOptions writer_options() const;
   /// Puts what was given over what the graph says. Throws std::runtime_error or ConfigError.

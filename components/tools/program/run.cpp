@@ -79,43 +79,38 @@ int run(const RunOptions& options) {
   return is_success(options, result) ? 0 : 1;
 }
 
-CLI::App* add_run(CLI::App& app, int& status) {
+void add_run(cli::Verb verb) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* verb = app.add_subcommand("run", "Runs a graph, or one process of it");
-  verb->add_option("GRAPH", options->graph, "Graph file")->required();
-  verb->add_option("--clock", options->clock,
-                   "wall, lockstep (virtual time, repeatable) or topic (/clock from outside)")
-      ->check(CLI::IsMember({"wall", "lockstep", "topic"}));
-  verb->add_option("--seed", options->seed, "Of everything random");
-  verb->add_option("--set", options->set, "component.param=value, as often as needed")
-      ->allow_extra_args(false);
-  verb->add_flag("--emulate", options->emulate, kEmulateHelp);
-  verb->add_option("--only", options->only, "Only this process of the graph");
-  verb->add_option("--for", options->for_s, "Ends after so many seconds of the component clock")
-      ->check(CLI::PositiveNumber);
-  verb->add_option(
-          "--pace", options->pace,
-          "Lock-step: virtual seconds per real second; 0 as fast as possible (default; with --stay 1)")
-      ->check(CLI::NonNegativeNumber);
-  verb->add_flag("--stay", options->stay,
-                 "Goes on for further goals when one is decided, until --for is over or Ctrl-C");
-  verb->add_flag(
+  verb.option("GRAPH", options->graph, "Graph file").required();
+  verb.option("--clock", options->clock,
+              "wall, lockstep (virtual time, repeatable) or topic (/clock from outside)")
+      .one_of({"wall", "lockstep", "topic"});
+  verb.option("--seed", options->seed, "Of everything random");
+  verb.option("--set", options->set, "component.param=value, as often as needed").one_each_time();
+  verb.flag("--emulate", options->emulate, kEmulateHelp);
+  verb.option("--only", options->only, "Only this process of the graph");
+  verb.option("--for", options->for_s, "Ends after so many seconds of the component clock").positive();
+  verb.option("--pace", options->pace,
+              "Lock-step: virtual seconds per real second; 0 as fast as possible (default; with --stay 1)")
+      .not_negative();
+  verb.flag("--stay", options->stay,
+            "Goes on for further goals when one is decided, until --for is over or Ctrl-C");
+  verb.flag(
       "--accept-inputs", options->accept_inputs,
       "Lock-step: goals, parameters, transitions and commands of other programs enter the run and its record");
-  verb->add_option("--json", options->json, "Writes the score card here");
-  verb->add_option("--svg", options->svg, "Writes a picture of the run here");
-  verb->add_option("--html", options->html,
-                   "Writes one page here that plays the drive: a file that needs no server");
-  options->record.add_to(*verb);
-  options->page.add_to(*verb);
-  verb->add_flag("--progress", options->progress, "Progress line even when stderr is no terminal");
-  verb->add_flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 after any contact");
-  verb->callback([options, &status] { status = run(*options); });
-  return verb;
+  verb.option("--json", options->json, "Writes the score card here");
+  verb.option("--svg", options->svg, "Writes a picture of the run here");
+  verb.option("--html", options->html,
+              "Writes one page here that plays the drive: a file that needs no server");
+  options->record.add_to(verb);
+  options->page.add_to(verb);
+  verb.flag("--progress", options->progress, "Progress line even when stderr is no terminal");
+  verb.flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 after any contact");
+  verb.run([options] { return run(*options); });
 }
 
 }  // namespace
 
-BW_VERB(drive, "run", add_run)
+BW_VERB(drive, "run", "Runs a graph, or one process of it", add_run)
 
 }  // namespace bw

@@ -68,20 +68,18 @@ int score(const ScoreOptions& options) {
   return report.exit_status;
 }
 
-CLI::App* add_score(CLI::App& app, int& status) {
+void add_score(cli::Verb verb) {
   auto options = std::make_shared<ScoreOptions>();
-  CLI::App* verb = app.add_subcommand("score", "Score cards of the drives in a recording");
-  verb->add_option("BAG", options->path, "File or folder")->required();
-  verb->add_option("--robot-radius", options->robot_radius,
-                   "Of the robot's disc [m]; else the bag's robot file tells")
-      ->check(CLI::PositiveNumber);
-  verb->add_flag("--json", options->json, "As JSON");
-  verb->callback([options, &status] { status = score(*options); });
-  return verb;
+  verb.option("BAG", options->path, "File or folder").required();
+  verb.option("--robot-radius", options->robot_radius,
+              "Of the robot's disc [m]; else the bag's robot file tells")
+      .positive();
+  verb.flag("--json", options->json, "As JSON");
+  verb.run([options] { return score(*options); });
 }
 
 }  // namespace
 
-BW_VERB(look, "score", add_score)
+BW_VERB(look, "score", "Score cards of the drives in a recording", add_score)
 
 }  // namespace bw

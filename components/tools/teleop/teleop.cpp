@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include <CLI/App.hpp>
 #include <bandwagon_msgs/msg/base_state.hpp>
 #include <fmt/format.h>
 #include <geometry_msgs/msg/twist.hpp>
@@ -274,22 +273,18 @@ int teleop(const TeleopOptions& options) {
   return Teleop(options).drive(keyboard, line);
 }
 
-CLI::App* add_teleop(CLI::App& app, int& status) {
+void add_teleop(cli::Verb verb) {
   auto options = std::make_shared<TeleopOptions>();
-  CLI::App* verb = app.add_subcommand("teleop", "Drives a robot by hand, on the keys of this terminal");
-  verb->add_option("--v", options->v, "Speed at 100 % [m/s]; it begins with 50 %")
-      ->check(CLI::Range(0.01, 2.0))
-      ->capture_default_str();
-  verb->add_option("--omega", options->omega, "Turn rate at 100 % [rad/s]")
-      ->check(CLI::Range(0.01, 4.0))
-      ->capture_default_str();
-  verb->add_option("--namespace", options->ns, "Of the robot, among several");
-  verb->callback([options, &status] { status = teleop(*options); });
-  return verb;
+  verb.option("--v", options->v, "Speed at 100 % [m/s]; it begins with 50 %")
+      .within(0.01, 2.0)
+      .shows_default();
+  verb.option("--omega", options->omega, "Turn rate at 100 % [rad/s]").within(0.01, 4.0).shows_default();
+  verb.option("--namespace", options->ns, "Of the robot, among several");
+  verb.run([options] { return teleop(*options); });
 }
 
 }  // namespace
 
-BW_VERB(drive, "teleop", add_teleop)
+BW_VERB(drive, "teleop", "Drives a robot by hand, on the keys of this terminal", add_teleop)
 
 }  // namespace bw

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -154,32 +153,26 @@ int view(const ViewOptions& options) {
   return 0;
 }
 
-CLI::App* add_view(CLI::App& app, int& status) {
+void add_view(cli::Verb verb) {
   auto options = std::make_shared<ViewOptions>();
   web::ServerOptions& server = options->server;
-  CLI::App* verb =
-      app.add_subcommand("view", "The page on a recording, a robot, or any ROS 2 system of the domain");
-  verb->add_option(
+  verb.option(
       "WHAT", options->what,
       "An .mcap file or its folder, or http://HOST:PORT of a robot; without it what is on the domain");
-  verb->add_option("--html", options->html,
-                   "Writes one page here that plays the recording, and serves nothing: a file to pass on");
-  verb->add_flag("--open", options->open, "Opens a browser (xdg-open)");
-  verb->add_option("--port", server.port, "0: any free one; the next free one where it is taken")
-      ->check(CLI::Range(0, 65535));
-  verb->add_option("--bags", server.bag_folder, "Folder of recordings that the page may open");
-  verb->add_option("--listen", server.address, "Address for others than this machine; needs --token-file");
-  verb->add_option("--token-file", server.token_file, "File with the token that the page asks for");
-  verb->add_option("--allow-origin", server.allow_origins, "A page of elsewhere that may connect")
-      ->allow_extra_args(false);
-  verb->add_flag("--allow-commands", server.allow_commands,
-                 "With --listen: others may command, one at a time");
-  verb->callback([options, &status] { status = view(*options); });
-  return verb;
+  verb.option("--html", options->html,
+              "Writes one page here that plays the recording, and serves nothing: a file to pass on");
+  verb.flag("--open", options->open, "Opens a browser (xdg-open)");
+  verb.option("--port", server.port, "0: any free one; the next free one where it is taken").within(0, 65535);
+  verb.option("--bags", server.bag_folder, "Folder of recordings that the page may open");
+  verb.option("--listen", server.address, "Address for others than this machine; needs --token-file");
+  verb.option("--token-file", server.token_file, "File with the token that the page asks for");
+  verb.option("--allow-origin", server.allow_origins, "A page of elsewhere that may connect").one_each_time();
+  verb.flag("--allow-commands", server.allow_commands, "With --listen: others may command, one at a time");
+  verb.run([options] { return view(*options); });
 }
 
 }  // namespace
 
-BW_VERB(look, "view", add_view)
+BW_VERB(look, "view", "The page on a recording, a robot, or any ROS 2 system of the domain", add_view)
 
 }  // namespace bw

@@ -15,6 +15,7 @@
 #include <sensor_msgs/msg/laser_scan.hpp>
 #include <sensor_msgs/msg/nav_sat_fix.hpp>
 
+#include "runtime/bag/log_record.hpp"
 #include "tests/runtime/import/tables.hpp"
 
 namespace bw::imports {
@@ -87,7 +88,7 @@ TEST(Import, CompassDegreesMillimetresKilometresPerHourAndMicroseconds) {
     EXPECT_EQ(o.header().frame_id(), "odom");
     EXPECT_EQ(o.child_frame_id(), "base_link");
   }
-  const auto& record = log.metadata.at(kLogRecord);
+  const auto& record = log.metadata.at(bag::kLogRecord);
   EXPECT_EQ(record.at("name"), "ship");
   EXPECT_EQ(record.at("source"), "made up");
   EXPECT_EQ(record.at("tables"), "ship.csv");
