@@ -34,8 +34,7 @@ void read_log(const ConfigNode& node, LogDescription& log, Violations& violation
   }
   const ConfigNode none;
   for (const ConfigEntry& entry : section(reader, "parameters", none).map)
-    read_value(entry.value, "log.parameters." + entry.key, {}, log.parameters[entry.key],
-                        violations);
+    read_value(entry.value, "log.parameters." + entry.key, {}, log.parameters[entry.key], violations);
   reader.refuse_unknown_keys();
 }
 

@@ -1,7 +1,6 @@
 // Parameter reading, listing and writing. Expected texts are the message form of config_error.hpp filled in
 // by hand.
 #include "runtime/parameters/parameters.hpp"
-#include "runtime/parameters/scalar_text.hpp"
 
 #include <limits>
 
@@ -11,6 +10,7 @@
 #include "components/model/robot.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/parameters/overrides.hpp"
+#include "runtime/parameters/scalar_text.hpp"
 #include "runtime/parameters/yaml_file.hpp"
 
 namespace bw {
