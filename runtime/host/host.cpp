@@ -245,8 +245,12 @@ RunEnd Host::run(std::optional<Duration> duration) {
 }
 
 void Host::finish(RunEnd end, bool at_rest) {
-  if (!runner_) return;
-  runner_->finish(std::move(end), at_rest ? Duration{} : time_to_rest_);
+  const std::lock_guard lock(end_mutex_);
+  if (runner_) {
+    runner_->finish(std::move(end), at_rest ? Duration{} : time_to_rest_);
+  } else if (!early_end_) {
+    early_end_ = std::move(end);
+  }
 }
 
 void Host::log(const Actor& actor, LogLevel level, const std::string& text) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,7 +64,7 @@ class Host {
 
   /// Connects, activates, runs to the end, deactivates. Once.
   RunEnd run(std::optional<Duration> duration);
-  /// Ends the run from any thread. With `at_rest` false what moves gets the time to stop that it
+  /// Ends the run from any thread, and at any time: one that was not begun ends as soon as it is. With `at_rest` false what moves gets the time to stop that it
   /// asked for (Setup::shared).
   void finish(RunEnd end, bool at_rest);
 
@@ -103,6 +104,7 @@ class Host {
   /// A callback threw: its component is deactivated at once, which stops what it moves; all others get their time to rest.
   void end_by(const CallbackFailure& failure);
   void offer_parameters(Setup& setup, Actor& actor);
+  void make_runner();
   void connect();
   void connect_services(Actor& actor);
   void connect_clients(Actor& actor);
@@ -126,6 +128,8 @@ class Host {
   std::vector<OutsideInputs::Topic> heard_outside_;
   const Actor* outside_actor_ = nullptr;  ///< through which what is accepted enters
   std::unique_ptr<Runner> runner_;
+  std::mutex end_mutex_;  ///< of who ends the run while `runner_` is made
+  std::optional<RunEnd> early_end_;
   std::unique_ptr<dds::Participant> participant_;
   std::unique_ptr<class WriterNames> writers_;
   std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step

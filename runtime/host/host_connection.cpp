@@ -48,12 +48,9 @@ dds::Network Host::network() const {
                                                                            : dds::Transport::localhost);
 }
 
-void Host::connect() {
-  const bool lockstep = options_.clock == ClockMode::lockstep;
-  const std::string private_partition = lockstep ? "lockstep" + std::to_string(getpid()) : "";
-  participant_ = std::make_unique<dds::Participant>(dds::ParticipantOptions{
-      .network = network(), .private_partition = private_partition, .alone = options_.alone});
-  if (lockstep) {
+void Host::make_runner() {
+  const std::lock_guard lock(end_mutex_);
+  if (options_.clock == ClockMode::lockstep) {
     runner_ = std::make_unique<LockstepRunner>(
         local_, LockstepOptions{.pace = options_.pace,
                                 .start = options_.start.value_or(LockstepRunner::kStart),
@@ -64,6 +61,15 @@ void Host::connect() {
         local_, *clock_,
         [this](const Actor& actor, const std::string& text) { log(actor, LogLevel::warn, text); });
   }
+  if (early_end_) runner_->finish(*early_end_, {});  // nothing has moved yet
+}
+
+void Host::connect() {
+  const bool lockstep = options_.clock == ClockMode::lockstep;
+  const std::string private_partition = lockstep ? "lockstep" + std::to_string(getpid()) : "";
+  participant_ = std::make_unique<dds::Participant>(dds::ParticipantOptions{
+      .network = network(), .private_partition = private_partition, .alone = options_.alone});
+  make_runner();
   if (options_.clock == ClockMode::wall) {
     const bool is_local = network().transport == dds::Transport::localhost;
     writer_clock_ = std::make_unique<WriterClock>(

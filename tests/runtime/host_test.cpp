@@ -51,6 +51,17 @@ TEST(Host, RefusesLockstepForOneProcessOfMany) {
                std::runtime_error);
 }
 
+// As by Ctrl-C while the program starts: before there was a runner it was lost, and the robot drove on.
+TEST(Host, AnEndAskedForBeforeTheRunEndsIt) {
+  for (const ClockMode clock : {ClockMode::wall, ClockMode::lockstep}) {
+    TestGraph builder;
+    builder.add({.name = "only"}, [](bw::Setup&) {});
+    Host host(builder.graph(), {.clock = clock});
+    host.finish({.ok = true, .reason = "interrupted"}, false);
+    EXPECT_EQ(host.run(Duration::seconds(5.0)).reason, "interrupted");
+  }
+}
+
 TEST(WallClock, LanesExchangeMessagesAndFinishEndsTheRun) {
   constexpr int kRounds = 200;
   TestGraph builder;
