@@ -22,14 +22,13 @@ using Referenced = std::map<std::string, IndividualTypeDescription>;
 
 /// Constants of type_description_interfaces/msg/FieldType.
 std::uint8_t type_id(const FieldDescription& field) {
-  constexpr std::array<std::uint8_t, 14> kIds = {15, 16, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 17, 1};  // as Kind
-  constexpr std::uint8_t kBoundedString = 21, kArray = 48, kBoundedSequence = 96, kUnboundedSequence = 144;
-  const std::uint8_t id =
-      field.string_capacity != 0 ? kBoundedString : kIds.at(static_cast<std::size_t>(field.kind));
-  if (field.shape == Shape::kArray) return id + kArray;
-  if (field.shape == Shape::kSequence)
-    return id + (field.capacity != 0 ? kBoundedSequence : kUnboundedSequence);
-  return id;
+  constexpr std::array<int, 14> kIds = {15, 16, 2, 3,  4,  5,  6,
+                                        7,  8,  9, 10, 11, 17, 1};  // in the order of Kind
+  constexpr int kBoundedString = 21, kArray = 48, kBoundedSequence = 96, kUnboundedSequence = 144;
+  int id = field.string_capacity != 0 ? kBoundedString : kIds.at(static_cast<std::size_t>(field.kind));
+  if (field.shape == Shape::kArray) id += kArray;
+  if (field.shape == Shape::kSequence) id += field.capacity != 0 ? kBoundedSequence : kUnboundedSequence;
+  return static_cast<std::uint8_t>(id);
 }
 
 IndividualTypeDescription alone(const TypeDescription& type) {
