@@ -10,7 +10,8 @@ void LinkGuard::read(Time now, const LinkState& link, bool has_counts) {
 }
 
 void LinkGuard::told(Time now, bool is_through) {
-  if (is_through)
+  // Before it was ever heard there may be no open port to take them: that is no base that was lost.
+  if (is_through || !heard_)
     refused_since_.reset();
   else
     refused_since_ = std::min(refused_since_.value_or(now), now);

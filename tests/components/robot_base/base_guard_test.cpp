@@ -120,6 +120,21 @@ TEST(BaseGuard, TheFirstOpeningIsNoneAnew) {
   base.run(1.0, std::nullopt, [&] { ASSERT_EQ(base.output().reason, ""); });
 }
 
+// The port of a busy machine takes half a second to open, while somebody commands already; the first poll of the
+// open port has counts. From then on commands have `silence`, 0.2 s, to get through.
+TEST(BaseGuard, CommandsBeforeTheBaseWasHeardAreNoLostBase) {
+  GuardedBase base;
+  base.readings.link = {.is_open = false, .is_opening = true, .device = "cable"};
+  base.is_silent = base.is_deaf = true;
+  base.run(0.5, kAhead);
+  base.readings.link = {.is_open = true, .device = "cable", .openings = 1};
+  base.is_silent = base.is_deaf = false;
+  base.run(1.0, kAhead, [&] {
+    ASSERT_NE(base.output().condition, BaseCondition::link) << base.seconds() << base.output().reason;
+  });
+  EXPECT_NEAR(base.speed(), 0.3, 0.01);
+}
+
 TEST(BaseGuard, CommandsThatDoNotGetThroughAreALostBase) {
   GuardedBase base = driving();
   base.is_deaf = true;
