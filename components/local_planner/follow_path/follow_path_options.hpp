@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "components/model/goal_tolerance.hpp"
-#include "components/model/progress_checker.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
@@ -45,7 +44,7 @@ struct GoalCheckerOptions {
   GoalTolerance tolerance() const { return {xy_goal_tolerance, yaw_goal_tolerance}; }
 };
 
-/// Nav2's SimpleProgressChecker.
+/// Nav2's SimpleProgressChecker, along the path.
 struct ProgressCheckerOptions {
   double required_movement_radius = 0.5;
   double movement_time_allowance = 10.0;
@@ -53,12 +52,9 @@ struct ProgressCheckerOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("required_movement_radius", required_movement_radius,
-      {.unit = "m", .min = 0.01, .max = 10, .doc = "so far is progress"});
+      {.unit = "m", .min = 0.01, .max = 10, .doc = "so far along the path is progress"});
     v("movement_time_allowance", movement_time_allowance,
       {.unit = "s", .min = 0.5, .max = 600, .doc = "longest time without progress"});
-  }
-  ProgressLimits limits() const {
-    return {.movement = required_movement_radius, .time = movement_time_allowance};
   }
 };
 
