@@ -5,19 +5,21 @@
 #include <limits>
 #include <utility>
 
-#include "components/local_planner/path_cusps.hpp"
+#include "components/local_planner/path_corners.hpp"
 #include "components/model/nearest_point.hpp"
 
 namespace bw {
 namespace {
 
-constexpr double kReach =
-    0.5;  // [m] along the path in which the robot is looked for beyond what it has driven
 constexpr double kChordError = 0.5;  // [m]
-constexpr double kStep = 0.1;        // [m] between the places of the path that are compared with a chord
-constexpr double kCloser = 1e-6;     // [m] from which one place is nearer than another
-constexpr double kTurned = 0.3;      // [rad] within which the robot faces the way on
-constexpr double kNoBearing = 0.1;   // [m] nearer than which the way on has no direction
+constexpr double kOffPath = 0.4;     // [m] within which the robot counts as on the path
+// The robot is looked for so far along the path beyond what it has driven [m]: twice the chord's error, since who cuts a bend
+// comes further along the path than it drives.
+constexpr double kReach = 1.0;
+constexpr double kStep = 0.1;       // [m] between the places of the path that are compared with a chord
+constexpr double kCloser = 1e-6;    // [m] from which one place is nearer than another
+constexpr double kTurned = 0.3;     // [rad] within which the robot faces the way on
+constexpr double kNoBearing = 0.1;  // [m] nearer than which the way on has no direction
 // A stretch of more than this much of its chord and kLoop [m] comes back to where it began.
 constexpr double kStraightness = 2.0;
 constexpr double kLoop = 0.5;
@@ -36,7 +38,7 @@ void FollowedPath::start(std::vector<Pose2> poses) {
   along_.push_back(0.0);
   for (std::size_t i = 1; i < poses_.size(); ++i)
     along_.push_back(along_.back() + distance(poses_[i].position(), poses_[i - 1].position()));
-  cusps_ = cusps_of(poses_, along_, *line_);
+  corners_ = sharp_corners(poses_, along_, *line_);
 }
 
 const PathLeg& FollowedPath::leg(const Pose2& X_PB, double lookahead, const GoalTolerance& tolerance) {
@@ -54,7 +56,7 @@ void FollowedPath::advance(const Vector2& robot, double tolerance) {
   robot_ = robot;
   for (bool goes_on = true; goes_on;) {
     const bool moved = advance_once(robot, reach);
-    const bool passed = pass_cusp(robot, tolerance);
+    const bool passed = pass_corner(robot, tolerance);
     if (passed && !begins) leg_.begins = is_turning_ = true;
     goes_on = begins && (moved || passed);
   }
@@ -72,16 +74,16 @@ bool FollowedPath::advance_once(const Vector2& robot, double reach) {
   return true;
 }
 
-bool FollowedPath::pass_cusp(const Vector2& robot, double tolerance) {
+bool FollowedPath::pass_corner(const Vector2& robot, double tolerance) {
   if (is_on_last_leg() || distance(poses_[leg_end()].position(), robot) > tolerance) return false;
   if (along_[leg_end()] - progress_ > kStraightness * tolerance + kLoop) return false;
   progress_ = along_[leg_end()];
-  ++cusp_;
+  ++corner_;
   return true;
 }
 
 void FollowedPath::measure(const Vector2& robot) {
-  const auto first = along_.begin() + static_cast<std::ptrdiff_t>(cusp_ == 0 ? 0 : cusps_[cusp_ - 1]);
+  const auto first = along_.begin() + static_cast<std::ptrdiff_t>(corner_ == 0 ? 0 : corners_[corner_ - 1]);
   const auto last = along_.begin() + static_cast<std::ptrdiff_t>(leg_end());
   auto nearest = std::lower_bound(first, last, progress_);
   if (nearest != first && progress_ - nearest[-1] <= *nearest - progress_) --nearest;
@@ -112,12 +114,15 @@ void FollowedPath::cut(const Vector2& robot, double lookahead) {
     if (leg_.poses.empty()) leg_.poses.push_back(pose_at(progress_));
     leg_.poses.push_back(pose_at(straight));
   } else if (!is_on_last_leg() && end == last) {
-    leg_.poses.back() = pose_at(along_[last]);  // faces the cusp, and not the way on
+    leg_.poses.back() = pose_at(along_[last]);  // faces the corner, and not the way on
   }
 }
 
 double FollowedPath::straight_until(double end) const {
-  const Vector2 from = line_->at(progress_);
+  // From the robot; but one that was driven off the path shall see as far as one beside it.
+  const Vector2 place = line_->at(progress_);
+  const Vector2 beside = *robot_ - place;
+  const Vector2 from = place + beside * (kOffPath / std::max(beside.norm(), kOffPath));
   std::vector<Vector2> between;
   for (double along = progress_ + kStep; along < end + kStep; along += kStep) {
     const double here = std::min(along, end);

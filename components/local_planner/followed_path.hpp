@@ -1,12 +1,12 @@
 // A path that is being followed: how far along it the robot has come, and the stretch that a planner works on now (book 7.4).
 //
-// Progress is a length along the path. It never falls, and rises only to places near the last one: half a metre, and what the
+// Progress is a length along the path. It never falls, and rises only to places near the last one: a metre, and what the
 // robot has driven since. So a path that crosses itself, comes back over itself or ends where it begins is followed in order.
 //
-// The path is cut into legs at its cusps (path_cusps). A planner is given the leg in hand alone, as one to arrive at: the next
-// begins when the robot is within the tolerance of the cusp, by turning on the spot until it faces the way on. Along a leg the
-// stretch ends where its chord would leave the path by more than kChordError: a planner that goes straight to the end of what it
-// is given cuts no bend by more.
+// The path is cut into legs at its sharp corners (path_corners). A planner is given the leg in hand alone, with its end as a goal at
+// which to stop; the next leg begins when the robot is within the tolerance of the corner, by a turn on the spot until it faces
+// the way on. All legs are driven forwards. Within a leg the stretch ends where its chord would leave the path by more than 0.5 m,
+// so that a planner that takes the straight way to the end of what it is given cuts no bend by more.
 #pragma once
 
 #include <cstddef>
@@ -21,10 +21,11 @@ namespace bw {
 
 /// What a planner is to do in this cycle, in the frame of the path.
 struct PathLeg {
-  std::vector<Pose2> poses;   ///< from near the robot to the local goal; empty when the path is
-  bool goal_is_final = true;  ///< the local goal is to be arrived at, at rest: a cusp, or the end of the path
-  GoalTolerance tolerance;    ///< of the local goal
-  bool begins = false;        ///< another leg than in the cycle before: what was planned for that one is over
+  std::vector<Pose2> poses;  ///< from near the robot to the local goal; empty when the path is
+  bool goal_is_final =
+      true;                 ///< the local goal is to be arrived at, at rest: a corner, or the end of the path
+  GoalTolerance tolerance;  ///< of the local goal
+  bool begins = false;      ///< another leg than in the cycle before: what was planned for that one is over
 };
 
 class FollowedPath {
@@ -34,7 +35,7 @@ class FollowedPath {
   void start(std::vector<Pose2> poses);
 
   /// For a robot at `X_PB` in the path's frame, in every cycle. The stretch is about `lookahead` [m] long at most; `tolerance`
-  /// is that of the path's end and of its cusps.
+  /// is that of the path's end and of its corners.
   const PathLeg& leg(const Pose2& X_PB, double lookahead, const GoalTolerance& tolerance);
 
   const std::vector<Pose2>& poses() const { return poses_; }
@@ -44,17 +45,17 @@ class FollowedPath {
   std::size_t index() const { return index_; }
   /// To that pose, and along the path to its end [m].
   double distance_to_goal() const { return distance_to_goal_; }
-  /// No cusp is left.
-  bool is_on_last_leg() const { return cusp_ == cusps_.size(); }
+  /// No sharp corner is left.
+  bool is_on_last_leg() const { return corner_ == corners_.size(); }
   /// By which the distance to the goal has shrunk since the first path [m]; another path does not count.
   double way_made() const { return way_made_; }
 
  private:
-  std::size_t leg_end() const { return is_on_last_leg() ? poses_.size() - 1 : cusps_[cusp_]; }
+  std::size_t leg_end() const { return is_on_last_leg() ? poses_.size() - 1 : corners_[corner_]; }
   void advance(const Vector2& robot, double tolerance);
   /// False when no place further on, within `reach` [m], is nearer to the robot.
   bool advance_once(const Vector2& robot, double reach);
-  bool pass_cusp(const Vector2& robot, double tolerance);
+  bool pass_corner(const Vector2& robot, double tolerance);
   void measure(const Vector2& robot);
   /// Whether the robot has still to turn to the way on; then that is the leg.
   bool turn_first(const Pose2& X_PB);
@@ -67,11 +68,11 @@ class FollowedPath {
   std::vector<Pose2> poses_;
   std::optional<PlanLine> line_;
   std::vector<double> along_;  ///< of each pose [m]
-  std::vector<std::size_t> cusps_;
+  std::vector<std::size_t> corners_;
 
   double progress_ = 0.0;         ///< of the robot along the path [m]
-  std::size_t cusp_ = 0;          ///< the next one, of `cusps_`
-  bool is_turning_ = false;       ///< at the cusp before
+  std::size_t corner_ = 0;        ///< the next one, of `corners_`
+  bool is_turning_ = false;       ///< at the corner before
   std::optional<Vector2> robot_;  ///< where it was in the last cycle on this path
   std::size_t index_ = 0;
   double distance_to_goal_ = 0.0;

@@ -128,7 +128,7 @@ TEST(FollowedPath, OfOnePlaceOrNoneIsSafe) {
 std::vector<Pose2> drive_straight(FollowedPath& path, Random& random, double length) {
   std::vector<Pose2> driven;
   Pose2 X{0.0, 0.0, 0.0};
-  const double most = 3.0 * length / 0.05 + 200.0;
+  const double most = 3.0 * length / 0.05 + 200.0;  // steps, three times those of the path
   for (int cycle = 0; cycle < most; ++cycle) {
     driven.push_back(X);
     const PathLeg& leg = path.leg(X, kLookahead, kTolerance);

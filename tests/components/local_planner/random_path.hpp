@@ -54,7 +54,7 @@ inline std::size_t passed_in_order(const std::vector<Vector2>& wanted, const std
   return passed;
 }
 
-/// Places each 0.5 m along `path` and its corners' neighbourhood.
+/// Places each 0.5 m along a path of path_over(), and its end.
 inline std::vector<Vector2> places_of(const std::vector<Pose2>& path) {
   std::vector<Vector2> places;
   for (std::size_t i = 0; i < path.size(); i += 10) places.push_back(path[i].position());
