@@ -62,13 +62,22 @@ TEST(FollowedPath, ThatComesBackOverItselfIsDrivenToItsTurnFirst) {
 }
 
 TEST(FollowedPath, ThatEndsWhereItBeginsIsAllAhead) {
-  FollowedPath path = along({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
-  const PathLeg& leg = path.leg({0, 0, 0}, kLookahead, kTolerance);
-  EXPECT_NEAR(path.distance_to_goal(), 8.0, 1e-9);
+  FollowedPath square = along({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
+  EXPECT_LT((end_of(square.leg({0, 0, 0}, kLookahead, kTolerance)) - Vector2(2, 0)).norm(), 1e-9);
+  EXPECT_NEAR(square.distance_to_goal(), 8.0, 1e-9);
+  EXPECT_FALSE(square.is_on_last_leg());
+
+  // Nothing of a circle is sharp. Of one of 1 m a chord over the angle 2 a leaves the arc by 1 - cos a: 0.5 m at 2 a = 120 degrees,
+  // 2.09 m of arc; chords are tried each 0.1 m.
+  std::vector<Vector2> corners;
+  for (int i = 0; i <= 120; ++i)
+    corners.push_back({std::sin(2.0 * kPi * i / 120), 1.0 - std::cos(2.0 * kPi * i / 120)});
+  FollowedPath circle = along(corners);
+  const PathLeg& leg = circle.leg({0, 0, 0}, kLookahead, kTolerance);
+  EXPECT_TRUE(circle.is_on_last_leg());
+  EXPECT_NEAR(circle.distance_to_goal(), 2.0 * kPi, 0.01);
   EXPECT_FALSE(leg.goal_is_final);
-  // The chord to (2, y) leaves the corner (2, 0) by 2 y / sqrt(4 + y^2): 0.5 m at y = 0.52.
-  EXPECT_NEAR(end_of(leg).x(), 2.0, 1e-9);
-  EXPECT_NEAR(end_of(leg).y(), 0.52, 0.11);
+  EXPECT_NEAR(leg.poses.back().theta, 2.0, 0.15) << "the angle of an arc of 2.0 m";
 }
 
 TEST(FollowedPath, ThatCrossesItselfIsFollowedStraightOn) {
