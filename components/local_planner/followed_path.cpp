@@ -11,11 +11,11 @@
 namespace bw {
 namespace {
 
-constexpr double kChordError = 0.5;  // [m]
-constexpr double kOffPath = 0.4;     // [m] within which the robot counts as on the path
-// The robot is looked for so far along the path beyond what it has driven [m]: twice the chord's error, since who cuts a bend
-// comes further along the path than it drives.
-constexpr double kReach = 1.0;
+// The robot is looked for along the path beyond what it has driven: twice as far as it may leave the path, since who cuts a bend
+// comes further along the path than it drives, and this far at most [m].
+constexpr double kReach = 3.0;
+constexpr double kAhead = 1.0;      // [m] at which the way on is seen from a corner
+constexpr double kOffPath = 0.4;    // [m] within which the robot counts as on the path
 constexpr double kStep = 0.1;       // [m] between the places of the path that are compared with a chord
 constexpr double kCloser = 1e-6;    // [m] from which one place is nearer than another
 constexpr double kTurned = 0.3;     // [rad] within which the robot faces the way on
@@ -41,22 +41,23 @@ void FollowedPath::start(std::vector<Pose2> poses) {
   corners_ = sharp_corners(poses_, along_, *line_);
 }
 
-const PathLeg& FollowedPath::leg(const Pose2& X_PB, double lookahead, const GoalTolerance& tolerance) {
-  leg_ = {.poses = {}, .goal_is_final = true, .tolerance = tolerance, .begins = false};
+const PathLeg& FollowedPath::leg(const Pose2& X_PB, const FollowLimits& limits) {
+  leg_ = {.poses = {}, .goal_is_final = true, .tolerance = limits.tolerance, .begins = false};
   if (poses_.empty()) return leg_;
   const Vector2 robot = X_PB.position();
-  advance(robot, tolerance.xy);
-  if (!turn_first(X_PB)) cut(robot, lookahead);
+  advance(robot, limits);
+  if (!turn_first(X_PB)) cut(robot, limits);
   return leg_;
 }
 
-void FollowedPath::advance(const Vector2& robot, double tolerance) {
+void FollowedPath::advance(const Vector2& robot, const FollowLimits& limits) {
   const bool begins = !robot_;
-  const double reach = kReach + (begins ? 0.0 : distance(robot, *robot_));
+  const double reach =
+      std::min(kReach, 2.0 * limits.max_deviation) + (begins ? 0.0 : distance(robot, *robot_));
   robot_ = robot;
   for (bool goes_on = true; goes_on;) {
     const bool moved = advance_once(robot, reach);
-    const bool passed = pass_corner(robot, tolerance);
+    const bool passed = pass_corner(robot, limits.tolerance.xy);
     if (passed && !begins) leg_.begins = is_turning_ = true;
     goes_on = begins && (moved || passed);
   }
@@ -93,7 +94,7 @@ void FollowedPath::measure(const Vector2& robot) {
 
 bool FollowedPath::turn_first(const Pose2& X_PB) {
   if (!is_turning_) return false;
-  const Vector2 ahead = line_->at(std::min(progress_ + kReach, along_[leg_end()])) - X_PB.position();
+  const Vector2 ahead = line_->at(std::min(progress_ + kAhead, along_[leg_end()])) - X_PB.position();
   const double heading = std::atan2(ahead.y(), ahead.x());
   is_turning_ = ahead.norm() > kNoBearing && std::abs(wrap_angle(heading - X_PB.theta)) > kTurned;
   if (!is_turning_) return false;
@@ -102,12 +103,12 @@ bool FollowedPath::turn_first(const Pose2& X_PB) {
   return true;
 }
 
-void FollowedPath::cut(const Vector2& robot, double lookahead) {
+void FollowedPath::cut(const Vector2& robot, const FollowLimits& limits) {
   const std::size_t last = leg_end();
   const double from = along_[index_] - distance(poses_[index_].position(), robot);
   std::size_t end = index_;
-  while (end < last && along_[end] - from < lookahead) ++end;
-  const double straight = straight_until(along_[end]);
+  while (end < last && along_[end] - from < limits.lookahead) ++end;
+  const double straight = straight_until(along_[end], limits.max_deviation);
   for (std::size_t i = index_; i <= end && along_[i] <= straight; ++i) leg_.poses.push_back(poses_[i]);
   leg_.goal_is_final = end == last && along_[end] <= straight;
   if (along_[end] > straight) {
@@ -118,7 +119,7 @@ void FollowedPath::cut(const Vector2& robot, double lookahead) {
   }
 }
 
-double FollowedPath::straight_until(double end) const {
+double FollowedPath::straight_until(double end, double max_deviation) const {
   // From the robot; but one that was driven off the path shall see as far as one beside it.
   const Vector2 place = line_->at(progress_);
   const Vector2 beside = *robot_ - place;
@@ -128,7 +129,7 @@ double FollowedPath::straight_until(double end) const {
     const double here = std::min(along, end);
     const Segment chord{from, line_->at(here)};
     const bool leaves = std::any_of(between.begin(), between.end(), [&](const Vector2& p) {
-      return distance(nearest_point(chord, p), p) > kChordError;
+      return distance(nearest_point(chord, p), p) > max_deviation;
     });
     if (leaves || here - progress_ > kStraightness * distance(chord.a, chord.b) + kLoop) return along - kStep;
     between.push_back(chord.b);

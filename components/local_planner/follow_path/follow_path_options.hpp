@@ -65,6 +65,7 @@ struct FollowPathOptions {
   std::vector<std::string> path_handler_plugins = {"PathHandler"};
   double failure_tolerance = 0.3;
   double costmap_update_timeout = 0.3;
+  double max_path_deviation = 0.5;
   GoalCheckerOptions goal_checker;
   ProgressCheckerOptions progress_checker;
 
@@ -90,6 +91,13 @@ struct FollowPathOptions {
        .min = 0,
        .max = 600,
        .doc = "and after so long without a needed input or transform; meanwhile the robot stands"});
+    v("max_path_deviation", max_path_deviation,
+      {.unit = "m",
+       .min = 0.1,
+       .max = 100,
+       .doc =
+           "by which the straight way to the end of what is planned on may leave the path of a goal of follow_path: bends are "
+           "cut by no more; smaller follows closer and sees less far"});
     v("goal_checker", goal_checker, {.doc = "when a goal of follow_path is reached"});
     v("progress_checker", progress_checker, {.doc = "and when it gets nowhere"});
   }

@@ -186,13 +186,8 @@ TEST(FollowPath, APathThatComesBackOverItselfIsDrivenOutAndBack) {
     EXPECT_GE(farthest, d - 0.25) << d;
     expect_end(story->goal, GoalStatus::succeeded, 0, "");
     EXPECT_LT((story->rig.X_MB.position() - Vector2(-1, 0)).norm(), 0.25) << d;
-    // Within 2 cm of what is left: as much at the beginning, and never more than before but for a cycle's standing.
-    EXPECT_NEAR(story->rig.feedback.front().distance_to_goal(), 2.0 * d + 1.0, 0.02) << d;
-    for (std::size_t i = 1; i < story->rig.feedback.size(); ++i) {
-      EXPECT_LE(story->rig.feedback[i].distance_to_goal(),
-                story->rig.feedback[i - 1].distance_to_goal() + 0.05F)
-          << d << " " << i;
-    }
+    EXPECT_NEAR(story->rig.feedback.front().distance_to_goal(), 2.0 * d + 1.0, 0.02)
+        << d << ": all of it is ahead";
   }
 }
 

@@ -12,8 +12,7 @@
 namespace bw {
 namespace {
 
-constexpr double kLookahead = 6.0;
-constexpr GoalTolerance kTolerance{0.25, 0.25};
+constexpr FollowLimits kLimits{.lookahead = 6.0, .tolerance = {0.25, 0.25}, .max_deviation = 0.5};
 constexpr double kPi = std::numbers::pi;
 
 FollowedPath along(const std::vector<Vector2>& corners) {
@@ -25,37 +24,37 @@ Vector2 end_of(const PathLeg& leg) { return leg.poses.back().position(); }
 
 TEST(FollowedPath, WithoutABendIsThePosesFromTheNearestToTheLookahead) {
   FollowedPath path = along({{0, 0}, {20, 0}});
-  const PathLeg& leg = path.leg({3.02, 0.4, 0.0}, kLookahead, kTolerance);
+  const PathLeg& leg = path.leg({3.02, 0.4, 0.0}, kLimits);
   EXPECT_NEAR(leg.poses.front().x, 3.0, 1e-9);
   // 0.4 m to the nearest pose, then the first pose at 5.6 m of the rest or more.
   EXPECT_NEAR(leg.poses.back().x, 8.6, 0.051);
   EXPECT_FALSE(leg.goal_is_final);
   EXPECT_NEAR(path.distance_to_goal(), 0.4 + 17.0, 0.01);
-  path.leg({18.0, 0.0, 0.0}, kLookahead, kTolerance);
-  EXPECT_TRUE(path.leg({18.0, 0.0, 0.0}, kLookahead, kTolerance).goal_is_final);
+  path.leg({18.0, 0.0, 0.0}, kLimits);
+  EXPECT_TRUE(path.leg({18.0, 0.0, 0.0}, kLimits).goal_is_final);
 }
 
 TEST(FollowedPath, ThatComesBackOverItselfIsDrivenToItsTurnFirst) {
   FollowedPath path = along({{0, 0}, {3, 0}, {-1, 0}});
-  const PathLeg& out = path.leg({0, 0, 0}, kLookahead, kTolerance);
+  const PathLeg& out = path.leg({0, 0, 0}, kLimits);
   EXPECT_LT((end_of(out) - Vector2(3, 0)).norm(), 1e-9);
   EXPECT_NEAR(out.poses.back().theta, 0.0, 1e-9) << "as it is come to, not as it is left";
   EXPECT_TRUE(out.goal_is_final) << "arrived at, at rest";
   EXPECT_FALSE(path.is_on_last_leg());
   EXPECT_NEAR(path.distance_to_goal(), 7.0, 1e-9);
   for (double x = 0.1; x < 2.7; x += 0.1) {
-    EXPECT_LT((end_of(path.leg({x, 0.1, 0}, kLookahead, kTolerance)) - Vector2(3, 0)).norm(), 1e-9) << x;
+    EXPECT_LT((end_of(path.leg({x, 0.1, 0}, kLimits)) - Vector2(3, 0)).norm(), 1e-9) << x;
     EXPECT_FALSE(path.is_on_last_leg());
   }
   // Within 0.25 m of the turn it turns where it is, and then goes all the way back.
-  const PathLeg& turn = path.leg({2.8, 0.0, 0.0}, kLookahead, kTolerance);
+  const PathLeg& turn = path.leg({2.8, 0.0, 0.0}, kLimits);
   EXPECT_TRUE(turn.begins);
   ASSERT_EQ(turn.poses.size(), 1U);
   EXPECT_EQ(turn.poses[0].position(), Vector2(2.8, 0.0));
   EXPECT_NEAR(std::abs(turn.poses[0].theta), kPi, 1e-9);
   EXPECT_TRUE(turn.goal_is_final);
-  EXPECT_EQ(path.leg({2.8, 0.0, 1.0}, kLookahead, kTolerance).poses.size(), 1U);
-  const PathLeg& back = path.leg({2.8, 0.0, 3.0}, kLookahead, kTolerance);
+  EXPECT_EQ(path.leg({2.8, 0.0, 1.0}, kLimits).poses.size(), 1U);
+  const PathLeg& back = path.leg({2.8, 0.0, 3.0}, kLimits);
   EXPECT_LT((end_of(back) - Vector2(-1, 0)).norm(), 1e-9);
   EXPECT_TRUE(path.is_on_last_leg());
   EXPECT_NEAR(path.distance_to_goal(), 3.8, 0.03);
@@ -63,7 +62,7 @@ TEST(FollowedPath, ThatComesBackOverItselfIsDrivenToItsTurnFirst) {
 
 TEST(FollowedPath, ThatEndsWhereItBeginsIsAllAhead) {
   FollowedPath square = along({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
-  EXPECT_LT((end_of(square.leg({0, 0, 0}, kLookahead, kTolerance)) - Vector2(2, 0)).norm(), 1e-9);
+  EXPECT_LT((end_of(square.leg({0, 0, 0}, kLimits)) - Vector2(2, 0)).norm(), 1e-9);
   EXPECT_NEAR(square.distance_to_goal(), 8.0, 1e-9);
   EXPECT_FALSE(square.is_on_last_leg());
 
@@ -73,7 +72,7 @@ TEST(FollowedPath, ThatEndsWhereItBeginsIsAllAhead) {
   for (int i = 0; i <= 120; ++i)
     corners.push_back({std::sin(2.0 * kPi * i / 120), 1.0 - std::cos(2.0 * kPi * i / 120)});
   FollowedPath circle = along(corners);
-  const PathLeg& leg = circle.leg({0, 0, 0}, kLookahead, kTolerance);
+  const PathLeg& leg = circle.leg({0, 0, 0}, kLimits);
   EXPECT_TRUE(circle.is_on_last_leg());
   EXPECT_NEAR(circle.distance_to_goal(), 2.0 * kPi, 0.01);
   EXPECT_FALSE(leg.goal_is_final);
@@ -83,53 +82,53 @@ TEST(FollowedPath, ThatEndsWhereItBeginsIsAllAhead) {
 TEST(FollowedPath, ThatCrossesItselfIsFollowedStraightOn) {
   // An eight: east through (2, 0), round, and south to north through (2, 0) 8 m later.
   FollowedPath path = along({{0, 0}, {4, 0}, {4, -2}, {2, -2}, {2, 2}});
-  for (double x = 0.0; x < 3.99; x += 0.1) path.leg({x, 0.0, 0.0}, kLookahead, kTolerance);
+  for (double x = 0.0; x < 3.99; x += 0.1) path.leg({x, 0.0, 0.0}, kLimits);
   EXPECT_NEAR(path.distance_to_goal(), 12.0 - 3.9, 0.11);
   path.start(path_over({{0, 0}, {4, 0}, {4, -2}, {2, -2}, {2, 2}}));
-  path.leg({1.9, 0.0, 0.0}, kLookahead, kTolerance);
-  path.leg({2.0, 0.3, 0.0}, kLookahead, kTolerance);
+  path.leg({1.9, 0.0, 0.0}, kLimits);
+  path.leg({2.0, 0.3, 0.0}, kLimits);
   EXPECT_NEAR(path.distance_to_goal(), 10.3, 0.05) << "nearer to the later stretch, and yet on the first";
 }
 
 TEST(FollowedPath, ARobotThatIsPushedGoesOnFromWhereItWas) {
   FollowedPath path = along({{0, 0}, {10, 0}});
-  path.leg({3.0, 0.0, 0.0}, kLookahead, kTolerance);
+  path.leg({3.0, 0.0, 0.0}, kLimits);
   const double way = path.way_made();
-  path.leg({2.0, 1.0, 0.0}, kLookahead, kTolerance);
+  path.leg({2.0, 1.0, 0.0}, kLimits);
   EXPECT_EQ(path.index(), 60U) << "progress does not fall";
   EXPECT_NEAR(path.way_made() - way, -std::hypot(1.0, 1.0), 1e-9);
-  path.leg({5.0, 1.0, 0.0}, kLookahead, kTolerance);  // carried on 3 m, or the localization said so
+  path.leg({5.0, 1.0, 0.0}, kLimits);  // carried on 3 m, or the localization said so
   EXPECT_EQ(path.index(), 100U);
 }
 
 TEST(FollowedPath, BeginsWhereGoingOnLeadsAway) {
   FollowedPath path = along({{-5, 0}, {5, 0}, {0, 0}});
-  path.leg({2.0, 0.3, 0.0}, kLookahead, kTolerance);
+  path.leg({2.0, 0.3, 0.0}, kLimits);
   EXPECT_EQ(path.index(), 140U);
   // A grid's path begins with a step back to the middle of a cell: no turn.
   path.start(path_over({{0, 0}, {-0.1, 0.02}, {5, 0}}));
-  const PathLeg& leg = path.leg({0.0, 0.0, 0.0}, kLookahead, kTolerance);
+  const PathLeg& leg = path.leg({0.0, 0.0, 0.0}, kLimits);
   EXPECT_FALSE(leg.begins);
   EXPECT_LT((end_of(leg) - Vector2(5, 0)).norm(), 1e-9);
 }
 
 TEST(FollowedPath, WayMadeGoesOnOverANewPath) {
   FollowedPath path = along({{0, 0}, {10, 0}});
-  path.leg({0.0, 0.0, 0.0}, kLookahead, kTolerance);
-  path.leg({1.0, 0.0, 0.0}, kLookahead, kTolerance);
+  path.leg({0.0, 0.0, 0.0}, kLimits);
+  path.leg({1.0, 0.0, 0.0}, kLimits);
   path.start(path_over({{1, 0}, {30, 0}}));
-  path.leg({1.0, 0.0, 0.0}, kLookahead, kTolerance);
-  path.leg({1.5, 0.0, 0.0}, kLookahead, kTolerance);
+  path.leg({1.0, 0.0, 0.0}, kLimits);
+  path.leg({1.5, 0.0, 0.0}, kLimits);
   EXPECT_NEAR(path.way_made(), 1.5, 1e-9);
 }
 
 TEST(FollowedPath, OfOnePlaceOrNoneIsSafe) {
   FollowedPath path;
-  EXPECT_TRUE(path.leg({0, 0, 0}, kLookahead, kTolerance).poses.empty());
+  EXPECT_TRUE(path.leg({0, 0, 0}, kLimits).poses.empty());
   path.start({{2, 1, 0.5}});
-  EXPECT_EQ(path.leg({0, 0, 0}, kLookahead, kTolerance).poses, (std::vector<Pose2>{{2, 1, 0.5}}));
+  EXPECT_EQ(path.leg({0, 0, 0}, kLimits).poses, (std::vector<Pose2>{{2, 1, 0.5}}));
   path.start({{2, 1, 0.5}, {2, 1, 0.5}, {2, 1, 0.7}});
-  EXPECT_TRUE(path.leg({2, 1, 0}, kLookahead, kTolerance).goal_is_final);
+  EXPECT_TRUE(path.leg({2, 1, 0}, kLimits).goal_is_final);
 }
 
 /// What a planner does that knows nothing of paths: straight to the end of what it is given, 5 cm a cycle, and where it has to
@@ -140,7 +139,7 @@ std::vector<Pose2> drive_straight(FollowedPath& path, Random& random, double len
   const double most = 3.0 * length / 0.05 + 200.0;  // steps, three times those of the path
   for (int cycle = 0; cycle < most; ++cycle) {
     driven.push_back(X);
-    const PathLeg& leg = path.leg(X, kLookahead, kTolerance);
+    const PathLeg& leg = path.leg(X, kLimits);
     const Vector2 way = end_of(leg) - X.position();
     if (way.norm() <= inside(leg.tolerance).xy && leg.goal_is_final) {
       if (path.is_on_last_leg() && leg.poses.size() > 1) return driven;

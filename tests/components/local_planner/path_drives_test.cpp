@@ -34,7 +34,8 @@ PathDrive drive(std::string_view planner_name, const std::vector<Pose2>& path, d
   for (problem.now = Time::seconds(1.0); problem.now < Time::seconds(1.0 + longest);
        problem.now = problem.now + Duration::seconds(problem.control_period)) {
     drive.poses.push_back(problem.pose);
-    const PathLeg& leg = followed.leg(problem.pose, 6.0, kTolerance);
+    const PathLeg& leg =
+        followed.leg(problem.pose, {.lookahead = 6.0, .tolerance = kTolerance, .max_deviation = 0.5});
     problem.plan = leg.poses;
     problem.goal_is_final = leg.goal_is_final;
     problem.goal_tolerance = leg.tolerance;
