@@ -89,7 +89,9 @@ void FollowedPath::measure(const Vector2& robot) {
   auto nearest = std::lower_bound(first, last, progress_);
   if (nearest != first && progress_ - nearest[-1] <= *nearest - progress_) --nearest;
   index_ = static_cast<std::size_t>(nearest - along_.begin());
-  distance_to_goal_ = distance(poses_[index_].position(), robot) + along_.back() - along_[index_];
+  distance_to_goal_ = distance(poses_[index_].position(), robot);
+  for (std::size_t i = index_ + 1; i < poses_.size(); ++i)
+    distance_to_goal_ += distance(poses_[i - 1].position(), poses_[i].position());
 }
 
 bool FollowedPath::turn_first(const Pose2& X_PB) {
