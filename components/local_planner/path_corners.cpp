@@ -8,7 +8,7 @@ namespace {
 // Directions are those over this length, since paths on grids go in steps of a cell, and recorded ones tremble [m].
 constexpr double kScale = 0.25;
 constexpr double kShortest = 0.05;  // [m] of a way that has a direction
-constexpr double kSharp = 1.05;     // [rad]
+constexpr double kSharp = 1.4;      // [rad]
 
 /// How far the path leads to and from a sharp corner `along` [m] it, in straight lines [m]; 0: there is none. Of places near a
 /// corner this is greatest at the corner itself.

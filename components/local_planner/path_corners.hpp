@@ -9,7 +9,7 @@
 
 namespace bw {
 
-/// Indices, rising, of the poses at which the way over the next 0.25 m leads off by more than 60 degrees from that over the last
+/// Indices, rising, of the poses at which the way over the next 0.25 m leads off by more than 80 degrees from that over the last
 /// 0.25 m; none nearer than that to either end. Headings of the poses do not count: planners such as NavFn leave them at 0, so that
 /// they do not tell whether to drive backwards. `along` [m]: of each pose on `line`, the line through `poses`.
 std::vector<std::size_t> sharp_corners(const std::vector<Pose2>& poses, const std::vector<double>& along,

@@ -1,6 +1,6 @@
 // Planners in closed loop on paths that cross, fold back over themselves and close, in an empty world: an ideal unicycle that takes
 // commands as they are. No planner knows more of the path than the leg in hand.
-//   BANDWAGON_PATHS=100 build/release/bin/test_local_planner_paths
+//   BANDWAGON_PATHS=60 build/release/bin/test_local_planner_paths
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
