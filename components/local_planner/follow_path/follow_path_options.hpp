@@ -65,7 +65,7 @@ struct FollowPathOptions {
   std::vector<std::string> path_handler_plugins = {"PathHandler"};
   double failure_tolerance = 0.3;
   double costmap_update_timeout = 0.3;
-  double max_path_deviation = 0.5;
+  double max_path_deviation = 100.0;
   GoalCheckerOptions goal_checker;
   ProgressCheckerOptions progress_checker;
 
@@ -96,8 +96,8 @@ struct FollowPathOptions {
        .min = 0.1,
        .max = 100,
        .doc =
-           "by which the straight way to the end of what is planned on may leave the path of a goal of follow_path: bends are "
-           "cut by no more; smaller follows closer and sees less far"});
+           "by which the straight way to the end of what is planned on may leave the path of a goal of follow_path; 0.5 follows "
+           "gentle bends closely, and sees less far where the path bends around people"});
     v("goal_checker", goal_checker, {.doc = "when a goal of follow_path is reached"});
     v("progress_checker", progress_checker, {.doc = "and when it gets nowhere"});
   }
