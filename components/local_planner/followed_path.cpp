@@ -11,8 +11,8 @@
 namespace bw {
 namespace {
 
-// The robot is looked for along the path beyond what it has driven: twice as far as it may leave the path, since who cuts a bend
-// comes further along the path than it drives, and this far at most [m].
+// The robot is looked for along the path beyond what it has driven: twice as far as it may leave the path,
+// since who cuts a bend comes further along the path than it drives, and this far at most [m].
 constexpr double kReach = 3.0;
 constexpr double kAhead = 1.0;      // [m] at which the way on is seen from a corner
 constexpr double kOffPath = 0.4;    // [m] within which the robot counts as on the path

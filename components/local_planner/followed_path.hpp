@@ -1,12 +1,15 @@
-// A path that is being followed: how far along it the robot has come, and the stretch that a planner works on now (book 7.4).
+// A path that is being followed: how far along it the robot has come, and the stretch that a planner works on
+// now (book 7.4).
 //
-// Progress is a length along the path. It never falls, and rises only to places near the last one: 3 m at most, and what the
-// robot has driven since. So a path that crosses itself, comes back over itself or ends where it begins is followed in order.
+// Progress is a length along the path. It never falls, and rises only to places near the last one: 3 m at
+// most, and what the robot has driven since. So a path that crosses itself, comes back over itself or ends
+// where it begins is followed in order.
 //
-// The path is cut into legs at its sharp corners (path_corners). A planner is given the leg in hand alone, with its end as a goal at
-// which to stop; the next leg begins when the robot is within the tolerance of the corner, by a turn on the spot until it faces
-// the way on. All legs are driven forwards. Within a leg the stretch may be asked to end where its chord would leave the path by
-// more than a figure: a planner that takes the straight way to the end of what it is given cuts no bend by more.
+// The path is cut into legs at its sharp corners (path_corners). A planner is given the leg in hand alone,
+// with its end as a goal at which to stop; the next leg begins when the robot is within the tolerance of the
+// corner, by a turn on the spot until it faces the way on. All legs are driven forwards. Within a leg the
+// stretch may be asked to end where its chord would leave the path by more than a figure: a planner that
+// takes the straight way to the end of what it is given cuts no bend by more.
 #pragma once
 
 #include <cstddef>
@@ -38,8 +41,8 @@ struct FollowLimits {
 
 class FollowedPath {
  public:
-  /// A new path; the robot's place on it is looked for from its beginning, when the next leg is asked for: the first place from
-  /// which going on along the path leads away from the robot.
+  /// A new path; the robot's place on it is looked for from its beginning, when the next leg is asked for:
+  /// the first place from which going on along the path leads away from the robot.
   void start(std::vector<Pose2> poses);
 
   /// For a robot at `X_PB` in the path's frame, in every cycle.

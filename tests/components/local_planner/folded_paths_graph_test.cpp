@@ -1,5 +1,6 @@
-// The whole hallway without people, in lock-step: paths that come back over themselves by follow_path, and poses on one line by
-// navigate_through_poses. The robot's true place is compared, which it knows by about 0.1 m.
+// The whole hallway without people, in lock-step: paths that come back over themselves by follow_path, and
+// poses on one line by navigate_through_poses. The robot's true place is compared, which it knows by about
+// 0.1 m.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -49,8 +50,8 @@ struct Hallway {
   }
 };
 
-// From where the robot stands d metres out and back over the same line to 1 m behind. At 1 m/s it takes 2 d + 1 s, and 5 s of
-// turning, speeding up and braking; the test waits for twice that.
+// From where the robot stands d metres out and back over the same line to 1 m behind. At 1 m/s it takes 2 d +
+// 1 s, and 5 s of turning, speeding up and braking; the test waits for twice that.
 TEST(FoldedPaths, AreDrivenOutAndBackByFollowPath) {
   for (double d = 1.0; d <= 6.0; d += 1.0) {
     FollowPath::Goal goal;
@@ -68,7 +69,8 @@ TEST(FoldedPaths, AreDrivenOutAndBackByFollowPath) {
   }
 }
 
-// 3 m out, 5 m back: 8 s at 1 m/s and 5 s more; twice that. Each pose is passed within via_radius, 0.7 m, in its turn.
+// 3 m out, 5 m back: 8 s at 1 m/s and 5 s more; twice that. Each pose is passed within via_radius, 0.7 m, in
+// its turn.
 TEST(FoldedPaths, PosesOnOneLineArePassedInTheirOrder) {
   const std::vector<Vector2> places = {{6, 0}, {3, 0}, {1, 0}};
   ThroughPoses::Goal goal;

@@ -1,5 +1,5 @@
-// Progress along a path and the stretch that a planner works on. A path folds, crosses itself or closes; the expected figures
-// are lengths along it.
+// Progress along a path and the stretch that a planner works on. A path folds, crosses itself or closes; the
+// expected figures are lengths along it.
 #include "components/local_planner/followed_path.hpp"
 
 #include <algorithm>
@@ -66,8 +66,8 @@ TEST(FollowedPath, ThatEndsWhereItBeginsIsAllAhead) {
   EXPECT_NEAR(square.distance_to_goal(), 8.0, 1e-9);
   EXPECT_FALSE(square.is_on_last_leg());
 
-  // Nothing of a circle is sharp. Of one of 1 m a chord over the angle 2 a leaves the arc by 1 - cos a: 0.5 m at 2 a = 120 degrees,
-  // 2.09 m of arc; chords are tried each 0.1 m.
+  // Nothing of a circle is sharp. Of one of 1 m a chord over the angle 2 a leaves the arc by 1 - cos a: 0.5 m
+  // at 2 a = 120 degrees, 2.09 m of arc; chords are tried each 0.1 m.
   std::vector<Vector2> corners;
   for (int i = 0; i <= 120; ++i)
     corners.push_back({std::sin(2.0 * kPi * i / 120), 1.0 - std::cos(2.0 * kPi * i / 120)});
@@ -131,8 +131,8 @@ TEST(FollowedPath, OfOnePlaceOrNoneIsSafe) {
   EXPECT_TRUE(path.leg({2, 1, 0}, kLimits).goal_is_final);
 }
 
-/// What a planner does that knows nothing of paths: straight to the end of what it is given, 5 cm a cycle, and where it has to
-/// arrive it does so within `inside` of the tolerance. It is pushed aside now and then.
+/// What a planner does that knows nothing of paths: straight to the end of what it is given, 5 cm a cycle,
+/// and where it has to arrive it does so within `inside` of the tolerance. It is pushed aside now and then.
 std::vector<Pose2> drive_straight(FollowedPath& path, Random& random, double length) {
   std::vector<Pose2> driven;
   Pose2 X{0.0, 0.0, 0.0};
@@ -158,8 +158,9 @@ std::vector<Pose2> drive_straight(FollowedPath& path, Random& random, double len
   return driven;
 }
 
-// 4000 paths: each place of them is passed in order by a planner that cuts every bend that it is let cut: within what a chord may
-// leave the path by, 0.5 m, a step of 0.1 m between the chords that are tried, and 0.14 m by which the robot was pushed.
+// 4000 paths: each place of them is passed in order by a planner that cuts every bend that it is let cut:
+// within what a chord may leave the path by, 0.5 m, a step of 0.1 m between the chords that are tried, and
+// 0.14 m by which the robot was pushed.
 TEST(FollowedPath, EveryPlaceIsPassedInOrderWhateverThePath) {
   for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
     Random random(seed);

@@ -1,5 +1,5 @@
-// Planners in closed loop on paths that cross, fold back over themselves and close, in an empty world: an ideal unicycle that takes
-// commands as they are. No planner knows more of the path than the leg in hand.
+// Planners in closed loop on paths that cross, fold back over themselves and close, in an empty world: an
+// ideal unicycle that takes commands as they are. No planner knows more of the path than the leg in hand.
 //   BANDWAGON_PATHS=60 build/release/bin/test_local_planner_paths
 #include <algorithm>
 #include <cstdlib>
@@ -52,9 +52,10 @@ class FoldedPath : public testing::TestWithParam<std::string_view> {};
 INSTANTIATE_TEST_SUITE_P(Paths, FoldedPath, testing::ValuesIn(planner_names()),
                          [](const auto& name) { return std::string(name.param); });
 
-// From where the robot stands out and back over the same line to 1 m behind: it has been at the far end within the tolerance. At
-// 1 m/s and 1 m/s^2 it takes 2 d + 1 s, 2 s of speeding up and braking, and 3 s of turning by 180 degrees; three times that, since
-// mppi's shipped weights balance at 0.67 m/s and others turn in arcs.
+// From where the robot stands out and back over the same line to 1 m behind: it has been at the far end
+// within the tolerance. At 1 m/s and 1 m/s^2 it takes 2 d + 1 s, 2 s of speeding up and braking, and 3 s of
+// turning by 180 degrees; three times that, since mppi's shipped weights balance at 0.67 m/s and others turn
+// in arcs.
 TEST_P(FoldedPath, IsDrivenOutAndBack) {
   for (double d = 1.0; d <= 6.0; d += 1.0) {
     const PathDrive there =
@@ -79,7 +80,8 @@ double least_tolerance(const std::vector<Vector2>& places, const std::vector<Pos
   return tolerance;
 }
 
-// mppi is not among them: it may come to stand beside a bend (2 of the first 8 paths), and takes 5 s of computing a path.
+// mppi is not among them: it may come to stand beside a bend (2 of the first 8 paths), and takes 5 s of
+// computing a path.
 class RandomPath : public testing::TestWithParam<std::string_view> {};
 INSTANTIATE_TEST_SUITE_P(Paths, RandomPath,
                          testing::Values("dwa", "edwa", "hrvo", "orca", "teb", "teb_homotopy", "pteb",

@@ -1,4 +1,5 @@
-// Random paths that cross, fold back over themselves and close, and whether a drive passed places of a path in their order.
+// Random paths that cross, fold back over themselves and close, and whether a drive passed places of a path
+// in their order.
 #pragma once
 
 #include <cmath>
@@ -11,7 +12,8 @@
 
 namespace bw {
 
-/// Straight from corner to corner, a pose each 5 cm; headings are 0 as NavFn leaves them, but the last, which is that of the way.
+/// Straight from corner to corner, a pose each 5 cm; headings are 0 as NavFn leaves them, but the last, which
+/// is that of the way.
 inline std::vector<Pose2> path_over(const std::vector<Vector2>& corners) {
   std::vector<Pose2> path;
   for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -27,8 +29,8 @@ inline std::vector<Pose2> path_over(const std::vector<Vector2>& corners) {
   return path;
 }
 
-/// Corners of a path from (0, 0): stretches of 0.6 to 4 m, each third one back over the one before, any turn else; each third
-/// path comes back to where it began.
+/// Corners of a path from (0, 0): stretches of 0.6 to 4 m, each third one back over the one before, any turn
+/// else; each third path comes back to where it began.
 inline std::vector<Vector2> random_corners(Random& random) {
   std::vector<Vector2> corners = {{0.0, 0.0}};
   double heading = 0.0;
