@@ -49,7 +49,8 @@ void LocalPlannerComponent::on_path(const std::string& frame, std::vector<Pose2>
         std::move(poses));
 }
 
-// The path that is followed already, asked for once more, is gone on with: whoever repeats it does not want it from its beginning.
+// The path that is followed already, asked for once more, is gone on with: whoever repeats it does not want
+// it from its beginning.
 void LocalPlannerComponent::begin(FollowTask task, std::vector<Pose2> path) {
   if (task.mode != task_.mode) planner_->reset();
   const bool is_same = task.mode == task_.mode && task.frame == task_.frame && path == path_.poses();

@@ -176,8 +176,8 @@ std::unique_ptr<Story> drive_path(const std::vector<Pose2>& path, double seconds
   return story;
 }
 
-// From where the robot stands d metres out and back over the same line to 1 m behind. At 1 m/s it takes 2 d + 1 s, 2 s of speeding
-// up and braking and 3 s of turning by 180 degrees; the test waits for twice that.
+// From where the robot stands d metres out and back over the same line to 1 m behind. At 1 m/s it takes 2 d +
+// 1 s, 2 s of speeding up and braking and 3 s of turning by 180 degrees; the test waits for twice that.
 TEST(FollowPath, APathThatComesBackOverItselfIsDrivenOutAndBack) {
   for (double d = 1.0; d <= 6.0; d += 1.0) {
     const auto story = drive_path(path_over({{0, 0}, {d, 0}, {-1, 0}}), 2.0 * (2.0 * d + 1.0 + 5.0));
@@ -191,8 +191,8 @@ TEST(FollowPath, APathThatComesBackOverItselfIsDrivenOutAndBack) {
   }
 }
 
-// A square of 2 m that ends where it begins, and an eight that crosses itself at (2, 0): each place in its turn, within the 0.5 m
-// by which a bend may be cut.
+// A square of 2 m that ends where it begins, and an eight that crosses itself at (2, 0): each place in its
+// turn, within the 0.5 m by which a bend may be cut.
 TEST(FollowPath, APathThatClosesOrCrossesItselfIsDrivenInOrder) {
   for (const std::vector<Vector2>& corners :
        {std::vector<Vector2>{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}},
@@ -205,7 +205,8 @@ TEST(FollowPath, APathThatClosesOrCrossesItselfIsDrivenInOrder) {
   }
 }
 
-// The same goal once more on the way back, at 7 s (3 m and a turn take 6): the robot does not drive out again.
+// The same goal once more on the way back, at 7 s (3 m and a turn take 6): the robot does not drive out
+// again.
 TEST(FollowPath, TheSamePathOnceMoreIsGoneOnWith) {
   const std::vector<Pose2> path = path_over({{0, 0}, {3, 0}, {-2, 0}});
   double then = 0.0;
