@@ -29,14 +29,18 @@ inline std::size_t nearest_pose(const std::vector<Pose2>& path, const Vector2& p
   return nearest;
 }
 
-/// Length [m] of `path` from its point nearest to `position` to its end, plus the way to that point. With poses `via` that
-/// are still to be passed the robot is on the stretch before the first of them, however near a later one comes.
+/// One past the last index of the stretch of `path`, which is not empty, that the robot is on: with poses
+/// `via` that are still to be passed it ends at the first of them, however near a later stretch comes.
+inline std::size_t stretch_end(const std::vector<Pose2>& path, const std::vector<Pose2>& via) {
+  return via.empty() ? path.size() : nearest_pose(path, via.front().position(), path.size()) + 1;
+}
+
+/// Length [m] of `path` from the point of its stretch in hand nearest to `position` to its end, plus the way
+/// to that point.
 inline double remaining_length(const std::vector<Pose2>& path, const Vector2& position,
                                const std::vector<Pose2>& via = {}) {
   if (path.empty()) return 0.0;
-  const std::size_t end =
-      via.empty() ? path.size() : nearest_pose(path, via.front().position(), path.size()) + 1;
-  const std::size_t nearest = nearest_pose(path, position, end);
+  const std::size_t nearest = nearest_pose(path, position, stretch_end(path, via));
   // Past the nearest point the way goes on to the next one directly.
   const std::size_t from = nearest + 1 < path.size() ? nearest + 1 : nearest;
   double length = (path[from].position() - position).norm();
@@ -56,7 +60,8 @@ inline double straight_length(Vector2 position, const std::vector<Pose2>& via, c
   return length + (X_MG.position() - position).norm();
 }
 
-/// What `distance` takes at the speed of now; as in Nav2 0 for a robot that hardly moves, and for the last decimetre.
+/// What `distance` takes at the speed of now; as in Nav2 0 for a robot that hardly moves, and for the last
+/// decimetre.
 inline Duration time_remaining(double distance, const Twist2& twist) {
   constexpr double kSlowest = 0.01;   // [m/s]
   constexpr double kShortest = 0.10;  // [m]
@@ -64,15 +69,18 @@ inline Duration time_remaining(double distance, const Twist2& twist) {
   return speed > kSlowest && distance > kShortest ? Duration::seconds(distance / speed) : Duration{};
 }
 
-/// How far the robot is beside the path, and how far it is turned from the path's direction, with Nav2's signs.
+/// How far the robot is beside the path, and how far it is turned from the path's direction, with Nav2's
+/// signs.
 struct TrackingError {
   double position = 0.0;  ///< left of it is positive [m]
   double heading = 0.0;   ///< turned to the right of it is positive [rad]
 };
 
-/// Of a robot at `X_MB` on a path that is not empty; a path of one pose has that pose's direction.
-inline TrackingError tracking_error(const std::vector<Pose2>& path, const Pose2& X_MB) {
-  const std::size_t nearest = nearest_pose(path, X_MB.position(), path.size());
+/// Of a robot at `X_MB` on the stretch in hand of a path that is not empty; a path of one pose has that
+/// pose's direction.
+inline TrackingError tracking_error(const std::vector<Pose2>& path, const Pose2& X_MB,
+                                    const std::vector<Pose2>& via = {}) {
+  const std::size_t nearest = nearest_pose(path, X_MB.position(), stretch_end(path, via));
   const std::size_t from = nearest + 1 < path.size() || nearest == 0 ? nearest : nearest - 1;
   Vector2 along = direction(path[from].theta);
   if (from + 1 < path.size()) along = path[from + 1].position() - path[from].position();

@@ -284,7 +284,7 @@ GoalReport Navigator::report(const Situation& situation) const {
                                       : straight_length(situation.X_MB->position(), via_, X_MG_);
   report.estimated_time_remaining = time_remaining(report.distance_remaining, situation.twist);
   if (on_path) {
-    const TrackingError error = tracking_error(path_, *situation.X_MB);
+    const TrackingError error = tracking_error(path_, *situation.X_MB, via_);
     report.position_tracking_error = error.position;
     report.heading_tracking_error = error.heading;
   }

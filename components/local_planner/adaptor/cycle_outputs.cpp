@@ -63,7 +63,7 @@ void LocalPlannerComponent::publish_status(const Tick& tick, const PlanningResul
   }
   status.header(make_header(inputs_.odom_frame(), tick.now));
   status.id(request_id_);
-  status.distance_to_goal(plan_.distance_to_goal());
+  status.distance_to_goal(path_.distance_to_goal());
   status_.publish(status);
 }
 

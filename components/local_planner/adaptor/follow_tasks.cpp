@@ -45,16 +45,17 @@ void LocalPlannerComponent::on_path(const std::string& frame, std::vector<Pose2>
     for (Pose2& X : poses) X = *X_OF * X;
     X_OF = Pose2{};
   }
-  const std::optional<Pose2> X_OB = inputs_.pose();
-  const std::size_t index = X_OF && X_OB ? first_near(poses, (inverse(*X_OF) * *X_OB).position()) : 0;
   begin({mode::FOLLOW, is_kept ? frame : inputs_.odom_frame(), follow_path_.tolerance(), true},
-        std::move(poses), index);
+        std::move(poses));
 }
 
-void LocalPlannerComponent::begin(FollowTask task, std::vector<Pose2> plan, std::size_t index) {
+// The path that is followed already, asked for once more, is gone on with: whoever repeats it does not want
+// it from its beginning.
+void LocalPlannerComponent::begin(FollowTask task, std::vector<Pose2> path) {
   if (task.mode != task_.mode) planner_->reset();
+  const bool is_same = task.mode == task_.mode && task.frame == task_.frame && path == path_.poses();
   task_ = std::move(task);
-  plan_.start(std::move(plan), index);
+  if (!is_same) path_.start(std::move(path));
   const std::string complaint = tolerance_complaint(task_.tolerance, parameters_.planners.driving);
   if (complaint != std::exchange(told_, complaint) && !complaint.empty()) log_.warn("{}", complaint);
   if (task_.mode != mode::STOP) at_rest_ = false;
@@ -75,18 +76,20 @@ void LocalPlannerComponent::report(const Tick& tick, const PlanningProblem& prob
                     .unknown_place = is_stale ? "" : missing,
                     .X_OB = problem.pose,
                     .X_OG = {},
-                    .distance_to_goal = plan_.distance_to_goal(),
+                    .distance_to_goal = path_.distance_to_goal(),
+                    .is_on_last_leg = path_.is_on_last_leg(),
+                    .way_made = path_.way_made(),
                     .twist = problem.twist,
                     .status = result.status,
                     .reason = result.reason};
-  if (X_OF_) cycle.X_OG = *X_OF_ * plan_.poses().back();
+  if (X_OF_) cycle.X_OG = *X_OF_ * path_.poses().back();
   if (!follow_path_.goes_on(cycle, tick) || !X_OF_) return;
   const Pose2 X_FB = inverse(*X_OF_) * problem.pose;
-  const PathOffset error = path_offset(plan_.poses(), plan_.index(), X_FB);
-  const double to_path = (plan_.poses()[plan_.index()].position() - X_FB.position()).norm();
-  PathTracking tracking{.path_index = static_cast<std::uint32_t>(plan_.index()),
-                        .distance_to_goal = static_cast<float>(plan_.distance_to_goal()),
-                        .remaining_path_length = static_cast<float>(plan_.distance_to_goal() - to_path),
+  const PathOffset error = path_offset(path_.poses(), path_.index(), X_FB);
+  const double to_path = (path_.poses()[path_.index()].position() - X_FB.position()).norm();
+  PathTracking tracking{.path_index = static_cast<std::uint32_t>(path_.index()),
+                        .distance_to_goal = static_cast<float>(path_.distance_to_goal()),
+                        .remaining_path_length = static_cast<float>(path_.distance_to_goal() - to_path),
                         .speed = static_cast<float>(std::abs(result.command.v)),
                         .position_error = static_cast<float>(error.position),
                         .heading_error = static_cast<float>(error.heading)};

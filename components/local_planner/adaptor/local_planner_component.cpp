@@ -75,10 +75,13 @@ PlanningProblem LocalPlannerComponent::make_problem(const Tick& tick, std::strin
   if (!inputs_.pose() || task_.mode != mode::FOLLOW) return problem;
   X_OF_ = inputs_.pose_in_odom(task_.frame, missing);
   if (!X_OF_) return problem;
-  const PlanWindow& window =
-      plan_.window(inverse(*X_OF_) * problem.pose, parameters_.max_global_plan_lookahead_dist);
-  for (const Pose2& X_FP : window.poses) problem.plan.push_back(*X_OF_ * X_FP);
-  problem.goal_is_final = window.goal_is_final;
+  FollowLimits limits{.lookahead = parameters_.max_global_plan_lookahead_dist, .tolerance = task_.tolerance};
+  if (task_.is_of_action) limits.max_deviation = parameters_.follow_path.max_path_deviation;
+  const PathLeg& leg = path_.leg(inverse(*X_OF_) * problem.pose, limits);
+  for (const Pose2& X_FP : leg.poses) problem.plan.push_back(*X_OF_ * X_FP);
+  problem.goal_is_final = leg.goal_is_final;
+  problem.goal_tolerance = leg.tolerance;
+  if (leg.begins) planner_->reset();
   return problem;
 }
 

@@ -15,8 +15,8 @@
 #include "components/local_planner/adaptor/cycle_watch.hpp"
 #include "components/local_planner/adaptor/follow_path_server.hpp"
 #include "components/local_planner/adaptor/planning_inputs.hpp"
+#include "components/local_planner/followed_path.hpp"
 #include "components/local_planner/local_planner_parameters.hpp"
-#include "components/local_planner/plan_window.hpp"
 #include "components/messages/velocity_output.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/complaint.hpp"
@@ -28,7 +28,7 @@ namespace bw {
 /// What is to be done until something else is asked for.
 struct FollowTask {
   std::uint8_t mode = bandwagon_msgs::msg::FollowRequest_Constants::STOP;
-  std::string frame;  ///< of the plan
+  std::string frame;  ///< of the path
   GoalTolerance tolerance;
   bool is_of_action = false;  ///< not of follow_request
 };
@@ -46,7 +46,7 @@ class LocalPlannerComponent final : public Component {
   void use(const LocalPlannerParameters& parameters);
   void on_request(const bandwagon_msgs::msg::FollowRequest& request);
   void on_path(const std::string& frame, std::vector<Pose2> poses);
-  void begin(FollowTask task, std::vector<Pose2> plan, std::size_t index = 0);
+  void begin(FollowTask task, std::vector<Pose2> path);
   void come_to_rest(const Tick& tick);
   void control_cycle(const Tick& tick);
   /// `missing` names what is needed and not there yet.
@@ -67,8 +67,8 @@ class LocalPlannerComponent final : public Component {
   std::optional<CycleWatch> watch_;
   std::unique_ptr<LocalPlanner> planner_;
   FollowTask task_;
-  FollowedPlan plan_;
-  std::optional<Pose2> X_OF_;     ///< of the plan's frame in odom, as of this cycle
+  FollowedPath path_;
+  std::optional<Pose2> X_OF_;     ///< of the path's frame in odom, as of this cycle
   std::uint64_t request_id_ = 0;  ///< of the last follow_request
   std::string request_lost_;  ///< why that is not what is done any more; empty: it is, or was only to stop
   std::string told_;          ///< about tolerances that are not used

@@ -27,8 +27,7 @@ FollowVerdict FollowJudge::judge(const FollowCycle& cycle, const FollowPathOptio
   absent_since_.reset();
   if (is_there(cycle, options.goal_checker)) return {.is_over = true, .failure = {}};
   const ProgressCheckerOptions& checker = options.progress_checker;
-  if (!options.progress_checker_plugins.empty() &&
-      !progress_.update(cycle.now, cycle.X_OB, checker.limits())) {
+  if (!options.progress_checker_plugins.empty() && !makes_progress(cycle, checker)) {
     std::ostringstream reason;
     reason << "no progress: less than " << checker.required_movement_radius << " m in "
            << checker.movement_time_allowance << " s";
@@ -36,6 +35,13 @@ FollowVerdict FollowJudge::judge(const FollowCycle& cycle, const FollowPathOptio
     return failed(FollowFault::failed_to_make_progress, reason.str());
   }
   return judge_control(cycle, options.failure_tolerance);
+}
+
+// Not any movement, as in Nav2: who drives to and fro gets nowhere.
+bool FollowJudge::makes_progress(const FollowCycle& cycle, const ProgressCheckerOptions& options) {
+  if (!progress_ || cycle.way_made >= progress_->way_made + options.required_movement_radius)
+    progress_ = Progress{cycle.now, cycle.way_made};
+  return cycle.now - progress_->time <= Duration::seconds(options.movement_time_allowance);
 }
 
 FollowVerdict FollowJudge::judge_absence(const FollowCycle& cycle, const FollowPathOptions& options) {
@@ -48,6 +54,7 @@ FollowVerdict FollowJudge::judge_absence(const FollowCycle& cycle, const FollowP
 
 bool FollowJudge::is_there(const FollowCycle& cycle, const GoalCheckerOptions& options) {
   const bool is_within =
+      cycle.is_on_last_leg &&
       (cycle.X_OG.position() - cycle.X_OB.position()).norm() <= options.xy_goal_tolerance &&
       std::abs(wrap_angle(cycle.X_OG.theta - cycle.X_OB.theta)) <= options.yaw_goal_tolerance &&
       cycle.distance_to_goal <= std::max(options.path_length_tolerance, options.xy_goal_tolerance);

@@ -19,6 +19,8 @@ struct FollowCycle {
   Pose2 X_OB;                 ///< of no meaning when something is missing or not known
   Pose2 X_OG;
   double distance_to_goal = 0.0;  ///< along the path [m]
+  bool is_on_last_leg = true;     ///< the path does not turn back any more before the goal
+  double way_made = 0.0;          ///< along the paths of this drive [m]
   Twist2 twist;
   PlanningStatus status = PlanningStatus::ok;
   std::string reason;  ///< of the planner
@@ -38,11 +40,16 @@ class FollowJudge {
 
  private:
   FollowVerdict judge_absence(const FollowCycle& cycle, const FollowPathOptions& options);
+  bool makes_progress(const FollowCycle& cycle, const ProgressCheckerOptions& options);
   bool is_there(const FollowCycle& cycle, const GoalCheckerOptions& options);
   FollowVerdict judge_control(const FollowCycle& cycle, double tolerance);
 
   Time now_;
-  ProgressChecker progress_;
+  struct Progress {
+    Time time;
+    double way_made;  ///< then [m]
+  };
+  std::optional<Progress> progress_;  ///< the last
   std::optional<Time> absent_since_;  ///< something needed
   std::optional<Time> within_since_;  ///< the tolerances of the goal
   std::optional<Time> no_way_since_;  ///< the last cycle that had one

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "components/model/goal_tolerance.hpp"
-#include "components/model/progress_checker.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
@@ -45,7 +44,7 @@ struct GoalCheckerOptions {
   GoalTolerance tolerance() const { return {xy_goal_tolerance, yaw_goal_tolerance}; }
 };
 
-/// Nav2's SimpleProgressChecker.
+/// Nav2's SimpleProgressChecker, along the path.
 struct ProgressCheckerOptions {
   double required_movement_radius = 0.5;
   double movement_time_allowance = 10.0;
@@ -53,12 +52,9 @@ struct ProgressCheckerOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("required_movement_radius", required_movement_radius,
-      {.unit = "m", .min = 0.01, .max = 10, .doc = "so far is progress"});
+      {.unit = "m", .min = 0.01, .max = 10, .doc = "so far along the path is progress"});
     v("movement_time_allowance", movement_time_allowance,
       {.unit = "s", .min = 0.5, .max = 600, .doc = "longest time without progress"});
-  }
-  ProgressLimits limits() const {
-    return {.movement = required_movement_radius, .time = movement_time_allowance};
   }
 };
 
@@ -69,6 +65,7 @@ struct FollowPathOptions {
   std::vector<std::string> path_handler_plugins = {"PathHandler"};
   double failure_tolerance = 0.3;
   double costmap_update_timeout = 0.3;
+  double max_path_deviation = 100.0;
   GoalCheckerOptions goal_checker;
   ProgressCheckerOptions progress_checker;
 
@@ -94,6 +91,13 @@ struct FollowPathOptions {
        .min = 0,
        .max = 600,
        .doc = "and after so long without a needed input or transform; meanwhile the robot stands"});
+    v("max_path_deviation", max_path_deviation,
+      {.unit = "m",
+       .min = 0.1,
+       .max = 100,
+       .doc =
+           "by which the straight way to the end of what is planned on may leave the path of a goal of follow_path; 0.5 follows "
+           "gentle bends closely, and sees less far where the path bends around people"});
     v("goal_checker", goal_checker, {.doc = "when a goal of follow_path is reached"});
     v("progress_checker", progress_checker, {.doc = "and when it gets nowhere"});
   }

@@ -1,8 +1,6 @@
 #include "components/local_planner/follow_path/received_path.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bw {
 namespace {
@@ -41,15 +39,6 @@ ReceivedPath received_path(const std::vector<Pose2>& path) {
     received.poses[i].theta = std::atan2(along.y(), along.x());
   }
   return received;
-}
-
-std::size_t first_near(const std::vector<Pose2>& poses, const Vector2& position) {
-  constexpr double kNearly = 0.3;  // [m]
-  double closest = std::numeric_limits<double>::infinity();
-  for (const Pose2& X : poses) closest = std::min(closest, (X.position() - position).norm());
-  std::size_t first = 0;
-  while ((poses[first].position() - position).norm() > closest + kNearly) ++first;
-  return first;
 }
 
 PathOffset path_offset(const std::vector<Pose2>& poses, std::size_t index, const Pose2& X_PB) {

@@ -20,10 +20,6 @@ struct ReceivedPath {
 /// path and not by how finely it was sampled.
 ReceivedPath received_path(const std::vector<Pose2>& path);
 
-/// Where on a path, which is not empty, a robot at `position` in its frame begins: the first place that is nearly as close as the
-/// closest, so that a path that comes by again is followed from its beginning.
-std::size_t first_near(const std::vector<Pose2>& poses, const Vector2& position);
-
 /// How a robot at `X_PB` in the path's frame stands to the pose `index` of a path: beside it (left is positive) [m], and by how
 /// much the path's direction there is to the left of the robot's [rad].
 struct PathOffset {

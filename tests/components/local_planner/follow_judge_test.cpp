@@ -17,6 +17,8 @@ struct Drive {
                     .X_OB = {},
                     .X_OG = {5.0, 0.0, 0.0},
                     .distance_to_goal = 5.0,
+                    .is_on_last_leg = true,
+                    .way_made = 0.0,
                     .twist = {0.5, 0.0},
                     .status = PlanningStatus::ok,
                     .reason = ""};
@@ -73,6 +75,9 @@ TEST(FollowJudge, AWayThatEndsWhereItBeginsIsDriven) {
   d.cycle.distance_to_goal = 8.0;
   EXPECT_FALSE(d.next().is_over);
   d.cycle.distance_to_goal = 0.9;
+  d.cycle.is_on_last_leg = false;
+  EXPECT_FALSE(d.next().is_over) << "it turns back once more before the goal";
+  d.cycle.is_on_last_leg = true;
   EXPECT_TRUE(d.next().is_over);
 }
 
@@ -86,8 +91,16 @@ TEST(FollowJudge, ProgressIsHalfAMetreInTenSeconds) {
 
   Drive moving;
   moving.cycles_to_end(90);
-  moving.cycle.X_OB = {0.5, 0.0, 0.0};
+  moving.cycle.way_made = 0.5;
   EXPECT_EQ(moving.cycles_to_end(), 102);
+
+  Drive to_and_fro;  // half a metre each second, and nowhere
+  int cycles = 0;
+  for (bool over = false; !over && cycles < 1000; ++cycles) {
+    to_and_fro.cycle.X_OB.x = cycles / 10 % 2 == 0 ? 0.0 : 0.6;
+    over = to_and_fro.next().is_over;
+  }
+  EXPECT_EQ(cycles, 102);
 
   Drive unchecked;
   unchecked.options.progress_checker_plugins.clear();

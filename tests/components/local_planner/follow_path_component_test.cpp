@@ -1,12 +1,15 @@
 // follow_path as Nav2's behaviour tree and people use it: a robot that obeys at once on a straight way through an empty map. Steps
 // are 0.02 s, cycles 0.1 s, v_max is 1 m/s and the acceleration 1 m/s^2. Codes are those of FollowPath's result.
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <memory>
 
 #include <gtest/gtest.h>
 #include <lyrical/nav2_msgs/action/follow_path.hpp>
 
 #include "tests/components/local_planner/follow_path_rig.hpp"
+#include "tests/components/local_planner/random_path.hpp"
 
 namespace bw {
 namespace {
@@ -150,6 +153,76 @@ TEST(FollowPath, OddPathsAreDriven) {
   std::vector<Pose2> fine;
   for (int i = 0; i < 100'000; ++i) fine.push_back({3.0 * i / 99'999, 0.0, 0.0});
   EXPECT_LT((drive(Rig::to_goal(fine)).position() - Vector2(3, 0)).norm(), 0.25);
+}
+
+/// How a path was driven.
+struct Story {
+  GoalStory goal;
+  std::vector<Pose2> driven;  ///< each 0.1 s
+  Rig rig;
+};
+
+std::unique_ptr<Story> drive_path(const std::vector<Pose2>& path, double seconds,
+                                  const std::function<void(Story&)>& happens = {}) {
+  auto story = std::make_unique<Story>();
+  Rig& rig = story->rig;
+  rig.settings = kLead;
+  for (int step = 0; step < seconds / Rig::kStep; step += 5)
+    rig.at[step] = [&story = *story] { story.driven.push_back(story.rig.X_MB); };
+  rig.at[6] = [&rig, path] { rig.send(Rig::to_goal(path)); };
+  if (happens) happens(*story);
+  rig.run(seconds);
+  story->goal = rig.goals.back();
+  return story;
+}
+
+// From where the robot stands d metres out and back over the same line to 1 m behind. At 1 m/s it takes 2 d +
+// 1 s, 2 s of speeding up and braking and 3 s of turning by 180 degrees; the test waits for twice that.
+TEST(FollowPath, APathThatComesBackOverItselfIsDrivenOutAndBack) {
+  for (double d = 1.0; d <= 6.0; d += 1.0) {
+    const auto story = drive_path(path_over({{0, 0}, {d, 0}, {-1, 0}}), 2.0 * (2.0 * d + 1.0 + 5.0));
+    double farthest = 0.0;
+    for (const Pose2& X : story->driven) farthest = std::max(farthest, X.x);
+    EXPECT_GE(farthest, d - 0.25) << d;
+    expect_end(story->goal, GoalStatus::succeeded, 0, "");
+    EXPECT_LT((story->rig.X_MB.position() - Vector2(-1, 0)).norm(), 0.25) << d;
+    EXPECT_NEAR(story->rig.feedback.front().distance_to_goal(), 2.0 * d + 1.0, 0.02)
+        << d << ": all of it is ahead";
+  }
+}
+
+// A square of 2 m that ends where it begins, and an eight that crosses itself at (2, 0): each place in its
+// turn, within the 0.5 m by which a bend may be cut.
+TEST(FollowPath, APathThatClosesOrCrossesItselfIsDrivenInOrder) {
+  for (const std::vector<Vector2>& corners :
+       {std::vector<Vector2>{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}},
+        std::vector<Vector2>{{0, 0}, {4, 0}, {4, -2}, {2, -2}, {2, 2}}}) {
+    const std::vector<Pose2> path = path_over(corners);
+    const auto story = drive_path(path, 50.0);
+    expect_end(story->goal, GoalStatus::succeeded, 0, "");
+    const std::vector<Vector2> places = places_of(path);
+    EXPECT_EQ(passed_in_order(places, story->driven, 0.5), places.size());
+  }
+}
+
+// The same goal once more on the way back, at 7 s (3 m and a turn take 6): the robot does not drive out
+// again.
+TEST(FollowPath, TheSamePathOnceMoreIsGoneOnWith) {
+  const std::vector<Pose2> path = path_over({{0, 0}, {3, 0}, {-2, 0}});
+  double then = 0.0;
+  double farthest = -9.0;
+  const auto story = drive_path(path, 26.0, [&](Story& s) {
+    s.rig.at[451] = [&] {
+      then = s.rig.X_MB.x;
+      s.rig.send(Rig::to_goal(path));
+    };
+    for (int step = 452; step < 1300; step += 5)
+      s.rig.at[step] = [&] { farthest = std::max(farthest, s.rig.X_MB.x); };
+  });
+  EXPECT_LT(then, 2.0);
+  EXPECT_LE(farthest, then + 0.01);
+  expect_end(story->goal, GoalStatus::succeeded, 0, "");
+  EXPECT_LT((story->rig.X_MB.position() - Vector2(-2, 0)).norm(), 0.25);
 }
 
 bandwagon_msgs::msg::Obstacles everywhere() {

@@ -52,13 +52,6 @@ TEST(ReceivedPath, WhatIsNoPathIsSaidInOneSentence) {
   EXPECT_TRUE(received_path({{0, 0, kNan}, {1, 0, 0}}).fault.empty()) << "its heading is not used";
 }
 
-TEST(ReceivedPath, BeginsAtTheFirstPlaceThatIsNear) {
-  const std::vector<Pose2> there_and_back = {{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {2, 0.1, 0}, {0, 0.1, 0}};
-  EXPECT_EQ(first_near(there_and_back, {0.0, 0.1}), 0U);
-  EXPECT_EQ(first_near(there_and_back, {2.1, 0.1}), 1U);
-  EXPECT_EQ(first_near(there_and_back, {9.0, 0.0}), 2U);
-}
-
 TEST(ReceivedPath, PathErrorsAreThoseOfNav2) {
   // In lyrical's TrackingFeedback left of the path is positive, and a path that leads to the robot's left.
   const std::vector<Pose2> north = {{1, 0, kPi / 2}, {1, 1, kPi / 2}};

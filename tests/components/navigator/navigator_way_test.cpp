@@ -63,6 +63,9 @@ TEST(Navigator, DistanceRemainingKnowsWhichStretchIsDriven) {
   for (int i = 39; i >= 0; --i) path.push_back({0.1 * i, 0, 0});
   EXPECT_NEAR(remaining_length(path, {1.0, 0.0}, {{4, 0, 0}}), 7.0, 1e-9);
   EXPECT_NEAR(remaining_length({path.begin() + 40, path.end()}, {1.0, 0.0}), 1.0, 1e-9);
+  // The way back leads by 0.1 m to the left: nearer to the robot, which is on the way out.
+  for (int i = 41; i <= 80; ++i) path[static_cast<std::size_t>(i)].y = 0.1;
+  EXPECT_NEAR(tracking_error(path, {1.0, 0.2, 0.1}, {{4, 0, 0}}).heading, -0.1, 1e-9);
   EXPECT_NEAR(straight_length({0, 0}, {{4, 0, 0}, {4, 3, 0}}, {0, 0, 0}), 4.0 + 3.0 + 5.0, 1e-9);
 }
 
