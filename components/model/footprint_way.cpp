@@ -13,9 +13,9 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kStraight =
     1e-5;  // [1/m]: flatter arcs leave the straight line by less than 1e-5 m in 1.4 m
 
-/// The side that is nearest to being passed outwards.
+/// Of a point inside, the side that is nearest to being passed outwards.
 struct Depth {
-  double inside = kNever;  ///< [m]; negative: the point is outside
+  double inside = kNever;  ///< [m]; 0: the point is outside
   Vector2 outward{0.0, 0.0};
 };
 
@@ -23,9 +23,10 @@ Depth depth_of(const std::vector<Vector2>& polygon, const Vector2& p) {
   Depth least;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2 side = polygon[(i + 1) % polygon.size()] - polygon[i];
-    const Vector2 outward = Vector2(side.y(), -side.x()) / side.norm();
-    const double inside = -outward.dot(p - polygon[i]);
-    if (inside < least.inside) least = {inside, outward};
+    const double area = cross(side, p - polygon[i]);
+    if (area <= 0.0) return {0.0, {0.0, 0.0}};
+    const double length = side.norm();
+    if (area / length < least.inside) least = {area / length, Vector2(side.y(), -side.x()) / length};
   }
   return least;
 }

@@ -26,4 +26,16 @@ inline Twist2 braking_of(const Twist2& twist, double deceleration, double separa
   return {deceleration * std::abs(twist.v) / fastest, deceleration * std::abs(twist.omega) / fastest};
 }
 
+/// The same while a safety function limits the robot to `wish`, of what falls: v, and the turn rate where v falls too, or the robot is
+/// to turn on the spot. Another turn at the same speed is steering. Zero: it does not fall.
+inline Twist2 braking_towards(const Twist2& wish, const Twist2& twist, double deceleration,
+                              double separation) {
+  const auto falls = [](double to, double from) { return std::abs(to) < std::abs(from) || to * from < 0.0; };
+  const bool slows = falls(wish.v, twist.v);
+  const bool slows_turn = falls(wish.omega, twist.omega) && (slows || wish.v == 0.0);
+  const Twist2 braking =
+      braking_of({slows ? twist.v : 0.0, slows_turn ? twist.omega : 0.0}, deceleration, separation);
+  return {slows ? braking.v : 0.0, slows_turn ? braking.omega : 0.0};
+}
+
 }  // namespace bw

@@ -95,21 +95,16 @@ LimiterState VelocityLimiter::judge(Time now) const {
 
 void VelocityLimiter::follow(const Twist2& wish, double dt) {
   if (dt <= 0.0) return;
-  // What falls while a safety function limits falls hard, both wheels by one factor where both do.
-  const auto falls = [this](double to, double from) {
-    return braking_ == Braking::hard && (std::abs(to) < std::abs(from) || to * from < 0.0);
-  };
-  const bool slows = falls(wish.v, twist_.v);
-  const bool slows_turn = falls(wish.omega, twist_.omega);
-  const Twist2 braking = braking_of({slows ? twist_.v : 0.0, slows_turn ? twist_.omega : 0.0},
-                                    limits_.stop_deceleration, 2.0 * half_separation_);
-  slows ? brake_towards(wish.v, braking.v * dt) : approach(wish.v, dt);
+  const Twist2 braking = braking_ == Braking::hard ? braking_towards(wish, twist_, limits_.stop_deceleration,
+                                                                     2.0 * half_separation_)
+                                                   : Twist2{};
+  braking.v > 0.0 ? brake_towards(wish.v, braking.v * dt) : approach(wish.v, dt);
 
   // The speed may still rise to v + a |a| / (2 j); leave the wheels room for it.
   const double rise = acceleration_ * std::abs(acceleration_) / (2.0 * limits_.jerk_max);
   const double v_peak = std::max(std::abs(twist_.v), std::abs(twist_.v + rise));
   const double omega_left = std::max(0.0, wheel_speed_max_ - v_peak) / half_separation_;
-  const double step = std::max(limits_.alpha_max, slows_turn ? braking.omega : 0.0) * dt;
+  const double step = (braking.omega > 0.0 ? braking.omega : limits_.alpha_max) * dt;
   const double omega = twist_.omega + std::clamp(wish.omega - twist_.omega, -step, step);
   twist_.omega = std::clamp(omega, -omega_left, omega_left);
 }

@@ -10,6 +10,7 @@
 #include "components/model/footprint_way.hpp"
 #include "components/model/stopping.hpp"
 #include "components/model/sweep_motion.hpp"
+#include "components/model/transform2.hpp"
 #include "components/safety/stop_path.hpp"
 
 namespace bw::safety {
@@ -134,7 +135,8 @@ CollisionMonitor::Ahead CollisionMonitor::ahead_at(Time now) const {
   const Pose2 X_now_seen = inverse(poses_.at(now)) * X_OB_seen_;
   Ahead ahead{seen_.points, options_.stopping.approach_speed * (now - seen_at_).to_seconds(),
               inverse(X_now_seen)};
-  for (SeenPoint& point : ahead.points) point.position = X_now_seen * point.position;
+  const Transform2 to_now(X_now_seen);
+  for (SeenPoint& point : ahead.points) point.position = to_now * point.position;
   return ahead;
 }
 
@@ -144,9 +146,21 @@ Stopping CollisionMonitor::stopping_on(const Twist2& along) const {
   return {stopping_.reaction_time, along.v != 0.0 ? braking.v : braking.omega, stopping_.approach_speed};
 }
 
-/// Speed along the arc of `along` that the stopping distance allows; of a turn on the spot the turn rate.
-double CollisionMonitor::rule_speed(const Twist2& along, const Ahead& ahead) const {
-  return kept_free_.is_polygon() ? polygon_speed(along, ahead) : disc_speed(along, ahead);
+/// Speed along the arc of `along` that the stopping distance allows; of a turn on the spot the turn rate. From `enough` on any number that
+/// is as large will do.
+double CollisionMonitor::rule_speed(const Twist2& along, const Ahead& ahead, double enough) const {
+  Ahead near{{}, ahead.nearer, ahead.X_seen_now};
+  const Stopping stopping = stopping_on(along);
+  const double way = enough * (stopping.reaction_time + 0.5 * enough / stopping.deceleration);
+  const double kept = kept_free_.radius + options_.stopping.margin + ahead.nearer +
+                      stopping.approach_speed * (stopping.reaction_time + enough / stopping.deceleration);
+  for (const SeenPoint& point : ahead.points) {
+    // The side that touches it comes from within the radius, and its lever is no longer than this.
+    const double distance = point.position.norm();
+    const double lever = along.v != 0.0 ? 1.0 + distance * std::abs(along.omega / along.v) : distance;
+    if (distance < kept + lever * way) near.points.push_back(point);
+  }
+  return kept_free_.is_polygon() ? polygon_speed(along, near) : disc_speed(along, near);
 }
 
 /// Each point on its own: the side that touches it goes its own way, `lever` times that of base_link.
@@ -239,11 +253,13 @@ double CollisionMonitor::swing_share(const Twist2& wanted, const Ahead& ahead) c
   return 1.0;
 }
 
-/// Whether the robot, stopped a reaction time from now, closes in on nothing: neither on its present way, nor on that of `command`.
-bool CollisionMonitor::stops_in_time(const Twist2& command, const Ahead& ahead) const {
+/// Whether the robot, stopped a reaction time from now, closes in on nothing: neither on its present way, nor on that of `told`.
+bool CollisionMonitor::stops_in_time(const Verdict& told, const Ahead& ahead) const {
   const StopPath path{limits_, wheel_separation_, stopping_.reaction_time};
-  return closing_speed(path, kept_free_, twist_, twist_, ahead.points) <= kGentle &&
-         closing_speed(path, kept_free_, twist_, command, ahead.points) <= kGentle;
+  const auto is_gentle = [&](const Told& what) {
+    return closing_speed(path, kept_free_, twist_, what, ahead.points) <= kGentle;
+  };
+  return is_gentle({twist_}) && is_gentle({told.allowed, told.action});
 }
 
 CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted, const Ahead& ahead) const {
@@ -251,7 +267,8 @@ CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted, const A
   const auto consider = [&](double speed, Action action, std::string_view cause) {
     if (speed < bound.speed) bound = {speed, action, cause};
   };
-  consider(rule_speed(wanted, ahead), Action::approach, kStoppingDistance);
+  const double enough = std::max(limits_.v_max, std::abs(wanted.v));
+  consider(rule_speed(wanted, ahead, enough), Action::approach, kStoppingDistance);
   if (options_.stopping.narrow_margin > 0.0)
     consider(narrow_speed(wanted, ahead), Action::approach, kNarrowThing);
   consider(sight_speed(wanted.v, ahead), Action::limit, kSight);
@@ -267,19 +284,16 @@ CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted, const A
 /// Of a turn on the spot, what the stopping distance leaves.
 double CollisionMonitor::turn_share(double omega, const Ahead& ahead) const {
   if (!kept_free_.is_polygon() || omega == 0.0) return 1.0;
-  return std::min(1.0, rule_speed({0.0, omega}, ahead) / std::abs(omega));
+  return std::min(1.0, rule_speed({0.0, omega}, ahead, std::abs(omega)) / std::abs(omega));
 }
 
-/// `wanted` at `speed` on the same path. While the robot brakes its turn rate follows its speed; at rest it
-/// may turn on the spot.
+/// `wanted` at `speed` on the same path; at rest it may turn on the spot.
 Twist2 CollisionMonitor::shrink(const Twist2& wanted, double speed, const Ahead& ahead) const {
   if (speed < kStanding) speed = 0.0;
-  const bool at_rest = speed == 0.0 && std::abs(twist_.v) < kStanding && wanted.omega != 0.0;
+  if (speed == 0.0 && std::abs(twist_.v) < kStanding && wanted.omega != 0.0)
+    return judge_turn({0.0, wanted.omega}, ahead).allowed;
   const double share = speed / std::abs(wanted.v);
-  const double present = std::max(0.0, twist_.v / wanted.v);  // nothing of a path that leads the other way
-  const double turning = at_rest ? judge_turn({0.0, wanted.omega}, ahead).allowed.omega / wanted.omega
-                                 : std::max(share, present);
-  return {wanted.v * share, wanted.omega * std::min(1.0, turning)};
+  return {wanted.v * share, wanted.omega * share};
 }
 
 /// Of a turn on the spot.
@@ -306,7 +320,7 @@ Verdict CollisionMonitor::judge(Time now, const Twist2& wanted) {
   if (!is_finite(wanted)) return {{}, Action::stop, "command_not_finite"};
   const Ahead ahead = ahead_at(now);
   const Verdict verdict = judge_command(now, wanted, ahead);
-  return stops_in_time(verdict.allowed, ahead) ? verdict : Verdict{{}, Action::stop, kStoppingDistance};
+  return stops_in_time(verdict, ahead) ? verdict : Verdict{{}, Action::stop, kStoppingDistance};
 }
 
 Verdict CollisionMonitor::judge_command(Time now, const Twist2& wanted, const Ahead& ahead) {
@@ -328,7 +342,7 @@ Verdict CollisionMonitor::judge_command(Time now, const Twist2& wanted, const Ah
   // The command asks for less than the robot still does: what it does now must fit as well, or it brakes
   // hard.
   if (std::abs(twist_.v) > std::abs(wanted.v) + kStanding) {
-    const double speed = rule_speed(twist_, ahead);
+    const double speed = rule_speed(twist_, ahead, std::abs(twist_.v));
     if (std::abs(twist_.v) > speed + kStanding) return {verdict.allowed, Action::approach, kStoppingDistance};
   }
   return verdict;

@@ -116,14 +116,14 @@ class CollisionMonitor {
   std::optional<std::string_view> fault(Time now);
   Ahead ahead_at(Time now) const;
   Stopping stopping_on(const Twist2& along) const;
-  double rule_speed(const Twist2& along, const Ahead& ahead) const;
+  double rule_speed(const Twist2& along, const Ahead& ahead, double enough) const;
   double disc_speed(const Twist2& along, const Ahead& ahead) const;
   double polygon_speed(const Twist2& along, const Ahead& ahead) const;
   double narrow_speed(const Twist2& along, const Ahead& ahead) const;
   Bound tightest(const Twist2& wanted, const Ahead& ahead) const;
   double sight_speed(double v, const Ahead& ahead) const;
   double swing_share(const Twist2& wanted, const Ahead& ahead) const;
-  bool stops_in_time(const Twist2& command, const Ahead& ahead) const;
+  bool stops_in_time(const Verdict& told, const Ahead& ahead) const;
   Verdict judge_command(Time now, const Twist2& wanted, const Ahead& ahead);
   Twist2 shrink(const Twist2& wanted, double speed, const Ahead& ahead) const;
   double turn_share(double omega, const Ahead& ahead) const;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include "components/model/transform2.hpp"
+
 namespace bw::safety {
 namespace {
 
@@ -56,6 +58,7 @@ class Field {
   std::vector<std::size_t> around(const std::vector<std::size_t>& of, double angle = kRound) const {
     const auto reach = std::min<std::ptrdiff_t>(std::lround(angle / std::abs(step_)), (size_ - 1) / 2);
     std::vector<std::size_t> sums(of.size(), 0);
+    if (std::ranges::count(of, 0U) == size_) return sums;
     std::size_t sum = 0;
     const auto at = [&](std::ptrdiff_t beam) {
       const bool is_round = !has_edges_ || (beam >= 0 && beam < size_);
@@ -72,13 +75,15 @@ class Field {
 
  private:
   double width() const { return static_cast<double>(size_ - 1) * step_; }
-  std::ptrdiff_t wrapped(std::ptrdiff_t beam) const { return ((beam % size_) + size_) % size_; }
+  std::ptrdiff_t wrapped(std::ptrdiff_t beam) const {
+    return beam >= 0 && beam < size_ ? beam : ((beam % size_) + size_) % size_;  // nearly always: no division
+  }
 
   double range_max_;
   double first_;
   double step_;
   std::ptrdiff_t size_;
-  Pose2 X_LO_;
+  Transform2 X_LO_;
   bool has_edges_;
 };
 
@@ -101,16 +106,14 @@ class EmptySight::Memory {
     const auto is_new = [&](const Place& place) { return place.lost_at == sweep_.time; };
     const auto vanished = around(places, is_new, 0.5 * kRound);  // what was there went up to kRound aside
     const auto has_moved = [&](const Place& place) {
-      const std::size_t beam = *field_.lasting(place.position);
-      return is_new(place) && moved[beam] >= vanished[beam];
+      return is_new(place) && moved[place.beam] >= vanished[place.beam];
     };
     std::erase_if(places, has_moved);
     const std::vector<bool> gone = is_gone(places);
     for (Place& place : places)
-      if (place.lost_at && gone[*field_.lasting(place.position)]) place.is_missed = true;
+      if (place.lost_at && gone[place.beam]) place.is_missed = true;
     std::erase_if(places, [&](const Place& place) {
-      return place.lost_at && !gone[*field_.lasting(place.position)] &&
-             sweep_.time - *place.lost_at > kForgets;
+      return place.lost_at && !gone[place.beam] && sweep_.time - *place.lost_at > kForgets;
     });
   }
   /// Which free beams look at what is lost.
@@ -134,7 +137,7 @@ class EmptySight::Memory {
                                   double angle = kRound) const {
     std::vector<std::size_t> of(beams(), 0);
     for (const Place& place : places)
-      if (counts(place)) ++of[*field_.lasting(place.position)];
+      if (counts(place)) ++of[place.beam];
     return field_.around(of, angle);
   }
 
@@ -154,13 +157,14 @@ class EmptySight::Memory {
   bool keeps(Place& place, const std::vector<std::size_t>& hits_around) const {
     const auto beam = field_.lasting(place.position);
     if (!beam) return false;
+    place.beam = *beam;
     bool is_another = false;
     for (std::ptrdiff_t offset = -kBeside; offset <= kBeside; ++offset) {
       const auto near = field_.beside(*beam, offset);
       if (!near || !is_hit(*near)) continue;
       is_another = true;
       if (std::abs(sweep_.ranges[*near] - field_.distance(place.position)) > kSame) continue;
-      if (place.lost_at) place = {place.position, sweep_.time, {}, false};  // of another thing, maybe
+      if (place.lost_at) place = {place.position, *beam, sweep_.time, {}, false};  // of another thing, maybe
       return true;
     }
     if (is_another) return false;
@@ -176,7 +180,7 @@ class EmptySight::Memory {
     std::vector<std::optional<Time>> since(beams());
     for (const Place& place : places) {
       if (place.lost_at) continue;
-      std::optional<Time>& oldest = since[*field_.lasting(place.position)];
+      std::optional<Time>& oldest = since[place.beam];
       oldest = std::min(oldest.value_or(place.since), place.since);
     }
     std::vector<Place> seen;
@@ -184,7 +188,7 @@ class EmptySight::Memory {
       const Vector2 position = X_OB_ * point.position;
       const auto beam = field_.lasting(position);
       if (!beam || since[*beam]) continue;
-      Place place{position, sweep_.time, {}, false};
+      Place place{position, *beam, sweep_.time, {}, false};
       for (const std::ptrdiff_t offset : {-1, 1})
         if (const auto near = field_.beside(*beam, offset); near && since[*near])
           place.since = std::min(place.since, *since[*near]);

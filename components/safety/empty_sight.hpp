@@ -41,6 +41,7 @@ class EmptySight {
   /// Of a point that the next sweep must still show.
   struct Place {
     Vector2 position{0.0, 0.0};   ///< in odom
+    std::size_t beam = 0;         ///< of the newest sweep, that looks there
     Time since;                   ///< hit there
     std::optional<Time> lost_at;  ///< where free beams are now
     bool is_missed = false;       ///< with so many that something was there

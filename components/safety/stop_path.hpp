@@ -9,6 +9,7 @@
 
 #include "components/model/footprint.hpp"
 #include "components/model/limits.hpp"
+#include "components/safety/action.hpp"
 #include "components/safety/sweep.hpp"
 
 namespace bw::safety {
@@ -22,9 +23,16 @@ struct StopPath {
   double reaction_time = 0.0;     ///< [s]
 };
 
-/// Largest speed [m/s] (of those above kGentle the first) at which the outline closes in on one of `points` (base_link) while it covers it, on the way of a robot that
-/// moves with `now`, is told `command`, and brakes to rest after the reaction time. 0: it covers none, or leads out.
-double closing_speed(const StopPath& path, const Footprint& footprint, const Twist2& now,
-                     const Twist2& command, const std::vector<SeenPoint>& points);
+/// What the robot is told.
+struct Told {
+  Twist2 command;
+  Action action = Action::do_nothing;  ///< anything else: what falls, falls by stop_deceleration
+};
+
+/// Largest speed [m/s] (of those above kGentle the first) at which the outline closes in on one of `points` (base_link) while it covers
+/// it, on the way of a robot that moves with `now`, is told `told`, and brakes to rest after the reaction time. 0: it covers none, or
+/// leads out.
+double closing_speed(const StopPath& path, const Footprint& footprint, const Twist2& now, const Told& told,
+                     const std::vector<SeenPoint>& points);
 
 }  // namespace bw::safety

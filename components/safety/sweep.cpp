@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "components/model/transform2.hpp"
+
 namespace bw::safety {
 namespace {
 
@@ -99,12 +101,14 @@ CheckedSweep check_sweep(const LaserSweep& sweep, const SweepOptions& options) {
   }
   const std::vector<bool> keep = confirmed(sweep, out.beams, options);
   NarrowThings things(options, out);
+  const Transform2 X_FL(sweep.X_FL);
   for (std::size_t i = 0; i < out.beams.size(); ++i) {
     const double range = sweep.ranges[i];
     if (out.beams[i] == BeamKind::free) things.clear();
     if (keep[i]) {
       const double angle = sweep.angle_min + static_cast<double>(i) * sweep.angle_increment;
-      things.add(scanner_at(sweep, i) * Vector2(range * direction(angle)), range);
+      const Vector2 p_L = range * direction(angle);
+      things.add(sweep.beam_poses.empty() ? X_FL * p_L : sweep.beam_poses[i] * p_L, range);
     }
   }
   things.finish();

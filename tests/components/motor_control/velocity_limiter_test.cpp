@@ -224,24 +224,27 @@ TEST(VelocityLimiter, StopOverridesAFreshCommand) {
 }
 
 TEST(VelocityLimiter, HardBrakingReachesALowerSpeedAtTheStopDecelerationOnTheSameCurve) {
-  Robot robot;
-  robot.limits = {.v_max = 1.0, .omega_max = 1.0, .acc_max = 1.0, .alpha_max = 1.5, .stop_deceleration = 2.0};
-  Follower follower(robot);
-  for (int i = 0; i < 200; ++i) follower.advance({1.0, 0.9});
-  follower.limiter.set_braking(Braking::hard);
-  double v = 1.0;
-  // The faster wheel, 1 + 0.9 * 0.195 = 1.1755 times as fast, loses 2 m/s^2: after 17 steps of 20 ms 0.42 m/s, curvature 0.9 / m all the way
-  for (int i = 0; i < 17; ++i) {
-    v -= 0.04 / 1.1755;
-    const Twist2 twist = follower.advance({0.4, 0.36}).twist;
-    EXPECT_NEAR(twist.v, v, 1e-9);
-    EXPECT_NEAR(twist.omega, 0.9 * v, 1e-6);
+  for (const double alpha_max : {1.5, 6.0}) {  // however soon it could stop turning
+    Robot robot;
+    robot.limits = {
+        .v_max = 1.0, .omega_max = 1.0, .acc_max = 1.0, .alpha_max = alpha_max, .stop_deceleration = 2.0};
+    Follower follower(robot);
+    for (int i = 0; i < 200; ++i) follower.advance({1.0, 0.9});
+    follower.limiter.set_braking(Braking::hard);
+    double v = 1.0;
+    // The faster wheel, 1 + 0.9 * 0.195 = 1.1755 times as fast, loses 2 m/s^2: after 17 steps of 20 ms 0.42 m/s, curvature 0.9 / m all the way
+    for (int i = 0; i < 17; ++i) {
+      v -= 0.04 / 1.1755;
+      const Twist2 twist = follower.advance({0.4, 0.36}).twist;
+      EXPECT_NEAR(twist.v, v, 1e-9);
+      EXPECT_NEAR(twist.omega, 0.9 * v, 1e-6);
+    }
+    EXPECT_NEAR(follower.advance({0.4, 0.36}).twist.v, 0.4, 1e-9);
+    for (int i = 0; i < 12; ++i) follower.advance({0.0, 0.0});
+    EXPECT_EQ(follower.advance({0.0, 0.0}).twist, Twist2{});
+    // Speeding up stays smooth: 5 m/s^3 for 20 ms is 0.1 m/s^2, 0.002 m/s in this step.
+    EXPECT_NEAR(follower.advance({1.0, 0.0}).twist.v, 0.002, 1e-9);
   }
-  EXPECT_NEAR(follower.advance({0.4, 0.36}).twist.v, 0.4, 1e-9);
-  for (int i = 0; i < 12; ++i) follower.advance({0.0, 0.0});
-  EXPECT_EQ(follower.advance({0.0, 0.0}).twist, Twist2{});
-  // Speeding up stays smooth: 5 m/s^3 for 20 ms is 0.1 m/s^2, 0.002 m/s in this step.
-  EXPECT_NEAR(follower.advance({1.0, 0.0}).twist.v, 0.002, 1e-9);
 }
 
 // On the spot a wheel, 0.195 m off the middle, loses 2 m/s^2: 10.26 rad/s^2, which is what the collision monitor reckons with; alpha_max
@@ -256,6 +259,18 @@ TEST(VelocityLimiter, HardBrakingOfATurnIsThatOfTheWheels) {
     follower.limiter.set_braking(Braking::hard);
     EXPECT_NEAR(follower.advance({0.0, to}).twist.omega, 0.97 - 0.04 / 0.195, 1e-9);
   }
+}
+
+// Steering is none: 1.5 rad/s^2 for 20 ms are 0.03 rad/s. The monitor reckons with that on the way of a stop (stop_path.hpp).
+TEST(VelocityLimiter, AnotherTurnAtTheSameSpeedIsNoBraking) {
+  Robot robot;
+  robot.limits = {.v_max = 1.0, .omega_max = 1.0, .acc_max = 1.0, .alpha_max = 1.5, .stop_deceleration = 2.0};
+  Follower follower(robot);
+  for (int i = 0; i < 300; ++i) follower.advance({0.5, 0.5});
+  follower.limiter.set_braking(Braking::hard);
+  const Twist2 twist = follower.advance({0.5, -0.5}).twist;
+  EXPECT_NEAR(twist.v, 0.5, 1e-9);
+  EXPECT_NEAR(twist.omega, 0.5 - 0.03, 1e-9);
 }
 
 TEST(VelocityLimiter, HardBrakingOfABackwardCommandPassesThroughRest) {

@@ -53,11 +53,30 @@ bool Laser::go_on(Sweep& sweep, double t, const Pose2& X_WB, const std::vector<C
   const double share = taken > 0.0 ? std::min(1.0, (t - sweep.begun) / taken) : 1.0;
   const auto due = static_cast<std::size_t>(std::floor(share * numbers_[kBeams]));
   const Pose2 X_WL = X_WB * X_BL_;
-  while (sweep.ranges.size() < due) {
-    sweep.X_WL.push_back(X_WL);
-    sweep.ranges.push_back(range(angle_of(static_cast<double>(sweep.ranges.size())), t, X_WL, things));
-  }
+  const std::size_t first = sweep.ranges.size();
+  std::vector<double> nearest(due - first, std::numeric_limits<double>::infinity());
+  for (const Capsule& thing : things) meet(thing, X_WL, first, nearest);
+  sweep.X_WL.resize(due, X_WL);
+  sweep.ranges.reserve(due);
+  for (const double way : nearest)
+    sweep.ranges.push_back(reading(angle_of(static_cast<double>(sweep.ranges.size())), t, way));
   return share == 1.0;
+}
+
+void Laser::meet(const Capsule& thing, const Pose2& X_WL, std::size_t first,
+                 std::vector<double>& nearest) const {
+  // Seen from outside, a capsule is between the directions of its two discs.
+  const Vector2 to_a = thing.a - X_WL.position(), to_b = thing.b - X_WL.position();
+  const double least = std::min(to_a.norm(), to_b.norm());
+  const double between = std::atan2(cross(to_a, to_b), to_a.dot(to_b));
+  const double middle = wrap_angle(std::atan2(to_a.y(), to_a.x()) + 0.5 * between - X_WL.theta);
+  const double half = 0.5 * std::abs(between) + std::asin(std::min(1.0, thing.radius / least)) + 1e-6;
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    const double angle = angle_of(static_cast<double>(first + i));
+    const double off = std::abs(angle - middle);
+    if (std::min(off, 2.0 * kPi - off) > half) continue;
+    nearest[i] = std::min(nearest[i], to_thing(X_WL.position(), direction(X_WL.theta + angle), thing));
+  }
 }
 
 LaserSweep Laser::view(const Sweep& sweep) const {
@@ -106,18 +125,16 @@ bool Laser::is_blind_to(const Sweep& sweep, const Vector2& place) const {
   return true;
 }
 
-float Laser::range(double angle, double t, const Pose2& X_WL, const std::vector<Capsule>& things) {
-  const bool is_lost = random_.uniform() < numbers_[kDropout];
-  const double noise = numbers_[kNoise] * std::clamp(random_.normal(), -3.0, 3.0);
+float Laser::reading(double angle, double t, double way) {
+  const bool is_lost = numbers_[kDropout] > 0.0 && random_.uniform() < numbers_[kDropout];
   if (is_lost || std::abs(wrap_angle(angle - numbers_[kBlindAt])) < 0.5 * numbers_[kBlindWidth])
     return kUnknown;
   if (t > numbers_[kDarkFrom] && std::abs(wrap_angle(angle - numbers_[kDarkAt])) < 0.5 * numbers_[kDarkWidth])
     return kNothing;
-  const Vector2 u = direction(X_WL.theta + angle);
-  double range = std::numeric_limits<double>::infinity();
-  for (const Capsule& thing : things) range = std::min(range, to_thing(X_WL.position(), u, thing));
-  if (range >= numbers_[kRange]) return kNothing;
-  return static_cast<float>(std::clamp(range + noise, 0.021, numbers_[kRange]));
+  if (way >= numbers_[kRange]) return kNothing;
+  const double noise =
+      numbers_[kNoise] > 0.0 ? numbers_[kNoise] * std::clamp(random_.normal(), -3.0, 3.0) : 0.0;
+  return static_cast<float>(std::clamp(way + noise, 0.021, numbers_[kRange]));
 }
 
 }  // namespace bw::safety::test

@@ -37,7 +37,10 @@ class Laser {
   double angle_of(double beam) const { return -0.5 * numbers_[kField] + beam * increment(); }
   /// Which beam would look at `place`, between 0 and a full turn of beams.
   double beam_to(const Sweep& sweep, const Vector2& place) const;
-  float range(double angle, double t, const Pose2& X_WL, const std::vector<Capsule>& things);
+  /// Way to `thing` of each beam that meets it sooner than what is there in `nearest`, of the beams from `first` on.
+  void meet(const Capsule& thing, const Pose2& X_WL, std::size_t first, std::vector<double>& nearest) const;
+  /// What a beam says whose light goes so far.
+  float reading(double angle, double t, double way);
 
   const std::array<double, kNumbers>& numbers_;
   Random random_;

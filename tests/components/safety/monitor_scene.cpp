@@ -1,5 +1,6 @@
 #include "tests/components/safety/monitor_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -13,15 +14,37 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kThick = 0.01;  // [m], half of a wall
 
+/// In two scenes of five: one or two who walk, most of them at the robot, and some of those stop.
+void add_people(Random& random, const Footprint& outline, Scene& scene) {
+  const double share = random.uniform();
+  const int count = share < 0.6 ? 0 : share < 0.85 ? 1 : 2;
+  for (int i = 0; i < count;) {
+    const Vector2 at = random.uniform(0.4, 3.0) * direction(random.uniform(-kPi, kPi));
+    const double aside = random.uniform() < 0.7 ? random.uniform(-0.4, 0.4) : random.uniform(-kPi, kPi);
+    const Vector2 v = random.uniform(0.2, 1.6) * direction(std::atan2(-at.y(), -at.x()) + aside);
+    const Thing person{.x = at.x(),
+                       .y = at.y(),
+                       .p = random.uniform(0.06, 0.3),
+                       .vx = v.x(),
+                       .vy = v.y(),
+                       .until = random.uniform(0.5, 8.0)};
+    if (!is_apart(outline, person)) continue;
+    scene.things.push_back(person);
+    ++i;
+  }
+}
+
 }  // namespace
 
-Capsule shape_of(const Thing& thing) {
-  const Vector2 a(thing.x, thing.y);
-  return thing.is_wall != 0.0 ? Capsule{a, {thing.p, thing.q}, kThick} : Capsule{a, a, thing.p};
+Capsule shape_of(const Thing& thing, double t) {
+  const Vector2 moved = std::min(t, thing.until) * Vector2(thing.vx, thing.vy);
+  const Vector2 a = Vector2(thing.x, thing.y) + moved;
+  return thing.is_wall != 0.0 ? Capsule{a, Vector2(thing.p, thing.q) + moved, kThick}
+                              : Capsule{a, a, thing.p};
 }
 
 bool is_apart(const Footprint& outline, const Thing& thing) {
-  return gap_to(outline, {}, shape_of(thing)) > 0.02;
+  return gap_to(outline, {}, shape_of(thing, 0.0)) > 0.02;
 }
 
 Robot robot_of(const Scene& scene) {
@@ -99,7 +122,8 @@ Scene random_scene(std::uint64_t seed) {
   const std::size_t count = 1 + random.bits() % 5;
   while (scene.things.size() < count) {
     const Vector2 a = random.uniform(0.15, 2.0) * direction(random.uniform(-kPi, kPi));
-    Thing thing{random.uniform() < 0.4 ? 1.0 : 0.0, a.x(), a.y(), random.uniform(0.06, 0.4), 0.0};
+    const double is_wall = random.uniform() < 0.4 ? 1.0 : 0.0;
+    Thing thing{.is_wall = is_wall, .x = a.x(), .y = a.y(), .p = random.uniform(0.06, 0.4)};
     if (thing.is_wall != 0.0) {
       const Vector2 b = a + random.uniform(0.3, 4.0) * direction(random.uniform(-kPi, kPi));
       thing.p = b.x();
@@ -107,6 +131,7 @@ Scene random_scene(std::uint64_t seed) {
     }
     if (is_apart(outline, thing)) scene.things.push_back(thing);
   }
+  add_people(other, outline, scene);
   return scene;
 }
 
@@ -116,7 +141,7 @@ std::string to_text(const Scene& scene) {
   for (const double number : scene.numbers) text << number << ' ';
   for (const Thing& thing : scene.things)
     text << "| " << thing.is_wall << ' ' << thing.x << ' ' << thing.y << ' ' << thing.p << ' ' << thing.q
-         << ' ';
+         << ' ' << thing.vx << ' ' << thing.vy << ' ' << thing.until << ' ';
   return text.str();
 }
 
@@ -127,8 +152,9 @@ Scene scene_of(const std::string& line) {
     if (!(text >> number)) throw std::invalid_argument("a scene has too few numbers: " + line);
   for (std::string bar; text >> bar;) {
     Thing thing;
-    if (!(text >> thing.is_wall >> thing.x >> thing.y >> thing.p >> thing.q))
-      throw std::invalid_argument("a thing has five numbers: " + line);
+    if (!(text >> thing.is_wall >> thing.x >> thing.y >> thing.p >> thing.q >> thing.vx >> thing.vy >>
+          thing.until))
+      throw std::invalid_argument("a thing has eight numbers: " + line);
     scene.things.push_back(thing);
   }
   return scene;

@@ -1,8 +1,9 @@
-// A scene of the collision monitor's property test: a robot, its laser, its driver and things that stand, as a list of numbers, so that it
-// can be drawn, made smaller, and written on one line.
+// A scene of the collision monitor's property test: a robot, its laser, its driver, things that stand and people who walk, as a list of
+// numbers, so that it can be drawn, made smaller, and written on one line.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,13 +13,19 @@
 
 namespace bw::safety::test {
 
-/// A disc of radius `p` at (x, y), or, with another end, a wall of 2 cm from (x, y) to (p, q).
+/// A disc of radius `p` at (x, y), or, with another end, a wall of 2 cm from (x, y) to (p, q). It moves with (vx, vy) until `until`
+/// seconds have gone, and stands then.
 struct Thing {
   double is_wall = 0.0;
   double x = 0.0;
   double y = 0.0;
   double p = 0.0;
   double q = 0.0;
+  double vx = 0.0;
+  double vy = 0.0;
+  double until = 0.0;
+
+  double speed() const { return std::hypot(vx, vy); }
 };
 
 enum Number : std::size_t {
@@ -71,8 +78,8 @@ Scene scene_of(const std::string& line);
 Scene random_scene(std::uint64_t seed);
 
 Robot robot_of(const Scene& scene);
-Capsule shape_of(const Thing& thing);
-/// From the robot where it starts.
+Capsule shape_of(const Thing& thing, double t);
+/// At the start, from the robot.
 bool is_apart(const Footprint& outline, const Thing& thing);
 
 }  // namespace bw::safety::test
