@@ -253,13 +253,16 @@ double CollisionMonitor::swing_share(const Twist2& wanted, const Ahead& ahead) c
   return 1.0;
 }
 
-/// Whether the robot, stopped a reaction time from now, closes in on nothing: neither on its present way, nor on that of `told`.
+/// Whether the robot, stopped a reaction time from now, closes in on nothing: neither on its present way, nor on that of `told`, nor
+/// where it turns as told already, but is not as fast yet: motor control bounds the jerk of its speed, and not that of its turn.
 bool CollisionMonitor::stops_in_time(const Verdict& told, const Ahead& ahead) const {
   const StopPath path{limits_, wheel_separation_, stopping_.reaction_time};
   const auto is_gentle = [&](const Told& what) {
     return closing_speed(path, kept_free_, twist_, what, ahead.points) <= kGentle;
   };
-  return is_gentle({twist_}) && is_gentle({told.allowed, told.action});
+  const bool speeds_up = std::abs(told.allowed.v) > std::abs(twist_.v);
+  return is_gentle({twist_}) && is_gentle({told.allowed, told.action}) &&
+         (!speeds_up || is_gentle({{twist_.v, told.allowed.omega}, told.action}));
 }
 
 CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted, const Ahead& ahead) const {
