@@ -123,9 +123,9 @@ int run_verb(const std::string& name, const std::string& help, const std::functi
   program.require_subcommand(1);
   program.set_version_flag("--version", version);
   for (const auto& [key, verb] : verbs()) {
-    CLI::App* app =
-        program.add_subcommand(key.second, verb.help)->group(kHeadings[static_cast<int>(key.first)]);
+    CLI::App* app = program.add_subcommand(key.second, verb.help);
     verb.add(Verb(app));
+    app->group(kHeadings[static_cast<int>(key.first)]);  // behind its own verbs, which would inherit it
   }
   try {
     program.parse(argc, argv);
