@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lyrical/nav2_msgs/srv/clear_entire_costmap.hpp>
+#include <nav2_msgs/srv/clear_costmap_around_robot.hpp>
+#include <nav2_msgs/srv/clear_costmap_except_region.hpp>
+#include <nav2_msgs/srv/clear_entire_costmap.hpp>
 #include <nav2_msgs/srv/get_costmap.hpp>
 #include <nav2_msgs/srv/is_path_valid.hpp>
 

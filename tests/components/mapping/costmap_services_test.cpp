@@ -6,6 +6,9 @@
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <geometry_msgs/msg/polygon_stamped.hpp>
 #include <gtest/gtest.h>
+#include <nav2_msgs/srv/clear_costmap_around_robot.hpp>
+#include <nav2_msgs/srv/clear_costmap_except_region.hpp>
+#include <nav2_msgs/srv/clear_entire_costmap.hpp>
 #include <nav2_msgs/srv/get_costmap.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
