@@ -2,7 +2,8 @@
 # check_includes.sh ROOT: precompiled headers hide no missing include.
 #
 # A file that speaks of std::vector includes <vector>, itself or through files of this project; likewise for the other names below, which
-# are those that the precompiled sets bring. What one standard header includes of another is luck and does not count.
+# are those that the precompiled sets bring. What one standard header includes of another is luck and does not count. CLI11, which costs each
+# source that includes it seconds, is runtime/cli/verb.cpp's alone (tests apart).
 set -euo pipefail
 cd "$1"
 
@@ -22,8 +23,12 @@ algorithm	std::(ranges::)?(sort|stable_sort|any_of|all_of|none_of|find_if|transf
 Eigen/	Eigen::
 fmt/	fmt::
 nlohmann/	nlohmann::
-CLI/	CLI::
 gtest/	(^|[^A-Z_])(TEST|TEST_F|TEST_P)\('
+
+if grep -rl --include='*.hpp' --include='*.cpp' '#include <CLI/' components runtime 2>/dev/null | grep -vx runtime/cli/verb.cpp; then
+  echo "These include CLI11: declare the options by runtime/cli/verb.hpp." >&2
+  exit 1
+fi
 
 mapfile -t sources < <(find . \( -path ./build -o -path ./.git \) -prune -o \( -name '*.hpp' -o -name '*.cpp' \) -printf '%P\n')
 awk -v names="$names" '

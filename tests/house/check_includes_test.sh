@@ -19,3 +19,12 @@ for expected in 'components/a/broken.cpp:3: includes no <optional>' 'components/
     exit 1
   fi
 done
+
+rm "$house/components/a/broken.cpp"
+printf '#include <CLI/App.hpp>\n' >"$house/components/a/options.cpp"
+status=0
+said=$("$check" "$house" 2>&1) || status=$?
+if ((status == 0)) || ! grep -qF 'components/a/options.cpp' <<<"$said"; then
+  printf 'expected CLI11 to be refused, got exit status %d and:\n%s\n' "$status" "$said" >&2
+  exit 1
+fi
