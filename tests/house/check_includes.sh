@@ -25,7 +25,7 @@ fmt/	fmt::
 nlohmann/	nlohmann::
 gtest/	(^|[^A-Z_])(TEST|TEST_F|TEST_P)\('
 
-if grep -rl --include='*.hpp' --include='*.cpp' '#include <CLI/' components runtime 2>/dev/null | grep -vx runtime/cli/verb.cpp; then
+if { grep -rl --include='*.hpp' --include='*.cpp' '#include <CLI/' components runtime 2>/dev/null || true; } | grep -vx runtime/cli/verb.cpp; then
   echo "These include CLI11: declare the options by runtime/cli/verb.hpp." >&2
   exit 1
 fi
