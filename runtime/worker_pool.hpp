@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "runtime/base/thrown.hpp"
+#include "runtime/thrown.hpp"
 
 namespace bw {
 

@@ -1,5 +1,4 @@
-// A footprint as a parameter: a text in Nav2's form. In YAML a list does as well; what is no footprint is refused where it
-// was written.
+// A footprint as a parameter: a text in Nav2's form, or a list in YAML; what is no footprint is refused where it was written.
 #pragma once
 
 #include <string>
@@ -10,35 +9,12 @@
 
 namespace bw {
 
-namespace detail {
-
-/// "[[0.2, 0.1], ...]" of a list of lists in a configuration.
-template <class Node>
-std::string text_of_list(const Node& node) {
-  if (!node.is_sequence()) return node.text();
-  std::string text = "[";
-  for (const Node& element : node.sequence) {
-    if (text.size() > 1) text += ", ";
-    text += text_of_list(element);
-  }
-  return text + "]";
-}
-
-}  // namespace detail
-
-/// For fields(v). Empty: none.
-template <class Visitor>
-void footprint_field(Visitor& v, std::string_view name, std::string& text, const Field& field) {
-  if constexpr (requires { v.refuse(*v.find(name), name, std::string()); }) {
-    const auto* node = v.find(name);
-    const bool is_list = node != nullptr && node->is_sequence();
-    is_list ? void(text = detail::text_of_list(*node)) : v(name, text, field);
-    if (node == nullptr || !(is_list || node->is_scalar())) return;
-    if (std::string fault = footprint_of(text, 0.0).fault; !fault.empty())
-      v.refuse(*node, name, std::move(fault));
-  } else {
-    v(name, text, field);
-  }
+/// Empty: none.
+inline Field footprint_field(std::string_view doc) {
+  return {.unit = "m",
+          .list_as_text = true,
+          .rule = [](std::string_view text) { return footprint_of(text, 0.0).fault; },
+          .doc = doc};
 }
 
 }  // namespace bw

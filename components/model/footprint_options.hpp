@@ -15,11 +15,9 @@ struct FootprintOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    footprint_field(
-        v, "footprint", footprint,
-        {.unit = "m",
-         .doc = "the robot's outline from now on, for every component: \"[[x, y], [x, y], [x, y]]\" "
-                "in base_link; empty: robot_radius"});
+    v("footprint", footprint,
+      footprint_field("the robot's outline from now on, for every component: \"[[x, y], [x, y], [x, y]]\" "
+                      "in base_link; empty: robot_radius"));
     v("robot_radius", robot_radius,
       {.unit = "m",
        .min = 0,

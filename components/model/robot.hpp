@@ -129,11 +129,9 @@ struct Robot {
        .min = 0.02,
        .max = 5,
        .doc = "radius of the robot's disc footprint; of no effect beside a footprint"});
-    footprint_field(
-        v, "footprint", footprint,
-        {.unit = "m",
-         .doc = "outline as corners in base_link, \"[[x, y], [x, y], [x, y]]\", convex and around "
-                "base_link; empty: the disc of radius"});
+    v("footprint", footprint,
+      footprint_field("outline as corners in base_link, \"[[x, y], [x, y], [x, y]]\", convex and around "
+                      "base_link; empty: the disc of radius"));
     v("limits", limits, {.doc = "motion limits of the base"});
     v("sensors", sensors, {.doc = "where the sensors sit; published on /tf_static"});
     v("base", base, {.doc = "wheels and what else the base has: its driver"});

@@ -10,7 +10,7 @@
 #include "runtime/bag/message_stamp.hpp"
 #include "runtime/bag/output_topic.hpp"
 #include "runtime/bag/qos_text.hpp"
-#include "runtime/base/thrown.hpp"
+#include "runtime/thrown.hpp"
 #include "runtime/wire/type_registry.hpp"
 
 namespace bw::bag {

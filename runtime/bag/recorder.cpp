@@ -5,7 +5,7 @@
 
 #include <time.h>
 
-#include "runtime/base/thrown.hpp"
+#include "runtime/thrown.hpp"
 
 namespace bw::bag {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/base/thrown.hpp"
+#include "runtime/thrown.hpp"
 
 namespace bw::bag {
 

@@ -19,6 +19,7 @@
 #include <initializer_list>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -45,7 +46,9 @@ struct Field {
   bool infinity = false;      ///< .inf and -.inf are numbers here, as far as min and max allow
   Texts choices = {};         ///< allowed texts of a string; empty: any
   bool path = false;          ///< a file, read as relative to the YAML that names it
-  std::string_view doc = {};  ///< one line: what it does, when to raise it
+  bool list_as_text = false;  ///< a list in YAML does as well: its text, "[[1, 2], [3, 4]]"
+  std::string (*rule)(std::string_view text) = nullptr;  ///< why a text is refused; empty: it is not
+  std::string_view doc = {};                             ///< one line: what it does, when to raise it
 };
 
 }  // namespace bw

@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "runtime/base/thrown.hpp"
 #include "runtime/host/actor.hpp"
 #include "runtime/host/runner.hpp"
+#include "runtime/thrown.hpp"
 
 namespace bw {
 

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "runtime/base/thrown.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/host/command_guard.hpp"
 #include "runtime/host/host_setup.hpp"
@@ -22,6 +21,7 @@
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/ros/node_announcement.hpp"
 #include "runtime/stamps.hpp"
+#include "runtime/thrown.hpp"
 
 namespace bw {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/base/thrown.hpp"
 #include "runtime/host/actor.hpp"
 #include "runtime/host/sample_tap.hpp"
+#include "runtime/thrown.hpp"
 
 namespace bw {
 

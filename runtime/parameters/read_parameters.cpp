@@ -130,13 +130,23 @@ const std::string* read_choice(const ConfigNode& node, const std::string& key,
   return nullptr;
 }
 
+/// "[[0.2, 0.1], ...]"
+std::string text_of_list(const ConfigNode& node) {
+  if (!node.is_sequence()) return node.text();
+  std::string text = "[";
+  for (const ConfigNode& element : node.sequence)
+    text.append(text.size() > 1 ? ", " : "").append(text_of_list(element));
+  return text + "]";
+}
+
 void read_string(const ConfigNode& node, const std::string& key, const Field& field, std::string& value,
                  std::vector<Violation>& violations) {
   if (!field.choices.empty()) {
     if (read_choice(node, key, field.choices.all(), violations) != nullptr) value = node.scalar;
     return;
   }
-  if (!node.is_scalar()) {
+  const bool is_list = field.list_as_text && node.is_sequence();
+  if (!node.is_scalar() && !is_list) {
     violations.push_back({node.where, key, node.text(), "must be text"});
     return;
   }
@@ -144,7 +154,12 @@ void read_string(const ConfigNode& node, const std::string& key, const Field& fi
     violations.push_back({node.where, key, node.text(), "must be a path"});
     return;
   }
-  value = field.path && !node.scalar.empty() ? resolve_path(node.where, node.scalar).string() : node.scalar;
+  value = is_list                              ? text_of_list(node)
+          : field.path && !node.scalar.empty() ? resolve_path(node.where, node.scalar).string()
+                                               : node.scalar;
+  if (field.rule == nullptr) return;
+  if (std::string why = field.rule(value); !why.empty())
+    violations.push_back({node.where, key, node.text(), std::move(why)});
 }
 
 void read_list(const ConfigNode& node, const std::string& key, const Field& field, FieldRef value,

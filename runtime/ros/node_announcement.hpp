@@ -15,9 +15,9 @@
 #include <thread>
 
 #include "runtime/base/ros_distro.hpp"
-#include "runtime/base/thrown.hpp"
 #include "runtime/ros/discovery_info.hpp"
 #include "runtime/ros/distro_evidence.hpp"
+#include "runtime/thrown.hpp"
 
 namespace bw {
 

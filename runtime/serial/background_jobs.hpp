@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "runtime/base/thrown.hpp"
+#include "runtime/thrown.hpp"
 
 namespace bw {
 

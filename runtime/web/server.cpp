@@ -14,7 +14,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <fmt/format.h>
 
-#include "runtime/base/thrown.hpp"
+#include "runtime/thrown.hpp"
 #include "runtime/web/http_session.hpp"
 #include "runtime/web/socket_session.hpp"
 

@@ -160,7 +160,7 @@ std::vector<Pose2> drive_straight(FollowedPath& path, Random& random, double len
 
 // 4000 paths: each place of them is passed in order by a planner that cuts every bend that it is let cut:
 // within what a chord may leave the path by, 0.5 m, a step of 0.1 m between the chords that are tried, and
-// 0.14 m by which the robot was pushed.
+// twice the 0.14 m by which the robot is pushed at most.
 TEST(FollowedPath, EveryPlaceIsPassedInOrderWhateverThePath) {
   for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
     Random random(seed);
@@ -170,7 +170,7 @@ TEST(FollowedPath, EveryPlaceIsPassedInOrderWhateverThePath) {
     path.start(poses);
     const std::vector<Pose2> driven = drive_straight(path, random, 0.05 * static_cast<double>(poses.size()));
     const std::vector<Vector2> places = places_of(poses);
-    ASSERT_EQ(passed_in_order(places, driven, 0.5 + 0.1 + 0.15), places.size()) << "seed " << seed;
+    ASSERT_EQ(passed_in_order(places, driven, 0.5 + 0.1 + 0.28), places.size()) << "seed " << seed;
     ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed;
   }
 }

@@ -107,7 +107,7 @@ TEST(PlannerRegistry, ReadsItsSectionAsStrictlyAsAllOthers) {
   EXPECT_EQ(refusal("circler: {side: lef}"),
             "g.yaml:1: local_planner.circler.side = lef: must be one of left, right; did you mean 'left'?");
   EXPECT_EQ(refusal("circler: {laps: 0}"),
-            "g.yaml:1: local_planner.circler.laps = 0: must be between 1 and 2147483647");
+            "g.yaml:1: local_planner.circler.laps = 0: must be at least 1");
   EXPECT_EQ(refusal("circler: {wheel: {grip: 2}}"),
             "g.yaml:1: local_planner.circler.wheel.grip = 2: must be between 0 and 1");
   EXPECT_EQ(refusal("circler: {fast: true, turn_rate: 0.75}"),

@@ -132,7 +132,7 @@ TEST(BaseGuard, CommandsBeforeTheBaseWasHeardAreNoLostBase) {
   base.run(1.0, kAhead, [&] {
     ASSERT_NE(base.output().condition, BaseCondition::link) << base.seconds() << base.output().reason;
   });
-  EXPECT_NEAR(base.speed(), 0.3, 0.01);
+  EXPECT_NEAR(base.speed(), kAhead.left, 0.01);
 }
 
 TEST(BaseGuard, CommandsThatDoNotGetThroughAreALostBase) {

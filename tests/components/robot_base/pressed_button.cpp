@@ -9,9 +9,14 @@ int main() {
   using namespace bw;
   dds::Participant participant{{.network = dds::Network::from_environment(dds::Transport::localhost)}};
   NodeAnnouncement announcement(participant, "panel");
-  cli::TopicWriter<std_msgs::msg::Bool> button(participant, "/emergency_stop", Qos::latched());
+  const auto button =
+      participant.create_writer(cli::typed_end<std_msgs::msg::Bool>("/emergency_stop", Qos::latched()));
+  announcement.add(*button);
+  announcement.publish();
   std_msgs::msg::Bool pressed;
   pressed.data(true);
-  button.publish(pressed);
+  std::vector<std::uint8_t> cdr;
+  serialize(pressed, cdr);
+  button->write(cdr);
   for (;;) pause();
 }
