@@ -165,6 +165,9 @@ Node::Node(std::string name, std::shared_ptr<Wire> wire, GidSize gid_size)
   set_graph_qos(reader_qos);
   reader_qos.history().kind = dds::KEEP_ALL_HISTORY_QOS;
   graph_reader_ = subscriber_->create_datareader(topic(kGraphTopic, kGraphType), reader_qos);
+  const EndOptions graph{.topic = kGraphTopic, .type = kGraphType, .type_hash = kGraphHash};
+  listener_->set(to_gid(graph_writer_->guid()), described(graph, true), false);
+  listener_->set(to_gid(graph_reader_->guid()), described(graph, false), false);
   announce();
 }
 
