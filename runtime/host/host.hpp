@@ -64,8 +64,8 @@ class Host {
 
   /// Connects, activates, runs to the end, deactivates. Once.
   RunEnd run(std::optional<Duration> duration);
-  /// Ends the run from any thread, and at any time: one that was not begun ends as soon as it is. With `at_rest` false what moves gets the time to stop that it
-  /// asked for (Setup::shared).
+  /// Ends the run from any thread, and at any time: one that was not begun ends as soon as it is. With `at_rest`
+  /// false what moves gets the time to stop that it asked for (Setup::shared).
   void finish(RunEnd end, bool at_rest);
 
   const Graph& graph() const { return graph_; }
