@@ -3,8 +3,8 @@
 #   bw_algorithm   pure: values in, result out. Any folder of components/ but those below. tests/house/check_purity.sh holds it to that.
 #   bw_files       reads and writes files, no middleware          components/files/, components/<name>/files/
 #   bw_component   adapts an algorithm to topics                  components/<name>/adaptor/, components/messages/
-#   bw_tool        benches, experiments, training; no middleware  components/tools/<name>/
-#   bw_verb        a verb of `bandwagon` or `bandwagon-lab`       components/tools/<name>/, runtime/cli/
+#   bw_tool        benches, experiments, training; no middleware  components/lab/, components/program/
+#   bw_verb        a verb of `bandwagon` or `bandwagon-lab`       components/program/, components/lab/, runtime/cli/
 #   bw_test        one GoogleTest program, one to three CTest entries   tests/
 
 add_library(bw_compile_options INTERFACE)

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "runtime/bag/bag_report.hpp"
 #include "runtime/cli/bag_verbs.hpp"
 #include "runtime/cli/bag_words.hpp"
+#include "runtime/recording/bag/bag_report.hpp"
 
 namespace bw::cli {
 namespace {

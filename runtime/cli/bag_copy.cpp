@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "runtime/bag/convert.hpp"
-#include "runtime/bag/mcap_recover.hpp"
 #include "runtime/cli/bag_verbs.hpp"
 #include "runtime/cli/bag_words.hpp"
+#include "runtime/recording/bag/convert.hpp"
+#include "runtime/recording/bag/mcap_recover.hpp"
 
 namespace bw::cli {
 

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "runtime/bag/log_record.hpp"
 #include "runtime/cli/verb.hpp"
-#include "runtime/import/imported_bag.hpp"
+#include "runtime/recording/bag/log_record.hpp"
+#include "runtime/recording/import/imported_bag.hpp"
 
 namespace bw::cli {
 namespace {

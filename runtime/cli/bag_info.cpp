@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "runtime/bag/known_type.hpp"
 #include "runtime/cli/bag_verbs.hpp"
 #include "runtime/cli/bag_words.hpp"
+#include "runtime/recording/bag/known_type.hpp"
 
 namespace bw::cli {
 namespace {

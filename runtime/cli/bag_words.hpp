@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/bag/bag.hpp"
+#include "runtime/recording/bag/bag.hpp"
 
 namespace bw::cli {
 

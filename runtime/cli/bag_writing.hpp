@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "runtime/bag/bag_writer.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/recording/bag/bag_writer.hpp"
 
 namespace bw::cli {
 

@@ -16,7 +16,7 @@
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/terminal.hpp"
 #include "runtime/cli/verb.hpp"
-#include "runtime/record/wire_recorder.hpp"
+#include "runtime/recording/record/wire_recorder.hpp"
 
 namespace bw::cli {
 namespace {

@@ -14,8 +14,8 @@
 #include "runtime/cli/replay_topics.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/parameters/scalar_text.hpp"
-#include "runtime/replay/replay_run.hpp"
-#include "runtime/replay/updated_bag.hpp"
+#include "runtime/recording/replay/replay_run.hpp"
+#include "runtime/recording/replay/updated_bag.hpp"
 #include "runtime/temporary_folder.hpp"
 
 namespace bw::cli {

@@ -12,7 +12,7 @@
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/terminal.hpp"
 #include "runtime/host/statistics.hpp"
-#include "runtime/replay/topic_player.hpp"
+#include "runtime/recording/replay/topic_player.hpp"
 
 namespace bw::cli {
 namespace {

@@ -11,13 +11,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "runtime/bag/bag.hpp"
-#include "runtime/bag/known_type.hpp"
 #include "runtime/cli/outside.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/parameters/nearest.hpp"
+#include "runtime/recording/bag/bag.hpp"
+#include "runtime/recording/bag/known_type.hpp"
 #include "runtime/wire/type_registry.hpp"
 #include "runtime/wire/validate.hpp"
 #include "runtime/wire/yaml.hpp"

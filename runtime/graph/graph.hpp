@@ -17,7 +17,7 @@
 //                                   # follow in rank order
 //   snapshot: {keep: 30s, on: [contact], to: near_misses}    # snapshot_settings.hpp
 //   emulate: true                 # devices of the robot are emulated (emulation.hpp): run --emulate
-//   tolerances: {...}               # of replays (runtime/replay/tolerances.hpp): a file or a map
+//   tolerances: {...}               # of replays (runtime/recording/replay/tolerances.hpp): a file or a map
 //   components:
 //     local_planner:                # the node's name; the order is the rank
 //       type: local_planner         # default: the name

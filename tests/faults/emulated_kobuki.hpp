@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "components/robot_base/emulators/kobuki/kobuki_firmware.hpp"
+#include "components/emulators/kobuki/kobuki_firmware.hpp"
 #include "components/robot_base/kobuki/commands.hpp"
 #include "runtime/serial/pseudo_terminal.hpp"
 

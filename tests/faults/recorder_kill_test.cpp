@@ -21,8 +21,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "runtime/bag/recorder.hpp"
-#include "tests/runtime/bag/mcap_files.hpp"
+#include "runtime/recording/bag/recorder.hpp"
+#include "tests/runtime/recording/bag/mcap_files.hpp"
 
 namespace bw::bag {
 namespace {

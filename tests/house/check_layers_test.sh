@@ -22,7 +22,9 @@ expect() { # expect TEXT: the check fails and says TEXT
 sound() {
   file runtime/host/host.hpp runtime/base/time.hpp
   file components/a/a.hpp components/model/pose.hpp runtime/base/time.hpp
-  file components/tools/t/t.cpp components/a/a.hpp
+  file runtime/recording/bag/bag.cpp runtime/host/host.hpp
+  file components/program/run.cpp components/a/a.hpp
+  file components/lab/bench/bench.cpp components/program/run.hpp
 }
 
 sound
@@ -31,8 +33,15 @@ file runtime/host/host.cpp components/model/pose.hpp
 expect 'runtime/host/host.cpp: includes components/model/pose.hpp'
 file runtime/base/time.hpp runtime/host/host.hpp
 expect 'the ground floor stands on nothing'
-file components/b/b.hpp components/tools/t/t.hpp
-expect 'tools are for programs'
+file runtime/host/host.cpp runtime/recording/bag/bag.hpp
+expect 'the core of the runtime knows no recordings'
+file components/b/b.hpp components/program/run.hpp
+expect 'they do not know it'
+file components/program/run.cpp components/lab/bench/bench.hpp
+expect 'no robot needs the lab'
+file runtime/recording/bag/a.hpp runtime/recording/replay/a.hpp
+file runtime/recording/replay/b.hpp runtime/recording/bag/b.hpp
+expect 'circle between rooms'
 file components/b/b.hpp components/b/c.hpp
 file components/b/c.hpp components/b/b.hpp
 expect 'circle between files'

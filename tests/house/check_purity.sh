@@ -8,13 +8,13 @@
 #   - the ground floor (runtime/base) and other algorithms of components/.
 # So no DDS, no message class, no YAML, no logging, no thread, no clock. What Eigen or Ceres include for themselves is their affair.
 # Which files are reached is what the compiler says (-H), for the sources of the TARGETs (those of bw_algorithm) and for each header
-# by itself. A folder says what is no algorithm: adaptor/, files/, messages/ and tools/ (cmake/bandwagon.cmake).
+# by itself. A folder says what is no algorithm: adaptor/, files/, messages/, program/ and lab/ (cmake/bandwagon.cmake).
 set -euo pipefail
 root=$1
 commands=$2
 shift 2
 
-not_pure='^components/(.*/)?(adaptor|files|messages|tools)/'
+not_pure='^components/(.*/)?(adaptor|files|messages|program|lab)/'
 kept_out='thread|stop_token|mutex|shared_mutex|condition_variable|future|semaphore|latch|barrier|atomic|execution|coroutine'
 kept_out+='|chrono|ctime|fstream|iostream|filesystem|syncstream|csignal'
 

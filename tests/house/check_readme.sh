@@ -1,8 +1,12 @@
 #!/usr/bin/env bash
-# The component, the planner and the driver shown in README.md are those that the package test builds, to the letter.
+# The component shown in README.md is the one that the package test builds, to the letter.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-outside=$root/tests/interop/outside_project
-diff <(awk '/^```cpp$/ {inside = 1; next} /^```$/ {inside = 0} inside' "$root/README.md") <(cat "$outside/wanderer.cpp" "$outside/pure_pursuit.cpp" "$outside/trolley.cpp")
-diff <(awk '/^```yaml$/ {inside = 1; next} /^```$/ {inside = 0} inside' "$root/README.md") "$outside/graph.yaml"
+examples=$root/tests/examples
+shown() { # shown LANGUAGE: what README.md shows of it
+  awk -v start="^\`\`\`$1\$" '$0 ~ start {inside = 1; next} /^```$/ {inside = 0} inside' "$root/README.md"
+}
+diff <(shown cpp) "$examples/component/wanderer.cpp"
+diff <(shown yaml) "$examples/component/graph.yaml"
+diff <(shown cmake) "$examples/CMakeLists.txt"

@@ -11,9 +11,9 @@
 #include <gtest/gtest.h>
 #include <std_msgs/msg/string.hpp>
 
-#include "runtime/bag/bag_writer.hpp"
-#include "runtime/bag/qos_text.hpp"
 #include "runtime/dds/participant.hpp"
+#include "runtime/recording/bag/bag_writer.hpp"
+#include "runtime/recording/bag/qos_text.hpp"
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/wire/serialization.hpp"
 #include "tests/folder.hpp"

@@ -12,8 +12,8 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "runtime/bag/bag.hpp"
-#include "runtime/bag/bag_writer.hpp"
+#include "runtime/recording/bag/bag.hpp"
+#include "runtime/recording/bag/bag_writer.hpp"
 #include "tests/interop/process.hpp"
 
 namespace bw::test {

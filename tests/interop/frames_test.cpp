@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/bag/bag.hpp"
-#include "runtime/bag/known_type.hpp"
+#include "runtime/recording/bag/bag.hpp"
+#include "runtime/recording/bag/known_type.hpp"
 #include "runtime/wire/yaml.hpp"
 #include "tests/interop/process.hpp"
 

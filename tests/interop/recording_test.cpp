@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "runtime/bag/bag.hpp"
+#include "runtime/recording/bag/bag.hpp"
 #include "tests/interop/process.hpp"
 
 namespace bw::test {

@@ -5,8 +5,8 @@
 
 #include "components/behaviors/adaptor/behavior_goal.hpp"
 #include "components/behaviors/adaptor/behavior_messages.hpp"
-#include "components/local_planner/adaptor/planning_inputs.hpp"
 #include "components/messages/nav2_layouts.hpp"
+#include "components/messages/planning_inputs.hpp"
 #include "components/messages/velocity_output.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"

@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
+#include "components/local_planner/adaptor/follow_messages.hpp"
 #include "components/local_planner/adaptor/local_planner_component.hpp"
 #include "components/local_planner/adaptor/planner_markers.hpp"
-#include "components/local_planner/adaptor/problem_messages.hpp"
 #include "components/messages/geometry.hpp"
 
 namespace bw {

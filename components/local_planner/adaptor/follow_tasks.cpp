@@ -2,8 +2,8 @@
 #include <cmath>
 #include <utility>
 
+#include "components/local_planner/adaptor/follow_messages.hpp"
 #include "components/local_planner/adaptor/local_planner_component.hpp"
-#include "components/local_planner/adaptor/problem_messages.hpp"
 #include "components/messages/geometry.hpp"
 
 namespace bw {

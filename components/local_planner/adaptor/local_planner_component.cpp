@@ -4,7 +4,7 @@
 #include <thread>
 #include <utility>
 
-#include "components/local_planner/adaptor/problem_messages.hpp"
+#include "components/local_planner/adaptor/follow_messages.hpp"
 #include "components/local_planner/back_off.hpp"
 #include "components/local_planner/command_limits.hpp"
 #include "components/messages/geometry.hpp"

@@ -14,9 +14,9 @@
 
 #include "components/local_planner/adaptor/cycle_watch.hpp"
 #include "components/local_planner/adaptor/follow_path_server.hpp"
-#include "components/local_planner/adaptor/planning_inputs.hpp"
 #include "components/local_planner/followed_path.hpp"
 #include "components/local_planner/local_planner_parameters.hpp"
+#include "components/messages/planning_inputs.hpp"
 #include "components/messages/velocity_output.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/complaint.hpp"

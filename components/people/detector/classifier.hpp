@@ -1,5 +1,5 @@
 // Is this outline one leg, two legs in one, or neither: two sums of small decision trees (gradient boosting,
-// Friedman 2001, logistic loss), trained on our own world by components/tools/people_training/.
+// Friedman 2001, logistic loss), trained on our own world by components/lab/people_training/.
 #pragma once
 
 #include <array>

@@ -17,7 +17,7 @@
 #include "components/messages/wheel_joints.hpp"
 #include "components/recordings/files/drive_messages.hpp"
 #include "components/recordings/summed_odometry.hpp"
-#include "runtime/bag/known_type.hpp"
+#include "runtime/recording/bag/known_type.hpp"
 #include "runtime/wire/serialization.hpp"
 
 namespace bw {

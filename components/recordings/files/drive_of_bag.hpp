@@ -7,7 +7,7 @@
 #include "components/recordings/drive_topics.hpp"
 #include "components/recordings/files/log_record.hpp"
 #include "components/recordings/recorded_drive.hpp"
-#include "runtime/bag/bag.hpp"
+#include "runtime/recording/bag/bag.hpp"
 
 namespace bw {
 

@@ -1,6 +1,6 @@
 #include "components/recordings/files/imported_drive.hpp"
 
-#include "runtime/import/imported_bag.hpp"
+#include "runtime/recording/import/imported_bag.hpp"
 
 namespace bw {
 

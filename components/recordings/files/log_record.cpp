@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/bag/log_record.hpp"
 #include "runtime/parameters/scalar_text.hpp"
+#include "runtime/recording/bag/log_record.hpp"
 
 namespace bw {
 

@@ -1,11 +1,11 @@
-// What a bag says of the log that it holds: its metadata record `log` (runtime/bag/log_record.hpp).
+// What a bag says of the log that it holds: its metadata record `log` (runtime/recording/bag/log_record.hpp).
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "runtime/bag/bag.hpp"
 #include "runtime/base/time.hpp"
+#include "runtime/recording/bag/bag.hpp"
 
 namespace bw {
 

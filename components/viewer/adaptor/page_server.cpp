@@ -14,9 +14,9 @@
 #include <unistd.h>
 
 #include "components/viewer/adaptor/site.hpp"
-#include "runtime/foxglove/protocol.hpp"
-#include "runtime/foxglove/server.hpp"
-#include "runtime/web/server.hpp"
+#include "runtime/remote/foxglove/protocol.hpp"
+#include "runtime/remote/foxglove/server.hpp"
+#include "runtime/remote/web/server.hpp"
 
 namespace bw::viewer {
 namespace {

@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "runtime/foxglove/wire_robot.hpp"
 #include "runtime/logger.hpp"
-#include "runtime/web/server_options.hpp"
+#include "runtime/remote/foxglove/wire_robot.hpp"
+#include "runtime/remote/web/server_options.hpp"
 
 namespace bw::viewer {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "runtime/web/site_file.hpp"
+#include "runtime/remote/web/site_file.hpp"
 
 namespace bw::viewer {
 

@@ -1,5 +1,5 @@
 // The emulated device alone, against the protocol's bytes.
-#include "components/robot_base/emulators/rplidar/rplidar_device.hpp"
+#include "components/emulators/rplidar/rplidar_device.hpp"
 
 #include <cstdint>
 #include <limits>

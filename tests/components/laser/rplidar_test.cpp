@@ -13,8 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include "components/emulators/rplidar/rplidar_device.hpp"
 #include "components/laser/scan.hpp"
-#include "components/robot_base/emulators/rplidar/rplidar_device.hpp"
 
 namespace bw::laser {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "components/lab/bench/band_evaluator.hpp"
+#include "components/lab/bench/bench.hpp"
 #include "components/model/random.hpp"
-#include "components/tools/bench/band_evaluator.hpp"
-#include "components/tools/bench/bench.hpp"
 #include "tests/components/local_planner/band_scenes.hpp"
 
 namespace bw::teb {

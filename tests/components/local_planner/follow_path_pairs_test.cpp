@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "components/evaluation/success.hpp"
-#include "components/tools/evaluate/suite.hpp"
-#include "components/tools/program/drive.hpp"
+#include "components/lab/evaluate/suite.hpp"
+#include "components/program/drive.hpp"
 #include "runtime/registry.hpp"
 #include "tests/components/local_planner/follow_path_relay.hpp"
 

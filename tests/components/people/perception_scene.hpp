@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "components/lab/people_training/furniture.hpp"
 #include "components/model/random.hpp"
-#include "components/tools/people_training/furniture.hpp"
 #include "components/world/ray.hpp"
 #include "components/world/world.hpp"
 

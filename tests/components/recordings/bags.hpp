@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/bag/bag_writer.hpp"
-#include "runtime/bag/schema.hpp"
+#include "runtime/recording/bag/bag_writer.hpp"
+#include "runtime/recording/bag/schema.hpp"
 #include "runtime/wire/serialization.hpp"
 
 namespace bw {

@@ -17,7 +17,7 @@
 #include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/messages/geometry.hpp"
-#include "runtime/import/imported_bag.hpp"
+#include "runtime/recording/import/imported_bag.hpp"
 #include "tests/components/component_rig.hpp"
 #include "tests/components/recordings/bags.hpp"
 

@@ -13,9 +13,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "components/emulators/eddie/eddie_firmware.hpp"
+#include "components/emulators/kobuki/kobuki_firmware.hpp"
 #include "components/robot_base/eddie/eddie.hpp"
-#include "components/robot_base/emulators/eddie/eddie_firmware.hpp"
-#include "components/robot_base/emulators/kobuki/kobuki_firmware.hpp"
 #include "components/robot_base/kobuki/kobuki.hpp"
 #include "tests/components/robot_base/eddie_robot.hpp"
 #include "tests/components/robot_base/scripted_link.hpp"

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "runtime/bag/bag.hpp"
+#include "runtime/recording/bag/bag.hpp"
 #include "tests/components/viewer/foxglove_client.hpp"
 #include "tests/folder.hpp"
 #include "tests/interop/eventually.hpp"

@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/foxglove/parameter_json.hpp"
-#include "runtime/foxglove/robot.hpp"
+#include "runtime/remote/foxglove/parameter_json.hpp"
+#include "runtime/remote/foxglove/robot.hpp"
 
 namespace bw::foxglove::test {
 

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <string>
 
-#include "runtime/foxglove/server.hpp"
-#include "runtime/web/server.hpp"
+#include "runtime/remote/foxglove/server.hpp"
+#include "runtime/remote/web/server.hpp"
 #include "tests/interop/foxglove_client/echo_robot.hpp"
 
 namespace bw::foxglove::test {

@@ -14,9 +14,9 @@
 
 #include <fmt/format.h>
 
-#include "runtime/bag/bag.hpp"
-#include "runtime/bag/bag_writer.hpp"
-#include "runtime/bag/schema.hpp"
+#include "runtime/recording/bag/bag.hpp"
+#include "runtime/recording/bag/bag_writer.hpp"
+#include "runtime/recording/bag/schema.hpp"
 #include "runtime/wire/leaves.hpp"
 #include "runtime/wire/type_registry.hpp"
 #include "tests/idl/cdr_writer.hpp"

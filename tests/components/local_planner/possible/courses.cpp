@@ -10,7 +10,7 @@
 
 #include "components/files/csv_file.hpp"
 #include "components/model/random.hpp"
-#include "components/tools/program/drive.hpp"
+#include "components/program/drive.hpp"
 #include "runtime/registry.hpp"
 #include "tests/components/component_rig.hpp"
 #include "tests/components/local_planner/possible/course_watch.hpp"

@@ -5,7 +5,7 @@ import { decompress as zstd } from "fzstd";
 
 import { lz4 } from "./lz4";
 
-/** As `runtime/bag` reads them: no more than this is made of one chunk, whatever it claims. */
+/** As `runtime/recording/bag` reads them: no more than this is made of one chunk, whatever it claims. */
 export const LARGEST_CHUNK = 256 * 2 ** 20;
 
 export const PREFIX = 9; // opcode and length

@@ -1,0 +1,75 @@
+#include "components/lab/bench/bench_conditions.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "runtime/base/field.hpp"
+
+namespace bw {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Every weight under the name of its parameter.
+struct WeightLister {
+  Json& list;
+  void operator()(const char* name, double& weight, const Field&) { list[name] = weight; }
+};
+
+}  // namespace
+
+const char* name_of(BenchWeights weights) { return weights == BenchWeights::file ? "file" : "default"; }
+
+Json to_json(const BenchConditions& c) {
+  const teb::BandOptions& band = c.options.teb.band;
+  const DrivingOptions& driving = c.options.driving;
+  Json weights = Json::object();
+  WeightLister lister{weights};
+  teb::BandWeights listed = band.weights;
+  listed.fields(lister);
+  return {{"weights_set", name_of(c.weights)},
+          {"weights", std::move(weights)},
+          {"budget",
+           {{"cold",
+             {{"outer", band.no_outer_iterations},
+              {"inner", band.no_inner_iterations},
+              {"overtime", teb::kFirstPlanOvertime}}},
+            {"warm", {{"outer", band.warm_outer_iterations}, {"inner", band.warm_inner_iterations}}},
+            {"function_tolerance", band.function_tolerance},
+            {"max_iterations", c.max_iterations},
+            {"max_number_classes", c.options.homotopy.max_number_classes}}},
+          {"limits",
+           {{"v_max", c.limits.v_max},
+            {"v_back_max", c.limits.v_back_max},
+            {"omega_max", c.limits.omega_max},
+            {"acc_max", c.limits.acc_max},
+            {"alpha_max", c.limits.alpha_max},
+            {"penalty_epsilon", band.penalty_epsilon}}},
+          {"layers",
+           {{"evasion_horizon_s", driving.evasion_horizon},
+            {"mover_margin_m", driving.mover_margin},
+            {"mover_margin_cost", c.options.teb.mover_margin_cost},
+            {"feasibility_check_s", driving.feasibility_check_time},
+            {"feasibility_margin_m", driving.feasibility_margin},
+            {"consistent_motion", band.consistent_motion},
+            {"dt_ref_s", band.dt_ref},
+            {"min_obstacle_dist_m", band.min_obstacle_dist},
+            {"inflation_dist_m", band.inflation_dist},
+            {"dynamic_obstacle_inflation_dist_m", band.dynamic_obstacle_inflation_dist}}}};
+}
+
+std::string in_a_line(const BenchConditions& c) {
+  const teb::BandOptions& band = c.options.teb.band;
+  const DrivingOptions& driving = c.options.driving;
+  const std::string evasion =
+      driving.evasion_horizon > 0.0 ? fmt::format("{:g} s", driving.evasion_horizon) : "off";
+  return fmt::format(
+      "{} weights; outer x inner cold {} x {} and {} while falling fast, warm {} x {}, at most {} a cycle; limits v {:g} back {:g} w {:g} a {:g} "
+      "alpha {:g}, epsilon {:g}; evasion {}, mover margin {:g} m, check {:g} s, dt_ref {:g} s",
+      name_of(c.weights), band.no_outer_iterations, band.no_inner_iterations, teb::kFirstPlanOvertime,
+      band.warm_outer_iterations, band.warm_inner_iterations, c.max_iterations, c.limits.v_max,
+      c.limits.v_back_max, c.limits.omega_max, c.limits.acc_max, c.limits.alpha_max, band.penalty_epsilon,
+      evasion, driving.mover_margin, driving.feasibility_check_time, band.dt_ref);
+}
+
+}  // namespace bw

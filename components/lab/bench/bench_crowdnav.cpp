@@ -1,0 +1,98 @@
+#include "components/lab/bench/bench_crowdnav.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "components/lab/bench/bench_conditions.hpp"
+#include "components/lab/bench/crowd_generator.hpp"
+#include "components/lab/bench/ordered_run.hpp"
+
+namespace bw {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class CrowdNavBench {
+ public:
+  explicit CrowdNavBench(const BenchCrowdNavArguments& arguments) : arguments_(arguments) {
+    if (arguments_.first_case < 0 || arguments_.first_case >= kCrowdNavCases)
+      throw std::runtime_error(fmt::format("the cases are 0 to {}", kCrowdNavCases - 1));
+    if (arguments_.planners.empty()) throw std::runtime_error("a planner must be named");
+    cases_ = std::clamp(arguments_.cases, 1, kCrowdNavCases - arguments_.first_case);
+    if (arguments_.adjust) arguments_.adjust(options_);
+    // A wrong name is found before the first case is driven.
+    for (const std::string& planner : arguments_.planners)
+      if (planner != kHolonomicOrca) make_planner(planner, options_);
+  }
+
+  int run() {
+    std::vector<CrowdNavSummary> summaries;
+    std::string failed;
+    Json rows = Json::array();
+    for (const std::string& planner : arguments_.planners) {
+      std::printf("%s; %s\n", planner.c_str(), conditions_of(planner).c_str());
+      std::vector<Json> samples(static_cast<std::size_t>(cases_), Json::array());
+      const auto drive = [&](std::size_t i, const CpuClock& clock) {
+        return drive_case(planner, static_cast<int>(i), clock, samples[i]);
+      };
+      const auto tell = [](const CrowdNavEpisode& episode) {
+        std::fputs(in_a_line(episode).c_str(), stdout);
+        std::fflush(stdout);
+      };
+      const std::vector<CrowdNavEpisode> episodes =
+          run_in_order(static_cast<std::size_t>(cases_), arguments_.jobs, drive, tell);
+      summaries.push_back(summarize(planner, episodes));
+      if (planner != kHolonomicOrca) failed += failures(planner, rated(episodes));
+      rows.push_back(to_json(summaries.back(), episodes));
+      if (planner != kHolonomicOrca) rows.back()["conditions"] = to_json(bench_conditions());
+      for (std::size_t i = 0; arguments_.with_samples && i < samples.size(); ++i)
+        rows.back()["episodes"][i]["samples"] = std::move(samples[i]);
+    }
+    const char* scene = arguments_.crossing == CrowdNavCrossing::circle ? "circle" : "square";
+    std::printf("\n%s%s, robot %s, cases %d to %d\n%s", failed.c_str(), scene,
+                arguments_.visible ? "visible" : "invisible", arguments_.first_case,
+                arguments_.first_case + cases_ - 1, table(summaries).c_str());
+    write_json(arguments_.json,
+               {{"scene", scene}, {"visible", arguments_.visible}, {"planners", std::move(rows)}});
+    return 0;
+  }
+
+ private:
+  CrowdNavEpisode drive_case(const std::string& name, int index, const CpuClock& clock, Json& samples) const {
+    const CrowdNavScene scene = crowdnav_scene(arguments_.crossing, arguments_.first_case + index);
+    CrowdNavObserver observer;
+    if (arguments_.with_samples)
+      observer = [&samples](const CrowdNavSample& sample) { samples.push_back(to_json(sample)); };
+    if (name == kHolonomicOrca) {
+      const auto robot = holonomic_orca_robot(scene, arguments_.safety_space, clock);
+      return run_crowdnav(scene, *robot, arguments_.visible, observer);
+    }
+    const std::unique_ptr<LocalPlanner> planner = make_planner(name, options_);
+    const auto robot = planner_robot(scene, *planner, clock);
+    return run_crowdnav(scene, *robot, arguments_.visible, observer);
+  }
+
+  BenchConditions bench_conditions() const {
+    return {BenchWeights::defaults, options_, crowd_rules().limits, Budget{}.max_iterations};
+  }
+
+  std::string conditions_of(const std::string& planner) const {
+    if (planner != kHolonomicOrca) return in_a_line(bench_conditions());
+    return fmt::format("any velocity up to 1 m/s every {:g} s, safety space {:g} m", kCrowdNavStep,
+                       arguments_.safety_space);
+  }
+
+  const BenchCrowdNavArguments& arguments_;
+  LocalPlannerOptions options_;
+  int cases_ = 0;
+};
+
+}  // namespace
+
+int bench_crowdnav(const BenchCrowdNavArguments& arguments) { return CrowdNavBench(arguments).run(); }
+
+}  // namespace bw

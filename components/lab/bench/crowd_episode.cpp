@@ -1,0 +1,147 @@
+#include "components/lab/bench/crowd_episode.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "components/evaluation/success.hpp"
+#include "components/lab/bench/crowd_people.hpp"
+#include "components/lab/bench/unicycle.hpp"
+
+namespace bw {
+namespace {
+
+constexpr int kStepsPerPeriod = 5;
+constexpr double kCollisionIndexSigma = 0.6;  // [m] book 7.7
+
+PlanningProblem problem_at(const Scene& scene, const SceneFile& file, const CrowdPeople& people, double time,
+                           const Pose2& pose, const Twist2& twist) {
+  const ClosedLoop& rule = *file.closed_loop;
+  PlanningProblem problem;
+  problem.now = Time::seconds(1.0 + time);
+  problem.pose = pose;
+  problem.twist = twist;
+  problem.plan = {scene.start, scene.goal};
+  problem.footprint.radius = rule.robot_radius;
+  problem.limits = file.limits;
+  problem.control_period = rule.control_period;
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+    const SceneObstacle& o = scene.obstacles[i];
+    if (!people.walks(i)) {
+      problem.obstacles.discs.push_back({o.position, o.radius});
+      continue;
+    }
+    Mover mover;
+    mover.id = static_cast<std::uint32_t>(i) + 1;
+    mover.position = people.position(i);
+    mover.velocity = people.velocity(i);
+    mover.radius = o.radius;
+    problem.movers.push_back(mover);
+  }
+  return problem;
+}
+
+TruthSample truth_at(const Scene& scene, const CrowdPeople& people, double time, const Pose2& pose,
+                     const Twist2& twist) {
+  TruthSample sample;
+  sample.time = Time::seconds(time);
+  sample.X_MB = pose;
+  sample.twist = twist;
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
+    sample.people.push_back({static_cast<std::uint32_t>(i) + 1, people.position(i), people.velocity(i),
+                             scene.obstacles[i].radius});
+  return sample;
+}
+
+void judge(const Scene& scene, const ClosedLoop& rule, const CrowdPeople& people, const Pose2& pose,
+           const Twist2& twist, CrowdEpisode& episode) {
+  double clearance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+    const double centre = (people.position(i) - pose.position()).norm();
+    clearance = std::min(clearance, centre - scene.obstacles[i].radius);
+    if (!people.walks(i)) continue;
+    const double index = std::exp(-centre * centre / (2.0 * kCollisionIndexSigma * kCollisionIndexSigma));
+    episode.max_collision_index = std::max(episode.max_collision_index, index);
+  }
+  episode.min_clearance = std::min(episode.min_clearance, clearance);
+  if (clearance >= rule.robot_radius) return;
+  episode.collision = true;
+  if (std::abs(twist.v) > kStandingSpeed) episode.collision_at_speed = true;
+}
+
+/// How those walked who do not go straight on: of them nobody can tell but who was there.
+class WalkKeeper {
+ public:
+  WalkKeeper(const Scene& scene, const ClosedLoop& rule) {
+    if (rule.walkers == WalkersManner::straight) return;
+    for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
+      if (scene.obstacles[i].moves()) obstacles_.push_back(i);
+    for (const std::size_t i : obstacles_) walks_.push_back({scene.obstacles[i].radius, {}});
+  }
+  void keep(double time, const CrowdPeople& people) {
+    for (std::size_t k = 0; k < obstacles_.size(); ++k)
+      walks_[k].places.push_back({time, people.position(obstacles_[k])});
+  }
+  std::vector<possible::Walk> take() && { return std::move(walks_); }
+
+ private:
+  std::vector<std::size_t> obstacles_;
+  std::vector<possible::Walk> walks_;
+};
+
+}  // namespace
+
+CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner& planner,
+                         const CpuClock& clock, const StepObserver& observer,
+                         const PlanObserver& plan_observer) {
+  const ClosedLoop& rule = *file.closed_loop;
+  const double period = rule.control_period;
+  CrowdEpisode episode;
+  episode.name = scene.name;
+  Pose2 pose = scene.start;
+  Twist2 twist;
+  std::vector<double> accelerations;
+  ContactDiary diary;
+  const Footprint footprint{rule.robot_radius, {}};
+  CrowdPeople people(scene, rule);
+  WalkKeeper walks(scene, rule);
+  const int cycles = static_cast<int>(std::lround(rule.timeout / period));
+  for (int cycle = 0; cycle < cycles; ++cycle) {
+    const double begin = cycle * period;
+    people.move_to(begin, pose, twist);
+    if (cycle == 0) walks.keep(begin, people);
+    const PlanningProblem problem = problem_at(scene, file, people, begin, pose, twist);
+    const double before = clock();
+    const PlanningResult result = planner.plan(problem);
+    episode.ms.push_back(clock() - before);
+    if (result.status != PlanningStatus::ok) ++episode.not_ok;
+    if (plan_observer) plan_observer(begin, problem, result);
+
+    episode.states.push_back({begin, pose, twist});
+    const Twist2 last = twist;
+    twist = applied_twist(result.command, last, file.limits, period);
+    accelerations.push_back((twist.v - last.v) / period);
+    const double h = period / kStepsPerPeriod;
+    for (int step = 1; step <= kStepsPerPeriod; ++step) {
+      const double time = begin + step * h;
+      people.move_to(time, pose, twist);
+      pose = unicycle_step(pose, twist, h);
+      walks.keep(time, people);
+      judge(scene, rule, people, pose, twist, episode);
+      diary.add(time, truth_at(scene, people, time, pose, twist), footprint);
+      if (observer) observer(time, pose, twist);
+    }
+    episode.time = begin + period;
+    if ((pose.position() - scene.goal.position()).norm() <= rule.goal_tolerance) {
+      episode.reached = true;
+      episode.success = is_success(episode.reached, episode.collision ? 1 : 0);
+      break;
+    }
+  }
+  episode.rms_jerk = rms_jerk(accelerations, period);
+  episode.contacts = diary.contacts();
+  episode.walks = std::move(walks).take();
+  return episode;
+}
+
+}  // namespace bw

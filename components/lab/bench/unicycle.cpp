@@ -1,0 +1,32 @@
+#include "components/lab/bench/unicycle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bw {
+
+Twist2 applied_twist(const Twist2& command, const Twist2& last, const Limits& limits, double period) {
+  const double dv = 2.0 * limits.acc_max * period;
+  const double domega = 2.0 * limits.alpha_max * period;
+  return {std::clamp(std::clamp(command.v, -limits.v_back_max, limits.v_max), last.v - dv, last.v + dv),
+          std::clamp(std::clamp(command.omega, -limits.omega_max, limits.omega_max), last.omega - domega,
+                     last.omega + domega)};
+}
+
+Pose2 unicycle_step(const Pose2& pose, const Twist2& twist, double h) {
+  const double heading = pose.theta + twist.omega * h / 2.0;
+  return {pose.x + twist.v * h * std::cos(heading), pose.y + twist.v * h * std::sin(heading),
+          wrap_angle(pose.theta + twist.omega * h)};
+}
+
+double rms_jerk(const std::vector<double>& accelerations, double period) {
+  if (accelerations.size() < 2) return 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 1; i < accelerations.size(); ++i) {
+    const double jerk = (accelerations[i] - accelerations[i - 1]) / period;
+    squares += jerk * jerk;
+  }
+  return std::sqrt(squares / static_cast<double>(accelerations.size() - 1));
+}
+
+}  // namespace bw

@@ -1,0 +1,289 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "components/lab/evaluate/jobs.hpp"
+#include "components/lab/evaluate/suite_report.hpp"
+#include "components/lab/failures/failure_album.hpp"
+#include "components/program/drive.hpp"
+#include "components/program/drive_page/drive_page.hpp"
+#include "runtime/atomic_file.hpp"
+#include "runtime/cli/signals.hpp"
+#include "runtime/cli/verb.hpp"
+
+namespace bw {
+namespace {
+
+Graph graph_of(const EvaluateOptions& options, const Suite& suite, const Job& job) {
+  Graph graph = suite.graph_of(job.episode, job.variant);
+  for (const std::string& text : options.set) apply_override(graph, parse_override(text));
+  if (!job.value.empty())
+    apply_override(graph, parse_override(varied_of(options).parameter + "=" + job.value));
+  const ComponentNode* planner = find_type(graph, "local_planner", "");
+  if (planner == nullptr) throw std::runtime_error(suite.graph.string() + ": has no local_planner");
+  if (find_type(graph, "evaluation", "") == nullptr) {
+    throw std::runtime_error(suite.graph.string() + ": has no evaluation, nothing would be judged");
+  }
+  if (!job.planner.empty()) {
+    for (const ComponentNode& node : graph.components)
+      if (node.type == "local_planner")
+        apply_override(graph, parse_override(node.name + ".algorithm=" + job.planner));
+  }
+  return graph;
+}
+
+/// With the variant that it drove under.
+std::string planner_of(const nlohmann::json& card, const Job& job) {
+  const nlohmann::json& planner = card["planner"];
+  const std::string name = planner.is_object() ? planner.value("name", job.planner) : job.planner;
+  return job.variant.empty() ? name : name + " " + job.variant;
+}
+
+std::string episode_name(const Suite& suite, const Job& job) {
+  return suite.options.episodes[job.episode].name + (job.value.empty() ? "" : "_" + job.value);
+}
+
+/// Of the files of one drive. Names of episodes are unique in a suite; of several suites each stands before them, unless they all
+/// begin with it anyway.
+std::string file_stem(const EvaluateOptions& options, const Suite& suite, const Job& job) {
+  const std::string name = std::filesystem::path(options.suites[job.suite]).stem().string() + "_";
+  const std::vector<SuiteEpisode>& episodes = suite.options.episodes;
+  const bool is_said = std::all_of(episodes.begin(), episodes.end(), [&](const SuiteEpisode& episode) {
+    return episode.name.starts_with(name);
+  });
+  const std::string before = options.suites.size() == 1 || is_said ? "" : name;
+  std::string planner = job.planner.empty() ? "" : "_" + job.planner;
+  if (!job.variant.empty()) planner += "_" + job.variant;
+  return fmt::format("{}{}{}_seed{}", before, episode_name(suite, job), planner, job.seed);
+}
+
+/// A drive that failed once more, the same to the byte, and recorded: few fail, so that this costs less than to record them all.
+std::string page_of(const EvaluateOptions& options, const Suite& suite, const Job& job,
+                    DriveSettings settings, const std::string& samples_sha256) {
+  settings.svg.clear();
+  settings.html = std::filesystem::path(options.html_dir) / (file_stem(options, suite, job) + ".html");
+  const DriveResult again = drive(graph_of(options, suite, job), settings);
+  if (cli::interrupted()) return "";
+  if (!again.page_fault.empty()) std::cerr << "--html: " << again.page_fault << "\n";
+  if (again.json.value("samples_sha256", "") != samples_sha256)
+    std::cerr << settings.html.string() << ": driven again it was not the same drive\n";
+  return std::filesystem::exists(settings.html) ? settings.html.string() : "";
+}
+
+/// Of several robots each that was touched or did not arrive; of one that one.
+void picture_failure(FailureAlbum& album, const std::string& stem, const EpisodeResult& result,
+                     const DriveResult& driven) {
+  const std::string line = in_a_line(result);
+  const std::size_t colon = line.find(": ");
+  for (const HeardDrive& one : driven.heard) {
+    const nlohmann::json& card = one.robot.empty() ? driven.json : driven.json["robots"][one.robot];
+    if (is_success(card) || album.is_full() || one.recording.moments.empty()) continue;
+    album.add({.name = stem + (one.robot.empty() ? "" : "_" + one.robot),
+               .title = line.substr(0, colon) + (one.robot.empty() ? "" : ", " + one.robot),
+               .outcome = line.substr(colon + 2) + (result.is_excused() ? ", could not succeed" : ""),
+               .reached = card.value("reached", false),
+               .contacts = one.contacts},
+              one.recording);
+  }
+}
+
+EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, const Job& job,
+                        FailureAlbum* album) {
+  DriveSettings settings;
+  settings.host.clock = ClockMode::lockstep;
+  settings.host.alone = true;
+  settings.host.seed = static_cast<std::uint64_t>(job.seed);
+  settings.longest = Duration::seconds(suite.options.time_limit);
+  settings.contacts = true;
+  if (!options.svg_dir.empty())
+    settings.svg = std::filesystem::path(options.svg_dir) / (file_stem(options, suite, job) + ".svg");
+  const DriveResult driven = drive(graph_of(options, suite, job), settings);
+  const nlohmann::json& card = driven.json;
+  EpisodeResult result{episode_name(suite, job), job.seed, planner_of(card, job), card};
+  if (album != nullptr && !result.succeeded() && !cli::interrupted())
+    picture_failure(*album, file_stem(options, suite, job), result, driven);
+  if (!options.html_dir.empty() && !result.succeeded() && !cli::interrupted())
+    result.page = page_of(options, suite, job, settings, card.value("samples_sha256", ""));
+  return result;
+}
+
+/// `against` where it is one of the rows; else the first is taken: of a suite that was interrupted before it came to that planner.
+std::string known_row(const std::vector<ComparedRow>& rows, const std::string& against) {
+  const bool is_known =
+      std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.name == against; });
+  return is_known ? against : "";
+}
+
+/// What is told of all drives at the end: reckoned once, for words, JSON and exit status.
+struct Report {
+  std::vector<std::vector<PlannerSummary>> planners;          ///< of each suite
+  std::vector<std::optional<ComparisonSummary>> comparisons;  ///< of each suite that was driven
+  std::optional<ComparisonSummary> of_all;                    ///< of several suites together
+};
+
+Report report_of(const std::vector<SuiteResult>& results, const std::string& against) {
+  const auto compare = [&](const std::vector<SuiteResult>& some) -> std::optional<ComparisonSummary> {
+    const std::vector<ComparedRow> rows = compared(some);
+    if (rows.empty()) return std::nullopt;
+    return summarize(rows, known_row(rows, against));
+  };
+  Report report;
+  for (const SuiteResult& result : results) {
+    report.planners.push_back(summarize(result));
+    report.comparisons.push_back(compare({result}));
+  }
+  if (results.size() > 1) report.of_all = compare(results);
+  return report;
+}
+
+/// Refuses the name of a planner that does not drive.
+void check_against(const EvaluateOptions& options) {
+  std::vector<ComparedRow> rows;
+  for (const std::string& planner : options.planners) {
+    if (planner.empty()) return;  // the graphs name it
+    for (const std::string& variant : options.variants)
+      rows.push_back({variant.empty() ? planner : planner + " " + variant, {}});
+  }
+  row_against(rows, options.against);
+}
+
+/// One suite as an object, several as {suites: [...]}; how many drives were planned and done stands in either.
+/// Written after every drive, so that of an evaluation that is killed there is a file that says so; comparisons when all is done.
+void write_json(const std::string& file, const std::vector<SuiteResult>& results, std::size_t planned,
+                const Report* report = nullptr) {
+  if (file.empty()) return;
+  nlohmann::json reports = nlohmann::json::array();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    reports.push_back(to_json(results[i], report != nullptr ? report->planners[i] : summarize(results[i])));
+    if (report != nullptr && report->comparisons[i])
+      reports.back()["comparison"] = nlohmann::json(to_json(*report->comparisons[i]));
+  }
+  nlohmann::json all = reports.size() == 1 ? reports.front() : nlohmann::json{{"suites", std::move(reports)}};
+  if (report != nullptr && report->of_all) all["comparison"] = nlohmann::json(to_json(*report->of_all));
+  std::size_t driven = 0;
+  for (const SuiteResult& result : results) driven += result.episodes.size();
+  all["planned"] = planned;
+  all["driven"] = driven;
+  all["complete"] = driven == planned;
+  write_file_atomically(file, all.dump(2) + "\n");
+}
+
+bool enough_succeeded(const Report& report, double share) {
+  const auto is_enough = [share](const PlannerSummary& row) { return row.successes >= share * row.episodes; };
+  return std::all_of(report.planners.begin(), report.planners.end(), [&](const auto& planners) {
+    return std::all_of(planners.begin(), planners.end(), is_enough);
+  });
+}
+
+/// Failures, rates, means and pairs, of each suite and of all.
+std::string report_in_words(const std::vector<SuiteResult>& results, const Report& report) {
+  std::string out = in_words(results, report.planners);
+  const auto add = [&](const std::string& name, const std::optional<ComparisonSummary>& comparison) {
+    if (comparison) out += "\n" + name + "\n" + in_words(*comparison);
+  };
+  for (std::size_t i = 0; i < results.size(); ++i)
+    add(std::filesystem::path(results[i].suite).stem().string(), report.comparisons[i]);
+  add("all suites", report.of_all);
+  return out;
+}
+
+/// Drives of earlier evaluations, summed up again.
+int sum_up(const EvaluateOptions& options) {
+  std::vector<SuiteResult> results;
+  std::size_t driven = 0;
+  for (const std::string& text : options.from) {
+    const std::size_t colon = text.find(':');
+    const std::string label = colon == std::string::npos ? "" : text.substr(0, colon);
+    read_results(colon == std::string::npos ? text : text.substr(colon + 1), label, results);
+  }
+  for (const SuiteResult& result : results) driven += result.episodes.size();
+  row_against(compared(results), options.against);
+  const Report report = report_of(results, options.against);
+  std::cout << report_in_words(results, report);
+  write_json(options.json, results, driven, &report);
+  return 0;
+}
+
+int evaluate(const EvaluateOptions& options) {
+  if (!options.from.empty()) return sum_up(options);
+  if (options.suites.empty()) throw std::runtime_error("a suite must be named, or --from a file");
+  check_against(options);
+  if (!options.html_dir.empty()) require_page("--html " + options.html_dir);
+  std::vector<Suite> suites;
+  std::vector<SuiteResult> results;
+  for (const std::string& file : options.suites) {
+    suites.push_back(load_suite(file));
+    results.push_back({file, {}});
+  }
+  const std::vector<Job> jobs = jobs_of(options, suites);
+  // A mistake in the last episode is found before the first one is driven.
+  for (const Job& job : jobs) graph_of(options, suites[job.suite], job);
+
+  std::size_t driven = 0;
+  write_json(options.json, results, jobs.size());
+  cli::catch_interrupts();
+  std::optional<FailureAlbum> album;
+  if (!options.failures_dir.empty()) album.emplace(options.failures_dir);
+  for (const Job& job : jobs) {
+    const EpisodeResult result = drive_job(options, suites[job.suite], job, album ? &*album : nullptr);
+    if (cli::interrupted()) break;
+    results[job.suite].episodes.push_back(result);
+    write_json(options.json, results, jobs.size());
+    std::cerr << fmt::format("[{}/{}] {}{}\n", ++driven, jobs.size(), result.succeeded() ? "" : "FAILED ",
+                             in_a_line(result));
+  }
+
+  const Report report = report_of(results, options.against);
+  std::cout << report_in_words(results, report);
+  if (driven > 0) write_json(options.json, results, jobs.size(), &report);
+  if (driven < jobs.size()) std::cout << fmt::format("interrupted: {} of {} drives\n", driven, jobs.size());
+  return driven == jobs.size() && enough_succeeded(report, options.at_least) ? 0 : 1;
+}
+
+void add_evaluate(cli::Verb verb) {
+  auto options = std::make_shared<EvaluateOptions>();
+  verb.option("SUITE", options->suites, "Suite files");
+  verb.option("--planners", options->planners,
+              "Algorithms of local_planner, separated by commas; default: the graph's own")
+      .separated_by_commas();
+  verb.option("--seeds", options->seeds, "A..B instead of the suite's seeds");
+  verb.option("--episode", options->only_episode, "Only the episode of this name");
+  verb.option("--set", options->set, "component.param=value for all episodes, as often as needed")
+      .one_each_time();
+  verb.option("--shard", options->shard, "I/N: only every N-th drive, beginning with the I-th");
+  verb.option(
+      "--json", options->json,
+      "Writes summary and score cards here, after every drive; `complete` tells whether all are in it");
+  verb.option("--svg-dir", options->svg_dir, "Writes a picture of every drive into this folder");
+  verb.option(
+      "--html", options->html_dir,
+      "Writes a page of every drive that failed into this folder: it plays the drive, and needs no server");
+  verb.option("--failures", options->failures_dir,
+              "Pictures of the first 30 drives that failed, and a page of them, go into this folder");
+  verb.option("--variants", options->variants,
+              "Conditions that the suite names, as ideal,own: each planner drives under each")
+      .separated_by_commas();
+  verb.option(
+      "--vary", options->vary,
+      "component.param=value,value,...: every episode once with each, as navigator.goal.delay=0.6,1.0,1.4");
+  verb.option(
+      "--against", options->against,
+      "The planner that the others are held against, with its variant: \"eteb ideal\"; default: the first");
+  verb.option(
+          "--from", options->from,
+          "[LABEL:]FILE: drives nothing, sums up what earlier evaluations wrote; a label tells planners of two files apart")
+      .one_each_time();
+  verb.option("--at-least", options->at_least, "Exit status 1 when a planner's share of successes is lower")
+      .within(0.0, 1.0);
+  verb.run([options] { return evaluate(*options); });
+}
+
+}  // namespace
+
+BW_VERB(measure, "evaluate", "Drives suites of episodes in lock-step and sums up", add_evaluate)
+
+}  // namespace bw

@@ -1,0 +1,20 @@
+// What `bandwagon reproduce pf` writes: the figures as JSON, and a page with the published values beside
+// them.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "components/lab/experiments/pf_experiment.hpp"
+
+namespace bw {
+
+/// {experiment, seeds, particles, rows: [{row, published: {encoder, proposed}, cells: [{method, mean, q05,
+/// q95, per_seed}]}], criteria: [{name, asked, measured, met}], criteria_printed: [...]}.
+nlohmann::ordered_json pf_json(const PfTable& table);
+
+/// One self-contained HTML page.
+std::string pf_page(const PfTable& table);
+
+}  // namespace bw

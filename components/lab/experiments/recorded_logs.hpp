@@ -1,0 +1,13 @@
+// The logs of experiment E7, imported from their tables.
+#pragma once
+
+#include <filesystem>
+
+#include "components/lab/experiments/localization_real_data.hpp"
+
+namespace bw {
+
+/// `data` holds the logs' folders, `imports` their columns files (config/imports). Throws what the import throws.
+RealDataLogs read_real_data(const std::filesystem::path& data, const std::filesystem::path& imports);
+
+}  // namespace bw

@@ -1,0 +1,46 @@
+#include "components/program/lab.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <string_view>
+
+#include <unistd.h>
+
+#include "runtime/cli/verb.hpp"
+
+namespace bw {
+namespace {
+
+constexpr const char* kProgram = "bandwagon-lab";
+
+// --help lists them.
+[[maybe_unused]] const bool is_listed =
+    cli::register_verb(cli::VerbGroup::measure, "evaluate",
+                       "Of bandwagon-lab: drives suites of episodes in lock-step and sums up",
+                       [](cli::Verb) {}) &&
+    cli::register_verb(
+        cli::VerbGroup::measure, "bench",
+        "Of bandwagon-lab: local planners on benchmark scenes, recordings, and people tracked in them",
+        [](cli::Verb) {}) &&
+    cli::register_verb(cli::VerbGroup::measure, "reproduce",
+                       "Of bandwagon-lab: a table or figure of the dissertation again", [](cli::Verb) {});
+
+}  // namespace
+
+bool is_for_lab(std::span<const char* const> arguments) {
+  const auto is = [&](std::size_t i, std::string_view word) {
+    return i < arguments.size() && word == arguments[i];
+  };
+  return is(1, "evaluate") || is(1, "bench") || is(1, "reproduce") || (is(1, "bag") && is(2, "import"));
+}
+
+int become_lab(char** arguments) {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / kProgram;
+  execv(program.c_str(), arguments);
+  std::cerr << "`" << arguments[1] << "` is of the program " << kProgram << ", which is not at "
+            << program.string() << ": launch_scripts/build.sh release lab builds it\n";
+  return 2;
+}
+
+}  // namespace bw

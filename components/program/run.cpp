@@ -1,0 +1,116 @@
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <unistd.h>
+
+#include "components/program/drive.hpp"
+#include "components/program/page_options.hpp"
+#include "components/program/record_options.hpp"
+#include "components/program/score_card_json.hpp"
+#include "runtime/atomic_file.hpp"
+#include "runtime/cli/emulate_option.hpp"
+#include "runtime/cli/verb.hpp"
+
+namespace bw {
+namespace {
+
+struct RunOptions {
+  std::string graph;
+  std::string clock = "wall";
+  std::uint64_t seed = 1;
+  std::vector<std::string> set;
+  bool emulate = false;
+  std::string only;
+  double for_s = 0.0;
+  std::optional<double> pace;
+  bool stay = false;
+  std::string json;
+  std::string svg;
+  std::string html;
+  RecordOptions record;
+  PageOptions page;
+  bool progress = false;
+  bool fail_on_contact = false;
+  bool accept_inputs = false;
+};
+
+ClockMode clock_mode(const std::string& name) {
+  return name == "lockstep" ? ClockMode::lockstep : name == "topic" ? ClockMode::topic : ClockMode::wall;
+}
+
+/// As fast as possible, but in step with the people and programs that set further goals.
+double pace_of(const RunOptions& options) { return options.pace.value_or(options.stay ? 1.0 : 0.0); }
+
+/// A run that stays is asked to end; how its goals went is on the card.
+bool is_success(const RunOptions& options, const DriveResult& result) {
+  if (!result.judged || !result.has_goal) return result.end.ok;
+  const bool contact = result.card && result.card->collisions() > 0;
+  const bool is_well = options.stay ? result.end.ok : result.json.value("reached", false);
+  return is_well && !(options.fail_on_contact && contact);
+}
+
+int run(const RunOptions& options) {
+  Graph graph = load_graph(options.graph, with_emulation(options.set, options.emulate));
+  options.record.apply_to(graph.snapshot);
+  options.page.apply_to(graph);
+  const DriveResult result =
+      drive(std::move(graph),
+            {.host = {.clock = clock_mode(options.clock),
+                      .seed = options.seed,
+                      .only_process = options.only,
+                      .pace = pace_of(options),
+                      .accept_inputs = options.accept_inputs},
+             .longest = options.for_s > 0.0 ? std::optional(Duration::seconds(options.for_s)) : std::nullopt,
+             .svg = options.svg,
+             .html = options.html,
+             .record = options.record.record,
+             .record_options = options.record.writer_options(),
+             .snapshots = true,
+             .show_progress = options.progress || isatty(STDERR_FILENO) != 0,
+             .contacts = true,
+             .stays = options.stay});
+  if (!options.json.empty()) write_file_atomically(options.json, result.json.dump(2) + "\n");
+  if (result.judged) std::cout << in_words(result.json);
+  if (!result.page_fault.empty()) {
+    std::cerr << "--html: " << result.page_fault << "\n";
+    return 1;
+  }
+  return is_success(options, result) ? 0 : 1;
+}
+
+void add_run(cli::Verb verb) {
+  auto options = std::make_shared<RunOptions>();
+  verb.option("GRAPH", options->graph, "Graph file").required();
+  verb.option("--clock", options->clock,
+              "wall, lockstep (virtual time, repeatable) or topic (/clock from outside)")
+      .one_of({"wall", "lockstep", "topic"});
+  verb.option("--seed", options->seed, "Of everything random");
+  verb.option("--set", options->set, "component.param=value, as often as needed").one_each_time();
+  verb.flag("--emulate", options->emulate, kEmulateHelp);
+  verb.option("--only", options->only, "Only this process of the graph");
+  verb.option("--for", options->for_s, "Ends after so many seconds of the component clock").positive();
+  verb.option("--pace", options->pace,
+              "Lock-step: virtual seconds per real second; 0 as fast as possible (default; with --stay 1)")
+      .not_negative();
+  verb.flag("--stay", options->stay,
+            "Goes on for further goals when one is decided, until --for is over or Ctrl-C");
+  verb.flag(
+      "--accept-inputs", options->accept_inputs,
+      "Lock-step: goals, parameters, transitions and commands of other programs enter the run and its record");
+  verb.option("--json", options->json, "Writes the score card here");
+  verb.option("--svg", options->svg, "Writes a picture of the run here");
+  verb.option("--html", options->html,
+              "Writes one page here that plays the drive: a file that needs no server");
+  options->record.add_to(verb);
+  options->page.add_to(verb);
+  verb.flag("--progress", options->progress, "Progress line even when stderr is no terminal");
+  verb.flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 after any contact");
+  verb.run([options] { return run(*options); });
+}
+
+}  // namespace
+
+BW_VERB(drive, "run", "Runs a graph, or one process of it", add_run)
+
+}  // namespace bw
