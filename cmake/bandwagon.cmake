@@ -20,6 +20,16 @@ if(BANDWAGON_SANITIZE)
   add_link_options(-fsanitize=${BANDWAGON_SANITIZE})
 endif()
 
+# Sources of a target are compiled by eights: what they include is read once. Names of one target's sources must differ. Who edits much
+# may prefer each by itself.
+option(BANDWAGON_UNITY "Compile several sources at once" ON)
+set(CMAKE_UNITY_BUILD ${BANDWAGON_UNITY})
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+if(BANDWAGON_UNITY)
+  # Then no source is the main one, a component may have options of its source's own, and what is local may hide what is another source's.
+  target_compile_options(bw_compile_options INTERFACE -Wno-subobject-linkage -Wno-shadow -Wshadow=local)
+endif()
+
 # What moves the base, or decides that it must not move: checked containers (_GLIBCXX_ASSERTIONS) in release builds too. A wrong index or an
 # optional without a value then ends the process and says where, in place of driving by whatever is found there. The macro changes no
 # layout, so that these mix with targets without it; functions that the compiler does not inline may come from

@@ -12,7 +12,7 @@
 namespace bw::safety {
 namespace {
 
-constexpr double kStanding = 0.02;  // [m/s]: slower is at rest, and no speed worth driving
+constexpr double kRestSpeed = 0.02;  // [m/s]: slower is at rest, and no speed worth driving
 constexpr double kTurning = 0.02;   // [rad/s]: the same of a turn
 
 std::string_view cause_of(LaserState state) {
@@ -164,8 +164,8 @@ double CollisionMonitor::turn_share(double omega, const Ahead& ahead) const {
 
 /// `wanted` at `speed` on the same path; at rest it may turn on the spot.
 Twist2 CollisionMonitor::shrink(const Twist2& wanted, double speed, const Ahead& ahead) const {
-  if (speed < kStanding) speed = 0.0;
-  if (speed == 0.0 && std::abs(twist_.v) < kStanding && wanted.omega != 0.0)
+  if (speed < kRestSpeed) speed = 0.0;
+  if (speed == 0.0 && std::abs(twist_.v) < kRestSpeed && wanted.omega != 0.0)
     return judge_turn({0.0, wanted.omega}, ahead).allowed;
   const double share = speed / std::abs(wanted.v);
   return {wanted.v * share, wanted.omega * share};
@@ -207,7 +207,7 @@ Verdict CollisionMonitor::judge_command(Time now, const Twist2& wanted, const Ah
     if (bound.speed <= speed) held_cause_ = bound;
     if (speed < std::abs(wanted.v)) {
       verdict.allowed = shrink(wanted, speed, ahead);
-      verdict.action = speed < kStanding ? Action::stop : held_cause_.action;
+      verdict.action = speed < kRestSpeed ? Action::stop : held_cause_.action;
       verdict.cause = held_cause_.cause;
       return verdict;
     }
@@ -216,9 +216,9 @@ Verdict CollisionMonitor::judge_command(Time now, const Twist2& wanted, const Ah
   }
   // The command asks for less than the robot still does: what it does now must fit as well, or it brakes
   // hard.
-  if (std::abs(twist_.v) > std::abs(wanted.v) + kStanding) {
+  if (std::abs(twist_.v) > std::abs(wanted.v) + kRestSpeed) {
     const double speed = rule_speed(twist_, ahead, std::abs(twist_.v));
-    if (std::abs(twist_.v) > speed + kStanding) return {verdict.allowed, Action::approach, kStoppingDistance};
+    if (std::abs(twist_.v) > speed + kRestSpeed) return {verdict.allowed, Action::approach, kStoppingDistance};
   }
   return verdict;
 }

@@ -15,9 +15,9 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kPatience{1000};       // with readers that do not come, where another is there
+constexpr std::chrono::milliseconds kReaderPatience{1000};       // with readers that do not come, where another is there
 constexpr std::chrono::milliseconds kLongPatience{5000};   // where none is: discovery takes seconds on a busy machine
-constexpr std::chrono::milliseconds kLinger{2000};         // until the last sample has arrived
+constexpr std::chrono::milliseconds kWriterLinger{2000};         // until the last sample has arrived
 constexpr std::size_t kMostWaiting = 100;
 
 /// geometry_msgs/PoseStamped -> geometry_msgs/msg/PoseStamped
@@ -111,7 +111,7 @@ bool WirePublisher::has_readers(const std::string& topic, const Topic& one) {
     if (e.is_writer || e.is_local || e.topic != dds_topic(topic)) continue;
     (one.writer->is_matched(e.guid) ? is_anybody_there : is_anybody_missing) = true;
   }
-  if (is_anybody_there) return !is_anybody_missing || waited > kPatience;
+  if (is_anybody_there) return !is_anybody_missing || waited > kReaderPatience;
   return waited > kLongPatience;  // discovery may not have told of anybody yet
 }
 
@@ -130,10 +130,11 @@ void WirePublisher::unadvertise(const std::string& name) {
 
 void WirePublisher::tick(steady_clock::time_point now) {
   flush();
-  std::erase_if(topics_, [&](auto& item) {
-    Topic& one = item.second;
+  for (auto& [topic, one] : topics_)
     if (!one.waiting.empty()) one.unwanted_since = now;  // it is still to be written
-    const bool is_over = one.advertised == 0 && now - one.unwanted_since > kLinger;
+  std::erase_if(topics_, [&](const auto& item) {
+    const Topic& one = item.second;
+    const bool is_over = one.advertised == 0 && now - one.unwanted_since > kWriterLinger;
     if (is_over) link_.remove(*one.writer);
     return is_over;
   });
