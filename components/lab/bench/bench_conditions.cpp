@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "components/local_planner/homotopy/homotopy_options.hpp"
+#include "components/local_planner/teb/teb_options.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw {
@@ -21,7 +23,7 @@ struct WeightLister {
 const char* name_of(BenchWeights weights) { return weights == BenchWeights::file ? "file" : "default"; }
 
 Json to_json(const BenchConditions& c) {
-  const teb::BandOptions& band = c.options.teb.band;
+  const teb::BandOptions& band = band_of(c.options);
   const DrivingOptions& driving = c.options.driving;
   Json weights = Json::object();
   WeightLister lister{weights};
@@ -37,7 +39,7 @@ Json to_json(const BenchConditions& c) {
             {"warm", {{"outer", band.warm_outer_iterations}, {"inner", band.warm_inner_iterations}}},
             {"function_tolerance", band.function_tolerance},
             {"max_iterations", c.max_iterations},
-            {"max_number_classes", c.options.homotopy.max_number_classes}}},
+            {"max_number_classes", c.options.of<homotopy::HomotopyOptions>("homotopy").max_number_classes}}},
           {"limits",
            {{"v_max", c.limits.v_max},
             {"v_back_max", c.limits.v_back_max},
@@ -48,7 +50,7 @@ Json to_json(const BenchConditions& c) {
           {"layers",
            {{"evasion_horizon_s", driving.evasion_horizon},
             {"mover_margin_m", driving.mover_margin},
-            {"mover_margin_cost", c.options.teb.mover_margin_cost},
+            {"mover_margin_cost", c.options.of<teb::TebOptions>("teb").mover_margin_cost},
             {"feasibility_check_s", driving.feasibility_check_time},
             {"feasibility_margin_m", driving.feasibility_margin},
             {"consistent_motion", band.consistent_motion},
@@ -59,7 +61,7 @@ Json to_json(const BenchConditions& c) {
 }
 
 std::string in_a_line(const BenchConditions& c) {
-  const teb::BandOptions& band = c.options.teb.band;
+  const teb::BandOptions& band = band_of(c.options);
   const DrivingOptions& driving = c.options.driving;
   const std::string evasion =
       driving.evasion_horizon > 0.0 ? fmt::format("{:g} s", driving.evasion_horizon) : "off";

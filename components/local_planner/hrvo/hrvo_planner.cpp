@@ -8,7 +8,6 @@
 
 #include "components/local_planner/carrot.hpp"
 #include "components/local_planner/hrvo/hrvo.hpp"
-#include "components/local_planner/planner_factory.hpp"
 #include "components/local_planner/planner_registry.hpp"
 #include "components/local_planner/velocity_tracking.hpp"
 
@@ -52,10 +51,6 @@ PlanningResult HrvoPlanner::drive(const PlanningProblem& problem) {
   return result;
 }
 
-namespace {
+BW_PLANNER(HrvoPlanner, HrvoOptions, "hrvo")
 
-const bool kHrvo = register_planner(
-    "hrvo", [](const LocalPlannerOptions& o) { return std::make_unique<HrvoPlanner>(o.hrvo, o.driving); });
-
-}  // namespace
 }  // namespace bw::hrvo

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "components/local_planner/command_limits.hpp"
-#include "components/local_planner/planner_factory.hpp"
 #include "components/local_planner/planner_registry.hpp"
 
 namespace bw::mppi {
@@ -81,10 +80,6 @@ void MppiPlanner::show_candidates(const PlanningProblem& problem, PlanningResult
   }
 }
 
-namespace {
+BW_PLANNER(MppiPlanner, MppiOptions, "mppi")
 
-const bool kMppi = register_planner(
-    "mppi", [](const LocalPlannerOptions& o) { return std::make_unique<MppiPlanner>(o.mppi, o.driving); });
-
-}  // namespace
 }  // namespace bw::mppi
