@@ -75,7 +75,7 @@ std::string to_string(const EdwaPairing& pairing) {
 PlannerOptions published_edwa_options() {
   PlannerOptions options;
   auto& published = options.of<dwa::DwaOptions>("dwa");
-  published.profile = dwa::Profile::fixed_scales;
+  published.profile = dwa::Profile::scales;
   published.carrot_distance = 0.0;
   published.arc_to_goal = false;
   published.check_movers = false;

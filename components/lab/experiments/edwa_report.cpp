@@ -75,16 +75,17 @@ std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t l
       "Besides held braking, a velocity must leave room to brake clear of where the others will be, the goal is "
       "reached on one arc, and evasive moves.";
   dwa_of(variants[2]) = {};
-  dwa_of(variants[2]).profile = dwa::Profile::fixed_scales;
+  dwa_of(variants[2]).profile = dwa::Profile::scales;
   dwa_of(variants[2]).carrot_distance = 0.0;
   variants[2].options.planners.driving.evasion_horizon = DrivingOptions{}.evasion_horizon;
   variants[3].name = "sum";
   variants[3].meaning = "Each column of scores divided by its sum.";
-  dwa_of(variants[3]).profile = dwa::Profile::sum;
+  dwa_of(variants[3]).normalisation = dwa::Normalisation::sum;
   variants[4].name = "sample";
   variants[4].meaning =
       "As the MATLAB teaching sample: distance from the end pose only, capped at 2 m, column sums.";
-  dwa_of(variants[4]).profile = dwa::Profile::teaching_sample;
+  dwa_of(variants[4]).normalisation = dwa::Normalisation::sum;
+  dwa_of(variants[4]).teaching_sample = true;
   variants[5].name = "direction only";
   variants[5].meaning = "EDWA without HRVO's speed, and everybody is taken to share the avoiding.";
   edwa_of(variants[5]).hrvo_speed = false;
