@@ -36,7 +36,7 @@ Legs tangents_to_hull(const Segment& core, double radius) {
 VelocityCone half_plane(const Neighbour& n, const Vector2& towards, const RobotMotion& robot,
                         const HrvoOptions& options) {
   const double share = n.shares ? 0.5 : 1.0;
-  const double parting_speed = share * std::max(0.0, n.radius - n.distance) / options.time_step;
+  const double parting_speed = share * std::max(0.0, n.radius - n.distance) / kTimeStep;
   const Vector2 apex = n.velocity + (1.0 - share) * (robot.velocity - n.velocity);
   return {apex - parting_speed * towards, {towards.y(), -towards.x()}, {-towards.y(), towards.x()}};
 }
