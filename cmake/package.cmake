@@ -30,7 +30,7 @@ install(DIRECTORY runtime DESTINATION ${headers} FILES_MATCHING PATTERN "*.hpp"
 install(DIRECTORY components/model components/messages DESTINATION ${headers}/components FILES_MATCHING PATTERN "*.hpp")
 # What a planner of another project includes: the registry, and what every planner shares.
 file(GLOB shared_by_planners CONFIGURE_DEPENDS components/local_planner/*.hpp)
-list(FILTER shared_by_planners EXCLUDE REGEX "/(planner_factory|local_planner_parameters)\\.hpp$")
+list(FILTER shared_by_planners EXCLUDE REGEX "/local_planner_parameters\\.hpp$")
 install(FILES ${shared_by_planners} DESTINATION ${headers}/components/local_planner)
 # What a driver of another project includes.
 install(FILES components/robot_base/driver.hpp components/robot_base/driver_registry.hpp components/robot_base/readings.hpp

@@ -13,7 +13,10 @@
 namespace bw {
 namespace {
 
-constexpr double kMoved = 0.02;  // [m], [rad] that show that the robot moves
+constexpr double kMoved = 0.02;     // [m], [rad] that show that the robot moves
+constexpr double kPatience = 10.0;  // [s] without that; then a goal without an allowance of its own fails
+constexpr double kSlowest = 0.02;   // [m/s] but for the last step, unless the goal asks for it
+constexpr double kMargin = 0.02;    // [m] around the footprint that the look-ahead asks for
 
 BehaviorStep stopped(BehaviorStep step) {
   step.command = Twist2{};
@@ -75,7 +78,7 @@ bool Travel::is_stuck(Duration age, const Pose2& X_OB) {
     X_OB_moved_ = X_OB;
   }
   return goal_.time_allowance <= Duration{} &&
-         age - *moved_ > Duration::seconds(options_.movement_time_allowance);
+         age - *moved_ > Duration::seconds(kPatience);
 }
 
 // Of a short way the middle is driven at one rate for as long as the jerk limit needs to turn acceleration into braking.
@@ -99,7 +102,7 @@ double Travel::next_rate(double left, double rate, const PlanningProblem& proble
   const double step = acceleration_limit * problem.control_period;
   const double top = top_rate(problem.limits);
   const double slowest =
-      goal_.axis == TravelAxis::turn ? options_.min_rotational_vel : options_.minimum_speed;
+      goal_.axis == TravelAxis::turn ? options_.min_rotational_vel : kSlowest;
   const double onset =
       goal_.axis == TravelAxis::turn ? 0.0 : acceleration_limit / (2.0 * problem.limits.jerk_max);
   const double braking = safety::speed_within(
@@ -132,7 +135,7 @@ bool Travel::is_blocked(const PlanningProblem& problem) const {
     rate = next_rate(left, rate, problem);
     stop_rate = std::max(0.0, stop_rate - braking);
   }
-  return brings_contact(motion, stop, options_.collision_margin, problem);
+  return brings_contact(motion, stop, kMargin, problem);
 }
 
 }  // namespace bw

@@ -80,7 +80,7 @@ bool evade(const PlanningProblem& problem, const DrivingOptions& options, const 
   EvasiveMove move =
       best_evasive_move(problem, problem.plan.back().position(),
                         {options.evasion_horizon, problem.command_lead, options.feasibility_margin,
-                         kEnoughGap, options.evasion_error_growth});
+                         kEnoughGap});
   if (safety.free && std::min(move.mover_gap, options.mover_margin) < safety.comfort + kWorthEvading)
     return false;
   stop();

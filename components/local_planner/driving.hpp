@@ -16,7 +16,6 @@ struct DrivingOptions {
   double feasibility_margin = 0.0;
   double mover_margin = 0.1;
   double evasion_horizon = 3.0;
-  double evasion_error_growth = 0.15;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -54,13 +53,6 @@ struct DrivingOptions {
        .min = 0,
        .max = 10,
        .doc = "how long an evasive move is simulated ahead; 0: the robot only stops"});
-    v("evasion_error_growth", evasion_error_growth,
-      {.unit = "m/s",
-       .min = 0,
-       .max = 2,
-       .doc =
-           "how much less sure every second ahead is: where all evasive moves touch somebody, a later touch "
-           "counts as less deep by this times its time"});
   }
 };
 

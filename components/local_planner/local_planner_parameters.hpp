@@ -7,7 +7,7 @@
 #include <string>
 
 #include "components/local_planner/follow_path/follow_path_options.hpp"
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "components/model/stamped_choice.hpp"
 
 namespace bw {
@@ -23,7 +23,7 @@ struct LocalPlannerParameters {
   double back_off_margin = 0.15;
   StampedCmdVel enable_stamped_cmd_vel = StampedCmdVel::no;
   FollowPathOptions follow_path;
-  LocalPlannerOptions planners;
+  PlannerOptions planners;
 
   template <class Visitor>
   void fields(Visitor& v) {

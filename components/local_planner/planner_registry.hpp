@@ -1,5 +1,5 @@
-// How a local planner joins those that `local_planner.algorithm` chooses from, in this tree or in a library of
-// another project that a graph names under `plugins:`.
+// Local planners by the name that `local_planner.algorithm` gives them: those of this tree, and those in a library of another
+// project that a graph names under `plugins:`. All join in the same way:
 //
 //   struct FollowerOptions { ... template <class Visitor> void fields(Visitor& v) { ... } };
 //   class Follower final : public bw::CheckedPlanner {
@@ -14,35 +14,72 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "components/local_planner/checked_planner.hpp"
+#include "components/local_planner/driving.hpp"
 #include "components/model/planning.hpp"
 #include "runtime/base/any_options.hpp"
 
 namespace bw {
 
-struct LocalPlannerOptions;
+/// Sections of parameters by name.
+using PlannerSections = std::map<std::string, AnyOptions, std::less<>>;
 
-/// A planner whose parameters are its own `options` and what all planners share. Throws std::logic_error when
-/// another one has that name; `options` holds the defaults.
-using PlannerOfOwnOptions =
-    std::function<std::unique_ptr<LocalPlanner>(const AnyOptions& options, const DrivingOptions& driving)>;
-bool register_planner(std::string_view name, const AnyOptions& options, PlannerOfOwnOptions make);
+/// What planners are made with: what they share, and the sections of all of them, at first at their defaults. Planners
+/// registered later are not in it.
+class PlannerOptions {
+ public:
+  PlannerOptions();
 
-/// A planner of this tree, whose sections LocalPlannerOptions names.
-using PlannerOfAllOptions = std::function<std::unique_ptr<LocalPlanner>(const LocalPlannerOptions&)>;
-bool register_planner(std::string_view name, PlannerOfAllOptions make);
+  /// The section, which holds a T. Throws std::out_of_range for one that nobody registered.
+  template <class T>
+  const T& of(std::string_view section) const {
+    return at(section).template as<T>();
+  }
+  template <class T>
+  T& of(std::string_view section) {
+    return const_cast<T&>(std::as_const(*this).of<T>(section));
+  }
+  template <class Visitor>
+  void fields(Visitor& v) {
+    driving.fields(v);
+    for (auto& [name, options] : sections_) v(name, options, {.doc = "parameters of one planner or idea"});
+  }
+
+  DrivingOptions driving;
+
+ private:
+  const AnyOptions& at(std::string_view section) const;
+
+  PlannerSections sections_;
+};
+
+/// May read sections that others registered, too.
+using PlannerMaker = std::function<std::unique_ptr<LocalPlanner>(const PlannerOptions&)>;
+
+/// `sections` are those that come with it, at their defaults. Throws std::logic_error when another one has that name, or one of
+/// those sections.
+bool register_planner(std::string_view name, PlannerSections sections, PlannerMaker make);
 
 template <class Planner, class Options>
 bool register_planner_type(std::string_view name) {
-  return register_planner(name, AnyOptions(Options{}),
-                          [](const AnyOptions& options, const DrivingOptions& driving) {
-                            return std::make_unique<Planner>(options.as<Options>(), driving);
-                          });
+  const std::string section(name);
+  return register_planner(name, {{section, AnyOptions(Options{})}}, [section](const PlannerOptions& o) {
+    return std::make_unique<Planner>(o.of<Options>(section), o.driving);
+  });
 }
+
+/// As the parameter `algorithm` knows them, sorted; the texts live as long as the program.
+std::vector<std::string_view> planner_names();
+
+/// Throws std::runtime_error naming the known planners when `name` is none of them.
+std::unique_ptr<LocalPlanner> make_planner(std::string_view name, const PlannerOptions& options);
 
 }  // namespace bw
 

@@ -4,7 +4,8 @@
 //
 // Backing off is straight, along the way it came, and measured by the wheels. It ends early enough that the base stands within
 // `distance`: v (t_lag + v / 2 a) before, t_lag = 0.05 s from the command until the wheels slow down. What else is touched
-// meanwhile makes it no longer.
+// meanwhile makes it no longer. It is none of the planner's back-offs, and stands below them: it sees no obstacle and asks no planner, since
+// whoever drove into what was touched did not see it either.
 #pragma once
 
 #include <optional>

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "components/local_planner/footprint_check.hpp"
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "components/model/differential_drive.hpp"
 #include "components/model/random.hpp"
 #include "runtime/base/quantile.hpp"

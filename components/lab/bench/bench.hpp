@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "components/lab/bench/scene_file.hpp"
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
+#include "components/local_planner/teb/band_options.hpp"
 
 namespace bw {
 
@@ -25,7 +26,7 @@ struct BenchTebArguments {
   int repetitions = 20;
   bool with_samples = false;  ///< every cycle of the first run goes into the JSON
   std::vector<BenchWeights> weights = {BenchWeights::file, BenchWeights::defaults};
-  std::function<void(LocalPlannerOptions&)> adjust;  ///< last word on the options; may be empty
+  std::function<void(PlannerOptions&)> adjust;  ///< last word on the options; may be empty
   std::string json;                                  ///< output file; empty: none
 };
 
@@ -39,7 +40,7 @@ struct BenchCrowdArguments {
   std::string scene;  ///< name (or its beginning) of one scene; empty: all
   std::vector<std::string> planners = {"teb"};
   BenchWeights weights = BenchWeights::defaults;
-  std::function<void(LocalPlannerOptions&)> adjust;  ///< last word on the options; may be empty
+  std::function<void(PlannerOptions&)> adjust;  ///< last word on the options; may be empty
   int jobs = 1;               ///< episodes at a time; above 1 the times are those of their threads
   bool with_samples = false;  ///< every period of every drive goes into the JSON
   std::string write_scenes;   ///< scenes driven are written here as YAML, of one crowd; empty: not
@@ -59,8 +60,12 @@ int bench_crowd(const BenchCrowdArguments& arguments);
 
 /// The planner's options for a scene file: its resolution and distances (from the footprint) and, for
 /// BenchWeights::file, its weights and formulas.
-LocalPlannerOptions options_for(const SceneFile& file, BenchWeights weights, LocalPlannerOptions options,
+PlannerOptions options_for(const SceneFile& file, BenchWeights weights, PlannerOptions options,
                                 double robot_radius);
+
+/// The band of the planners that have one.
+teb::BandOptions& band_of(PlannerOptions& options);
+const teb::BandOptions& band_of(const PlannerOptions& options);
 
 /// Scenes whose name begins with `prefix`; throws when there is none.
 std::vector<Scene> select_scenes(const SceneFile& file, const std::string& prefix);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "components/lab/bench/bench.hpp"
+#include "components/local_planner/teb/teb_options.hpp"
 #include "runtime/atomic_file.hpp"
 
 namespace bw {
@@ -35,11 +36,11 @@ void write_json(const std::string& path, const nlohmann::ordered_json& value) {
   write_file_atomically(path, value.dump(1) + "\n");
 }
 
-LocalPlannerOptions options_for(const SceneFile& file, BenchWeights weights, LocalPlannerOptions options,
+PlannerOptions options_for(const SceneFile& file, BenchWeights weights, PlannerOptions options,
                                 double robot_radius) {
   // Open-loop scenes are about bands: what gets out of somebody's way is left to the closed loop.
   if (!file.closed_loop) options.driving.evasion_horizon = options.driving.mover_margin = 0.0;
-  teb::BandOptions& band = options.teb.band;
+  teb::BandOptions& band = band_of(options);
   band.dt_ref = file.dt_ref;
   band.dt_hysteresis = file.dt_hysteresis;
   band.min_obstacle_dist = std::max(0.0, file.min_dist - robot_radius);
@@ -54,6 +55,11 @@ LocalPlannerOptions options_for(const SceneFile& file, BenchWeights weights, Loc
                   w.max_vel_theta, w.acc_lim_x,        w.acc_lim_theta,    w.obstacle,
                   w.inflation,     w.dynamic_obstacle, w.dynamic_inflation};
   return options;
+}
+
+teb::BandOptions& band_of(PlannerOptions& options) { return options.of<teb::TebOptions>("teb").band; }
+const teb::BandOptions& band_of(const PlannerOptions& options) {
+  return options.of<teb::TebOptions>("teb").band;
 }
 
 std::vector<Scene> select_scenes(const SceneFile& file, const std::string& prefix) {

@@ -3,32 +3,38 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "runtime/base/field.hpp"
+#include "components/local_planner/homotopy/homotopy_options.hpp"
+#include "components/local_planner/teb/teb_options.hpp"
 
 namespace bw {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Every weight under the name of its parameter.
-struct WeightLister {
-  Json& list;
-  void operator()(const char* name, double& weight, const Field&) { list[name] = weight; }
-};
+Json to_json(const teb::BandWeights& w) {
+  return {{"time", w.time},
+          {"kinematics_nh", w.kinematics_nh},
+          {"forward_drive", w.forward_drive},
+          {"max_vel_x", w.max_vel_x},
+          {"max_vel_theta", w.max_vel_theta},
+          {"acc_lim_x", w.acc_lim_x},
+          {"acc_lim_theta", w.acc_lim_theta},
+          {"obstacle", w.obstacle},
+          {"inflation", w.inflation},
+          {"dynamic_obstacle", w.dynamic_obstacle},
+          {"dynamic_inflation", w.dynamic_inflation},
+          {"possible_inflation", w.possible_inflation}};
+}
 
 }  // namespace
 
 const char* name_of(BenchWeights weights) { return weights == BenchWeights::file ? "file" : "default"; }
 
 Json to_json(const BenchConditions& c) {
-  const teb::BandOptions& band = c.options.teb.band;
+  const teb::BandOptions& band = band_of(c.options);
   const DrivingOptions& driving = c.options.driving;
-  Json weights = Json::object();
-  WeightLister lister{weights};
-  teb::BandWeights listed = band.weights;
-  listed.fields(lister);
   return {{"weights_set", name_of(c.weights)},
-          {"weights", std::move(weights)},
+          {"weights", to_json(band.weights)},
           {"budget",
            {{"cold",
              {{"outer", band.no_outer_iterations},
@@ -37,7 +43,7 @@ Json to_json(const BenchConditions& c) {
             {"warm", {{"outer", band.warm_outer_iterations}, {"inner", band.warm_inner_iterations}}},
             {"function_tolerance", band.function_tolerance},
             {"max_iterations", c.max_iterations},
-            {"max_number_classes", c.options.homotopy.max_number_classes}}},
+            {"max_number_classes", c.options.of<homotopy::HomotopyOptions>("homotopy").max_number_classes}}},
           {"limits",
            {{"v_max", c.limits.v_max},
             {"v_back_max", c.limits.v_back_max},
@@ -48,7 +54,7 @@ Json to_json(const BenchConditions& c) {
           {"layers",
            {{"evasion_horizon_s", driving.evasion_horizon},
             {"mover_margin_m", driving.mover_margin},
-            {"mover_margin_cost", c.options.teb.mover_margin_cost},
+            {"mover_margin_cost", teb::kMoverMarginCost},
             {"feasibility_check_s", driving.feasibility_check_time},
             {"feasibility_margin_m", driving.feasibility_margin},
             {"consistent_motion", band.consistent_motion},
@@ -59,7 +65,7 @@ Json to_json(const BenchConditions& c) {
 }
 
 std::string in_a_line(const BenchConditions& c) {
-  const teb::BandOptions& band = c.options.teb.band;
+  const teb::BandOptions& band = band_of(c.options);
   const DrivingOptions& driving = c.options.driving;
   const std::string evasion =
       driving.evasion_horizon > 0.0 ? fmt::format("{:g} s", driving.evasion_horizon) : "off";

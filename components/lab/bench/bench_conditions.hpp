@@ -6,14 +6,14 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "components/lab/bench/bench.hpp"
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "components/model/limits.hpp"
 
 namespace bw {
 
 struct BenchConditions {
   BenchWeights weights = BenchWeights::defaults;
-  LocalPlannerOptions options;
+  PlannerOptions options;
   Limits limits;
   int max_iterations = 0;  ///< of a cycle, over all candidates
 };

@@ -63,8 +63,8 @@ std::vector<Crowd> crowds_of(const BenchCrowdArguments& arguments) {
   return crowds;
 }
 
-LocalPlannerOptions options_of(const BenchCrowdArguments& arguments, const SceneFile& file) {
-  LocalPlannerOptions options;
+PlannerOptions options_of(const BenchCrowdArguments& arguments, const SceneFile& file) {
+  PlannerOptions options;
   if (arguments.weights == BenchWeights::file)
     options = options_for(file, arguments.weights, options, file.closed_loop->robot_radius);
   if (arguments.adjust) arguments.adjust(options);
@@ -176,7 +176,7 @@ class CrowdBench {
 
   const BenchCrowdArguments& arguments_;
   std::vector<Crowd> crowds_;
-  LocalPlannerOptions options_;
+  PlannerOptions options_;
   std::optional<FailureAlbum> album_;
   std::string tables_;  ///< of all crowds
 };

@@ -87,7 +87,7 @@ class CrowdNavBench {
   }
 
   const BenchCrowdNavArguments& arguments_;
-  LocalPlannerOptions options_;
+  PlannerOptions options_;
   int cases_ = 0;
 };
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "components/lab/bench/crowdnav_report.hpp"
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 
 namespace bw {
 
@@ -20,7 +20,7 @@ struct BenchCrowdNavArguments {
   int cases = kCrowdNavCases;  ///< from the first on; fewer where the 500 end
   std::vector<std::string> planners = {kHolonomicOrca};
   double safety_space = 0.0;                         ///< [m] by which orca_holonomic widens everybody
-  std::function<void(LocalPlannerOptions&)> adjust;  ///< last word on the options; may be empty
+  std::function<void(PlannerOptions&)> adjust;  ///< last word on the options; may be empty
   int jobs = 1;               ///< cases at a time; above 1 the times are those of their threads
   bool with_samples = false;  ///< every step goes into the JSON
   std::string json;           ///< output file; empty: none

@@ -8,6 +8,7 @@
 #include "components/lab/bench/bench.hpp"
 #include "components/lab/bench/bench_common.hpp"
 #include "components/lab/bench/bench_conditions.hpp"
+#include "components/local_planner/homotopy/homotopy_options.hpp"
 #include "components/local_planner/teb/band_optimizer.hpp"
 #include "components/local_planner/teb/band_trajectory.hpp"
 #include "runtime/base/quantile.hpp"
@@ -236,20 +237,20 @@ int bench_teb(const BenchTebArguments& arguments) {
   Json rows = Json::array();
   for (const Scene& scene : select_scenes(file, arguments.scene)) {
     for (const BenchWeights weights : arguments.weights) {
-      LocalPlannerOptions options = options_for(file, weights, {}, 0.0);
-      options.homotopy.max_number_classes = kCandidates;
+      PlannerOptions options = options_for(file, weights, {}, 0.0);
+      options.of<homotopy::HomotopyOptions>("homotopy").max_number_classes = kCandidates;
       if (arguments.adjust) arguments.adjust(options);
       const SceneRun result =
           run(scene, file, arguments.repetitions, [&] { return make_planner(arguments.planner, options); });
       const SceneRun limit = run(scene, file, arguments.repetitions,
-                                 [&] { return std::make_unique<LimitPlanner>(options.teb.band); });
+                                 [&] { return std::make_unique<LimitPlanner>(band_of(options)); });
       const SceneRun several =
           run(scene, file, arguments.repetitions, [&] { return make_planner("teb_homotopy", options); });
       const BenchConditions conditions{weights, options, file.limits, kMaxIterations};
       std::printf("%s; %s\n", scene.name.c_str(), in_a_line(conditions).c_str());
       print("cold", result.cold, result.cold_ms, file);
       print("warm", result.warm, result.warm_ms, file);
-      std::printf("  up to %d candidates (teb_homotopy)\n", options.homotopy.max_number_classes);
+      std::printf("  up to %d candidates (teb_homotopy)\n", kCandidates);
       print("cold", several.cold, several.cold_ms, file);
       print("warm", several.warm, several.warm_ms, file);
       std::printf("  banded limit %.2f ms cold (cost %.3f), %.2f ms warm (cost %.3f)\n",

@@ -14,7 +14,7 @@
 namespace bw {
 namespace {
 
-void apply_overrides(LocalPlannerOptions& options, const std::vector<std::string>& set) {
+void apply_overrides(PlannerOptions& options, const std::vector<std::string>& set) {
   ConfigNode root;
   for (const std::string& text : set) apply_override(root, parse_override(text));
   read_into(options, root, "");
@@ -43,7 +43,7 @@ void add_teb(cli::Verb bench) {
   teb_verb.flag("--samples", teb->with_samples,
                 "Start, start speeds and plan of every cycle go into the JSON");
   teb_verb.run([teb, teb_set] {
-    teb->adjust = [teb_set](LocalPlannerOptions& options) { apply_overrides(options, *teb_set); };
+    teb->adjust = [teb_set](PlannerOptions& options) { apply_overrides(options, *teb_set); };
     return bench_teb(*teb);
   });
 }
@@ -97,7 +97,7 @@ void add_crowd(cli::Verb bench) {
   crowd_verb.flag("--samples", crowd->with_samples,
                   "Pose, command, applied velocity and walkers of every period go into the JSON");
   crowd_verb.run([crowd, set] {
-    crowd->adjust = [set](LocalPlannerOptions& options) { apply_overrides(options, *set); };
+    crowd->adjust = [set](PlannerOptions& options) { apply_overrides(options, *set); };
     return bench_crowd(*crowd);
   });
 }
@@ -128,7 +128,7 @@ void add_crowdnav(cli::Verb bench) {
   verb.option("--json", crowdnav->json, "Writes the figures here");
   verb.flag("--samples", crowdnav->with_samples, "Robot and people of every step go into the JSON");
   verb.run([crowdnav, set] {
-    crowdnav->adjust = [set](LocalPlannerOptions& options) { apply_overrides(options, *set); };
+    crowdnav->adjust = [set](PlannerOptions& options) { apply_overrides(options, *set); };
     return bench_crowdnav(*crowdnav);
   });
 }

@@ -8,8 +8,9 @@
 
 #include "components/lab/bench/bench_common.hpp"
 #include "components/local_planner/footprint_check.hpp"
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "components/local_planner/teb/band_optimizer.hpp"
+#include "components/local_planner/teb/teb_options.hpp"
 #include "components/model/differential_drive.hpp"
 #include "runtime/base/quantile.hpp"
 
@@ -145,8 +146,8 @@ Json print_drives(const std::string& planner, int drives) {
 std::vector<ScalingRow> measure_scaling(Crowding crowding, const std::vector<int>& counts,
                                         const std::string& planner, int repetitions) {
   std::vector<Samples> samples(counts.size());
-  LocalPlannerOptions without_limits;
-  without_limits.teb.band.max_obstacles_per_pose = kPlacesWithoutLimits;
+  PlannerOptions without_limits;
+  without_limits.of<teb::TebOptions>("teb").band.max_obstacles_per_pose = kPlacesWithoutLimits;
   std::vector<double> not_reported;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     for (std::size_t i = 0; i < counts.size(); ++i) {

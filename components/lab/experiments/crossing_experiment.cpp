@@ -4,24 +4,24 @@
 #include <memory>
 
 #include "components/lab/bench/bench_common.hpp"
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "runtime/parameters/overrides.hpp"
 #include "runtime/parameters/parameters.hpp"
 
 namespace bw {
 namespace {
 
-LocalPlannerOptions options_of(const CrossingEntry& entry) {
+PlannerOptions options_of(const CrossingEntry& entry) {
   ConfigNode root;
   for (const std::string& text : entry.set) apply_override(root, parse_override(text));
-  return read_parameters<LocalPlannerOptions>(root, "");
+  return read_parameters<PlannerOptions>(root, "");
 }
 
 }  // namespace
 
 CrossingResult run_crossing(const CrossingEntry& entry, const CrossingGeometry& geometry, int runs) {
   const SceneFile rules = crossing_rules();
-  const LocalPlannerOptions options = options_of(entry);
+  const PlannerOptions options = options_of(entry);
   CrossingResult result{entry, {}};
   for (int i = 1; i <= runs; ++i) {
     CrossingRun run;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "components/lab/experiments/edwa_criteria.hpp"
+#include "components/local_planner/dwa/dwa_options.hpp"
 
 namespace bw {
 namespace {
@@ -71,14 +72,15 @@ std::string to_string(const EdwaPairing& pairing) {
   return text;
 }
 
-LocalPlannerOptions published_edwa_options() {
-  LocalPlannerOptions options;
-  options.dwa.profile = dwa::Profile::fixed_scales;
-  options.dwa.carrot_distance = 0.0;
-  options.dwa.arc_to_goal = false;
-  options.dwa.check_movers = false;
-  options.dwa.hold_before_braking = false;
-  options.dwa.leave_margin = false;
+PlannerOptions published_edwa_options() {
+  PlannerOptions options;
+  auto& published = options.of<dwa::DwaOptions>("dwa");
+  published.profile = dwa::Profile::scales;
+  published.carrot_distance = 0.0;
+  published.arc_to_goal = false;
+  published.check_movers = false;
+  published.hold_before_braking = false;
+  published.leave_margin = false;
   options.driving.evasion_horizon = 0.0;
   options.driving.xy_goal_tolerance = 0.3;
   return options;

@@ -12,7 +12,7 @@
 #include "components/lab/experiments/criterion.hpp"
 #include "components/lab/experiments/edwa_scenes.hpp"
 #include "components/lab/experiments/shared_floor.hpp"
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 
 namespace bw {
 
@@ -29,7 +29,7 @@ constexpr std::array<EdwaPairing, 3> kEdwaPairings = {EdwaPairing{"dwa", "dwa"},
                                                       EdwaPairing{"edwa", "edwa"}};
 
 /// Table 3.1, and no more than what was published: no carrot, no evasive move, no way out of the margin.
-LocalPlannerOptions published_edwa_options();
+PlannerOptions published_edwa_options();
 FloorRules published_edwa_rules();
 
 inline constexpr std::uint64_t kEdwaSeeds = 40;  ///< with fewer only what must hold of every run is judged
@@ -37,7 +37,7 @@ inline constexpr std::uint64_t kEdwaSeeds = 40;  ///< with fewer only what must 
 struct EdwaExperimentOptions {
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = kEdwaSeeds;
-  LocalPlannerOptions planners = published_edwa_options();
+  PlannerOptions planners = published_edwa_options();
   FloorRules rules = published_edwa_rules();
 };
 

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "components/local_planner/dwa/dwa_options.hpp"
+#include "components/local_planner/hrvo/hrvo_options.hpp"
+
 namespace bw {
 namespace {
 
@@ -50,6 +53,11 @@ Json rows_json(const EdwaTable& table) {
   return list;
 }
 
+dwa::DwaOptions& dwa_of(EdwaVariant& variant) { return variant.options.planners.of<dwa::DwaOptions>("dwa"); }
+dwa::EdwaOptions& edwa_of(EdwaVariant& variant) {
+  return variant.options.planners.of<dwa::EdwaOptions>("edwa");
+}
+
 }  // namespace
 
 std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t last_seed) {
@@ -60,34 +68,35 @@ std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t l
   variants[1].meaning =
       "Braking is judged with the command held for one more period; arcs that lead out of the contact margin "
       "are admissible.";
-  variants[1].options.planners.dwa.hold_before_braking = true;
-  variants[1].options.planners.dwa.leave_margin = true;
+  dwa_of(variants[1]).hold_before_braking = true;
+  dwa_of(variants[1]).leave_margin = true;
   variants[2].name = "guarded";
   variants[2].meaning =
       "Besides held braking, a velocity must leave room to brake clear of where the others will be, the goal is "
       "reached on one arc, and evasive moves.";
-  variants[2].options.planners.dwa = {};
-  variants[2].options.planners.dwa.profile = dwa::Profile::fixed_scales;
-  variants[2].options.planners.dwa.carrot_distance = 0.0;
+  dwa_of(variants[2]) = {};
+  dwa_of(variants[2]).profile = dwa::Profile::scales;
+  dwa_of(variants[2]).carrot_distance = 0.0;
   variants[2].options.planners.driving.evasion_horizon = DrivingOptions{}.evasion_horizon;
   variants[3].name = "sum";
   variants[3].meaning = "Each column of scores divided by its sum.";
-  variants[3].options.planners.dwa.profile = dwa::Profile::sum;
+  dwa_of(variants[3]).normalisation = dwa::Normalisation::sum;
   variants[4].name = "sample";
   variants[4].meaning =
       "As the MATLAB teaching sample: distance from the end pose only, capped at 2 m, column sums.";
-  variants[4].options.planners.dwa.profile = dwa::Profile::teaching_sample;
+  dwa_of(variants[4]).normalisation = dwa::Normalisation::sum;
+  dwa_of(variants[4]).teaching_sample = true;
   variants[5].name = "direction only";
   variants[5].meaning = "EDWA without HRVO's speed, and everybody is taken to share the avoiding.";
-  variants[5].options.planners.edwa.hrvo_speed = false;
-  variants[5].options.planners.hrvo.reciprocity = hrvo::Reciprocity::all;
+  edwa_of(variants[5]).hrvo_speed = false;
+  variants[5].options.planners.of<hrvo::HrvoOptions>("hrvo").reciprocity = hrvo::Reciprocity::all;
   variants[6].name = "as printed";
   variants[6].meaning = "The heading term (3.4) as printed.";
-  variants[6].options.planners.edwa.heading = dwa::EdwaHeading::hrvo_printed;
+  edwa_of(variants[6]).heading = dwa::EdwaHeading::hrvo_printed;
   variants[7].name = "as driven here";
   variants[7].meaning =
       "Bandwagon's defaults: the plan leads, HRVO's direction and speed while somebody could be met.";
-  variants[7].options.planners.dwa = {};
+  dwa_of(variants[7]) = {};
   variants[7].options.planners.driving.evasion_horizon = DrivingOptions{}.evasion_horizon;
   return variants;
 }

@@ -9,10 +9,9 @@
 namespace bw::dwa {
 namespace {
 
+constexpr double kClearanceCap = 3.0;       // [m]: (3.1) and D8
 constexpr double kTeachingSampleCap = 2.0;  // [m] in common copies of the MATLAB sample
 constexpr double kNoCloser = 0.001;         // [m] by which an arc inside the margin may come closer
-
-bool is_teaching_sample(const DwaOptions& options) { return options.profile == Profile::teaching_sample; }
 
 // Travel until rest.
 double stopping_distance(double v, const PlanningProblem& problem, const DwaOptions& options) {
@@ -44,13 +43,13 @@ Surroundings surroundings_of(const PlanningProblem& problem, const Interval& spe
                              const DwaOptions& options) {
   const double fastest = std::max(std::abs(speeds.low), std::abs(speeds.high));
   const double travel = std::max(fastest * options.sim_time, stopping_distance(fastest, problem, options));
-  const double reach = travel + std::max(gap_cap(options), options.contact_margin);
+  const double reach = travel + std::max(gap_cap(options), kContactMargin);
   const Vector2 robot = problem.pose.position();
   const double radius = problem.footprint.radius;
   ClearanceField frozen(problem.obstacles, problem.movers, robot, radius, reach);
   ClearanceField standing =
       options.predict_movers ? ClearanceField(problem.obstacles, {}, robot, radius, reach) : frozen;
-  double margin = options.contact_margin;
+  double margin = kContactMargin;
   if (options.leave_margin) margin = std::clamp(frozen.at(robot) - kNoCloser, 0.0, margin);
   return {std::move(frozen), std::move(standing), margin, travel};
 }
@@ -59,7 +58,7 @@ bool stops_in_time(const Sample& sample, const Surroundings& around, const Plann
                    const DwaOptions& options) {
   const Twist2& twist = sample.arc.twist;
   const double stopping = stopping_distance(twist.v, problem, options);
-  if (is_teaching_sample(options)) {
+  if (options.teaching_sample) {
     return stopping <= std::max(around.frozen.at(sample.arc.at(sample.horizon).position()), 0.0);
   }
   const double asked = options.limit_turn_rate ? around.travel : stopping;
@@ -70,17 +69,17 @@ bool stops_in_time(const Sample& sample, const Surroundings& around, const Plann
 
 double gap_of(const Sample& sample, const Surroundings& around, const PlanningProblem& problem,
               const DwaOptions& options) {
-  if (is_teaching_sample(options)) return around.frozen.at(sample.arc.at(sample.horizon).position());
-  const double gap = smallest_gap(sample.arc, around.standing, sample.horizon, options.sim_granularity);
+  if (options.teaching_sample) return around.frozen.at(sample.arc.at(sample.horizon).position());
+  const double gap = smallest_gap(sample.arc, around.standing, sample.horizon, kGapStep);
   if (!options.predict_movers) return gap;
   return std::min(gap, smallest_gap(sample.arc, problem.movers, problem.footprint.radius, sample.horizon,
-                                    options.sim_granularity));
+                                    kGapStep));
 }
 
 }  // namespace
 
 double gap_cap(const DwaOptions& options) {
-  return is_teaching_sample(options) ? kTeachingSampleCap : options.clearance_cap;
+  return options.teaching_sample ? kTeachingSampleCap : kClearanceCap;
 }
 
 std::vector<Sample> admissible_samples(const PlanningProblem& problem, const Vector2& aim,
@@ -89,8 +88,7 @@ std::vector<Sample> admissible_samples(const PlanningProblem& problem, const Vec
   const Surroundings around = surroundings_of(problem, window.v, options);
   const double to_aim = (aim - problem.pose.position()).norm();
   std::vector<Sample> samples;
-  for (const Twist2& twist : velocity_samples(window, problem.twist, static_cast<int>(options.v_samples),
-                                              static_cast<int>(options.omega_samples))) {
+  for (const Twist2& twist : velocity_samples(window, problem.twist, options.v_samples, options.omega_samples)) {
     Sample sample{{problem.pose, twist}, options.sim_time};
     // A roll-out beyond the goal would reward circling it.
     const double speed = std::abs(twist.v);

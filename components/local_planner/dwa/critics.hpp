@@ -27,16 +27,14 @@ struct Course {
 };
 
 /// `plan` is not empty.
-Course course_of(const std::vector<Pose2>& plan, const PlanningProblem& problem,
-                 const CriticOptions& options);
+Course course_of(const std::vector<Pose2>& plan, const PlanningProblem& problem);
 
 /// A place of the plan counts as near to the end of a roll-out only if the way driven can have led so far along it: where the plan
 /// comes back on the other side of a wall is no shortcut.
-Critique critique(const RollOut& roll_out, const Course& course, const PlanningProblem& problem,
-                  const CriticOptions& options);
+Critique critique(const RollOut& roll_out, const Course& course, const PlanningProblem& problem);
 
-/// exp(-cost_scaling_factor gap), as costmaps are inflated; 0 from inflation_radius on.
-double obstacle_cost(double gap, const CriticOptions& options);
+/// exp(-kCostScaling gap), as costmaps are inflated; 0 from kInflationRadius on.
+double obstacle_cost(double gap);
 
 /// Weighted sum of what is left when another guide has taken the place of the aligning terms.
 double cost_without_align(const Critique& critique, const CriticOptions& options);

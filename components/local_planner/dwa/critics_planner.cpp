@@ -47,12 +47,12 @@ std::optional<HrvoGuide> CriticsPlanner::guide_of(const PlanningProblem& problem
 
 PlanningResult CriticsPlanner::drive(const PlanningProblem& problem) {
   const CriticOptions& critics = options_.critics;
-  const Course course = course_of(led_plan(problem, critics.margin), problem, critics);
+  const Course course = course_of(led_plan(problem, critics.margin), problem);
   const std::optional<HrvoGuide> guide = guide_of(problem);
   RollOuts roll_outs(problem, {.horizon = critics.sim_time,
                                .way = course.line.length() - course.along,
                                .margin = critics.margin,
-                               .reach = std::max(critics.inflation_radius, critics.margin),
+                               .reach = std::max(kInflationRadius, critics.margin),
                                .predict_movers = options_.predict_movers});
   const std::optional<double> turn =
       guide && guide->has_direction() ? std::nullopt : turn_.angle(problem, course, critics);
@@ -91,7 +91,7 @@ std::vector<CriticsPlanner::Judged> CriticsPlanner::judged(const PlanningProblem
                                               static_cast<int>(critics.vtheta_samples))) {
     const RollOut out = roll_outs.along(twist);
     if (!can_brake(out, problem)) continue;
-    const Critique c = critique(out, course, problem, critics);
+    const Critique c = critique(out, course, problem);
     double costs = cost(c, critics);
     if (turn) {
       // Slower first, then the turn; what else they cost tells equals apart.
@@ -112,11 +112,10 @@ std::vector<CriticsPlanner::Judged> CriticsPlanner::judged(const PlanningProblem
 
 void CriticsPlanner::choose(const std::vector<Judged>& judged, const RollOuts& roll_outs,
                             const PlanningProblem& walkers, PlanningResult& result) const {
-  const auto shown = static_cast<std::size_t>(options_.shown_candidates);
   for (const Judged& one : judged) {
     const Twist2& twist = one.roll_out.twist;
     const bool chosen = result.trajectory.empty() && can_stop_among(walkers, twist);
-    if (result.candidates.size() < shown || chosen) {
+    if (result.candidates.size() < options_.shown_candidates || chosen) {
       result.candidates.push_back(
           {label_of(twist), one.cost, chosen, roll_outs.trajectory(twist, one.roll_out.time)});
     }
@@ -125,7 +124,7 @@ void CriticsPlanner::choose(const std::vector<Judged>& judged, const RollOuts& r
       result.command = twist;
       result.trajectory = result.candidates.back().trajectory;
     }
-    if (result.candidates.size() >= shown && !result.trajectory.empty()) break;
+    if (result.candidates.size() >= options_.shown_candidates && !result.trajectory.empty()) break;
   }
 }
 

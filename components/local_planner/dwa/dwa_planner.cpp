@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-std::vector<TrajectoryPoint> rolled_out(const Sample& sample, double step) {
+std::vector<TrajectoryPoint> rolled_out(const Sample& sample) {
   std::vector<TrajectoryPoint> trajectory;
-  const int steps = std::max(1, static_cast<int>(std::ceil(sample.horizon / step - 1e-9)));
+  const int steps = std::max(1, static_cast<int>(std::ceil(sample.horizon / kGapStep - 1e-9)));
   for (int i = 0; i <= steps; ++i) {
-    const double time = std::min(i * step, sample.horizon);
+    const double time = std::min(i * kGapStep, sample.horizon);
     trajectory.push_back({time, sample.arc.at(time), sample.arc.twist});
   }
   return trajectory;
@@ -44,9 +44,8 @@ PlanningResult DwaPlanner::drive(const PlanningProblem& problem) {
   PlanningResult result;
   result.iterations = 1;
   const std::vector<double> scores =
-      objective(columns_of(samples, guidance),
-                {options_.heading_weight, options_.clearance_weight, options_.velocity_weight},
-                normalisation_of(options_.profile), {gap_cap(options_), problem.limits.v_max});
+      objective(columns_of(samples, guidance), options_.weights, options_.normalisation,
+                {gap_cap(options_), problem.limits.v_max});
   choose(samples, scores, problem, result);
   // An arc is left in time, so walls at its end do not count; people on it do.
   Safety safety;
@@ -70,20 +69,19 @@ void DwaPlanner::choose(const std::vector<Sample>& samples, const std::vector<do
     const double turn_b = std::abs(samples[b].arc.twist.omega);
     return turn_a != turn_b ? turn_a < turn_b : a < b;
   });
-  const auto shown = static_cast<std::size_t>(options_.shown_candidates);
   for (const std::size_t index : order) {
     const Sample& sample = samples[index];
     const bool chosen = result.trajectory.empty() && can_stop_among_movers(sample, problem);
-    if (result.candidates.size() < shown || chosen) {
+    if (result.candidates.size() < options_.shown_candidates || chosen) {
       result.candidates.push_back(
-          {label_of(sample.arc.twist), -scores[index], chosen, rolled_out(sample, options_.sim_granularity)});
+          {label_of(sample.arc.twist), -scores[index], chosen, rolled_out(sample)});
     }
     if (chosen) {
       result.status = PlanningStatus::ok;
       result.command = sample.arc.twist;
       result.trajectory = result.candidates.back().trajectory;
     }
-    if (result.candidates.size() >= shown && !result.trajectory.empty()) break;
+    if (result.candidates.size() >= options_.shown_candidates && !result.trajectory.empty()) break;
   }
 }
 

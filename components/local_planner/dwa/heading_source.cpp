@@ -44,7 +44,7 @@ HeadingSource towards_hrvo(const EdwaOptions& options, const hrvo::HrvoOptions& 
     const bool has_direction = speed >= hrvo::kNoDirection;
     if (has_direction && options.heading == EdwaHeading::hrvo) {
       guidance.heading_error = [=, theta = problem.pose.theta](const Sample& sample) {
-        const double time = std::min(options.heading_time, sample.horizon);
+        const double time = std::min(kHeadingTime, sample.horizon);
         return wrap_angle(theta_hrvo - (theta + sample.arc.twist.omega * time));
       };
     } else if (has_direction && options.heading == EdwaHeading::hrvo_printed) {

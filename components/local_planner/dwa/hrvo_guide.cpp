@@ -35,7 +35,7 @@ bool HrvoGuide::has_direction() const { return advice_.velocity.norm() >= hrvo::
 
 double HrvoGuide::cost(const RollOut& roll_out) const {
   const double wanted = std::atan2(advice_.velocity.y(), advice_.velocity.x());
-  const double heading = pose_.theta + roll_out.twist.omega * options_.heading_time;
+  const double heading = pose_.theta + roll_out.twist.omega * kHeadingTime;
   const double slower = options_.hrvo_speed ? std::abs(roll_out.twist.v - advice_.velocity.norm()) : 0.0;
   return options_.heading_scale * std::abs(wrap_angle(wanted - heading)) +
          options_.advised_speed_scale * slower;

@@ -20,7 +20,7 @@ class HrvoGuide {
 
   /// HRVO has a direction: it leads.
   bool has_direction() const;
-  /// heading_scale times the angle [rad] between that direction and the heading after heading_time, and advised_speed_scale times
+  /// heading_scale times the angle [rad] between that direction and the heading after kHeadingTime, and advised_speed_scale times
   /// the difference of the speeds [m/s].
   double cost(const RollOut& roll_out) const;
   const hrvo::Advice& advice() const { return advice_; }

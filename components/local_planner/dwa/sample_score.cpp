@@ -6,20 +6,6 @@
 
 namespace bw::dwa {
 
-Normalisation normalisation_of(Profile profile) {
-  switch (profile) {
-    case Profile::critics:  // no columns
-    case Profile::fixed_scales:
-      return Normalisation::scale;
-    case Profile::sum:
-    case Profile::teaching_sample:
-      return Normalisation::sum;
-    case Profile::minmax:
-      break;
-  }
-  return Normalisation::minmax;
-}
-
 std::vector<double> normalised(std::vector<double> column, Normalisation how, double scale) {
   if (column.empty()) return column;
   double low = 0.0;

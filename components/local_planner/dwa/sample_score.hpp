@@ -7,15 +7,6 @@
 
 namespace bw::dwa {
 
-/// How a column of scores is made comparable with the others (D8).
-enum class Normalisation {
-  scale,   ///< divided by a fixed scale
-  sum,     ///< divided by the column's sum
-  minmax,  ///< its range mapped to [0, 1] (Fox, Burgard, Thrun 1997)
-};
-
-Normalisation normalisation_of(Profile profile);
-
 /// A column without sum or range becomes zeros: it tells the samples nothing.
 std::vector<double> normalised(std::vector<double> column, Normalisation how, double scale);
 
@@ -24,12 +15,6 @@ struct ScoreColumns {
   std::vector<double> heading;    ///< pi less the heading error [rad]
   std::vector<double> clearance;  ///< [m], capped
   std::vector<double> velocity;   ///< [m/s]
-};
-
-struct ScoreWeights {
-  double heading = 3.0;
-  double clearance = 0.1;
-  double velocity = 0.1;
 };
 
 struct ScoreScales {

@@ -7,6 +7,7 @@
 namespace bw::dwa {
 namespace {
 
+constexpr double kSampled = 0.5;   // [m] ahead it is looked where the plan leads: Nav2's rotation shim
 constexpr double kAhead = 0.2;     // [rad] at which a turn ends
 constexpr double kTooNear = 0.05;  // [m] from where a point has no bearing
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
@@ -17,7 +18,7 @@ std::optional<double> TurnToPlan::angle(const PlanningProblem& problem, const Co
                                         const CriticOptions& options) {
   const double v = std::abs(problem.twist.v);
   const double stopping = v * problem.command_lead + v * v / (2.0 * problem.limits.acc_max);
-  const double ahead = std::max(options.rotate_sampling_distance, stopping);
+  const double ahead = std::max(kSampled, stopping);
   const Vector2 way =
       course.line.at(std::min(course.along + ahead, course.line.length())) - problem.pose.position();
   const double bearing =

@@ -8,6 +8,10 @@
 namespace bw {
 namespace {
 
+constexpr double kStandingSpeed = 0.05;  // [m/s]
+constexpr double kStandingTurn = 0.1;    // [rad/s]
+constexpr double kLeftAlongPath = 1.0;   // [m] at most at the goal: a path that ends where it begins is driven
+
 FollowVerdict failed(FollowFault fault, std::string reason) { return {true, {fault, std::move(reason)}}; }
 
 /// Since when, the first cycle of it included.
@@ -57,13 +61,13 @@ bool FollowJudge::is_there(const FollowCycle& cycle, const GoalCheckerOptions& o
       cycle.is_on_last_leg &&
       (cycle.X_OG.position() - cycle.X_OB.position()).norm() <= options.xy_goal_tolerance &&
       std::abs(wrap_angle(cycle.X_OG.theta - cycle.X_OB.theta)) <= options.yaw_goal_tolerance &&
-      cycle.distance_to_goal <= std::max(options.path_length_tolerance, options.xy_goal_tolerance);
+      cycle.distance_to_goal <= std::max(kLeftAlongPath, options.xy_goal_tolerance);
   if (!is_within) {
     within_since_.reset();
     return false;
   }
-  const bool is_standing = std::abs(cycle.twist.v) <= options.trans_stopped_velocity &&
-                           std::abs(cycle.twist.omega) <= options.rot_stopped_velocity;
+  const bool is_standing = std::abs(cycle.twist.v) <= kStandingSpeed &&
+                           std::abs(cycle.twist.omega) <= kStandingTurn;
   return time_since(within_since_, cycle.now) >= Duration::seconds(options.settle_time) || is_standing;
 }
 

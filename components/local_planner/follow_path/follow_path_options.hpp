@@ -15,9 +15,6 @@ namespace bw {
 struct GoalCheckerOptions {
   double xy_goal_tolerance = 0.25;
   double yaw_goal_tolerance = 0.25;
-  double path_length_tolerance = 1.0;
-  double trans_stopped_velocity = 0.05;
-  double rot_stopped_velocity = 0.1;
   double settle_time = 1.5;
 
   template <class Visitor>
@@ -26,15 +23,6 @@ struct GoalCheckerOptions {
       {.unit = "m", .min = 0.01, .max = 5, .doc = "distance to the end of the path that counts as there"});
     v("yaw_goal_tolerance", yaw_goal_tolerance,
       {.unit = "rad", .min = 0.01, .max = 3.15, .doc = "heading error that counts as there; 3.15: any"});
-    v("path_length_tolerance", path_length_tolerance,
-      {.unit = "m",
-       .min = 0.05,
-       .max = 100,
-       .doc = "and no more than this is left along the path: a path that ends where it begins is driven"});
-    v("trans_stopped_velocity", trans_stopped_velocity,
-      {.unit = "m/s", .min = 0.001, .max = 10, .doc = "slower than this is standing"});
-    v("rot_stopped_velocity", rot_stopped_velocity,
-      {.unit = "rad/s", .min = 0.001, .max = 10, .doc = "turning slower than this is standing"});
     v("settle_time", settle_time,
       {.unit = "s",
        .min = 0,

@@ -98,7 +98,7 @@ Signature signature_of(const Route& route, const std::vector<Body>& bodies, cons
 
 bool same_class(const Signature& l, const Signature& r, const HomotopyOptions& options) {
   if (options.signature == ClassMeasure::h_signature) {
-    return same_h_signature(l.h_signature, r.h_signature, options.h_signature_threshold);
+    return same_h_signature(l.h_signature, r.h_signature, kHSignatureThreshold);
   }
   return same_winding(l.winding, r.winding);
 }

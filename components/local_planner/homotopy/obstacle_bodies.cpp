@@ -127,7 +127,7 @@ std::vector<Body> bodies_of(const StaticObstacles& obstacles, const std::vector<
                             const Course& course, const HomotopyOptions& options) {
   std::vector<Body> bodies;
   if (course.length() <= 0.0) return bodies;
-  const double half_width = 0.5 * options.roadmap_graph_area_width;
+  const double half_width = 0.5 * kAreaWidth;
   const double widest_gap = 2.0 * (course.robot_radius + course.edge_clearance(options));
   const auto matters = [&](const std::vector<Part>& parts) {
     return std::any_of(parts.begin(), parts.end(),

@@ -101,7 +101,7 @@ Roadmap keypoint_roadmap(const Course& course, const std::vector<Body>& bodies,
       for (std::size_t k = 0; k < (is_long ? 2u : 1u); ++k) {
         if (places[k] <= 0.0 || places[k] >= course.length()) continue;
         const Vector2 beside_line{places[k], side.reach};
-        if (places[k] < options.obstacle_heading_threshold * beside_line.norm()) continue;
+        if (places[k] < kVertexHeading * beside_line.norm()) continue;
         for (const double share : kOffsetShares) {
           const double beside = body.parts.front().radius + nearest + share * (wanted - nearest);
           const double out = side.reach - body.parts.front().radius + factor * beside;
@@ -113,21 +113,21 @@ Roadmap keypoint_roadmap(const Course& course, const std::vector<Body>& bodies,
       }
     }
   }
-  return joined(course, std::move(keypoints), check, options.edge_heading_threshold);
+  return joined(course, std::move(keypoints), check, kEdgeHeading);
 }
 
 Roadmap random_roadmap(const Course& course, const std::vector<Body>& bodies,
                        const HomotopyOptions& options) {
-  Random random(static_cast<std::uint64_t>(options.roadmap_graph_seed));
-  const double half_width = 0.5 * options.roadmap_graph_area_width;
+  Random random(options.roadmap_graph_seed);
+  const double half_width = 0.5 * kAreaWidth;
   std::vector<Vector2> samples;
-  for (int k = 0; k < options.roadmap_graph_no_samples; ++k) {
+  for (int k = 0; k < kRoadmapVertices; ++k) {
     const double along = random.uniform(0.0, course.length());
     const double aside = random.uniform(-half_width, half_width);
     samples.push_back(course.start + along * course.heading() + aside * course.left());
   }
   return joined(course, std::move(samples), EdgeCheck(course, bodies, course.edge_clearance(options)),
-                options.edge_heading_threshold);
+                kEdgeHeading);
 }
 
 }  // namespace bw::homotopy

@@ -33,10 +33,9 @@ Legs tangents_to_hull(const Segment& core, double radius) {
   return {cross(a.right, b.right) < 0.0 ? b.right : a.right, cross(a.left, b.left) > 0.0 ? b.left : a.left};
 }
 
-VelocityCone half_plane(const Neighbour& n, const Vector2& towards, const RobotMotion& robot,
-                        const HrvoOptions& options) {
+VelocityCone half_plane(const Neighbour& n, const Vector2& towards, const RobotMotion& robot) {
   const double share = n.shares ? 0.5 : 1.0;
-  const double parting_speed = share * std::max(0.0, n.radius - n.distance) / options.time_step;
+  const double parting_speed = share * std::max(0.0, n.radius - n.distance) / kTimeStep;
   const Vector2 apex = n.velocity + (1.0 - share) * (robot.velocity - n.velocity);
   return {apex - parting_speed * towards, {towards.y(), -towards.x()}, {-towards.y(), towards.x()}};
 }
@@ -59,7 +58,7 @@ VelocityCone cone_of(const Neighbour& n, const RobotMotion& robot, const HrvoOpt
   const Vector2 nearest = nearest_point(n.core, robot.position) - robot.position;
   const double distance = nearest.norm();
   const Vector2 towards = distance > 0.0 ? Vector2(nearest / distance) : direction(robot.heading);
-  VelocityCone cone = half_plane(n, towards, robot, options);
+  VelocityCone cone = half_plane(n, towards, robot);
   double widening = 1.0;  // of the sensing margin, so that it is kept at right angles to the legs
   if (distance > n.radius * (1.0 + kTouching)) {
     const Legs legs = tangents_to_hull({n.core.a - robot.position, n.core.b - robot.position}, n.radius);

@@ -8,7 +8,6 @@
 
 #include "components/local_planner/carrot.hpp"
 #include "components/local_planner/hrvo/hrvo.hpp"
-#include "components/local_planner/planner_factory.hpp"
 #include "components/local_planner/planner_registry.hpp"
 #include "components/local_planner/velocity_tracking.hpp"
 
@@ -16,6 +15,7 @@ namespace bw::hrvo {
 namespace {
 
 constexpr std::array kMarginShares{1.0, 0.5, 0.25};
+constexpr double kMarginWorth = 0.7;  // share of v_max that keeping the whole margin may cost
 
 // In a narrow place less margin beats turning back.
 Advice best_advice(const PlanningProblem& problem, const Vector2& aim, HrvoOptions options,
@@ -27,7 +27,7 @@ Advice best_advice(const PlanningProblem& problem, const Vector2& aim, HrvoOptio
     options.margin = share * margin;
     Advice advice = advise(problem, aim, options, last);
     const double cost = (advice.velocity - advice.preferred).norm() +
-                        options.margin_worth * (1.0 - share) * problem.limits.v_max;
+                        kMarginWorth * (1.0 - share) * problem.limits.v_max;
     const bool better = advice.free == best.free ? cost < smallest_cost : advice.free;
     if (!std::isinf(smallest_cost) && !better) continue;
     smallest_cost = cost;
@@ -52,10 +52,6 @@ PlanningResult HrvoPlanner::drive(const PlanningProblem& problem) {
   return result;
 }
 
-namespace {
+BW_PLANNER(HrvoPlanner, HrvoOptions, "hrvo")
 
-const bool kHrvo = register_planner(
-    "hrvo", [](const LocalPlannerOptions& o) { return std::make_unique<HrvoPlanner>(o.hrvo, o.driving); });
-
-}  // namespace
 }  // namespace bw::hrvo

@@ -71,7 +71,7 @@ class StaticNeighbours {
     std::vector<Neighbour> kept;
     for (const Neighbour& n : all) {
       if (static_cast<std::int64_t>(kept.size()) >= options_.max_neighbours) break;
-      const double spacing = std::min(options_.point_spacing, n.radius);
+      const double spacing = std::min(kPointSpacing, n.radius);
       const bool stands_alone = std::none_of(kept.begin(), kept.end(), [&](const Neighbour& k) {
         return (k.core.a - n.core.a).squaredNorm() < spacing * spacing;
       });

@@ -14,11 +14,11 @@ constexpr double kScale = 254.0;  // of the costs in a costmap
 Eigen::Index add_cost_cost(const CostOptions& options, const CriticScene& scene, const Rollouts& motions,
                            Eigen::ArrayXd& costs) {
   const Eigen::Index samples = motions.samples();
-  const bool near_goal = scene.goal_distance < options.near_goal_distance;
+  const bool near_goal = scene.goal_distance < options.kNearGoal;
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(samples), cost(samples);
   std::vector<char> touches(static_cast<std::size_t>(samples), 0);
   Eigen::Index looks = 0;
-  for (Eigen::Index k = 0; k < motions.steps(); k += options.trajectory_point_step, ++looks) {
+  for (Eigen::Index k = 0; k < motions.steps(); k += options.kPointStep, ++looks) {
     for (Eigen::Index i = 0; i < samples; ++i) cost[i] = scene.costmap.at(motions.x(i, k), motions.y(i, k));
     scene.predicted.raise(motions.x.col(k), motions.y.col(k), scene.dt * static_cast<double>(k + 1), cost);
     for (Eigen::Index i = 0; i < samples; ++i) {
@@ -26,7 +26,7 @@ Eigen::Index add_cost_cost(const CostOptions& options, const CriticScene& scene,
       if (cost[i] >= kInscribed) {
         touches[static_cast<std::size_t>(i)] = 1;
       } else if (cost[i] >= options.near_collision_cost) {
-        sum[i] += options.critical_cost;
+        sum[i] += options.kCriticalCost;
       } else if (!near_goal) {
         sum[i] += cost[i];
       }
@@ -35,7 +35,7 @@ Eigen::Index add_cost_cost(const CostOptions& options, const CriticScene& scene,
   Eigen::Index free = 0;
   for (Eigen::Index i = 0; i < samples; ++i) {
     if (touches[static_cast<std::size_t>(i)]) {
-      sum[i] = options.collision_cost;
+      sum[i] = options.kCollisionCost;
     } else {
       ++free;
     }

@@ -9,6 +9,7 @@ namespace bw::mppi {
 namespace {
 
 constexpr double kFar = 1e9;        // [m]
+constexpr double kCell = 0.05;      // [m] side of a cell, as Nav2 ships it
 constexpr double kMostAside = 120;  // cells on each side of the robot's
 
 /// Distances from the middles of cells to what is added, as far as it is nearer than `enough` [m].
@@ -91,7 +92,7 @@ double inflated_cost(double distance, double robot_radius, const InflationOption
 }
 
 Costmap::Costmap(const PlanningProblem& problem, const InflationOptions& options, double reach, bool movers) {
-  const double resolution = std::max(options.resolution, reach / kMostAside);
+  const double resolution = std::max(kCell, reach / kMostAside);
   const auto aside = static_cast<Eigen::Index>(std::ceil(reach / resolution));
   const double radius = problem.footprint.radius;
   Distances distances(aside, resolution, std::max(options.inflation_radius, radius));

@@ -28,7 +28,7 @@ struct CriticScene {
 void add_constraint_cost(const ConstraintOptions& options, const CriticScene& scene, const Rollouts& motions,
                          Eigen::ArrayXd& costs);
 
-/// weight / 254 times the mean cost of the poses in the costmap; collision_cost for a motion that touches something.
+/// weight / 254 times the mean cost of the poses in the costmap; kCollisionCost for a motion that touches something.
 /// Returns how many do not.
 Eigen::Index add_cost_cost(const CostOptions& options, const CriticScene& scene, const Rollouts& motions,
                            Eigen::ArrayXd& costs);

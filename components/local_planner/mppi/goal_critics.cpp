@@ -7,7 +7,7 @@ namespace bw::mppi {
 
 void add_goal_cost(const GoalOptions& options, const CriticScene& scene, const Rollouts& motions,
                    Eigen::ArrayXd& costs) {
-  if (options.cost_weight <= 0.0 || scene.goal_distance > options.threshold_to_consider) return;
+  if (options.cost_weight <= 0.0 || scene.goal_distance > options.kWithin) return;
   const double scale = options.cost_weight / static_cast<double>(motions.steps());
   for (Eigen::Index k = 0; k < motions.steps(); ++k) {
     costs += scale *
@@ -17,7 +17,7 @@ void add_goal_cost(const GoalOptions& options, const CriticScene& scene, const R
 
 void add_goal_angle_cost(const GoalAngleOptions& options, const CriticScene& scene, const Rollouts& motions,
                          Eigen::ArrayXd& costs) {
-  if (options.cost_weight <= 0.0 || scene.goal_distance > options.threshold_to_consider) return;
+  if (options.cost_weight <= 0.0 || scene.goal_distance > options.kWithin) return;
   const double scale = options.cost_weight / static_cast<double>(motions.steps());
   for (Eigen::Index k = 0; k < motions.steps(); ++k) {
     for (Eigen::Index i = 0; i < costs.size(); ++i)

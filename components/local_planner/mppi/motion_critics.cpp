@@ -15,7 +15,7 @@ void add_constraint_cost(const ConstraintOptions& options, const CriticScene& sc
 
 void add_prefer_forward_cost(const PreferForwardOptions& options, const CriticScene& scene,
                              const Rollouts& motions, Eigen::ArrayXd& costs) {
-  if (options.cost_weight <= 0.0 || scene.goal_distance < options.threshold_to_consider) return;
+  if (options.cost_weight <= 0.0 || scene.goal_distance < options.kBeyond) return;
   const double scale = options.cost_weight * scene.dt;
   for (Eigen::Index k = 0; k < motions.steps(); ++k) costs += scale * (-motions.v.col(k)).max(0.0);
 }

@@ -13,7 +13,6 @@ namespace bw::mppi {
 struct InflationOptions {
   double inflation_radius = 0.7;
   double cost_scaling_factor = 3.0;
-  double resolution = 0.05;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -27,8 +26,6 @@ struct InflationOptions {
        .min = 0,
        .max = 100,
        .doc = "how fast the cost falls with the distance; lower keeps further away"});
-    v("resolution", resolution,
-      {.unit = "m", .min = 0.01, .max = 0.5, .doc = "side of a cell of the costmap"});
   }
 };
 
@@ -36,19 +33,13 @@ struct MppiOptions {
   std::int64_t batch_size = 2000;
   std::int64_t time_steps = 56;
   double model_dt = 0.05;
-  std::int64_t iteration_count = 1;
   double temperature = 0.3;
   double gamma = 0.015;
   double vx_std = 0.2;
   double wz_std = 0.4;
-  double prune_distance = 1.7;
-  std::int64_t retry_attempt_limit = 1;
   bool clamp_raw_controls = true;
-  bool regenerate_noises = true;
-  std::int64_t seed = 1;
   bool predict_movers = false;
   bool check_motion = false;
-  std::int64_t shown_candidates = 5;
   InflationOptions inflation;
   ConstraintOptions constraint;
   CostOptions cost;
@@ -59,17 +50,16 @@ struct MppiOptions {
   PathAngleOptions path_angle;
   PreferForwardOptions prefer_forward;
 
+  // Set by code.
+  bool regenerate_noises = true;  ///< other samples in every cycle; else the same ones, which costs less time
+  std::uint64_t seed = 1;         ///< of the samples
+
   template <class Visitor>
   void fields(Visitor& v) {
     v("batch_size", batch_size,
       {.min = 2, .max = 20000, .doc = "sampled motions; the time of a cycle grows with it"});
-    v("time_steps", time_steps, {.min = 2, .max = 400, .doc = "steps of a motion"});
-    v("model_dt", model_dt, {.unit = "s", .min = 0.01, .max = 1, .doc = "length of a step"});
-    v("iteration_count", iteration_count,
-      {.min = 1,
-       .max = 100,
-       .doc =
-           "sampled, scored and averaged so often in each model_dt of the control period, 4 times as often at most"});
+    v("time_steps", time_steps, {.min = 2, .max = 400, .doc = "steps of a motion; more look further ahead and cost time"});
+    v("model_dt", model_dt, {.unit = "s", .min = 0.01, .max = 1, .doc = "length of a step; longer looks further ahead, and less exactly"});
     v("temperature", temperature,
       {.min = 0.001,
        .max = 1000,
@@ -79,31 +69,19 @@ struct MppiOptions {
       {.min = 0,
        .max = 100,
        .doc = "cost of leaving the motion of the last cycle; raise it for steadier driving"});
-    v("vx_std", vx_std, {.unit = "m/s", .min = 0.001, .max = 10, .doc = "spread of the sampled speeds"});
+    v("vx_std", vx_std, {.unit = "m/s", .min = 0.001, .max = 10, .doc = "spread of the sampled speeds; raise it for bolder motions"});
     v("wz_std", wz_std,
-      {.unit = "rad/s", .min = 0.001, .max = 20, .doc = "spread of the sampled turn rates"});
-    v("prune_distance", prune_distance,
-      {.unit = "m",
-       .min = 0.1,
-       .max = 100,
-       .doc =
-           "length of the plan that is looked at; at least 0.3 m more than the way of a motion at top speed"});
-    v("retry_attempt_limit", retry_attempt_limit,
-      {.min = 0, .max = 10, .doc = "new tries from standing when every sample collides"});
+      {.unit = "rad/s", .min = 0.001, .max = 20, .doc = "spread of the sampled turn rates; raise it for tighter turns"});
     v("clamp_raw_controls", clamp_raw_controls,
       {.doc =
            "the mean is taken of what the accelerations leave of the samples, as in Jazzy; false: of the samples, as in "
            "Lyrical, which speeds up and turns in sooner where accelerations are low"});
-    v("regenerate_noises", regenerate_noises,
-      {.doc = "other samples in every cycle; false: the same ones, which costs less time"});
-    v("seed", seed, {.min = 0, .doc = "of the samples"});
     v("predict_movers", predict_movers,
       {.doc = "people where they will be at the time of each pose; false: as shipped, where they are now"});
     v("check_motion", check_motion,
       {.doc =
            "a motion that is not free or passes people too closely is left for an evasive move, as by the other "
            "planners; false: as shipped, only when every sample collides, and then it stops"});
-    v("shown_candidates", shown_candidates, {.min = 0, .max = 15, .doc = "of the best samples, on the page"});
     v("inflation", inflation, {.doc = "the costmap"});
     v("constraint", constraint, {.doc = "critic of speeds outside the limits"});
     v("cost", cost, {.doc = "critic of the costmap"});

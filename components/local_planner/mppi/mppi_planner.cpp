@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "components/local_planner/command_limits.hpp"
-#include "components/local_planner/planner_factory.hpp"
 #include "components/local_planner/planner_registry.hpp"
 
 namespace bw::mppi {
 namespace {
 
+constexpr std::size_t kShownSamples = 5;  // the best ones
 constexpr Eigen::Index kShownStep = 4;  // every how many-th pose of a sample is shown
 
 /// Sample `row` as points in the frame of the problem, every `stride`-th step.
@@ -69,7 +69,7 @@ void MppiPlanner::show_candidates(const PlanningProblem& problem, PlanningResult
   result.candidates.push_back({"mean", (optimizer_.weights() * costs).sum(), true, result.trajectory});
   std::vector<Eigen::Index> order(static_cast<std::size_t>(costs.size()));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
-  const auto shown = std::min(order.size(), static_cast<std::size_t>(options_.shown_candidates));
+  const auto shown = std::min(order.size(), kShownSamples);
   const auto end_of_shown = order.begin() + static_cast<std::ptrdiff_t>(shown);
   std::partial_sort(order.begin(), end_of_shown, order.end(), [&](Eigen::Index a, Eigen::Index b) {
     return costs[a] != costs[b] ? costs[a] < costs[b] : a < b;
@@ -81,10 +81,6 @@ void MppiPlanner::show_candidates(const PlanningProblem& problem, PlanningResult
   }
 }
 
-namespace {
+BW_PLANNER(MppiPlanner, MppiOptions, "mppi")
 
-const bool kMppi = register_planner(
-    "mppi", [](const LocalPlannerOptions& o) { return std::make_unique<MppiPlanner>(o.mppi, o.driving); });
-
-}  // namespace
 }  // namespace bw::mppi

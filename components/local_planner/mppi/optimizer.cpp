@@ -10,16 +10,18 @@
 namespace bw::mppi {
 namespace {
 
+constexpr double kPruned = 1.7;  // [m] of plan that is looked at, as shipped
 constexpr double kBeyond =
     0.3;  // [m] of plan beyond the way of a motion at top speed: 1.7 - 2.8 s 0.5 m/s of Nav2's file
 constexpr double kMapMargin = 0.5;       // [m] of costmap beyond that of the fastest samples
 constexpr std::int64_t kMostRounds = 4;  // that a long control period brings
 constexpr double kFastSamples = 2.0;     // standard deviations
+constexpr int kRetries = 1;              // from standing, when every sample collides
 
-// Nav2 samples iteration_count times in each model_dt: as often here in a control period of several.
+// Nav2 samples once in each model_dt (iteration_count): as often here in a control period of several.
 std::int64_t rounds_of(const MppiOptions& options, double control_period) {
   const auto steps = static_cast<std::int64_t>(std::lround(control_period / options.model_dt));
-  return options.iteration_count * std::clamp<std::int64_t>(steps, 1, kMostRounds);
+  return std::clamp<std::int64_t>(steps, 1, kMostRounds);
 }
 
 /// Everything that the critics look at, of one problem.
@@ -34,7 +36,7 @@ class Judge {
         costmap_(problem, options.inflation, reach_ + kFastSamples * options.vx_std * horizon_ + kMapMargin,
                  !options.predict_movers),
         predicted_(options.predict_movers ? problem : PlanningProblem{}, options.inflation, reach_, horizon_),
-        path_(local_path(problem.plan, problem.pose, std::max(options.prune_distance, reach_ + kBeyond),
+        path_(local_path(problem.plan, problem.pose, std::max(kPruned, reach_ + kBeyond),
                          costmap_)) {}
 
   /// How many of the motions touch nothing.
@@ -86,13 +88,13 @@ void add_deviation_cost(const Eigen::ArrayXXd& commands, const Eigen::ArrayXd& m
 }
 
 Optimizer::Optimizer(const MppiOptions& options)
-    : options_(options), controls_(options.time_steps), normal_(static_cast<std::uint64_t>(options.seed)) {
+    : options_(options), controls_(options.time_steps), normal_(options.seed) {
   samples_.resize(options.batch_size, options.time_steps);
 }
 
 void Optimizer::reset() {
   controls_.reset(options_.time_steps);
-  normal_ = StandardNormal(static_cast<std::uint64_t>(options_.seed));
+  normal_ = StandardNormal(options_.seed);
   noise_v_.resize(0, 0);
 }
 
@@ -126,7 +128,7 @@ Optimizer::Outcome Optimizer::improve(const PlanningProblem& problem) {
   const double side = side_of(problem);
   const std::int64_t rounds = rounds_of(options_, problem.control_period);
   Outcome outcome;
-  for (std::int64_t attempt = 0; attempt <= options_.retry_attempt_limit; ++attempt) {
+  for (int attempt = 0; attempt <= kRetries; ++attempt) {
     for (std::int64_t i = 0; i < rounds; ++i) {
       if (outcome.iterations >= problem.budget.max_iterations) break;
       ++outcome.iterations;

@@ -19,17 +19,17 @@ bool is_blocked(const LocalPath& path, Eigen::Index count, double most) {
 
 void add_path_align_cost(const PathAlignOptions& options, const CriticScene& scene, const Rollouts& motions,
                          Eigen::ArrayXd& costs) {
-  if (options.cost_weight <= 0.0 || scene.goal_distance < options.threshold_to_consider) return;
+  if (options.cost_weight <= 0.0 || scene.goal_distance < options.kBeyond) return;
   const LocalPath& path = scene.path;
   const Eigen::Index count = scene.furthest;  // points in use
-  if (count < 1 || count < options.offset_from_furthest) return;
-  if (is_blocked(path, count, options.max_path_occupancy_ratio)) return;
+  if (count < 1 || count < options.kFromPoint) return;
+  if (is_blocked(path, count, options.kMostTaken)) return;
 
   const Eigen::Index samples = motions.samples();
   const double last = static_cast<double>(count - 1);
   Eigen::ArrayXd along = Eigen::ArrayXd::Zero(samples), sum = along, counted = along;
-  for (Eigen::Index k = options.trajectory_point_step, before = 0; k < motions.steps();
-       before = k, k += options.trajectory_point_step) {
+  for (Eigen::Index k = options.kPointStep, before = 0; k < motions.steps();
+       before = k, k += options.kPointStep) {
     along += ((motions.x.col(k) - motions.x.col(before)).square() +
               (motions.y.col(k) - motions.y.col(before)).square())
                  .sqrt();
@@ -47,10 +47,10 @@ void add_path_align_cost(const PathAlignOptions& options, const CriticScene& sce
 void add_path_follow_cost(const PathFollowOptions& options, const CriticScene& scene, const Rollouts& motions,
                           Eigen::ArrayXd& costs) {
   const LocalPath& path = scene.path;
-  if (options.cost_weight <= 0.0 || scene.goal_distance < options.threshold_to_consider || path.size() < 2)
+  if (options.cost_weight <= 0.0 || scene.goal_distance < options.kBeyond || path.size() < 2)
     return;
   const Eigen::Index last = path.size() - 1;
-  Eigen::Index point = std::min<Eigen::Index>(scene.furthest + options.offset_from_furthest, last);
+  Eigen::Index point = std::min<Eigen::Index>(scene.furthest + options.kAhead, last);
   while (point < last && !path.free[static_cast<std::size_t>(point)]) ++point;
   const Eigen::Index end = motions.steps() - 1;
   costs +=
@@ -60,12 +60,12 @@ void add_path_follow_cost(const PathFollowOptions& options, const CriticScene& s
 
 void add_path_angle_cost(const PathAngleOptions& options, const CriticScene& scene, const Rollouts& motions,
                          Eigen::ArrayXd& costs) {
-  if (options.cost_weight <= 0.0 || scene.goal_distance < options.threshold_to_consider) return;
+  if (options.cost_weight <= 0.0 || scene.goal_distance < options.kBeyond) return;
   const LocalPath& path = scene.path;
   const Eigen::Index point =
-      std::min<Eigen::Index>(scene.furthest + options.offset_from_furthest, path.size() - 1);
+      std::min<Eigen::Index>(scene.furthest + options.kAhead, path.size() - 1);
   const double x = path.x[point], y = path.y[point];
-  if (std::abs(std::atan2(y, x)) < options.max_angle_to_furthest) return;
+  if (std::abs(std::atan2(y, x)) < options.kOffHeading) return;
   const Eigen::Index end = motions.steps() - 1;
   for (Eigen::Index i = 0; i < costs.size(); ++i) {
     const double bearing = std::atan2(y - motions.y(i, end), x - motions.x(i, end));

@@ -1,6 +1,7 @@
 #include "components/local_planner/orca/orca_planner.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "components/local_planner/carrot.hpp"
 #include "components/local_planner/hrvo/neighbours.hpp"
@@ -11,14 +12,15 @@
 namespace bw::orca {
 namespace {
 
+constexpr int kMostNeighbours = 10;  // as CrowdNav has it
+
 // HRVO and ORCA look at the same neighbours, and differ in what they make of them.
 hrvo::HrvoOptions who_is_looked_at(const OrcaOptions& options) {
   return {.margin = options.margin,
           .neighbour_range = options.neighbour_range,
-          .view_angle = options.view_angle,
-          .max_neighbours = options.max_neighbours,
-          .point_spacing = options.point_spacing,
-          .reciprocity = options.reciprocity};
+          .reciprocity = options.reciprocity,
+          .view_angle = 2.0 * std::numbers::pi,
+          .max_neighbours = kMostNeighbours};
 }
 
 Advice advise_robot(const PlanningProblem& problem, const Vector2& aim, const OrcaOptions& options) {
@@ -27,7 +29,7 @@ Advice advise_robot(const PlanningProblem& problem, const Vector2& aim, const Or
   const Agent robot{.position = problem.pose.position(),
                     .velocity = problem.twist.v * direction(problem.pose.theta),
                     .radius = 0.0,
-                    .wanted = velocity_towards(aim, problem, options.time_step),
+                    .wanted = velocity_towards(aim, problem, hrvo::kTimeStep),
                     .v_max = problem.limits.v_max};
   std::vector<Neighbour> movers;
   for (const hrvo::Neighbour& n : hrvo::moving_neighbours(problem, looking))
@@ -37,10 +39,10 @@ Advice advise_robot(const PlanningProblem& problem, const Vector2& aim, const Or
     walls.push_back({n.core, n.radius});
   return advise(robot, movers, walls,
                 {.neighbour_range = options.neighbour_range,
-                 .max_neighbours = options.max_neighbours,
+                 .max_neighbours = kMostNeighbours,
                  .horizon = options.horizon,
                  .wall_horizon = options.static_horizon,
-                 .time_step = options.time_step});
+                 .time_step = hrvo::kTimeStep});
 }
 
 }  // namespace

@@ -15,12 +15,12 @@ namespace bw::teb {
 /// keep them.
 struct BandWeights {
   double time = 1.0;
-  double kinematics_nh = 1000.0;
+  double kinematics_nh = 1000.0;  ///< of what keeps both poses of a segment on one arc; by code, as the next four of the limits
   double forward_drive = 1.0;
-  double max_vel_x = 40.0;
-  double max_vel_theta = 20.0;
-  double acc_lim_x = 10.0;
-  double acc_lim_theta = 10.0;
+  double max_vel_x = 40.0;      ///< below it plans are faster than the robot
+  double max_vel_theta = 20.0;  ///< of the turn rate
+  double acc_lim_x = 10.0;      ///< below it the robot cannot follow its plan
+  double acc_lim_theta = 10.0;  ///< of the angular acceleration
   double obstacle = 50.0;
   double inflation = 0.1;
   double dynamic_obstacle = 50.0;
@@ -33,26 +33,8 @@ struct BandWeights {
       {.min = 1e-6,
        .max = 1e4,
        .doc = "weight of the squared time intervals; raise it to drive faster and bolder"});
-    v("kinematics_nh", kinematics_nh,
-      {.min = 0,
-       .max = 1e6,
-       .doc = "weight of what keeps both poses of a segment on one arc; lower lets the band slide "
-              "sideways"});
     v("forward_drive", forward_drive,
       {.min = 0, .max = 1e6, .doc = "weight of driving backward; raise it to forbid reversing"});
-    v("max_vel_x", max_vel_x,
-      {.min = 0,
-       .max = 1e6,
-       .doc = "weight of speed outside its limits; raise it when plans are faster than the robot"});
-    v("max_vel_theta", max_vel_theta,
-      {.min = 0, .max = 1e6, .doc = "weight of a turn rate outside its limits"});
-    v("acc_lim_x", acc_lim_x,
-      {.min = 0,
-       .max = 1e6,
-       .doc = "weight of a linear acceleration outside its limits; raise it when the robot cannot follow "
-              "its plan"});
-    v("acc_lim_theta", acc_lim_theta,
-      {.min = 0, .max = 1e6, .doc = "weight of an angular acceleration outside its limits"});
     v("obstacle", obstacle,
       {.min = 0,
        .max = 1e6,
@@ -96,25 +78,26 @@ inline constexpr int kFirstPlanOvertime = 16;
 
 struct BandOptions {
   double dt_ref = 0.3;
-  double dt_hysteresis = 0.1;
-  int max_samples = 150;
-
   double min_obstacle_dist = 0.2;
   double inflation_dist = 0.3;
   double dynamic_obstacle_inflation_dist = 0.6;
-  double narrow_passage_dist = 0.03;
-  double clearance_step = 0.25;
   int max_obstacles_per_pose = 8;
-
-  double penalty_epsilon = 0.02;
-  bool consistent_motion = true;
-
-  int no_outer_iterations = 2;
-  int no_inner_iterations = 8;
-  int warm_outer_iterations = 1;
   int warm_inner_iterations = 10;
-  double function_tolerance = 1e-4;
-  double weight_adapt_factor = 3.0;
+
+  // Set by code: scenes of a bench that bring rules of their own, and tests.
+  double dt_hysteresis = 0.1;  ///< the band is resampled when an interval is further than this from dt_ref [s]
+  int max_samples = 150;       ///< most poses; bounds the time of a cycle
+  /// Between two obstacles that leave less than min_obstacle_dist at either side of the robot, but not less than this, half of
+  /// what they leave is wanted; min_obstacle_dist: as teb_local_planner, which often waits in front of them [m].
+  double narrow_passage_dist = 0.03;
+  double clearance_step = 0.25;    ///< motion relative to an obstacle between two clearance tests [m]
+  double penalty_epsilon = 0.02;   ///< inside of every limit and distance at which its cost begins
+  bool consistent_motion = true;   ///< book 6.1; else the formulas of teb_local_planner
+  int no_outer_iterations = 2;     ///< solves of a first plan, resampled in between
+  int no_inner_iterations = 8;     ///< of the solver in each; the last goes on, by kFirstPlanOvertime at most
+  int warm_outer_iterations = 1;   ///< solves of a band kept from the last cycle
+  double function_tolerance = 1e-4;  ///< relative gain of an iteration below which a solve ends
+  double weight_adapt_factor = 3.0;  ///< by which obstacle weights grow from one solve of a first plan to the next
   BandWeights weights;
   Solver solver = Solver::ceres;  ///< the parameter teb.solver, beside teb.band
 
@@ -122,74 +105,30 @@ struct BandOptions {
   void fields(Visitor& v) {
     v("dt_ref", dt_ref,
       {.unit = "s", .min = 0.02, .max = 2, .doc = "wanted time between poses; lower is finer and slower"});
-    v("dt_hysteresis", dt_hysteresis,
-      {.unit = "s",
-       .min = 0,
-       .max = 2,
-       .doc = "the band is resampled when an interval is further than this from dt_ref"});
-    v("max_samples", max_samples,
-      {.min = kFewestPoses, .max = 500, .doc = "most poses of a band; bounds the time of a cycle"});
     v("min_obstacle_dist", min_obstacle_dist,
       {.unit = "m",
        .min = 0,
        .max = 10,
        .doc = "wanted gap between footprint and obstacle; lower it for narrow doors"});
     v("inflation_dist", inflation_dist,
-      {.unit = "m", .min = 0, .max = 10, .doc = "gap below which a static obstacle begins to cost a little"});
+      {.unit = "m", .min = 0, .max = 10, .doc = "gap below which a static obstacle begins to cost a little; raise it to keep to the middle"});
     v("dynamic_obstacle_inflation_dist", dynamic_obstacle_inflation_dist,
-      {.unit = "m", .min = 0, .max = 10, .doc = "gap below which a mover begins to cost a little"});
-    v("narrow_passage_dist", narrow_passage_dist,
-      {.unit = "m",
-       .min = 0,
-       .max = 10,
-       .doc =
-           "between two obstacles that leave less than min_obstacle_dist at either side of the robot, but not less "
-           "than this, half of what they leave is wanted; min_obstacle_dist: as teb_local_planner, which "
-           "often waits in front of them"});
-    v("clearance_step", clearance_step,
-      {.unit = "m",
-       .min = 0.02,
-       .max = 10,
-       .doc = "motion relative to an obstacle between two clearance tests"});
+      {.unit = "m", .min = 0, .max = 10, .doc = "gap below which a mover begins to cost a little; raise it for a wider berth"});
     v("max_obstacles_per_pose", max_obstacles_per_pose,
       {.min = 1,
        .max = 100,
        .doc =
            "how many obstacles of each kind (static, movers), the nearest ones, count in the cost of one pose; "
            "what is left out is told"});
-    v("penalty_epsilon", penalty_epsilon,
-      {.min = 0,
-       .max = 1,
-       .doc = "margin inside of every limit and distance at which its cost begins; raise it when plans "
-              "touch their limits"});
-    v("consistent_motion", consistent_motion,
-      {.doc = "speed is taken along the mean heading and linear between the middles of segments; false: "
-              "the formulas of teb_local_planner"});
-    v("no_outer_iterations", no_outer_iterations,
-      {.min = 1, .max = 20, .doc = "how many times a first plan is solved, resampled in between"});
-    v("no_inner_iterations", no_inner_iterations,
-      {.min = 1,
-       .max = 100,
-       .doc =
-           "solver iterations in each solve of a first plan; the last one goes on, by 16 at most, while its "
-           "cost falls fast"});
-    v("warm_outer_iterations", warm_outer_iterations,
-      {.min = 1, .max = 20, .doc = "how many times a band kept from the last cycle is solved"});
     v("warm_inner_iterations", warm_inner_iterations,
       {.min = 1,
        .max = 100,
        .doc = "solver iterations in each solve of a kept band; raise it when bands lag behind movers"});
-    v("function_tolerance", function_tolerance,
-      {.min = 0, .max = 0.1, .doc = "relative gain of an iteration below which a solve ends"});
-    v("weight_adapt_factor", weight_adapt_factor,
-      {.min = 1,
-       .max = 10,
-       .doc = "factor by which obstacle weights grow from one solve of a first plan to the next"});
     v("weights", weights, {.doc = "weights of the cost"});
   }
 
   std::optional<std::string> violated_rule() const {
-    if (dt_hysteresis >= dt_ref) return "dt_hysteresis must be below dt_ref";
+    if (dt_hysteresis >= dt_ref) return "dt_ref must be longer than 0.1 s, by which intervals may differ from it";
     return std::nullopt;
   }
 };

@@ -17,6 +17,10 @@ constexpr double kAdvanceSlack =
     0.5;  // [s] around the expected place on the band in which the robot is searched
 constexpr double kOldestBand = 1.0;   // [s] without a call after which a band says nothing about the scene
 constexpr double kDetourSlack = 1.0;  // [s] that any band may take longer than the unhindered drive
+constexpr double kDetourFactor = 1.3;  // and this many times longer; else it is compared with a new one
+constexpr double kNewGoalDistance = 1.0;  // [m] by which a goal that moves further starts a new band
+constexpr double kNewGoalTurn = 0.8;      // [rad] by which its heading, likewise
+constexpr double kLostDistance = 0.5;     // [m] from its band at which the robot starts a new one
 constexpr double kLeastTurn = 0.8;    // [rad] from which turning on the spot is tried for a first plan
 
 int budget_of(const PlanningProblem& problem) { return std::max(problem.budget.max_iterations, 1); }
@@ -120,12 +124,12 @@ std::vector<BandCandidate> BandPlanner::kept_candidates(const PlanningProblem& p
   const Pose2& goal = problem.plan.back();
   std::vector<BandCandidate> candidates;
   if (elapsed < 0.0 || elapsed > kOldestBand ||
-      (goal.position() - goal_.position()).norm() > teb.force_reinit_new_goal_dist ||
-      std::abs(wrap_angle(goal.theta - goal_.theta)) > teb.force_reinit_new_goal_angular) {
+      (goal.position() - goal_.position()).norm() > kNewGoalDistance ||
+      std::abs(wrap_angle(goal.theta - goal_.theta)) > kNewGoalTurn) {
     return candidates;
   }
   for (BandCandidate& last : bands_) {
-    if (advance(last.band, problem.pose, elapsed + kAdvanceSlack, teb.band) > teb.force_reinit_start_dist) {
+    if (advance(last.band, problem.pose, elapsed + kAdvanceSlack, teb.band) > kLostDistance) {
       continue;
     }
     set_goal(last.band, goal);
@@ -174,7 +178,7 @@ double BandPlanner::choice_cost(const BandCandidate& candidate, const Cycle& cyc
   double cost =
       candidate.report.cost + (options_.selection.obstacle_cost_scale - 1.0) * candidate.report.obstacle_cost;
   if (const double margin = options_.driving.mover_margin; margin > 0.0)
-    cost += options_.teb.mover_margin_cost * (1.0 - std::clamp(candidate.safety.comfort / margin, 0.0, 1.0));
+    cost += kMoverMarginCost * (1.0 - std::clamp(candidate.safety.comfort / margin, 0.0, 1.0));
   if (cycle.term.cost) cost += cycle.term.cost(candidate);
   return cost;
 }
@@ -190,7 +194,7 @@ void BandPlanner::try_along_plan(Cycle& cycle) const {
   const BandCandidate& chosen = cycle.candidates[cycle.chosen];
   const int left = budget_of(cycle.problem) - cycle.iterations;
   const bool detour =
-      chosen.band.duration() > options_.teb.detour_factor * cycle.along_plan.duration() + kDetourSlack;
+      chosen.band.duration() > kDetourFactor * cycle.along_plan.duration() + kDetourSlack;
   if (!chosen.kept || (chosen.safety.free && !detour) || left <= 0) return;
   BandCandidate again{.band = cycle.along_plan, .label = "plan"};
   improve(again, cycle.problem, cycle.field, cycle.band, options_.driving, {.max_iterations = left});

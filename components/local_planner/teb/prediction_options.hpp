@@ -22,13 +22,15 @@ constexpr auto choice_table(Prediction) {
 
 struct PredictionOptions {
   Prediction prediction = Prediction::time_indexed;
-  double prediction_time = 1.6;
   double uncertainty_factor = 0.0;
-  double uncertainty_growth = 0.0;
-  double max_uncertainty = 0.3;
   double uncertainty_in_choice = 0.0;
   double outwalked_speed = 0.0;
   double outwalked_time = 1.5;
+
+  // By code: what each planner begins from.
+  double prediction_time = 1.6;     ///< how far ahead the second place lies [s] (doubled): 4 steps of 0.4 s
+  double uncertainty_growth = 0.0;  ///< of the standard deviation where predictions have none [m/s]
+  double max_uncertainty = 0.3;     ///< the inflation of a mover grows at most by this [m]
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -36,23 +38,11 @@ struct PredictionOptions {
       {.doc =
            "time_indexed: every pose meets a mover where it is at the pose's time; doubled: movers are discs "
            "that stand at their present and at their future place; present: at their present place only"});
-    v("prediction_time", prediction_time,
-      {.unit = "s",
-       .min = 0,
-       .max = 10,
-       .doc = "how far ahead the second place of a mover lies (prediction: doubled)"});
     v("uncertainty_factor", uncertainty_factor,
       {.min = 0,
        .max = 5,
        .doc = "how many standard deviations of its prediction the inflation of a mover grows by; raise it "
               "among people who turn"});
-    v("uncertainty_growth", uncertainty_growth,
-      {.unit = "m/s",
-       .min = 0,
-       .max = 2,
-       .doc = "growth per second of the standard deviation of movers whose predictions have none"});
-    v("max_uncertainty", max_uncertainty,
-      {.unit = "m", .min = 0, .max = 2, .doc = "the inflation of a mover grows at most by this"});
     v("uncertainty_in_choice", uncertainty_in_choice,
       {.min = 0,
        .max = 1,
@@ -77,7 +67,7 @@ struct PredictionOptions {
 
 /// Those of `eteb`: predictions that grow unsure, and people who outwalk a slow robot.
 inline PredictionOptions default_eteb_prediction() {
-  return {.uncertainty_factor = 1.0, .uncertainty_growth = 0.1, .outwalked_speed = 1.0};
+  return {.uncertainty_factor = 1.0, .outwalked_speed = 1.0, .uncertainty_growth = 0.1};
 }
 
 /// What people who turn towards a robot of top speed `v_max` [m/s] gain on it before it is out of their way [m]: by so

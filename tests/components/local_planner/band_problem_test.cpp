@@ -62,7 +62,7 @@ ObstacleField field_of(const std::vector<SceneObstacle>& obstacles) {
 TEST(BandProblem, CostEqualsTheJudgeOfTheBenchmarkRules) {
   Random random(kSeed);
   const SceneFile file = rules();
-  BandOptions options = options_for(file, BenchWeights::file, {}, 0.0).teb.band;
+  BandOptions options = band_of(options_for(file, BenchWeights::file, {}, 0.0));
   options.max_obstacles_per_pose = 100;
   options.clearance_step = 10.0;  // the rules judge obstacles at poses only
   for (int i = 0; i < 200; ++i) {
@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Solvers, Optimize, testing::Values(Solver::ceres, Solve
 TEST_P(Optimize, LowersTheCostOfEveryScene) {
   Random random(kSeed);
   const SceneFile file = rules();
-  BandOptions options = options_for(file, BenchWeights::file, {}, 0.0).teb.band;
+  BandOptions options = band_of(options_for(file, BenchWeights::file, {}, 0.0));
   options.solver = GetParam();
   options.weight_adapt_factor = 1.0;  // growing weights trade the other costs for clearance
   for (int i = 0; i < 50; ++i) {
@@ -115,7 +115,7 @@ TEST(Solvers, FindOneMinimum) {
   // relative difference <= 1e-3.
   Random random(kSeed);
   const SceneFile file = rules();
-  BandOptions options = options_for(file, BenchWeights::file, {}, 0.0).teb.band;
+  BandOptions options = band_of(options_for(file, BenchWeights::file, {}, 0.0));
   options.weight_adapt_factor = 1.0;
   options.function_tolerance = 1e-10;
   options.warm_outer_iterations = 1;
@@ -168,7 +168,7 @@ TEST(Solvers, ReachTheSameCostColdAndWarm) {
 
 TEST_P(Optimize, SpendsNoMoreThanItsBudget) {
   const SceneFile file = rules();
-  BandOptions options = options_for(file, BenchWeights::file, {}, 0.0).teb.band;
+  BandOptions options = band_of(options_for(file, BenchWeights::file, {}, 0.0));
   options.solver = GetParam();
   const ObstacleField none;
   Band band = band_along({{0, 0, 0}, {4, 1.5, 1}}, {0, 0, 0}, file.limits, options);

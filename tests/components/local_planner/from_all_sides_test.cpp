@@ -11,7 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "components/local_planner/footprint_check.hpp"
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
+#include "components/local_planner/teb/prediction_options.hpp"
 #include "components/model/differential_drive.hpp"
 #include "tests/shortfall.hpp"
 
@@ -70,7 +71,7 @@ Outcome drive_among(std::vector<Walker> walkers, double speed, double duration, 
 }
 
 Outcome drive_eteb(const std::vector<Walker>& walkers, double speed, double duration,
-                   const Limits& limits = {}, const LocalPlannerOptions& options = {}) {
+                   const Limits& limits = {}, const PlannerOptions& options = {}) {
   const std::unique_ptr<LocalPlanner> planner = make_planner("eteb", options);
   return drive_among(
       walkers, speed, duration,
@@ -146,8 +147,8 @@ TEST(FromAllSides, OneWhoTurnsRoundBeforeASlowRobot) {
                      .jerk_max = 4.0,
                      .stop_deceleration = 1.5};
   const auto contacts = [&](double outwalked_speed) {
-    LocalPlannerOptions options;
-    options.eteb.outwalked_speed = outwalked_speed;
+    PlannerOptions options;
+    options.of<teb::PredictionOptions>("eteb").outwalked_speed = outwalked_speed;
     int count = 0;
     for (const double aside : {0.4, 0.7, 1.0, 1.3}) {
       for (const double ahead : {0.8, 1.2, 1.6, 2.0}) {

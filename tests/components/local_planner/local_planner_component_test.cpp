@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "tests/components/local_planner/planner_neighbours.hpp"
 
 namespace bw {

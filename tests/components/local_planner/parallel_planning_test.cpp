@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "components/model/differential_drive.hpp"
 #include "components/model/random.hpp"
 #include "runtime/worker_pool.hpp"

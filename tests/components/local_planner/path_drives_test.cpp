@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "components/local_planner/followed_path.hpp"
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "components/model/differential_drive.hpp"
 #include "components/model/planning.hpp"
 #include "tests/components/local_planner/random_path.hpp"
@@ -26,7 +26,7 @@ struct PathDrive {
 };
 
 PathDrive drive(std::string_view planner_name, const std::vector<Pose2>& path, double longest) {
-  const auto planner = make_planner(planner_name, LocalPlannerOptions{});
+  const auto planner = make_planner(planner_name, PlannerOptions{});
   FollowedPath followed;
   followed.start(path);
   PlanningProblem problem;

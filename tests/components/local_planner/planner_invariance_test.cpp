@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "tests/components/local_planner/planner_scenes.hpp"
 
 namespace bw {

@@ -2,6 +2,7 @@
 #include "components/local_planner/planner_registry.hpp"
 
 #include <stdexcept>
+#include <typeinfo>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -93,7 +94,7 @@ TEST(PlannerRegistry, MakesItWithItsParameters) {
       "0.1}}");
   EXPECT_EQ(make_planner(p.algorithm, p.planners)->plan(problem_to({5, 0, 0})).command, (Twist2{0.0, -0.75}));
   EXPECT_EQ(make_planner("circler", {})->plan(problem_to({5, 0, 0})).command, (Twist2{0.0, 0.25}));
-  const auto& read_options = p.planners.others.of("circler").as<CirclerOptions>();
+  const auto& read_options = p.planners.of<CirclerOptions>("circler");
   EXPECT_EQ(read_options.laps, 3);
   EXPECT_THAT(read_options.radii, testing::ElementsAre(2.0, 3.0));
   EXPECT_EQ(read_options.wheel.grip, 0.1);
@@ -134,6 +135,17 @@ TEST(PlannerRegistry, ListsAndWritesItsParameters) {
 TEST(PlannerRegistry, RefusesASecondPlannerOfOneName) {
   EXPECT_THROW((register_planner_type<Circler, CirclerOptions>("teb")), std::logic_error);
   EXPECT_THROW((register_planner_type<Circler, CirclerOptions>("circler")), std::logic_error);
+  EXPECT_THROW((register_planner_type<Circler, CirclerOptions>("homotopy")), std::logic_error) << "a section";
+  EXPECT_THROW(register_planner("teb_homotopy", {}, nullptr), std::logic_error);
+}
+
+TEST(PlannerRegistry, GivesASectionToWhoeverKnowsItsNameAndType) {
+  PlannerOptions options;
+  options.of<CirclerOptions>("circler").turn_rate = 0.5;
+  EXPECT_EQ(make_planner("circler", options)->plan(problem_to({5, 0, 0})).command, (Twist2{0.0, 0.5}));
+  EXPECT_EQ(PlannerOptions{}.of<CirclerOptions>("circler").turn_rate, 0.25);
+  EXPECT_THROW(options.of<Wheel>("circler"), std::bad_cast);
+  EXPECT_THROW(options.of<CirclerOptions>("circlr"), std::out_of_range);
 }
 
 // What every planner gets from CheckedPlanner. Goal tolerance 0.1 m: 0.05 m away it has arrived and turns (command

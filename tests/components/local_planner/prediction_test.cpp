@@ -45,8 +45,8 @@ TEST(Prediction, DoubledAddsTheFuturePlaceGrownByItsUncertainty) {
   // 1.6 s at 1 m/s is 1.6 m away; 1 sigma at 0.1 m/s is 0.16 m.
   const ObstacleField field = field_of({}, {walker()}, {0, 0}, kRobot,
                                        {.prediction = Prediction::doubled,
-                                        .prediction_time = 1.6,
                                         .uncertainty_factor = 1.0,
+                                        .prediction_time = 1.6,
                                         .uncertainty_growth = 0.1});
   ASSERT_EQ(field.statics.size(), 2U);
   EXPECT_EQ(field.statics.capsules()[0].a, Vector2(2.0, 0.0));
@@ -117,7 +117,7 @@ TEST(Prediction, TheChoiceCountsItsShareOfTheGrowth) {
   };
   for (const double share : {0.0, 0.5, 1.0}) {
     const BandReport report =
-        report_of({.uncertainty_factor = 1.0, .uncertainty_growth = 0.1, .uncertainty_in_choice = share});
+        report_of({.uncertainty_factor = 1.0, .uncertainty_in_choice = share, .uncertainty_growth = 0.1});
     EXPECT_NEAR(report.obstacle_cost, expected(share), 1e-9) << share;
   }
   EXPECT_DOUBLE_EQ(default_eteb_prediction().uncertainty_in_choice, 0.0);

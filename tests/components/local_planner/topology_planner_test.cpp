@@ -6,8 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "components/local_planner/teb/hrvo_preference.hpp"
+#include "components/local_planner/teb/teb_options.hpp"
 #include "components/model/differential_drive.hpp"
 
 namespace bw {
@@ -160,8 +161,8 @@ TEST(OtherStarts, DrivesBackwardOnlyWhereThatIsAllowed) {
   problem.limits.v_back_max = 0.8;
   problem.plan = {{0, 0, 0}, {-1.5, 0, 0}};
   const auto offers_backward = [&](bool allowed) {
-    LocalPlannerOptions options;
-    options.teb.allow_init_with_backwards_motion = allowed;
+    PlannerOptions options;
+    options.of<teb::TebOptions>("teb").allow_init_with_backwards_motion = allowed;
     const PlanningResult result = make_planner("teb", options)->plan(problem);
     return std::any_of(result.candidates.begin(), result.candidates.end(),
                        [](const Candidate& c) { return c.label == "backward"; });

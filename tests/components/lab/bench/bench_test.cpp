@@ -174,9 +174,9 @@ TEST(BenchCrowd, AdjustHasTheLastWordOnTheOptions) {
   arguments.weights = BenchWeights::file;
   arguments.scene = "seed1_";
   const nlohmann::json before = without_times(crowd_result(arguments));
-  arguments.adjust = [](LocalPlannerOptions& options) {
-    EXPECT_EQ(options.teb.band.dt_ref, 0.3);
-    options.teb.band.dt_ref = 0.5;
+  arguments.adjust = [](PlannerOptions& options) {
+    EXPECT_EQ(band_of(options).dt_ref, 0.3);
+    band_of(options).dt_ref = 0.5;
   };
   EXPECT_NE(without_times(crowd_result(arguments)), before);
 }
@@ -230,9 +230,9 @@ TEST(BenchCrowd, SamplesSayWhatWasDriven) {
 TEST(BenchCrowd, SaysUnderWhichConditions) {
   BenchCrowdArguments arguments;
   arguments.scene = "seed1_";
-  arguments.adjust = [](LocalPlannerOptions& options) {
-    options.teb.band.warm_outer_iterations = 2;
-    options.teb.band.warm_inner_iterations = 5;
+  arguments.adjust = [](PlannerOptions& options) {
+    band_of(options).warm_outer_iterations = 2;
+    band_of(options).warm_inner_iterations = 5;
     options.driving.evasion_horizon = 0.0;
   };
   const nlohmann::json conditions = crowd_result(arguments)["conditions"];
@@ -285,7 +285,7 @@ TEST_F(SharedScenes, OtherIntervalsAreMarkedAsNotComparable) {
   ASSERT_EQ(bench_teb(arguments), 0);
   const nlohmann::json usual = result()["scenes"][0]["warm"];
   EXPECT_EQ(usual["comparable"], true);
-  arguments.adjust = [](LocalPlannerOptions& options) { options.teb.band.dt_ref = 0.25; };
+  arguments.adjust = [](PlannerOptions& options) { band_of(options).dt_ref = 0.25; };
   ASSERT_EQ(bench_teb(arguments), 0);
   const nlohmann::json finer = result()["scenes"][0]["warm"];
   EXPECT_EQ(finer["comparable"], false);

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "components/lab/bench/crowdnav_report.hpp"
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 
 namespace bw {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "components/lab/experiments/edwa_criteria.hpp"
 #include "components/lab/experiments/edwa_report.hpp"
+#include "components/local_planner/dwa/dwa_options.hpp"
 #include "tests/shortfall.hpp"
 
 namespace bw {
@@ -130,7 +131,7 @@ TEST(EdwaExperiment, TheGainOverDwaFallsShort) {
 
 TEST(EdwaExperiment, PrintedHeadingDoesNotReachTheGoal) {
   EdwaExperimentOptions options;
-  options.planners.edwa.heading = dwa::EdwaHeading::hrvo_printed;
+  options.planners.of<dwa::EdwaOptions>("edwa").heading = dwa::EdwaHeading::hrvo_printed;
   options.rules.timeout = 30.0;
   EXPECT_NE(run_edwa_scene(1, kEdwaPairings[1], 1, options).outcome, FloorOutcome::reached);
 }

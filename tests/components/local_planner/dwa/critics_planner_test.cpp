@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "components/model/random.hpp"
 #include "tests/components/local_planner/planner_drive.hpp"
 #include "tests/components/local_planner/planner_scenes.hpp"

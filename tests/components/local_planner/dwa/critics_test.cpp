@@ -18,10 +18,9 @@ RollOut ending_at(const Pose2& end, double travel) {
 
 TEST(Critics, MeasurePlanAndGoal) {
   const PlanningProblem problem = problem_to({8, 0, 0});
-  const CriticOptions options;
-  const Course course = course_of(problem.plan, problem, options);
+  const Course course = course_of(problem.plan, problem);
   // 1 m on, 0.2 m to the left, turned left by 90 degrees: the point 0.325 m before it is 0.525 m beside the plan.
-  const Critique c = critique(ending_at({1.0, 0.2, std::numbers::pi / 2.0}, 1.1), course, problem, options);
+  const Critique c = critique(ending_at({1.0, 0.2, std::numbers::pi / 2.0}, 1.1), course, problem);
   EXPECT_NEAR(c.path_dist, 0.2, 1e-12);
   EXPECT_NEAR(c.path_align, 0.525, 1e-12);
   EXPECT_NEAR(c.goal_dist, 7.0, 1e-12);
@@ -30,19 +29,16 @@ TEST(Critics, MeasurePlanAndGoal) {
   EXPECT_NEAR(c.slowness, 0.4, 1e-12);
   EXPECT_NEAR(c.turn_change, 0.2, 1e-12);
   // Straight ahead: the point is 0.325 m further on.
-  const Critique ahead = critique(ending_at({1.0, 0.2, 0.0}, 1.1), course, problem, options);
+  const Critique ahead = critique(ending_at({1.0, 0.2, 0.0}, 1.1), course, problem);
   EXPECT_NEAR(ahead.goal_align, 7.0 - 0.325, 1e-12);
   EXPECT_NEAR(ahead.path_align, 0.2, 1e-12);
 }
 
 TEST(Critics, AtTheGoalWhoLooksAlongThePlanIsAligned) {
   const PlanningProblem problem = problem_to({1, 0, 0});
-  const CriticOptions options;
-  const Critique c =
-      critique(ending_at({1.0, 0.0, 0.0}, 1.0), course_of(problem.plan, problem, options), problem, options);
+  const Critique c = critique(ending_at({1.0, 0.0, 0.0}, 1.0), course_of(problem.plan, problem), problem);
   EXPECT_NEAR(c.path_dist + c.path_align + c.goal_dist + c.goal_align, 0.0, 1e-12);
-  const Critique beyond =
-      critique(ending_at({1.2, 0.0, 0.0}, 1.2), course_of(problem.plan, problem, options), problem, options);
+  const Critique beyond = critique(ending_at({1.2, 0.0, 0.0}, 1.2), course_of(problem.plan, problem), problem);
   EXPECT_NEAR(beyond.path_dist, 0.2, 1e-12) << "past the goal is beside the plan";
 }
 
@@ -51,18 +47,15 @@ TEST(Critics, ThePlanOnTheOtherSideOfAWallIsNoShortcut) {
   // cannot have led there.
   PlanningProblem problem = problem_to({0, 0.5, 0});
   problem.plan = {{0, 0, 0}, {3, 0, 0}, {3, 0.5, 0}, {0, 0.5, 0}};
-  const CriticOptions options;
-  const Critique c =
-      critique(ending_at({0.5, 0.4, 0.0}, 0.7), course_of(problem.plan, problem, options), problem, options);
+  const Critique c = critique(ending_at({0.5, 0.4, 0.0}, 0.7), course_of(problem.plan, problem), problem);
   EXPECT_NEAR(c.path_dist, 0.4, 1e-12);
   EXPECT_NEAR(c.goal_dist, 6.0, 1e-12);
 }
 
 TEST(Critics, ObstacleCostIsThatOfAnInflatedCostmap) {
-  const CriticOptions options;
-  EXPECT_EQ(obstacle_cost(0.0, options), 1.0);
-  EXPECT_NEAR(obstacle_cost(0.2, options), std::exp(-3.0 * 0.2), 1e-12);
-  EXPECT_EQ(obstacle_cost(0.55, options), 0.0);
+  EXPECT_EQ(obstacle_cost(0.0), 1.0);
+  EXPECT_NEAR(obstacle_cost(0.2), std::exp(-3.0 * 0.2), 1e-12);
+  EXPECT_EQ(obstacle_cost(0.55), 0.0);
 }
 
 TEST(Critics, AreWeightedAndSummed) {
@@ -77,12 +70,10 @@ TEST(Critics, AreWeightedAndSummed) {
                               .path_align_scale = 2.0,
                               .goal_dist_scale = 3.0,
                               .goal_align_scale = 4.0,
-                              .base_obstacle_scale = 5.0,
-                              .speed_scale = 6.0,
-                              .turn_change_scale = 7.0};
-  // 0.1 + 9 + 2.5 + 2.4 + 2.1 = 16.1; the aligning terms are 0.4 + 8.
-  EXPECT_NEAR(cost_without_align(c, options), 16.1, 1e-12);
-  EXPECT_NEAR(cost(c, options), 24.5, 1e-12);
+                              .base_obstacle_scale = 5.0};
+  // 0.1 + 9 + 2.5, 0.4 for the speed and half of 0.3 for the turn; the aligning terms are 0.4 + 8.
+  EXPECT_NEAR(cost_without_align(c, options), 12.15, 1e-12);
+  EXPECT_NEAR(cost(c, options), 20.55, 1e-12);
 }
 
 }  // namespace

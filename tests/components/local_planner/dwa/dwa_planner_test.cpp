@@ -11,12 +11,23 @@
 namespace bw::dwa {
 namespace {
 
-const std::vector<Profile> kProfiles = {Profile::fixed_scales, Profile::sum, Profile::minmax,
-                                        Profile::teaching_sample};
+struct Form {
+  const char* name = "scales";
+  Normalisation normalisation = Normalisation::scale;
+  bool teaching_sample = false;
+};
+const std::vector<Form> kForms = {
+    {}, {"sum", Normalisation::sum}, {"minmax", Normalisation::minmax}, {"sample", Normalisation::sum, true}};
 
-DwaOptions published(Profile profile = Profile::fixed_scales) {
+DwaOptions in(const Form& form) {
   DwaOptions options;
-  options.profile = profile;
+  options.normalisation = form.normalisation;
+  options.teaching_sample = form.teaching_sample;
+  return options;
+}
+
+DwaOptions published(const Form& form = {}) {
+  DwaOptions options = in(form);
   options.carrot_distance = 0.0;
   options.arc_to_goal = false;
   options.check_movers = false;
@@ -49,14 +60,13 @@ PlanningProblem random_problem(Random& random) {
 }
 
 TEST(DwaPlanner, ArrivesAtRestAtTheGoalHeading) {
-  for (const Profile profile : kProfiles) {
-    DwaOptions options;
-    options.profile = profile;
+  for (const Form& form : kForms) {
+    const DwaOptions options = in(form);
     for (const Pose2& goal :
          {Pose2{4, 0, 0}, Pose2{3, 2, 1.5}, Pose2{2, -1, -2.0}, Pose2{-2, 0.5, 3.0}, Pose2{0.3, 0, 0}}) {
       DwaPlanner planner(options, {});
       const Drive result = drive(planner, problem_to(goal), 400);
-      EXPECT_TRUE(is_at_rest_at(goal, result)) << text_of(profile) << " " << goal.x << " " << goal.y;
+      EXPECT_TRUE(is_at_rest_at(goal, result)) << form.name << " " << goal.x << " " << goal.y;
     }
   }
 }
@@ -180,7 +190,7 @@ TEST(DwaPlanner, FrozenMoversAreWhereTheyAre) {
   m.velocity = {1.0, 0.0};
   problem.movers = {m};
   DwaOptions options = published();
-  options.clearance_weight = 10.0;
+  options.weights.clearance = 10.0;
   DwaPlanner frozen(options, no_evasion());
   options.predict_movers = true;
   DwaPlanner predicting(options, no_evasion());
@@ -212,15 +222,15 @@ TEST(DwaPlanner, StandsWhenAMoverWouldMeetItBeforeItCouldStop) {
 
 TEST(DwaPlanner, MirroredSceneGivesMirroredCommands) {
   Random random(11);
-  for (const Profile profile : kProfiles) {
+  for (const Form& form : kForms) {
     for (int i = 0; i < 40; ++i) {
       const PlanningProblem problem = random_problem(random);
-      DwaPlanner planner(published(profile), no_evasion());
+      DwaPlanner planner(published(form), no_evasion());
       const PlanningResult a = planner.plan(problem);
       const PlanningResult b = planner.plan(mirrored(problem));
       EXPECT_EQ(a.status, b.status);
-      EXPECT_NEAR(a.command.v, b.command.v, 1e-9) << text_of(profile) << " " << i;
-      EXPECT_NEAR(a.command.omega, -b.command.omega, 1e-9) << text_of(profile) << " " << i;
+      EXPECT_NEAR(a.command.v, b.command.v, 1e-9) << form.name << " " << i;
+      EXPECT_NEAR(a.command.omega, -b.command.omega, 1e-9) << form.name << " " << i;
     }
   }
 }
@@ -229,8 +239,7 @@ TEST(DwaPlanner, CommandsKeepTheLimitsInAnyScene) {
   Random random(12);
   for (int i = 0; i < 2000; ++i) {
     const PlanningProblem problem = random_problem(random);
-    DwaOptions options;
-    options.profile = kProfiles[static_cast<std::size_t>(i) % kProfiles.size()];
+    DwaOptions options = in(kForms[static_cast<std::size_t>(i) % kForms.size()]);
     options.v_samples = 5;
     options.omega_samples = 7;
     // Evasive moves, with tests of their own, take most of the time.

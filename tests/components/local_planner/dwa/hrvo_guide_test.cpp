@@ -41,7 +41,6 @@ TEST(HrvoGuide, CostsWhatASampleDiffersFromTheAdvice) {
   hrvo::Advice advice;
   advice.velocity = 0.5 * direction(0.4);
   EdwaOptions options;
-  options.heading_time = 1.0;
   options.heading_scale = 10.0;
   options.advised_speed_scale = 100.0;
   const HrvoGuide guide(problem_to({16, 0, 0}), advice, options);

@@ -48,12 +48,5 @@ TEST(Objective, IsTheWeightedSumOfTheColumns) {
   EXPECT_NEAR(scores.at(0), 1.63, 1e-12);
 }
 
-TEST(Profiles, NameTheirNormalisation) {
-  EXPECT_EQ(normalisation_of(Profile::fixed_scales), Normalisation::scale);
-  EXPECT_EQ(normalisation_of(Profile::sum), Normalisation::sum);
-  EXPECT_EQ(normalisation_of(Profile::teaching_sample), Normalisation::sum);
-  EXPECT_EQ(normalisation_of(Profile::minmax), Normalisation::minmax);
-}
-
 }  // namespace
 }  // namespace bw::dwa

@@ -16,8 +16,7 @@ PlanningProblem leading_off_at(double angle) {
 }
 
 std::optional<double> angle_of(TurnToPlan& turn, const PlanningProblem& problem) {
-  const CriticOptions options;
-  return turn.angle(problem, course_of(problem.plan, problem, options), options);
+  return turn.angle(problem, course_of(problem.plan, problem), {});
 }
 
 TEST(TurnToPlan, BeginsBeyondItsThresholdAndEndsWhenThePlanLiesAhead) {

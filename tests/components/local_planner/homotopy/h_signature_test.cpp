@@ -11,7 +11,7 @@
 namespace bw::homotopy {
 namespace {
 
-const double kThreshold = HomotopyOptions{}.h_signature_threshold;
+const double kThreshold = kHSignatureThreshold;
 
 TEST(HSignature, OfOneObstacleIsItsWinding) {
   // N = 1: A = 1; both sides at mirrored distances: real parts equal, imaginary parts -pi and pi.

@@ -215,7 +215,7 @@ TEST_F(Critics, AreOffWithoutWeight) {
   add_goal_angle_cost({.cost_weight = 0}, scene({}, 0.1, 30), motions, costs);
   add_path_align_cost({.cost_weight = 0}, scene({}, 9.0, 30), motions, costs);
   add_path_follow_cost({.cost_weight = 0}, scene({}, 9.0, 30), motions, costs);
-  add_path_angle_cost({.cost_weight = 0, .max_angle_to_furthest = 0}, scene({}, 9.0, 30), motions, costs);
+  add_path_angle_cost({.cost_weight = 0}, scene({}, 9.0, 30), motions, costs);
   add_prefer_forward_cost({.cost_weight = 0}, scene({}, 9.0, 30), motions, costs);
   EXPECT_TRUE((costs == 0.0).all());
 }

@@ -13,7 +13,7 @@
 #include "components/local_planner/footprint_check.hpp"
 #include "components/local_planner/homotopy/obstacle_bodies.hpp"
 #include "components/local_planner/hrvo/neighbours.hpp"
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 #include "components/local_planner/teb/association.hpp"
 #include "tests/components/local_planner/planner_scenes.hpp"
 

@@ -1,4 +1,4 @@
-#include "components/local_planner/planner_factory.hpp"
+#include "components/local_planner/planner_registry.hpp"
 
 #include <stdexcept>
 
@@ -10,11 +10,11 @@
 namespace bw {
 namespace {
 
-TEST(PlannerFactory, MakesEveryPlannerItNames) {
+TEST(PlannerNames, MakesEveryPlannerItNames) {
   for (const std::string_view name : planner_names()) EXPECT_NE(make_planner(name, {}), nullptr) << name;
 }
 
-TEST(PlannerFactory, RefusesUnknownNamesAndNamesTheKnown) {
+TEST(PlannerNames, RefusesUnknownNamesAndNamesTheKnown) {
   try {
     make_planner("tbe", {});
     FAIL();
@@ -24,7 +24,7 @@ TEST(PlannerFactory, RefusesUnknownNamesAndNamesTheKnown) {
 }
 
 // Made anew in the middle of a drive, a planner goes on as if nothing had been.
-TEST(PlannerFactory, MakesPlannersThatContinueFromOthersOfTheirKind) {
+TEST(PlannerNames, MakesPlannersThatContinueFromOthersOfTheirKind) {
   bool matters = false;
   for (const std::string_view name : planner_names()) {
     Random random(5);
