@@ -76,21 +76,20 @@ PictureView view_of(const RunRecording& recording, double width, const Vector2& 
   return {box, width / box.sizes().x(), corner};
 }
 
-std::string cells_path(const OccupancyGrid& grid, const PictureView& view, int lowest, int highest) {
+std::vector<Eigen::AlignedBox2d> cell_blocks(const OccupancyGrid& grid, const Eigen::AlignedBox2d& window,
+                                             int lowest, int highest) {
   using Run = std::pair<int, int>;  // first column, one past the last
   std::map<Run, int> open;          // run -> first row in which it began
-  std::string data;
+  std::vector<Eigen::AlignedBox2d> blocks;
   const auto close = [&](const Run& run, int first_row, int end_row) {
-    const Vector2 upper_left = view(grid.origin + grid.resolution * Vector2(run.first, end_row));
-    const std::string w = fixed((run.second - run.first) * grid.resolution * view.scale, 1);
-    data += 'M' + fixed(upper_left.x(), 1) + ' ' + fixed(upper_left.y(), 1) + 'h' + w + 'v' +
-            fixed((end_row - first_row) * grid.resolution * view.scale, 1) + "h-" + w + 'z';
+    blocks.emplace_back(Vector2(grid.origin + grid.resolution * Vector2(run.first, first_row)),
+                        Vector2(grid.origin + grid.resolution * Vector2(run.second, end_row)));
   };
 
-  const int first_column = std::max(0, grid.column_of(view.window_in_map.min().x()));
-  const int end_column = std::min(grid.width, grid.column_of(view.window_in_map.max().x()) + 1);
-  const int first_row = std::max(0, grid.row_of(view.window_in_map.min().y()));
-  const int end_row = std::min(grid.height, grid.row_of(view.window_in_map.max().y()) + 1);
+  const int first_column = std::max(0, grid.column_of(window.min().x()));
+  const int end_column = std::min(grid.width, grid.column_of(window.max().x()) + 1);
+  const int first_row = std::max(0, grid.row_of(window.min().y()));
+  const int end_row = std::min(grid.height, grid.row_of(window.max().y()) + 1);
   for (int row = first_row; row < end_row; ++row) {
     std::map<Run, int> now;
     for (int column = first_column; column < end_column; ++column) {
@@ -109,6 +108,17 @@ std::string cells_path(const OccupancyGrid& grid, const PictureView& view, int l
     open = std::move(now);
   }
   for (const auto& [run, since] : open) close(run, since, end_row);
+  return blocks;
+}
+
+std::string cells_path(const OccupancyGrid& grid, const PictureView& view, int lowest, int highest) {
+  std::string data;
+  for (const Eigen::AlignedBox2d& block : cell_blocks(grid, view.window_in_map, lowest, highest)) {
+    const Vector2 upper_left = view({block.min().x(), block.max().y()});
+    const std::string w = fixed(block.sizes().x() * view.scale, 1);
+    data += 'M' + fixed(upper_left.x(), 1) + ' ' + fixed(upper_left.y(), 1) + 'h' + w + 'v' +
+            fixed(block.sizes().y() * view.scale, 1) + "h-" + w + 'z';
+  }
   return data;
 }
 

@@ -1,6 +1,9 @@
 // Which part of the map the picture shows, and where a place in it lands on the page.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <Eigen/Geometry>
 
 #include "components/evaluation/run_recorder.hpp"
@@ -24,8 +27,11 @@ struct PictureView {
 /// wide.
 PictureView view_of(const RunRecording& recording, double width, const Vector2& corner);
 
-/// Outline data (SVG path) of all cells of the window at or above `lowest` and at or below `highest`:
-/// rectangles, merged along rows and columns.
+/// All cells of the window at or above `lowest` and at or below `highest`: rectangles, merged along rows and columns.
+std::vector<Eigen::AlignedBox2d> cell_blocks(const OccupancyGrid& grid, const Eigen::AlignedBox2d& window,
+                                             int lowest, int highest);
+
+/// Their outlines on the page (SVG path).
 std::string cells_path(const OccupancyGrid& grid, const PictureView& view, int lowest, int highest);
 
 }  // namespace bw

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "components/lab/bench/scene_file.hpp"
+#include "components/lab/report/document.hpp"
 #include "components/local_planner/planner_registry.hpp"
 #include "components/local_planner/teb/band_options.hpp"
 
@@ -45,7 +46,8 @@ struct BenchCrowdArguments {
   bool with_samples = false;  ///< every period of every drive goes into the JSON
   std::string write_scenes;   ///< scenes driven are written here as YAML, of one crowd; empty: not
   std::string against;        ///< the planner that the others are held against; empty: the first
-  std::string failures;       ///< pictures of drives that failed go into this folder; empty: none
+  std::string failures;       ///< index.html in this folder shows drives that failed; empty: none
+  report::Writer write_page;  ///< makes it
   std::string json;           ///< output file; empty: none
 };
 

@@ -87,7 +87,7 @@ class CrowdBench {
     row_against(rows, arguments_.against);
     if (!arguments_.write_scenes.empty())
       write_file_atomically(arguments_.write_scenes, to_yaml(crowds_.front().file));
-    if (!arguments_.failures.empty()) album_.emplace(arguments_.failures);
+    if (!arguments_.failures.empty()) album_.emplace(arguments_.failures, arguments_.write_page);
   }
 
   int run() {
@@ -165,8 +165,7 @@ class CrowdBench {
       const std::unique_ptr<LocalPlanner> driver = make_planner(planner, options_);
       const RunRecording recording = record_crowd(crowd.file.scenes[i], crowd.file, *driver);
       const std::string_view walkers = text_of(crowd.file.closed_loop->walkers);
-      album_->add({.name = fmt::format("{}_{}_{}", planner, episode.name, walkers),
-                   .title = fmt::format("{}, {}, walkers {}", planner, episode.name, walkers),
+      album_->add({.title = fmt::format("{}, {}, walkers {}", planner, episode.name, walkers),
                    .outcome = outcome_in_words(episode),
                    .reached = episode.reached,
                    .contacts = episode.judged},

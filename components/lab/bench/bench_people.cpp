@@ -5,17 +5,18 @@
 #include <nlohmann/json.hpp>
 
 #include "components/lab/bench/bench_common.hpp"
-#include "components/lab/bench/people_picture.hpp"
+#include "components/lab/bench/people_page.hpp"
 #include "components/lab/bench/people_report.hpp"
-#include "runtime/atomic_file.hpp"
+#include "components/lab/report/report_page.hpp"
 
 namespace bw {
 
 int bench_people(const BenchPeopleArguments& arguments) {
+  if (!arguments.page.empty()) require_report_page("--page " + arguments.page);
   const PeopleRun run = run_people(*bag::open_bag(arguments.bag), arguments);
   std::fputs(people_text(run, arguments.show_errors).c_str(), stdout);
   write_json(arguments.json, people_json(run));
-  if (!arguments.svg.empty()) write_file_atomically(arguments.svg, people_picture(run));
+  if (!arguments.page.empty()) write_report_page(people_page(run), arguments.page);
   return 0;
 }
 

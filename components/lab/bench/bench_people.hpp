@@ -25,7 +25,7 @@ struct BenchPeopleArguments {
   people::StretchOptions scoring;
   bool show_errors = false;  ///< prints every one
   std::string json;          ///< output file; empty: none
-  std::string svg;           ///< output file; empty: none
+  std::string page;          ///< output file; empty: none
 };
 
 /// A stretch with its labels, in odom; times since the first scan [s].
@@ -51,7 +51,7 @@ struct PeopleRun {
 /// labels or parameters.
 PeopleRun run_people(const bag::Bag& recording, const BenchPeopleArguments& arguments);
 
-/// Prints figures, writes JSON and picture. Returns the exit status (0). Throws as run_people, and for what is no bag.
+/// Prints figures, writes JSON and page. Returns the exit status (0). Throws as run_people, and for what is no bag.
 int bench_people(const BenchPeopleArguments& arguments);
 
 }  // namespace bw

@@ -1,5 +1,6 @@
 #include <map>
 #include <memory>
+#include <stdexcept>
 
 #include "components/lab/bench/bench.hpp"
 #include "components/lab/bench/bench_bag.hpp"
@@ -7,6 +8,7 @@
 #include "components/lab/bench/bench_crowdnav.hpp"
 #include "components/lab/bench/bench_people.hpp"
 #include "components/lab/bench/scaling.hpp"
+#include "components/lab/report/report_page.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/parameters/overrides.hpp"
 #include "runtime/parameters/parameters.hpp"
@@ -92,12 +94,14 @@ void add_crowd(cli::Verb bench) {
       .one_of({"file", "defaults"});
   crowd_verb.option("--against", crowd->against, "The planner that the others are held against (the first)");
   crowd_verb.option("--failures", crowd->failures,
-                    "Pictures of the first 30 drives that failed, and a page of them, go into this folder");
+                    "index.html in this folder shows the first 30 drives that failed, in a list and a picture each");
   crowd_verb.option("--json", crowd->json, "Writes the figures here");
   crowd_verb.flag("--samples", crowd->with_samples,
                   "Pose, command, applied velocity and walkers of every period go into the JSON");
   crowd_verb.run([crowd, set] {
     crowd->adjust = [set](PlannerOptions& options) { apply_overrides(options, *set); };
+    if (!crowd->failures.empty()) require_report_page("--failures " + crowd->failures);
+    crowd->write_page = write_report_page;
     return bench_crowd(*crowd);
   });
 }
@@ -188,7 +192,10 @@ void add_people(cli::Verb bench) {
       .within(0.0, 5.0);
   verb.flag("--errors", people->show_errors, "Prints every miss, false track and other identity");
   verb.option("--json", people->json, "Writes the figures, errors and tracks here");
-  verb.option("--svg", people->svg, "Writes a picture of all tracks here");
+  verb.option("--page", people->page, "Shows all tracks here: one HTML file");
+  verb.option_function(
+      "--svg", [](const std::string&) { throw std::runtime_error("--svg: tracks are shown by --page FILE.html"); },
+      "It is --page FILE.html");
   verb.run([people] { return bench_people(*people); });
 }
 

@@ -9,6 +9,7 @@
 #include "components/lab/evaluate/jobs.hpp"
 #include "components/lab/evaluate/suite_report.hpp"
 #include "components/lab/failures/failure_album.hpp"
+#include "components/lab/report/report_page.hpp"
 #include "components/program/drive.hpp"
 #include "components/program/drive_page/drive_page.hpp"
 #include "runtime/atomic_file.hpp"
@@ -75,15 +76,13 @@ std::string page_of(const EvaluateOptions& options, const Suite& suite, const Jo
 }
 
 /// Of several robots each that was touched or did not arrive; of one that one.
-void picture_failure(FailureAlbum& album, const std::string& stem, const EpisodeResult& result,
-                     const DriveResult& driven) {
+void picture_failure(FailureAlbum& album, const EpisodeResult& result, const DriveResult& driven) {
   const std::string line = in_a_line(result);
   const std::size_t colon = line.find(": ");
   for (const HeardDrive& one : driven.heard) {
     const nlohmann::json& card = one.robot.empty() ? driven.json : driven.json["robots"][one.robot];
     if (is_success(card) || album.is_full() || one.recording.moments.empty()) continue;
-    album.add({.name = stem + (one.robot.empty() ? "" : "_" + one.robot),
-               .title = line.substr(0, colon) + (one.robot.empty() ? "" : ", " + one.robot),
+    album.add({.title = line.substr(0, colon) + (one.robot.empty() ? "" : ", " + one.robot),
                .outcome = line.substr(colon + 2) + (result.is_excused() ? ", could not succeed" : ""),
                .reached = card.value("reached", false),
                .contacts = one.contacts},
@@ -105,7 +104,7 @@ EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, cons
   const nlohmann::json& card = driven.json;
   EpisodeResult result{episode_name(suite, job), job.seed, planner_of(card, job), card};
   if (album != nullptr && !result.succeeded() && !cli::interrupted())
-    picture_failure(*album, file_stem(options, suite, job), result, driven);
+    picture_failure(*album, result, driven);
   if (!options.html_dir.empty() && !result.succeeded() && !cli::interrupted())
     result.page = page_of(options, suite, job, settings, card.value("samples_sha256", ""));
   return result;
@@ -213,6 +212,7 @@ int evaluate(const EvaluateOptions& options) {
   if (options.suites.empty()) throw std::runtime_error("a suite must be named, or --from a file");
   check_against(options);
   if (!options.html_dir.empty()) require_page("--html " + options.html_dir);
+  if (!options.failures_dir.empty()) require_report_page("--failures " + options.failures_dir);
   std::vector<Suite> suites;
   std::vector<SuiteResult> results;
   for (const std::string& file : options.suites) {
@@ -227,7 +227,7 @@ int evaluate(const EvaluateOptions& options) {
   write_json(options.json, results, jobs.size());
   cli::catch_interrupts();
   std::optional<FailureAlbum> album;
-  if (!options.failures_dir.empty()) album.emplace(options.failures_dir);
+  if (!options.failures_dir.empty()) album.emplace(options.failures_dir, write_report_page);
   for (const Job& job : jobs) {
     const EpisodeResult result = drive_job(options, suites[job.suite], job, album ? &*album : nullptr);
     if (cli::interrupted()) break;
@@ -263,7 +263,7 @@ void add_evaluate(cli::Verb verb) {
       "--html", options->html_dir,
       "Writes a page of every drive that failed into this folder: it plays the drive, and needs no server");
   verb.option("--failures", options->failures_dir,
-              "Pictures of the first 30 drives that failed, and a page of them, go into this folder");
+              "index.html in this folder shows the first 30 drives that failed, in a list and a picture each");
   verb.option("--variants", options->variants,
               "Conditions that the suite names, as ideal,own: each planner drives under each")
       .separated_by_commas();

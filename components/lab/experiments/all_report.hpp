@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "components/lab/experiments/criterion.hpp"
+#include "components/lab/report/document.hpp"
 
 namespace bw {
 
@@ -57,7 +58,7 @@ nlohmann::ordered_json all_json(const AllRun& run);
 /// One line a part, then the criteria that are missed.
 std::string all_table(const std::vector<AllPart>& parts);
 
-/// One self-contained HTML page with links to those of the parts.
-std::string all_page(const AllRun& run);
+/// What the page shows, with links to those of the parts.
+report::Document all_page(const AllRun& run);
 
 }  // namespace bw

@@ -9,6 +9,7 @@
 
 #include "components/lab/experiments/crossing_report.hpp"
 #include "components/lab/experiments/hallway_experiment.hpp"
+#include "components/lab/report/document.hpp"
 
 namespace bw {
 
@@ -29,7 +30,7 @@ std::vector<Criterion> published_criteria(const AnticipationResults& results);
 /// {experiment, criteria, criteria_as_published, crossing, crossing_as_proposed, hallway}
 nlohmann::ordered_json anticipation_json(const AnticipationResults& results);
 
-/// One self-contained HTML page.
-std::string anticipation_page(const AnticipationResults& results);
+/// What the page shows.
+report::Document anticipation_page(const AnticipationResults& results);
 
 }  // namespace bw

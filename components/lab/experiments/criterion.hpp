@@ -1,5 +1,5 @@
-// What an experiment must show, and the one way in which every report tells it: as text, as JSON, and as HTML
-// (page_parts.hpp).
+// What an experiment must show, and the one way in which every report tells it: as text, as JSON, and in a
+// document (first_screen.hpp).
 #pragma once
 
 #include <cstddef>

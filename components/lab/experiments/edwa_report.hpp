@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "components/lab/experiments/edwa_experiment.hpp"
+#include "components/lab/report/document.hpp"
 
 namespace bw {
 
@@ -31,7 +32,7 @@ struct EdwaResult {
 /// of the first result, variants the others. What is not a number (a mean of no run) is null.
 nlohmann::ordered_json edwa_json(const std::vector<EdwaResult>& results);
 
-/// One self-contained HTML page; first result in full with courses of its first seed, then the others.
-std::string edwa_page(const std::vector<EdwaResult>& results);
+/// What the page shows: first result in full with courses of its first seed, then the others.
+report::Document edwa_page(const std::vector<EdwaResult>& results);
 
 }  // namespace bw

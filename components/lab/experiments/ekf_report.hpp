@@ -11,6 +11,7 @@
 #include "components/lab/experiments/criterion.hpp"
 #include "components/lab/experiments/ekf_experiment.hpp"
 #include "components/lab/experiments/localization_real_data.hpp"
+#include "components/lab/report/document.hpp"
 
 namespace bw {
 
@@ -52,7 +53,7 @@ std::vector<Criterion> all_criteria(const EkfReport& report);
 /// or a text why not, criteria: [{name, asked, measured, met}]}
 nlohmann::ordered_json ekf_json(const EkfReport& report);
 
-/// The page: HTML in one piece, nothing fetched from elsewhere.
-std::string ekf_page(const EkfReport& report);
+/// What the page shows.
+report::Document ekf_page(const EkfReport& report);
 
 }  // namespace bw

@@ -11,6 +11,7 @@
 #include "components/evaluation/success.hpp"
 #include "components/lab/experiments/criterion.hpp"
 #include "components/lab/experiments/published_value.hpp"
+#include "components/lab/report/document.hpp"
 
 namespace bw {
 
@@ -79,7 +80,8 @@ std::vector<PublishedValue> published_values(const NavigationResults& results);
 nlohmann::ordered_json navigation_json(const NavigationResults& results);
 /// One line per row below a head.
 std::string navigation_table(const NavigationResults& results);
-/// One self-contained HTML page; `figures` is HTML.
-std::string navigation_page(const NavigationResults& results, const std::string& figures);
+/// What the page shows; `figures` of drives among it.
+report::Document navigation_page(const NavigationResults& results,
+                                 const std::vector<report::Figure>& figures);
 
 }  // namespace bw

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "components/lab/experiments/pf_experiment.hpp"
+#include "components/lab/report/document.hpp"
 
 namespace bw {
 
@@ -14,7 +15,7 @@ namespace bw {
 /// q95, per_seed}]}], criteria: [{name, asked, measured, met}], criteria_printed: [...]}.
 nlohmann::ordered_json pf_json(const PfTable& table);
 
-/// One self-contained HTML page.
-std::string pf_page(const PfTable& table);
+/// What the page shows.
+report::Document pf_page(const PfTable& table);
 
 }  // namespace bw

@@ -8,6 +8,7 @@
 #include "components/lab/experiments/all_report.hpp"
 #include "components/lab/experiments/child_pool.hpp"
 #include "components/lab/experiments/reproduce_report.hpp"
+#include "components/lab/report/report_page.hpp"
 #include "runtime/atomic_file.hpp"
 #include "runtime/build_identity.hpp"
 #include "runtime/cli/signals.hpp"
@@ -31,7 +32,7 @@ constexpr std::size_t kShardsPerJob = 3;
 
 nlohmann::json read_results(const std::filesystem::path& folder) {
   std::ifstream in(folder / "results.json");
-  if (!in || !std::filesystem::exists(folder / "index.html")) return nullptr;
+  if (!in || (can_draw_reports() && !std::filesystem::exists(folder / "index.html"))) return nullptr;
   nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
   return json.is_object() ? json : nlohmann::json();
 }
@@ -100,9 +101,9 @@ AllRun run_now(const ReproduceArguments& arguments, const std::vector<ChildJob>&
   return run;
 }
 
-void write(const AllRun& run, const std::filesystem::path& out) {
-  write_file_atomically(out / "index.html", all_page(run));
-  write_file_atomically(out / "results.json", all_json(run).dump(2) + "\n");
+void write(const AllRun& run, const ReproduceArguments& arguments) {
+  write_page(all_page(run), arguments);
+  write_file_atomically(arguments.out / "results.json", all_json(run).dump(2) + "\n");
 }
 
 std::string minutes(double seconds) {
@@ -130,15 +131,15 @@ void tell(const ChildProgress& p, std::size_t jobs) {
 bool reproduce_all(const ReproduceArguments& arguments) {
   const std::vector<ChildJob> jobs = jobs_of(arguments);
   cli::catch_interrupts();
-  write(run_now(arguments, jobs, {}, false), arguments.out);
+  write(run_now(arguments, jobs, {}, false), arguments);
   const std::vector<int> statuses = run_children(jobs, arguments.jobs, cli::interrupted,
                                                  [&](const ChildProgress& p) { tell(p, jobs.size()); });
   const bool is_finished = std::ranges::find(statuses, -1) == statuses.end() && !cli::interrupted();
   const AllRun run = run_now(arguments, jobs, statuses, is_finished);
-  write(run, arguments.out);
+  write(run, arguments);
   fmt::print("{}{}written: {}\n", all_table(run.parts),
              is_finished ? "" : "interrupted: the same command goes on from here\n",
-             (arguments.out / "index.html").string());
+             (arguments.out / (can_draw_reports() ? "index.html" : "results.json")).string());
   return is_finished && nothing_missed(run.parts);
 }
 

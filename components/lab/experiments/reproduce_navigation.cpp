@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "components/lab/evaluate/suite.hpp"
-#include "components/lab/experiments/drive_figure.hpp"
+#include "components/lab/experiments/drive_chart.hpp"
 #include "components/lab/experiments/navigation_report.hpp"
 #include "components/lab/experiments/project_file.hpp"
 #include "components/lab/experiments/reproduce_drives.hpp"
@@ -36,19 +36,19 @@ Graph navigation_graph(const Suite& suite, std::size_t episode, const Navigation
 }
 
 /// Of each pair the first seed.
-std::string figures_of(const NavigationResults& results, const std::vector<DriveJob>& jobs) {
-  std::string html;
+std::vector<report::Figure> figures_of(const NavigationResults& results, const std::vector<DriveJob>& jobs) {
+  std::vector<report::Figure> figures;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const NavigationDrive& drive = results.drives[i];
     if (drive.seed != 1 || drive.hallway != kNavigationHallway) continue;
     const NavigationPair& pair = navigation_pairs()[drive.pair];
     if (const std::optional<RunRecording> course = course_of(jobs[i]))
-      html += drive_figure(
+      figures.push_back(drive_figure(
           *course,
           fmt::format("{}, {}{}, seed 1", pair.robot, pair.planner, pair.as_published ? " as published" : ""),
-          drive.succeeded() ? "It reaches its goal without a contact." : "It fails: see below.");
+          drive.succeeded() ? "It reaches its goal without a contact." : "It fails: see below."));
   }
-  return html;
+  return figures;
 }
 
 }  // namespace

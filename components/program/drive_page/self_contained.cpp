@@ -102,10 +102,8 @@ void insert_at(std::string& html, std::string_view mark, bool is_behind, const s
   html.insert(is_behind ? at + mark.size() : at, text);
 }
 
-}  // namespace
-
-std::string self_contained_page(std::span<const web::SiteFile> site, const std::string& name,
-                                bag::BytesView bag) {
+/// The page without what it shows, which stands in the element `content`.
+std::string with_content(std::span<const web::SiteFile> site, const std::string& content) {
   const auto index = std::ranges::find_if(site, [](const web::SiteFile& file) { return file.path == "/"; });
   if (index == site.end()) refuse("/", "is missing");
   std::string html = unzipped(*index);
@@ -126,16 +124,27 @@ std::string self_contained_page(std::span<const web::SiteFile> site, const std::
       const std::span bytes(reinterpret_cast<const std::uint8_t*>(picture.data()), picture.size());
       put_in(html, file.path, "<link rel=\"icon\" href=\"data:image/svg+xml;base64," + base64(bytes) + "\">");
     } else {
-      refuse(file.path, "no page of a drive can hold " + std::string(file.content_type));
+      refuse(file.path, "no page of one file can hold " + std::string(file.content_type));
     }
   }
   insert_at(html, "<meta charset=\"utf-8\" />", true,
             "\n<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; " + scripts + "; " +
                 styles + "; img-src data: blob:; base-uri 'none'; form-action 'none'\" />");
-  insert_at(html, "</body>", false,
-            "<script type=\"application/octet-stream\" id=\"bag\" data-name=\"" + attribute_text(name) +
-                "\">" + base64(bag) + "</script>\n");
+  insert_at(html, "</body>", false, content + "</script>\n");
   return html;
+}
+
+}  // namespace
+
+std::string self_contained_page(std::span<const web::SiteFile> site, const std::string& name,
+                                bag::BytesView bag) {
+  return with_content(site, "<script type=\"application/octet-stream\" id=\"bag\" data-name=\"" +
+                                attribute_text(name) + "\">" + base64(bag));
+}
+
+std::string self_contained_report(std::span<const web::SiteFile> site, std::string json) {
+  replace_all(json, "<", "\\u003c");  // no text of it ends the element
+  return with_content(site, "<script type=\"application/json\" id=\"report\">" + json);
 }
 
 }  // namespace bw

@@ -1,4 +1,4 @@
-// The page and a bag as one HTML text that needs nothing else: no server, no network.
+// A page and what it shows, a bag or a report, as one HTML text that needs nothing else: no server, no network.
 #pragma once
 
 #include <span>
@@ -13,5 +13,8 @@ namespace bw {
 /// is loaded. `name` is shown as that of the bag. Throws std::runtime_error naming the file of the site that is not as expected.
 std::string self_contained_page(std::span<const web::SiteFile> site, const std::string& name,
                                 bag::BytesView bag);
+
+/// The same of the page that draws reports (components/lab/report) and one of them.
+std::string self_contained_report(std::span<const web::SiteFile> site, std::string json);
 
 }  // namespace bw

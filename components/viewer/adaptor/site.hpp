@@ -10,4 +10,7 @@ namespace bw::viewer {
 /// Empty where the program was built without Node.js: then there is no page, and everything else is as it is.
 std::span<const web::SiteFile> page_files();
 
+/// The page that draws reports: of the programs that make them. Empty likewise.
+std::span<const web::SiteFile> report_files();
+
 }  // namespace bw::viewer

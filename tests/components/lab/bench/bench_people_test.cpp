@@ -21,8 +21,9 @@
 #include <nlohmann/json.hpp>
 #include <sensor_msgs/msg/joint_state.hpp>
 
-#include "components/lab/bench/people_picture.hpp"
+#include "components/lab/bench/people_page.hpp"
 #include "components/lab/bench/people_report.hpp"
+#include "components/lab/report/report_page.hpp"
 #include "components/messages/people.hpp"
 #include "components/messages/wheel_joints.hpp"
 #include "runtime/recording/bag/qos_text.hpp"
@@ -200,7 +201,7 @@ TEST(BenchPeople, SameBagSameBytes) {
   const PeopleRun a = run_people(*room_bag(), {.bag = "room"});
   const PeopleRun b = run_people(*room_bag(), {.bag = "room"});
   EXPECT_EQ(people_json(a).dump(), people_json(b).dump());
-  EXPECT_EQ(people_picture(a), people_picture(b));
+  EXPECT_EQ(people_page(a).json(), people_page(b).json());
   EXPECT_EQ(people_text(a, true), people_text(b, true));
 }
 
@@ -289,7 +290,7 @@ TEST(RecordedPeople, AreFollowed) {
       {.bag = "people_laser_stationary", .labels = {labels + "0.csv", labels + "33.csv", labels + "97.csv"}});
   std::fputs(people_text(run, true).c_str(), stdout);
   if (const char* folder = std::getenv("BANDWAGON_PICTURES"))
-    std::ofstream(std::filesystem::path(folder) / "people_tracks.svg") << people_picture(run);
+    write_report_page(people_page(run), std::filesystem::path(folder) / "people_tracks.html");
   ASSERT_EQ(run.stretches.size(), 3U);
   EXPECT_EQ(run.stretches[0].score.clear_mot.people, 108);
   EXPECT_EQ(run.stretches[1].score.clear_mot.people, 123);

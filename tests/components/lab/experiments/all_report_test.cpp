@@ -81,18 +81,18 @@ TEST(AllReport, ReproducedSaysThatEverythingWasJudgedAndMet) {
 
 TEST(AllPage, HoldsEveryVerdictAndLinksToEveryPart) {
   const AllRun run = run_of({{kMet}, {kMet, kMissed}, {kUndecided}, {kMet, kUndecided}, {kMet}});
-  const std::string page = all_page(run);
+  const std::string page = all_page(run).json().dump();
   for (const AllPart& part : run.parts) {
-    EXPECT_THAT(page, HasSubstr("<a href=\"" + part.subject + "/index.html\">" + part.experiments + "</a>"));
-    EXPECT_THAT(page, HasSubstr(">" + std::string(to_string(verdict_of(part))) + "</span>"));
+    EXPECT_THAT(page, HasSubstr("[" + part.experiments + "](" + part.subject + "/index.html)"));
+    EXPECT_THAT(page, HasSubstr("{\"text\":\"" + std::string(to_string(verdict_of(part))) + "\",\"tone\""));
   }
   // What is missed stands above the first table.
-  EXPECT_LT(page.find("gain of EDWA: 0.00412, asked &gt;= 0.01"), page.find("<table"));
+  EXPECT_LT(page.find("gain of EDWA: 0.00412, asked >= 0.01"), page.find("\"table\""));
   EXPECT_THAT(page, HasSubstr("2 of 20 seeds"));
   EXPECT_THAT(page, HasSubstr("weights as printed: NOT MET (1 of 1 criteria)"));
-  EXPECT_THAT(page, HasSubstr("error &lt;of&gt; the filter [m]"));
+  EXPECT_THAT(page, HasSubstr("error <of> the filter \\\\[m\\\\]"));
   EXPECT_THAT(page, HasSubstr("0.1098"));
-  EXPECT_THAT(page, HasSubstr("0.0900 (0.0800 to 0.100)"));
+  EXPECT_THAT(page, HasSubstr(R"({"value":0.09,"low":0.08,"high":0.1})"));
   EXPECT_THAT(page, HasSubstr("as printed: 0.140"));
   EXPECT_THAT(page, HasSubstr("length of the run"));
   EXPECT_THAT(page, Not(HasSubstr("has not ended")));
@@ -101,12 +101,11 @@ TEST(AllPage, HoldsEveryVerdictAndLinksToEveryPart) {
 TEST(AllPage, NamesWhatIsReproducedAndWhatIsNotBeforeTheFirstTable) {
   AllRun run = run_of({{kMet}, {kMissed}, {kMet}, {kMet}, {kMet}});
   run.parts[4].results = nullptr;
-  const std::string page = all_page(run), first = page.substr(0, page.find("<table"));
-  EXPECT_THAT(first, HasSubstr("Reproduced, 3 of 5:</b> <a href=\"ekf/index.html\">EKF: Figure 2.3"));
-  EXPECT_THAT(first,
-              HasSubstr("Not reproduced:</b> <a href=\"pf/index.html\">Particle filter: Table 2.1</a>."));
-  EXPECT_THAT(first, HasSubstr("Without a result:</b> The whole system"));
-  EXPECT_THAT(all_page(run_of({{kMissed}})), HasSubstr("Nothing is reproduced."));
+  const std::string page = all_page(run).json().dump(), first = page.substr(0, page.find("\"table\""));
+  EXPECT_THAT(first, HasSubstr("**Reproduced, 3 of 5:** [EKF: Figure 2.3"));
+  EXPECT_THAT(first, HasSubstr("**Not reproduced:** [Particle filter: Table 2.1](pf/index.html)."));
+  EXPECT_THAT(first, HasSubstr("**Without a result:** The whole system"));
+  EXPECT_THAT(all_page(run_of({{kMissed}})).json().dump(), HasSubstr("Nothing is reproduced."));
 }
 
 TEST(AllPage, SaysThatARunHasNotEndedAndWhatIsInTrouble) {
@@ -114,7 +113,7 @@ TEST(AllPage, SaysThatARunHasNotEndedAndWhatIsInTrouble) {
   run.is_finished = false;
   run.parts[1].results = nullptr;
   run.parts[1].trouble = "pf ended with status 139: see pf/log.txt";
-  const std::string page = all_page(run);
+  const std::string page = all_page(run).json().dump();
   EXPECT_THAT(page, HasSubstr("has not ended"));
   EXPECT_THAT(page, HasSubstr("pf ended with status 139"));
   EXPECT_THAT(page, HasSubstr("no result"));

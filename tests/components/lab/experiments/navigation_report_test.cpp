@@ -77,13 +77,15 @@ TEST(NavigationPage, SaysThatNothingIsPublishedAndLinksDrivesThatFailed) {
   NavigationResults spoilt = results();
   spoilt.drives[0] = navigation_drive(0, "light", 1, card(false, 0));
   spoilt.drives[0].page = "failed/Eddie_edwa_seed_1.html";
-  const std::string page = navigation_page(spoilt, "<figure>the way</figure>");
+  report::Figure way{.title = "the way"};
+  way.add(report::floor_plan("map"));
+  const std::string page = navigation_page(spoilt, {way}).json().dump();
   EXPECT_THAT(page, HasSubstr("no number is published"));
   EXPECT_THAT(page, HasSubstr("1 of 2"));
-  EXPECT_THAT(page, HasSubstr("<a href=\"failed/Eddie_edwa_seed_1.html\">"));
+  EXPECT_THAT(page, HasSubstr("](failed/Eddie_edwa_seed_1.html)"));
   EXPECT_THAT(page, HasSubstr("not reached (time is up)"));
-  EXPECT_THAT(page, HasSubstr("<figure>the way</figure>"));
-  EXPECT_THAT(navigation_page(results(), ""), ::testing::Not(HasSubstr("Drives that failed")));
+  EXPECT_THAT(page, HasSubstr("\"the way\""));
+  EXPECT_THAT(navigation_page(results(), {}).json().dump(), ::testing::Not(HasSubstr("Drives that failed")));
   EXPECT_EQ(navigation_json(spoilt)["drives"][0]["page"], "failed/Eddie_edwa_seed_1.html");
   EXPECT_EQ(navigation_json(spoilt)["rows"].size(), 5U);
 }

@@ -47,7 +47,7 @@ TEST(PfExperiment, PageAndFiguresHoldEveryCell) {
   for (const auto& row : json["rows"]) ASSERT_EQ(row["cells"].size(), 5U);
   EXPECT_EQ(json["rows"][1]["cells"][2]["per_seed_m"][0].get<double>(), table.cells[1][2].errors[0]);
   EXPECT_EQ(json["rows"][3]["published_m"]["proposed"].get<double>(), 0.3957);
-  const std::string page = pf_page(table);
+  const std::string page = pf_page(table).json().dump();
   for (const PfMethod method : kPfMethods)
     EXPECT_NE(page.find(std::string(to_string(method))), std::string::npos);
 }

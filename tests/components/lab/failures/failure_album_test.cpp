@@ -1,8 +1,6 @@
 #include "components/lab/failures/failure_album.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,13 +9,6 @@ namespace bw {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 RunRecording failed_drive() {
   RunRecording drive;
@@ -43,34 +34,38 @@ TEST(FailureAlbum, TheDecidingContactIsTheFirst) {
   EXPECT_FALSE(deciding_contact(drive).has_value()) << "something else made it fail";
 }
 
-TEST(FailureAlbum, WritesPicturesAndOnePageUpToItsNumber) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "bandwagon_failure_album";
-  std::filesystem::remove_all(folder);
-  FailureAlbum album(folder, 2);
-  album.add({.name = "one", .title = "first & only", .outcome = "late"}, failed_drive());
+TEST(FailureAlbum, WritesOneReportUpToItsNumber) {
+  nlohmann::ordered_json report;
+  std::filesystem::path written;
+  FailureAlbum album(
+      "folder",
+      [&](const report::Document& document, const std::filesystem::path& html) {
+        report = document.json();
+        written = html;
+      },
+      2);
+  album.add({.title = "first [& only]", .outcome = "late"}, failed_drive());
   EXPECT_FALSE(album.is_full());
   JudgedContact judged = contact(1.5, true);
   judged.is_judged = true;
   judged.verdict = {possible::Avoidance::avoidable, 0.7, 1.1, {}};
-  album.add({.name = "two", .title = "second", .outcome = "touched", .reached = true, .contacts = {judged}},
-            failed_drive());
+  album.add({.title = "second", .outcome = "touched", .reached = true, .contacts = {judged}}, failed_drive());
   EXPECT_TRUE(album.is_full());
-  EXPECT_THAT(text_of(folder / "one.svg"), HasSubstr("first &amp; only"));
-  EXPECT_THAT(text_of(folder / "two.svg"), HasSubstr("1.50 s person 4: robot_standing"));
-  const std::string page = text_of(folder / "index.html");
-  EXPECT_THAT(page, HasSubstr("Failed drives: 2"));
-  EXPECT_THAT(page, HasSubstr("<img src=\"one.svg\" alt=\"first &amp; only\""));
-  EXPECT_THAT(page, HasSubstr("2. second: touched<br/>1.50 s person 4: robot_standing"));
+  EXPECT_EQ(written, std::filesystem::path("folder/index.html"));
+  ASSERT_EQ(report["blocks"].size(), 6U);  // head, causes, list, what pictures show, two pictures
+  EXPECT_EQ(report["blocks"][0]["text"], "Failed drives: 2");
+  EXPECT_THAT(report["blocks"][1]["text"].get<std::string>(), HasSubstr("Causes: 1 late, 1 robot_standing."));
   // One row each: what ended it, who hit whom, verdict, from when on, cause.
-  EXPECT_THAT(page, HasSubstr("Causes: 1 late, 1 robot_standing."));
-  EXPECT_THAT(
-      page, HasSubstr("<tr><td>1</td><td><a href=\"#d1\">first &amp; only</a></td><td>late</td><td>-</td>"));
-  EXPECT_THAT(
-      page,
-      HasSubstr(
-          "<td>contact at 1.50 s</td><td>robot_standing, person 4</td><td>0.00, 0.00</td><td>avoidable</td>"
-          "<td>0.7</td><td>1.1</td><td>robot_standing</td><td>0.00</td>"));
-  EXPECT_THAT(page, HasSubstr("<figure id=\"d2\">"));
+  EXPECT_EQ(report["blocks"][2]["rows"][0].dump(),
+            R"([1,"[first \\[& only\\]](#d1)","late","-","-","-","-","-","late","-"])");
+  EXPECT_EQ(
+      report["blocks"][2]["rows"][1].dump(),
+      R"([2,"[second](#d2)","contact at 1.50 s","robot_standing, person 4","0.00, 0.00","avoidable","0.7","1.1","robot_standing","0.00"])");
+  const nlohmann::ordered_json& figure = report["blocks"][5];
+  EXPECT_EQ(figure["id"], "d2");
+  EXPECT_EQ(figure["title"], "2. second");
+  EXPECT_THAT(figure["caption"].get<std::string>(), HasSubstr("touched; 1.50 s person 4: robot_standing"));
+  EXPECT_EQ(figure["pictures"].size(), 1U);
 }
 
 }  // namespace

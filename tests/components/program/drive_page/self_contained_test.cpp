@@ -91,6 +91,13 @@ TEST(SelfContainedPage, TakesLargeBags) {
   EXPECT_EQ(from_base64(between(page, "data-name=\"drive\">", "</script>")), bag);
 }
 
+TEST(SelfContainedReport, NoTextOfTheReportEndsItsElement) {
+  const std::string page = self_contained_report(site().files, R"({"title": "a </script><script>b"})");
+  EXPECT_THAT(between(page, "<script type=\"application/json\" id=\"report\">", "</script>"),
+              R"({"title": "a \u003c/script>\u003cscript>b"})");
+  EXPECT_THAT(page, HasSubstr("script-src 'sha256-"));
+}
+
 std::string refusal(const Site& made) {
   try {
     self_contained_page(made.files, "drive", kBag);
@@ -108,7 +115,7 @@ TEST(SelfContainedPage, RefusesASiteThatIsNotAsExpected) {
   EXPECT_EQ(refusal(torn), "page file /app.js: is not what gzip makes");
   Site strange = site();
   strange.files[3].content_type = "font/woff2";
-  EXPECT_EQ(refusal(strange), "page file /icon.svg: no page of a drive can hold font/woff2");
+  EXPECT_EQ(refusal(strange), "page file /icon.svg: no page of one file can hold font/woff2");
 }
 
 }  // namespace
