@@ -15,7 +15,7 @@ namespace {
 
 using report::Color;
 
-constexpr double kBetweenDrawn = 4.0;  // [s]
+constexpr double kBetweenDrawn = 4.0;   // [s]
 constexpr double kNear = 3.0;           // [m] people farther away are not drawn with their bodies
 constexpr double kFarthest = 5.0;       // [m] end of the axis of distances
 constexpr double kLongestHop = 2.5;     // [m] farther between two moments: another stay in the scene
@@ -25,7 +25,7 @@ void add_bodies(report::Chart& plan, const RunRecording& course) {
   double next = 0.0;
   for (const RecordedMoment& moment : course.moments) {
     if (moment.time + 1e-6 < next) continue;
-    next = (std::floor(moment.time / kBetweenDrawn + 1e-6) + 1.0) * kBetweenBodies;
+    next = (std::floor(moment.time / kBetweenDrawn + 1e-6) + 1.0) * kBetweenDrawn;
     const Vector2 robot = moment.X_MB.position();
     const std::string label = fmt::format("{:.0f}", moment.time);
     plan.bodies.push_back(

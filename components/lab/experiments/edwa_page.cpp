@@ -127,10 +127,11 @@ report::Figure velocities(const EdwaTable& table) {
                         .caption = "Dots: every run that reached its goal.",
                         .columns = 2};
   for (int scene = 0; scene < kEdwaScenes; ++scene) {
-    report::Columns all{.title = scene_name(scene),
-                        .y = {"velocity [m/s]", 0.7, 1.0},
-                        .measured = "here: mean and standard deviation",
-                        .runs = "a run"};
+    report::Columns all;
+    all.title = scene_name(scene);
+    all.y = {"velocity [m/s]", 0.7, 1.0};
+    all.measured = "here: mean and standard deviation";
+    all.runs = "a run";
     for (const EdwaRow& row : table.rows) {
       if (row.scene != scene) continue;
       report::Column column{.label = to_string(row.pairing),

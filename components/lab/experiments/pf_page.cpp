@@ -122,9 +122,10 @@ report::Figure statistics(const PfTable& table) {
       .columns = 2};
   for (const PfMethod method : {PfMethod::encoder, PfMethod::gaussian}) {
     const bool encoder = method == PfMethod::encoder;
-    report::Columns all{.title = encoder ? "Encoder-based odometry" : "Proposed: particle filter",
-                        .y = {"mean error [m]", 0.0, encoder ? 1.6 : 0.8},
-                        .measured = "here: mean, 5 to 95 % of the seeds"};
+    report::Columns all;
+    all.title = encoder ? "Encoder-based odometry" : "Proposed: particle filter";
+    all.y = {"mean error [m]", 0.0, encoder ? 1.6 : 0.8};
+    all.measured = "here: mean, 5 to 95 % of the seeds";
     for (std::size_t row = 0; row < kPfRows.size(); ++row) {
       const PfCell& cell = cell_of(table, row, method);
       all.y.high = std::max(all.y.high, 1.05 * cell.high);
