@@ -15,8 +15,10 @@ struct BehaviorOptions {
   double max_rotational_vel = 1.0;
   double min_rotational_vel = 0.1;
   double rotational_acc_lim = 3.2;
-  double minimum_speed = 0.02;
-  double collision_margin = 0.02;
+  /// [m/s] backup and drive_on_heading drive no slower but for their last step, unless the goal asks for it
+  static constexpr double kMinimumSpeed = 0.02;
+  /// [m] gap that the look-ahead asks for around the footprint
+  static constexpr double kCollisionMargin = 0.02;
   double command_lead = 0.2;
   double movement_time_allowance = 10.0;
   StampedCmdVel enable_stamped_cmd_vel = StampedCmdVel::no;
@@ -38,14 +40,6 @@ struct BehaviorOptions {
        .doc = "spin turns no slower but for its last step; what the base needs to move at all"});
     v("rotational_acc_lim", rotational_acc_lim,
       {.unit = "rad/s^2", .min = 0.01, .max = 50, .doc = "of spin; at most the robot's own"});
-    v("minimum_speed", minimum_speed,
-      {.unit = "m/s",
-       .min = 0,
-       .max = 10,
-       .doc =
-           "backup and drive_on_heading drive no slower but for their last step, unless the goal asks for it"});
-    v("collision_margin", collision_margin,
-      {.unit = "m", .min = 0, .max = 2, .doc = "gap that the look-ahead asks for around the footprint"});
     v("command_lead", command_lead,
       {.unit = "s",
        .min = 0.005,

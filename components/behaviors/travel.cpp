@@ -99,7 +99,7 @@ double Travel::next_rate(double left, double rate, const PlanningProblem& proble
   const double step = acceleration_limit * problem.control_period;
   const double top = top_rate(problem.limits);
   const double slowest =
-      goal_.axis == TravelAxis::turn ? options_.min_rotational_vel : options_.minimum_speed;
+      goal_.axis == TravelAxis::turn ? options_.min_rotational_vel : options_.kMinimumSpeed;
   const double onset =
       goal_.axis == TravelAxis::turn ? 0.0 : acceleration_limit / (2.0 * problem.limits.jerk_max);
   const double braking = safety::speed_within(
@@ -132,7 +132,7 @@ bool Travel::is_blocked(const PlanningProblem& problem) const {
     rate = next_rate(left, rate, problem);
     stop_rate = std::max(0.0, stop_rate - braking);
   }
-  return brings_contact(motion, stop, options_.collision_margin, problem);
+  return brings_contact(motion, stop, options_.kCollisionMargin, problem);
 }
 
 }  // namespace bw

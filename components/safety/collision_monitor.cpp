@@ -63,7 +63,7 @@ void CollisionMonitor::set_options(const CollisionMonitorOptions& options) {
 void CollisionMonitor::set_footprint(const Footprint& footprint) {
   footprint_ = hull(own_, footprint);
   kept_free_ = padded(footprint_, options_.stopping.padding);
-  core_ = padded(kept_free_, -options_.stopping.graze);
+  core_ = padded(kept_free_, -options_.stopping.kGraze);
   wide_ = padded(kept_free_, options_.stopping.narrow_margin);
 }
 
@@ -176,7 +176,7 @@ double CollisionMonitor::polygon_speed(const Twist2& along, const Ahead& ahead) 
     const Stopping stopping{on_arc.reaction_time, on_arc.deceleration, stopping_.approach_speed / lever};
     const double way = touch.way - (rule.margin + ahead.nearer) / lever;
     const double end_speed =
-        is_deep ? 0.0 : rule.graze_speed / (along.v != 0.0 ? std::max(1.0, lever) : lever);
+        is_deep ? 0.0 : rule.kGrazeSpeed / (along.v != 0.0 ? std::max(1.0, lever) : lever);
     speed = std::min(speed, speed_within(way, stopping, end_speed));
   }
   return speed;
@@ -189,13 +189,13 @@ double CollisionMonitor::disc_speed(const Twist2& along, const Ahead& ahead) con
   for (const SeenPoint& point : ahead.points) {
     const double touch = free_way(along, kept_free_.radius, point.position);
     way = std::min(way, touch);
-    if (std::isfinite(free_way(along, kept_free_.radius - rule.graze, point.position)))
+    if (std::isfinite(free_way(along, kept_free_.radius - rule.kGraze, point.position)))
       deep_way = std::min(deep_way, touch);
   }
   const double kept = rule.margin + ahead.nearer;
   const Stopping stopping = stopping_on(along);
   return std::min(speed_within(deep_way - kept, stopping),
-                  speed_within(way - kept, stopping, rule.graze_speed));
+                  speed_within(way - kept, stopping, rule.kGrazeSpeed));
 }
 
 /// The same for narrow things and the bodies that may be above them.
@@ -206,7 +206,7 @@ double CollisionMonitor::narrow_speed(const Twist2& along, const Ahead& ahead) c
     if (!point.is_narrow) continue;
     way = std::min(way, free_way_to_walker(along, wide_, point.position));
   }
-  return speed_within(way - ahead.nearer, stopping_on(along), rule.narrow_speed);
+  return speed_within(way - ahead.nearer, stopping_on(along), rule.kNarrowSpeed);
 }
 
 double CollisionMonitor::dark() const {
@@ -217,10 +217,10 @@ double CollisionMonitor::dark() const {
 double CollisionMonitor::sight_speed(double v, const Ahead& ahead) const {
   const SightOptions& options = options_.sight;
   const double bearing = ahead.X_seen_now.theta + (v > 0.0 ? 0.0 : std::numbers::pi);
-  const Sight sight = sight_of(seen_, bearing, options.half_angle);
-  if (sight.unknown - sight.dark > options.stop_unknown) return 0.0;
+  const Sight sight = sight_of(seen_, bearing, options.kHalfAngle);
+  if (sight.unknown - sight.dark > options.kStopUnknown) return 0.0;
   const bool is_seen =
-      sight.covered >= kFreely && sight.unknown <= options.max_unknown && sight.widest_gap <= options.max_gap;
+      sight.covered >= kFreely && sight.unknown <= options.kMaxUnknown && sight.widest_gap <= options.max_gap;
   return is_seen ? std::numeric_limits<double>::infinity() : options.creep_speed;
 }
 
