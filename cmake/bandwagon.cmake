@@ -20,6 +20,16 @@ if(BANDWAGON_SANITIZE)
   add_link_options(-fsanitize=${BANDWAGON_SANITIZE})
 endif()
 
+# Sources of a target are compiled by eights: what they include is read once. Names of one target's sources must differ. Who edits much
+# may prefer each by itself.
+option(BANDWAGON_UNITY "Compile several sources at once" ON)
+set(CMAKE_UNITY_BUILD ${BANDWAGON_UNITY})
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+if(BANDWAGON_UNITY)
+  # Then no source is the main one, a component may have options of its source's own, and what is local may hide what is another source's.
+  target_compile_options(bw_compile_options INTERFACE -Wno-subobject-linkage -Wno-shadow -Wshadow=local)
+endif()
+
 # What moves the base, or decides that it must not move: checked containers (_GLIBCXX_ASSERTIONS) in release builds too. A wrong index or an
 # optional without a value then ends the process and says where, in place of driving by whatever is found there. The macro changes no
 # layout, so that these mix with targets without it; functions that the compiler does not inline may come from
@@ -98,17 +108,18 @@ function(bw_verb name)
   endif()
 endfunction()
 
-# bw_test(<name> SOURCES ... [LINK ...] [RECORDED <filter>] [SHORTFALL <filter>] [NOTHING_ELSE]): one GoogleTest program. A
+# bw_test(<name> SOURCES ... [ALONE ...] [LINK ...] [RECORDED <filter>] [SHORTFALL <filter>] [NOTHING_ELSE]): one GoogleTest program. A
 # program takes a DDS domain that nobody is on (tests/test_environment.hpp), and never leaves loopback; what is no such program gets one as
-# `in_test_environment COMMAND...`. The filters name tests as --gtest_filter does, and make entries of their own:
+# `in_test_environment COMMAND...`. Sources after ALONE have names of other sources, and are compiled each by itself. The filters name tests as --gtest_filter does, and make entries of their own:
 #
 #   RECORDED   tests that need recorded data: entry <name>_recorded, label `recorded`, shown as skipped where the data are not at hand
 #   SHORTFALL  tests whose limits lie below what was asked: entry <name>_shortfall, label `shortfall`; they print asked and reached
 #
 # A test that both name is one of the shortfalls. NOTHING_ELSE: the program has no other tests, and no entry <name>.
 function(bw_test name)
-  cmake_parse_arguments(ARG "NOTHING_ELSE" "RECORDED;SHORTFALL" "SOURCES;LINK" ${ARGN})
-  add_executable(test_${name} ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "NOTHING_ELSE" "RECORDED;SHORTFALL" "SOURCES;ALONE;LINK" ${ARGN})
+  add_executable(test_${name} ${ARG_SOURCES} ${ARG_ALONE})
+  set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_link_libraries(test_${name} PRIVATE bw_compile_options ${ARG_LINK} bw_test_main)
   target_compile_definitions(test_${name} PRIVATE BANDWAGON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   bw_precompiled(test_${name} test)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Formatting, static analysis and shell checks of the project's own files. Needs the release build's compile commands.
+# Formatting, static analysis and shell checks of the project's own files. Needs the release build's generated messages.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -10,11 +10,11 @@ for tool in clang-format clang-tidy shellcheck; do
 done
 shellcheck launch_scripts/*.sh .ci/run
 git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
-# Without precompiled headers: they are GCC's, and they would hide an include that is missing.
+# Each source by itself: precompiled headers are GCC's, and like unity sources they would hide an include that is missing.
 commands=$(mktemp -d)
 trap 'rm -rf "$commands"' EXIT
-sed -E 's/ -Winvalid-pch| -include [^ ]*cmake_pch[^ ]*//g' "$build/compile_commands.json" \
-  >"$commands/compile_commands.json"
+cmake -S . -B "$commands" -G Ninja -DBANDWAGON_PRECOMPILE=OFF -DBANDWAGON_UNITY=OFF >/dev/null
+sed -i "s#$commands/idl#$build/idl#g" "$commands/compile_commands.json"
 git ls-files 'runtime/*.cpp' 'components/*.cpp' 'idl/*.cpp' 'tests/*.cpp' |
   xargs -P "${BANDWAGON_JOBS:-2}" -n 4 clang-tidy --quiet -p "$commands"
 echo "Clean."

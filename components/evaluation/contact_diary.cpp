@@ -6,12 +6,6 @@
 #include "components/model/rim_gap.hpp"
 
 namespace bw {
-namespace {
-
-constexpr double kApart = 0.02;  // bodies farther apart are no longer in contact [m]
-
-}  // namespace
-
 void ContactDiary::add(double time, const TruthSample& sample, const Footprint& robot) {
   if (!is_sound(sample) || (last_ && time <= last_->time)) return;
   if (!began_) began_ = time;
@@ -62,7 +56,7 @@ void ContactDiary::touch(double time, const TruthSample& sample, const TruePerso
     contacts_.push_back(contact);
     return;
   }
-  if (gap > kApart) {
+  if (gap > kBodiesApart) {
     touching_.erase(known);
     return;
   }

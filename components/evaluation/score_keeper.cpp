@@ -10,7 +10,6 @@ namespace bw {
 namespace {
 
 constexpr std::int64_t kWall = -1;
-constexpr double kApart = 0.02;       // bodies farther apart are no longer in contact [m]
 constexpr double kMovingSpeed = 0.1;  // a contact slower than this is the other's doing [m/s]
 constexpr double kSigmaNarrow = 0.45;
 constexpr const char* kFalseClaim = "the robot claims the goal but is not there";
@@ -98,7 +97,7 @@ void ScoreKeeper::touch(std::int64_t key, double gap, bool fast) {
     if (fast) ++seen_contacts_at_speed_;
     return;
   }
-  if (gap > kApart) {
+  if (gap > kBodiesApart) {
     touching_.erase(contact);
   } else if (fast && !contact->second.at_speed) {
     contact->second.at_speed = true;

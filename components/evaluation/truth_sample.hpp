@@ -12,6 +12,9 @@
 
 namespace bw {
 
+/// Bodies farther apart are no longer in contact [m].
+inline constexpr double kBodiesApart = 0.02;
+
 struct TruePerson {
   std::uint32_t id = 0;
   Vector2 position{0.0, 0.0};

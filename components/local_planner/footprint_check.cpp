@@ -16,7 +16,7 @@ namespace {
 constexpr double kTimeStep = 0.1;  // [s] between tests of a standing robot: movers come to it
 constexpr double kMostTestsPerSegment = 100.0;
 constexpr double kNearBy = 1.0;     // [m] gap from which on an obstacle is not looked at
-constexpr double kRounding = 1e-6;  // [m]
+constexpr double kDistanceRounding = 1e-6;  // [m]
 
 double gap_to_mover(const Pose2& pose, double time, const Footprint& footprint, const Mover& mover,
                     double enough) {
@@ -57,7 +57,7 @@ class NearMotion {
   /// At most `enough`.
   double gap_to_statics(const Pose2& pose, double enough) const {
     double gap = enough;
-    statics_.visit_near(pose.position(), std::min(gap, kNearBy) + footprint_.radius + kRounding,
+    statics_.visit_near(pose.position(), std::min(gap, kNearBy) + footprint_.radius + kDistanceRounding,
                         [&](const CapsuleIndex::Group& group) {
                           for (const std::uint32_t i : statics_.members(group))
                             gap = std::min(gap, gap_to(footprint_, pose, statics_.capsules()[i], gap));

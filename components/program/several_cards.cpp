@@ -5,18 +5,18 @@
 namespace bw {
 namespace {
 
-using bandwagon_msgs::msg::ScoreCard;
+using Card = bandwagon_msgs::msg::ScoreCard;
 
 /// A figure that was not measured (NaN) is no worst one.
 double larger(double a, double b) { return a > b || b != b ? a : b; }
 
-void add_outcome(ScoreCard& all, const ScoreCard& one, const std::string& robot) {
+void add_outcome(Card& all, const Card& one, const std::string& robot) {
   if (all.reached() && !one.reached()) all.reason(robot + ": " + one.reason());
   all.reached(all.reached() && one.reached());
   all.finished(all.finished() && one.finished());
 }
 
-void add_figures(ScoreCard& all, const ScoreCard& one) {
+void add_figures(Card& all, const Card& one) {
   all.time_to_goal_s(std::max(all.time_to_goal_s(), one.time_to_goal_s()));
   all.path_length_m(std::max(all.path_length_m(), one.path_length_m()));
   all.distance_to_goal_m(std::max(all.distance_to_goal_m(), one.distance_to_goal_m()));
@@ -39,8 +39,8 @@ void add_figures(ScoreCard& all, const ScoreCard& one) {
 
 }  // namespace
 
-std::optional<ScoreCard> card_of_all(const std::vector<RobotCard>& cards) {
-  std::optional<ScoreCard> all;
+std::optional<Card> card_of_all(const std::vector<RobotCard>& cards) {
+  std::optional<Card> all;
   bool is_somebody_missing = false;
   for (const auto& [robot, card] : cards) {
     is_somebody_missing = is_somebody_missing || !card;

@@ -3,37 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
-#include "components/model/differential_drive.hpp"
 #include "components/model/footprint_outline.hpp"
-#include "components/model/footprint_way.hpp"
 #include "components/model/stopping.hpp"
-#include "components/model/sweep_motion.hpp"
 #include "components/model/transform2.hpp"
 #include "components/safety/stop_path.hpp"
 
 namespace bw::safety {
 namespace {
 
-constexpr double kStanding = 0.02;  // [m/s]: slower is at rest, and no speed worth driving
+constexpr double kRestSpeed = 0.02;  // [m/s]: slower is at rest, and no speed worth driving
 constexpr double kTurning = 0.02;   // [rad/s]: the same of a turn
-constexpr double kShortestLever = 1e-3;
-constexpr double kFreely = 0.9;  // share of the sector of travel that must be covered
-constexpr double kSwings =
-    0.01;  // [m]: what of an outline lies no farther out than its inner disc does not swing
-constexpr double kSwingStep = 0.05;  // [m]
 
 std::string_view cause_of(LaserState state) {
   if (state == LaserState::silent) return kLaserSilent;
   if (state == LaserState::frozen) return kLaserFrozen;
   return state == LaserState::invalid ? kLaserInvalid : kLaserWaiting;
-}
-
-bool covers(const std::vector<Vector2>& corners, const Vector2& p) {
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    if (cross(corners[(i + 1) % corners.size()] - corners[i], p - corners[i]) < 0.0) return false;
-  return true;
 }
 
 }  // namespace
@@ -140,119 +125,6 @@ CollisionMonitor::Ahead CollisionMonitor::ahead_at(Time now) const {
   return ahead;
 }
 
-/// What a stop on the arc of `along` costs: of a turn on the spot [rad/s^2].
-Stopping CollisionMonitor::stopping_on(const Twist2& along) const {
-  const Twist2 braking = braking_of(along, stopping_.deceleration, wheel_separation_);
-  return {stopping_.reaction_time, along.v != 0.0 ? braking.v : braking.omega, stopping_.approach_speed};
-}
-
-/// Speed along the arc of `along` that the stopping distance allows; of a turn on the spot the turn rate. From `enough` on any number that
-/// is as large will do.
-double CollisionMonitor::rule_speed(const Twist2& along, const Ahead& ahead, double enough) const {
-  Ahead near{{}, ahead.nearer, ahead.X_seen_now};
-  const Stopping stopping = stopping_on(along);
-  const double way = enough * (stopping.reaction_time + 0.5 * enough / stopping.deceleration);
-  const double kept = kept_free_.radius + options_.stopping.margin + ahead.nearer +
-                      stopping.approach_speed * (stopping.reaction_time + enough / stopping.deceleration);
-  for (const SeenPoint& point : ahead.points) {
-    // The side that touches it comes from within the radius, and its lever is no longer than this.
-    const double distance = point.position.norm();
-    const double lever = along.v != 0.0 ? 1.0 + distance * std::abs(along.omega / along.v) : distance;
-    if (distance < kept + lever * way) near.points.push_back(point);
-  }
-  return kept_free_.is_polygon() ? polygon_speed(along, near) : disc_speed(along, near);
-}
-
-/// Each point on its own: the side that touches it goes its own way, `lever` times that of base_link.
-double CollisionMonitor::polygon_speed(const Twist2& along, const Ahead& ahead) const {
-  const StoppingOptions& rule = options_.stopping;
-  const Stopping on_arc = stopping_on(along);
-  double speed = std::numeric_limits<double>::infinity();
-  for (const SeenPoint& point : ahead.points) {
-    const TouchOnArc touch = first_touch(along, kept_free_.polygon, point.position);
-    if (std::isinf(touch.way)) continue;
-    const bool is_deep = std::isfinite(first_touch(along, core_.polygon, point.position).way);
-    const double lever = std::max(touch.lever, kShortestLever);
-    const Stopping stopping{on_arc.reaction_time, on_arc.deceleration, stopping_.approach_speed / lever};
-    const double way = touch.way - (rule.margin + ahead.nearer) / lever;
-    const double end_speed =
-        is_deep ? 0.0 : rule.kGrazeSpeed / (along.v != 0.0 ? std::max(1.0, lever) : lever);
-    speed = std::min(speed, speed_within(way, stopping, end_speed));
-  }
-  return speed;
-}
-
-double CollisionMonitor::disc_speed(const Twist2& along, const Ahead& ahead) const {
-  const StoppingOptions& rule = options_.stopping;
-  double way = std::numeric_limits<double>::infinity();
-  double deep_way = way;
-  for (const SeenPoint& point : ahead.points) {
-    const double touch = free_way(along, kept_free_.radius, point.position);
-    way = std::min(way, touch);
-    if (std::isfinite(free_way(along, kept_free_.radius - rule.kGraze, point.position)))
-      deep_way = std::min(deep_way, touch);
-  }
-  const double kept = rule.margin + ahead.nearer;
-  const Stopping stopping = stopping_on(along);
-  return std::min(speed_within(deep_way - kept, stopping),
-                  speed_within(way - kept, stopping, rule.kGrazeSpeed));
-}
-
-/// The same for narrow things and the bodies that may be above them.
-double CollisionMonitor::narrow_speed(const Twist2& along, const Ahead& ahead) const {
-  const StoppingOptions& rule = options_.stopping;
-  double way = std::numeric_limits<double>::infinity();
-  for (const SeenPoint& point : ahead.points) {
-    if (!point.is_narrow) continue;
-    way = std::min(way, free_way_to_walker(along, wide_, point.position));
-  }
-  return speed_within(way - ahead.nearer, stopping_on(along), rule.kNarrowSpeed);
-}
-
-double CollisionMonitor::dark() const {
-  return std::abs(seen_.angle_increment) *
-         static_cast<double>(std::count(seen_.dark.begin(), seen_.dark.end(), true));
-}
-
-double CollisionMonitor::sight_speed(double v, const Ahead& ahead) const {
-  const SightOptions& options = options_.sight;
-  const double bearing = ahead.X_seen_now.theta + (v > 0.0 ? 0.0 : std::numbers::pi);
-  const Sight sight = sight_of(seen_, bearing, options.kHalfAngle);
-  if (sight.unknown - sight.dark > options.kStopUnknown) return 0.0;
-  const bool is_seen =
-      sight.covered >= kFreely && sight.unknown <= options.kMaxUnknown && sight.widest_gap <= options.max_gap;
-  return is_seen ? std::numeric_limits<double>::infinity() : options.creep_speed;
-}
-
-/// Of a motion that is mostly a turn: a polygon's sides swing through places that must be seen, as far as they get before they stand.
-/// Else the outermost point of the outline moves at creep_speed.
-double CollisionMonitor::swing_share(const Twist2& wanted, const Ahead& ahead) const {
-  const double rim = kept_free_.radius * std::abs(wanted.omega);
-  const double fastest = rim + std::abs(wanted.v);
-  if (!kept_free_.is_polygon() || rim <= std::abs(wanted.v) || fastest <= options_.sight.creep_speed)
-    return 1.0;
-  const double braking = braking_of({0.0, wanted.omega}, stopping_.deceleration, wheel_separation_).omega;
-  const double angle =
-      std::abs(wanted.omega) * (stopping_.reaction_time + 0.5 * std::abs(wanted.omega) / braking) +
-      options_.stopping.margin / kept_free_.radius;
-  const double inner = inscribed_radius(kept_free_) + kSwings;
-  const std::vector<Vector2>& corners = kept_free_.polygon;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector2 side = corners[(i + 1) % corners.size()] - corners[i];
-    const int parts = static_cast<int>(std::ceil(side.norm() / kSwingStep));
-    for (int part = 0; part < parts; ++part) {
-      const Vector2 rim_point = corners[i] + side * (static_cast<double>(part) / parts);
-      if (rim_point.norm() <= inner) continue;
-      for (const double share : {0.25, 0.5, 0.75, 1.0}) {
-        const Vector2 place = rotate({0.0, 0.0, std::copysign(share * angle, wanted.omega)}, rim_point);
-        if (!covers(corners, place) && !sees(seen_, ahead.X_seen_now * place))
-          return options_.sight.creep_speed / fastest;
-      }
-    }
-  }
-  return 1.0;
-}
-
 /// Whether the robot, stopped a reaction time from now, closes in on nothing: neither on its present way, nor on that of `told`, nor
 /// where it turns as told already, but is not as fast yet: motor control bounds the jerk of its speed, and not that of its turn.
 bool CollisionMonitor::stops_in_time(const Verdict& told, const Ahead& ahead) const {
@@ -292,8 +164,8 @@ double CollisionMonitor::turn_share(double omega, const Ahead& ahead) const {
 
 /// `wanted` at `speed` on the same path; at rest it may turn on the spot.
 Twist2 CollisionMonitor::shrink(const Twist2& wanted, double speed, const Ahead& ahead) const {
-  if (speed < kStanding) speed = 0.0;
-  if (speed == 0.0 && std::abs(twist_.v) < kStanding && wanted.omega != 0.0)
+  if (speed < kRestSpeed) speed = 0.0;
+  if (speed == 0.0 && std::abs(twist_.v) < kRestSpeed && wanted.omega != 0.0)
     return judge_turn({0.0, wanted.omega}, ahead).allowed;
   const double share = speed / std::abs(wanted.v);
   return {wanted.v * share, wanted.omega * share};
@@ -335,7 +207,7 @@ Verdict CollisionMonitor::judge_command(Time now, const Twist2& wanted, const Ah
     if (bound.speed <= speed) held_cause_ = bound;
     if (speed < std::abs(wanted.v)) {
       verdict.allowed = shrink(wanted, speed, ahead);
-      verdict.action = speed < kStanding ? Action::stop : held_cause_.action;
+      verdict.action = speed < kRestSpeed ? Action::stop : held_cause_.action;
       verdict.cause = held_cause_.cause;
       return verdict;
     }
@@ -344,9 +216,9 @@ Verdict CollisionMonitor::judge_command(Time now, const Twist2& wanted, const Ah
   }
   // The command asks for less than the robot still does: what it does now must fit as well, or it brakes
   // hard.
-  if (std::abs(twist_.v) > std::abs(wanted.v) + kStanding) {
+  if (std::abs(twist_.v) > std::abs(wanted.v) + kRestSpeed) {
     const double speed = rule_speed(twist_, ahead, std::abs(twist_.v));
-    if (std::abs(twist_.v) > speed + kStanding) return {verdict.allowed, Action::approach, kStoppingDistance};
+    if (std::abs(twist_.v) > speed + kRestSpeed) return {verdict.allowed, Action::approach, kStoppingDistance};
   }
   return verdict;
 }

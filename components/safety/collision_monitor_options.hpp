@@ -18,8 +18,7 @@ struct StoppingOptions {
   /// [m] what the robot's side would touch no deeper than this is passed at graze_speed, not stopped for; as large
   /// as the noise of the laser and of arcs that are not held exactly
   static constexpr double kGraze = 0.03;
-  /// [m/s] top speed past what the side would graze
-  static constexpr double kGrazeSpeed = 0.05;
+  double graze_speed = 0.05;
   double narrow_margin = 0.2;
   /// [m/s] top speed within narrow_margin of narrow things
   static constexpr double kNarrowSpeed = 0.2;
@@ -49,6 +48,8 @@ struct StoppingOptions {
        .first = true,
        .doc = "speed at which what is ahead may come nearer meanwhile (u of book 7.9); 1.6 is a walking "
               "person (ISO 13855); 0: it stands"});
+    v("graze_speed", graze_speed,
+      {.unit = "m/s", .min = 0, .max = 1, .doc = "top speed past what the side would graze"});
     v("narrow_margin", narrow_margin,
       {.unit = "m",
        .min = 0,
@@ -56,7 +57,7 @@ struct StoppingOptions {
        .doc =
            "a body is this much wider than the legs a laser sees; around narrow things the robot is down to "
            "narrow_speed so far off; 0: nothing special"});
-    v.retired({"graze", "graze_speed", "narrow_speed"}, "a constant of collision_monitor_options.hpp");
+    v.retired({"graze", "narrow_speed"}, "a constant of collision_monitor_options.hpp");
   }
 };
 

@@ -18,7 +18,7 @@ constexpr double kRound = 0.3;  // [rad]
 // farther away may be hidden by a leg, or missed.
 constexpr std::size_t kCannotVanish = 10;
 // What stands is so many already: a leg at 2 m, beams 1 degree apart,
-constexpr std::size_t kStanding = 5;
+constexpr std::size_t kSeenStanding = 5;
 constexpr Duration kStands = Duration::milliseconds(500);
 // where hits lie no farther apart than noise and the odometry of that time bring them.
 constexpr double kSame = 0.1;          // [m]
@@ -150,7 +150,7 @@ class EmptySight::Memory {
     const auto missed = around(places, [](const Place& place) { return place.is_missed; });
     std::vector<bool> gone(beams(), false);
     for (std::size_t i = 0; i < beams(); ++i)
-      gone[i] = missed[i] > 0 || lost[i] >= kCannotVanish || stood[i] >= kStanding;
+      gone[i] = missed[i] > 0 || lost[i] >= kCannotVanish || stood[i] >= kSeenStanding;
     return gone;
   }
 

@@ -41,7 +41,7 @@ std::shared_ptr<Target> add_target(Verb verb, bool is_required) {
   return target;
 }
 
-void add_list(Verb param) {
+void add_param_list(Verb param) {
   Verb verb = param.verb(
       "list",
       "Of a graph: names, types, ranges, defaults, values, meaning. Of a node, or all of them: names");
@@ -98,7 +98,7 @@ void add_one(Verb param) {
 }
 
 void add_param(Verb param) {
-  add_list(param);
+  add_param_list(param);
   add_dump(param);
   add_one(param);
 }

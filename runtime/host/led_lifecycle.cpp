@@ -15,9 +15,6 @@ namespace id = lifecycle::transition_id;
 
 namespace {
 
-/// As the manager's: who takes longer is broken.
-constexpr Duration kLongestTransition = Duration::milliseconds(10'000);
-
 Command command_for(std::uint8_t transition) {
   switch (transition) {
     case id::kConfigure:

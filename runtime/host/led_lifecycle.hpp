@@ -14,6 +14,9 @@
 
 namespace bw {
 
+/// Of one transition. A particle filter over a large map takes its time; who takes longer is broken.
+inline constexpr Duration kLongestTransition = Duration::milliseconds(10'000);
+
 struct Actor;
 
 class LedLifecycle {

@@ -12,9 +12,6 @@ using std_srvs::srv::Trigger;
 
 namespace {
 
-/// A particle filter over a large map takes its time; who takes longer is broken.
-constexpr Duration kLongestTransition = Duration::milliseconds(10'000);
-
 template <class Response>
 Response unsuccessful() {
   Response response;

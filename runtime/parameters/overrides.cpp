@@ -36,17 +36,24 @@ std::string Override::key() const {
   return out;
 }
 
+std::vector<std::string> parts_of(std::string_view dotted) {
+  std::vector<std::string> parts;
+  while (true) {
+    const std::size_t dot = dotted.find('.');
+    parts.emplace_back(dotted.substr(0, dot));
+    if (dot == std::string_view::npos) return parts;
+    dotted.remove_prefix(dot + 1);
+  }
+}
+
 Override parse_override(std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::string name(text.substr(0, equals));
   if (equals == std::string_view::npos) refuse(name, "", "must have the form component.param=value");
   Override change;
-  for (std::size_t start = 0; start <= name.size();) {
-    const std::size_t dot = std::min(name.find('.', start), name.size());
-    change.path.push_back(name.substr(start, dot - start));
-    if (change.path.back().empty()) refuse(name, "", "must have the form component.param=value");
-    start = dot + 1;
-  }
+  change.path = parts_of(name);
+  if (std::ranges::find(change.path, "") != change.path.end())
+    refuse(name, "", "must have the form component.param=value");
   if (change.path.size() > kMaxYamlDepth) refuse(name, "", "nested too deeply");
   try {
     change.value = parse_yaml(text.substr(equals + 1), std::string(kOverrideFile));

@@ -16,6 +16,9 @@ struct Override {
   std::string key() const;  ///< dotted
 };
 
+/// "world.walls.0" in parts.
+std::vector<std::string> parts_of(std::string_view dotted);
+
 /// `text` is `dotted.name=value`, the value YAML as on the right side of a colon. Throws ConfigError.
 Override parse_override(std::string_view text);
 

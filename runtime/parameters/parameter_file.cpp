@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "runtime/parameters/field_types.hpp"
+#include "runtime/parameters/overrides.hpp"
 #include "runtime/parameters/scalar_text.hpp"
 
 namespace bw {
@@ -10,16 +11,6 @@ namespace {
 
 constexpr std::string_view kParameters = "ros__parameters";
 constexpr std::string_view kEveryNode = "/**";
-
-std::vector<std::string_view> parts_of(std::string_view dotted) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t dot = dotted.find('.');
-    parts.push_back(dotted.substr(0, dot));
-    if (dot == std::string_view::npos) return parts;
-    dotted.remove_prefix(dot + 1);
-  }
-}
 
 class Reader {
  public:
@@ -71,17 +62,17 @@ class Reader {
 
 std::string to_parameter_file(std::string_view node, const std::vector<NamedValue>& parameters) {
   std::string text = std::string(node) + ":\n  " + std::string(kParameters) + ":\n";
-  std::vector<std::string_view> open;
+  std::vector<std::string> open;
   for (const NamedValue& parameter : parameters) {
-    const std::vector<std::string_view> parts = parts_of(parameter.name);
+    const std::vector<std::string> parts = parts_of(parameter.name);
     const std::size_t most = std::min(open.size(), parts.size() - 1);
     const auto last = parts.begin() + static_cast<std::ptrdiff_t>(most);
     const auto same =
         static_cast<std::size_t>(std::mismatch(parts.begin(), last, open.begin()).first - parts.begin());
     const auto margin = [](std::size_t depth) { return std::string(4 + 2 * depth, ' '); };
     for (std::size_t i = same; i + 1 < parts.size(); ++i)
-      text.append(margin(i)).append(to_text(std::string(parts[i]))).append(":\n");
-    text.append(margin(parts.size() - 1)).append(to_text(std::string(parts.back()))).append(": ");
+      text.append(margin(i)).append(to_text(parts[i])).append(":\n");
+    text.append(margin(parts.size() - 1)).append(to_text(parts.back())).append(": ");
     text.append(to_yaml_text(parameter.value)).append("\n");
     open.assign(parts.begin(), parts.end() - 1);
   }

@@ -12,16 +12,6 @@ namespace {
 
 constexpr std::size_t kLongestName = 255;
 
-std::vector<std::string> parts_of(std::string_view dotted) {
-  std::vector<std::string> parts;
-  while (true) {
-    const std::size_t dot = dotted.find('.');
-    parts.emplace_back(dotted.substr(0, dot));
-    if (dot == std::string_view::npos) return parts;
-    dotted.remove_prefix(dot + 1);
-  }
-}
-
 bool is_empty_list(const ParameterValue& value) {
   return std::visit(
       []<class T>(const T& held) {

@@ -12,7 +12,6 @@
 namespace bw {
 namespace {
 
-using type_description_interfaces::msg::Field;
 using type_description_interfaces::msg::IndividualTypeDescription;
 using type_description_interfaces::msg::TypeSource;
 using Description = type_description_interfaces::msg::TypeDescription;
@@ -35,7 +34,7 @@ IndividualTypeDescription alone(const TypeDescription& type) {
   IndividualTypeDescription result;
   result.type_name(std::string(type.ros_name));
   for (const FieldDescription& field : type.fields) {
-    Field& f = result.fields().emplace_back();
+    auto& f = result.fields().emplace_back();
     f.name(std::string(field.name));
     f.type().type_id(type_id(field));
     f.type().capacity(field.capacity);
@@ -65,7 +64,7 @@ Description whole(IndividualTypeDescription type, Referenced& referenced) {
 /// The text of which REP 2011 takes the hash; default values are no part of it.
 std::string json(const IndividualTypeDescription& type) {
   std::string fields;
-  for (const Field& field : type.fields()) {
+  for (const auto& field : type.fields()) {
     fields += fmt::format(
         R"({}{{"name": "{}", "type": {{"type_id": {}, "capacity": {}, "string_capacity": {}, "nested_type_name": "{}"}}}})",
         fields.empty() ? "" : ", ", field.name(), field.type().type_id(), field.type().capacity(),
@@ -99,7 +98,7 @@ Description join_parts(std::string_view ros_name,
   joined.type_name(std::string(ros_name));
   Referenced referenced;
   for (const auto& [name, part] : parts) {
-    Field& field = joined.fields().emplace_back();
+    auto& field = joined.fields().emplace_back();
     field.name(name);
     field.type().type_id(kNestedType);
     field.type().nested_type_name(part.type_description().type_name());

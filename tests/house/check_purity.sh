@@ -29,7 +29,7 @@ for target in "$@"; do
   [ -s "$scratch/of_target" ] || { echo "no sources of $target in $commands" >&2; exit 1; }
   cat "$scratch/of_target" >>"$scratch/commands"
 done
-any=$(sed -E '1!d; s/ [^ ]+\.cpp$//' "$scratch/commands")
+any=$(sed -E '1!d; s/ [^ ]+\.c(pp|xx)$//' "$scratch/commands")
 (cd "$root" && find components runtime/base -name '*.hpp') | { grep -Ev "$not_pure" || true; } |
   while read -r header; do echo "$any -include $root/$header -x c++ /dev/null"; done >>"$scratch/commands"
 
@@ -42,11 +42,12 @@ while read -r command; do
   fi
   awk -v root="$root/" -v start="$start" '
     function short(path) { return substr(path, length(root) + 1) }
-    BEGIN { chain[0] = short(start); print chain[0] "\t" chain[0] }
+    # A unity source is no file of the project: its sources are where chains begin.
+    BEGIN { if (start !~ /\/Unity\//) { chain[0] = short(start); print chain[0] "\t" chain[0] } }
     /^\.+ / {
       depth = length($1)
       ours = index($2, root) == 1
-      chain[depth] = chain[depth - 1] (ours ? " > " short($2) : "")
+      chain[depth] = chain[depth - 1] (ours ? (chain[depth - 1] == "" ? "" : " > ") short($2) : "")
       if (ours) print short($2) "\t" chain[depth]
     }' "$scratch/tree"
 done <"$scratch/commands" | sort -u -t "$(printf '\t')" -k 1,1 >"$scratch/reached"

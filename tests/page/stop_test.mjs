@@ -45,9 +45,11 @@ test("somebody stops the robot, and lets it go on", async (t) => {
   });
 
   await t.test("it stops a robot with a goal, and says who", async () => {
+    await view.eventually("map and robot drawn", (hook) => hook.drawn.map > 0 && hook.drawn.robot);
     await view.click("goal");
     await view.drag([8, 0], [8.6, 0]);
-    await eventually("the robot drives", async () => (await speed()) > 0.1);
+    const status = () => view.page.evaluate(() => ["hands-said", "navigation-status"].map((name) => document.querySelector(`[data-test="${name}"]`)?.textContent));
+    await eventually(async () => `the robot drives; the page says ${JSON.stringify(await status())}`, async () => (await speed()) > 0.1);
     await view.page.keyboard.press("ArrowLeft"); // another time than now is looked at
     await view.click("stop");
     await says("Stopped: the emergency stop is pressed by /");

@@ -18,8 +18,8 @@ using ::testing::ElementsAre;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMost = std::numeric_limits<double>::max();
 
-enum class Gait { walk, run };
-constexpr auto choice_table(Gait) { return choices<Gait>({{Gait::walk, "walk"}, {Gait::run, "run"}}); }
+enum class Pace { walk, run };
+constexpr auto choice_table(Pace) { return choices<Pace>({{Pace::walk, "walk"}, {Pace::run, "run"}}); }
 
 struct Wall {
   double x = 0.0;
@@ -52,7 +52,7 @@ struct Everything {
   int beams = 720;
   std::int64_t seed = 1;
   double range = kInfinity;
-  Gait gait = Gait::walk;
+  Pace gait = Pace::walk;
   std::string model = "orca";
   std::string label;
   std::string map;
@@ -63,7 +63,7 @@ struct Everything {
   std::vector<int> counts = {1, 2};
   std::vector<double> gains = {0.5};
   std::vector<std::string> names = {"a"};
-  std::vector<Gait> gaits = {Gait::run};
+  std::vector<Pace> gaits = {Pace::run};
   std::vector<std::vector<double>> rows = {{1.0}, {}};
 
   void fields(auto& v) {
@@ -151,7 +151,7 @@ TEST(ParameterSet, TakesEveryTypeAndKeepsTheRest) {
   take("beams", std::int64_t{expected.beams = 5});
   take("seed", expected.seed = 9);
   take("range", expected.range = 0.1 + 0.2);
-  take("gait", "run"), expected.gait = Gait::run;
+  take("gait", "run"), expected.gait = Pace::run;
   take("model", expected.model = "social_force");
   take("label", expected.label = "1: \"[a]\" \xc3\xa9");
   take("map", expected.map = "maps/../a.yaml");
@@ -162,7 +162,7 @@ TEST(ParameterSet, TakesEveryTypeAndKeepsTheRest) {
   take("counts", Integers{0, 5}), expected.counts = {0, 5};
   take("gains", expected.gains = {-1e300, 3.0});
   take("names", expected.names = {"true", "1"});
-  take("gaits", std::vector<std::string>{"walk"}), expected.gaits = {Gait::walk};
+  take("gaits", std::vector<std::string>{"walk"}), expected.gaits = {Pace::walk};
   take("rows.1", expected.rows[1] = {1.0, 2.0});
   EXPECT_EQ(set.as<Everything>(), expected);
   Everything copy = set.as<Everything>();

@@ -32,7 +32,7 @@ struct Scan {
   bool operator==(const Scan&) const = default;
 };
 
-struct Wall {
+struct Edge {
   double x = 0.0;
   double y = 0.0;
 
@@ -41,7 +41,7 @@ struct Wall {
     v("x", x, {.unit = "m"});
     v("y", y, {.unit = "m"});
   }
-  bool operator==(const Wall&) const = default;
+  bool operator==(const Edge&) const = default;
 };
 
 struct World {
@@ -50,7 +50,7 @@ struct World {
   std::string model = "orca";
   std::string label;
   Scan scan;
-  std::vector<Wall> walls = {{1.0, 2.0}};
+  std::vector<Edge> walls = {{1.0, 2.0}};
   std::vector<double> gains = {0.5};
   std::vector<bool> flags;
   std::vector<std::vector<std::int64_t>> cells;
@@ -115,7 +115,7 @@ TEST(ReadParameters, ReadsEveryKindOfField) {
   EXPECT_FALSE(world.react);
   EXPECT_EQ(world.label, "true");
   EXPECT_EQ(world.scan.rate, 1.0);
-  EXPECT_EQ(world.walls, (std::vector<Wall>{{-15.0, 0.0}, {0.5, 2.0}}));
+  EXPECT_EQ(world.walls, (std::vector<Edge>{{-15.0, 0.0}, {0.5, 2.0}}));
   EXPECT_THAT(world.gains, ElementsAre(1.0, -2.5));
   EXPECT_THAT(world.flags, ElementsAre(true, false));
   EXPECT_THAT(world.cells, ElementsAre(ElementsAre(1, 2), ElementsAre()));
@@ -308,7 +308,7 @@ TEST(Overrides, ChangeOneValue) {
   }
   const World world = read_parameters<World>(root, "");
   EXPECT_EQ(world.scan.rate, 20.0);
-  EXPECT_EQ(world.walls, (std::vector<Wall>{{1.0, 7.0}, {3.0, 4.0}}));
+  EXPECT_EQ(world.walls, (std::vector<Edge>{{1.0, 7.0}, {3.0, 4.0}}));
   EXPECT_THAT(world.gains, ElementsAre(1.0, 2.0));
   EXPECT_EQ(world.label, "a=b");
   EXPECT_EQ(world.seed, 6);

@@ -20,7 +20,7 @@ namespace bw {
 namespace {
 
 constexpr int kQuickRuns = 5;
-constexpr std::int64_t kQuickSeeds = 2;
+constexpr std::int64_t kQuickAnticipationSeeds = 2;
 constexpr std::int64_t kOwnSensesSeeds = 10;  // half of those by ideal senses: reported, not judged
 
 /// Pieces are counted through both geometries; a shard drives its own and returns too little.
@@ -73,7 +73,7 @@ std::vector<HallwayJob> hallway_jobs(const Suite& suite, const std::vector<Cross
                                      bool own_senses, bool quick) {
   const SeedRange& seeds = suite.options.seeds;
   std::int64_t last_seed = own_senses ? std::min(seeds.last, seeds.first + kOwnSensesSeeds - 1) : seeds.last;
-  if (quick) last_seed = seeds.first + (own_senses ? 1 : kQuickSeeds) - 1;
+  if (quick) last_seed = seeds.first + (own_senses ? 1 : kQuickAnticipationSeeds) - 1;
   std::vector<HallwayJob> jobs;
   for (const bool people_react : {true, false}) {
     for (std::size_t episode = 0; episode < suite.options.episodes.size(); ++episode) {

@@ -10,7 +10,7 @@
 namespace bw {
 namespace {
 
-constexpr std::uint64_t kQuickSeeds = 5;
+constexpr std::uint64_t kQuickEdwaSeeds = 5;
 
 void print(const EdwaTable& table) {
   fmt::print("{:28} {:10} {:>9} {:>7} {:>7} {:>8} {:>9} {:>9}\n", "scene", "pairing", "published", "mean",
@@ -26,7 +26,7 @@ void print(const EdwaTable& table) {
 }  // namespace
 
 bool reproduce_edwa(const ReproduceArguments& arguments) {
-  std::vector<EdwaVariant> variants = edwa_variants(1, arguments.quick ? kQuickSeeds : kEdwaSeeds);
+  std::vector<EdwaVariant> variants = edwa_variants(1, arguments.quick ? kQuickEdwaSeeds : kEdwaSeeds);
   if (arguments.quick) variants.erase(variants.begin() + 1, variants.end());
   std::vector<EdwaResult> results;
   for (const EdwaVariant& variant : variants) {

@@ -12,7 +12,7 @@
 namespace bw {
 namespace {
 
-constexpr int kQuickSeeds = 10;
+constexpr int kQuickEkfSeeds = 10;
 constexpr int kQuickRealSeeds = 2;
 
 void print(const EkfReport& report) {
@@ -39,7 +39,7 @@ void print(const EkfReport& report) {
 }  // namespace
 
 bool reproduce_ekf(const ReproduceArguments& arguments) {
-  EkfReport report{.seeds = arguments.quick ? kQuickSeeds : kEkfSeeds};
+  EkfReport report{.seeds = arguments.quick ? kQuickEkfSeeds : kEkfSeeds};
   std::cerr << fmt::format("simulated drives, {} seeds\n", report.seeds);
   report.rows = ekf_rows(report.seeds);
   const char* shared = std::getenv("BANDWAGON_SHARED");

@@ -9,7 +9,7 @@
 namespace bw {
 namespace {
 
-constexpr std::uint64_t kQuickSeeds = 5;
+constexpr std::uint64_t kQuickPfSeeds = 5;
 
 void print(const PfTable& table) {
   fmt::print("{:14} {:>10} {:>10}", "under the roof", "pub. enc.", "pub. prop.");
@@ -31,7 +31,7 @@ bool reproduce_pf(const ReproduceArguments& arguments) {
     std::cerr << fmt::format("[{}/{}] {} {}: {:.4f} m\n", done, all, row.name, to_string(cell.method),
                              cell.mean);
   };
-  const PfExperimentOptions options{.last_seed = arguments.quick ? kQuickSeeds : kPfSeeds};
+  const PfExperimentOptions options{.last_seed = arguments.quick ? kQuickPfSeeds : kPfSeeds};
   const PfTable table = run_pf_experiments(options, progress);
   print(table);
   return write_report(

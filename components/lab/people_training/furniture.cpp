@@ -9,7 +9,6 @@
 namespace bw::people {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 
 /// Of `least` to `most`, both included.
 int count_between(Random& random, int least, int most) {
@@ -96,7 +95,7 @@ void Furniture::add_chair(const Pose2& X_MP, Random& random) {
   if (random.uniform() < 0.5) return;  // above the castors
   const double reach = random.uniform(0.25, 0.33);
   for (int arm = 0; arm < 5; ++arm)
-    add_disc(Piece::chair, X_MP * (reach * direction(2.0 * kPi * arm / 5)), 0.03);
+    add_disc(Piece::chair, X_MP * (reach * direction(2.0 * std::numbers::pi * arm / 5)), 0.03);
 }
 
 void Furniture::add_table(const Pose2& X_MP, Random& random) {
@@ -130,7 +129,7 @@ void Furniture::add_plant(const Pose2& X_MP, Random& random) {
   const double reach = random.uniform(0.1, 0.3);
   for (int n = count_between(random, 3, 12); n > 0; --n) {
     const double away = reach * std::sqrt(random.uniform());
-    const double bearing = random.uniform(-kPi, kPi);
+    const double bearing = random.uniform(-std::numbers::pi, std::numbers::pi);
     add_disc(Piece::plant, X_MP * (away * direction(bearing)), random.uniform(0.004, 0.03));
   }
 }
@@ -147,7 +146,7 @@ void Furniture::add_dining_place(const Pose2& X_MP, Random& random) {
   constexpr std::array<double, 4> kSides = {0.0, 0.5, 1.0, 1.5};
   for (const double side : kSides) {
     if (random.uniform() < 0.3) continue;
-    const double bearing = side * kPi + random.uniform(-0.2, 0.2);
+    const double bearing = side * std::numbers::pi + random.uniform(-0.2, 0.2);
     const Vector2 place = random.uniform(0.65, 1.05) * direction(bearing);
     add(Piece::chair, X_MP * Pose2{place.x(), place.y(), bearing + random.uniform(-0.4, 0.4)}, random);
   }

@@ -9,7 +9,6 @@
 namespace bw::people {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kEdge = 0.1;        // neighbours farther apart are an edge [m],
 constexpr double kEchoLength = 1.2;  // and if farther than this the first echo alone is told [m]
 
@@ -22,14 +21,14 @@ struct Sold {
 };
 
 // From 0.25 to 1 degree between beams.
-constexpr std::array<Sold, 8> kSold = {{{360, 2.0 * kPi * 359 / 360, 12.0, 5.5, true},
-                                        {450, 2.0 * kPi * 449 / 450, 12.0, 10.0, true},
-                                        {512, kPi, 5.6, 10.0, false},
-                                        {541, 1.5 * kPi, 20.0, 25.0, false},
-                                        {720, 1.5 * kPi, 10.0, 10.0, false},
-                                        {720, 2.0 * kPi * 719 / 720, 16.0, 20.0, true},
-                                        {1081, 1.5 * kPi, 30.0, 40.0, false},
-                                        {1440, 2.0 * kPi * 1439 / 1440, 25.0, 10.0, false}}};
+constexpr std::array<Sold, 8> kSold = {{{360, 2.0 * std::numbers::pi * 359 / 360, 12.0, 5.5, true},
+                                        {450, 2.0 * std::numbers::pi * 449 / 450, 12.0, 10.0, true},
+                                        {512, std::numbers::pi, 5.6, 10.0, false},
+                                        {541, 1.5 * std::numbers::pi, 20.0, 25.0, false},
+                                        {720, 1.5 * std::numbers::pi, 10.0, 10.0, false},
+                                        {720, 2.0 * std::numbers::pi * 719 / 720, 16.0, 20.0, true},
+                                        {1081, 1.5 * std::numbers::pi, 30.0, 40.0, false},
+                                        {1440, 2.0 * std::numbers::pi * 1439 / 1440, 25.0, 10.0, false}}};
 
 void mix_edges(LaserScan& scan, double share, Random& random) {
   for (std::size_t i = 0; i + 1 < scan.ranges.size(); ++i) {

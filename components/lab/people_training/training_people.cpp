@@ -10,7 +10,6 @@
 namespace bw::people {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 
 /// Radius as seen at the laser's height: ankles of 0.025 to 0.06 m at 0.1 m, knees and trousers of 0.05 to 0.095 m at
 /// 0.5 m. Recorded scans show thin ones at any height: dark cloth returns nothing where a beam grazes it.
@@ -46,18 +45,18 @@ void plan_group(int size, const std::function<Vector2()>& free_place, Random& ra
   const Vector2 goal = free_place();
   const bool stands = random.uniform() < 0.35;
   const double apart = random.uniform(0.5, 0.8);
-  const double ring = size > 1 ? apart / (2.0 * std::sin(kPi / size)) : 0.0;
-  const double turned = random.uniform(-kPi, kPi);
+  const double ring = size > 1 ? apart / (2.0 * std::sin(std::numbers::pi / size)) : 0.0;
+  const double turned = random.uniform(-std::numbers::pi, std::numbers::pi);
   const Vector2 way = goal - start;
-  const Vector2 side = direction(std::atan2(way.y(), way.x()) + kPi / 2.0);
+  const Vector2 side = direction(std::atan2(way.y(), way.x()) + std::numbers::pi / 2.0);
   for (int i = 0; i < size; ++i) {
-    const double bearing = turned + 2.0 * kPi * i / size;
+    const double bearing = turned + 2.0 * std::numbers::pi * i / size;
     if (stands) {
       const Vector2 place = start + ring * direction(bearing);
       ScriptedPersonOptions person;
       person.waypoints = {{place.x(), place.y()}};
       plan.standing.push_back(person);
-      plan.facing.push_back(size > 1 ? bearing + kPi : bearing);
+      plan.facing.push_back(size > 1 ? bearing + std::numbers::pi : bearing);
     } else {
       const Vector2 offset = apart * (i - (size - 1) / 2.0) * side;
       const Vector2 from = start + offset;

@@ -14,7 +14,6 @@ constexpr double kSpeed = 0.7;         // of the scanner [m/s]
 constexpr double kTurnRate = 0.8;      // [rad/s]
 constexpr double kMismatch = 0.004;    // of the wheels
 constexpr double kSeparation = 0.39;   // of the wheels [m]
-constexpr double kPi = std::numbers::pi;
 
 int count_up_to(Random& random, int most) { return static_cast<int>(random.uniform() * (most + 1)); }
 
@@ -37,14 +36,14 @@ TrainingRoom::TrainingRoom(const RoomOptions& options, std::uint64_t seed)
   people_ = std::make_unique<TrainingPeople>(
       people, *scene_, [this] { return free_place(0.35); }, random_);
   const Vector2 start = free_place(0.4);
-  X_ML_ = {start.x(), start.y(), random_.uniform(-kPi, kPi)};
-  X_OL_ = {random_.uniform(-5.0, 5.0), random_.uniform(-5.0, 5.0), random_.uniform(-kPi, kPi)};
+  X_ML_ = {start.x(), start.y(), random_.uniform(-std::numbers::pi, std::numbers::pi)};
+  X_OL_ = {random_.uniform(-5.0, 5.0), random_.uniform(-5.0, 5.0), random_.uniform(-std::numbers::pi, std::numbers::pi)};
   goal_ = free_place(0.4);
 }
 
 void TrainingRoom::furnish() {
   const auto somewhere = [&] {
-    return Pose2{random_.uniform(0.0, length_), random_.uniform(0.0, width_), random_.uniform(-kPi, kPi)};
+    return Pose2{random_.uniform(0.0, length_), random_.uniform(0.0, width_), random_.uniform(-std::numbers::pi, std::numbers::pi)};
   };
   const auto stand_up_to = [&](int most, Piece piece) {
     for (int n = count_up_to(random_, most); n > 0; --n) furniture_.add(piece, somewhere(), random_);

@@ -10,7 +10,7 @@
 namespace bw::dwa {
 namespace {
 
-constexpr double kDeepest = 0.3;  // [m] that somebody may be touched by and one motion be better than another
+constexpr double kDeepestTouch = 0.3;  // [m] that somebody may be touched by and one motion be better than another
 constexpr double kAnyWay = 1e3;   // [m]: it is the time that ends them
 
 }  // namespace
@@ -33,13 +33,13 @@ PassingCost::Group::Group(PlanningProblem among, const EdwaOptions& options)
     : problem(std::move(among)),
       roll_outs(problem, {.horizon = options.mover_horizon,
                           .way = kAnyWay,
-                          .margin = -kDeepest,
+                          .margin = -kDeepestTouch,
                           .reach = options.passing_gap,
                           .predict_movers = true}) {}
 
 double PassingCost::Group::cost(const Twist2& held, const EdwaOptions& options, double power, double fading) {
   const RollOut out = roll_outs.along(held);
-  const double gap = out.meets ? -kDeepest : out.gap;
+  const double gap = out.meets ? -kDeepestTouch : out.gap;
   const double missing = std::max(0.0, options.passing_gap - gap) / options.passing_gap;
   const double when = (out.meets ? out.time : out.gap_time) / options.mover_horizon;
   const double soon = out.meets ? 1.0 - when : 0.0;

@@ -9,12 +9,12 @@
 namespace bw::dwa {
 namespace {
 
-constexpr double kStep = 0.05;       // [m] that any point of the footprint moves between two looks
+constexpr double kMostMotion = 0.05;       // [m] that any point of the footprint moves between two looks
 constexpr double kMostSteps = 200;   // a base that is faster than any gets longer ones
 constexpr double kMoverStep = 0.1;   // [s] between places of movers
 constexpr double kMostTurn = 3.0;    // [rad]; a heading reached by turning on would look like one not left
 constexpr double kDeepest = 0.3;     // [m] that it may be inside of something and leave
-constexpr double kNoCloser = 0.001;  // [m] by which a motion inside the margin may come closer
+constexpr double kNoCloserInside = 0.001;  // [m] by which a motion inside the margin may come closer
 
 // Movers that stand where they are become discs.
 PlanningProblem frozen(PlanningProblem problem) {
@@ -37,7 +37,7 @@ RollOuts::RollOuts(const PlanningProblem& problem, const RollOutRules& rules)
       rules_(rules),
       gaps_(problem_, rules.horizon, kMoverStep, rules.reach) {
   gap_now_ = gap_at(problem.pose, 0.0);
-  margin_ = std::clamp(gap_now_ - kNoCloser, -kDeepest, rules.margin);
+  margin_ = std::clamp(gap_now_ - kNoCloserInside, -kDeepest, rules.margin);
 }
 
 double RollOuts::gap_at(const Pose2& pose, double time) {
@@ -54,7 +54,7 @@ RollOut RollOuts::along(const Twist2& held) {
   const Twist2& now = problem_.twist;
   const double fastest = std::max(std::abs(held.v), std::abs(now.v)) +
                          std::max(std::abs(held.omega), std::abs(now.omega)) * problem_.footprint.radius;
-  const double steps = std::clamp(std::ceil(rules_.horizon * fastest / kStep), 2.0, kMostSteps);
+  const double steps = std::clamp(std::ceil(rules_.horizon * fastest / kMostMotion), 2.0, kMostSteps);
   const double dt = rules_.horizon / steps;
   RollOut out{.twist = held, .end = problem_.pose, .gap = gap_now_};
   // No gap changes faster than the footprint moves, and movers.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPredictionStep = 0.4;  // [s] within which a predicted motion is taken as straight
 constexpr int kMostSteps = 64;           // of one edge
-constexpr double kRounding = 1e-9;       // [m]
+constexpr double kAreaRounding = 1e-9;       // [m]
 constexpr std::size_t kManyParts = 32;   // of a body, from which on those near an edge are looked for
 constexpr double kPiece = 0.5;           // [m] of an edge for which they are
 constexpr double kMostPieces = 1000.0;   // of an edge; those of a longer one are longer
@@ -88,7 +88,7 @@ double EdgeCheck::gap(const Watched& watched, const Vector2& from, const Vector2
 double EdgeCheck::gap_to_many(const Watched& watched, const Segment& way, double wanted) const {
   const CapsuleIndex& parts = watched.parts;
   double smallest = std::numeric_limits<double>::infinity();
-  const double aside = std::max(0.0, course_.robot_radius + wanted) + kRounding;
+  const double aside = std::max(0.0, course_.robot_radius + wanted) + kAreaRounding;
   const std::optional<Segment> near = within(way, watched.box.low, watched.box.high, aside);
   if (!near) return smallest;
   const Vector2 whole = near->b - near->a;
@@ -123,7 +123,7 @@ bool EdgeCheck::clear(const Vector2& from, const Vector2& to) const {
     };
     if (leaves_start) allow_from(w.at_start);
     if (enters_goal) allow_from(w.at_goal);
-    needed -= kRounding;
+    needed -= kAreaRounding;
     if (gap(w, from, to, needed) < needed) return false;
   }
   return true;

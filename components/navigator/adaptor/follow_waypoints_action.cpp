@@ -13,7 +13,7 @@ namespace bw {
 namespace {
 
 template <class Goal>
-PlacedGoal placed(const GoalFrames& frames, const Goal& goal, Time now) {
+PlacedGoal placed_waypoints(const GoalFrames& frames, const Goal& goal, Time now) {
   PlacedGoal all = frames.place(goal_poses(goal), now);
   const std::size_t first = first_waypoint(goal), count = goal_poses(goal).size();
   if (all.is_good() && first >= count)
@@ -60,7 +60,7 @@ void FollowWaypointsAction::offer_action(Setup& setup) {
   };
   const auto on_goal = [this, tell, end, distro](const Handle& handle, const Tick& tick) {
     handle.execute();
-    PlacedGoal all = placed(frames_, handle.goal(), tick.now);
+    PlacedGoal all = placed_waypoints(frames_, handle.goal(), tick.now);
     if (all.is_good()) all.problem = desk_.hindrance(tick);
     if (!all.is_good()) {
       desk_.take(all, tick);

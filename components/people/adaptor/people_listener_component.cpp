@@ -19,7 +19,7 @@
 namespace bw::people {
 namespace {
 
-const Duration kMarkerLifetime = Duration::milliseconds(500);
+const Duration kHeardMarkerLifetime = Duration::milliseconds(500);
 
 struct PeopleListenerOptions {
   double timeout = 1.0;
@@ -77,7 +77,7 @@ class PeopleListenerComponent final : public Component {
     predictor_->predict(people, {}, stamp);
     const std_msgs::msg::Header header = make_header(odom_frame_, stamp);
     tracks_.publish(to_tracks(people, header));
-    if (markers_.has_readers()) markers_.publish(to_markers(people, kMarkerLifetime, header));
+    if (markers_.has_readers()) markers_.publish(to_markers(people, kHeardMarkerLifetime, header));
   }
 
   void note(const std::string& fault) {

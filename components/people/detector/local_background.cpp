@@ -6,7 +6,7 @@
 namespace bw::people {
 namespace {
 
-constexpr float kLongestStep = 0.5F;  // a longer silence is no proof that something stood meanwhile [s]
+constexpr float kLongestSilence = 0.5F;  // a longer silence is no proof that something stood meanwhile [s]
 constexpr double kRemembered = 2.0;   // a cell holds at most so many times `stood`
 constexpr double kFarthest = 1e8;     // cells are numbered by int
 
@@ -50,7 +50,7 @@ void LocalBackground::learn(const Beams& beams, Time time, std::span<const Vecto
   const Duration since = time - last_;
   const bool first = sweep_ == 0;
   if (!first && since.nanoseconds <= 0) return;
-  const float elapsed = first ? 0.0F : std::min(static_cast<float>(since.to_seconds()), kLongestStep);
+  const float elapsed = first ? 0.0F : std::min(static_cast<float>(since.to_seconds()), kLongestSilence);
   last_ = time;
   ++sweep_;
   mark(beams, elapsed, people);

@@ -5,7 +5,7 @@
 namespace bw::people {
 namespace {
 
-constexpr double kSameTime = 1e-6;  // [s]
+constexpr double kSameLabelTime = 1e-6;  // [s]
 
 }  // namespace
 
@@ -17,7 +17,7 @@ LabelledPaths::LabelledPaths(const std::vector<LabelledInstant>& instants, doubl
 }
 
 std::optional<TruePerson> LabelledPaths::on(const std::vector<Label>& path, double time) const {
-  const auto is_before = [](const Label& label, double t) { return label.time < t - kSameTime; };
+  const auto is_before = [](const Label& label, double t) { return label.time < t - kSameLabelTime; };
   const auto next = std::lower_bound(path.begin(), path.end(), time, is_before);
   if (next == path.end()) return std::nullopt;
   const auto is_step = [&](auto to) {
@@ -27,7 +27,7 @@ std::optional<TruePerson> LabelledPaths::on(const std::vector<Label>& path, doub
     return (to->person.position - (to - 1)->person.position) / (to->time - (to - 1)->time);
   };
   TruePerson person = next->person;
-  if (next->time <= time + kSameTime) {
+  if (next->time <= time + kSameLabelTime) {
     if (is_step(next)) {
       person.velocity = velocity(next);
     } else if (is_step(next + 1)) {

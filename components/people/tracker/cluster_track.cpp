@@ -6,7 +6,7 @@ namespace bw::people {
 namespace {
 
 constexpr double kAcceleration = 2.0;  // [m/s^2/sqrt(Hz)], legs that swing
-constexpr double kRounding = 1e-6;
+constexpr double kSlotRounding = 1e-6;
 
 }  // namespace
 
@@ -16,7 +16,7 @@ ClusterTrack::ClusterTrack(const Sighting& first)
 }
 
 void ClusterTrack::remember(const Sighting& seen) {
-  const auto slot = [](double time) { return std::floor(time / kSpacing + kRounding); };
+  const auto slot = [](double time) { return std::floor(time / kSpacing + kSlotRounding); };
   const std::int64_t nth = count_ == 0 ? 1 : last().nth + 1;
   if (count_ == 0 || slot(seen.time) != slot(last().time)) ++count_;
   Sighting& kept = ring_[(count_ - 1) % kRemembered];

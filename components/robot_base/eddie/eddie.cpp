@@ -12,8 +12,8 @@ namespace bw::eddie {
 namespace {
 
 constexpr Duration kListen = Duration::milliseconds(80);     ///< after the first bytes of a session
-constexpr Duration kStrange = Duration::milliseconds(1000);  ///< without an answer
-constexpr Duration kGiveUp = Duration::milliseconds(4000);
+constexpr Duration kSilentStrange = Duration::milliseconds(1000);  ///< without an answer
+constexpr Duration kSilentGivenUp = Duration::milliseconds(4000);
 constexpr Duration kSayAgain = Duration::milliseconds(100);   ///< what GOSPD said, though nothing changed
 constexpr Duration kStartAnew = Duration::milliseconds(500);  ///< of silence: the board may have restarted
 constexpr int kFewerPositions = 100;  ///< a turn of the wheel: the older board, whose ACC goes to FF
@@ -240,7 +240,7 @@ LinkState Eddie::heard(Time now, const LinkState& cable) {
   link.is_open = false;
   link.fault = phase_ == Phase::running ? "no answer of the board" : "not answered as an Eddie yet";
   if (phase_ == Phase::running && silence >= kStartAnew) begin_session(now);
-  if (silence < kStrange) return link;
+  if (silence < kSilentStrange) return link;
   link.fault = "no answer of an Eddie to STOP and VER";
   if (!stranger_.is_heard()) {
     link.fault += ": nothing comes; is the board switched on?";
@@ -248,7 +248,7 @@ LinkState Eddie::heard(Time now, const LinkState& cable) {
   }
   link.fault += ", but bytes: " + stranger_.likeness();
   faults_.say(now, "stranger", link.fault);
-  if (silence >= kGiveUp) {
+  if (silence >= kSilentGivenUp) {
     link_->close(now, link.fault);
     phase_ = Phase::closed;
   }

@@ -15,8 +15,9 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kPatience{1000};  // with readers that do not come
-constexpr std::chrono::milliseconds kLinger{2000};    // until the last sample has arrived
+constexpr std::chrono::milliseconds kReaderPatience{1000};       // with readers that do not come, where another is there
+constexpr std::chrono::milliseconds kLongPatience{5000};   // where none is: discovery takes seconds on a busy machine
+constexpr std::chrono::milliseconds kWriterLinger{2000};         // until the last sample has arrived
 constexpr std::size_t kMostWaiting = 100;
 
 /// geometry_msgs/PoseStamped -> geometry_msgs/msg/PoseStamped
@@ -102,20 +103,21 @@ std::optional<std::string> WirePublisher::publish_json(const std::string& name, 
   }
 }
 
-bool WirePublisher::has_all_readers(const std::string& topic, const Topic& one) {
-  if (steady_clock::now() - one.opened > kPatience) return true;
+bool WirePublisher::has_readers(const std::string& topic, const Topic& one) {
+  const auto waited = steady_clock::now() - one.opened;
   bool is_anybody_there = false;
+  bool is_anybody_missing = false;
   for (const dds::Endpoint& e : link_.participant.endpoints()) {
     if (e.is_writer || e.is_local || e.topic != dds_topic(topic)) continue;
-    if (!one.writer->is_matched(e.guid)) return false;
-    is_anybody_there = true;
+    (one.writer->is_matched(e.guid) ? is_anybody_there : is_anybody_missing) = true;
   }
-  return is_anybody_there;  // discovery may not have told of anybody yet
+  if (is_anybody_there) return !is_anybody_missing || waited > kReaderPatience;
+  return waited > kLongPatience;  // discovery may not have told of anybody yet
 }
 
 void WirePublisher::flush() {
   for (auto& [topic, one] : topics_) {
-    if (one.waiting.empty() || !has_all_readers(topic, one)) continue;
+    if (one.waiting.empty() || !has_readers(topic, one)) continue;
     for (const auto& cdr : std::exchange(one.waiting, {})) one.writer->write(cdr);
   }
 }
@@ -128,9 +130,11 @@ void WirePublisher::unadvertise(const std::string& name) {
 
 void WirePublisher::tick(steady_clock::time_point now) {
   flush();
+  for (auto& [topic, one] : topics_)
+    if (!one.waiting.empty()) one.unwanted_since = now;  // it is still to be written
   std::erase_if(topics_, [&](const auto& item) {
     const Topic& one = item.second;
-    const bool is_over = one.advertised == 0 && now - one.unwanted_since > kLinger;
+    const bool is_over = one.advertised == 0 && now - one.unwanted_since > kWriterLinger;
     if (is_over) link_.remove(*one.writer);
     return is_over;
   });

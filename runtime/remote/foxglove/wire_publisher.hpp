@@ -43,7 +43,7 @@ class WirePublisher {
   };
 
   std::optional<std::string> open(const std::string& topic, const std::string& type);
-  bool has_all_readers(const std::string& topic, const Topic& one);
+  bool has_readers(const std::string& topic, const Topic& one);
   void flush();
 
   WireLink& link_;

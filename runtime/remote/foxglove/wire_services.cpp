@@ -15,7 +15,7 @@ using std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kDeadline{10};
 constexpr std::chrono::hours kGoalDeadline{1};  // a result comes when the goal ends
-constexpr std::chrono::seconds kLinger{10};     // ends of a client that nobody uses
+constexpr std::chrono::seconds kCallLinger{10};     // ends of a client that nobody uses
 constexpr std::string_view kRequest = "_Request";
 
 MessageType names_of(const TypeDescription& type) { return {type.ros_name, type.dds_name, type.type_hash}; }
@@ -178,7 +178,7 @@ void WireServices::tick(steady_clock::time_point now) {
     std::erase_if(caller.calls, [](const Call& call) { return !call.on_reply; });
   }
   std::erase_if(callers_, [&](const auto& item) {
-    return item.second.calls.empty() && now - item.second.used > kLinger;
+    return item.second.calls.empty() && now - item.second.used > kCallLinger;
   });
   give(std::move(answers));
 }

@@ -15,7 +15,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr int kDepth = 200;  // samples of a topic that may wait for the server's thread
+constexpr int kTopicDepth = 200;  // samples of a topic that may wait for the server's thread
 constexpr int kMostAtOnce = 64;
 // Pages come and go, and so would readers, which every process of the domain is told of.
 constexpr std::chrono::milliseconds kLinger{3000};
@@ -145,7 +145,7 @@ void WireTopics::open_ear(Topic& topic, const Qos& offer) {
   auto ear = std::make_shared<Ear>();
   ear->channel = topic.channel.id;
   ear->offer = offer;
-  const Qos qos{.reliability = offer.reliability, .durability = offer.durability, .depth = kDepth};
+  const Qos qos{.reliability = offer.reliability, .durability = offer.durability, .depth = kTopicDepth};
   clock_.want(true);
   try {
     ear->reader =

@@ -8,7 +8,7 @@
 namespace bw {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 BehaviorStep first_step(Behavior& behavior) {
@@ -43,7 +43,7 @@ TEST(BehaviorGoals, DriveOnHeadingRefusesWhatItCannotDo) {
   expect_refused(drive({0.3, 0.0}, 0.0, 0.0), invalid, sign);
   expect_refused(drive({0.0, 0.0}, 0.0, 0.1), invalid, sign);  // Nav2's rule: 0 counts as negative
   expect_refused(drive({-0.3, 0.0}, 0.0, 0.0), invalid, "the speed must not be 0");
-  for (const double none : {kNan, kInfinity, -kInfinity}) {
+  for (const double none : {kNoNumber, kInfinity, -kInfinity}) {
     expect_refused(drive({none, 0.0}, 0.0, 0.1), invalid, "the target is not finite");
     expect_refused(drive({0.3, none}, 0.0, 0.1), invalid, "the target is not finite");
     expect_refused(drive({0.3, 0.0}, none, 0.1), invalid, "the target is not finite");
@@ -57,8 +57,8 @@ TEST(BehaviorGoals, DriveOnHeadingRefusesWhatItCannotDo) {
 TEST(BehaviorGoals, BackupRefusesTheSameButForSigns) {
   const auto invalid = BehaviorError::invalid_input;
   expect_refused(back_up({0.3, 0.1}, 0.0, 0.1), invalid, "target.y and target.z must be 0: only x is driven");
-  expect_refused(back_up({kNan, 0.0}, 0.0, 0.1), invalid, "the target is not finite");
-  expect_refused(back_up({0.3, 0.0}, 0.0, kNan), invalid, "the speed is not finite");
+  expect_refused(back_up({kNoNumber, 0.0}, 0.0, 0.1), invalid, "the target is not finite");
+  expect_refused(back_up({0.3, 0.0}, 0.0, kNoNumber), invalid, "the speed is not finite");
   expect_refused(back_up({0.3, 0.0}, 0.0, 0.0), invalid, "the speed must not be 0");
   Limits forward;
   forward.v_back_max = 0.0;
@@ -66,7 +66,7 @@ TEST(BehaviorGoals, BackupRefusesTheSameButForSigns) {
 }
 
 TEST(BehaviorGoals, SpinRefusesWhatIsNoAngle) {
-  for (const double none : {kNan, kInfinity, -kInfinity})
+  for (const double none : {kNoNumber, kInfinity, -kInfinity})
     expect_refused(first_step(*make_spin({.target_yaw = none}, {}, {})), BehaviorError::unknown,
                    "target_yaw is not finite");
 }

@@ -9,13 +9,13 @@ namespace {
 TruthSample truth(double seconds, const Pose2& X_MB, const Twist2& twist = {}) {
   return {.time = Time{} + Duration::seconds(seconds), .X_MB = X_MB, .twist = twist};
 }
-Time at(double seconds) { return Time{} + Duration::seconds(seconds); }
+Time after_start(double seconds) { return Time{} + Duration::seconds(seconds); }
 
 TEST(PoseErrors, SumsUpSquaresAndTheWorst) {
   PoseErrors errors;
   errors.set_truth(truth(1.0, {1.0, 2.0, 3.1}));
-  errors.add(at(1.0), {1.3, 2.4, -3.1});  // 0.5 m; 2 pi - 6.2 rad across the wrap
-  errors.add(at(1.0), {1.0, 2.0, 3.1});
+  errors.add(after_start(1.0), {1.3, 2.4, -3.1});  // 0.5 m; 2 pi - 6.2 rad across the wrap
+  errors.add(after_start(1.0), {1.0, 2.0, 3.1});
   EXPECT_EQ(errors.count(), 2);
   EXPECT_NEAR(errors.mean_position(), 0.25, 1e-12);
   EXPECT_NEAR(errors.rms_position(), 0.5 / std::sqrt(2.0), 1e-12);
@@ -27,7 +27,7 @@ TEST(PoseErrors, SumsUpSquaresAndTheWorst) {
 TEST(PoseErrors, CarriesTheTruthToTheStampOfTheEstimate) {
   PoseErrors errors;
   errors.set_truth(truth(5.0, {}, {1.0, 1.0}));
-  errors.add(at(5.1), {std::sin(0.1), 1.0 - std::cos(0.1), 0.1});
+  errors.add(after_start(5.1), {std::sin(0.1), 1.0 - std::cos(0.1), 0.1});
   EXPECT_NEAR(errors.rms_position(), 0.0, 1e-12);
   EXPECT_NEAR(errors.rms_heading(), 0.0, 1e-12);
 }
@@ -38,32 +38,32 @@ TEST(PoseErrors, InterpolatesATruthWithoutSpeedAndHeading) {
   const auto place = [](double seconds, double x) { return truth(seconds, {x, 0.0, kNan}, {kNan, kNan}); };
   PoseErrors errors;
   errors.set_truth(place(1.0, 0.0));
-  errors.add(at(1.0), {0.0, 0.1, 3.0});  // at its moment
-  errors.add(at(1.1), {0.5, 0.3, 3.0});  // waits
-  errors.add(at(1.2), {1.0, 0.2, 3.0});  // waits for its moment
+  errors.add(after_start(1.0), {0.0, 0.1, 3.0});  // at its moment
+  errors.add(after_start(1.1), {0.5, 0.3, 3.0});  // waits
+  errors.add(after_start(1.2), {1.0, 0.2, 3.0});  // waits for its moment
   EXPECT_EQ(errors.count(), 1);
   errors.set_truth(place(1.2, 1.0));
   EXPECT_EQ(errors.count(), 3);
-  errors.add(at(1.15), {0.75, 0.4, 3.0});  // late
+  errors.add(after_start(1.15), {0.75, 0.4, 3.0});  // late
   EXPECT_EQ(errors.count(), 4);
   EXPECT_NEAR(errors.mean_position(), 0.25, 1e-12);
   EXPECT_NEAR(errors.max_position(), 0.4, 1e-12);
   EXPECT_TRUE(std::isnan(errors.rms_heading()));
-  errors.add(at(1.5), {0.0, 0.0, 0.0});
+  errors.add(after_start(1.5), {0.0, 0.0, 0.0});
   errors.set_truth(place(1.8, 9.0));  // 0.6 s without a word
   EXPECT_EQ(errors.count(), 4);
   errors.set_truth(truth(2.0, {9.0, 0.0, 0.5}, {1.0, 0.0}));  // speed and heading from here on
-  errors.add(at(2.0), {9.0, 0.0, 0.75});
+  errors.add(after_start(2.0), {9.0, 0.0, 0.75});
   EXPECT_NEAR(errors.rms_heading(), 0.25, 1e-12);
 }
 
 TEST(PoseErrors, LeavesOutWhatCannotBeCompared) {
   PoseErrors errors;
-  errors.add(at(0.0), {});  // no truth yet
+  errors.add(after_start(0.0), {});  // no truth yet
   errors.set_truth(truth(5.0, {}));
-  errors.add(at(5.3), {});
-  errors.add(at(4.7), {});
-  errors.add(at(5.0), {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0});
+  errors.add(after_start(5.3), {});
+  errors.add(after_start(4.7), {});
+  errors.add(after_start(5.0), {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0});
   EXPECT_EQ(errors.count(), 0);
   EXPECT_TRUE(std::isnan(errors.mean_position()));
   EXPECT_TRUE(std::isnan(errors.rms_position()));

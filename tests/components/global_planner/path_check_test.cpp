@@ -17,7 +17,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const Footprint kRobot{0.3, {}};
+const Footprint kDisc{0.3, {}};
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 OccupancyGrid floor_with_wall() {
@@ -29,7 +29,7 @@ OccupancyGrid floor_with_wall() {
 
 Planner planner_on(const OccupancyGrid& map) {
   Planner planner;
-  EXPECT_EQ(planner.set_map(map, kRobot), "");
+  EXPECT_EQ(planner.set_map(map, kDisc), "");
   return planner;
 }
 

@@ -66,16 +66,16 @@ sensor_msgs::msg::LaserScan sweep(Time now) {
   return scan;
 }
 
-struct Seen {
+struct Answers {
   std::vector<nav_msgs::msg::Odometry> filtered;
   std::vector<PoseWithCovarianceStamped> poses;
   std::vector<std::pair<double, nav2_msgs::msg::ParticleCloud>> clouds;  ///< [s] since the start
 };
 
 /// `later`: published on map at 2 s, 2.1 s and so on.
-Seen run(const std::string& graph, const std::function<void(Setup&)>& ask,
+Answers run(const std::string& graph, const std::function<void(Setup&)>& ask,
          const std::vector<nav_msgs::msg::OccupancyGrid>& later = {}) {
-  Seen seen;
+  Answers seen;
   run_with_script(graph, 4.0, [&](bw::Setup& setup) {
     setup.input<nav_msgs::msg::Odometry>("odometry/filtered", Qos::standard(50),
                                          [&](const auto& m, const Tick&) { seen.filtered.push_back(m); });
@@ -113,7 +113,7 @@ SetInitialPose::Request pose_at(const Pose2& X, const std::string& frame = "map"
 
 TEST(LocalizationServices, SetInitialPoseIsThePose) {
   std::vector<SetInitialPose::Response> responses;
-  const Seen seen = run(kEkf, [&](bw::Setup& setup) {
+  const Answers seen = run(kEkf, [&](bw::Setup& setup) {
     call_at<SetInitialPose>(setup, "set_initial_pose", {{1.0, pose_at({10.0, -4.0, 1.0})}}, responses);
   });
   EXPECT_EQ(responses.size(), 1U);
@@ -133,7 +133,7 @@ TEST(LocalizationServices, SetInitialPoseRefusesWhatIsNoPose) {
   SetInitialPose::Request indefinite = pose_at({1.0, 2.0, 0.0});
   indefinite.pose().pose().covariance()[0] = -1.0;
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  const Seen seen = run(kEkf, [&](bw::Setup& setup) {
+  const Answers seen = run(kEkf, [&](bw::Setup& setup) {
     call_at<SetInitialPose>(setup, "set_initial_pose",
                             {{1.0, pose_at({kNan, 2.0, 0.0})},
                              {1.1, zero},
@@ -161,7 +161,7 @@ double spread(const nav2_msgs::msg::ParticleCloud& cloud) {
 // 12 m of free floor: the variance of a uniform distribution is 12^2 / 12 = 12 m^2. The next sweep, 50 ms later, finds places.
 TEST(LocalizationServices, ReinitializeSearchesTheWholeMap) {
   std::vector<Empty::Response> responses;
-  const Seen seen = run(kParticles, [&](bw::Setup& setup) {
+  const Answers seen = run(kParticles, [&](bw::Setup& setup) {
     call_at<Empty>(setup, "reinitialize_global_localization", {{1.99}}, responses);
   });
   EXPECT_EQ(responses.size(), 1U);
@@ -174,7 +174,7 @@ TEST(LocalizationServices, ReinitializeSearchesTheWholeMap) {
 
   // A filter that cannot search says so and goes on.
   std::vector<SetInitialPose::Response> set;
-  const Seen ekf = run(kEkf, [&](bw::Setup& setup) {
+  const Answers ekf = run(kEkf, [&](bw::Setup& setup) {
     call_at<SetInitialPose>(setup, "set_initial_pose", {{0.5, pose_at(kX_MB)}}, set);
     call_at<Empty>(setup, "reinitialize_global_localization", {{1.0}}, responses);
   });
@@ -187,7 +187,7 @@ TEST(LocalizationServices, ReinitializeSearchesTheWholeMap) {
 // asked for makes it surer.
 TEST(LocalizationServices, NomotionUpdateUsesASweepThoughTheRobotStands) {
   std::vector<Empty::Response> responses;
-  const Seen seen = run(kParticles, [&](bw::Setup& setup) {
+  const Answers seen = run(kParticles, [&](bw::Setup& setup) {
     call_at<Empty>(setup, "request_nomotion_update", {{2.0}}, responses);
   });
   EXPECT_EQ(responses.size(), 1U);
@@ -207,7 +207,7 @@ TEST(LocalizationServices, NomotionUpdateUsesASweepThoughTheRobotStands) {
 // no maps change nothing, and in one of elsewhere the robot is nowhere, which is no reason to fall.
 TEST(LocalizationServices, AnotherMapIsTakenAsItComes) {
   const Time now = LockstepRunner::kStart;
-  const auto error = [](const Seen& seen) {
+  const auto error = [](const Answers& seen) {
     return (from_pose(seen.filtered.back().pose().pose()).position() - kX_MB.position()).norm();
   };
   const auto ask = [](bw::Setup&) {};
@@ -217,12 +217,12 @@ TEST(LocalizationServices, AnotherMapIsTakenAsItComes) {
   nan.info().resolution(std::numeric_limits<float>::quiet_NaN());
   auto tiny = map(now);
   tiny.info().resolution(1e-5F);  // the fields of a filter reach a metre beyond the map
-  const Seen seen = run(kParticles, ask, {map(now, 0.1, {-5.0, -4.0}), no_cells, nan, tiny});
+  const Answers seen = run(kParticles, ask, {map(now, 0.1, {-5.0, -4.0}), no_cells, nan, tiny});
   ASSERT_FALSE(seen.filtered.empty());
   EXPECT_NEAR(seconds_since_start(from_stamp(seen.filtered.back().header().stamp())), 4.0, 0.11);
   EXPECT_LT(error(seen), 0.1);
 
-  const Seen lost = run(kParticles, ask, {map(now, 0.05, {500.0, 500.0})});
+  const Answers lost = run(kParticles, ask, {map(now, 0.05, {500.0, 500.0})});
   EXPECT_FALSE(lost.clouds.empty());
 }
 

@@ -13,7 +13,7 @@
 namespace bw::localization {
 namespace {
 
-const ParticleFilterOptions kDefaults;
+const ParticleFilterOptions kLaserDefaults;
 
 constexpr Duration kPeriod = Duration::milliseconds(100);
 
@@ -106,7 +106,7 @@ TEST(ParticleFilterLaser, Tracks) {
 }
 
 TEST(ParticleFilterLaser, ASweepCountsAfterWayOrTurn) {
-  ParticleFilter filter(kDefaults, 2);
+  ParticleFilter filter(kLaserDefaults, 2);
   filter.set_map(rooms());
   Rover rover(2);
   rover.place(0);
@@ -125,7 +125,7 @@ TEST(ParticleFilterLaser, ASweepCountsAfterWayOrTurn) {
 // Started anywhere: LOST until one place is left, then OK; within 25 used sweeps (book 9.3), all of 10.
 TEST(ParticleFilterLaser, FindsItselfOnTheWholeMap) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    ParticleFilter filter(kDefaults, seed);
+    ParticleFilter filter(kLaserDefaults, seed);
     filter.set_map(rooms());
     Rover rover(seed);
     rover.place(static_cast<std::size_t>(seed));
@@ -147,7 +147,7 @@ TEST(ParticleFilterLaser, FindsItselfOnTheWholeMap) {
 // Carried from stop to stop while the wheels say nothing: back within 30 used sweeps, all of 10.
 TEST(ParticleFilterLaser, FindsItselfAfterBeingCarriedAway) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    ParticleFilter filter(kDefaults, seed);
+    ParticleFilter filter(kLaserDefaults, seed);
     filter.set_map(rooms());
     Rover rover(seed);
     rover.place(0);
@@ -185,7 +185,7 @@ TEST(ParticleFilterLaser, AMismatchIsLostWithinThreeSeconds) {
 }
 
 TEST(ParticleFilterLaser, GarbageIsRefusedByName) {
-  ParticleFilter filter(kDefaults, 4);
+  ParticleFilter filter(kLaserDefaults, 4);
   Rover rover(4);
   rover.place(0);
   Sweeper sweeper(rooms());

@@ -15,7 +15,6 @@
 namespace bw::localization {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 
 // Two particles 0 and 1 m, one reading 0.25 m with 0.5 m: w ~ exp(-0.125), exp(-1.125), so that w0 = 1 / (1 +
 // exp(-1)).
@@ -95,7 +94,7 @@ TEST(Weights, EveryKindComparesWhatItReads) {
     return -0.5 * r * r / heading.variance;
   });
   check(compare_at(course, X_BS, true), [&](const Pose2& X_MS) {
-    const double r = wrap_angle(course.course + kPi - X_MS.theta);
+    const double r = wrap_angle(course.course + std::numbers::pi - X_MS.theta);
     return -0.5 * r * r / course.variance;
   });
 }

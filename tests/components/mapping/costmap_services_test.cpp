@@ -28,7 +28,7 @@ using nav2_msgs::srv::ClearEntireCostmap;
 using nav2_msgs::srv::GetCostmap;
 
 const Pose2 kX_OB{0.7, -0.4, 0.3};
-const Segment kWall{{1.43, -20.0}, {1.43, 20.0}};
+const Segment kNearWall{{1.43, -20.0}, {1.43, 20.0}};
 
 sensor_msgs::msg::LaserScan sweep(Time now) {
   sensor_msgs::msg::LaserScan scan;
@@ -40,7 +40,7 @@ sensor_msgs::msg::LaserScan sweep(Time now) {
   scan.range_max(20.0F);
   for (int i = 0; i < 720; ++i) {
     const Vector2 unit = direction(kX_OB.theta - 2.35 + 4.7 / 719.0 * i);
-    scan.ranges().push_back(static_cast<float>(ray_hit(kX_OB.position(), unit, kWall)));
+    scan.ranges().push_back(static_cast<float>(ray_hit(kX_OB.position(), unit, kNearWall)));
   }
   return scan;
 }

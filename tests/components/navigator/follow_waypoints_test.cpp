@@ -35,7 +35,7 @@ ToPose::Goal to_pose_goal(double x) {
   return message;
 }
 
-struct Drive {
+struct WaypointDrive {
   World world;
   SentGoals<Waypoints> waypoints;
   SentGoals<ToPose> to_pose;
@@ -66,7 +66,7 @@ std::vector<std::uint32_t> visited(const Goal& sent) {
 
 // 2 m, 1 m and 2 m at 1 m/s with a pause of 1 s after each but the last: 7 s, and a stop at each.
 TEST(FollowWaypoints, EachIsStoppedAt) {
-  Drive drive;
+  WaypointDrive drive;
   drive.go(12.0, {{1.0, [&] { drive.waypoints.send(over({2.0, 3.0, 1.0})); }}});
   const auto& sent = drive.waypoints.goals[0];
   EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::succeeded));
@@ -81,7 +81,7 @@ TEST(FollowWaypoints, EachIsStoppedAt) {
 
 // It begins with the third of three and drives all of them twice more.
 TEST(FollowWaypoints, FirstIndexAndLoopsAreJazzys) {
-  Drive drive;
+  WaypointDrive drive;
   auto goal = over({2.0, 3.0, 1.0});
   goal.goal_index(2);
   goal.number_of_loops(2);
@@ -93,7 +93,7 @@ TEST(FollowWaypoints, FirstIndexAndLoopsAreJazzys) {
 // The second lies in a wall, code 206 of Nav2. Humble's result has its index alone.
 TEST(FollowWaypoints, OneThatIsMissedIsTheLastOrNot) {
   for (const bool stop : {true, false}) {
-    Drive drive;
+    WaypointDrive drive;
     drive.world.wall = 10.0;
     drive.go(20.0,
              {{1.0,
@@ -116,7 +116,7 @@ TEST(FollowWaypoints, OneThatIsMissedIsTheLastOrNot) {
 // The base stands from the pause after the first waypoint on, and is released 20 s later: the list goes on,
 // nothing is missed.
 TEST(FollowWaypoints, AListWaitsForABaseThatStands) {
-  Drive drive;
+  WaypointDrive drive;
   drive.world.base = base_state(BaseState_Constants::DRIVING);
   drive.go(40.0,
            {{1.0,
@@ -132,7 +132,7 @@ TEST(FollowWaypoints, AListWaitsForABaseThatStands) {
 }
 
 TEST(FollowWaypoints, AListThatComesWhileTheBaseStandsEndsAtOnce) {
-  Drive drive;
+  WaypointDrive drive;
   drive.world.base = base_state(BaseState_Constants::CLIFF, true, "cliff: left");
   drive.go(6.0, {{1.0,
                   [&] {
@@ -173,7 +173,7 @@ TEST(FollowWaypoints, OtherDistributionsAreToldInTheirWords) {
 }
 
 TEST(FollowWaypoints, ListsThatCannotBeDrivenAreRefusedAtOnce) {
-  Drive drive;
+  WaypointDrive drive;
   auto mars = over({1.0, 2.0});
   mars.poses()[1].header().frame_id("mars");
   auto beyond = over({1.0, 2.0});
@@ -198,7 +198,7 @@ TEST(FollowWaypoints, ListsThatCannotBeDrivenAreRefusedAtOnce) {
 
 TEST(FollowWaypoints, CanceledItEndsWhenTheRobotStandsAndInAPauseAtOnce) {
   for (const double when : {2.0, 3.5}) {  // on the way to the first, and in the pause after it
-    Drive drive;
+    WaypointDrive drive;
     drive.go(8.0,
              {{1.0,
                [&] {
@@ -217,7 +217,7 @@ TEST(FollowWaypoints, CanceledItEndsWhenTheRobotStandsAndInAPauseAtOnce) {
 
 TEST(FollowWaypoints, AnyNewerGoalPreemptsTheList) {
   for (const double when : {2.0, 3.5}) {
-    Drive drive;
+    WaypointDrive drive;
     drive.go(16.0,
              {{1.0,
                [&] {
@@ -239,7 +239,7 @@ TEST(FollowWaypoints, AnyNewerGoalPreemptsTheList) {
 }
 
 TEST(FollowWaypoints, WhatSomebodyElseCancelsEndsAborted) {
-  Drive drive;
+  WaypointDrive drive;
   drive.go(5.0, {{1.0,
                   [&] {
                     drive.waypoints.send(over({9.0, 1.0}));
@@ -251,7 +251,7 @@ TEST(FollowWaypoints, WhatSomebodyElseCancelsEndsAborted) {
 
 // A client is told within lost_patience of each of its goals, where a goal of the graph would wait.
 TEST(FollowWaypoints, AListOfARobotThatIsLostEnds) {
-  Drive drive;
+  WaypointDrive drive;
   drive.world.is_lost = true;
   drive.go(15.0, {{1.0, [&] { drive.waypoints.send(over({9.0, 1.0})); }}});
   EXPECT_THAT(drive.waypoints.goals[0].ends, ElementsAre(GoalStatus::aborted));

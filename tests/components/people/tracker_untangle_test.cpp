@@ -11,9 +11,9 @@ namespace bw::people {
 namespace {
 
 constexpr std::int64_t kSweep = 15;
-using Legs = std::array<std::optional<ClusterTrack>, 2>;
+using TrackedLegs = std::array<std::optional<ClusterTrack>, 2>;
 
-PersonTrack person_at(const Vector2& place, const Vector2& velocity, const Legs& legs) {
+PersonTrack person_at(const Vector2& place, const Vector2& velocity, const TrackedLegs& legs) {
   return {.walker = Walker(place + Vector2(0.1, 0.0), place - Vector2(0.1, 0.0), velocity, 1e-4, 0.01),
           .legs = legs};
 }

@@ -16,7 +16,6 @@
 namespace bw {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 const StaticScene kOpenFloor({}, std::nullopt);
 
 struct Floor {
@@ -99,13 +98,13 @@ std::vector<MeasuredMotion> measure(Experiment& experiment, int straights, int l
     const auto turns = experiment.drive({.distance = 5.0});
     const Pose2 to = experiment.measured();
     motions.push_back({turns, {(to.position() - from.position()).norm(), 0.0, 0.0}, Known::distance});
-    experiment.drive({.turn = kPi});
+    experiment.drive({.turn = std::numbers::pi});
   }
   for (int lap = 0; lap < 2 * laps; ++lap) {
     Pose2 from = experiment.measured();
     MeasuredMotion whole{.known = Known::pose};
     for (int leg = 0; leg < 8; ++leg) {
-      const Leg motion = leg % 2 == 0 ? Leg{.distance = 4.0} : Leg{.turn = (lap % 2 == 0 ? kPi : -kPi) / 2.0};
+      const Leg motion = leg % 2 == 0 ? Leg{.distance = 4.0} : Leg{.turn = (lap % 2 == 0 ? std::numbers::pi : -std::numbers::pi) / 2.0};
       const auto turns = experiment.drive(motion);
       whole.turns.insert(whole.turns.end(), turns.begin(), turns.end());
       if (ends == Ends::typed && leg < 7) continue;
@@ -145,7 +144,7 @@ Residual calibrate(const Floor& floor, std::uint64_t seed, int straights, int la
 
 void expect_within_what_is_asked(const char* what, const Floor& floor, int straights, int laps, Ends ends) {
   std::printf("%s: k = %g m, slip %g, ends +-%.0f mm +-%.1f degrees, %d straights, %d squares each way\n",
-              what, floor.noise, floor.slip, 1e3 * floor.position_error, floor.heading_error * 180.0 / kPi,
+              what, floor.noise, floor.slip, 1e3 * floor.position_error, floor.heading_error * 180.0 / std::numbers::pi,
               straights, laps);
   std::printf("seed  ratio %%  separation %%  scale %%   (said to be +- ratio, separation, scale)\n");
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

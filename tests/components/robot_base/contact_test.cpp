@@ -6,16 +6,16 @@
 namespace bw {
 namespace {
 
-constexpr WheelSpeeds kAhead{0.3, 0.3};
+constexpr WheelSpeeds kForwards{0.3, 0.3};
 
 ContactReading bumper() { return {.bumper_centre = true}; }
 ContactReading cliff() { return {.cliff_left = true}; }
 ContactReading drop() { return {.drop_right = true}; }
 
-GuardedBase driving() {
+GuardedBase moving() {
   GuardedBase base;
-  base.run(1.0, kAhead);
-  EXPECT_EQ(base.output().wheels, kAhead);
+  base.run(1.0, kForwards);
+  EXPECT_EQ(base.output().wheels, kForwards);
   return base;
 }
 
@@ -28,15 +28,15 @@ struct Touch {
 class Contact : public testing::TestWithParam<Touch> {};
 
 TEST_P(Contact, BacksOffAndStandsUntilReleased) {
-  GuardedBase base = driving();
+  GuardedBase base = moving();
   base.readings.contacts = GetParam().contacts;
-  base.run(0.01, kAhead);
+  base.run(0.01, kForwards);
   EXPECT_EQ(base.output().wheels, (WheelSpeeds{-0.1, -0.1}));  // in the very step
   EXPECT_EQ(base.output().condition, BaseCondition::backing_off);
   // Measured where it turns round: 0.3 m/s at 4 m/s^2 takes 1 cm more.
-  base.run_until(0.5, kAhead, [&] { return base.speed() <= 0.0; });
+  base.run_until(0.5, kForwards, [&] { return base.speed() <= 0.0; });
   const double farthest = base.way();
-  base.run(4.0, kAhead);
+  base.run(4.0, kForwards);
   const double back = farthest - base.way();
   EXPECT_LE(back, 0.15);
   EXPECT_GE(back, 0.12);
@@ -49,13 +49,13 @@ TEST_P(Contact, BacksOffAndStandsUntilReleased) {
   ASSERT_TRUE(refusal);  // it is still there
   EXPECT_EQ(*refusal, base.output().reason);
   base.readings.contacts = ContactReading{};
-  base.run(1.0, kAhead);
+  base.run(1.0, kForwards);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});  // gone, and yet latched
   EXPECT_EQ(base.guard().release(), std::nullopt);
   base.run(2.5, std::nullopt);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});  // no new command
-  base.run(1.0, kAhead);
-  EXPECT_EQ(base.output().wheels, kAhead);
+  base.run(1.0, kForwards);
+  EXPECT_EQ(base.output().wheels, kForwards);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -66,38 +66,38 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& touch) { return touch.param.name; });
 
 TEST(ContactReaction, ADroppedWheelStandsAtOnce) {
-  GuardedBase base = driving();
+  GuardedBase base = moving();
   base.readings.contacts = drop();
-  base.run(0.01, kAhead);
+  base.run(0.01, kForwards);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});
   EXPECT_EQ(base.output().condition, BaseCondition::wheel_drop);
   base.readings.contacts = ContactReading{};
-  base.run(1.0, kAhead);
+  base.run(1.0, kForwards);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});
 }
 
 TEST(ContactReaction, ACliffBehindIsAWheelThatDropsWhileItBacksOff) {
-  GuardedBase base = driving();
+  GuardedBase base = moving();
   base.readings.contacts = bumper();
-  base.run(0.5, kAhead);
+  base.run(0.5, kForwards);
   EXPECT_EQ(base.output().condition, BaseCondition::backing_off);
   base.readings.contacts->drop_left = true;
-  base.run(0.01, kAhead);
+  base.run(0.01, kForwards);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});
   EXPECT_EQ(base.output().condition, BaseCondition::wheel_drop);
   base.readings.contacts = bumper();
-  base.run(1.0, kAhead);
+  base.run(1.0, kForwards);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});  // nor does it back off again
 }
 
 TEST(ContactReaction, MoreBumpersMeanwhileMakeItNoLonger) {
-  GuardedBase base = driving();
+  GuardedBase base = moving();
   base.readings.contacts = bumper();
-  base.run_until(0.5, kAhead, [&] { return base.speed() <= 0.0; });
+  base.run_until(0.5, kForwards, [&] { return base.speed() <= 0.0; });
   const double farthest = base.way();
   for (int i = 0; i < 40; ++i) {  // 4 s: pressed and let go, left and right
     base.readings.contacts = i % 2 == 0 ? ContactReading{} : ContactReading{.bumper_left = true};
-    base.run(0.1, kAhead);
+    base.run(0.1, kForwards);
   }
   EXPECT_LE(farthest - base.way(), 0.15);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});
@@ -112,11 +112,11 @@ TEST(ContactReaction, WhoStandsGoesOnStanding) {
 }
 
 TEST(ContactReaction, AShortTouchIsATouch) {
-  GuardedBase base = driving();
+  GuardedBase base = moving();
   base.readings.contacts = bumper();
-  base.run(0.01, kAhead);
+  base.run(0.01, kForwards);
   base.readings.contacts = ContactReading{};
-  base.run(4.0, kAhead);
+  base.run(4.0, kForwards);
   EXPECT_EQ(base.output().condition, BaseCondition::bumper);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});
 }
@@ -126,27 +126,27 @@ TEST(ContactReaction, ATouchThatIsOverByItselfLastsUntilItHasBackedOff) {
   for (const ContactReading& contacts : {bumper(), cliff()}) {
     GuardedBase base({},
                      {.restart = {.cliff = Restart::by_itself, .bumper = Restart::by_itself, .pause = 0.5}});
-    base.run(1.0, kAhead);
+    base.run(1.0, kForwards);
     base.readings.contacts = contacts;
-    base.run(0.1, kAhead);
+    base.run(0.1, kForwards);
     base.readings.contacts = ContactReading{};
-    base.run(1.0, kAhead, [&] {
+    base.run(1.0, kForwards, [&] {
       ASSERT_EQ(base.output().condition, BaseCondition::backing_off);
       ASSERT_NE(base.output().reason, "");
     });
-    ASSERT_TRUE(base.run_until(1.0, kAhead, [&] { return base.output().wheels == WheelSpeeds{}; }));
-    base.run(0.5, kAhead, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
-    base.run(1.0, kAhead);
-    EXPECT_EQ(base.output().wheels, kAhead);
+    ASSERT_TRUE(base.run_until(1.0, kForwards, [&] { return base.output().wheels == WheelSpeeds{}; }));
+    base.run(0.5, kForwards, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+    base.run(1.0, kForwards);
+    EXPECT_EQ(base.output().wheels, kForwards);
   }
 }
 
 TEST(ContactReaction, AnEmergencyStopEndsBackingOff) {
-  GuardedBase base = driving();
+  GuardedBase base = moving();
   base.readings.contacts = bumper();
-  base.run(0.5, kAhead);
+  base.run(0.5, kForwards);
   base.guard().set_emergency_stop(true);
-  base.run(0.01, kAhead);
+  base.run(0.01, kForwards);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});
   EXPECT_EQ(base.output().condition, BaseCondition::emergency_stop);
 }
@@ -164,9 +164,9 @@ TEST(ContactReaction, EndsInTimeThoughWheelsDoNotTurn) {
 
 TEST(ContactReaction, CanBeLeftOut) {
   GuardedBase base({}, {.contacts = {.back_off = false}});
-  base.run(1.0, kAhead);
+  base.run(1.0, kForwards);
   base.readings.contacts = bumper();
-  base.run(0.01, kAhead);
+  base.run(0.01, kForwards);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});
   EXPECT_EQ(base.output().condition, BaseCondition::bumper);
 }

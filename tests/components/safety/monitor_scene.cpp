@@ -11,7 +11,6 @@
 namespace bw::safety::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kThick = 0.01;  // [m], half of a wall
 
 /// In two scenes of five: one or two who walk, most of them at the robot, and some of those stop.
@@ -19,8 +18,8 @@ void add_people(Random& random, const Footprint& outline, Scene& scene) {
   const double share = random.uniform();
   const int count = share < 0.6 ? 0 : share < 0.85 ? 1 : 2;
   for (int i = 0; i < count;) {
-    const Vector2 at = random.uniform(0.4, 3.0) * direction(random.uniform(-kPi, kPi));
-    const double aside = random.uniform() < 0.7 ? random.uniform(-0.4, 0.4) : random.uniform(-kPi, kPi);
+    const Vector2 at = random.uniform(0.4, 3.0) * direction(random.uniform(-std::numbers::pi, std::numbers::pi));
+    const double aside = random.uniform() < 0.7 ? random.uniform(-0.4, 0.4) : random.uniform(-std::numbers::pi, std::numbers::pi);
     const Vector2 v = random.uniform(0.2, 1.6) * direction(std::atan2(-at.y(), -at.x()) + aside);
     const Thing person{.x = at.x(),
                        .y = at.y(),
@@ -66,7 +65,7 @@ Robot robot_of(const Scene& scene) {
         {n[kFront], n[kWidth]}, {-n[kBack], n[kWidth]}, {-n[kBack], -n[kWidth]}, {n[kFront], -n[kWidth]}};
   } else if (n[kShape] == 2.0) {
     for (int i = 0; i < static_cast<int>(n[kCorners]); ++i) {
-      const Vector2 u = direction(2.0 * kPi * i / n[kCorners]);
+      const Vector2 u = direction(2.0 * std::numbers::pi * i / n[kCorners]);
       outline.polygon.emplace_back(u.x() * (u.x() > 0.0 ? n[kFront] : n[kBack]), u.y() * n[kWidth]);
     }
   }
@@ -94,18 +93,18 @@ Scene random_scene(std::uint64_t seed) {
   n[kTurnAcceleration] = random.uniform(0.8, 6.0);
   n[kSeparation] = random.uniform(0.2, 0.5);
   n[kLaserX] = random.uniform(-0.08, 0.1);
-  n[kLaserHeading] = pick({0.0, 0.0, kPi});
-  n[kField] = pick({2.0 * kPi, 2.0 * kPi, 1.5 * kPi, kPi, 0.5 * kPi});
-  n[kBeams] = std::ceil(n[kField] / (kPi / 180.0) * pick({1.0, 1.0, 2.0}));
+  n[kLaserHeading] = pick({0.0, 0.0, std::numbers::pi});
+  n[kField] = pick({2.0 * std::numbers::pi, 2.0 * std::numbers::pi, 1.5 * std::numbers::pi, std::numbers::pi, 0.5 * std::numbers::pi});
+  n[kBeams] = std::ceil(n[kField] / (std::numbers::pi / 180.0) * pick({1.0, 1.0, 2.0}));
   n[kPeriod] = 1.0 / random.uniform(5.0, 40.0);
   n[kAge] = random.uniform(0.0, 0.15);
   n[kNoise] = pick({0.0, 0.005, 0.01});
   n[kDropout] = pick({0.0, 0.0, 0.05});
   n[kRange] = random.uniform(4.0, 20.0);
-  n[kBlindAt] = random.uniform(-kPi, kPi);
+  n[kBlindAt] = random.uniform(-std::numbers::pi, std::numbers::pi);
   n[kBlindWidth] = pick({0.0, 0.0, 0.3});
   n[kDarkFrom] = random.uniform(0.5, 4.0);
-  n[kDarkAt] = random.uniform(-kPi, kPi);
+  n[kDarkAt] = random.uniform(-std::numbers::pi, std::numbers::pi);
   n[kDarkWidth] = pick({0.0, 0.0, 0.0, 1.0, 2.0});
   n[kDelay] = random.uniform(0.0, 0.1);
   n[kDriver] = static_cast<double>(random.bits() % 6);
@@ -121,11 +120,11 @@ Scene random_scene(std::uint64_t seed) {
   const Footprint outline = robot_of(scene).outline();
   const std::size_t count = 1 + random.bits() % 5;
   while (scene.things.size() < count) {
-    const Vector2 a = random.uniform(0.15, 2.0) * direction(random.uniform(-kPi, kPi));
+    const Vector2 a = random.uniform(0.15, 2.0) * direction(random.uniform(-std::numbers::pi, std::numbers::pi));
     const double is_wall = random.uniform() < 0.4 ? 1.0 : 0.0;
     Thing thing{.is_wall = is_wall, .x = a.x(), .y = a.y(), .p = random.uniform(0.06, 0.4)};
     if (thing.is_wall != 0.0) {
-      const Vector2 b = a + random.uniform(0.3, 4.0) * direction(random.uniform(-kPi, kPi));
+      const Vector2 b = a + random.uniform(0.3, 4.0) * direction(random.uniform(-std::numbers::pi, std::numbers::pi));
       thing.p = b.x();
       thing.q = b.y();
     }

@@ -16,7 +16,7 @@ namespace bw::safety {
 namespace {
 
 constexpr Duration kCycle = Duration::milliseconds(50);
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoRange = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 const Twist2 kAhead{0.5, 0.0};
 
@@ -160,7 +160,7 @@ void expect_sound(const char* name, Resume resume) {
       .events = {{"a sound sweep", sees(5.0F, true)},
                  {"a wall at 0.35 m", sees(0.35F, true)},
                  {"the same sweep again", [](World& w) { w.repeat(); }},
-                 {"a sweep of NaN", sees(kNan, false)},
+                 {"a sweep of NaN", sees(kNoRange, false)},
                  {"a sweep of +inf", sees(kInfinity, false)},
                  {"odometry, at rest", odometry(0.0)},
                  {"odometry, 0.5 m/s", odometry(0.5)},

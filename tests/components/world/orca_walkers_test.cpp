@@ -11,7 +11,7 @@
 namespace bw {
 namespace {
 
-const StaticScene kOpenFloor({}, {});
+const StaticScene kBareFloor({}, {});
 
 // BANDWAGON_CROSSINGS sets how many.
 int crossings() {
@@ -57,12 +57,12 @@ TEST(OrcaWalkers, WalkStraightAtTheirSpeedWhereNobodyIs) {
   OrcaWalkersOptions options;
   options.walkers = {{0.0, 0.0, 10.0, 0.0}};
   options.speed_min = options.speed_max = 1.2;
-  OrcaWalkers walkers(options, kOpenFloor, 1, Random(1));
+  OrcaWalkers walkers(options, kBareFloor, 1, Random(1));
   const auto now = after(walkers, 2.0);
   EXPECT_NEAR((now[0].position - Vector2(2.4, 0.0)).norm(), 0.0, 1e-9);
   EXPECT_LT(after(walkers, 9.0)[0].velocity.x(), -1.0) << "turned round";
   options.turn_round = false;
-  OrcaWalkers once(options, kOpenFloor, 1, Random(1));
+  OrcaWalkers once(options, kBareFloor, 1, Random(1));
   EXPECT_EQ(after(once, 15.0)[0].velocity, Vector2(0.0, 0.0));
   EXPECT_LE((after(once, 1.0)[0].position - Vector2(10.0, 0.0)).norm(), 0.5);
 }
@@ -72,7 +72,7 @@ TEST(OrcaWalkers, DoNotTouchInAnOpenCrossing) {
   for (int seed = 1; seed <= crossings(); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const OrcaWalkersOptions options = crossing(random);
-    OrcaWalkers walkers(options, kOpenFloor, 1, Random(random.bits()));
+    OrcaWalkers walkers(options, kBareFloor, 1, Random(random.bits()));
     std::vector<Person> now;
     double gap = 1e9;
     for (int i = 0; i < 3000; ++i) {
@@ -91,8 +91,8 @@ TEST(OrcaWalkers, DoNotTouchInAnOpenCrossing) {
 TEST(OrcaWalkers, AreTheSameForTheSameSeed) {
   Random random(3);
   const OrcaWalkersOptions options = crossing(random);
-  OrcaWalkers one(options, kOpenFloor, 1, Random(7)), same(options, kOpenFloor, 1, Random(7));
-  OrcaWalkers other(options, kOpenFloor, 1, Random(8));
+  OrcaWalkers one(options, kBareFloor, 1, Random(7)), same(options, kBareFloor, 1, Random(7));
+  OrcaWalkers other(options, kBareFloor, 1, Random(8));
   bool differs = false;
   for (int i = 0; i < 100; ++i) {
     const auto a = after(one, 0.1), b = after(same, 0.1), c = after(other, 0.1);
@@ -110,7 +110,7 @@ TEST(OrcaWalkers, GiveWayToTheRobotOnlyIfTheySeeIt) {
     OrcaWalkersOptions options;
     options.walkers = {{0.0, 0.0, 10.0, 0.0}};
     options.robots_share = false;
-    OrcaWalkers walkers(options, kOpenFloor, 1, Random(1));
+    OrcaWalkers walkers(options, kBareFloor, 1, Random(1));
     double nearest = 5.0;
     for (int i = 0; i < 1000; ++i)
       nearest = std::min(nearest, (after(walkers, 0.01, seen)[0].position - robot.position).norm());

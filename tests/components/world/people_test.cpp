@@ -11,7 +11,7 @@ namespace bw {
 namespace {
 
 const std::vector<Person> kNobody;
-const StaticScene kOpenFloor({}, std::nullopt);
+const StaticScene kPeoplesFloor({}, std::nullopt);
 
 std::vector<Person> after(PeopleModel& model, double seconds, std::span<const RobotBody> robots = {}) {
   std::vector<Person> people;
@@ -103,7 +103,7 @@ SocialWalkersOptions one_walker() {
 
 TEST(SocialWalkers, SpeedUpWithTheRelaxationTime) {
   // Alone, v' = (v0 - v) / tau by steps of dt: v_n = v0 (1 - (1 - dt / tau)^n).
-  SocialWalkers walkers(one_walker(), kOpenFloor, 1, Random(1));
+  SocialWalkers walkers(one_walker(), kPeoplesFloor, 1, Random(1));
   const auto now = after(walkers, 0.5);
   EXPECT_NEAR(now[0].velocity.x(), 1.2 * (1.0 - std::pow(1.0 - 0.01 / 0.5, 50)), 1e-9);
   EXPECT_NEAR(now[0].velocity.y(), 0.0, 1e-12);
@@ -111,11 +111,11 @@ TEST(SocialWalkers, SpeedUpWithTheRelaxationTime) {
 
 TEST(SocialWalkers, TurnRoundAtTheGoalOrStand) {
   SocialWalkersOptions options = one_walker();
-  SocialWalkers to_and_fro(options, kOpenFloor, 1, Random(1));
+  SocialWalkers to_and_fro(options, kPeoplesFloor, 1, Random(1));
   EXPECT_LT(after(to_and_fro, 12.0)[0].velocity.x(), -1.0);
   EXPECT_GT(after(to_and_fro, 9.0)[0].velocity.x(), 1.0);
   options.turn_round = false;
-  SocialWalkers once(options, kOpenFloor, 1, Random(1));
+  SocialWalkers once(options, kPeoplesFloor, 1, Random(1));
   const auto now = after(once, 15.0);
   EXPECT_NEAR((now[0].position - Vector2(10.0, 0.0)).norm(), 0.0, 0.75);
   EXPECT_NEAR(now[0].velocity.norm(), 0.0, 1e-3);
@@ -127,7 +127,7 @@ TEST(SocialWalkers, TwoHeadOnPassSymmetrically) {
   options.speed_min = options.speed_max = 1.2;
   options.turn_round = false;
   options.forces.social_factor = 5.1;  // the ROS simulator's value; with 2.1 shoulders brush (0.48 m)
-  SocialWalkers walkers(options, kOpenFloor, 1, Random(1));
+  SocialWalkers walkers(options, kPeoplesFloor, 1, Random(1));
   double nearest = 12.0;
   bool on_the_right = true;
   std::vector<Person> now;
@@ -149,7 +149,7 @@ TEST(SocialWalkers, GiveWayToTheRobotOnlyIfTheySeeIt) {
   const auto nearest_pass = [&](std::span<const RobotBody> seen) {
     SocialWalkersOptions options = one_walker();
     options.forces.social_factor = 5.1;
-    SocialWalkers walkers(options, kOpenFloor, 1, Random(1));
+    SocialWalkers walkers(options, kPeoplesFloor, 1, Random(1));
     double nearest = 5.0;
     for (int i = 0; i < 800; ++i) {
       nearest = std::min(nearest, (after(walkers, 0.01, seen)[0].position - robot.position).norm());

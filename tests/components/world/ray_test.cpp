@@ -12,7 +12,6 @@
 namespace bw {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 
 OccupancyGrid random_grid(Random& random, double solid_share) {
   OccupancyGrid grid;
@@ -56,10 +55,10 @@ TEST(Ray, MeetsAWallAtItsDistance) {
   // Wall x = 5: at angle a the range is 5 / cos(a).
   const Segment wall{{5.0, -100.0}, {5.0, 100.0}};
   for (int degrees = -85; degrees <= 85; ++degrees) {
-    const double angle = degrees * kPi / 180.0;
+    const double angle = degrees * std::numbers::pi / 180.0;
     EXPECT_NEAR(ray_hit({0.0, 0.0}, direction(angle), wall), 5.0 / std::cos(angle), 1e-9) << degrees;
   }
-  EXPECT_EQ(ray_hit({0.0, 0.0}, direction(kPi), wall), kNoHit);
+  EXPECT_EQ(ray_hit({0.0, 0.0}, direction(std::numbers::pi), wall), kNoHit);
   EXPECT_EQ(ray_hit({0.0, 0.0}, {0.0, 1.0}, wall), kNoHit);
 }
 
@@ -101,7 +100,7 @@ TEST(GridScene, RaysAgreeWithBruteForceOnRandomGrids) {
     const GridScene scene(grid);
     for (int ray = 0; ray < 40; ++ray) {
       const Vector2 origin = random_place(random, grid);
-      const Vector2 d = direction(random.uniform(-kPi, kPi));
+      const Vector2 d = direction(random.uniform(-std::numbers::pi, std::numbers::pi));
       double expected = kNoHit;
       for (int row = 0; row < grid.height; ++row) {
         for (int column = 0; column < grid.width; ++column) {

@@ -7,7 +7,7 @@
 namespace nav2 {
 namespace {
 
-constexpr int kSucceeded = 4, kCanceled = 5;
+constexpr int kLeafSucceeded = 4, kLeafCanceled = 5;
 
 }  // namespace
 
@@ -103,7 +103,7 @@ Status ActionLeaf::ended() {
   note_end(*running_, false);
   const Outcome end = *running_->end;
   errand_.on_end(end);
-  return end.status == kSucceeded || end.status == kCanceled ? Status::success : Status::failure;
+  return end.status == kLeafSucceeded || end.status == kLeafCanceled ? Status::success : Status::failure;
 }
 
 void ActionLeaf::note_end(const Sent& goal, bool was_replaced) {
@@ -113,7 +113,7 @@ void ActionLeaf::note_end(const Sent& goal, bool was_replaced) {
                            .code = goal.end->error.code,
                            .text = goal.end->error.text,
                            .was_replaced = was_replaced});
-  if (goal.end->status == kSucceeded || goal.end->error.code == 0 || was_replaced) return;
+  if (goal.end->status == kLeafSucceeded || goal.end->error.code == 0 || was_replaced) return;
   journal_.troubles.push_back(errand_.action + ": " + std::to_string(goal.end->error.code) + " " +
                               goal.end->error.text);
 }

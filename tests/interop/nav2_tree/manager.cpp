@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::chrono::seconds kStartLimit{30};  // the original waits for ever, for a node and for a reply
 constexpr std::chrono::seconds kServiceLimit{5};
-constexpr std::chrono::milliseconds kLook{5};
+constexpr std::chrono::milliseconds kStateLook{5};
 
 // lifecycle_msgs/Transition and State
 constexpr std::uint8_t kConfigure = 1, kCleanup = 2, kActivate = 3, kDeactivate = 4, kShutdown = 5;
@@ -44,7 +44,7 @@ Manager::Manager(plain::Node& node, const std::vector<std::string>& node_names) 
 }
 
 bool Manager::wait_until(std::chrono::milliseconds limit, const std::function<bool()>& seen) {
-  return bw::test::poll_until(Clock::now() + limit, kLook, [&] {
+  return bw::test::poll_until(Clock::now() + limit, kStateLook, [&] {
     bonds_.poll();
     return seen();
   });

@@ -11,11 +11,11 @@ constexpr std::size_t kKept = 150;  // sweeps
 constexpr double kEvery = 0.3;      // [s] between those that are kept, of each sensor
 constexpr double kRadius = 0.08;    // [m] about a place that must be empty: a leg, and what S drifts
 constexpr double kMargin = 0.05;    // [m] by which ranges err
-constexpr double kNearest = 0.3;    // [m] from the sensor
+constexpr double kNearestSeen = 0.3;    // [m] from the sensor
 constexpr double kSpacing = 0.04;   // [m] between beams there, at most
 constexpr int kEnough = 2;          // sweeps
 constexpr double kAgo = 2.0;        // [s] since something stood there that is not what stands there now
-constexpr double kRounding = 1e-6;  // [s]
+constexpr double kAgeRounding = 1e-6;  // [s]
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 }  // namespace
@@ -27,7 +27,7 @@ void PastSweeps::reset() {
 void PastSweeps::add(const DetectionSet& sweep, double now) {
   if (sweep.free_ranges.empty() || sweep.angle_increment == 0.0) return;
   const auto too_soon = [&](const Sweep& kept) {
-    return kept.time >= 0.0 && kept.source == sweep.source && now - kept.time < kEvery - kRounding;
+    return kept.time >= 0.0 && kept.source == sweep.source && now - kept.time < kEvery - kAgeRounding;
   };
   if (std::ranges::any_of(sweeps_, too_soon)) return;
   if (sweeps_.size() < kKept) sweeps_.emplace_back();
@@ -45,7 +45,7 @@ PastSweeps::Past PastSweeps::view_of(const Sweep& sweep, const Vector2& place) {
   const Vector2 way = place - sweep.sensor;
   const double distance = way.norm();
   const double step = std::abs(sweep.angle_increment);
-  if (!(distance >= kNearest && distance * step <= kSpacing)) return Past::unknown;
+  if (!(distance >= kNearestSeen && distance * step <= kSpacing)) return Past::unknown;
   double turn = std::atan2(way.y(), way.x()) - sweep.angle_min;
   if (sweep.angle_increment < 0.0) turn = -turn;
   turn -= kTurn * std::floor(turn / kTurn);

@@ -28,7 +28,7 @@ nlohmann::json results_of(const std::vector<Criterion>& criteria) {
 
 const Criterion kMet{"order", "> 0", 0.5, true};
 const Criterion kMissed{"gain of EDWA", ">= 0.01", 0.00412345, false};
-const Criterion kOpen = over_seeds({"median", "<= 0", 1.0, false}, 2, 20);
+const Criterion kUndecided = over_seeds({"median", "<= 0", 1.0, false}, 2, 20);
 
 AllRun run_of(const std::vector<std::vector<Criterion>>& criteria) {
   AllRun run{.parts = all_parts(), .is_finished = true};
@@ -42,16 +42,16 @@ TEST(AllReport, AVerdictIsThatOfWhatIsJudged) {
     return verdict_of({.results = results_of(criteria)});
   };
   EXPECT_EQ(verdict({kMet, kMet}), Verdict::reproduced);
-  EXPECT_EQ(verdict({kMet, kMissed, kOpen}), Verdict::not_reproduced);
-  EXPECT_EQ(verdict({kMet, kOpen}), Verdict::in_part);
-  EXPECT_EQ(verdict({kOpen}), Verdict::not_judged);
+  EXPECT_EQ(verdict({kMet, kMissed, kUndecided}), Verdict::not_reproduced);
+  EXPECT_EQ(verdict({kMet, kUndecided}), Verdict::in_part);
+  EXPECT_EQ(verdict({kUndecided}), Verdict::not_judged);
   EXPECT_EQ(verdict({}), Verdict::not_judged);
   EXPECT_EQ(verdict_of({}), Verdict::missing);
 }
 
 TEST(AllReport, TheExitStatusAsksForEveryPart) {
   EXPECT_TRUE(nothing_missed(run_of({{kMet}}).parts));
-  EXPECT_TRUE(nothing_missed(run_of({{kOpen}, {kMet, kOpen}}).parts));  // a quick run
+  EXPECT_TRUE(nothing_missed(run_of({{kUndecided}, {kMet, kUndecided}}).parts));  // a quick run
   EXPECT_FALSE(nothing_missed(run_of({{kMet}, {kMissed}, {kMet}}).parts));
   AllRun run = run_of({{kMet}});
   run.parts[4].results = nullptr;
@@ -65,13 +65,13 @@ TEST(AllReport, ReproducedSaysThatEverythingWasJudgedAndMet) {
     return all_json(run_of(criteria));
   };
   EXPECT_TRUE(json({{kMet}})["reproduced"]);
-  for (const std::vector<Criterion>& second : {std::vector{kMet, kOpen}, std::vector{kOpen}, {}}) {
+  for (const std::vector<Criterion>& second : {std::vector{kMet, kUndecided}, std::vector{kUndecided}, {}}) {
     const nlohmann::ordered_json quick = json({{kMet}, second, {kMet}});
     EXPECT_FALSE(quick["reproduced"]);
     EXPECT_TRUE(quick["nothing_missed"]);
     EXPECT_EQ(quick["verdicts"]["reproduced"], 4);
   }
-  EXPECT_EQ(json({{kMet}, {kMet, kOpen}, {kMet}})["verdicts"]["what few seeds show is met"], 1);
+  EXPECT_EQ(json({{kMet}, {kMet, kUndecided}, {kMet}})["verdicts"]["what few seeds show is met"], 1);
   EXPECT_FALSE(json({{kMissed}})["nothing_missed"]);
   AllRun interrupted = run_of({{kMet}});
   interrupted.is_finished = false;
@@ -80,7 +80,7 @@ TEST(AllReport, ReproducedSaysThatEverythingWasJudgedAndMet) {
 }
 
 TEST(AllPage, HoldsEveryVerdictAndLinksToEveryPart) {
-  const AllRun run = run_of({{kMet}, {kMet, kMissed}, {kOpen}, {kMet, kOpen}, {kMet}});
+  const AllRun run = run_of({{kMet}, {kMet, kMissed}, {kUndecided}, {kMet, kUndecided}, {kMet}});
   const std::string page = all_page(run);
   for (const AllPart& part : run.parts) {
     EXPECT_THAT(page, HasSubstr("<a href=\"" + part.subject + "/index.html\">" + part.experiments + "</a>"));

@@ -19,7 +19,7 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-RunRecording recording() {
+RunRecording failed_drive() {
   RunRecording drive;
   drive.robot = Footprint{0.3, {}};
   for (int i = 0; i <= 20; ++i)
@@ -47,13 +47,13 @@ TEST(FailureAlbum, WritesPicturesAndOnePageUpToItsNumber) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "bandwagon_failure_album";
   std::filesystem::remove_all(folder);
   FailureAlbum album(folder, 2);
-  album.add({.name = "one", .title = "first & only", .outcome = "late"}, recording());
+  album.add({.name = "one", .title = "first & only", .outcome = "late"}, failed_drive());
   EXPECT_FALSE(album.is_full());
   JudgedContact judged = contact(1.5, true);
   judged.is_judged = true;
   judged.verdict = {possible::Avoidance::avoidable, 0.7, 1.1, {}};
   album.add({.name = "two", .title = "second", .outcome = "touched", .reached = true, .contacts = {judged}},
-            recording());
+            failed_drive());
   EXPECT_TRUE(album.is_full());
   EXPECT_THAT(text_of(folder / "one.svg"), HasSubstr("first &amp; only"));
   EXPECT_THAT(text_of(folder / "two.svg"), HasSubstr("1.50 s person 4: robot_standing"));

@@ -12,7 +12,7 @@
 namespace bw::dwa {
 namespace {
 
-DrivingOptions no_evasion() {
+DrivingOptions without_evasion() {
   DrivingOptions options;
   options.evasion_horizon = 0.0;
   return options;
@@ -24,7 +24,7 @@ DwaPlanner edwa_with(EdwaHeading heading, bool hrvo_speed = true) {
   EdwaOptions edwa;
   edwa.heading = heading;
   edwa.hrvo_speed = hrvo_speed;
-  return DwaPlanner(options, no_evasion(), towards_hrvo(edwa, {}, no_evasion()));
+  return DwaPlanner(options, without_evasion(), towards_hrvo(edwa, {}, without_evasion()));
 }
 
 // Somebody comes towards the robot, a little to its right: HRVO points to the left.
@@ -60,7 +60,7 @@ TEST(Edwa, WithTheGoalAsHeadingAndTheHighestSpeedIsDwa) {
   for (int i = 0; i < 50; ++i) {
     PlanningProblem problem = head_on(random.uniform(-1, 1));
     problem.pose.theta = random.uniform(-1, 1);
-    DwaPlanner dwa(options, no_evasion());
+    DwaPlanner dwa(options, without_evasion());
     DwaPlanner edwa = edwa_with(EdwaHeading::goal, false);
     EXPECT_EQ(dwa.plan(problem).command, edwa.plan(problem).command);
   }

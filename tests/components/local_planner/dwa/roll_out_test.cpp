@@ -15,7 +15,7 @@ namespace {
 constexpr double kLook = 0.05;  // [m] between two looks
 
 // 0.5 x 0.4 m.
-Footprint box() { return {std::hypot(0.25, 0.2), {{0.25, 0.2}, {-0.25, 0.2}, {-0.25, -0.2}, {0.25, -0.2}}}; }
+Footprint long_box() { return {std::hypot(0.25, 0.2), {{0.25, 0.2}, {-0.25, 0.2}, {-0.25, -0.2}, {0.25, -0.2}}}; }
 
 RollOutRules rules() { return {.horizon = 2.0, .way = 100.0, .margin = 0.0, .reach = 0.5}; }
 
@@ -46,7 +46,7 @@ TEST(RollOut, EndsWhereTheWayEnds) {
 TEST(RollOut, TheFootprintItselfMeetsAWall) {
   // Across at 1.5 m: the front is 0.25 m ahead, the corners turn to no effect; a disc would be 0.32 m ahead.
   PlanningProblem problem = problem_to({9, 0, 0});
-  problem.footprint = box();
+  problem.footprint = long_box();
   problem.twist = {1.0, 0.0};
   problem.obstacles.segments = {{{1.5, -5.0}, {1.5, 5.0}}};
   const RollOut out = RollOuts(problem, rules()).along({1.0, 0.0});
@@ -64,7 +64,7 @@ TEST(RollOut, ATurnOnTheSpotMeetsWhatTheCornersReach) {
   // A point 0.3 m to the left of a body that reaches 0.2 m to that side: turned by phi it is seen at 0.3 m (sin phi, cos phi), and
   // the side meets it when 0.3 cos phi = 0.2.
   PlanningProblem problem = problem_to({9, 0, 0});
-  problem.footprint = box();
+  problem.footprint = long_box();
   problem.obstacles.points = {{0.0, 0.3}};
   problem.twist = {0.0, 1.0};
   const RollOut out = RollOuts(problem, rules()).along({0.0, 1.0});
@@ -113,7 +113,7 @@ TEST(RollOut, GapAgreesWithFineSampling) {
   Random random(8);
   for (int scene = 0; scene < 200; ++scene) {
     PlanningProblem problem = problem_to({9, 0, 0});
-    problem.footprint = box();
+    problem.footprint = long_box();
     problem.twist = {random.uniform(0.0, 1.0), random.uniform(-1, 1)};
     for (int i = 0; i < 12; ++i) {
       const double x = random.uniform(-2, 3);

@@ -11,7 +11,7 @@
 namespace bw::mppi {
 namespace {
 
-constexpr double kDt = 0.05;
+constexpr double kStep = 0.05;
 constexpr Limits kAnything{
     .v_max = 1e3, .v_back_max = 1e3, .omega_max = 1e3, .acc_max = 1e5, .alpha_max = 1e5};
 
@@ -30,15 +30,15 @@ TEST(Rollouts, AreExactArcs) {
       }
     }
     const Twist2 now{0.4, -0.2};
-    roll_out(rollouts, now, kAnything, kDt);
+    roll_out(rollouts, now, kAnything, kStep);
     for (Eigen::Index i = 0; i < kSamples; ++i) {
       Pose2 pose;
       double heading = 0.0;
       for (Eigen::Index k = 0; k < kSteps; ++k) {
         const Twist2 twist =
             k == 0 ? now : Twist2{rollouts.command_v(i, k - 1), rollouts.command_omega(i, k - 1)};
-        pose = advance_exact(pose, twist, kDt);
-        heading += twist.omega * kDt;
+        pose = advance_exact(pose, twist, kStep);
+        heading += twist.omega * kStep;
         ASSERT_EQ(rollouts.v(i, k), twist.v);
         ASSERT_EQ(rollouts.omega(i, k), twist.omega);
         ASSERT_NEAR(rollouts.x(i, k), pose.x, 1e-12) << spread << " " << i << " " << k;
@@ -52,12 +52,12 @@ TEST(Rollouts, AreExactArcs) {
 // A circle of radius v / omega = 0.5 m: after a whole turn of 2 pi / 1.6 s the robot is where it was, after half of it 1 m aside.
 TEST(Rollouts, CloseACircle) {
   constexpr Eigen::Index kSteps = 40;
-  const double omega = 2.0 * std::numbers::pi / (kSteps * kDt);
+  const double omega = 2.0 * std::numbers::pi / (kSteps * kStep);
   Rollouts rollouts;
   rollouts.resize(1, kSteps);
   rollouts.command_v.setConstant(0.5 * omega);
   rollouts.command_omega.setConstant(omega);
-  roll_out(rollouts, {0.5 * omega, omega}, kAnything, kDt);
+  roll_out(rollouts, {0.5 * omega, omega}, kAnything, kStep);
   EXPECT_NEAR(rollouts.x(0, kSteps / 2 - 1), 0.0, 1e-12);
   EXPECT_NEAR(rollouts.y(0, kSteps / 2 - 1), 1.0, 1e-12);
   EXPECT_NEAR(rollouts.x(0, kSteps - 1), 0.0, 1e-12);
@@ -72,7 +72,7 @@ TEST(Rollouts, KeepTheAccelerations) {
   rollouts.resize(1, 5);
   rollouts.command_v.row(0) << 5.0, 5.0, 0.75, -5.0, 9.0;
   rollouts.command_omega.row(0) << -5.0, -5.0, 0.0, 0.05, 9.0;
-  roll_out(rollouts, {0.5, 0.0}, limits, kDt);
+  roll_out(rollouts, {0.5, 0.0}, limits, kStep);
   const double v[] = {0.5, 0.6, 0.7, 0.75, 0.65};
   const double omega[] = {0.0, -0.2, -0.4, -0.2, 0.0};
   EXPECT_EQ(rollouts.command_v(0, 0), 5.0);

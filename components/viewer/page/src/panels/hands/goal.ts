@@ -5,10 +5,12 @@ import { DragToolButton } from "./drag_tool";
 import { poseOfDrag, poseStamped } from "./poses";
 
 export function sendGoal(context: HandsContext, pose: Pose2): Promise<boolean> {
-  const message = poseStamped(groundFrame(context.app), pose);
-  return context.run(`Goal ${text(pose)}`, () =>
-    context.app.hands.publish(`${context.app.robot}/goal_pose`, "geometry_msgs/msg/PoseStamped", message),
-  );
+  const frame = groundFrame(context.app);
+  return context.run(`Goal ${text(pose)}`, async () => {
+    // Before the tree of frames is whole, its root may be any frame of the robot.
+    if (robotPose(context) === undefined) throw new Error(`where the robot is in ${frame} is not known yet`);
+    await context.app.hands.publish(`${context.app.robot}/goal_pose`, "geometry_msgs/msg/PoseStamped", poseStamped(frame, pose));
+  });
 }
 
 export function goalTool(context: HandsContext, changed: () => void): DragToolButton {
