@@ -84,7 +84,17 @@ class Latest {
 struct ParameterReport {
   std::vector<ParameterRow> rows;
   std::string yaml;  ///< reads back to the same values
+  std::vector<std::string> names;  ///< all that can be set (parameter_names)
 };
+
+template <HasFields P>
+ParameterReport report_of(P& values, P defaults) {
+  ParameterReport report{.rows = list_parameters(FieldRef::of(values), FieldRef::of(defaults), ""),
+                         .yaml = to_yaml(values),
+                         .names = {}};
+  report.names = parameter_names(FieldRef::of(defaults));
+  return report;
+}
 
 /// What the diagnostics topic says of a component, republished every second.
 class DiagnosticReporter {
@@ -125,8 +135,9 @@ class Setup {
   /// finds it moving.
   template <class S>
   S shared(std::string_view section, S values = {}) {
+    const S defaults = values;
     read_into(values, shared_section(section), section);
-    keep_shared_parameters(section, ParameterSet(values));
+    keep_shared_parameters(section, report_of(values, defaults), ParameterSet(values));
     if constexpr (requires { values.time_to_rest(); }) comes_to_rest_within(section, values.time_to_rest());
     return values;
   }
@@ -248,7 +259,7 @@ class Setup {
   template <class P>
   void declare_parameters(P& values, OnParameters on_change, std::vector<std::string> fixed) {
     read_into(values, parameter_section(), parameter_path());
-    keep_parameters({.rows = list_parameters(values), .yaml = to_yaml(values)},
+    keep_parameters(report_of(values, P{}),
                     {ParameterSet(values), std::move(on_change), std::move(fixed)});
   }
 
@@ -267,7 +278,8 @@ class Setup {
   virtual const ConfigNode& shared_section(std::string_view section) const = 0;
   virtual void comes_to_rest_within(std::string_view section, Duration time) = 0;
   virtual void keep_parameters(ParameterReport report, ParameterDeclaration declaration) = 0;
-  virtual void keep_shared_parameters(std::string_view section, ParameterSet values) = 0;
+  virtual void keep_shared_parameters(std::string_view section, ParameterReport report,
+                                      ParameterSet values) = 0;
 };
 
 class Component {

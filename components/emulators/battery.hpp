@@ -8,20 +8,16 @@
 namespace bw::emulators {
 
 struct BatteryOptions {
+  /// [V] at rest, charged (set by code alone)
   double full = 16.5;
+  /// [V] at rest, discharged (set by code alone)
   double empty = 13.2;
+  /// share of the full charge at the start (set by code alone)
   double charge = 0.9;
+  /// [Ah] of the full charge (set by code alone)
   double capacity = 2.2;
+  /// [Ohm] what makes it sag under load (set by code alone)
   double resistance = 0.08;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("full", full, {.unit = "V", .min = 1, .max = 60, .doc = "at rest, charged"});
-    v("empty", empty, {.unit = "V", .min = 0, .max = 60, .doc = "at rest, discharged"});
-    v("charge", charge, {.min = 0, .max = 1, .doc = "share of the full charge at the start"});
-    v("capacity", capacity, {.unit = "Ah", .min = 0.001, .max = 1000, .doc = "of the full charge"});
-    v("resistance", resistance, {.unit = "Ohm", .min = 0, .max = 10, .doc = "what makes it sag under load"});
-  }
 };
 
 class Battery {

@@ -15,6 +15,7 @@ namespace bw::emulators {
 struct WheelControllerOptions {
   double latency = 0.02;
   double lag = 0.04;
+  /// [m/s^2] most that the motors give (set by code alone)
   double acceleration = 3.0;
 
   template <class Visitor>
@@ -22,8 +23,6 @@ struct WheelControllerOptions {
     v("latency", latency,
       {.unit = "s", .min = 0, .max = 1, .doc = "from the last byte of a command to its effect"});
     v("lag", lag, {.unit = "s", .min = 0, .max = 5, .doc = "time constant of the wheels' control; 0: none"});
-    v("acceleration", acceleration,
-      {.unit = "m/s^2", .min = 0.01, .max = 100, .doc = "most that the motors give"});
   }
 };
 

@@ -10,9 +10,11 @@ struct GlobalPlannerOptions {
   double clearance_weight = 3.0;    ///< a metre at the smallest clearance costs 1 + this many free metres
   bool unknown_is_obstacle = true;  ///< never plan through cells nobody has seen
   int occupied_at = 65;             ///< smallest occupancy that is an obstacle
-  double start_tolerance = 0.5;     ///< a start too close to an obstacle moves to a free cell this near [m]
+  /// a start too close to an obstacle moves to a free cell this near [m] (set by code alone)
+  double start_tolerance = 0.5;
   double goal_tolerance = 0.25;     ///< a goal that cannot be reached moves to a free cell this near [m]
-  double spacing = 0.1;             ///< distance between the poses of a path [m]
+  /// distance between the poses of a path [m]
+  static constexpr double kSpacing = 0.1;
 
   /// What the map is prepared with.
   template <class Visitor>
@@ -29,12 +31,9 @@ struct GlobalPlannerOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     cost_fields(v);
-    v("start_tolerance", start_tolerance,
-      {.unit = "m", .min = 0, .max = 5, .doc = "a start too close to an obstacle may move this far"});
     v("goal_tolerance", goal_tolerance,
       {.unit = "m", .min = 0, .max = 50, .doc = "a goal that cannot be reached may move this far"});
-    v("spacing", spacing,
-      {.unit = "m", .min = 0.01, .max = 5, .doc = "distance between the poses of a path"});
+    v.retired({"start_tolerance", "spacing"}, "a constant of options.hpp");
   }
 };
 

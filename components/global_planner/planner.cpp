@@ -234,7 +234,7 @@ PathResult Planner::plan_unblocked(const Pose2& start, const Pose2& goal, bool h
   if (cells.cells.size() == 1) corners.push_back(last);
   if (start_moved) corners.insert(corners.begin(), start.position());
   for (std::size_t i = 1; i < corners.size(); ++i) result.length += (corners[i] - corners[i - 1]).norm();
-  result.path = sample(corners, options_.spacing, goal.theta);
+  result.path = sample(corners, options_.kSpacing, goal.theta);
   result.cost = grid_.resolution() * cells.cost_so_far.back() / kUnit;
   result.goal_offset = (last - goal.position()).norm();
   result.status = PathStatus::ok;

@@ -24,6 +24,7 @@ struct IdealPeopleOptions {
   double velocity_memory = 0.0;
   double walker_acceleration = 0.2;
   double prediction_horizon = 4.0;
+  /// [s] time between predicted positions (set by code alone)
   double prediction_step = 0.5;
 
   template <class Visitor>
@@ -48,8 +49,6 @@ struct IdealPeopleOptions {
        .doc = "spread of the predictions; raise it for people who turn and stop"});
     v("prediction_horizon", prediction_horizon,
       {.unit = "s", .min = 0, .max = 20, .doc = "how far ahead positions are predicted"});
-    v("prediction_step", prediction_step,
-      {.unit = "s", .min = 0.05, .max = 5, .doc = "time between predicted positions"});
   }
 
   std::optional<std::string> violated_rule() const {

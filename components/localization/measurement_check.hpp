@@ -8,24 +8,16 @@
 namespace bw::localization {
 
 struct MeasurementLimits {
+  /// [m/s] faster wheels are a fault
   double speed = 20.0;
+  /// [rad/s] a faster turn of wheels or gyro is a fault
   double turn_rate = 20.0;
+  /// [s] a wheel step over a longer time is not an arc
   double wheel_interval = 1.0;
+  /// [m] positions further from the origin of map are a fault
   double distance = 1e6;
+  /// [m^2] larger variances mean 'unknown' and are not used
   double variance = 1e6;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("speed", speed, {.unit = "m/s", .min = 0.01, .max = 1000, .doc = "faster wheels are a fault"});
-    v("turn_rate", turn_rate,
-      {.unit = "rad/s", .min = 0.01, .max = 1000, .doc = "a faster turn of wheels or gyro is a fault"});
-    v("wheel_interval", wheel_interval,
-      {.unit = "s", .min = 0.01, .max = 10, .doc = "a wheel step over a longer time is not an arc"});
-    v("distance", distance,
-      {.unit = "m", .min = 1, .max = 1e7, .doc = "positions further from the origin of map are a fault"});
-    v("variance", variance,
-      {.unit = "m^2", .min = 1, .max = 1e12, .doc = "larger variances mean 'unknown' and are not used"});
-  }
 };
 
 /// Verdict::accepted when sound; else not_finite, bad_covariance, bad_interval, implausible or bad_source.

@@ -12,7 +12,9 @@ namespace bw::costmap {
 
 struct LocalCostmapParameters {
   double rate = 10.0;
+  /// [s] a sweep waits so long for the odometry of its time (set by code alone)
   double transform_timeout = 0.3;
+  /// [s] older tracks do not say where people are (set by code alone)
   double tracks_timeout = 0.5;
   bool use_map = false;
   bool nav2_names = false;
@@ -25,10 +27,6 @@ struct LocalCostmapParameters {
   void fields(Visitor& v) {
     v("rate", rate,
       {.unit = "Hz", .min = 0.1, .max = 100, .doc = "most messages per second; each needs a sweep"});
-    v("transform_timeout", transform_timeout,
-      {.unit = "s", .min = 0, .max = 10, .doc = "a sweep waits so long for the odometry of its time"});
-    v("tracks_timeout", tracks_timeout,
-      {.unit = "s", .min = 0, .max = 10, .doc = "older tracks do not say where people are"});
     v("use_map", use_map, {.doc = "cells nobody has seen take what the map says; needs localization"});
     v("nav2_names", nav2_names,
       {.doc =
@@ -38,6 +36,7 @@ struct LocalCostmapParameters {
     grid.fields(v);
     inflation.fields(v);
     v("obstacles", obstacles, {.doc = "shapes for the local planner"});
+    v.retired({"transform_timeout", "tracks_timeout"}, "a constant of local_costmap_parameters.hpp");
   }
 
   std::optional<std::string> violated_rule() const { return grid.violated_rule(); }

@@ -40,7 +40,7 @@ struct MapServerOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("map", map, {.doc = "map file (YAML beside a PGM or PNG); empty: the area"});
+    v("map", map, {.first = true, .doc = "map file (YAML beside a PGM or PNG); empty: the area"});
     v("area", area, {.doc = "free floor to draw walls and boxes on"});
     v("track_walls", track_walls,
       {.doc =

@@ -14,23 +14,18 @@ namespace bw {
 
 struct ExtractionOptions {
   double radius = 4.0;           ///< boundary cells farther than this from the robot are left out [m]
-  double tolerance_cells = 0.5;  ///< largest distance of a boundary cell's centre from its shape [cells]
-  int occupied_at = 65;          ///< smallest occupancy that is an obstacle
-  bool face_unknown = false;     ///< outline obstacles towards unknown cells too
+  /// largest distance of a boundary cell's centre from its shape [cells] (set by code alone)
+  double tolerance_cells = 0.5;
+  /// smallest occupancy that is an obstacle (set by code alone)
+  int occupied_at = 65;
+  /// outline obstacles towards unknown cells too (set by code alone)
+  bool face_unknown = false;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("radius", radius,
       {.unit = "m", .min = 0.1, .max = 50, .doc = "how far around the robot obstacles are given"});
-    v("tolerance_cells", tolerance_cells,
-      {.unit = "cells",
-       .min = 0.1,
-       .max = 2,
-       .doc = "how closely segments follow the cells; raise it for fewer"});
-    v("occupied_at", occupied_at,
-      {.min = 1, .max = 100, .doc = "smallest occupancy of a map cell that is an obstacle"});
-    v("face_unknown", face_unknown,
-      {.doc = "outline obstacles towards unknown cells too; for robots that enter them"});
+    v.retired({"tolerance_cells", "occupied_at", "face_unknown"}, "a constant of obstacle_extraction.hpp");
   }
 };
 

@@ -128,6 +128,7 @@ struct Robot {
       {.unit = "m",
        .min = 0.02,
        .max = 5,
+       .first = true,
        .doc = "radius of the robot's disc footprint; of no effect beside a footprint"});
     v("footprint", footprint,
       footprint_field("outline as corners in base_link, \"[[x, y], [x, y], [x, y]]\", convex and around "

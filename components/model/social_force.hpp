@@ -8,22 +8,24 @@
 namespace bw {
 
 struct SocialForceOptions {
-  double relaxation_time = 0.5;
-  double desired_factor = 1.0;
+  /// [s] time in which people regain the velocity they want
+  static constexpr double kRelaxationTime = 0.5;
+  /// weight of the pull to the goal
+  static constexpr double kDesiredFactor = 1.0;
   double social_factor = 2.1;
   double obstacle_factor = 10.0;
   double obstacle_sigma = 0.8;
-  double lambda = 2.0;
-  double gamma = 0.35;
-  double n = 2.0;
-  double n_prime = 3.0;
+  /// weight of the relative velocity against the direction to somebody (book 7.6)
+  static constexpr double kLambda = 2.0;
+  /// reach of the force per unit of |D| (book 7.6)
+  static constexpr double kGamma = 0.35;
+  /// how narrow the sideways force is in angle (book 7.6)
+  static constexpr double kN = 2.0;
+  /// how narrow the slowing force is in angle (book 7.6)
+  static constexpr double kNPrime = 3.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("relaxation_time", relaxation_time,
-      {.unit = "s", .min = 0.05, .max = 10, .doc = "time in which people regain the velocity they want"});
-    v("desired_factor", desired_factor,
-      {.min = 0, .max = 100, .doc = "weight of the pull to the goal; raise it for people who hurry"});
     v("social_factor", social_factor,
       {.min = 0,
        .max = 100,
@@ -34,17 +36,7 @@ struct SocialForceOptions {
        .min = 0.01,
        .max = 10,
        .doc = "distance over which the push of a wall fades; 0.2 for narrow doors"});
-    v("lambda", lambda,
-      {.min = 0,
-       .max = 100,
-       .doc = "weight of the relative velocity against the direction to somebody (book 7.6)"});
-    v("gamma", gamma,
-      {.min = 0.01,
-       .max = 10,
-       .doc = "reach of the force per unit of |D| (book 7.6); raise it for people who keep clear earlier"});
-    v("n", n, {.min = 0, .max = 100, .doc = "how narrow the sideways force is in angle (book 7.6)"});
-    v("n_prime", n_prime,
-      {.min = 0, .max = 100, .doc = "how narrow the slowing force is in angle (book 7.6)"});
+    v.retired({"relaxation_time"}, "a constant of social_force.hpp");
   }
 };
 

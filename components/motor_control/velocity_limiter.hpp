@@ -24,6 +24,7 @@ namespace bw {
 
 struct LimiterOptions {
   double command_timeout = 0.2;
+  /// a command beyond this many times the limits is a fault, not a wish: the robot stops (set by code alone)
   double plausible_factor = 10.0;
 
   template <class Visitor>
@@ -33,10 +34,7 @@ struct LimiterOptions {
        .min = 0.02,
        .max = 1,
        .doc = "oldest usable command; raise it for slow or remote planners"});
-    v("plausible_factor", plausible_factor,
-      {.min = 1,
-       .max = 1000,
-       .doc = "a command beyond this many times the limits is a fault, not a wish: the robot stops"});
+    v.retired({"plausible_factor"}, "a constant of velocity_limiter.hpp");
   }
 };
 

@@ -12,10 +12,15 @@ struct Nav2ServersParameters {
   std::string controller_id;
   std::string goal_checker_id;
   std::string progress_checker_id;
-  double acknowledgement_timeout = 1.0;
-  double back_off_distance = 0.3;
-  double back_off_speed = 0.1;
-  double back_off_time = 10.0;
+  /// [s] a server that takes longer to say yes has not taken the goal
+  static constexpr double kAcknowledgementTimeout = 1.0;
+  /// [m] how far behavior_server's `backup` drives back
+  static constexpr double kBackOffDistance = 0.3;
+  /// [m/s] how fast
+  static constexpr double kBackOffSpeed = 0.1;
+  /// [s] and for how long at most
+  static constexpr double kBackOffTime = 10.0;
+  /// [Hz] how often follow_status is told (set by code alone)
   double rate = 10.0;
   bool clear_costmaps = true;
 
@@ -27,17 +32,6 @@ struct Nav2ServersParameters {
     v("goal_checker_id", goal_checker_id, {.doc = "of its goal_checker_plugins; empty: the only one"});
     v("progress_checker_id", progress_checker_id,
       {.doc = "of its progress_checker_plugins; empty: the only one; Humble knows none"});
-    v("acknowledgement_timeout", acknowledgement_timeout,
-      {.unit = "s",
-       .min = 0.02,
-       .max = 60,
-       .doc = "a server that takes longer to say yes has not taken the goal"});
-    v("back_off_distance", back_off_distance,
-      {.unit = "m", .min = 0.02, .max = 5, .doc = "how far behavior_server's `backup` drives back"});
-    v("back_off_speed", back_off_speed, {.unit = "m/s", .min = 0.01, .max = 1, .doc = "how fast"});
-    v("back_off_time", back_off_time,
-      {.unit = "s", .min = 0.1, .max = 60, .doc = "and for how long at most"});
-    v("rate", rate, {.unit = "Hz", .min = 2, .max = 100, .doc = "how often follow_status is told"});
     v("clear_costmaps", clear_costmaps,
       {.doc =
            "have the global costmap cleared when a plan fails, the local one when the controller gives up"});

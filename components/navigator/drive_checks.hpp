@@ -12,7 +12,7 @@
 namespace bw {
 
 inline bool is_standing(const Twist2& twist, const NavigatorOptions& options) {
-  return std::abs(twist.v) <= options.stopped_speed && std::abs(twist.omega) <= options.stopped_turn_rate;
+  return std::abs(twist.v) <= options.kStoppedSpeed && std::abs(twist.omega) <= options.kStoppedTurnRate;
 }
 
 inline bool is_within_tolerance(const Pose2& X_MB, const Pose2& X_MG, const NavigatorOptions& options) {

@@ -161,7 +161,7 @@ void Navigator::advance(const Situation& situation) {
     recovery_position_.reset();
     recoveries_in_row_ = 0;
   }
-  if (plan_id_ != 0 && older_than(plan_requested_, options_.plan_timeout, situation.now)) {
+  if (plan_id_ != 0 && older_than(plan_requested_, options_.kPlanTimeout, situation.now)) {
     plan_id_ = 0;
     if (phase_ == Phase::planning)
       return recover({GoalFault::planner_silent, "the global planner does not answer"}, situation);
@@ -187,7 +187,7 @@ void Navigator::advance_following(const Situation& situation) {
 
   if (!base_stop_ && !progress_.update(now, *situation.X_MB, options_.progress()))
     return recover({GoalFault::no_progress, "no progress towards the goal"}, situation);
-  if (older_than(follow_heard_, options_.follow_timeout, now)) {
+  if (older_than(follow_heard_, options_.kFollowTimeout, now)) {
     return recover({GoalFault::controller_silent, "the local planner does not answer"}, situation);
   }
   if (!base_stop_ && stuck_since_ && older_than(*stuck_since_, stuck_patience_, now))
@@ -198,7 +198,7 @@ void Navigator::advance_following(const Situation& situation) {
 void Navigator::advance_recovery(const Situation& situation) {
   const double limit = phase_ == Phase::waiting ? options_.wait_time : options_.back_off_time;
   const bool moved = phase_ == Phase::backing_off && recovery_position_ &&
-                     (situation.X_MB->position() - *recovery_position_).norm() >= options_.back_off_distance;
+                     (situation.X_MB->position() - *recovery_position_).norm() >= options_.kBackOffDistance;
   if (moved || older_than(phase_since_, limit, situation.now)) begin_planning(situation);
 }
 

@@ -13,20 +13,28 @@ namespace bw {
 struct NavigatorOptions {
   double xy_tolerance = GoalTolerance{}.xy;
   double yaw_tolerance = GoalTolerance{}.yaw;
-  double stopped_speed = 0.05;
-  double stopped_turn_rate = 0.1;
+  /// [m/s] slower than this is standing
+  static constexpr double kStoppedSpeed = 0.05;
+  /// [rad/s] turning slower than this is standing
+  static constexpr double kStoppedTurnRate = 0.1;
   double via_radius = 0.7;
   double settle_time = 1.5;
   double replan_period = 1.0;
-  double plan_timeout = 2.0;
-  double follow_timeout = 1.0;
-  double required_movement = 0.3;
-  double required_turn = 0.5;
+  /// [s] longest wait for a plan
+  static constexpr double kPlanTimeout = 2.0;
+  /// [s] longest silence of the local planner
+  static constexpr double kFollowTimeout = 1.0;
+  /// [m] a robot that moved less within movement_time makes no progress
+  static constexpr double kRequiredMovement = 0.3;
+  /// [rad] a turn within movement_time that is progress too
+  static constexpr double kRequiredTurn = 0.5;
   double movement_time = 10.0;
   double blocked_patience = 5.0;
   double lost_patience = 10.0;
   double wait_time = 2.0;
-  double back_off_distance = 0.3;
+  /// [m] how far the recovery `back off` drives back
+  static constexpr double kBackOffDistance = 0.3;
+  /// [s] longest time of the recovery `back off` (set by code alone)
   double back_off_time = 4.0;
   int max_recoveries = 6;
   int max_plan_failures = 3;
@@ -37,14 +45,11 @@ struct NavigatorOptions {
       {.unit = "m",
        .min = 0.01,
        .max = 5,
+       .first = true,
        .doc = "distance to the goal that counts as there; the local planner stops at half of it and "
               "evaluation allows 0.1 m more, unless they say otherwise"});
     v("yaw_tolerance", yaw_tolerance,
-      {.unit = "rad", .min = 0.01, .max = 3.15, .doc = "heading error that counts as there; 3.15: any"});
-    v("stopped_speed", stopped_speed,
-      {.unit = "m/s", .min = 0.001, .max = 1, .doc = "slower than this is standing"});
-    v("stopped_turn_rate", stopped_turn_rate,
-      {.unit = "rad/s", .min = 0.001, .max = 2, .doc = "turning slower than this is standing"});
+      {.unit = "rad", .min = 0.01, .max = 3.15, .first = true, .doc = "heading error that counts as there; 3.15: any"});
     v("via_radius", via_radius,
       {.unit = "m",
        .min = 0.05,
@@ -57,28 +62,14 @@ struct NavigatorOptions {
        .doc = "time within the tolerances after which the robot is told to stop there"});
     v("replan_period", replan_period,
       {.unit = "s", .min = 0.1, .max = 60, .doc = "time between plans while driving"});
-    v("plan_timeout", plan_timeout, {.unit = "s", .min = 0.1, .max = 60, .doc = "longest wait for a plan"});
-    v("follow_timeout", follow_timeout,
-      {.unit = "s", .min = 0.1, .max = 60, .doc = "longest silence of the local planner"});
-    v("required_movement", required_movement,
-      {.unit = "m",
-       .min = 0.01,
-       .max = 10,
-       .doc = "a robot that moved less within movement_time makes no progress"});
-    v("required_turn", required_turn,
-      {.unit = "rad", .min = 0.01, .max = 6.3, .doc = "a turn within movement_time that is progress too"});
     v("movement_time", movement_time,
       {.unit = "s", .min = 0.5, .max = 600, .doc = "time without progress before a recovery"});
     v("blocked_patience", blocked_patience,
-      {.unit = "s", .min = 0, .max = 600, .doc = "time blocked before a recovery; raise it in crowds"});
+      {.unit = "s", .min = 0, .max = 600, .first = true, .doc = "time blocked before a recovery; raise it in crowds"});
     v("lost_patience", lost_patience,
       {.unit = "s", .min = 0.1, .max = 600, .doc = "time without a pose before giving up"});
     v("wait_time", wait_time,
       {.unit = "s", .min = 0, .max = 60, .doc = "how long the recovery `wait` lasts; raise it in crowds"});
-    v("back_off_distance", back_off_distance,
-      {.unit = "m", .min = 0.02, .max = 5, .doc = "how far the recovery `back off` drives back"});
-    v("back_off_time", back_off_time,
-      {.unit = "s", .min = 0.1, .max = 60, .doc = "longest time of the recovery `back off`"});
     v("max_recoveries", max_recoveries,
       {.min = 0, .max = 1000, .doc = "recoveries in a row without progress before giving up"});
     v("max_plan_failures", max_plan_failures,
@@ -86,7 +77,7 @@ struct NavigatorOptions {
   }
 
   GoalTolerance tolerance() const { return {xy_tolerance, yaw_tolerance}; }
-  ProgressLimits progress() const { return {required_movement, required_turn, movement_time}; }
+  ProgressLimits progress() const { return {kRequiredMovement, kRequiredTurn, movement_time}; }
 
   std::optional<std::string> violated_rule() const {
     if (blocked_patience > movement_time) return "blocked_patience must not exceed movement_time";

@@ -48,9 +48,12 @@ constexpr auto choice_table(PoseSource) {
 }
 
 struct NavigatorParameters : NavigatorOptions {
+  /// [Hz] how many times a second the navigator looks at the drive (set by code alone)
   double rate = 20.0;
-  double pose_timeout = 0.5;
-  double feedback_period = 0.2;
+  /// [s] an older pose means lost
+  static constexpr double kPoseTimeout = 0.5;
+  /// [s] time between two status messages while driving
+  static constexpr double kFeedbackPeriod = 0.2;
   PoseSource pose_source = PoseSource::localization;
   bool follow_waypoints = true;
   GoalParameters goal;
@@ -62,14 +65,6 @@ struct NavigatorParameters : NavigatorOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     NavigatorOptions::fields(v);
-    v("rate", rate,
-      {.unit = "Hz",
-       .min = 1,
-       .max = 200,
-       .doc = "how many times a second the navigator looks at the drive"});
-    v("pose_timeout", pose_timeout, {.unit = "s", .min = 0.05, .max = 10, .doc = "an older pose means lost"});
-    v("feedback_period", feedback_period,
-      {.unit = "s", .min = 0.02, .max = 60, .doc = "time between two status messages while driving"});
     v("pose_source", pose_source,
       {.doc =
            "localization: odometry/filtered; tf: base_link in map by tf and the speed of odom, as Nav2's servers have it"});
@@ -88,6 +83,7 @@ struct NavigatorParameters : NavigatorOptions {
     v("stop_on_failure", stop_on_failure,
       {.doc = "of several goals one that is not reached is the last, of follow_waypoints too; otherwise "
               "the next one is tried"});
+    v.retired({"pose_timeout", "feedback_period"}, "a constant of navigator_parameters.hpp");
   }
 
   std::optional<std::string> violated_rule() const {

@@ -14,9 +14,12 @@ struct OtherRobotsOptions {
   double radius = 0.0;
   double timeout = 0.5;
   double max_deviation = 0.5;
+  /// [m] a track with its centre in a robot's body or this near to it is that robot (set by code alone)
   double body_margin = 0.15;
+  /// [m/s^2] by which they may deviate from keeping their velocity (set by code alone)
   double acceleration = 0.2;
   double prediction_horizon = 4.0;
+  /// [s] time between predicted positions (set by code alone)
   double prediction_step = 0.5;
 
   template <class Visitor>
@@ -36,17 +39,9 @@ struct OtherRobotsOptions {
        .max = 10,
        .doc =
            "a robot less sure of its place than this is what the laser sees of it: standard deviation, the larger axis"});
-    v("body_margin", body_margin,
-      {.unit = "m",
-       .min = 0,
-       .max = 2,
-       .doc = "a track with its centre in a robot's body or this near to it is that robot"});
-    v("acceleration", acceleration,
-      {.unit = "m/s^2", .min = 0, .max = 5, .doc = "by which they may deviate from keeping their velocity"});
     v("prediction_horizon", prediction_horizon,
       {.unit = "s", .min = 0, .max = 20, .doc = "how far ahead positions are predicted"});
-    v("prediction_step", prediction_step,
-      {.unit = "s", .min = 0.05, .max = 5, .doc = "time between predicted positions"});
+    v.retired({"body_margin", "acceleration"}, "a constant of other_robots_options.hpp");
   }
 
   std::optional<std::string> violated_rule() const {

@@ -9,17 +9,16 @@
 namespace bw {
 
 struct SyntheticSensorOptions {
+  /// [Hz] fixes per second; 0: no receiver (set by code alone)
   double gps_rate = 1.0;
   double gps_noise = 0.2;
+  /// [Hz] readings per second; 0: no compass (set by code alone)
   double compass_rate = 10.0;
   double compass_noise = 0.01745;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("gps_rate", gps_rate, {.unit = "Hz", .min = 0, .max = 100, .doc = "fixes per second; 0: no receiver"});
     v("gps_noise", gps_noise, {.unit = "m", .min = 0.001, .max = 100, .doc = "standard deviation per axis"});
-    v("compass_rate", compass_rate,
-      {.unit = "Hz", .min = 0, .max = 100, .doc = "readings per second; 0: no compass"});
     v("compass_noise", compass_noise,
       {.unit = "rad", .min = 0.0001, .max = 3.2, .doc = "standard deviation of the compass"});
   }

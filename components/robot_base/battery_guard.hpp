@@ -11,6 +11,7 @@ namespace bw {
 struct BatteryOptions {
   double low = 0.0;
   double empty = 0.0;
+  /// [s] so long the voltage has to be low (set by code alone)
   double lasting = 3.0;
 
   template <class Visitor>
@@ -22,7 +23,6 @@ struct BatteryOptions {
        .min = 0,
        .max = 100,
        .doc = "stops below this, until it is above `low`; 0: as the driver knows its base"});
-    v("lasting", lasting, {.unit = "s", .min = 0, .max = 60, .doc = "so long the voltage has to be low"});
   }
 };
 

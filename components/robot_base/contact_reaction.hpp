@@ -21,6 +21,7 @@ struct ContactOptions {
   bool back_off = true;
   double speed = 0.1;
   double distance = 0.15;
+  /// [s] it backs off this long at most, if wheels do not turn (set by code alone)
   double time_limit = 3.0;
 
   template <class Visitor>
@@ -32,8 +33,6 @@ struct ContactOptions {
        .min = 0.02,
        .max = 0.5,
        .doc = "it backs off this far at most; nothing looks behind it"});
-    v("time_limit", time_limit,
-      {.unit = "s", .min = 0.1, .max = 20, .doc = "it backs off this long at most, if wheels do not turn"});
   }
 };
 

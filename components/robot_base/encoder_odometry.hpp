@@ -32,6 +32,7 @@ struct EncoderCounts {
 
 struct OdometryOptions {
   double variance_per_metre = 5e-4;
+  /// a wheel faster than this many times its top speed is an encoder fault (set by code alone)
   double speed_margin = 2.0;
   double velocity_window = 0.06;
 
@@ -43,15 +44,12 @@ struct OdometryOptions {
        .max = 1,
        .doc = "wheel travel variance per metre (k of book 2.2), for the localization too; raise it on "
               "slippery floors and for wheels that are not equal"});
-    v("speed_margin", speed_margin,
-      {.min = 1.1,
-       .max = 100,
-       .doc = "a wheel faster than this many times its top speed is an encoder fault"});
     v("velocity_window", velocity_window,
       {.unit = "s",
        .min = 0.001,
        .max = 1,
        .doc = "time over which speed is averaged; raise it for coarse encoders (a driver may ask for more)"});
+    v.retired({"speed_margin"}, "a constant of encoder_odometry.hpp");
   }
 };
 

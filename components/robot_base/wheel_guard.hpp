@@ -28,20 +28,15 @@ namespace bw {
 
 struct WheelGuardOptions {
   double share = 0.3;
+  /// [m/s] and this much off, as when it is pushed by hand (set by code alone)
   double tolerance = 0.02;
+  /// [m] way that a wheel may be behind or ahead beyond that, and two encoder ticks (set by code alone)
   double slack = 0.006;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("share", share,
       {.min = 0.05, .max = 1, .doc = "a wheel may be this share of its speed off; raise it for weak motors"});
-    v("tolerance", tolerance,
-      {.unit = "m/s", .min = 0.001, .max = 1, .doc = "and this much off, as when it is pushed by hand"});
-    v("slack", slack,
-      {.unit = "m",
-       .min = 0.001,
-       .max = 0.5,
-       .doc = "way that a wheel may be behind or ahead beyond that, and two encoder ticks"});
   }
 };
 

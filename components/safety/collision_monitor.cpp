@@ -48,7 +48,7 @@ void CollisionMonitor::set_options(const CollisionMonitorOptions& options) {
 void CollisionMonitor::set_footprint(const Footprint& footprint) {
   footprint_ = hull(own_, footprint);
   kept_free_ = padded(footprint_, options_.stopping.padding);
-  core_ = padded(kept_free_, -options_.stopping.graze);
+  core_ = padded(kept_free_, -options_.stopping.kGraze);
   wide_ = padded(kept_free_, options_.stopping.narrow_margin);
 }
 

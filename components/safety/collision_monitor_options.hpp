@@ -15,10 +15,13 @@ struct StoppingOptions {
   double padding = 0.0;
   double reaction_time = 0.1;
   double approach_speed = 0.0;
-  double graze = 0.03;
+  /// [m] what the robot's side would touch no deeper than this is passed at graze_speed, not stopped for; as large
+  /// as the noise of the laser and of arcs that are not held exactly
+  static constexpr double kGraze = 0.03;
   double graze_speed = 0.05;
   double narrow_margin = 0.2;
-  double narrow_speed = 0.2;
+  /// [m/s] top speed within narrow_margin of narrow things
+  static constexpr double kNarrowSpeed = 0.2;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -26,6 +29,7 @@ struct StoppingOptions {
       {.unit = "m",
        .min = 0,
        .max = 2,
+       .first = true,
        .doc = "distance left between the robot at rest and what stopped it"});
     v("padding", padding,
       {.unit = "m",
@@ -41,14 +45,9 @@ struct StoppingOptions {
       {.unit = "m/s",
        .min = 0,
        .max = 3,
+       .first = true,
        .doc = "speed at which what is ahead may come nearer meanwhile (u of book 7.9); 1.6 is a walking "
               "person (ISO 13855); 0: it stands"});
-    v("graze", graze,
-      {.unit = "m",
-       .min = 0,
-       .max = 0.2,
-       .doc = "what the robot's side would touch no deeper than this is passed at graze_speed, not "
-              "stopped for; as large as the noise of the laser and of arcs that are not held exactly"});
     v("graze_speed", graze_speed,
       {.unit = "m/s", .min = 0, .max = 1, .doc = "top speed past what the side would graze"});
     v("narrow_margin", narrow_margin,
@@ -58,33 +57,30 @@ struct StoppingOptions {
        .doc =
            "a body is this much wider than the legs a laser sees; around narrow things the robot is down to "
            "narrow_speed so far off; 0: nothing special"});
-    v("narrow_speed", narrow_speed,
-      {.unit = "m/s", .min = 0, .max = 10, .doc = "top speed within narrow_margin of narrow things"});
+    v.retired({"graze", "narrow_speed"}, "a constant of collision_monitor_options.hpp");
   }
 };
 
 struct SightOptions {
-  double half_angle = 0.785;
+  /// [rad] sector around the way of travel that must be seen
+  static constexpr double kHalfAngle = 0.785;
   double max_gap = 0.2;
-  double max_unknown = 0.3;
+  /// share of unknown beams there beyond which the robot creeps
+  static constexpr double kMaxUnknown = 0.3;
   double creep_speed = 0.1;
-  double stop_unknown = 0.9;
+  /// share of unknown beams there beyond which the robot stops
+  static constexpr double kStopUnknown = 0.9;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("half_angle", half_angle,
-      {.unit = "rad", .min = 0.1, .max = 3.1, .doc = "sector around the way of travel that must be seen"});
     v("max_gap", max_gap,
       {.unit = "rad", .min = 0, .max = 6.3, .doc = "a wider run of unknown beams there could hide somebody"});
-    v("max_unknown", max_unknown,
-      {.min = 0, .max = 1, .doc = "share of unknown beams there beyond which the robot creeps"});
     v("creep_speed", creep_speed,
       {.unit = "m/s",
        .min = 0,
        .max = 2,
        .doc = "top speed into what the laser does not see; 0: the robot does not go there"});
-    v("stop_unknown", stop_unknown,
-      {.min = 0, .max = 1, .doc = "share of unknown beams there beyond which the robot stops"});
+    v.retired({"half_angle", "max_unknown", "stop_unknown"}, "a constant of collision_monitor_options.hpp");
   }
 };
 

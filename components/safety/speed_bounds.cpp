@@ -75,7 +75,7 @@ double CollisionMonitor::disc_speed(const Twist2& along, const Ahead& ahead) con
   for (const SeenPoint& point : ahead.points) {
     const double touch = free_way(along, kept_free_.radius, point.position);
     way = std::min(way, touch);
-    if (std::isfinite(free_way(along, kept_free_.radius - rule.graze, point.position)))
+    if (std::isfinite(free_way(along, kept_free_.radius - rule.kGraze, point.position)))
       deep_way = std::min(deep_way, touch);
   }
   const double kept = rule.margin + ahead.nearer;
@@ -92,7 +92,7 @@ double CollisionMonitor::narrow_speed(const Twist2& along, const Ahead& ahead) c
     if (!point.is_narrow) continue;
     way = std::min(way, free_way_to_walker(along, wide_, point.position));
   }
-  return speed_within(way - ahead.nearer, stopping_on(along), rule.narrow_speed);
+  return speed_within(way - ahead.nearer, stopping_on(along), rule.kNarrowSpeed);
 }
 
 double CollisionMonitor::dark() const {
@@ -103,10 +103,10 @@ double CollisionMonitor::dark() const {
 double CollisionMonitor::sight_speed(double v, const Ahead& ahead) const {
   const SightOptions& options = options_.sight;
   const double bearing = ahead.X_seen_now.theta + (v > 0.0 ? 0.0 : std::numbers::pi);
-  const Sight sight = sight_of(seen_, bearing, options.half_angle);
-  if (sight.unknown - sight.dark > options.stop_unknown) return 0.0;
+  const Sight sight = sight_of(seen_, bearing, options.kHalfAngle);
+  if (sight.unknown - sight.dark > options.kStopUnknown) return 0.0;
   const bool is_seen =
-      sight.covered >= kFreely && sight.unknown <= options.max_unknown && sight.widest_gap <= options.max_gap;
+      sight.covered >= kFreely && sight.unknown <= options.kMaxUnknown && sight.widest_gap <= options.max_gap;
   return is_seen ? std::numeric_limits<double>::infinity() : options.creep_speed;
 }
 

@@ -19,7 +19,7 @@ std::vector<bool> confirmed(const LaserSweep& sweep, const std::vector<BeamKind>
     const std::size_t last = std::min(i + 2, beams.size() - 1);
     int agree = 0;
     for (std::size_t j = i < 2 ? 0 : i - 2; j <= last; ++j) {
-      const bool near = std::abs(sweep.ranges[j] - sweep.ranges[i]) <= options.point_spacing;
+      const bool near = std::abs(sweep.ranges[j] - sweep.ranges[i]) <= options.kPointSpacing;
       if (beams[j] == BeamKind::hit && near) ++agree;
     }
     result[i] = agree >= options.min_points;
@@ -57,12 +57,12 @@ class NarrowThings {
  private:
   /// Two points farther apart are of two things.
   double jump(double range) const {
-    return std::max(options_.point_spacing, 4.0 * range * std::abs(out_.angle_increment));
+    return std::max(options_.kPointSpacing, 4.0 * range * std::abs(out_.angle_increment));
   }
   void close(bool free_after) {
     if (!open_) return;
     open_ = false;
-    if (!(free_before_ || free_after) || (last_ - begin_).norm() > options_.narrow_width) return;
+    if (!(free_before_ || free_after) || (last_ - begin_).norm() > options_.kNarrowWidth) return;
     for (std::size_t i = first_; i < out_.points.size(); ++i) out_.points[i].is_narrow = true;
   }
 
@@ -94,7 +94,7 @@ CheckedSweep check_sweep(const LaserSweep& sweep, const SweepOptions& options) {
   for (const float range : sweep.ranges) out.beams.push_back(kind_of(range, sweep));
   const auto count = [&](BeamKind beam) { return std::count(out.beams.begin(), out.beams.end(), beam); };
   if (static_cast<double>(count(BeamKind::unknown)) >
-      options.max_unknown * static_cast<double>(out.beams.size())) {
+      options.kMaxUnknown * static_cast<double>(out.beams.size())) {
     out.fault = SweepFault::mostly_unknown;
     out.beams.clear();
     return out;

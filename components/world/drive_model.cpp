@@ -22,7 +22,7 @@ DriveModel::DriveModel(const DriveOptions& options, const Robot& robot, const Po
 bool DriveModel::command(const WheelCommand& command) {
   const bool usable = std::isfinite(command.left) && std::isfinite(command.right);
   const auto rim_speed = [&](double rate, double radius) {
-    return std::clamp(rate, -options_.wheel_speed_max, options_.wheel_speed_max) * radius;
+    return std::clamp(rate, -options_.kWheelSpeedMax, options_.kWheelSpeedMax) * radius;
   };
   const WheelRadii radii = robot_.wheel_radii();
   target_ = usable ? WheelSpeeds{rim_speed(command.left, radii.left), rim_speed(command.right, radii.right)}

@@ -21,21 +21,20 @@
 namespace bw {
 
 struct DriveOptions {
+  /// [m/s^2] rim acceleration the motors and tyres can give (set by code alone)
   double wheel_acceleration = 4.0;
-  double wheel_speed_max = 40.0;
+  /// [rad/s] top wheel speed
+  static constexpr double kWheelSpeedMax = 40.0;
   double slip = 0.0;
   double scale = 0.0;
   double mismatch = 0.0;
+  /// the wheels stand this share further apart than the robot file says (set by code alone)
   double separation_error = 0.0;
   double noise = 0.0;
   std::int64_t first_tick = 0;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("wheel_acceleration", wheel_acceleration,
-      {.unit = "m/s^2", .min = 0.01, .max = 100, .doc = "rim acceleration the motors and tyres can give"});
-    v("wheel_speed_max", wheel_speed_max,
-      {.unit = "rad/s", .min = 0.1, .max = 1000, .doc = "top wheel speed"});
     v("slip", slip,
       {.min = 0, .max = 0.9, .doc = "share of the rim travel lost on the floor; encoders do not see it"});
     v("scale", scale,
@@ -44,14 +43,13 @@ struct DriveOptions {
       {.min = -0.5,
        .max = 0.5,
        .doc = "e of book 2.2: the right encoder counts this share more than the left"});
-    v("separation_error", separation_error,
-      {.min = -0.5, .max = 0.5, .doc = "the wheels stand this share further apart than the robot file says"});
     v("noise", noise,
       {.unit = "m", .min = 0, .max = 1, .doc = "k of book 2.2: variance of encoder travel per metre"});
     v("first_tick", first_tick,
       {.min = -2147483648.0,
        .max = 2147483647.0,
        .doc = "counters at the start; near the limits to see them wrap"});
+    v.retired({"separation_error"}, "a constant of drive_model.hpp");
   }
 };
 

@@ -35,7 +35,8 @@ struct GoalWalkersOptions {
   double speed_max = 1.3;
   double start_jitter = 0.0;
   bool turn_round = true;
-  double goal_tolerance = 0.5;
+  /// [m] nearer than this the goal is reached
+  static constexpr double kGoalTolerance = 0.5;
   double radius = 0.3;
 
   template <class Visitor>
@@ -50,10 +51,9 @@ struct GoalWalkersOptions {
     v("start_jitter", start_jitter,
       {.unit = "m", .min = 0, .max = 10, .doc = "starts are moved by up to this in x and y"});
     v("turn_round", turn_round, {.doc = "at the goal walk back to the start, to and fro; else stand there"});
-    v("goal_tolerance", goal_tolerance,
-      {.unit = "m", .min = 0.05, .max = 10, .doc = "nearer than this the goal is reached"});
     v("radius", radius,
       {.unit = "m", .min = 0.05, .max = 2, .doc = "radius of the disc that counts as contact"});
+    v.retired({"goal_tolerance"}, "a constant of goal_walker.hpp");
   }
 
   std::optional<std::string> violated_rule() const {
@@ -91,7 +91,7 @@ std::vector<Walker> walkers_at_start(const GoalWalkersOptions& options, std::uin
 
 /// At the goal it turns round, or has arrived.
 inline void turn_at_goal(GoalWalker& walker, const GoalWalkersOptions& options) {
-  if ((walker.goal - walker.body.position).norm() > options.goal_tolerance) return;
+  if ((walker.goal - walker.body.position).norm() > options.kGoalTolerance) return;
   walker.arrived = !options.turn_round;
   if (options.turn_round) std::swap(walker.goal, walker.next_goal);
 }

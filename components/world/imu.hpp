@@ -13,6 +13,7 @@ struct ImuOptions {
   double rate = 50.0;
   double gyro_bias = 0.0;
   double gyro_noise = 0.005;
+  /// [rad] constant error of the compass (set by code alone)
   double heading_bias = 0.0;
   double heading_noise = 0.02;
   std::string frame = "imu";
@@ -24,8 +25,6 @@ struct ImuOptions {
       {.unit = "rad/s", .min = -1, .max = 1, .doc = "constant error of the turn rate"});
     v("gyro_noise", gyro_noise,
       {.unit = "rad/s", .min = 0, .max = 1, .doc = "standard deviation of the turn rate"});
-    v("heading_bias", heading_bias,
-      {.unit = "rad", .min = -3.2, .max = 3.2, .doc = "constant error of the compass"});
     v("heading_noise", heading_noise,
       {.unit = "rad", .min = 0, .max = 3.2, .doc = "standard deviation of the compass"});
     v("frame", frame, {.doc = "frame_id of the readings"});

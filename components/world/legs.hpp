@@ -16,36 +16,20 @@
 namespace bw {
 
 struct LegOptions {
+  /// [m] radius of one leg (set by code alone)
   double radius = 0.07;
+  /// [m] sideways distance between the centres of the legs (set by code alone)
   double separation = 0.24;
+  /// [m] way walked in two steps: one period of the swing (set by code alone)
   double stride = 1.4;
+  /// [m] reach of a leg to the front and to the back at full swing (set by code alone)
   double swing = 0.18;
+  /// [m/s] below this speed the swing shrinks in proportion (set by code alone)
   double full_swing_speed = 1.3;
+  /// [m] standard deviation of the wandering of a leg of who stands; 0: like a statue (set by code alone)
   double sway = 0.0;
+  /// [s] who stands sets a foot 0.05 to 0.15 m aside after so long on average; 0: never (set by code alone)
   double shift_every = 0.0;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("radius", radius, {.unit = "m", .min = 0.01, .max = 0.3, .doc = "radius of one leg"});
-    v("separation", separation,
-      {.unit = "m", .min = 0, .max = 1, .doc = "sideways distance between the centres of the legs"});
-    v("stride", stride,
-      {.unit = "m", .min = 0.1, .max = 5, .doc = "way walked in two steps: one period of the swing"});
-    v("swing", swing,
-      {.unit = "m", .min = 0, .max = 1, .doc = "reach of a leg to the front and to the back at full swing"});
-    v("full_swing_speed", full_swing_speed,
-      {.unit = "m/s", .min = 0.1, .max = 10, .doc = "below this speed the swing shrinks in proportion"});
-    v("sway", sway,
-      {.unit = "m",
-       .min = 0,
-       .max = 0.1,
-       .doc = "standard deviation of the wandering of a leg of who stands; 0: like a statue"});
-    v("shift_every", shift_every,
-      {.unit = "s",
-       .min = 0,
-       .max = 1000,
-       .doc = "who stands sets a foot 0.05 to 0.15 m aside after so long on average; 0: never"});
-  }
 };
 
 /// Remembers how far everybody has walked, which way those who stand were facing, and where they have set their

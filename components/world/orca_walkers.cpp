@@ -38,7 +38,7 @@ Vector2 OrcaWalkers::decision_of(const GoalWalker& walker, const Surroundings& s
   const Person& me = walker.body;
   orca::Agent agent{.position = me.position,
                     .velocity = me.velocity,
-                    .radius = me.radius + options_.margin,
+                    .radius = me.radius + options_.kMargin,
                     .wanted = {0.0, 0.0},
                     .v_max = walker.speed};
   const Vector2 way = walker.goal - me.position;
@@ -46,20 +46,20 @@ Vector2 OrcaWalkers::decision_of(const GoalWalker& walker, const Surroundings& s
   if (!walker.arrived && distance > 0.0) agent.wanted = way * (walker.speed / std::max(distance, 1.0));
   std::vector<orca::Neighbour> others;
   const auto add = [&](const auto& body, double share) {
-    others.push_back({body.position, body.velocity, body.radius + options_.margin, share});
+    others.push_back({body.position, body.velocity, body.radius + options_.kMargin, share});
   };
   for (const GoalWalker& other : walkers_) {
     if (&other != &walker) add(other.body, 0.5);
   }
   for (const Person& other : surroundings.others) add(other, 1.0);
   for (const RobotBody& robot : surroundings.robots) add(robot, options_.robots_share ? 0.5 : 1.0);
-  const double reach = walker.speed * options_.wall_horizon + me.radius;
+  const double reach = walker.speed * options_.kWallHorizon + me.radius;
   return orca::advise(agent, others, walls_near(scene_, me.position, reach, me.radius),
-                      {.neighbour_range = options_.neighbour_range,
-                       .max_neighbours = options_.max_neighbours,
-                       .horizon = options_.horizon,
-                       .wall_horizon = options_.wall_horizon,
-                       .time_step = options_.period})
+                      {.neighbour_range = options_.kNeighbourRange,
+                       .max_neighbours = options_.kMaxNeighbours,
+                       .horizon = options_.kHorizon,
+                       .wall_horizon = options_.kWallHorizon,
+                       .time_step = options_.kPeriod})
       .velocity;
 }
 
@@ -74,7 +74,7 @@ void OrcaWalkers::decide(const Surroundings& surroundings) {
 void OrcaWalkers::step(double dt, const Surroundings& surroundings, std::vector<Person>& people) {
   if (dt > 0.0 && until_decision_ <= kRounding) {
     decide(surroundings);
-    until_decision_ = options_.period;
+    until_decision_ = options_.kPeriod;
   }
   until_decision_ -= dt;
   for (GoalWalker& walker : walkers_) {

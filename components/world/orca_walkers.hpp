@@ -12,33 +12,28 @@
 namespace bw {
 
 struct OrcaWalkersOptions : GoalWalkersOptions {
-  double margin = 0.01;
-  double neighbour_range = 10.0;
-  std::int64_t max_neighbours = 10;
-  double horizon = 5.0;
-  double wall_horizon = 1.0;
-  double period = 0.1;
+  /// [m] kept beyond the radius, by each
+  static constexpr double kMargin = 0.01;
+  /// [m] who is further away is not looked at
+  static constexpr double kNeighbourRange = 10.0;
+  /// nearest others looked at
+  static constexpr std::int64_t kMaxNeighbours = 10;
+  /// [s] they keep clear of others for so long
+  static constexpr double kHorizon = 5.0;
+  /// [s] they keep clear of walls for so long
+  static constexpr double kWallHorizon = 1.0;
+  /// [s] between two decisions, in which they keep velocity
+  static constexpr double kPeriod = 0.1;
   bool robots_share = true;
 
   template <class Visitor>
   void fields(Visitor& v) {
     GoalWalkersOptions::fields(v);
-    v("margin", margin, {.unit = "m", .min = 0, .max = 2, .doc = "kept beyond the radius, by each"});
-    v("neighbour_range", neighbour_range,
-      {.unit = "m", .min = 0.1, .max = 100, .doc = "who is further away is not looked at"});
-    v("max_neighbours", max_neighbours, {.min = 1, .max = 100, .doc = "nearest others looked at"});
-    v("horizon", horizon,
-      {.unit = "s",
-       .min = 0.1,
-       .max = 60,
-       .doc = "they keep clear of others for so long; longer avoids earlier"});
-    v("wall_horizon", wall_horizon,
-      {.unit = "s", .min = 0.1, .max = 60, .doc = "they keep clear of walls for so long"});
-    v("period", period,
-      {.unit = "s", .min = 0.01, .max = 2, .doc = "between two decisions, in which they keep velocity"});
     v("robots_share", robots_share,
       {.doc =
            "robots that they see (people_react) are trusted to do half of the avoiding; false: walkers do all"});
+    v.retired({"margin", "neighbour_range", "max_neighbours", "horizon", "wall_horizon", "period"},
+              "a constant of orca_walkers.hpp");
   }
 };
 

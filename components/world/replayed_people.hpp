@@ -23,23 +23,22 @@ struct Track {
 
 struct ReplayOptions {
   double start_time = 0.0;
+  /// [s] after this time of replay nobody is left (set by code alone)
   double duration = 1e6;
   double x = 0.0;
   double y = 0.0;
   double theta = 0.0;
+  /// [m] radius of the disc that counts as contact (set by code alone)
   double radius = 0.3;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("start_time", start_time,
       {.unit = "s", .min = 0, .max = 1e6, .doc = "recorded time at which the world starts"});
-    v("duration", duration,
-      {.unit = "s", .min = 0, .max = 1e6, .doc = "after this time of replay nobody is left"});
     v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "origin of the recording in map"});
     v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "origin of the recording in map"});
     v("theta", theta, {.unit = "rad", .min = -6.3, .max = 6.3, .doc = "turn of the recording in map"});
-    v("radius", radius,
-      {.unit = "m", .min = 0.05, .max = 2, .doc = "radius of the disc that counts as contact"});
+    v.retired({"radius"}, "a constant of replayed_people.hpp");
   }
 };
 

@@ -115,7 +115,7 @@ std::string World::push_person(std::uint32_t id, const Vector2& velocity_change)
     return group->displace(id, {0.0, 0.0});
   });
   if (!has_own_way) return "person " + std::to_string(id) + " walks as recorded";
-  Push& push = pushes_.try_emplace(id, options_.people.social.forces.relaxation_time).first->second;
+  Push& push = pushes_.try_emplace(id, options_.people.social.forces.kRelaxationTime).first->second;
   if (std::string fault = fault_of_speed(push.velocity() + velocity_change); !fault.empty()) return fault;
   push.add(velocity_change);
   return {};

@@ -59,11 +59,12 @@ struct PeopleOptions {
     v("social", social, {.doc = "people who walk by the social force model"});
     v("orca", orca, {.doc = "people who walk by ORCA"});
     v("replay", replay, {.doc = "recorded people"});
-    v("legs", legs, {.doc = "what the laser sees of a person"});
+    v.retired({"legs"}, "a constant of world_options.hpp");
   }
 };
 
 struct WorldOptions {
+  /// added to the seed of the run (set by code alone)
   std::int64_t seed_offset = 0;
   double physics_step = 0.01;
   double encoder_rate = 50.0;
@@ -86,7 +87,6 @@ struct WorldOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("seed_offset", seed_offset, {.min = 0, .max = 1e9, .doc = "added to the seed of the run"});
     v("physics_step", physics_step, {.unit = "s", .min = 0.001, .max = 0.1, .doc = "one step of the world"});
     v("encoder_rate", encoder_rate,
       {.unit = "Hz", .min = 0.1, .max = 1000, .doc = "encoder readings per second"});
@@ -95,7 +95,7 @@ struct WorldOptions {
     v("start", start, {.doc = "pose of the robot at the start"});
     v("robots", robots,
       {.doc = "several robots, named as in the graph; none: one without a name, at `start`"});
-    v("map", map, {.doc = "map file (YAML beside a PGM or PNG); empty: none"});
+    v("map", map, {.first = true, .doc = "map file (YAML beside a PGM or PNG); empty: none"});
     v("tracks", tracks,
       {.doc = "file of recorded people (CSV t_s,frame,ped_id,x_m,y_m,vx_mps,vy_mps); empty: none"});
     v("track_walls", track_walls,
@@ -105,7 +105,7 @@ struct WorldOptions {
     v("walls", walls, {.doc = "thin walls"});
     v("boxes", boxes, {.doc = "boxes that stand about"});
     v("people_react", people_react,
-      {.doc = "walkers see the robots and keep clear of them; claims on safety only with false"});
+      {.first = true, .doc = "walkers see the robots and keep clear of them; claims on safety only with false"});
     v("people", people, {.doc = "who walks where"});
     v("drive", drive, {.doc = "wheels and encoders"});
     v("laser", laser, {.doc = "laser scanner"});

@@ -11,7 +11,7 @@
 // That one list feeds YAML, validation, `bandwagon param`, the wire and the documentation. A field may be
 // bool, int, std::int64_t, double, std::string, an enum with a table (choice.hpp), a nested struct with
 // fields(), or a std::vector of any of these. A rule over several fields is `std::optional<std::string> violated_rule() const`, which returns the
-// broken rule as a sentence. `static constexpr bool leaves_other_keys = true`: others read the same section too, and what is unknown
+// broken rule as a sentence. A name that was a field once is refused with what to do instead: `v.retired({"age"}, "set command_timeout")`. `static constexpr bool leaves_other_keys = true`: others read the same section too, and what is unknown
 // here is theirs. Plain C++ only: algorithms include this header.
 #pragma once
 
@@ -48,6 +48,7 @@ struct Field {
   bool path = false;          ///< a file, read as relative to the YAML that names it
   bool list_as_text = false;  ///< a list in YAML does as well: its text, "[[1, 2], [3, 4]]"
   std::string (*rule)(std::string_view text) = nullptr;  ///< why a text is refused; empty: it is not
+  bool first = false;                                    ///< among the few that people turn first
   std::string_view doc = {};                             ///< one line: what it does, when to raise it
 };
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
@@ -115,6 +116,8 @@ class FieldVisitor {
   void operator()(std::string_view name, T& value, const Field& field = {}) {
     visit(name, FieldRef::of(value), field);
   }
+  /// Names that were fields once; `instead` tells who still sets one what to do.
+  virtual void retired(std::initializer_list<std::string_view>, std::string_view /*instead*/) {}
 
  private:
   virtual void visit(std::string_view name, FieldRef value, const Field& field) = 0;

@@ -1,7 +1,10 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "runtime/cli/param_count.hpp"
 #include "runtime/cli/param_graph.hpp"
 #include "runtime/cli/param_node.hpp"
 #include "runtime/cli/verb.hpp"
@@ -33,7 +36,7 @@ std::shared_ptr<Target> add_target(Verb verb, bool is_required) {
   auto target = std::make_shared<Target>();
   const Option name = verb.option("TARGET", target->name, "Graph file (.yaml), or a running node");
   if (is_required) name.required();
-  verb.option("COMPONENT", target->graph.component, "Only this component of the graph");
+  verb.option("COMPONENT", target->graph.component, "Only this component of the graph, or section that components share: all of it");
   verb.option("--set", target->graph.set, "component.param=value, of the graph").one_each_time();
   return target;
 }
@@ -43,7 +46,11 @@ void add_param_list(Verb param) {
       "list",
       "Of a graph: names, types, ranges, defaults, values, meaning. Of a node, or all of them: names");
   auto target = add_target(verb, false);
-  verb.run([target] {
+  auto counted = std::make_shared<std::vector<std::string>>();
+  verb.flag("--all", target->graph.all, "Of a graph: not only those that people turn first");
+  verb.option("--count", *counted, "How many names these graphs have, type by type");
+  verb.run([target, counted] {
+    if (!counted->empty()) return count_names(*counted, target->graph.set, target->graph.all);
     if (target->name.empty()) return list_nodes_parameters();
     if (!target->is_graph()) return list_node(target->as_node());
     list_graph(target->as_graph());

@@ -32,37 +32,50 @@ std::string range_text(const ParameterRow& row) {
   return "any";
 }
 
-template <class Print>
-void for_each_component(const GraphParameters& asked, Print print) {
-  const Host host(load_graph(asked.path, asked.set), {});
-  bool found = false;
-  for (const auto& [name, report] : host.parameters()) {
-    if (!asked.component.empty() && name != asked.component) continue;
-    found = true;
-    print(name, report);
+void print_rows(const std::string& name, const std::vector<ParameterRow>& rows) {
+  if (!rows.empty()) std::cout << name << ":\n";
+  for (const ParameterRow& row : rows) {
+    std::cout << fmt::format("  {} ({}{}{}; {}; {}): {}\n", row.name, row.type, row.unit.empty() ? "" : ", ",
+                             row.unit, range_text(row), value_text(row), row.doc);
   }
-  if (!found) throw std::runtime_error("the graph has no component \"" + asked.component + "\"");
+}
+
+std::runtime_error no_component(const std::string& name) {
+  return std::runtime_error("the graph has no component \"" + name + "\"");
 }
 
 }  // namespace
 
 void list_graph(const GraphParameters& asked) {
-  for_each_component(asked, [](const std::string& name, const ParameterReport& report) {
-    std::cout << name << ":\n";
-    for (const ParameterRow& row : report.rows) {
-      std::cout << fmt::format("  {} ({}{}{}; {}; {}): {}\n", row.name, row.type,
-                               row.unit.empty() ? "" : ", ", row.unit, range_text(row), value_text(row),
-                               row.doc);
-    }
-  });
+  const Host host(load_graph(asked.path, asked.set), {});
+  auto sections = host.parameters();
+  for (auto& shared : host.shared_parameters()) sections.push_back(std::move(shared));
+  const bool is_whole = asked.component.empty();
+  bool found = is_whole;
+  std::size_t left_out = 0;
+  for (auto& [name, report] : sections) {
+    if (!is_whole && name != asked.component) continue;
+    found = true;
+    if (is_whole && !asked.all)
+      left_out += std::erase_if(report.rows, [](const ParameterRow& row) { return !row.first; });
+    print_rows(name, report.rows);
+  }
+  if (!found) throw no_component(asked.component);
+  if (left_out > 0)
+    std::cout << fmt::format("and {} more: --all, or the name of a component behind the graph\n", left_out);
 }
 
 void dump_graph(const GraphParameters& asked) {
-  for_each_component(asked, [](const std::string& name, const ParameterReport& report) {
+  const Host host(load_graph(asked.path, asked.set), {});
+  bool found = asked.component.empty();
+  for (const auto& [name, report] : host.parameters()) {
+    if (!asked.component.empty() && name != asked.component) continue;
+    found = true;
     std::cout << name << ":\n";
     std::istringstream lines(report.yaml);
     for (std::string line; std::getline(lines, line);) std::cout << "  " << line << "\n";
-  });
+  }
+  if (!found) throw no_component(asked.component);
 }
 
 }  // namespace bw::cli

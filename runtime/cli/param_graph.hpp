@@ -8,8 +8,9 @@ namespace bw::cli {
 
 struct GraphParameters {
   std::string path;
-  std::string component;  ///< empty: all
+  std::string component;  ///< or a section that components share, as robot; empty: all
   std::vector<std::string> set;
+  bool all = false;  ///< else, of a whole graph, those that people turn first
 };
 
 /// Names, types, ranges, defaults, values set by the graph, and meaning.

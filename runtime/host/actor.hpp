@@ -134,6 +134,7 @@ struct Actor final : DiagnosticReporter {
   std::vector<std::unique_ptr<ActionEnd>> actions;
   std::vector<std::unique_ptr<ClientEnd>> clients;
   ParameterReport parameters;
+  std::map<std::string, ParameterReport> shared_parameters;  ///< by section, as it read them
   LiveParameters live_parameters;
   std::function<void(const Input&)> on_first_rejected;  ///< an input's sample is not its message
 

@@ -285,6 +285,12 @@ std::vector<std::pair<std::string, ParameterReport>> Host::parameters() const {
   return all;
 }
 
+std::map<std::string, ParameterReport> Host::shared_parameters() const {
+  std::map<std::string, ParameterReport> all;
+  for (const auto& actor : actors_) all.insert(actor->shared_parameters.begin(), actor->shared_parameters.end());
+  return all;
+}
+
 std::vector<CallbackStatistics> Host::statistics() const {
   std::vector<CallbackStatistics> all;
   for (const Actor* actor : local_) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -72,6 +73,8 @@ class Host {
   const std::vector<ComponentDeclaration>& declarations() const { return declarations_; }
   /// The parameters of every component of the graph, by instance name.
   std::vector<std::pair<std::string, ParameterReport>> parameters() const;
+  /// The sections that components share, by name, as the first that read each saw it.
+  std::map<std::string, ParameterReport> shared_parameters() const;
   /// Of this process's callbacks, after the run.
   std::vector<CallbackStatistics> statistics() const;
   /// Lock-step only, else empty.

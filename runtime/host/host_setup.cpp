@@ -132,7 +132,9 @@ void HostSetup::keep_parameters(ParameterReport report, ParameterDeclaration dec
   actor_.live_parameters.declare(std::move(declaration));
 }
 
-void HostSetup::keep_shared_parameters(std::string_view section, ParameterSet values) {
+void HostSetup::keep_shared_parameters(std::string_view section, ParameterReport report,
+                                       ParameterSet values) {
+  actor_.shared_parameters.insert_or_assign(std::string(section), std::move(report));
   actor_.live_parameters.declare_read_only(std::string(section), std::move(values),
                                            "components share it; it is set in the graph");
 }

@@ -50,7 +50,7 @@ class HostSetup final : public Setup {
   const ConfigNode& shared_section(std::string_view section) const override;
   void comes_to_rest_within(std::string_view section, Duration time) override;
   void keep_parameters(ParameterReport report, ParameterDeclaration declaration) override;
-  void keep_shared_parameters(std::string_view section, ParameterSet values) override;
+  void keep_shared_parameters(std::string_view section, ParameterReport report, ParameterSet values) override;
 
  private:
   Host& host_;

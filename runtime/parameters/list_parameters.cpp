@@ -51,11 +51,34 @@ class Lister final : public FieldVisitor {
     const std::vector<std::string_view> allowed = texts_allowed(value.type(), field);
     rows_.push_back({name, type_name(value.type()), flow_text(value), "", std::string(field.unit), field.min,
                      field.max, std::vector<std::string>(allowed.begin(), allowed.end()),
-                     std::string(field.doc)});
+                     field.first, std::string(field.doc)});
   }
 
   std::string path_;
   std::vector<ParameterRow>& rows_;
+};
+
+class NameLister final : public FieldVisitor {
+ public:
+  NameLister(std::string path, std::vector<std::string>& names) : path_(std::move(path)), names_(names) {}
+
+ private:
+  void visit(std::string_view name, FieldRef value, const Field&) override {
+    list(joined(path_, name), value);
+  }
+
+  void list(const std::string& name, FieldRef value) {
+    if (value.kind() == FieldKind::section) {
+      NameLister nested(name, names_);
+      return value.accept(nested);
+    }
+    if (value.kind() == FieldKind::list && value.type().element().kind == FieldKind::section)
+      return value.replace(1, [&](FieldRef element) { list(name, element); });
+    names_.push_back(name);
+  }
+
+  std::string path_;
+  std::vector<std::string>& names_;
 };
 
 }  // namespace
@@ -71,6 +94,13 @@ std::vector<ParameterRow> list_parameters(FieldRef section, FieldRef defaults, s
     if (const auto found = text_of.find(row.name); found != text_of.end()) row.default_value = found->second;
   }
   return rows;
+}
+
+std::vector<std::string> parameter_names(FieldRef section) {
+  std::vector<std::string> names;
+  NameLister lister("", names);
+  section.accept(lister);
+  return names;
 }
 
 }  // namespace bw

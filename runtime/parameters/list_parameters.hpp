@@ -18,6 +18,7 @@ struct ParameterRow {
   double min;
   double max;
   std::vector<std::string> choices;
+  bool first;  ///< among the few that people turn first
   std::string doc;
 };
 
@@ -29,5 +30,9 @@ std::vector<ParameterRow> list_parameters(T& value, std::string_view prefix = ""
   T defaults{};
   return list_parameters(FieldRef::of(value), FieldRef::of(defaults), prefix);
 }
+
+/// Every name that can be set, dotted, in the order of the field lists; those of a list of structs once, without index, as walls.x. `section`
+/// holds anything afterwards.
+std::vector<std::string> parameter_names(FieldRef section);
 
 }  // namespace bw

@@ -28,6 +28,13 @@ void ParameterReader::refuse_unknown_keys() {
   }
 }
 
+void ParameterReader::retired(std::initializer_list<std::string_view> names, std::string_view instead) {
+  for (const std::string_view name : names) {
+    if (const ConfigNode* node = find(name))
+      refuse(*node, name, "is no parameter any more: " + std::string(instead));
+  }
+}
+
 namespace {
 
 bool is_in_range(double value, const Field& field) { return value >= field.min && value <= field.max; }

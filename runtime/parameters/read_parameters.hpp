@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,6 +28,7 @@ class ParameterReader final : public FieldVisitor {
   void refuse(const ConfigNode& node, std::string_view name, std::string rule);
   /// To be called after the last key was asked for.
   void refuse_unknown_keys();
+  void retired(std::initializer_list<std::string_view> names, std::string_view instead) override;
 
  private:
   void visit(std::string_view name, FieldRef value, const Field& field) override;

@@ -1,4 +1,5 @@
 // The verbs a ROS 2 user types, against a running graph.
+#include <algorithm>
 #include <memory>
 
 #include <gmock/gmock.h>
@@ -98,6 +99,30 @@ TEST_F(CommandLine, ParamListTellsDefaultsAndWhatTheGraphSets) {
                            "  goal.x (double, m; -100000 to 100000; default 0.0, here 19.0): "}) {
     EXPECT_THAT(list.out, HasSubstr(line));
   }
+}
+
+// Of a whole graph those that people turn first, of the robot too; a component that is named is shown whole.
+TEST_F(CommandLine, ParamListBeginsWithWhatPeopleTurnFirst) {
+  const std::string graph = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml";
+  const Outcome first = bandwagon({"param", "list", graph});
+  EXPECT_EQ(first.status, 0) << first.err;
+  for (const char* line : {"\nrobot:\n", "  limits.v_max (double, m/s; ", "  xy_tolerance (double, m; ", "more: --all"})
+    EXPECT_THAT(first.out, HasSubstr(line));
+  EXPECT_THAT(first.out, testing::Not(HasSubstr("settle_time")));
+  const auto lines = std::ranges::count(first.out, '\n');
+  EXPECT_GE(lines, 20);
+  EXPECT_LE(lines, 40) << "with the names of components";
+  const Outcome all = bandwagon({"param", "list", graph, "--all"});
+  EXPECT_THAT(all.out, HasSubstr("settle_time"));
+  EXPECT_THAT(all.out, HasSubstr("  wheel_separation (double, m; "));
+}
+
+TEST_F(CommandLine, ParamListCountsNames) {
+  const std::string graph = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/nav2/map_server.yaml";
+  const Outcome count = bandwagon({"param", "list", "--all", "--count", graph, graph});
+  EXPECT_EQ(count.status, 0) << count.err;
+  EXPECT_THAT(count.out, HasSubstr("   17 map_server\n"));  // of its walls and boxes 4 and 5, though it has none
+  EXPECT_THAT(count.out, testing::EndsWith("   17\n"));
 }
 
 }  // namespace

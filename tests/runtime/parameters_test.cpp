@@ -233,6 +233,34 @@ TEST(ListParameters, GivesOneRowPerFieldInOrder) {
   EXPECT_THAT(rows[2].choices, ElementsAre("orca", "social_force"));
 }
 
+// Fields of a list of structs once, though the list is empty.
+TEST(ParameterNames, AreThoseThatCanBeSet) {
+  World world;
+  EXPECT_THAT(parameter_names(FieldRef::of(world)),
+              ElementsAre("react", "seed", "model", "label", "scan.rate", "scan.beams", "scan.max_range",
+                          "walls.x", "walls.y", "gains", "flags", "cells", "slow", "fast"));
+}
+
+struct Renamed {
+  double max_age = 1.0;
+
+  template <class Visitor>
+  void fields(Visitor& v) {
+    v("max_age", max_age, {.unit = "s", .first = true, .doc = "oldest that counts"});
+    v.retired({"age", "timeout"}, "set max_age");
+  }
+};
+
+TEST(RetiredNames, AreRefusedWithWhatToDo) {
+  std::vector<Violation> violations;
+  Renamed renamed;
+  read_into(renamed, parse_yaml("{max_age: 2.0, age: 3.0}", "d.yaml"), "scan", violations);
+  ASSERT_EQ(violations.size(), 1U);
+  EXPECT_EQ(violations[0].text(), "d.yaml:1: scan.age = 3.0: is no parameter any more: set max_age");
+  EXPECT_EQ(renamed.max_age, 2.0);
+  EXPECT_TRUE(list_parameters(renamed).at(0).first);
+}
+
 std::string yaml_refusal(const std::string& yaml) {
   try {
     parse_yaml(yaml, "d.yaml");

@@ -27,11 +27,17 @@ struct EddieOptions {
   EddieBoard board = EddieBoard::quadrature;
   SpeedUnit speed_unit = SpeedUnit::per_second;
   bool has_watch = true;
+  /// the parameter of WATCH is that time in seconds, as in the open firmware (set by code alone)
   bool watch_in_seconds = false;
+  /// scale of the values of PING (set by code alone)
   double ping_units_per_mm = 1.0;
+  /// [s] from the end of a command to its effect (set by code alone)
   double latency = 0.01;
+  /// [m/s^2] until ACC says another one (set by code alone)
   double first_acceleration = 0.5;
+  /// [m/s] of a wheel at full power (set by code alone)
   double top_speed = 1.2;
+  /// [m] of the wheels, that TURN and HEAD compute with (set by code alone)
   double separation = 0.39;
   BatteryOptions battery{.full = 12.8, .empty = 11.0, .charge = 0.9, .capacity = 7.2, .resistance = 0.05};
 
@@ -41,18 +47,7 @@ struct EddieOptions {
     v("speed_unit", speed_unit,
       {.doc = "what GOSPD and SPD count in: positions per second or per half of one"});
     v("has_watch", has_watch, {.doc = "it knows WATCH, and stops when nothing is heard for 1 s"});
-    v("watch_in_seconds", watch_in_seconds,
-      {.doc = "the parameter of WATCH is that time in seconds, as in the open firmware"});
-    v("ping_units_per_mm", ping_units_per_mm,
-      {.min = 0.01, .max = 1000, .doc = "scale of the values of PING"});
-    v("latency", latency,
-      {.unit = "s", .min = 0, .max = 1, .doc = "from the end of a command to its effect"});
-    v("first_acceleration", first_acceleration,
-      {.unit = "m/s^2", .min = 0.01, .max = 10, .doc = "until ACC says another one"});
-    v("top_speed", top_speed, {.unit = "m/s", .min = 0.1, .max = 5, .doc = "of a wheel at full power"});
-    v("separation", separation,
-      {.unit = "m", .min = 0.05, .max = 2, .doc = "of the wheels, that TURN and HEAD compute with"});
-    v("battery", battery, {.doc = "its pack"});
+    v.retired({"watch_in_seconds", "ping_units_per_mm", "battery"}, "a constant of eddie_options.hpp");
   }
 };
 

@@ -10,33 +10,30 @@
 namespace bw::emulators {
 
 struct KobukiGyroOptions {
+  /// [deg/s] of the raw samples, about each axis (set by code alone)
   double bias = 0.4;
+  /// [deg/s] standard deviation of a raw sample (set by code alone)
   double noise = 0.1;
+  /// 0.01: turns are told 1 % too large (set by code alone)
   double scale_error = 0.0;
+  /// [deg/s] what its own calibration leaves in angle and rate (set by code alone)
   double drift = 0.01;
+  /// [deg] that it tells at the start (set by code alone)
   double first_angle = 37.25;
+  /// [Hz] raw samples; 2 or 3 come in a packet at 104 (set by code alone)
   double sample_rate = 104.0;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("bias", bias, {.unit = "deg/s", .min = -20, .max = 20, .doc = "of the raw samples, about each axis"});
-    v("noise", noise, {.unit = "deg/s", .min = 0, .max = 20, .doc = "standard deviation of a raw sample"});
-    v("scale_error", scale_error, {.min = -0.2, .max = 0.2, .doc = "0.01: turns are told 1 % too large"});
-    v("drift", drift,
-      {.unit = "deg/s", .min = -5, .max = 5, .doc = "what its own calibration leaves in angle and rate"});
-    v("first_angle", first_angle,
-      {.unit = "deg", .min = -180, .max = 180, .doc = "that it tells at the start"});
-    v("sample_rate", sample_rate,
-      {.unit = "Hz", .min = 50, .max = 500, .doc = "raw samples; 2 or 3 come in a packet at 104"});
-  }
 };
 
 struct KobukiOptions {
   double stops_by_itself = 0.0;
   double clock_error = 0.0;
+  /// [ms] of its clock at the start; near 65536 to see it wrap (set by code alone)
   std::int64_t first_stamp = 0;
+  /// of both encoders at the start; near 65536 to see them wrap (set by code alone)
   std::int64_t first_ticks = 0;
+  /// [m] that it computes with, whatever the robot has (set by code alone)
   double wheelbase = 0.230;
+  /// [m] likewise (set by code alone)
   double wheel_radius = 0.035;
   WheelControllerOptions wheels;
   KobukiGyroOptions gyro;
@@ -50,16 +47,8 @@ struct KobukiOptions {
        .max = 60,
        .doc = "without a base command for so long it stops; 0: never, as is to be assumed"});
     v("clock_error", clock_error, {.min = -0.01, .max = 0.01, .doc = "its clock goes fast by this share"});
-    v("first_stamp", first_stamp,
-      {.unit = "ms", .min = 0, .max = 65535, .doc = "of its clock at the start; near 65536 to see it wrap"});
-    v("first_ticks", first_ticks,
-      {.min = 0, .max = 65535, .doc = "of both encoders at the start; near 65536 to see them wrap"});
-    v("wheelbase", wheelbase,
-      {.unit = "m", .min = 0.1, .max = 1, .doc = "that it computes with, whatever the robot has"});
-    v("wheel_radius", wheel_radius, {.unit = "m", .min = 0.005, .max = 1, .doc = "likewise"});
     v("wheels", wheels, {.doc = "from a base command to turning wheels"});
-    v("gyro", gyro, {.doc = "its gyro"});
-    v("battery", battery, {.doc = "its pack"});
+    v.retired({"wheel_radius", "gyro", "battery"}, "a constant of kobuki_options.hpp");
   }
 };
 

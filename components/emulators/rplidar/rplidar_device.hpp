@@ -34,10 +34,14 @@ struct RplidarDeviceOptions {
   double rate = 7.0;
   double sample_time = 500e-6;
   double spin_up = 0.6;
+  /// [m] nearer things give no measurement (set by code alone)
   double range_min = 0.15;
+  /// [m] farther things give no measurement (set by code alone)
   double range_max = 12.0;
   double range_noise = 0.0;
+  /// 0 good, 1 warning, 2 error: refuses to scan (set by code alone)
   std::int64_t health = 0;
+  /// told with it (set by code alone)
   std::int64_t health_code = 0;
 
   template <class Visitor>
@@ -51,13 +55,9 @@ struct RplidarDeviceOptions {
        .doc = "from one measurement to the next: 500 us an A1, 250 us an A2"});
     v("spin_up", spin_up,
       {.unit = "s", .min = 0, .max = 10, .doc = "until the head turns steadily; no measurements before"});
-    v("range_min", range_min, {.unit = "m", .min = 0, .max = 1, .doc = "nearer things give no measurement"});
-    v("range_max", range_max,
-      {.unit = "m", .min = 1, .max = 100, .doc = "farther things give no measurement"});
     v("range_noise", range_noise,
       {.unit = "m", .min = 0, .max = 1, .doc = "standard deviation, beside that of what it is shown"});
-    v("health", health, {.min = 0, .max = 2, .doc = "0 good, 1 warning, 2 error: refuses to scan"});
-    v("health_code", health_code, {.min = 0, .max = 65535, .doc = "told with it"});
+    v.retired({"range_min", "range_max"}, "a constant of rplidar_device.hpp");
   }
 };
 

@@ -124,9 +124,9 @@ std::vector<Disc> MapPlanner::standing_people(const Pose2& start, Time now) cons
   if (!X_MF) return discs;
   for (const auto& track : tracks_->tracks()) {
     if (!is_confirmed(track.confidence())) continue;
-    if (!(std::hypot(track.velocity().x(), track.velocity().y()) < parameters_.standing_speed)) continue;
+    if (!(std::hypot(track.velocity().x(), track.velocity().y()) < parameters_.kStandingSpeed)) continue;
     const Disc disc{*X_MF * Vector2{track.position().x(), track.position().y()}, track.radius()};
-    const bool near = (disc.center - start.position()).norm() < parameters_.standing_within;  // false for NaN
+    const bool near = (disc.center - start.position()).norm() < parameters_.kStandingWithin;  // false for NaN
     if (near && std::isfinite(disc.radius)) discs.push_back(disc);
   }
   return discs;

@@ -24,6 +24,7 @@ namespace bw::laser {
 struct RplidarOptions {
   Model model = Model::automatic;
   bool flip = false;
+  /// [Hz] fewer revolutions per second are warned of (set by code alone)
   double rate_min = 4.0;
   int motor_pwm = 600;
   int motor_rpm = 600;
@@ -32,10 +33,9 @@ struct RplidarOptions {
   void fields(Visitor& v) {
     v("model", model, {.doc = "family that must answer; auto: any. It decides what the motor hangs on"});
     v("flip", flip, {.doc = "mounted head first"});
-    v("rate_min", rate_min,
-      {.unit = "Hz", .min = 0, .max = 50, .doc = "fewer revolutions per second are warned of"});
     v("motor_pwm", motor_pwm, {.min = 0, .max = 1023, .doc = "speed of the motor, a2 and a3"});
     v("motor_rpm", motor_rpm, {.unit = "1/min", .min = 0, .max = 1500, .doc = "speed of the motor, s"});
+    v.retired({"rate_min"}, "a constant of rplidar.hpp");
   }
 };
 

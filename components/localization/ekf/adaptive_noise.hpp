@@ -32,11 +32,11 @@ double adapt_noise(NoiseWatch& watch, const Innovation<kStates, N>& z, const Sta
   if (watch.dof == N && expected < watch.factor) {
     const double change = (white - watch.last.template head<N>()).squaredNorm() / (2.0 * N);
     const double sample = std::min(change - expected, kMostSurprise * factor);
-    watch.factor = std::clamp(factor + (sample - factor) / options.memory, options.floor, options.ceiling);
+    watch.factor = std::clamp(factor + (sample - factor) / options.kMemory, options.kFloor, options.kCeiling);
   }
   watch.last.template head<N>() = white;
   watch.dof = N;
-  return std::clamp(factor, options.floor, options.ceiling);
+  return std::clamp(factor, options.kFloor, options.kCeiling);
 }
 
 }  // namespace bw::localization

@@ -103,7 +103,7 @@ struct Applier {
   }
   FusionResult operator()(const CourseReading& m) const {
     const Extrapolated at = reach(m.time);
-    if (std::abs(state.twist.v) < options.course_speed) {
+    if (std::abs(state.twist.v) < options.kCourseSpeed) {
       note_seen(source(m.source), m.time);
       return {Verdict::unusable};
     }

@@ -28,7 +28,7 @@ class Assessment {
       worsen(health_.two_sigma > limits.lost_two_sigma ? HealthState::lost : HealthState::degraded,
              {HealthCause::uncertain_position, -1, health_.two_sigma});
     }
-    if (health_.heading_sigma > limits.lost_heading_sigma)
+    if (health_.heading_sigma > limits.kLostHeadingSigma)
       worsen(HealthState::lost, {HealthCause::uncertain_heading, -1, health_.heading_sigma});
   }
 
@@ -65,12 +65,12 @@ class Assessment {
       positions_come = true;
       position_used = std::max(position_used, s.last_trusted);
     }
-    if (positions_come && age(position_used) > options_.health.lost_rejection)
+    if (positions_come && age(position_used) > options_.health.kLostRejection)
       worsen(HealthState::lost, {HealthCause::contradicted, -1, age(position_used)});
   }
 
   void jumps(Time last_clock_jump) {
-    const double recent = options_.health.report_jump;
+    const double recent = options_.health.kReportJump;
     if (state_.last_reset != kNever && age(state_.last_reset) <= recent) {
       worsen(HealthState::degraded,
              {HealthCause::estimate_reset, state_.reset_source, age(state_.last_reset)});

@@ -116,7 +116,7 @@ std::optional<InitialPose::Angle> InitialPose::heading_from_compass() const {
     sum += away;
     variance = std::max(variance, heading.variance);
   }
-  if (2 * agreeing <= static_cast<int>(headings_.size()) || agreeing < options_.headings) return std::nullopt;
+  if (2 * agreeing <= static_cast<int>(headings_.size()) || agreeing < options_.kHeadings) return std::nullopt;
   // Not divided by their number: readings of a compass err alike.
   const double wheels = way_.back().turn_variance - headings_[middle].turn_variance;
   return Angle{wrap_angle(headings_[middle].value + sum / agreeing), kCaution * variance + wheels, 0.0};
@@ -142,7 +142,7 @@ std::optional<StartPose> InitialPose::with_heading(const Angle& theta_MO) const 
     centre_O += fixes_[i].p_O;
     variance = std::max(variance, fixes_[i].variance);
   }
-  if (2 * agreeing <= static_cast<int>(shifts.size()) || agreeing < options_.fixes) return std::nullopt;
+  if (2 * agreeing <= static_cast<int>(shifts.size()) || agreeing < options_.kFixes) return std::nullopt;
   shift /= agreeing;
   centre_O /= agreeing;
   StartPose start;

@@ -30,8 +30,8 @@ class InitialPose {
   /// Takes in a measurement that passed check(); a pose as soon as it is known. A PoseReading is one.
   std::optional<StartPose> add(const Measurement& measurement);
 
-  bool has_fixes() const { return static_cast<int>(fixes_.size()) >= options_.fixes; }
-  bool has_headings() const { return static_cast<int>(headings_.size()) >= options_.headings; }
+  bool has_fixes() const { return static_cast<int>(fixes_.size()) >= options_.kFixes; }
+  bool has_headings() const { return static_cast<int>(headings_.size()) >= options_.kHeadings; }
   void restart();
 
  private:

@@ -165,7 +165,7 @@ void add_gyro(EkfState& state, const GyroReading& reading, const EkfOptions& opt
   GyroSum& gyro = state.gyro;
   const double since_last = seconds(reading.time - gyro.last);
   const double dt = std::min(since_last, seconds(reading.time - state.time));
-  if (gyro.last != kNever && since_last <= options.motion.gyro_gap && dt > 0.0) {
+  if (gyro.last != kNever && since_last <= options.motion.kGyroGap && dt > 0.0) {
     gyro.angle += 0.5 * (gyro.rate + reading.rate) * dt;
     gyro.angle_variance += reading.variance * dt * dt;
     gyro.covered += dt;
@@ -185,7 +185,7 @@ bool predict(EkfState& state, const WheelStep& step, const EkfOptions& options) 
   const double part = span == step.over ? 1.0 : dt / seconds(step.over);
 
   Joint joint = joined(state, step, part, dt);
-  hold_gyro(state.gyro, state.time, step.time, options.motion.gyro_gap);
+  hold_gyro(state.gyro, state.time, step.time, options.motion.kGyroGap);
   SlipCorrection slip;
   if (state.gyro.covered >= kCoverage * dt) slip = update_by_gyro(state, joint, step, dt, options);
   restart(state.gyro);
@@ -206,11 +206,11 @@ void predict_without_wheels(EkfState& state, Time time, const EkfOptions& option
   const double before = seconds(state.time - since);
   const double squares = (before + dt) * (before + dt) - before * before;  // of a speed that stays unknown
 
-  const double moved = options.motion.silent_speed;
+  const double moved = options.motion.kSilentSpeed;
   state.P(0, 0) += moved * moved * squares;
   state.P(1, 1) += moved * moved * squares;
   GyroSum& gyro = state.gyro;
-  hold_gyro(gyro, state.time, time, options.motion.gyro_gap);
+  hold_gyro(gyro, state.time, time, options.motion.kGyroGap);
   double turn = 0.0;
   if (gyro.covered >= kCoverage * dt) {
     turn = gyro.angle - state.x(3) * dt;
@@ -219,7 +219,7 @@ void predict_without_wheels(EkfState& state, Time time, const EkfOptions& option
     state.P = F * state.P * F.transpose();
     state.P(2, 2) += gyro.angle_variance;
   } else {
-    const double turned = options.motion.silent_turn_rate;
+    const double turned = options.motion.kSilentTurnRate;
     state.P(2, 2) += turned * turned * squares;
   }
   restart(gyro);
@@ -238,7 +238,7 @@ Extrapolated extrapolate(const EkfState& state, Time time, const MotionOptions& 
   const double tau = std::max(0.0, seconds(time - state.time));
   const ArcStep arc = arc_step(state.pose(), state.twist.v * tau, state.twist.omega * tau);
   const double moved = options.acceleration * tau * tau / 2.0;
-  const double turned = options.turn_acceleration * tau * tau / 2.0;
+  const double turned = options.kTurnAcceleration * tau * tau / 2.0;
   return {arc.pose, arc.by_pose, moved * moved, turned * turned};
 }
 

@@ -62,7 +62,7 @@ bool supported_by_others(const EkfState& state, const Rejection& r, const Reject
     if (r.position && other.gives_position) return true;
     if (!r.position && r.heading && other.gives_heading) return true;
     const double driven = state.odometer - run.start_odometer;
-    if (!r.position && other.gives_position && driven >= options.heading_support) return true;
+    if (!r.position && other.gives_position && driven >= options.kHeadingSupport) return true;
   }
   return false;
 }
@@ -94,7 +94,7 @@ bool note_rejection(EkfState& state, const Rejection& r, const GateOptions& opti
     run.start_odometer = now.odometer;
   }
   append(run, r, now);
-  return run.count >= options.reacquire_count &&
+  return run.count >= options.kReacquireCount &&
          r.time - run.since >= Duration::seconds(options.reacquire_after) &&
          !supported_by_others(state, r, run, options);
 }

@@ -67,7 +67,7 @@ void begin(SlipWatch& watch, Time time) {
 
 void watch_slip(SlipWatch& watch, const ComparedStep& step, double bias_variance, Time time,
                 double acceleration, const SlipOptions& options) {
-  const double lambda = std::exp(-step.seconds / options.window);
+  const double lambda = std::exp(-step.seconds / options.kWindow);
   watch.disagreement = lambda * watch.disagreement + step.disagreement;
   watch.variance = lambda * lambda * watch.variance + step.variance;
   watch.time = lambda * watch.time + step.seconds;
@@ -88,14 +88,14 @@ void watch_slip(SlipWatch& watch, const ComparedStep& step, double bias_variance
     }
     if (std::abs(e) >= watch.excess.peak) {  // never as full of slip as now
       watch.excess.peak = std::abs(e);
-      weigh(watch, step.separation, acceleration, options.window);
+      weigh(watch, step.separation, acceleration, options.kWindow);
     }
-  } else if (slipping(watch) && time - watch.seen > Duration::seconds(options.hold)) {
+  } else if (slipping(watch) && time - watch.seen > Duration::seconds(options.kHold)) {
     watch.since = kNever;
     watch.last_speed = watch.speed;
     watch.block_travel = watch.block_time = 0.0;
   }
-  if (!slipping(watch) && e * e < kSuspect * options.gate * variance) note_speed(watch, step, options.window);
+  if (!slipping(watch) && e * e < kSuspect * options.gate * variance) note_speed(watch, step, options.kWindow);
   watch.lately *= std::exp(-step.seconds / kForgetting);
   if (slipping(watch)) watch.lately += step.seconds;
 }

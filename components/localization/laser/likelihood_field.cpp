@@ -24,7 +24,7 @@ void check_grid(const OccupancyGrid& map) {
 
 // An end just outside may still belong to a wall at the map's edge; five sigma away none does.
 int border_cells(const OccupancyGrid& map, const LikelihoodFieldOptions& options) {
-  const double reach = std::min(options.laser_likelihood_max_dist, 5.0 * options.sigma_hit);
+  const double reach = std::min(options.kLaserLikelihoodMaxDist, 5.0 * options.sigma_hit);
   return 1 + static_cast<int>(std::min(std::ceil(reach / map.resolution), 10000.0));
 }
 
@@ -53,9 +53,9 @@ LikelihoodField::LikelihoodField(const OccupancyGrid& map, const LikelihoodField
   origin_ = wide.origin;
   width_ = wide.width;
   height_ = wide.height;
-  distance_ = distance_field(wide, {.occupied_at = options.occupied_at, .unknown_is_obstacle = false});
+  distance_ = distance_field(wide, {.occupied_at = options.kOccupiedAt, .unknown_is_obstacle = false});
   log_p_.resize(distance_.size());
-  const auto farthest = static_cast<float>(options.laser_likelihood_max_dist);
+  const auto farthest = static_cast<float>(options.kLaserLikelihoodMaxDist);
   for (std::size_t i = 0; i < distance_.size(); ++i) {
     distance_[i] = std::min(distance_[i], farthest);
     if (wide.cells[i] < 0) distance_[i] = -distance_[i];

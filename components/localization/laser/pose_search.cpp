@@ -46,7 +46,7 @@ CellOffsets offsets(const BeamEnds& ends, double heading, double resolution) {
 PoseSearch::PoseSearch(const LikelihoodField& field, const PoseSearchOptions& options)
     : options_(options),
       tables_(field, options.step, options.clearance),
-      headings_(static_cast<std::size_t>(std::ceil(2.0 * std::numbers::pi / options.angle_step))) {}
+      headings_(static_cast<std::size_t>(std::ceil(2.0 * std::numbers::pi / options.kAngleStep))) {}
 
 void PoseSearch::begin(const BeamEnds& ends) {
   ends_ = thinned(ends);
@@ -100,14 +100,14 @@ void PoseSearch::note_candidate(std::int32_t bound) {
   ++by_bound_[static_cast<std::size_t>(bound / kBoundClass)];
   ++candidates_;
   for (auto least = static_cast<std::size_t>(least_candidate_ / kBoundClass);
-       candidates_ - by_bound_[least] >= options_.candidates; ++least) {
+       candidates_ - by_bound_[least] >= options_.kCandidates; ++least) {
     candidates_ -= by_bound_[least];
     least_candidate_ = static_cast<std::int32_t>(least + 1) * kBoundClass;
   }
 }
 
 void PoseSearch::split_best() {
-  if (open_.empty() || results_.size() >= static_cast<std::size_t>(options_.hypotheses)) return finish();
+  if (open_.empty() || results_.size() >= static_cast<std::size_t>(options_.kHypotheses)) return finish();
   std::pop_heap(open_.begin(), open_.end(), worse);
   const Node node = open_.back();
   open_.pop_back();
@@ -119,7 +119,7 @@ void PoseSearch::split_best() {
   if (node.level == tables_.finest()) {
     const Scored best = refined({X_MB, score(X_MB)});
     results_.push_back({best.X_MB, fit_of(best.score)});
-    const double least_fit = std::max(options_.kLeastFit, results_.front().fit - options_.margin);
+    const double least_fit = std::max(options_.kLeastFit, results_.front().fit - options_.kMargin);
     least_score_ = static_cast<std::int32_t>(least_fit * 255.0 * static_cast<double>(ends_.size()));
     return;
   }
@@ -138,7 +138,7 @@ void PoseSearch::split_best() {
 // Better by a finer step, as long as a neighbour is better.
 PoseSearch::Scored PoseSearch::refined(Scored from) const {
   double step = options_.step / 2.0;
-  double turn = options_.angle_step / 2.0;
+  double turn = options_.kAngleStep / 2.0;
   for (int halvings = 0; halvings < 3; ++halvings, step /= 2.0, turn /= 2.0) {
     for (int moves = 0; moves < 10; ++moves) {
       Scored best = from;
@@ -162,7 +162,7 @@ void PoseSearch::finish() {
   std::stable_sort(found.begin(), found.end(),
                    [](const PoseHypothesis& a, const PoseHypothesis& b) { return a.fit > b.fit; });
   for (const PoseHypothesis& pose : found) {
-    if (pose.fit >= found.front().fit - options_.margin && !near_result(pose.X_MB, 0.0))
+    if (pose.fit >= found.front().fit - options_.kMargin && !near_result(pose.X_MB, 0.0))
       results_.push_back(pose);
   }
   open_.clear();
@@ -171,7 +171,7 @@ void PoseSearch::finish() {
 
 bool PoseSearch::near_result(const Pose2& X_MB, double margin) const {
   return std::any_of(results_.begin(), results_.end(), [&](const PoseHypothesis& result) {
-    return (result.X_MB.position() - X_MB.position()).norm() + margin < options_.apart &&
+    return (result.X_MB.position() - X_MB.position()).norm() + margin < options_.kApart &&
            std::abs(wrap_angle(result.X_MB.theta - X_MB.theta)) < options_.kApartAngle;
   });
 }

@@ -77,7 +77,7 @@ Time OdometryTrack::oldest() const { return std::max(place(0).time, newest_.time
 
 Pose2 OdometryTrack::at(Time time) const {
   if (time >= newest_.time) {
-    const double tau = std::min(seconds(time - newest_.time), options_.extrapolation);
+    const double tau = std::min(seconds(time - newest_.time), options_.kExtrapolation);
     return advance_arc(newest_.X_OB, twist_.v * tau, twist_.omega * tau);
   }
   std::size_t low = 0;  // place(low).time <= time < place(high).time
@@ -98,7 +98,7 @@ void OdometryTrack::add(const GyroReading& reading) {
   const double since_last = seconds(reading.time - gyro_.last);
   if (gyro_.seen && since_last <= 0.0) return;
   const double dt = std::min(since_last, seconds(reading.time - newest_.time));
-  if (gyro_.seen && since_last <= options_.gyro_gap && dt > 0.0) {
+  if (gyro_.seen && since_last <= options_.kGyroGap && dt > 0.0) {
     gyro_.angle += 0.5 * (gyro_.rate + reading.rate) * dt;
     gyro_.angle_variance += reading.variance * dt * dt;
     gyro_.covered += dt;
@@ -112,7 +112,7 @@ void OdometryTrack::add(const GyroReading& reading) {
 // The last reading holds up to the end of the step.
 void OdometryTrack::hold_gyro(Time time) {
   const double dt = seconds(time - std::max(gyro_.last, newest_.time));
-  if (!gyro_.seen || dt <= 0.0 || seconds(time - gyro_.last) > options_.gyro_gap) return;
+  if (!gyro_.seen || dt <= 0.0 || seconds(time - gyro_.last) > options_.kGyroGap) return;
   gyro_.angle += gyro_.rate * dt;
   gyro_.angle_variance += gyro_.variance * dt * dt;
   gyro_.covered += dt;
@@ -135,7 +135,7 @@ void OdometryTrack::use_gyro(double dt, double& turn, Eigen::Matrix2d& covarianc
 bool OdometryTrack::add(const WheelStep& step) {
   const Duration ahead = step.time - newest_.time;
   if (ahead.nanoseconds <= 0) return false;
-  if (seconds(ahead - step.over) > options_.extrapolation) advance_unknown(step.time - step.over);
+  if (seconds(ahead - step.over) > options_.kExtrapolation) advance_unknown(step.time - step.over);
   const Duration span = step.time - newest_.time;
   const double dt = seconds(span);
   const double part = span == step.over ? 1.0 : dt / seconds(step.over);
@@ -151,7 +151,7 @@ bool OdometryTrack::add(const WheelStep& step) {
   if (options_.noise == MotionNoise::declared || options_.noise == MotionNoise::both)
     C += arc.by_step * covariance * arc.by_step.transpose();
   if (options_.noise == MotionNoise::per_step) {
-    const Eigen::Vector3d sigma(options_.step_along, options_.step_across, options_.step_heading);
+    const Eigen::Vector3d sigma(options_.kStepAlong, options_.kStepAcross, options_.kStepHeading);
     const Eigen::Matrix3d R = turned_by(arc.pose.theta);
     C += R * sigma.cwiseAbs2().asDiagonal() * R.transpose();
   }
@@ -169,7 +169,7 @@ bool OdometryTrack::add(const WheelStep& step) {
 }
 
 void OdometryTrack::bridge_silence(Time time) {
-  if (seconds(time - last_wheel_) > options_.extrapolation) advance_unknown(time);
+  if (seconds(time - last_wheel_) > options_.kExtrapolation) advance_unknown(time);
 }
 
 void OdometryTrack::advance_unknown(Time time) {
@@ -177,12 +177,12 @@ void OdometryTrack::advance_unknown(Time time) {
   if (dt <= 0.0) return;
   const double before = seconds(newest_.time - std::min(last_wheel_, newest_.time));
   const double squares = (before + dt) * (before + dt) - before * before;  // of a speed that stays unknown
-  const double position = options_.silent_speed * options_.silent_speed * squares;
-  const double heading = options_.silent_turn_rate * options_.silent_turn_rate * squares;
+  const double position = options_.kSilentSpeed * options_.kSilentSpeed * squares;
+  const double heading = options_.kSilentTurnRate * options_.kSilentTurnRate * squares;
   behind_.covariance.diagonal() += Eigen::Vector3d(position, position, heading);
   behind_.covariance.diagonal() = behind_.covariance.diagonal().cwiseMin(kMostVariance);
   behind_.covariance(2, 2) = std::min(behind_.covariance(2, 2), 10.0);  // any heading at all
-  odometer_ += options_.silent_speed * dt;
+  odometer_ += options_.kSilentSpeed * dt;
   twist_ = {};
   gyro_.angle = gyro_.angle_variance = gyro_.covered = 0.0;
   push(time, newest_.X_OB);

@@ -117,7 +117,7 @@ Outcome ParticleFilter::use(const WheelStep& step) {
   if (!track_.add(step)) return {Verdict::unusable};
   source_watch(step.source).note_compared(step.time, true, 0.0, 0);
   const UncertainMotion behind = track_.behind();
-  if (behind.way >= options_.motion.longest_way || behind.turn >= options_.motion.longest_turn) follow();
+  if (behind.way >= options_.motion.longest_way || behind.turn >= options_.motion.kLongestTurn) follow();
   return {};
 }
 
@@ -131,7 +131,7 @@ template <class M>
 Outcome ParticleFilter::use(const M& reading) {
   SourceWatch& watch = source_watch(reading.source);
   track_.bridge_silence(reading.time);
-  if (std::is_same_v<M, CourseReading> && std::abs(track_.twist().v) < options_.course_speed)
+  if (std::is_same_v<M, CourseReading> && std::abs(track_.twist().v) < options_.kCourseSpeed)
     return {Verdict::unusable};
   follow();
   const Pose2 X_BS = inverse(X_OB_) * track_.at(reading.time);
@@ -162,7 +162,7 @@ bool ParticleFilter::supported_by_others(const Comparison& c, int source, const 
     if (static_cast<int>(i) == source || !other.ever_used() || other.last_used() < run.since) continue;
     if (c.position ? other.gives_position() : other.gives_heading()) return true;
     const double driven = track_.odometer() - run.odometer;
-    if (!c.position && other.gives_position() && driven >= options_.gate.heading_support) return true;
+    if (!c.position && other.gives_position() && driven >= options_.gate.kHeadingSupport) return true;
   }
   return false;
 }
@@ -174,7 +174,7 @@ bool ParticleFilter::take_over(const Comparison& c, int source, Time time) {
   const RejectionRun& run =
       watch.note_rejection(c, X_OB_, track_.odometer(), time, gates_[static_cast<std::size_t>(c.size)]);
   const GateOptions& gate = options_.gate;
-  if (run.count < gate.reacquire_count || time - run.since < Duration::seconds(gate.reacquire_after) ||
+  if (run.count < gate.kReacquireCount || time - run.since < Duration::seconds(gate.reacquire_after) ||
       supported_by_others(c, source, run))
     return false;
   const double spread = run.fit.spread();
@@ -232,7 +232,7 @@ void ParticleFilter::update_weights() {
   refresh_estimate();
   ++since_resampling_;
   const ResamplingOptions& resampling = options_.resampling;
-  if (since_resampling_ < resampling.resample_interval) return;
+  if (since_resampling_ < resampling.kResampleInterval) return;
   if (effective_size_ > resampling.n_eff_share * static_cast<double>(particles_.size())) return;
   resample();
 }
@@ -242,7 +242,7 @@ void ParticleFilter::resample() {
   std::size_t wanted = static_cast<std::size_t>(count.max_particles);
   if (count.min_particles < count.max_particles) {
     histogram_.fill(particles_);
-    wanted = kld_count(histogram_, count.pf_err, count.pf_z, static_cast<std::size_t>(count.min_particles),
+    wanted = kld_count(histogram_, count.kPfErr, count.kPfZ, static_cast<std::size_t>(count.min_particles),
                        wanted);
   }
   systematic_draw(particles_.weight, wanted, random_.uniform(), which_);
@@ -253,7 +253,7 @@ void ParticleFilter::resample() {
 
 Estimate ParticleFilter::estimate_at(Time time) const {
   const Time newest = track_.newest();
-  const Duration longest = Duration::seconds(options_.motion.extrapolation);
+  const Duration longest = Duration::seconds(options_.motion.kExtrapolation);
   const Time reached = std::clamp(time, newest, newest + longest);
   const UncertainMotion behind = track_.behind();
   const Pose2 moved = inverse(X_OB_) * track_.at(reached);

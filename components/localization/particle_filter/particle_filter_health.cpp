@@ -30,7 +30,7 @@ void judge_spread(Report& report, const Eigen::Matrix3d& C, const HealthOptions&
     report.worsen(health.two_sigma > limits.lost_two_sigma ? HealthState::lost : HealthState::degraded,
                   {HealthCause::uncertain_position, -1, health.two_sigma});
   }
-  if (health.heading_sigma > limits.lost_heading_sigma)
+  if (health.heading_sigma > limits.kLostHeadingSigma)
     report.worsen(HealthState::lost, {HealthCause::uncertain_heading, -1, health.heading_sigma});
 }
 
@@ -56,7 +56,7 @@ void judge_sources(Report& report, const std::vector<SourceWatch>& sources, cons
     positions_come = true;
     since_position = std::min(since_position, unused);
   }
-  if (positions_come && since_position > limits.lost_rejection)
+  if (positions_come && since_position > limits.kLostRejection)
     report.worsen(HealthState::lost, {HealthCause::contradicted, -1, since_position});
 }
 
@@ -74,17 +74,17 @@ Health ParticleFilter::health(Time now) const {
   judge_spread(report, estimate_at(report.now).covariance, limits);
   judge_sources(report, sources_, limits);
   const double silent = report.age(track_.last_wheel());
-  if (silent > options_.motion.extrapolation)
+  if (silent > options_.motion.kExtrapolation)
     report.worsen(HealthState::degraded, {HealthCause::wheels_silent, -1, silent});
-  const double recent = limits.report_jump;
+  const double recent = limits.kReportJump;
   if (last_reset_ && report.age(*last_reset_) <= recent) {
     report.worsen(HealthState::degraded,
                   {HealthCause::estimate_reset, reset_source_, report.age(*last_reset_)});
   }
   if (last_clock_jump_ && report.age(*last_clock_jump_) <= recent)
     report.worsen(HealthState::degraded, {HealthCause::clock_jump, -1, report.age(*last_clock_jump_)});
-  if (estimate_.share < options_.particle_health.several_places) {
-    report.worsen(estimate_.share < options_.particle_health.lost_several_places ? HealthState::lost
+  if (estimate_.share < options_.particle_health.kSeveralPlaces) {
+    report.worsen(estimate_.share < options_.particle_health.kLostSeveralPlaces ? HealthState::lost
                                                                                  : HealthState::degraded,
                   {HealthCause::several_places, -1, estimate_.share});
   }
@@ -94,8 +94,8 @@ Health ParticleFilter::health(Time now) const {
     const double lasting = report.age(*since);
     const RecoveryOptions& o = options_.recovery;
     if (lasting >=
-        std::min(o.search_after, o.lost_mismatch)) {  // one sweep says little: people stand in the way
-      report.worsen(lasting >= o.lost_mismatch ? HealthState::lost : HealthState::degraded,
+        std::min(o.kSearchAfter, o.kLostMismatch)) {  // one sweep says little: people stand in the way
+      report.worsen(lasting >= o.kLostMismatch ? HealthState::lost : HealthState::degraded,
                     {HealthCause::scan_mismatch, -1, lasting});
     }
   }

@@ -37,7 +37,7 @@ void ParticleFilter::set_map(const OccupancyGrid& map) {
   free_cells_.clear();
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     const int value = map.cells[i];
-    if (value >= 0 && value < options_.field.occupied_at)
+    if (value >= 0 && value < options_.field.kOccupiedAt)
       free_cells_.push_back(static_cast<std::uint32_t>(i));
   }
   map_ = {map.resolution, map.origin, map.width, map.height, {}};
@@ -113,8 +113,8 @@ Outcome ParticleFilter::use(const LaserReading& reading) {
   X_OB_last_sweep_ = X_OS;
   use_next_sweep_ = false;
   source_watch(reading.source).note_compared(reading.time, true, 0.0, 0);
-  if (estimate_.share >= options_.particle_health.several_places &&
-      scan_fit(*field_, ends_, estimate_.X_MB).agreement() >= options_.recovery.scan_ok)
+  if (estimate_.share >= options_.particle_health.kSeveralPlaces &&
+      scan_fit(*field_, ends_, estimate_.X_MB).agreement() >= options_.recovery.kScanOk)
     recovery_.found(reading.time);
   return {};
 }
@@ -132,7 +132,7 @@ bool ParticleFilter::inject(const std::vector<PoseHypothesis>& poses, const Pose
     all.push_back(pose.X_MB * X_SB);
     const ScanFit there = scan_fit(*field_, ends, all.back());
     const bool clearly = there.agreement() > here.agreement() + o.kBetterBy && there.hit > here.hit;
-    if (known ? clearly : there.agreement() >= o.scan_ok) better.push_back(all.back());
+    if (known ? clearly : there.agreement() >= o.kScanOk) better.push_back(all.back());
   }
   if (!known && better.empty()) better.swap(all);
   if (better.empty()) return false;
@@ -142,7 +142,7 @@ bool ParticleFilter::inject(const std::vector<PoseHypothesis>& poses, const Pose
       std::max<std::size_t>(20, static_cast<std::size_t>(options_.count.max_particles) / better.size());
   particles_.resize(before + each * better.size());
   for (double& w : particles_.weight) w *= 1.0 - share;
-  const Eigen::Vector3d variances(o.sigma * o.sigma, o.sigma * o.sigma, o.heading_sigma * o.heading_sigma);
+  const Eigen::Vector3d variances(o.kSigma * o.kSigma, o.kSigma * o.kSigma, o.heading_sigma * o.heading_sigma);
   for (std::size_t i = 0; i < better.size(); ++i)
     motion_.scatter(particles_, before + i * each, each, better[i], variances.asDiagonal());
   std::fill(particles_.weight.begin() + static_cast<std::ptrdiff_t>(before), particles_.weight.end(),

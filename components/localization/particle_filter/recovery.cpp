@@ -37,10 +37,10 @@ void Recovery::watch(const ScanFit& fit, Time time) {
   fit_ = fit.agreement();
   if (!searching_since_) {  // before, there is no place that a scan could fit from
     if (w_slow_ == 0.0) w_slow_ = w_fast_ = fit_;
-    w_slow_ += options_.recovery_alpha_slow * (fit_ - w_slow_);
-    w_fast_ += options_.recovery_alpha_fast * (fit_ - w_fast_);
+    w_slow_ += options_.kRecoveryAlphaSlow * (fit_ - w_slow_);
+    w_fast_ += options_.kRecoveryAlphaFast * (fit_ - w_fast_);
   }
-  if (fit_ >= options_.scan_ok) {
+  if (fit_ >= options_.kScanOk) {
     mismatch_since_.reset();
   } else if (!mismatch_since_) {
     mismatch_since_ = time;
@@ -48,18 +48,18 @@ void Recovery::watch(const ScanFit& fit, Time time) {
 }
 
 bool Recovery::needed(Time time) const {
-  if (last_end_ && time - *last_end_ < Duration::seconds(options_.search_again)) return false;
+  if (last_end_ && time - *last_end_ < Duration::seconds(options_.kSearchAgain)) return false;
   if (searching_since_) return true;
-  if (mismatch_since_ && time - *mismatch_since_ >= Duration::seconds(options_.search_after)) return true;
+  if (mismatch_since_ && time - *mismatch_since_ >= Duration::seconds(options_.kSearchAfter)) return true;
   // A place may look like another for a while: the longer the pose has held, the less often that is asked.
   const Time last = last_end_.value_or(settled_since_);
   const Duration settled = last - settled_since_;
   const Duration pause =
-      std::clamp(settled, Duration::seconds(options_.search_again), Duration::seconds(options_.kVerifyEvery));
+      std::clamp(settled, Duration::seconds(options_.kSearchAgain), Duration::seconds(options_.kVerifyEvery));
   if (time - last >= pause) return true;
   const double low =
       options_.kFallenTo * w_slow_;  // and still there: the short average takes its time to rise
-  return options_.recovery_alpha_slow > 0.0 && w_fast_ < low && fit_ < low;
+  return options_.kRecoveryAlphaSlow > 0.0 && w_fast_ < low && fit_ < low;
 }
 
 std::vector<PoseHypothesis> Recovery::search(const BeamEnds& ends, const Pose2& X_OB, Time time) {
@@ -70,7 +70,7 @@ std::vector<PoseHypothesis> Recovery::search(const BeamEnds& ends, const Pose2& 
     X_OB_then_ = X_OB;
     under_way_ = true;
   }
-  if (!search_->advance(options_.search_nodes)) return {};
+  if (!search_->advance(options_.kSearchNodes)) return {};
   under_way_ = false;
   last_end_ = time;
   const Pose2 moved = inverse(X_OB_then_) * X_OB;

@@ -43,7 +43,7 @@ class Recovery {
   /// There is no pose to hold on to: a start anywhere, or a mismatch that has lasted.
   bool pose_unknown(Time time) const {
     return searching_since_ ||
-           (mismatch_since_ && time - *mismatch_since_ >= Duration::seconds(options_.lost_mismatch));
+           (mismatch_since_ && time - *mismatch_since_ >= Duration::seconds(options_.kLostMismatch));
   }
   double fit() const { return fit_; }
   double w_slow() const { return w_slow_; }

@@ -79,8 +79,8 @@ class Nav2ServersComponent final : public Component {
       advance(tick);
     };
     const ServerCallbacks callbacks{on_acknowledged, on_end};
-    const BackUpOrder back{parameters_.back_off_distance, parameters_.back_off_speed,
-                           Duration::seconds(parameters_.back_off_time)};
+    const BackUpOrder back{parameters_.kBackOffDistance, parameters_.kBackOffSpeed,
+                           Duration::seconds(parameters_.kBackOffTime)};
     goals_[goal.number] = {goal.mode, goal.mode == FollowMode::back_off
                                           ? servers_.back_up.send(back, callbacks)
                                           : servers_.follow_path.send(path_, callbacks)};

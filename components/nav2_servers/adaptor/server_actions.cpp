@@ -12,7 +12,7 @@ namespace {
 using bandwagon_msgs::msg::PlanRequest;
 
 Duration patience(const Nav2ServersParameters& parameters) {
-  return Duration::seconds(parameters.acknowledgement_timeout);
+  return Duration::seconds(parameters.kAcknowledgementTimeout);
 }
 
 /// `goal_of` makes a goal of an order.

@@ -16,7 +16,6 @@ void NavigatorComponent::configure(Setup& setup) {
       [this](const NavigatorParameters& changed, const Tick&) {
         parameters_ = changed;
         navigator_->set_options(changed);
-        situation_.set_timeout(changed.pose_timeout);
       },
       {"rate", "goal", "goals", "waypoint_pause", "number_of_loops", "stop_on_failure", "pose_source",
        "follow_waypoints"});

@@ -11,7 +11,7 @@ void NavigatorComponent::step(const Tick& tick) {
   stepped_ = tick.now;
   take_from_list_when_due(tick);
   settle(tick);
-  if ((tick.now - last_feedback_).to_seconds() < parameters_.feedback_period) return;
+  if ((tick.now - last_feedback_).to_seconds() < parameters_.kFeedbackPeriod) return;
   if (navigator_->has_goal()) {
     publish(navigator_->report(situation_.at(tick)), tick);
   } else if (waypoints_.has_list()) {

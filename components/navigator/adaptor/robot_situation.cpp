@@ -11,7 +11,7 @@ namespace bw {
 void RobotSituation::listen(Setup& setup, const NavigatorParameters& parameters,
                             std::shared_ptr<const TransformTree> transforms) {
   by_tf_ = parameters.pose_source == PoseSource::tf;
-  set_timeout(parameters.pose_timeout);
+  set_timeout(NavigatorParameters::kPoseTimeout);
   map_frame_ = setup.frame("map");
   base_frame_ = setup.frame("base_link");
   transforms_ = std::move(transforms);

@@ -26,7 +26,7 @@ void PeopleComponent::configure(Setup& setup) {
         obstacles_timeout_ = changed.obstacles_timeout;
       },
       {"scan_topics", "people_topics", "detector.background", "tracker.motion", "tracker.alignment",
-       "prediction.model", "prediction.step", "prediction.calibration_rate"});
+       "prediction.model", "prediction.step"});
   tracker_ = std::make_unique<Tracker>(parameters.tracker);
   predictor_ = std::make_unique<Predictor>(parameters.prediction);
   obstacles_timeout_ = parameters.obstacles_timeout;

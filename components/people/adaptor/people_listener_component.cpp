@@ -53,7 +53,7 @@ class PeopleListenerComponent final : public Component {
           options_ = changed;
           predictor_->set_options(changed.prediction);
         },
-        {"prediction.model", "prediction.step", "prediction.calibration_rate"});
+        {"prediction.model", "prediction.step"});
     predictor_.emplace(options_.prediction);
     odom_frame_ = setup.frame("odom");
     transforms_ = setup.transforms();

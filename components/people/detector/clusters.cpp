@@ -22,7 +22,7 @@ class Segmentation {
     const auto a = static_cast<std::size_t>(i);
     const auto b = static_cast<std::size_t>(j);
     const double range = std::min(beams_.ranges[a], beams_.ranges[b]);
-    const double jump = is_background_[a] == is_background_[b] ? options_.jump : options_.edge_jump;
+    const double jump = is_background_[a] == is_background_[b] ? options_.kJump : options_.kEdgeJump;
     const double limit = jump + options_.growth * steps * beams_.angle_increment * range;
     return (beams_.points[a] - beams_.points[b]).squaredNorm() <= limit * limit;
   }
@@ -30,7 +30,7 @@ class Segmentation {
   /// The next hit after beam i that belongs with it, or -1.
   int successor(int i) const {
     int j = i;
-    for (int steps = 1; steps <= options_.bridge + 1; ++steps) {
+    for (int steps = 1; steps <= options_.kBridge + 1; ++steps) {
       j = beams_.next(j);
       if (j < 0 || j == i) return -1;
       if (usable(j)) return joined(i, j, steps) ? j : -1;

@@ -12,7 +12,7 @@ namespace bw::people {
 
 Detector::Detector(const DetectorOptions& options) : options_(options), local_(options.background) {}
 
-void Detector::set_map(const OccupancyGrid& map) { map_ = StaticMap(map, options_.background.map_tolerance); }
+void Detector::set_map(const OccupancyGrid& map) { map_ = StaticMap(map, options_.background.kMapTolerance); }
 
 void Detector::reset() { local_.reset(); }
 
@@ -59,7 +59,7 @@ Detection Detector::describe(const Cluster& cluster, const Neighbours& neighbour
     return is_background_[static_cast<std::size_t>(beam)] != 0;
   });
   detection.on_static =
-      static_cast<double>(background) >= options_.background.share * static_cast<double>(members.size());
+      static_cast<double>(background) >= options_.background.kShare * static_cast<double>(members.size());
   if (detection.width > kWidestPerson) {
     detection.position = outline_.X_OC.position();
     const double sigma = detection.width / 4.0;  // where in a wall its middle is says little

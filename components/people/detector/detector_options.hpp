@@ -6,29 +6,19 @@
 namespace bw::people {
 
 struct ClusterOptions {
-  double jump = 0.13;
+  /// [m] neighbouring points farther apart part two clusters
+  static constexpr double kJump = 0.13;
+  /// this share of the distance between beams at that range is added to jump (set by code alone)
   double growth = 0.5;
-  double edge_jump = 0.05;
-  int bridge = 2;
+  /// [m] used in place of jump where background meets foreground, so that a leg leaves its wall
+  static constexpr double kEdgeJump = 0.05;
+  /// this many unusable beams in a row do not part a cluster
+  static constexpr int kBridge = 2;
   int min_points = 2;
   double max_range = 12.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("jump", jump,
-      {.unit = "m", .min = 0.01, .max = 1, .doc = "neighbouring points farther apart part two clusters"});
-    v("growth", growth,
-      {.min = 0,
-       .max = 5,
-       .doc = "this share of the distance between beams at that range is added to jump; raise it for "
-              "coarse scanners"});
-    v("edge_jump", edge_jump,
-      {.unit = "m",
-       .min = 0.005,
-       .max = 1,
-       .doc = "used in place of jump where background meets foreground, so that a leg leaves its wall"});
-    v("bridge", bridge,
-      {.min = 0, .max = 20, .doc = "this many unusable beams in a row do not part a cluster"});
     v("min_points", min_points,
       {.min = 1,
        .max = 100,
@@ -40,54 +30,32 @@ struct ClusterOptions {
 
 struct BackgroundOptions {
   bool use_map = true;
-  double map_tolerance = 0.25;
-  double cell = 0.1;
-  double stood = 2.5;
-  double forget = 3.0;
-  double keep_out = 0.4;
-  double share = 0.6;
+  /// [m] how near to an occupied cell of the map a point is background
+  static constexpr double kMapTolerance = 0.25;
+  /// [m] edge of a cell of the local background
+  static constexpr double kCell = 0.1;
+  /// [s] what stood for this long is background
+  static constexpr double kStood = 2.5;
+  /// a cell seen through loses its time so many times faster
+  static constexpr double kForget = 3.0;
+  /// [m] nothing becomes background within this distance of a tracked person
+  static constexpr double kKeepOut = 0.4;
+  /// a cluster is background when this share of its points is
+  static constexpr double kShare = 0.6;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("use_map", use_map, {.doc = "what lies on the map's walls is background, if there is a map"});
-    v("map_tolerance", map_tolerance,
-      {.unit = "m",
-       .min = 0,
-       .max = 1,
-       .doc = "how near to an occupied cell of the map a point is background; raise it when the pose in "
-              "the map errs more than 0.1 m and 1 degree"});
-    v("cell", cell, {.unit = "m", .min = 0.02, .max = 0.5, .doc = "edge of a cell of the local background"});
-    v("stood", stood,
-      {.unit = "s",
-       .min = 0.2,
-       .max = 60,
-       .doc = "what stood for this long is background; raise it where people stand about"});
-    v("forget", forget,
-      {.min = 0.1, .max = 100, .doc = "a cell seen through loses its time so many times faster"});
-    v("keep_out", keep_out,
-      {.unit = "m",
-       .min = 0,
-       .max = 2,
-       .doc = "nothing becomes background within this distance of a tracked person"});
-    v("share", share,
-      {.min = 0.1, .max = 1, .doc = "a cluster is background when this share of its points is"});
   }
 };
 
 struct LegFitOptions {
-  double radius = 0.07;
-  double radius_sigma = 0.02;
-  double range_noise = 0.015;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("radius", radius,
-      {.unit = "m", .min = 0.02, .max = 0.2, .doc = "radius of a leg at the laser's height"});
-    v("radius_sigma", radius_sigma,
-      {.unit = "m", .min = 0.001, .max = 0.1, .doc = "standard deviation of that radius among people"});
-    v("range_noise", range_noise,
-      {.unit = "m", .min = 0.001, .max = 0.2, .doc = "standard deviation of a range"});
-  }
+  /// [m] radius of a leg at the laser's height
+  static constexpr double kRadius = 0.07;
+  /// [m] standard deviation of that radius among people
+  static constexpr double kRadiusSigma = 0.02;
+  /// [m] standard deviation of a range
+  static constexpr double kRangeNoise = 0.015;
 };
 
 struct DetectorOptions {
@@ -99,7 +67,7 @@ struct DetectorOptions {
   void fields(Visitor& v) {
     v("clusters", clusters, {.doc = "which beams belong together"});
     v("background", background, {.doc = "what has long stood there"});
-    v("legs", legs, {.doc = "where the centre of a leg is"});
+    v.retired({"legs"}, "a constant of detector_options.hpp");
   }
 };
 

@@ -42,13 +42,13 @@ DiscFit fit(const Arc& arc, const Outline& outline, const LegFitOptions& legs) {
   const std::size_t count = arc.points.size();
   const std::size_t stride = (count + kMostPoints - 1) / kMostPoints;
   // Points left out count through those kept.
-  const double point_sigma = legs.range_noise / std::sqrt(static_cast<double>(stride));
+  const double point_sigma = legs.kRangeNoise / std::sqrt(static_cast<double>(stride));
   const double edge_sigma = std::max(kEdgeFloor, outline.spacing / std::sqrt(12.0));
   Vector2 mean{0.0, 0.0};
   for (const Vector2& p : arc.points) mean += p;
   mean /= static_cast<double>(count);
 
-  const Eigen::Vector3d start(mean.x() + 0.75 * legs.radius, mean.y(), legs.radius);  // centre and radius
+  const Eigen::Vector3d start(mean.x() + 0.75 * legs.kRadius, mean.y(), legs.kRadius);  // centre and radius
   Eigen::Vector3d x = start;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
   for (int iteration = 0; iteration < kIterations; ++iteration) {
@@ -67,7 +67,7 @@ DiscFit fit(const Arc& arc, const Outline& outline, const LegFitOptions& legs) {
       const Vector2& u = *arc.left_ray;
       equations.add(-cross(u, from_scanner) - x[2], {u.y(), -u.x(), -1.0}, edge_sigma);
     }
-    equations.add(x[2] - legs.radius, {0.0, 0.0, 1.0}, legs.radius_sigma);
+    equations.add(x[2] - legs.kRadius, {0.0, 0.0, 1.0}, legs.kRadiusSigma);
     // Two points without an edge leave the centre open along a line.
     equations.add(x[0] - start[0], {1.0, 0.0, 0.0}, kStart);
     equations.add(x[1] - start[1], {0.0, 1.0, 0.0}, kStart);
@@ -114,8 +114,8 @@ DiscFit fit_two_discs(const Outline& outline, const LegFitOptions& legs) {
     const DiscFit left = fit(
         {points.subspan(cut), nullptr, outline.left.occluded ? nullptr : &outline.left_ray}, outline, legs);
     const auto points_cost = [&](const DiscFit& side, std::size_t n) {
-      return static_cast<double>(n) * std::pow(side.residual / legs.range_noise, 2.0) +
-             std::pow((side.radius - legs.radius) / legs.radius_sigma, 2.0);
+      return static_cast<double>(n) * std::pow(side.residual / legs.kRangeNoise, 2.0) +
+             std::pow((side.radius - legs.kRadius) / legs.kRadiusSigma, 2.0);
     };
     const double cost = points_cost(right, cut) + points_cost(left, count - cut);
     if (cost >= best_cost) continue;

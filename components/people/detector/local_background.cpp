@@ -22,7 +22,7 @@ void LocalBackground::reset() {
 }
 
 int LocalBackground::to_cell(double coordinate) const {
-  return static_cast<int>(std::floor(std::clamp(coordinate / options_.cell, -kFarthest, kFarthest)));
+  return static_cast<int>(std::floor(std::clamp(coordinate / options_.kCell, -kFarthest, kFarthest)));
 }
 
 std::size_t LocalBackground::slot_of(int column, int row) {
@@ -32,7 +32,7 @@ std::size_t LocalBackground::slot_of(int column, int row) {
 
 bool LocalBackground::stood_long(int column, int row) const {
   const Cell& cell = slot(column, row);
-  return cell.column == column && cell.row == row && cell.stood >= static_cast<float>(options_.stood);
+  return cell.column == column && cell.row == row && cell.stood >= static_cast<float>(options_.kStood);
 }
 
 bool LocalBackground::contains(const Vector2& p_O) const {
@@ -58,9 +58,9 @@ void LocalBackground::learn(const Beams& beams, Time time, std::span<const Vecto
 }
 
 void LocalBackground::mark(const Beams& beams, float elapsed, std::span<const Vector2> people) {
-  const float most = static_cast<float>(kRemembered * options_.stood);
-  const double reach = (0.5 * kSide - 2.0) * options_.cell;
-  const double keep_out_squared = options_.keep_out * options_.keep_out;
+  const float most = static_cast<float>(kRemembered * options_.kStood);
+  const double reach = (0.5 * kSide - 2.0) * options_.kCell;
+  const double keep_out_squared = options_.kKeepOut * options_.kKeepOut;
   for (int i = 0; i < beams.size(); ++i) {
     const auto beam = static_cast<std::size_t>(i);
     if (beams.kinds[beam] != BeamKind::hit || beams.ranges[beam] > reach) continue;
@@ -90,21 +90,21 @@ void LocalBackground::mark(const Beams& beams, float elapsed, std::span<const Ve
 void LocalBackground::clear(const Beams& beams, float elapsed) {
   const int column = to_cell(beams.sensor.x());
   const int row = to_cell(beams.sensor.y());
-  const float loss = static_cast<float>(options_.forget) * elapsed;
+  const float loss = static_cast<float>(options_.kForget) * elapsed;
   std::size_t kept = 0;
   for (const std::size_t index : active_) {
     Cell& cell = cells_[index];
     const bool left_behind =
         std::abs(cell.column - column) >= kSide / 2 || std::abs(cell.row - row) >= kSide / 2;
     if (!left_behind && cell.sweep != sweep_) {
-      const Vector2 center((cell.column + 0.5) * options_.cell, (cell.row + 0.5) * options_.cell);
+      const Vector2 center((cell.column + 0.5) * options_.kCell, (cell.row + 0.5) * options_.kCell);
       const Vector2 offset = center - beams.sensor;
       const double bearing = wrap_angle(std::atan2(offset.y(), offset.x()) - beams.angle_min);
       const double from_first = bearing < 0.0 ? bearing + 2.0 * std::numbers::pi : bearing;
       const auto beam = static_cast<std::size_t>(std::lround(from_first / beams.angle_increment));
       // A beam that ends just behind the cell's middle may have touched the thing in it.
       const bool seen_through =
-          beam < beams.ranges.size() && beams.ranges[beam] > offset.norm() + options_.cell;
+          beam < beams.ranges.size() && beams.ranges[beam] > offset.norm() + options_.kCell;
       if (seen_through) cell.stood -= loss;
     }
     if (left_behind || cell.stood < 0.0F) {

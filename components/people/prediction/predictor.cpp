@@ -41,11 +41,11 @@ Eigen::Matrix2d predicted_covariance(const TrackedPerson& person, double t,
   Eigen::Matrix2d C =
       P.topLeftCorner<2, 2>() + t * (cross + cross.transpose()) + t * t * P.bottomRightCorner<2, 2>();
   const double speed = person.velocity.norm();
-  const Vector2 along = speed > options.walking_speed ? Vector2(person.velocity / speed) : Vector2(1.0, 0.0);
+  const Vector2 along = speed > options.kWalkingSpeed ? Vector2(person.velocity / speed) : Vector2(1.0, 0.0);
   const Vector2 across(-along.y(), along.x());
   // Without a heading both directions spread alike, by the larger.
   const double most = std::max(options.spread_along, options.spread_across);
-  const bool walks = speed > options.walking_speed;
+  const bool walks = speed > options.kWalkingSpeed;
   const double growth = t * t * t / 3.0;
   C += growth * (walks ? options.spread_along : most) * along * along.transpose();
   C += growth * (walks ? options.spread_across : most) * across * across.transpose();
@@ -53,7 +53,7 @@ Eigen::Matrix2d predicted_covariance(const TrackedPerson& person, double t,
 }
 
 double Predictor::turn_rate(const TrackedPerson& person, Time now) {
-  if (person.velocity.norm() < options_.walking_speed) {
+  if (person.velocity.norm() < options_.kWalkingSpeed) {
     turns_.erase(person.id);
     return 0.0;
   }
@@ -62,7 +62,7 @@ double Predictor::turn_rate(const TrackedPerson& person, Time now) {
   Turn& turn = found->second;
   const double dt = (now - turn.time).to_seconds();
   if (is_new || dt <= 0.0) return turn.rate;
-  const double share = 1.0 - std::exp(-dt / options_.turn_window);
+  const double share = 1.0 - std::exp(-dt / options_.kTurnWindow);
   turn.rate += share * (wrap_angle(heading - turn.heading) / dt - turn.rate);
   turn.heading = heading;
   turn.time = now;
@@ -90,7 +90,7 @@ void Predictor::predict(std::vector<TrackedPerson>& people, const StaticObstacle
       const double t = k * options_.step;
       Vector2 place = person.position + t * person.velocity;
       if (!walked.empty()) place = walked[static_cast<std::size_t>(k - 1)][index];
-      if (omega != 0.0) place = person.position + arc(person.velocity, omega, options_.turn_memory, t);
+      if (omega != 0.0) place = person.position + arc(person.velocity, omega, options_.kTurnMemory, t);
       predictions.push_back({t, place, predicted_covariance(person, t, options_)});
     }
     ++index;

@@ -41,7 +41,7 @@ void advance(std::vector<Walker>& walkers, const StaticObstacles& walls, const P
   std::vector<Vector2> forces(walkers.size(), Vector2(0.0, 0.0));
   for (std::size_t i = 0; i < walkers.size(); ++i) {
     const Walker& walker = walkers[i];
-    if (walker.desired.norm() < options.walking_speed) continue;  // who stands is not pushed about
+    if (walker.desired.norm() < options.kWalkingSpeed) continue;  // who stands is not pushed about
     forces[i] = desired_force(options.forces, walker.desired, walker.velocity);
     for (std::size_t j = 0; j < walkers.size(); ++j) {
       if (j == i) continue;

@@ -35,8 +35,8 @@ std::optional<Birth> birth_of_standing_pair(const ClusterTrack& a, const Cluster
       stood >= options.kHalfHiddenTime - kRounding && share_of(weaker, &Sighting::occluded) >= 0.5;
   const double score = leg_share(half_hidden ? stronger : weaker);
   const Gait gait = gait_of(common, common.count);
-  if (stood < options.standing_time - kRounding || score < options.standing_score ||
-      gait.misfit > options.misfit || gait.widest > options.kStandingSeparation)
+  if (stood < options.kStandingTime - kRounding || score < options.standing_score ||
+      gait.misfit > options.kMisfit || gait.widest > options.kStandingSeparation)
     return std::nullopt;
   const bool on_background =
       std::max(share_of(a, &Sighting::on_static), share_of(b, &Sighting::on_static)) >= 0.5;
@@ -50,7 +50,7 @@ std::optional<Birth> birth_of_standing_pair(const ClusterTrack& a, const Cluster
 
 std::optional<Birth> birth_of_pair(const ClusterTrack& a, const ClusterTrack& b,
                                    const BirthOptions& options) {
-  if ((a.last().position - b.last().position).norm() > options.separation) return std::nullopt;
+  if ((a.last().position - b.last().position).norm() > options.kSeparation) return std::nullopt;
   if (const auto walk = walk_of_pair(a, b, options)) {
     const double score = std::min(leg_share(a), leg_share(b));
     return Birth{BirthKind::walking_pair,

@@ -16,12 +16,20 @@ namespace bw::people {
 /// Book 7.3 compares the defaults with heading_noise 0.5, acceleration 0.8 for both, position_noise 0.05.
 struct HeadingOptions {
   double heading_noise = 0.7;
+  /// [m/s^2/sqrt(Hz)] how fast people who walk change their speed (set by code alone)
   double acceleration = 0.8;
+  /// [m/s^2/sqrt(Hz)] how fast people who stand begin to move (set by code alone)
   double acceleration_standing = 0.3;
+  /// [m/s] below this speed a velocity has no heading; at its maximum this is a constant-velocity filter (set by
+  /// code alone)
   double walking_speed = 0.2;
+  /// [m] standard deviation of the middle between the legs, beyond that of the legs (set by code alone)
   double position_noise = 0.02;
+  /// estimate the turn rate as a fifth state (set by code alone)
   bool turn_rate = false;
+  /// [rad/s^2/sqrt(Hz)] how fast the turn rate changes (set by code alone)
   double turn_noise = 1.0;
+  /// [s] a turn dies out within this time (time constant) (set by code alone)
   double turn_memory = 0.6;
 
   template <class Visitor>
@@ -32,32 +40,9 @@ struct HeadingOptions {
        .max = 10,
        .doc = "how fast people who walk change direction; raise it to follow turns, lower it for calmer "
               "headings"});
-    v("acceleration", acceleration,
-      {.unit = "m/s^2/sqrt(Hz)",
-       .min = 0.01,
-       .max = 10,
-       .doc = "how fast people who walk change their speed"});
-    v("acceleration_standing", acceleration_standing,
-      {.unit = "m/s^2/sqrt(Hz)",
-       .min = 0.01,
-       .max = 10,
-       .doc = "how fast people who stand begin to move; raise it to notice them earlier"});
-    v("walking_speed", walking_speed,
-      {.unit = "m/s",
-       .min = 0.02,
-       .max = 100,
-       .doc = "below this speed a velocity has no heading; at its maximum this is a constant-velocity "
-              "filter"});
-    v("position_noise", position_noise,
-      {.unit = "m",
-       .min = 0,
-       .max = 1,
-       .doc = "standard deviation of the middle between the legs, beyond that of the legs"});
-    v("turn_rate", turn_rate, {.doc = "estimate the turn rate as a fifth state"});
-    v("turn_noise", turn_noise,
-      {.unit = "rad/s^2/sqrt(Hz)", .min = 0.001, .max = 20, .doc = "how fast the turn rate changes"});
-    v("turn_memory", turn_memory,
-      {.unit = "s", .min = 0.05, .max = 1000, .doc = "a turn dies out within this time (time constant)"});
+    v.retired({"acceleration", "acceleration_standing", "walking_speed", "position_noise", "turn_rate",
+               "turn_noise", "turn_memory"},
+              "a constant of heading_filter.hpp");
   }
 };
 

@@ -43,9 +43,9 @@ std::vector<int> match_heard(const std::vector<HeardPerson>& heard, const std::v
     assignment.add_row(options.gate);
     for (std::size_t i = 0; i < people.size(); ++i) {
       const Vector2 miss = told.position - people[i].walker.position() + late * people[i].walker.velocity();
-      if (miss.norm() > options.reach) continue;
+      if (miss.norm() > options.kReach) continue;
       const Eigen::Matrix2d S =
-          people[i].walker.spread(BodyPart::middle) + isotropic(deviation) + isotropic(options.slack);
+          people[i].walker.spread(BodyPart::middle) + isotropic(deviation) + isotropic(options.kSlack);
       const double distance = miss.dot(S.ldlt().solve(miss));
       if (distance <= options.gate) assignment.allow(i, distance);
     }
@@ -63,7 +63,7 @@ NearLegs legs_near(const Vector2& place, double now, const std::vector<ClusterTr
   const double reach = 2.0 * options.position_deviation;
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     const Sighting& last = clusters[i].last();
-    if (now - last.time <= options.seen && last.human_score() >= options.leg_score &&
+    if (now - last.time <= options.kSeen && last.human_score() >= options.kLegScore &&
         (clusters[i].position() - place).norm() <= reach)
       near.push_back(static_cast<int>(i));
   }

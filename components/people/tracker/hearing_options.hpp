@@ -9,9 +9,12 @@ struct HearingOptions {
   double position_deviation = 0.2;
   double trust = 0.4;
   double memory = 2.0;
-  double seen = 0.3;
-  double leg_score = 0.3;
-  double unseen_limit = 0.45;
+  /// [s] of whom a laser saw within this time the place is the laser's alone
+  static constexpr double kSeen = 0.3;
+  /// least score of what stands where somebody is told to be, to be a leg of theirs
+  static constexpr double kLegScore = 0.3;
+  /// most belief in somebody where a laser has seen nothing for death.unseen; below 0.5: no confirmed person
+  static constexpr double kUnseenLimit = 0.45;
   /// [m/s] standard deviation of a velocity that is told, and of one that is not, per axis
   static constexpr double kToldSpeed = 0.5;
   static constexpr double kUntoldSpeed = 1.0;
@@ -37,20 +40,7 @@ struct HearingOptions {
        .min = 0.1,
        .max = 60,
        .doc = "belief that is not repeated fades with this time constant"});
-    v("seen", seen,
-      {.unit = "s",
-       .min = 0,
-       .max = 10,
-       .doc = "of whom a laser saw within this time the place is the laser's alone"});
-    v("leg_score", leg_score,
-      {.min = 0,
-       .max = 1,
-       .doc = "least score of what stands where somebody is told to be, to be a leg of theirs"});
-    v("unseen_limit", unseen_limit,
-      {.min = 0,
-       .max = 1,
-       .doc =
-           "most belief in somebody where a laser has seen nothing for death.unseen; below 0.5: no confirmed person"});
+    v.retired({"seen", "leg_score", "unseen_limit"}, "a constant of hearing_options.hpp");
   }
 };
 

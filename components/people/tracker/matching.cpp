@@ -28,7 +28,7 @@ void Matching::match(const std::vector<Detection>& detections, const std::vector
     likeness_.push_back(-std::log(std::clamp(d.human_score(), 0.02, 1.0)));
 
   assignment_.begin(detections.size());
-  const double slack = options.slack * options.slack;
+  const double slack = options.kSlack * options.kSlack;
   const auto offer = [&](const Vector2& expected, const Eigen::Matrix2d& spread, double reach, bool person) {
     assignment_.add_row(options.gate);
     for (std::size_t j = 0; j < detections.size(); ++j) {
@@ -43,12 +43,12 @@ void Matching::match(const std::vector<Detection>& detections, const std::vector
       const double vague = std::log(s.determinant() / best.determinant());
       assignment_.allow(j,
                         distance + vague +
-                            (person ? options.unlike * likeness_[j] + (d.on_static ? options.on_static : 0.0)
+                            (person ? options.kUnlike * likeness_[j] + (d.on_static ? options.kOnStatic : 0.0)
                                     : options.kPeopleFirst));
     }
   };
   const auto reach_after = [&](int missed) {
-    return std::min(options.reach, options.step + options.pace * missed);
+    return std::min(options.kReach, options.kStep + options.kPace * missed);
   };
   for (const PersonTrack& person : people) {
     for (const auto& [leg, unseen] : {std::pair{BodyPart::first_leg, person.unseen[0]},

@@ -10,7 +10,7 @@ void follow_hidden(PersonTrack& person, const Surroundings& about, bool known, R
   const HiddenOptions& hidden = options.hidden;
   person.there = 1.0;
   const double away = about.now - person.sure.time;
-  if (away <= hidden.absent) {
+  if (away <= hidden.kAbsent) {
     person.hidden.reset();
     return;
   }

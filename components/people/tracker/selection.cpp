@@ -15,7 +15,7 @@ bool usable(const Detection& d, const AssociationOptions& options) {
   return d.position.allFinite() && c.allFinite() && c(0, 0) > 0.0 && c.determinant() > 0.0 &&
          std::abs(c(0, 1) - c(1, 0)) <= 1e-6 * c.trace() && c.trace() <= kLargestVariance &&
          d.leg_score >= 0.0 && d.leg_score <= 1.0 && d.body_score >= 0.0 && d.body_score <= 1.0 &&
-         d.width <= options.largest;
+         d.width <= options.kLargest;
 }
 
 }  // namespace

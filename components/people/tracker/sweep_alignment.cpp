@@ -60,10 +60,10 @@ bool SweepAlignment::surface_towards(const Vector2& p_O, Surface& surface) const
 // the sensor); what is farther than `reach` has no weight (Tukey).
 SweepAlignment::Equations SweepAlignment::compare(const DetectionSet& sweep, const View& view,
                                                   const Eigen::Vector3d& correction, double reach) const {
-  const Eigen::Vector3d prior(1.0 / (options_.way_sigma * options_.way_sigma),
-                              1.0 / (options_.way_sigma * options_.way_sigma),
-                              1.0 / (options_.turn_sigma * options_.turn_sigma));
-  const double weight = 1.0 / (1.2 * options_.range_noise * options_.range_noise);  // the line errs as well
+  const Eigen::Vector3d prior(1.0 / (options_.kWaySigma * options_.kWaySigma),
+                              1.0 / (options_.kWaySigma * options_.kWaySigma),
+                              1.0 / (options_.kTurnSigma * options_.kTurnSigma));
+  const double weight = 1.0 / (1.2 * options_.kRangeNoise * options_.kRangeNoise);  // the line errs as well
   const float no_return = longest(sweep.free_ranges);
   const Vector2 turn = direction(correction(2));
   Equations sum;
@@ -95,7 +95,7 @@ std::optional<Eigen::Vector3d> SweepAlignment::correction_of(const DetectionSet&
                                                              const View& view) const {
   Eigen::Vector3d correction = Eigen::Vector3d::Zero();
   for (int round = 0; round < kRounds; ++round) {
-    const double reach = round == 0 ? options_.reach : std::min(options_.reach, 5.0 * options_.range_noise);
+    const double reach = round == 0 ? options_.kReach : std::min(options_.kReach, 5.0 * options_.kRangeNoise);
     const Equations sum = compare(sweep, view, correction, reach);
     if (sum.fitting < kFewest || sum.fitting < options_.kLeastShare * sum.compared) return std::nullopt;
     correction += sum.information.ldlt().solve(sum.pull);

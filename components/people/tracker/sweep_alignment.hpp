@@ -16,33 +16,20 @@ namespace bw::people {
 
 struct AlignmentOptions {
   bool enabled = true;
-  double range_noise = 0.02;
-  double reach = 0.15;
-  double way_sigma = 0.004;
-  double turn_sigma = 0.015;
+  /// [m] standard deviation of a range
+  static constexpr double kRangeNoise = 0.02;
+  /// [m] points farther than this from what the sweep before saw say nothing
+  static constexpr double kReach = 0.15;
+  /// [m] error of the way between two sweeps by odometry
+  static constexpr double kWaySigma = 0.004;
+  /// [rad] error of the turn between two sweeps by odometry
+  static constexpr double kTurnSigma = 0.015;
   /// of points that must fit, or odometry is believed
   static constexpr double kLeastShare = 0.4;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("enabled", enabled, {.doc = "take odometry's errors from sweep to sweep out of people's motion"});
-    v("range_noise", range_noise,
-      {.unit = "m", .min = 0.001, .max = 0.2, .doc = "standard deviation of a range"});
-    v("reach", reach,
-      {.unit = "m",
-       .min = 0.02,
-       .max = 1,
-       .doc = "points farther than this from what the sweep before saw say nothing"});
-    v("way_sigma", way_sigma,
-      {.unit = "m",
-       .min = 1e-5,
-       .max = 1,
-       .doc = "error of the way between two sweeps by odometry; raise it where wheels slip"});
-    v("turn_sigma", turn_sigma,
-      {.unit = "rad",
-       .min = 1e-5,
-       .max = 1,
-       .doc = "error of the turn between two sweeps by odometry; raise it where wheels slip"});
   }
 };
 

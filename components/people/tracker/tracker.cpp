@@ -55,7 +55,7 @@ void Tracker::Impl::keep_out(std::vector<Vector2>& places) const {
 
 /// A silence or a jump back forgets everybody.
 void Tracker::Impl::begin_at(Time time) {
-  const Duration gap = Duration::seconds(options_.longest_gap);
+  const Duration gap = Duration::seconds(options_.kLongestGap);
   if (now_ && (time > *now_ + gap || time < *now_ - gap)) reset();
   if (!now_) origin_ = time;
 }
@@ -74,12 +74,12 @@ void Tracker::Impl::predict_to(Time time) {
 const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& sweep) {
   begin_at(sweep.time);
   if (now_ && !order_.comes_next(sweep.source, sweep.time, *now_)) return reported_;
-  const double since_own = order_.add(sweep.source, sweep.time, options_.longest_gap);
+  const double since_own = order_.add(sweep.source, sweep.time, options_.kLongestGap);
   const double dt = now_ ? (sweep.time - *now_).to_seconds() : 0.0;
   ++sweep_;
   predict_to(sweep.time);
   transform_to_S(sweep);
-  select_detections(sweep_in_S_, options_.most_detections, options_.association, detections_);
+  select_detections(sweep_in_S_, options_.kMostDetections, options_.association, detections_);
   matching_.match(detections_, people_, clusters_, sweep_, options_.association);
   correct_clusters();
   correct_people();
@@ -181,7 +181,7 @@ void Tracker::Impl::correct_clusters() {
     if (j >= 0) clusters_[i].correct(sighting_of(detections_[static_cast<std::size_t>(j)]));
   }
   std::erase_if(clusters_, [&](const ClusterTrack& cluster) {
-    return seconds() - cluster.last().time > options_.death.cluster_unseen;
+    return seconds() - cluster.last().time > options_.death.kClusterUnseen;
   });
   for (std::size_t j = 0; j < detections_.size(); ++j)
     if (!matching_.taken(j)) clusters_.emplace_back(sighting_of(detections_[j]));
@@ -211,13 +211,13 @@ void Tracker::Impl::untangle() {
     pair_legs_anew({i});
     for (std::size_t j = i + 1; j < people_.size(); ++j) {
       const double distance = (people_[i].walker.position() - people_[j].walker.position()).norm();
-      if (distance <= options_.untangle.near && people_[j].last_seen == *now_) pair_legs_anew({i, j});
+      if (distance <= options_.untangle.kNear && people_[j].last_seen == *now_) pair_legs_anew({i, j});
     }
   }
   for (PersonTrack& person : people_) {
     if (!person.both_legs_seen(sweep_)) continue;
     const auto doubt = doubt_of_legs(*person.legs[0], *person.legs[1], options_.untangle);
-    if (doubt && *doubt < options_.untangle.settled) person.settled = state_of(person);
+    if (doubt && *doubt < options_.untangle.kSettled) person.settled = state_of(person);
   }
 }
 
@@ -247,7 +247,7 @@ void Tracker::Impl::watch_for_absence(const DetectionSet& sweep, double dt) {
     const bool empty = std::ranges::all_of(
         std::initializer_list<BodyPart>{BodyPart::first_leg, BodyPart::second_leg, BodyPart::middle},
         [&](BodyPart part) {
-          return seen_empty(sweep, person.walker.expected(part), options_.death.margin);
+          return seen_empty(sweep, person.walker.expected(part), options_.death.kMargin);
         });
     if (empty) person.empty_seconds += dt;
   }
@@ -286,8 +286,8 @@ void Tracker::Impl::delete_tracks() {
     if (is_told_of(person)) return person.walker.position_sigma() > death.sigma;
     if (is_of_others && person.heard < HearingOptions::kForgotten) return true;
     return person.empty_seconds >= death.unseen - 1e-9 || person.walker.position_sigma() > death.sigma ||
-           person.there < options_.hidden.believed ||
-           (person.score < death.unlike_score && person.walker.velocity().norm() < death.kUnlikeSpeed);
+           person.there < options_.hidden.kBelieved ||
+           (person.score < death.kUnlikeScore && person.walker.velocity().norm() < death.kUnlikeSpeed);
   };
   std::ranges::copy_if(people_, std::back_inserter(lost_), gone);
   std::erase_if(people_, gone);

@@ -12,7 +12,7 @@ namespace bw::people {
 
 /// A message that is late is compared with where the tracks were then; what it corrects, with where they are.
 const std::vector<TrackedPerson>& Tracker::Impl::hear(const HeardSet& heard) {
-  if (now_ && heard.time < *now_ - Duration::seconds(options_.longest_gap)) return reported_;
+  if (now_ && heard.time < *now_ - Duration::seconds(options_.kLongestGap)) return reported_;
   begin_at(heard.time);
   if (!now_ || heard.time > *now_) predict_to(heard.time);
   const double late = (*now_ - heard.time).to_seconds();
@@ -37,15 +37,15 @@ void Tracker::Impl::believe(const HeardPerson& told, double late, PersonTrack& p
   person.last_heard = *now_;
   person.heard = believed(person.heard, told.reliability, hearing);
   if (person.empty_seconds >= options_.death.unseen)
-    person.heard = std::min(person.heard, hearing.unseen_limit);
-  if (person.last_seen + Duration::seconds(hearing.seen) >= *now_) return;
+    person.heard = std::min(person.heard, hearing.kUnseenLimit);
+  if (person.last_seen + Duration::seconds(hearing.kSeen) >= *now_) return;
   HeardPerson there = told;
   there.position += late * person.walker.velocity();
   correct_by(there, hearing.position_deviation, options_, person);
   if (follow_legs_near(person)) return;
   // Legs that appear here are theirs: as of somebody who was out of sight just long enough.
-  person.sure = {seconds() - options_.hidden.absent,
-                 person.walker.position() - options_.hidden.absent * person.walker.velocity(),
+  person.sure = {seconds() - options_.hidden.kAbsent,
+                 person.walker.position() - options_.hidden.kAbsent * person.walker.velocity(),
                  person.walker.velocity()};
 }
 

@@ -56,7 +56,7 @@ class Tracker::Impl {
   }
   void follow_legs(PersonTrack& person, const ClusterTrack& first, const ClusterTrack* second) const;
   bool is_out_of_sight(const PersonTrack& person) const {
-    return *now_ - person.last_seen > Duration::seconds(options_.hidden.absent);
+    return *now_ - person.last_seen > Duration::seconds(options_.hidden.kAbsent);
   }
   void follow_hidden_people(double dt, double since_own);
   void watch_for_absence(const DetectionSet& sweep, double dt);

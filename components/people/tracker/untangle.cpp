@@ -36,9 +36,9 @@ std::vector<Leg> legs_about(const std::vector<const PersonTrack*>& people,
   int room = options.kStrangers;
   for (std::size_t i = 0; i < clusters.size() && room > 0; ++i) {
     const Sighting& last = clusters[i].last();
-    if (last.sweep != sweep || last.leg_score < options.score) continue;
+    if (last.sweep != sweep || last.leg_score < options.kScore) continue;
     const auto near = [&](const PersonTrack* person) {
-      return (last.position - person->walker.position()).norm() <= options.separation;
+      return (last.position - person->walker.position()).norm() <= options.kSeparation;
     };
     if (std::ranges::none_of(people, near)) continue;
     legs.push_back({&clusters[i], static_cast<int>(i)});
@@ -49,8 +49,8 @@ std::vector<Leg> legs_about(const std::vector<const PersonTrack*>& people,
 
 /// Doubt of the legs as they are paired.
 double doubt_now(const PersonTrack& person, std::int64_t sweep, const UntangleOptions& options) {
-  if (!person.both_legs_seen(sweep)) return options.alone;
-  return doubt_of_legs(*person.legs[0], *person.legs[1], options).value_or(options.alone);
+  if (!person.both_legs_seen(sweep)) return options.kAlone;
+  return doubt_of_legs(*person.legs[0], *person.legs[1], options).value_or(options.kAlone);
 }
 
 /// The least doubtful choice of one pair for each of `count` people, if less doubtful than `least`.
@@ -74,7 +74,7 @@ std::vector<Pairing> best_of(const std::vector<Pairing>& pairings, std::size_t c
 
 /// How far the legs' way starts from where the person was going when they were last sure to be theirs [m].
 double miss_of(const PersonTrack& person, const Leg& a, const Leg& b, const UntangleOptions& options) {
-  const Gait gait = gait_of(CommonSightings(*a.track, *b.track), options.sightings);
+  const Gait gait = gait_of(CommonSightings(*a.track, *b.track), options.kSightings);
   const PastState& before = person.settled;
   return (gait.start - before.position - (gait.since - before.time) * before.velocity).norm();
 }
@@ -84,8 +84,8 @@ double miss_of(const PersonTrack& person, const Leg& a, const Leg& b, const Unta
 std::optional<double> doubt_of_legs(const ClusterTrack& a, const ClusterTrack& b,
                                     const UntangleOptions& options) {
   const CommonSightings common(a, b);
-  if (common.count < options.least) return std::nullopt;
-  return gait_of(common, options.sightings).doubt();
+  if (common.count < options.kLeast) return std::nullopt;
+  return gait_of(common, options.kSightings).doubt();
 }
 
 std::optional<NewPairs> pair_anew(const std::vector<const PersonTrack*>& people,

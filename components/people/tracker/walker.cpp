@@ -26,7 +26,7 @@ Walker::Walker(const Vector2& first_leg, const Vector2& second_leg, const Vector
 
 Walker::Walker(const WalkerOptions& options, BodyPart part, const Vector2& place, const Vector2& velocity,
                double variance, double velocity_variance) {
-  const double leg = options.half_width * options.half_width;
+  const double leg = options.kHalfWidth * options.kHalfWidth;
   x_ << place, velocity, 0.0, 0.0, 0.0, 0.0;
   const double s = sign(part);
   // place = p + s h, so p and h are as uncertain as a leg is far, together only as uncertain as the place.
@@ -48,7 +48,7 @@ void Walker::predict(double dt, const WalkerOptions& options) {
   const Block2 across = Block2::Identity() - along;
 
   // The swing: exact over dt with the beat of the present speed, fading by its memory.
-  const double w = std::max(2.0 * std::numbers::pi * speed / options.stride, 1e-3);
+  const double w = std::max(2.0 * std::numbers::pi * speed / options.kStride, 1e-3);
   const double fade = std::exp(-dt / options.kBeatMemory);
   const double c = std::cos(w * dt);
   const double s = std::sin(w * dt);
@@ -60,8 +60,8 @@ void Walker::predict(double dt, const WalkerOptions& options) {
   F.block<2, 2>(6, 4) = -fade * w * s * along;
   F.block<2, 2>(6, 6) = fade * c * along;
 
-  const double spread = std::lerp(options.acceleration_standing, options.acceleration_walking, walking);
-  const double reach = options.swing * std::min(1.0, speed / options.full_swing_speed);
+  const double spread = std::lerp(options.kAccelerationStanding, options.kAccelerationWalking, walking);
+  const double reach = options.kSwing * std::min(1.0, speed / options.kFullSwingSpeed);
   const double swing = (1.0 - fade * fade) * reach * reach / 2.0;  // keeps the variance of a sine
   const double drift = options.kDriftAcross * options.kDriftAcross * dt;
 

@@ -21,46 +21,28 @@
 namespace bw::people {
 
 struct WalkerOptions {
-  double acceleration_standing = 0.2;
-  double acceleration_walking = 0.6;
-  double stride = 1.4;
-  double swing = 0.18;
-  double full_swing_speed = 1.3;
+  /// [m/s^2/sqrt(Hz)] how fast people who stand begin to move, as legs are assigned
+  static constexpr double kAccelerationStanding = 0.2;
+  /// [m/s^2/sqrt(Hz)] how fast people who walk change their velocity, as legs are assigned
+  static constexpr double kAccelerationWalking = 0.6;
+  /// [m] way of two steps: one swing
+  static constexpr double kStride = 1.4;
+  /// [m] reach of a leg, forward or back, at full swing
+  static constexpr double kSwing = 0.18;
+  /// [m/s] below this speed legs swing less, in proportion
+  static constexpr double kFullSwingSpeed = 1.3;
   /// [s] how long a swing keeps its beat
   static constexpr double kBeatMemory = 1.0;
   /// [m/sqrt(s)] how fast the distance between the legs changes
   static constexpr double kDriftAcross = 0.08;
-  double half_width = 0.13;
+  /// [m] standard deviation of the place of a leg that nobody has seen, from the middle, per axis
+  static constexpr double kHalfWidth = 0.13;
   /// squared standard deviations (2 dof) beyond which a step was not foreseen: filter widens
   static constexpr double kJumpGate = 25.0;
   /// [m/s] added then to the spread of the velocity
   static constexpr double kJumpSpeed = 0.7;
   /// [m] added then to the spread of the legs
   static constexpr double kJumpLeg = 0.08;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("acceleration_standing", acceleration_standing,
-      {.unit = "m/s^2/sqrt(Hz)",
-       .min = 0.01,
-       .max = 10,
-       .doc = "how fast people who stand begin to move, as legs are assigned"});
-    v("acceleration_walking", acceleration_walking,
-      {.unit = "m/s^2/sqrt(Hz)",
-       .min = 0.01,
-       .max = 10,
-       .doc = "how fast people who walk change their velocity, as legs are assigned"});
-    v("stride", stride, {.unit = "m", .min = 0.5, .max = 3, .doc = "way of two steps: one swing"});
-    v("swing", swing,
-      {.unit = "m", .min = 0.01, .max = 0.6, .doc = "reach of a leg, forward or back, at full swing"});
-    v("full_swing_speed", full_swing_speed,
-      {.unit = "m/s", .min = 0.1, .max = 5, .doc = "below this speed legs swing less, in proportion"});
-    v("half_width", half_width,
-      {.unit = "m",
-       .min = 0.02,
-       .max = 0.4,
-       .doc = "standard deviation of the place of a leg that nobody has seen, from the middle, per axis"});
-  }
 };
 
 /// What of a person is seen at a place.

@@ -27,17 +27,17 @@ int sightings_within(const ClusterTrack& cluster, double seconds) {
 }
 
 std::optional<Walk> walk_of_pair(const ClusterTrack& a, const ClusterTrack& b, const BirthOptions& options) {
-  if ((a.last().position - b.last().position).norm() > options.separation) return std::nullopt;
+  if ((a.last().position - b.last().position).norm() > options.kSeparation) return std::nullopt;
   CommonSightings common(a, b);
   common.forget_before(common.time(0) - options.kLookBack);
   if (common.count < options.sightings) return std::nullopt;
-  if (common.time(0) - common.time(options.sightings - 1) > options.within) return std::nullopt;
+  if (common.time(0) - common.time(options.sightings - 1) > options.kWithin) return std::nullopt;
   const auto leg_score = [](const Sighting& s) { return s.leg_score; };
   const double score = std::min(mean_of(a, sightings_within(a, options.kLookBack), leg_score),
                                 mean_of(b, sightings_within(b, options.kLookBack), leg_score));
-  if (score < options.walking_score) return std::nullopt;
+  if (score < options.kWalkingScore) return std::nullopt;
   const Gait gait = gait_of(common, common.count);
-  if (gait.misfit > options.misfit || gait.widest > options.separation) return std::nullopt;
+  if (gait.misfit > options.kMisfit || gait.widest > options.kSeparation) return std::nullopt;
   const int oldest = common.count - 1;
   const double way = gait.velocity.norm() * (common.time(0) - common.time(oldest));
   if (way < options.travel) return std::nullopt;
@@ -49,7 +49,7 @@ bool stays(const ClusterTrack& a, const ClusterTrack& b, const BirthOptions& opt
   const CommonSightings common(a, b);
   if (common.count < 2) return true;
   const double way = (common.middle(0) - common.middle(common.count - 1)).norm();
-  return way < kStays || !both_moved(common, way) || gait_of(common, common.count).misfit > options.misfit;
+  return way < kStays || !both_moved(common, way) || gait_of(common, common.count).misfit > options.kMisfit;
 }
 
 std::optional<Walk> walk_of_single(const ClusterTrack& cluster, const BirthOptions& options) {
@@ -74,7 +74,7 @@ std::optional<Walk> walk_of_single(const ClusterTrack& cluster, const BirthOptio
     const Sighting& after = cluster.sighting(k - 1);
     const Sighting& before = cluster.sighting(k);
     const double step = (after.position - before.position).norm();
-    if (step > options.single_step + options.kSingleSpeed * (after.time - before.time)) return std::nullopt;
+    if (step > options.kSingleStep + options.kSingleSpeed * (after.time - before.time)) return std::nullopt;
     path += step;
   }
   if (way < options.kSingleStraight * path) return std::nullopt;

@@ -35,32 +35,32 @@ bool is_barred(const Vector2& from, const Vector2& step, const DetectionSet& swe
 
 Whereabouts::Whereabouts(const Vector2& position, const Vector2& velocity, Random& random,
                          const HiddenOptions& options)
-    : guesses_(static_cast<std::size_t>(options.guesses)) {
+    : guesses_(static_cast<std::size_t>(options.kGuesses)) {
   for (Guess& guess : guesses_) {
     guess.position = position + kPosition * Vector2(random.normal(), random.normal());
-    guess.velocity = velocity + options.speed_error * Vector2(random.normal(), random.normal());
+    guess.velocity = velocity + options.kSpeedError * Vector2(random.normal(), random.normal());
     guess.weight = 1.0 / static_cast<double>(guesses_.size());
   }
 }
 
 void Whereabouts::walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls,
                        Random& random, const HiddenOptions& options) {
-  const double wander = options.wander * std::sqrt(dt);
-  const double anew = 1.0 - std::exp(-dt / options.keeps_way);
-  const double missed = std::exp(-looked / options.overlooked);
+  const double wander = options.kWander * std::sqrt(dt);
+  const double anew = 1.0 - std::exp(-dt / options.kKeepsWay);
+  const double missed = std::exp(-looked / options.kOverlooked);
   double sum = 0.0;
   for (Guess& guess : guesses_) {
     const bool elsewhere = random.uniform() < anew;
     guess.velocity = turned(guess.velocity, elsewhere ? random.uniform(-std::numbers::pi, std::numbers::pi)
                                                       : wander * random.normal());
     const Vector2 step = dt * guess.velocity;
-    if (is_barred(guess.position, step, sweep, walls, options.margin)) {
+    if (is_barred(guess.position, step, sweep, walls, options.kMargin)) {
       const double side = random.uniform() < 0.5 ? 1.0 : -1.0;
       guess.velocity = turned(guess.velocity, side * random.uniform(0.3, 1.0) * std::numbers::pi);
     } else {
       guess.position += step;
     }
-    if (seen_empty(sweep, guess.position, options.margin)) guess.weight *= missed;
+    if (seen_empty(sweep, guess.position, options.kMargin)) guess.weight *= missed;
     sum += guess.weight;
   }
   existence_ *= sum;
@@ -110,7 +110,7 @@ double Whereabouts::chance_near(const Vector2& place) const {
 double Whereabouts::density(const Vector2& place, std::optional<Vector2> velocity, double ago,
                             const HiddenOptions& options) const {
   const double p = options.place_kernel * options.place_kernel;
-  const double v = options.velocity_kernel * options.velocity_kernel;
+  const double v = options.kVelocityKernel * options.kVelocityKernel;
   double sum = 0.0;
   for (const Guess& guess : guesses_) {
     const double square = (place - guess.position + ago * guess.velocity).squaredNorm() / p +

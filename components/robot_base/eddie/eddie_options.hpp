@@ -20,25 +20,15 @@ constexpr auto choice_table(PositionsPer) {
 
 struct RateOptions {
   double drive = 25.0, counts = 40.0, analog = 5.0, sonar = 5.0;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("drive", drive,
-      {.unit = "Hz",
-       .min = 10,
-       .max = 50,
-       .doc = "of GOSPD while it changes; 10 while it does not, and at once when it becomes a stop"});
-    v("counts", counts, {.unit = "Hz", .min = 10, .max = 50, .doc = "of DIST"});
-    v("analog", analog, {.unit = "Hz", .min = 0.5, .max = 20, .doc = "of ADC: battery and infrared"});
-    v("sonar", sonar, {.unit = "Hz", .min = 0.5, .max = 20, .doc = "of PING"});
-  }
 };
 
 struct EddieOptions {
   PositionsPer positions_per = PositionsPer::second;
   bool watch = true;
   double acceleration = 3.0;
+  /// [s] longest wait for a reply (set by code alone)
   double reply_timeout = 0.08;
+  /// [s] without a reply after which the base counts as lost (set by code alone)
   double silence = 0.2;
   double velocity_window = 0.12;
   RateOptions rates;
@@ -49,6 +39,7 @@ struct EddieOptions {
   std::vector<std::string> infrared_frames;
   double infrared_scale = 0.60495;
   double infrared_power = 1.1904;
+  /// [V] of ADC channel 8, behind its divider (set by code alone)
   double supply_volts_per_unit = 3.21 / 819.0;
   double battery_low = 11.5;
   double battery_empty = 10.8;
@@ -79,16 +70,11 @@ struct EddieOptions {
        .max = 20,
        .doc =
            "ramp of the board (ACC); above stop_deceleration of the robot, so that stops are as robot_base means them"});
-    v("reply_timeout", reply_timeout,
-      {.unit = "s", .min = 0.02, .max = 0.5, .doc = "longest wait for a reply"});
-    v("silence", silence,
-      {.unit = "s", .min = 0.1, .max = 1, .doc = "without a reply after which the base counts as lost"});
     v("velocity_window", velocity_window,
       {.unit = "s",
        .min = 0,
        .max = 1,
        .doc = "time over which speed is averaged at least: a count is 3.3 mm, or 13 mm"});
-    v("rates", rates, {.doc = "how often what is asked; the line takes about 100 requests a second"});
     v("sonar_pins", sonar_pins, {.min = 0, .max = 15, .doc = "with a PING))) sensor, ascending"});
     v("sonar_frames", sonar_frames, {.doc = "their frames, of the robot's sensors"});
     v("sonar_metres_per_unit", sonar_metres_per_unit,
@@ -105,10 +91,10 @@ struct EddieOptions {
        .doc = "range at 1 V: range = infrared_scale * volts ^ -infrared_power"});
     v("infrared_power", infrared_power,
       {.min = 0.1, .max = 5, .doc = "as above; the defaults suit a Sharp GP2Y0A02"});
-    v("supply_volts_per_unit", supply_volts_per_unit,
-      {.unit = "V", .min = 1e-5, .max = 0.1, .doc = "of ADC channel 8, behind its divider"});
     v("battery_low", battery_low, {.unit = "V", .min = 0, .max = 60, .doc = "warned of below"});
     v("battery_empty", battery_empty, {.unit = "V", .min = 0, .max = 60, .doc = "not driven below"});
+    v.retired({"reply_timeout", "silence", "rates", "supply_volts_per_unit"},
+              "a constant of eddie_options.hpp");
   }
 };
 

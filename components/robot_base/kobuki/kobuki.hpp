@@ -21,16 +21,9 @@
 namespace bw::kobuki {
 
 struct GainOptions {
+  /// give the board these gains instead of those of the factory (set by code alone)
   bool is_set = false;
   Gains gains;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("set", is_set, {.doc = "give the board these gains instead of those of the factory"});
-    v("p", gains.p, {.min = 0, .max = 1000, .doc = "proportional"});
-    v("i", gains.i, {.min = 0, .max = 1000, .doc = "integral"});
-    v("d", gains.d, {.min = 0, .max = 1000, .doc = "differential"});
-  }
 };
 
 struct KobukiOptions {
@@ -51,7 +44,7 @@ struct KobukiOptions {
        .min = 0.04,
        .max = 1,
        .doc = "without a packet (one comes every 0.02 s) after which the base counts as lost"});
-    v("gains", gains, {.doc = "of the wheels' speed controllers (firmware from 1.2.0)"});
+    v.retired({"gains"}, "a constant of kobuki.hpp");
   }
 };
 

@@ -17,40 +17,34 @@ struct Limits {
       100;  ///< of WebSockets, after a burst of twice as many; more are refused with 503
   double header_time =
       10;                 ///< from the connection, or the answer before, to the end of a request's header [s]
-  double idle_time = 90;  ///< a socket from which nothing comes, not even the answer to a ping, is closed [s]
-  double stalled_time = 300;     ///< the same while it takes none of what is sent to it [s]
-  double close_time = 2;         ///< for a socket's closing words and what is queued before them [s]
-  int header_bytes = 16 << 10;   ///< of a request: more is 431
-  int body_bytes = 4 << 10;      ///< of a request: more is 413
+  /// a socket from which nothing comes, not even the answer to a ping, is closed [s] (set by code alone)
+  double idle_time = 90;
+  /// the same while it takes none of what is sent to it [s] (set by code alone)
+  double stalled_time = 300;
+  /// for a socket's closing words and what is queued before them [s] (set by code alone)
+  double close_time = 2;
+  /// of a request: more is 431 (set by code alone)
+  int header_bytes = 16 << 10;
+  /// of a request: more is 413 (set by code alone)
+  int body_bytes = 4 << 10;
   int message_bytes = 4 << 20;   ///< of a message from a socket: more closes it with code 1009
   int queued_bytes = 8 << 20;    ///< of data for one socket, before older frames are left out
-  int queued_frames = 1024;      ///< the same
-  int control_bytes = 16 << 20;  ///< of answers and announcements for one socket, before it is closed
-  int control_frames = 4096;     ///< the same
+  /// the same (set by code alone)
+  int queued_frames = 1024;
+  /// of answers and announcements for one socket, before it is closed (set by code alone)
+  int control_bytes = 16 << 20;
+  /// the same (set by code alone)
+  int control_frames = 4096;
   int login_attempts = 5;        ///< wrong tokens of one address within a minute, before it is told 429
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("connections", connections, {.min = 1, .max = 10000, .doc = "open at a time"});
     v("sockets", sockets, {.min = 1, .max = 10000, .doc = "WebSockets among them"});
-    v("handshakes_per_second", handshakes_per_second,
-      {.unit = "1/s", .min = 0.1, .max = 1e5, .doc = "WebSockets opened, after a burst of twice as many"});
-    v("header_time", header_time, {.unit = "s", .min = 0.01, .max = 600, .doc = "until a header is there"});
-    v("idle_time", idle_time,
-      {.unit = "s", .min = 0.01, .max = 3600, .doc = "until a socket that answers no ping is closed"});
-    v("stalled_time", stalled_time,
-      {.unit = "s", .min = 0.01, .max = 36000, .doc = "until a socket that takes nothing is closed"});
-    v("close_time", close_time, {.unit = "s", .min = 0.01, .max = 60, .doc = "for a socket's closing words"});
-    v("header_bytes", header_bytes, {.unit = "byte", .min = 256, .max = 1 << 20, .doc = "of a request"});
-    v("body_bytes", body_bytes, {.unit = "byte", .min = 256, .max = 1 << 20, .doc = "of a request"});
     v("message_bytes", message_bytes,
       {.unit = "byte", .min = 1024, .max = 1 << 30, .doc = "of a message from a socket"});
     v("queued_bytes", queued_bytes,
       {.unit = "byte", .min = 1024, .max = 1 << 30, .doc = "of data for one socket, then older ones go"});
-    v("queued_frames", queued_frames, {.min = 1, .max = 1 << 20, .doc = "the same, in frames"});
-    v("control_bytes", control_bytes,
-      {.unit = "byte", .min = 1024, .max = 1 << 30, .doc = "of answers for one socket, then it is closed"});
-    v("control_frames", control_frames, {.min = 1, .max = 1 << 20, .doc = "the same, in frames"});
     v("login_attempts", login_attempts,
       {.min = 1, .max = 1000, .doc = "wrong tokens of one address within a minute"});
   }
@@ -73,7 +67,7 @@ struct ServerOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("address", address, {.doc = "where to listen; not a loopback one: token_file is needed"});
-    v("port", port, {.min = 0, .max = 65535, .doc = "0: any free one"});
+    v("port", port, {.min = 0, .max = 65535, .first = true, .doc = "0: any free one"});
     v("port_tries", port_tries, {.min = 1, .max = 1000, .doc = "how many ports to try where it is taken"});
     v("host_names", host_names, {.doc = "names of this machine that clients may use, beside addresses"});
     v("allow_origins", allow_origins, {.doc = "pages of elsewhere that may connect"});
