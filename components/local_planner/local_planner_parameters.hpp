@@ -27,7 +27,7 @@ struct LocalPlannerParameters {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("algorithm", algorithm, {.choices = planner_names(), .doc = "local planner in use"});
+    v("algorithm", algorithm, {.choices = planner_names(), .first = true, .doc = "local planner in use"});
     v("controller_frequency", controller_frequency,
       {.unit = "Hz", .min = 1, .max = 100, .doc = "planning cycles per second"});
     v("command_lead", command_lead,

@@ -83,7 +83,7 @@ struct NavigatorParameters : NavigatorOptions {
     v("stop_on_failure", stop_on_failure,
       {.doc = "of several goals one that is not reached is the last, of follow_waypoints too; otherwise "
               "the next one is tried"});
-    v.retired({"pose_timeout", "feedback_period"}, "a constant of navigator_parameters.hpp");
+    v.retired({"rate", "pose_timeout", "feedback_period"}, "a constant of navigator_parameters.hpp");
   }
 
   std::optional<std::string> violated_rule() const {

@@ -47,8 +47,7 @@ class LaserEmulatorComponent final : public Component {
   void configure(Setup& setup) override {
     const auto options = setup.parameters<LaserEmulatorOptions>(
         [this](const LaserEmulatorOptions& changed, const Tick&) { faults_ = changed.faults; },
-        {"model", "rate", "sample_time", "spin_up", "range_min", "range_max", "range_noise", "health",
-         "health_code"});
+        {"model", "rate", "sample_time", "spin_up", "range_noise"});
     faults_ = options.faults;
     device_.emplace(options.device, setup.seed());
     link_ = emulator_link(setup, "laser");

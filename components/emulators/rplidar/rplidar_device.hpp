@@ -57,7 +57,7 @@ struct RplidarDeviceOptions {
       {.unit = "s", .min = 0, .max = 10, .doc = "until the head turns steadily; no measurements before"});
     v("range_noise", range_noise,
       {.unit = "m", .min = 0, .max = 1, .doc = "standard deviation, beside that of what it is shown"});
-    v.retired({"range_min", "range_max"}, "a constant of rplidar_device.hpp");
+    v.retired({"range_min", "range_max", "health", "health_code"}, "a constant of rplidar_device.hpp");
   }
 };
 

@@ -40,9 +40,9 @@ std::vector<Step> drive(const PfRow& row, std::uint64_t seed) {
   Pose2 truth;
   for (int i = 1; i <= kSteps; ++i) {
     truth = advance_exact(truth, {kSpeed, kSpeed / kRadius}, kPeriod);
-    const double along = noise.step_along * random.normal();
-    const double across = noise.step_across * random.normal();
-    truth = truth * Pose2{along, across, noise.step_heading * random.normal()};
+    const double along = noise.kStepAlong * random.normal();
+    const double across = noise.kStepAcross * random.normal();
+    truth = truth * Pose2{along, across, noise.kStepHeading * random.normal()};
     const double x = truth.x + kSigma * random.normal();
     const double y = truth.y + kSigma * random.normal();
     const double theta = wrap_angle(truth.theta + kSigma * random.normal());

@@ -27,7 +27,7 @@ class Nav2ServersComponent final : public Component {
  public:
   void configure(Setup& setup) override {
     parameters_ = setup.parameters<Nav2ServersParameters>(
-        [this](const Nav2ServersParameters& changed, const Tick&) { parameters_ = changed; }, {"rate"});
+        [this](const Nav2ServersParameters& changed, const Tick&) { parameters_ = changed; });
     map_frame_ = setup.frame("map");
     servers_ = declare_server_actions(setup, parameters_);
     plans_.listen(setup, servers_);

@@ -17,8 +17,7 @@ void NavigatorComponent::configure(Setup& setup) {
         parameters_ = changed;
         navigator_->set_options(changed);
       },
-      {"rate", "goal", "goals", "waypoint_pause", "number_of_loops", "stop_on_failure", "pose_source",
-       "follow_waypoints"});
+      {"goal", "goals", "waypoint_pause", "number_of_loops", "stop_on_failure", "pose_source", "follow_waypoints"});
   navigator_.emplace(parameters_);
   goals_.emplace(parameters_.goal_list());
   log_ = setup.log();

@@ -46,7 +46,7 @@ void expect_cell(const OccupancyGrid& map, const std::vector<Cell>& occupied, co
                  int column, int row) {
   const LikelihoodFieldOptions& o = field.options();
   const Vector2 p = map.center(column, row);
-  const double d = std::min(brute_force(map, occupied, column, row), o.laser_likelihood_max_dist);
+  const double d = std::min(brute_force(map, occupied, column, row), o.kLaserLikelihoodMaxDist);
   ASSERT_NEAR(field.distance(p.x(), p.y()), d, 1e-6) << column << " " << row;
   const bool inside = map.contains(column, row);
   const bool known = inside && map.at(column, row) >= 0;
@@ -135,7 +135,7 @@ TEST(LikelihoodField, FarOutsideAndNoNumberSayWhatTheUnknownSays) {
 TEST(LikelihoodField, AMapWithoutObstaclesOrCellsIsFarFromEverything) {
   OccupancyGrid map{.resolution = 0.1, .width = 2, .height = 2, .cells = {0, 0, 0, 0}};
   const LikelihoodField field(map, {});
-  EXPECT_DOUBLE_EQ(field.distance(0.1, 0.1), field.options().laser_likelihood_max_dist);
+  EXPECT_DOUBLE_EQ(field.distance(0.1, 0.1), field.options().kLaserLikelihoodMaxDist);
   const LikelihoodField none;
   EXPECT_FALSE(none.known(0.0, 0.0));
 }
