@@ -41,13 +41,14 @@ report::Figure charts() {
 
 report::Figure columns() {
   report::Figure figure{.title = "Columns", .columns = 2};
-  figure.add(report::Columns{
-      .title = "Mean error",
-      .y = {"ME [m]", 0.0, 1.0},
-      .measured = "mean, 5 to 95 %",
-      .runs = "a run",
-      .columns = {{.label = "DWA", .runs = {0.2, 0.4, 2.0}, .measured = report::Interval{0.3, 0.2, 0.4}, .published = 0.35},
-                  {.label = "EDWA", .color = report::Color::green, .published = 0.9}}});
+  report::Columns columns;
+  columns.title = "Mean error";
+  columns.y = {"ME [m]", 0.0, 1.0};
+  columns.measured = "mean, 5 to 95 %";
+  columns.runs = "a run";
+  columns.columns = {{.label = "DWA", .runs = {0.2, 0.4, 2.0}, .measured = report::Interval{0.3, 0.2, 0.4}, .published = 0.35},
+                     {.label = "EDWA", .color = report::Color::green, .published = 0.9}};
+  figure.add(columns);
   return figure;
 }
 

@@ -28,7 +28,7 @@ JudgedContact contact(double time, bool at_speed) {
 }
 
 TEST(FailureAlbum, TheDecidingContactIsTheFirst) {
-  FailedDrive drive{.name = "a", .contacts = {contact(1.0, false), contact(2.0, true)}};
+  FailedDrive drive{.title = "a", .contacts = {contact(1.0, false), contact(2.0, true)}};
   EXPECT_EQ(deciding_contact(drive)->record.time, 1.0);
   drive.contacts.clear();
   EXPECT_FALSE(deciding_contact(drive).has_value()) << "something else made it fail";
@@ -57,10 +57,10 @@ TEST(FailureAlbum, WritesOneReportUpToItsNumber) {
   EXPECT_THAT(report["blocks"][1]["text"].get<std::string>(), HasSubstr("Causes: 1 late, 1 robot_standing."));
   // One row each: what ended it, who hit whom, verdict, from when on, cause.
   EXPECT_EQ(report["blocks"][2]["rows"][0].dump(),
-            R"([1,"[first \\[& only\\]](#d1)","late","-","-","-","-","-","late","-"])");
+            R"j([1,"[first \\[& only\\]](#d1)","late","-","-","-","-","-","late","-"])j");
   EXPECT_EQ(
       report["blocks"][2]["rows"][1].dump(),
-      R"([2,"[second](#d2)","contact at 1.50 s","robot_standing, person 4","0.00, 0.00","avoidable","0.7","1.1","robot_standing","0.00"])");
+      R"j([2,"[second](#d2)","contact at 1.50 s","robot_standing, person 4","0.00, 0.00","avoidable","0.7","1.1","robot_standing","0.00"])j");
   const nlohmann::ordered_json& figure = report["blocks"][5];
   EXPECT_EQ(figure["id"], "d2");
   EXPECT_EQ(figure["title"], "2. second");

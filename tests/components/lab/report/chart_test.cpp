@@ -84,15 +84,16 @@ TEST(Chart, HoldsBodiesMarksAreasAndWalls) {
 }
 
 TEST(Columns, HoldRunsIntervalAndWhatWasPublished) {
-  const Columns columns{.title = "ME",
-                        .y = {"ME [m]", 0.0, 1.0},
-                        .measured = "mean",
-                        .columns = {{.label = "all",
-                                     .color = Color::green,
-                                     .runs = {0.1, NAN},
-                                     .measured = Interval{0.1400004, 0.1, 0.2},
-                                     .published = 0.1455}},
-                        .limits = {{0.54, "physical"}}};
+  Columns columns;
+  columns.title = "ME";
+  columns.y = {"ME [m]", 0.0, 1.0};
+  columns.measured = "mean";
+  columns.columns = {{.label = "all",
+                      .color = Color::green,
+                      .runs = {0.1, NAN},
+                      .measured = Interval{0.1400004, 0.1, 0.2},
+                      .published = 0.1455}};
+  columns.limits = {{0.54, "physical"}};
   const Json json = to_json(columns);
   EXPECT_EQ(json["kind"], "columns");
   EXPECT_EQ(json["columns"][0]["runs"], parsed("[0.1, null]"));
