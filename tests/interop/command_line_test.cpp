@@ -1,9 +1,11 @@
 // The verbs a ROS 2 user types, against a running graph.
 #include <algorithm>
+#include <fstream>
 #include <memory>
 
 #include <gmock/gmock.h>
 
+#include "tests/folder.hpp"
 #include "tests/interop/running_graph.hpp"
 
 namespace bw::test {
@@ -118,11 +120,22 @@ TEST_F(CommandLine, ParamListBeginsWithWhatPeopleTurnFirst) {
 }
 
 TEST_F(CommandLine, ParamListCountsNames) {
-  const std::string graph = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/nav2/map_server.yaml";
-  const Outcome count = bandwagon({"param", "list", "--all", "--count", graph, graph});
+  const std::string nav2 = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/nav2/";
+  // The robot's file is shared by both and counted once.
+  const Outcome count =
+      bandwagon({"param", "list", "--all", "--count", nav2 + "planner_server.yaml", nav2 + "collision_monitor.yaml"});
   EXPECT_EQ(count.status, 0) << count.err;
-  EXPECT_THAT(count.out, HasSubstr("   17 map_server\n"));  // of its walls and boxes 4 and 5, though it has none
-  EXPECT_THAT(count.out, testing::EndsWith("   17\n"));
+  EXPECT_EQ(count.out, "   28 collision_monitor\n    8 global_costmap\n    7 global_planner\n   22 robot\n   65\n");
+
+  // Of the walls and boxes of a map server 4 and 5, though it has none.
+  const Folder folder;
+  const std::string area = (folder / "area.yaml").string();
+  std::ofstream(area) << "components:\n  map_server:\n    parameters:\n      area: {length: 2.0, width: 1.0}\n";
+  EXPECT_EQ(bandwagon({"param", "list", "--all", "--count", area}).out, "   17 map_server\n   17\n");
+
+  const Outcome refused = bandwagon({"param", "list", "--all", "--count", nav2 + "map_server.yaml"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("map_server is not counted: "));
 }
 
 }  // namespace

@@ -166,7 +166,7 @@ TEST(EkfOptionsRule, NamesCombinationsThatMakeNoSense) {
   options.health.lost_two_sigma = 0.5;
   EXPECT_TRUE(options.violated_rule().has_value());
   options = {};
-  options.slip.longest = 0.5;
+  options.motion.extrapolation = 0.05;
   EXPECT_TRUE(options.violated_rule().has_value());
   options = {};
   options.gate.reacquire_after = 1.0;
