@@ -20,11 +20,14 @@ if(BANDWAGON_SANITIZE)
   add_link_options(-fsanitize=${BANDWAGON_SANITIZE})
 endif()
 
-# Sources of a target are compiled by eights: what they include is read once. Names of one target's sources must differ. Who edits much
+# GCC tidies its own memory while it compiles; later is 5 % of the time, and up to 1.3 GB for each compiler.
+add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=600000>)
+
+# Sources of a target are compiled by sixteens: what they include is read once. Names of one target's sources must differ. Who edits much
 # may prefer each by itself.
 option(BANDWAGON_UNITY "Compile several sources at once" ON)
 set(CMAKE_UNITY_BUILD ${BANDWAGON_UNITY})
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 if(BANDWAGON_UNITY)
   # Then no source is the main one, a component may have options of its source's own, and what is local may hide what is another source's.
   target_compile_options(bw_compile_options INTERFACE -Wno-subobject-linkage -Wno-shadow -Wshadow=local)
@@ -120,6 +123,7 @@ function(bw_test name)
   cmake_parse_arguments(ARG "NOTHING_ELSE" "RECORDED;SHORTFALL" "SOURCES;ALONE;LINK" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES} ${ARG_ALONE})
   set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set_target_properties(test_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 8)  # sources of tests share more names
   target_link_libraries(test_${name} PRIVATE bw_compile_options ${ARG_LINK} bw_test_main)
   target_compile_definitions(test_${name} PRIVATE BANDWAGON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   bw_precompiled(test_${name} test)

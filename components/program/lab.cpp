@@ -23,7 +23,9 @@ constexpr const char* kProgram = "bandwagon-lab";
         "Of bandwagon-lab: local planners on benchmark scenes, recordings, and people tracked in them",
         [](cli::Verb) {}) &&
     cli::register_verb(cli::VerbGroup::measure, "reproduce",
-                       "Of bandwagon-lab: a table or figure of the dissertation again", [](cli::Verb) {});
+                       "Of bandwagon-lab: a table or figure of the dissertation again", [](cli::Verb) {}) &&
+    cli::register_verb(cli::VerbGroup::measure, "figures",
+                       "Of bandwagon-lab: draws the figures of the theory pages anew", [](cli::Verb) {});
 
 }  // namespace
 
@@ -31,7 +33,8 @@ bool is_for_lab(std::span<const char* const> arguments) {
   const auto is = [&](std::size_t i, std::string_view word) {
     return i < arguments.size() && word == arguments[i];
   };
-  return is(1, "evaluate") || is(1, "bench") || is(1, "reproduce") || (is(1, "bag") && is(2, "import"));
+  return is(1, "evaluate") || is(1, "bench") || is(1, "reproduce") || is(1, "figures") ||
+         (is(1, "bag") && is(2, "import"));
 }
 
 int become_lab(char** arguments) {

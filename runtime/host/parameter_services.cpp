@@ -55,7 +55,7 @@ void offer_reading(Setup& setup, const LiveParameters& parameters, const std::ve
   offer.operator()<GetParameters>("~/get_parameters", [&parameters](const auto& request, const Tick&) {
     GetParameters::Response response;
     response.values(each_or_none(parameters, request.names(),
-                                 [](const auto& parameter) { return to_message(parameter.value); }));
+                                 [](const auto& parameter) { return bw::to_message(parameter.value); }));
     return response;
   });
   offer.operator()<GetParameterTypes>(
@@ -70,7 +70,7 @@ void offer_reading(Setup& setup, const LiveParameters& parameters, const std::ve
       "~/describe_parameters", [&parameters, &rows](const auto& request, const Tick&) {
         DescribeParameters::Response response;
         response.descriptors(each_or_none(parameters, request.names(), [](const auto& parameter) {
-          return to_message(parameter.name, parameter.descriptor);
+          return bw::to_message(parameter.name, parameter.descriptor);
         }));
         for (auto& descriptor : response.descriptors()) add_default(descriptor, rows);
         return response;

@@ -10,7 +10,7 @@
 namespace bw {
 namespace {
 
-constexpr std::size_t kLongestName = 255;
+constexpr std::size_t kLongestParameterName = 255;
 
 bool is_empty_list(const ParameterValue& value) {
   return std::visit(
@@ -23,11 +23,11 @@ bool is_empty_list(const ParameterValue& value) {
       value);
 }
 
-bool is_list(ParameterType type) { return type >= ParameterType::byte_list; }
+bool is_list_type(ParameterType type) { return type >= ParameterType::byte_list; }
 
 /// `value`, or an empty list of the type wanted in place of another empty list.
 ParameterValue with_type(ParameterType wanted, const ParameterValue& value) {
-  if (type_of(value) == wanted || !is_list(wanted) || !is_empty_list(value)) return value;
+  if (type_of(value) == wanted || !is_list_type(wanted) || !is_empty_list(value)) return value;
   if (wanted == ParameterType::byte_list) return std::vector<std::uint8_t>();
   if (wanted == ParameterType::bool_list) return std::vector<bool>();
   if (wanted == ParameterType::integer_list) return std::vector<std::int64_t>();
@@ -92,7 +92,7 @@ bool ParameterSet::has(std::string_view name) const {
 }
 
 std::string ParameterSet::unknown(std::string_view name) const {
-  if (name.size() > kLongestName || !is_config_text(name)) return "a parameter of this name does not exist";
+  if (name.size() > kLongestParameterName || !is_config_text(name)) return "a parameter of this name does not exist";
   std::vector<std::string_view> names;
   for (const ParameterEntry& entry : leaves_->entries) names.push_back(entry.name);
   std::string rule = "unknown parameter '" + std::string(name) + "'";

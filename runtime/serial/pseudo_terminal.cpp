@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostAtOnce = 65'536;
+constexpr std::size_t kPseudoTerminalReadSize = 65'536;
 
 /// Once opened and closed again, a pseudo-terminal tells by POLLHUP that nobody listens. What the host says before it has set the
 /// line must not come back as an echo: raw from the start.
@@ -33,7 +33,7 @@ std::string make_raw_and_hung_up(const std::string& slave) {
 
 }  // namespace
 
-PseudoTerminal::PseudoTerminal(fs::path link) : link_(std::move(link)), buffer_(kMostAtOnce) {
+PseudoTerminal::PseudoTerminal(fs::path link) : link_(std::move(link)), buffer_(kPseudoTerminalReadSize) {
   state_.device = link_.string();
   state_.fault = "not plugged in yet";
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr Duration kBetweenAttempts = Duration::milliseconds(500);
 constexpr Duration kWhilePatient = Duration::milliseconds(50);
 /// More than any device sends between two calls, and no more than a lane copies in a moment.
-constexpr std::size_t kMostAtOnce = 65'536;
+constexpr std::size_t kReadSize = 65'536;
 constexpr const char* kGone = "the line is gone: cable pulled, or the device lost its power";
 
 }  // namespace
@@ -32,7 +32,7 @@ SerialPort::SerialPort(PortOptions options, std::string name, Duration patience,
       name_(std::move(name)),
       patience_(patience),
       folders_(std::move(folders)),
-      buffer_(kMostAtOnce) {
+      buffer_(kReadSize) {
   state_.device = name_.empty() ? options_.port : name_;
   state_.fault = "not opened yet";
   state_.is_opening = true;

@@ -80,17 +80,18 @@ class Section {
   std::string name_;
 };
 
-constexpr double kFar = 1e4;  // [m]
+constexpr double kFarthest = 1e4;  // [m]
 
 Pose2 read_pose(const std::string& file, const YAML::Node& node, const char* name) {
   const Section s(file, node, name, {"x", "y", "theta"});
-  return {s.number("x", -kFar, kFar), s.number("y", -kFar, kFar), wrap_angle(s.number("theta", -kFar, kFar))};
+  return {s.number("x", -kFarthest, kFarthest), s.number("y", -kFarthest, kFarthest),
+          wrap_angle(s.number("theta", -kFarthest, kFarthest))};
 }
 
 SceneObstacle read_obstacle(const std::string& file, const YAML::Node& node) {
   const Section s(file, node, "obstacle", {"x", "y", "r", "vx", "vy"});
   SceneObstacle o;
-  o.position = {s.number("x", -kFar, kFar), s.number("y", -kFar, kFar)};
+  o.position = {s.number("x", -kFarthest, kFarthest), s.number("y", -kFarthest, kFarthest)};
   o.radius = s.number("r", 0.0, 100.0);
   o.velocity = {s.number("vx", -100.0, 100.0), s.number("vy", -100.0, 100.0)};
   return o;
@@ -142,8 +143,8 @@ SceneWeights read_weights(const std::string& file, const YAML::Node& node) {
 
 SceneBox read_box(const std::string& file, const YAML::Node& node) {
   const Section s(file, node, "box", {"x_min", "x_max", "y_min", "y_max"});
-  const SceneBox box{s.number("x_min", -kFar, kFar), s.number("x_max", -kFar, kFar),
-                     s.number("y_min", -kFar, kFar), s.number("y_max", -kFar, kFar)};
+  const SceneBox box{s.number("x_min", -kFarthest, kFarthest), s.number("x_max", -kFarthest, kFarthest),
+                     s.number("y_min", -kFarthest, kFarthest), s.number("y_max", -kFarthest, kFarthest)};
   if (box.x_max <= box.x_min || box.y_max <= box.y_min)
     s.fail(node, "box", "must have its max above its min");
   return box;

@@ -7,7 +7,7 @@ namespace bw::people {
 namespace {
 
 constexpr double kCell = 0.1;         // [m]
-constexpr float kStood = 1.0F;        // [s] what stands so long is a wall
+constexpr float kWallAge = 1.0F;        // [s] what stands so long is a wall
 constexpr float kPause = 0.5F;        // [s] within which the next beam must end there
 constexpr float kRemembered = 30.0F;  // [s] for so long odometry is good enough to remember places
 constexpr double kPerson = 0.5;       // [m] about people nothing is a wall
@@ -57,7 +57,7 @@ void SeenWalls::mark(const Vector2& p_S) {
   const std::int32_t row = to_cell(p_S.y());
   Cell& cell = cells_[slot_of(column, row)];
   const bool same = cell.column == column && cell.row == row && now_ - cell.last <= kRemembered;
-  const bool stood = same && cell.last - cell.since >= kStood;
+  const bool stood = same && cell.last - cell.since >= kWallAge;
   if (!same || (!stood && now_ - cell.last > kPause)) cell = {column, row, now_, now_};
   cell.last = now_;
 }
@@ -67,7 +67,7 @@ bool SeenWalls::contains(const Vector2& p_S) const {
   const std::int32_t column = to_cell(p_S.x());
   const std::int32_t row = to_cell(p_S.y());
   const Cell& cell = cells_[slot_of(column, row)];
-  return cell.column == column && cell.row == row && cell.last - cell.since >= kStood &&
+  return cell.column == column && cell.row == row && cell.last - cell.since >= kWallAge &&
          now_ - cell.last <= kRemembered;
 }
 

@@ -9,7 +9,7 @@
 namespace bw::people {
 namespace {
 
-constexpr double kStood = 0.5;   // [s] what has stood so long is a post
+constexpr double kPostAge = 0.5;   // [s] what has stood so long is a post
 constexpr double kStill = 0.15;  // [m] its places differ less
 constexpr double kThin = 0.25;   // [m] and it is less wide
 constexpr double kReach = 2.5;   // [m] farther furniture is not theirs: the diagonal of a table and more
@@ -44,7 +44,7 @@ using Past = PastSweeps::Past;
 
 bool stands(const ClusterTrack& thing) {
   const Sighting& oldest = thing.sighting(thing.remembered() - 1);
-  return thing.last().time - thing.born() >= kStood &&
+  return thing.last().time - thing.born() >= kPostAge &&
          (thing.last().position - oldest.position).norm() < kStill;
 }
 

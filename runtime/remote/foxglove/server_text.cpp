@@ -6,12 +6,14 @@
 namespace bw::foxglove {
 namespace {
 
-using json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 /// Names and texts of others may be any bytes: what is no UTF-8 is replaced.
-std::string written(const json& op) { return op.dump(-1, ' ', false, json::error_handler_t::replace); }
+std::string written(const ordered_json& op) {
+  return op.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
 
-json schema_json(const ServiceSchema& schema) {
+ordered_json schema_json(const ServiceSchema& schema) {
   return {{"encoding", kCdr},
           {"schemaName", schema.schema_name},
           {"schemaEncoding", "ros2msg"},
@@ -20,8 +22,8 @@ json schema_json(const ServiceSchema& schema) {
 
 using NodesOf = std::map<std::string, std::set<std::string>>;
 
-json nodes_json(const NodesOf& nodes_of, const char* ids) {
-  json entries = json::array();
+ordered_json nodes_json(const NodesOf& nodes_of, const char* ids) {
+  ordered_json entries = ordered_json::array();
   for (const auto& [name, nodes] : nodes_of) entries.push_back({{"name", name}, {ids, nodes}});
   return entries;
 }
@@ -29,7 +31,7 @@ json nodes_json(const NodesOf& nodes_of, const char* ids) {
 }  // namespace
 
 std::string server_info_op(const ServerInfo& info) {
-  json op = {{"op", "serverInfo"},
+  ordered_json op = {{"op", "serverInfo"},
              {"name", info.name},
              {"capabilities", info.capabilities},
              {"supportedEncodings", {kCdr, kJson}},
@@ -39,7 +41,7 @@ std::string server_info_op(const ServerInfo& info) {
 }
 
 std::string status_op(Level level, const std::string& message, const std::string& id) {
-  json op = {{"op", "status"}, {"level", static_cast<int>(level)}, {"message", message}};
+  ordered_json op = {{"op", "status"}, {"level", static_cast<int>(level)}, {"message", message}};
   if (!id.empty()) op["id"] = id;
   return written(op);
 }
@@ -49,9 +51,9 @@ std::string remove_status_op(const std::vector<std::string>& ids) {
 }
 
 std::string advertise_op(std::span<const Channel> channels) {
-  json list = json::array();
+  ordered_json list = ordered_json::array();
   for (const Channel& channel : channels) {
-    json entry = {{"id", channel.id},
+    ordered_json entry = {{"id", channel.id},
                   {"topic", channel.topic},
                   {"encoding", kCdr},
                   {"schemaName", channel.schema_name},
@@ -68,7 +70,7 @@ std::string unadvertise_op(const std::vector<std::uint32_t>& channels) {
 }
 
 std::string advertise_services_op(std::span<const Service> services) {
-  json list = json::array();
+  ordered_json list = ordered_json::array();
   for (const Service& service : services) {
     list.push_back({{"id", service.id},
                     {"name", service.name},
@@ -85,9 +87,9 @@ std::string unadvertise_services_op(const std::vector<std::uint32_t>& services) 
 
 std::string parameter_values_op(const std::vector<NamedValue>& parameters,
                                 const std::optional<std::string>& request) {
-  json list = json::array();
+  ordered_json list = ordered_json::array();
   for (const NamedValue& parameter : parameters) list.push_back(parameter_json(parameter));
-  json op = {{"op", "parameterValues"}, {"parameters", std::move(list)}};
+  ordered_json op = {{"op", "parameterValues"}, {"parameters", std::move(list)}};
   if (request) op["id"] = *request;
   return written(op);
 }
