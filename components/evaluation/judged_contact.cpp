@@ -6,7 +6,7 @@
 namespace bw {
 namespace {
 
-constexpr std::size_t kMostJudged = 20;
+constexpr std::size_t kMaxJudged = 20;
 constexpr std::int8_t kOccupiedFrom = 65;  // [%] as the map server's usual threshold
 
 /// Ways of all people: one for each stretch without a gap.
@@ -58,7 +58,7 @@ std::vector<JudgedContact> judge_contacts(const std::vector<ContactRecord>& cont
                                           const Limits& limits) {
   std::vector<JudgedContact> judged;
   for (const ContactRecord& contact : contacts) judged.push_back({contact, false, {}});
-  for (std::size_t i = 0; i < std::min(judged.size(), kMostJudged); ++i) {
+  for (std::size_t i = 0; i < std::min(judged.size(), kMaxJudged); ++i) {
     const ContactRecord& contact = judged[i].record;
     judged[i].is_judged = true;
     if (contact.there_since >= contact.time) {

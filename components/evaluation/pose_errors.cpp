@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSameMoment = 0.2;         // [s]
 constexpr double kLongestGap = 0.5;         // [s] between two truths
-constexpr std::size_t kMostWaiting = 1000;  // estimates, of a truth that is silent
+constexpr std::size_t kMaxWaiting = 1000;  // estimates, of a truth that is silent
 
 double mean_root(double squares, int count) {
   return count > 0 ? std::sqrt(squares / count) : std::numeric_limits<double>::quiet_NaN();
@@ -32,7 +32,7 @@ void PoseErrors::add(Time time, const Pose2& X_MB) {
   if (!truth_.X_MB.position().allFinite() || !is_finite(X_MB)) return;
   if (!has_speed()) {
     const Estimate estimate{time, X_MB};
-    if (!compare_between(estimate) && waiting_.size() < kMostWaiting) waiting_.push_back(estimate);
+    if (!compare_between(estimate) && waiting_.size() < kMaxWaiting) waiting_.push_back(estimate);
     return;
   }
   const double ahead = (time - truth_.time).to_seconds();

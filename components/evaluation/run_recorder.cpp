@@ -7,7 +7,7 @@ namespace bw {
 namespace {
 
 constexpr Duration kPeriod = Duration::milliseconds(100);
-constexpr std::size_t kMostMoments = 6000;  // ten minutes at full detail; then every second moment is dropped
+constexpr std::size_t kMaxMoments = 6000;  // ten minutes at full detail; then every second moment is dropped
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void RunRecorder::add(const TruthSample& sample) {
   moment.twist = {std::isfinite(sample.twist.v) ? sample.twist.v : moment.speed,
                   std::isfinite(sample.twist.omega) ? sample.twist.omega : 0.0};
   recording_.moments.push_back(std::move(moment));
-  if (recording_.moments.size() < kMostMoments) return;
+  if (recording_.moments.size() < kMaxMoments) return;
   std::vector<RecordedMoment> kept;
   for (std::size_t i = 0; i < recording_.moments.size(); i += 2)
     kept.push_back(std::move(recording_.moments[i]));

@@ -9,7 +9,7 @@ namespace bw::laser {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr std::size_t kMostSamples = 20'000;  // a head that stands sends nodes all the same
+constexpr std::size_t kMaxSamples = 20'000;  // a head that stands sends nodes all the same
 
 }  // namespace
 
@@ -39,7 +39,7 @@ std::optional<Revolution> RevolutionCollector::add(const Node& node, Time time) 
   }
   last_angle_ = angle;
   start_bits_ += node.starts_revolution ? 1 : 0;
-  if (collected_.samples.size() >= kMostSamples) restart();
+  if (collected_.samples.size() >= kMaxSamples) restart();
   double seen_at = wrap_angle(is_upside_down_ ? angle : -angle);
   if (seen_at >= kPi) seen_at = -kPi;
   if (is_whole_) collected_.samples.push_back({seen_at, node.range(), node.quality});

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kSlant = 3.0;  // tangent of 72 degrees: the steepest view of what still is one surface
-constexpr double kMostApart =
+constexpr double kMaxApart =
     3.0;  // beams further from the next sample than so many mean distances know nothing
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -90,7 +90,7 @@ Scan to_scan(const Revolution& revolution, const ScanOptions& options) {
                    [](const Sample& a, const Sample& b) { return a.angle < b.angle; });
   const double mean_apart = kTurn / static_cast<double>(samples.size());
   const Resampler resampler{samples, options, scan.angle_increment,
-                            kMostApart * std::min(mean_apart, kTurn / 90.0)};
+                            kMaxApart * std::min(mean_apart, kTurn / 90.0)};
   std::ptrdiff_t after = 0;
   for (std::size_t i = 0; i < beams; ++i) {
     const double angle = -std::numbers::pi + static_cast<double>(i) * scan.angle_increment;

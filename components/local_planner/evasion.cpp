@@ -27,7 +27,7 @@ constexpr double kNoCloser =
     0.01;                      // [m] of what is too near already, by which a motion that comes closer is told
 constexpr double kGain = 0.1;  // [m/s] by which a gap that is too small is asked to grow
 constexpr double kTestTime = 0.06;             // [s] at most between gap tests
-constexpr std::size_t kMostLooks = 2'000'000;  // of all moves; bounds the time of a search
+constexpr std::size_t kMaxLooks = 2'000'000;  // of all moves; bounds the time of a search
 constexpr std::size_t kLooksOfStep = 40;       // as long as these takes a step of the simulation
 constexpr double kWorthMoving = 0.2;  // [s] of later contact for which a robot that could stop moves instead
 // Of the moves that all become contacts: where the robot comes nearer than this [m] to somebody with more speed than that
@@ -256,7 +256,7 @@ class Search {
   // It met something, can no longer win, or there is no time left to see.
   bool is_pruned(const Motion& motion) const {
     if (latest_.trajectory.empty()) return false;  // the stop is simulated to its end
-    if (is_ruled_out(motion) || looks_ > kMostLooks) return true;
+    if (is_ruled_out(motion) || looks_ > kMaxLooks) return true;
     if (best_score_ == -kInfinity) return false;
     const double left = static_cast<double>(steps_ + 1 - static_cast<int>(motion.points)) * options_.period;
     const double nearest = distance_to_goal() - top_speed_ * left - kRounding;

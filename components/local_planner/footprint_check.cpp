@@ -14,7 +14,7 @@ namespace bw {
 namespace {
 
 constexpr double kTimeStep = 0.1;  // [s] between tests of a standing robot: movers come to it
-constexpr double kMostTestsPerSegment = 100.0;
+constexpr double kMaxTestsPerSegment = 100.0;
 constexpr double kNearBy = 1.0;     // [m] gap from which on an obstacle is not looked at
 constexpr double kDistanceRounding = 1e-6;  // [m]
 
@@ -119,7 +119,7 @@ MotionGap gap_along(const std::vector<TrajectoryPoint>& trajectory, double horiz
     const TrajectoryPoint& b = trajectory[i + 1];
     const double travel = (b.pose.position() - a.pose.position()).norm();
     const double tests = std::ceil(std::max(travel / step, (b.time - a.time) / kTimeStep));
-    const int samples = static_cast<int>(std::clamp(tests, 1.0, kMostTestsPerSegment));
+    const int samples = static_cast<int>(std::clamp(tests, 1.0, kMaxTestsPerSegment));
     const double turn = wrap_angle(b.pose.theta - a.pose.theta);
     for (int k = 0; k < samples; ++k) {
       const double s = static_cast<double>(k) / samples;

@@ -10,7 +10,7 @@ namespace bw {
 namespace {
 
 constexpr double kCell = 0.5;        // [m]
-constexpr double kMostCells = 40.0;  // per side; beyond the square its outermost cells serve
+constexpr double kMaxCells = 40.0;  // per side; beyond the square its outermost cells serve
 constexpr double kRounding = 1e-9;   // [m]
 
 }  // namespace
@@ -22,7 +22,7 @@ TimedGaps::TimedGaps(const PlanningProblem& problem, double horizon, double step
   const Vector2 here = problem.pose.position();
   const double aside = problem.footprint.radius + reach;
 
-  const double half = std::min(speed * horizon, 0.5 * kMostCells * kCell);
+  const double half = std::min(speed * horizon, 0.5 * kMaxCells * kCell);
   cells_per_side_ = std::max(1, static_cast<int>(std::ceil(2.0 * half / kCell)));
   corner_ = here - Vector2(half, half);
   cells_.resize(static_cast<std::size_t>(cells_per_side_) * static_cast<std::size_t>(cells_per_side_));

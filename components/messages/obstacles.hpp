@@ -63,13 +63,13 @@ inline StaticObstacles to_obstacles(const bandwagon_msgs::msg::Obstacles& messag
 /// Confirmed people `age` [s] after the message, in the frame that X_TF is seen from; without those that are not
 /// finite or larger than a person. A possible person stays an obstacle (book 7.10).
 inline std::vector<Disc> to_discs(const bandwagon_msgs::msg::Tracks& message, double age, const Pose2& X_TF) {
-  constexpr double kMostRadius = 1.0;  // [m]
+  constexpr double kMaxRadius = 1.0;  // [m]
   std::vector<Disc> discs;
   for (const auto& track : message.tracks()) {
     if (!is_confirmed(track.confidence())) continue;
     const Vector2 position(track.position().x() + age * track.velocity().x(),
                            track.position().y() + age * track.velocity().y());
-    if (position.allFinite() && track.radius() >= 0.0 && track.radius() <= kMostRadius)
+    if (position.allFinite() && track.radius() >= 0.0 && track.radius() <= kMaxRadius)
       discs.push_back({X_TF * position, track.radius()});
   }
   return discs;

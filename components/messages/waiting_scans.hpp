@@ -15,7 +15,7 @@ class WaitingScans {
  public:
   /// False when the oldest had to make room. `received` on the component clock.
   bool add(const sensor_msgs::msg::LaserScan& scan, Time received) {
-    const bool has_room = scans_.size() < kMost;
+    const bool has_room = scans_.size() < kMax;
     if (!has_room) scans_.pop_front();
     scans_.push_back({scan, received});
     return has_room;
@@ -29,7 +29,7 @@ class WaitingScans {
   }
 
  private:
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMax = 4;
 
   struct Waiting {
     sensor_msgs::msg::LaserScan scan;

@@ -10,7 +10,7 @@ constexpr double kGroupSide =
     0.035;                      // [m] of the cell whose capsules are one group: 5 cm from corner to corner
 constexpr double kShort = 0.1;  // [m] axes up to this length are grouped by their middle
 constexpr double kPiece = 1.0;  // [m] of longer ones
-constexpr double kMostPieces = 200.0;  // of one; those of a still longer one are longer
+constexpr double kMaxPieces = 200.0;  // of one; those of a still longer one are longer
 constexpr double kWide = 2.0;  // [m] half side and radius from which on a group is looked at from everywhere
 constexpr std::size_t kFewestSlots = 64;
 constexpr std::size_t kFewGroups = 32;  // that are looked at one by one
@@ -94,7 +94,7 @@ void CapsuleIndex::form_groups() {
     if (group_of[i] != CellNumbers::kNone) continue;
     const Capsule& c = capsules_[i];
     const Vector2 way = c.b - c.a;
-    const double pieces = std::min(std::ceil(way.norm() / kPiece), kMostPieces);
+    const double pieces = std::min(std::ceil(way.norm() / kPiece), kMaxPieces);
     members_.push_back(static_cast<std::uint32_t>(i));
     const auto last = static_cast<std::uint32_t>(members_.size());
     for (double k = 0.0; k < pieces; k += 1.0) {

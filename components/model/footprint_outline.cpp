@@ -77,7 +77,7 @@ class CornerText {
     while (!take(']')) {
       Vector2 corner;
       if (!take('[') || !number(corner.x()) || !number(corner.y()) || !take(']')) return std::nullopt;
-      if (corners.size() <= kMostCorners) corners.push_back(corner);
+      if (corners.size() <= kMaxCorners) corners.push_back(corner);
     }
     skip();
     return rest_.empty() ? std::optional(std::move(corners)) : std::nullopt;
@@ -144,7 +144,7 @@ bool holds(const Footprint& outer, const Footprint& inner) {
 
 FootprintResult footprint_of(std::vector<Vector2> corners) {
   FootprintResult result;
-  if (corners.size() > kMostCorners) {
+  if (corners.size() > kMaxCorners) {
     result.fault = "must have 64 corners at most";
     return result;
   }

@@ -12,7 +12,7 @@ namespace bw {
 
 /// No corner is farther from base_link [m], and there are no more of them.
 inline constexpr double kFarthestCorner = 5.0;
-inline constexpr std::size_t kMostCorners = 64;
+inline constexpr std::size_t kMaxCorners = 64;
 
 /// An outline, or in one sentence why it is none.
 struct FootprintResult {

@@ -42,11 +42,11 @@ const char* to_text(SweepFault fault) {
 SweepFault fault_of(const LaserSweep& sweep) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   constexpr double kLeastIncrement = 1e-4;  // [rad]: finer than any scanner, and a bound on the beams
-  constexpr double kMostIncrement = 0.5;    // [rad]
+  constexpr double kMaxIncrement = 0.5;    // [rad]
   constexpr double kLongestRange = 1e4;     // [m]
   constexpr double kFarthest = 1e6;         // [m]
   const double step = std::abs(sweep.angle_increment);
-  if (!(std::abs(sweep.angle_min) <= 2.0 * kTurn) || !(step >= kLeastIncrement && step <= kMostIncrement))
+  if (!(std::abs(sweep.angle_min) <= 2.0 * kTurn) || !(step >= kLeastIncrement && step <= kMaxIncrement))
     return SweepFault::bad_angles;
   if (!(sweep.range_min >= 0.0 && sweep.range_max > sweep.range_min && sweep.range_max <= kLongestRange))
     return SweepFault::bad_limits;

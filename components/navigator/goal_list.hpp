@@ -70,8 +70,8 @@ class GoalList {
       next_at_ = now + Duration::seconds(options_.pause);
       if (report.status != GoalStatus::succeeded) miss(report);
     }
-    constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
-    return static_cast<std::uint32_t>(std::min(remaining(), kMost));
+    constexpr std::size_t kMax = std::numeric_limits<std::uint32_t>::max();
+    return static_cast<std::uint32_t>(std::min(remaining(), kMax));
   }
 
   /// Somebody else says where to go, or nowhere: what is left of the list is not driven.

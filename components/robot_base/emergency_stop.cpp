@@ -5,7 +5,7 @@
 namespace bw {
 namespace {
 
-constexpr std::size_t kMostNames = 5;  // in one sentence
+constexpr std::size_t kMaxNames = 5;  // in one sentence
 
 std::string name_of(const std::string& node) { return node.empty() ? "somebody without a node name" : node; }
 
@@ -16,9 +16,9 @@ std::string names_of(const std::vector<EmergencyStop::Pressed>& pressed) {
     if (std::ranges::find(names, name_of(button.node)) == names.end()) names.push_back(name_of(button.node));
   }
   std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i)
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNames); ++i)
     text += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > kMostNames) text += " and " + std::to_string(names.size() - kMostNames) + " more";
+  if (names.size() > kMaxNames) text += " and " + std::to_string(names.size() - kMaxNames) + " more";
   return text;
 }
 

@@ -18,7 +18,7 @@ class PoseHistory {
     if (!poses_.empty() && time < poses_.back().time) poses_.clear();
     if (!poses_.empty() && time == poses_.back().time) poses_.pop_back();
     poses_.push_back({time, X_OB, twist});
-    while (poses_.front().time + kLength < time || poses_.size() > kMost) poses_.pop_front();
+    while (poses_.front().time + kLength < time || poses_.size() > kMax) poses_.pop_front();
   }
   bool is_empty() const { return poses_.empty(); }
 
@@ -38,7 +38,7 @@ class PoseHistory {
 
  private:
   static constexpr Duration kLength = Duration::milliseconds(5'500);
-  static constexpr std::size_t kMost = 2'000;
+  static constexpr std::size_t kMax = 2'000;
   static constexpr double kBeyond = 0.3;  // [s]
 
   struct Entry {

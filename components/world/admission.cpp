@@ -33,7 +33,7 @@ std::string fault_of_speed(const Vector2& velocity) {
 std::string refusal_of(const NewPerson& person, const StaticScene& scene, std::span<const RobotBody> robots,
                        const std::vector<Person>& people) {
   if (std::string fault = fault_of_numbers(person); !fault.empty()) return fault;
-  if (people.size() >= kMostPeople)
+  if (people.size() >= kMaxPeople)
     return "there are " + std::to_string(people.size()) + " people already, which is the most";
   if (scene.clearance(person.position, person.radius) < person.radius)
     return "the position is nearer to a wall than the radius";

@@ -14,7 +14,7 @@ namespace bw {
 /// Nobody walks, or is pushed, faster than this [m/s]: people run at 3 m/s.
 inline constexpr double kFastestPerson = 3.0;
 /// At once in one world, scripted and recorded ones included.
-inline constexpr std::size_t kMostPeople = 100;
+inline constexpr std::size_t kMaxPeople = 100;
 
 struct NewPerson {
   Vector2 position{0.0, 0.0};

@@ -12,7 +12,7 @@ constexpr double kSwayTime = 1.0;       // a leg's wandering is forgotten after 
 constexpr double kHomeTime = 0.2;       // who walks off forgets within it where their feet were set [s]
 constexpr double kStepTime = 0.4;       // of setting a foot aside [s]
 constexpr double kLeastWait = 1.0 / 3;  // shares of the mean time between such steps
-constexpr double kMostWait = 5.0 / 3;
+constexpr double kMaxWait = 5.0 / 3;
 constexpr double kFarthestFoot = 0.15;  // from where it belongs [m]
 constexpr double kWidestStand = 0.45;   // [m]
 
@@ -52,7 +52,7 @@ void Legs::stand(double dt, std::uint32_t id, Gait& gait) const {
   gait.until_next -= dt;
   if (has_waited) set_foot(gait);
   if (gait.until_next <= 0.0)
-    gait.until_next = options_.shift_every * gait.random->uniform(kLeastWait, kMostWait);
+    gait.until_next = options_.shift_every * gait.random->uniform(kLeastWait, kMaxWait);
 }
 
 /// One foot goes somewhere new where it does not meet the other.

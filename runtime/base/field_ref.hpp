@@ -130,12 +130,12 @@ const FieldType& field_type_of();
 
 template <IntegerField T>
 constexpr FieldType integer_type() {
-  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  constexpr std::int64_t kMax = std::numeric_limits<std::int64_t>::max();
   return {
       .kind = FieldKind::integer,
       .lowest = static_cast<std::int64_t>(std::numeric_limits<T>::min()),
-      .highest = std::cmp_less(kMost, std::numeric_limits<T>::max())
-                     ? kMost
+      .highest = std::cmp_less(kMax, std::numeric_limits<T>::max())
+                     ? kMax
                      : static_cast<std::int64_t>(std::numeric_limits<T>::max()),
       .integer = [](const void* value) { return static_cast<std::int64_t>(*static_cast<const T*>(value)); },
       .set_integer = [](void* value, std::int64_t to) { *static_cast<T*>(value) = static_cast<T>(to); }};

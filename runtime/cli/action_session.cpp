@@ -39,16 +39,16 @@ std::int64_t sent(std::optional<std::int64_t> request) {
 ActionSession::ActionSession(dds::Participant& participant, const std::string& action,
                              const ActionLayout& layout)
     : id_(random_id()),
-      send_goal_(participant, action + "/_action/send_goal", layout.send_goal(), [this] { bell_.ring(); }),
+      send_goal_(participant, action + "/_action/send_goal", layout.send_goal(), [this] { notifier_.ring(); }),
       cancel_goal_(participant, action + "/_action/cancel_goal", service_type<CancelGoal>(),
-                   [this] { bell_.ring(); }),
-      get_result_(participant, action + "/_action/get_result", layout.get_result(), [this] { bell_.ring(); }),
+                   [this] { notifier_.ring(); }),
+      get_result_(participant, action + "/_action/get_result", layout.get_result(), [this] { notifier_.ring(); }),
       feedback_(
           participant.create_reader({.topic = dds_topic(action + "/_action/feedback"),
                                      .type = std::string(layout.feedback->dds_name),
                                      .qos = Qos::standard(),
                                      .user_data = user_data_of(std::string(layout.feedback->type_hash))},
-                                    [this] { bell_.ring(); })) {}
+                                    [this] { notifier_.ring(); })) {}
 
 std::string ActionSession::id_text() const {
   std::string text;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "runtime/cli/action_layout.hpp"
-#include "runtime/ros/bell.hpp"
+#include "runtime/ros/notifier.hpp"
 #include "runtime/ros/service_call.hpp"
 
 namespace bw::cli {
@@ -44,10 +44,10 @@ class ActionSession {
   std::optional<Bytes> take_result();
 
   /// Until something has come.
-  void wait() { bell_.wait(std::chrono::steady_clock::now() + std::chrono::milliseconds(100)); }
+  void wait() { notifier_.wait(std::chrono::steady_clock::now() + std::chrono::milliseconds(100)); }
 
  private:
-  Bell bell_;
+  Notifier notifier_;
   GoalId id_;
   ServiceCaller send_goal_, cancel_goal_, get_result_;
   std::unique_ptr<dds::Reader> feedback_;

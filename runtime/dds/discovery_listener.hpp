@@ -114,8 +114,8 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
   }
   /// With the mutex held.
   void remember(const Endpoint& endpoint) {
-    constexpr std::size_t kMost = 256;
-    if (endpoint.is_writer && departed_.size() < kMost) departed_.push_back(endpoint);
+    constexpr std::size_t kMax = 256;
+    if (endpoint.is_writer && departed_.size() < kMax) departed_.push_back(endpoint);
   }
 
   std::atomic<std::uint64_t> changes_ = 0;

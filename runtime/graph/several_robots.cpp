@@ -10,7 +10,7 @@
 namespace bw {
 namespace {
 
-constexpr std::size_t kMostComponents = 10'000;
+constexpr std::size_t kMaxComponents = 10'000;
 
 /// Of a robot; one process for what names none.
 std::string process_of(const std::string& robot, const std::string& process) {
@@ -68,9 +68,9 @@ void give_to_robots(Graph& graph, const ConfigNode* robots, const std::vector<st
     }
     graph.robots.push_back(robot.key);
   }
-  if (graph.robots.size() * names.size() > kMostComponents)
+  if (graph.robots.size() * names.size() > kMaxComponents)
     violations.push_back({robots->where, "robots", "",
-                          "must not make more than " + std::to_string(kMostComponents) + " components"});
+                          "must not make more than " + std::to_string(kMaxComponents) + " components"});
   if (!violations.empty() || graph.robots.empty()) return;
   std::vector<ComponentNode> all;
   for (const ComponentNode& node : graph.components) {

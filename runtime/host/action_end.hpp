@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "runtime/base/ros_distro.hpp"
-#include "runtime/host/inlet.hpp"
+#include "runtime/host/input_endpoint.hpp"
 #include "runtime/ports.hpp"
 #include "runtime/ros/goal_book.hpp"
 
@@ -21,7 +21,7 @@ class OutputEnd;
 class Runner;
 class ServiceEnd;
 
-class ActionEnd final : public Inlet, public ActionPort {
+class ActionEnd final : public InputEndpoint, public ActionPort {
  public:
   /// The ends that others see. They are the actor's.
   struct Ends {

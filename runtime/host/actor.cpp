@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "runtime/host/commanded_motion.hpp"
-#include "runtime/host/led_lifecycle.hpp"
+#include "runtime/host/nested_lifecycle.hpp"
 #include "runtime/host/writer_clock.hpp"
 
 namespace bw {

@@ -18,7 +18,7 @@
 #include "runtime/host/action_end.hpp"
 #include "runtime/host/actor_lifecycle.hpp"
 #include "runtime/host/client_end.hpp"
-#include "runtime/host/inlet.hpp"
+#include "runtime/host/input_endpoint.hpp"
 #include "runtime/host/service_end.hpp"
 #include "runtime/host/statistics.hpp"
 #include "runtime/host/timer.hpp"
@@ -27,9 +27,9 @@
 namespace bw {
 
 struct Actor;
-class LedLifecycle;
+class NestedLifecycle;
 
-class Input final : public Inlet {
+class Input final : public InputEndpoint {
  public:
   const std::string& label() const override { return topic; }
   bool calls_component() const override;
@@ -111,7 +111,7 @@ struct Actor final : DiagnosticReporter {
   std::atomic<lifecycle::State> state = lifecycle::State::inactive;  ///< changed on its lane only
   std::atomic<std::uint64_t> activations = 0;
   std::unique_ptr<ActorLifecycle> lifecycle;
-  std::unique_ptr<LedLifecycle> led;  ///< those that follow this one's states; null: nobody does
+  std::unique_ptr<NestedLifecycle> led;  ///< those that follow this one's states; null: nobody does
   bool is_led = false;                ///< it follows another's
   std::string name;                   ///< in the graph
   std::string node_name;              ///< on the wire

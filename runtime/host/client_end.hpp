@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "runtime/dds/participant.hpp"
-#include "runtime/host/inlet.hpp"
+#include "runtime/host/input_endpoint.hpp"
 #include "runtime/host/timer.hpp"
 #include "runtime/ports.hpp"
 
@@ -15,7 +15,7 @@ namespace bw {
 
 class Runner;
 
-class ClientEnd final : public Inlet, public ClientPort {
+class ClientEnd final : public InputEndpoint, public ClientPort {
  public:
   ClientEnd(Actor& owner, std::string declared, std::string resolved, const ServiceType& service_type,
             Need service_need);

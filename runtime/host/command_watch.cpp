@@ -10,7 +10,7 @@ namespace bw {
 namespace {
 
 constexpr Duration kPatience = Duration::milliseconds(1000);  // a node's name comes after its writer
-constexpr std::size_t kMostNames = 5;                         // in one line
+constexpr std::size_t kMaxNames = 5;                         // in one line
 constexpr const char* kNameless = "somebody without a node name";
 
 bool is_owners(const dds::Endpoint& writer, const std::string& owner) {
@@ -18,7 +18,7 @@ bool is_owners(const dds::Endpoint& writer, const std::string& owner) {
 }
 
 std::string listed(const std::vector<std::string>& names) {
-  const std::size_t shown = std::min(names.size(), kMostNames);
+  const std::size_t shown = std::min(names.size(), kMaxNames);
   std::string text =
       fmt::format("{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
   if (shown < names.size()) text += fmt::format(" and {} more", names.size() - shown);
@@ -48,7 +48,7 @@ std::vector<CommandWatch::News> CommandWatch::look(const std::vector<dds::Endpoi
         owners += is_there ? 1 : 0;
         return;
       }
-      const Stranger stranger{.since = now, .type = ros_type(end.type)};
+      const UnknownDevice stranger{.since = now, .type = ros_type(end.type)};
       watched.strangers.try_emplace(end.guid, stranger).first->second.is_there = is_there;
     };
     for (const dds::Endpoint& end : present) meet(end, true);
@@ -83,7 +83,7 @@ std::vector<std::string> CommandWatch::names_to_tell(Watched& watched, const Nod
   return names;
 }
 
-std::string CommandWatch::label(const Watched& watched, const Stranger& stranger) {
+std::string CommandWatch::label(const Watched& watched, const UnknownDevice& stranger) {
   const std::string name = stranger.name.empty() ? kNameless : stranger.name;
   return watched.topic.owner.empty() ? name + " (" + stranger.type + ")" : name;
 }

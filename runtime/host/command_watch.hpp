@@ -51,7 +51,7 @@ class CommandWatch {
   bool is_waiting() const;
 
  private:
-  struct Stranger {
+  struct UnknownDevice {
     Time since;
     std::string type;
     std::string name = {};  ///< empty: not known yet
@@ -60,12 +60,12 @@ class CommandWatch {
   };
   struct Watched {
     WatchedTopic topic;
-    std::map<dds::Guid, Stranger> strangers;
+    std::map<dds::Guid, UnknownDevice> strangers;
     int owners = 0;
   };
 
   static std::vector<std::string> names_to_tell(Watched& watched, const NodeOf& node_of, Time now);
-  static std::string label(const Watched& watched, const Stranger& stranger);
+  static std::string label(const Watched& watched, const UnknownDevice& stranger);
   static std::string refusal(const WatchedTopic& topic, const std::vector<std::string>& names);
 
   std::vector<Watched> watched_;

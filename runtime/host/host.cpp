@@ -9,7 +9,7 @@
 #include "runtime/host/command_guard.hpp"
 #include "runtime/host/host_setup.hpp"
 #include "runtime/host/lockstep_runner.hpp"
-#include "runtime/host/namesake_guard.hpp"
+#include "runtime/host/duplicate_name_guard.hpp"
 #include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"

@@ -94,7 +94,7 @@ class Host {
   dds::Network network() const;
   void offer_lifecycle(Actor& actor, HostSetup& setup);
   /// Null where nobody follows.
-  std::unique_ptr<class LedLifecycle> led_by(Actor& leader) const;
+  std::unique_ptr<class NestedLifecycle> led_by(Actor& leader) const;
   /// Two managers for each robot, unless one comes from outside.
   void add_managers();
   void add_manager(const std::string& robot, Manager which);
@@ -136,7 +136,7 @@ class Host {
   std::unique_ptr<dds::Participant> participant_;
   std::unique_ptr<class WriterNames> writers_;
   std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step
-  std::unique_ptr<class NamesakeGuard> namesakes_;     ///< null in lock-step
+  std::unique_ptr<class DuplicateNameGuard> duplicate_names_;     ///< null in lock-step
   std::unique_ptr<class NodeAnnouncement> announcement_;
   class ProcessServices* services_ = nullptr;
   std::optional<Time> started_;

@@ -7,7 +7,7 @@
 #include "runtime/host/command_guard.hpp"
 #include "runtime/host/host.hpp"
 #include "runtime/host/lockstep_runner.hpp"
-#include "runtime/host/namesake_guard.hpp"
+#include "runtime/host/duplicate_name_guard.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"
 #include "runtime/host/wall_runner.hpp"
@@ -112,7 +112,7 @@ void Host::connect() {
   if (lockstep) return;
   writers_->connect(*participant_);
   command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
-  namesakes_ = std::make_unique<NamesakeGuard>(*participant_, find_own_nodes(local_));
+  duplicate_names_ = std::make_unique<DuplicateNameGuard>(*participant_, find_own_nodes(local_));
 }
 
 // The reply's writer first: a server that takes requests and cannot answer makes every client wait.
@@ -217,7 +217,7 @@ void Host::leave() {
     }
   }
   command_guard_.reset();
-  namesakes_.reset();
+  duplicate_names_.reset();
   writers_->disconnect();
   participant_.reset();
 }
@@ -228,7 +228,7 @@ void Host::look_around(Time now) {
   announcement_->rethrow();
   Actor& services = *actors_.front();
   for (const CommandWatch::News& news : command_guard_->look(now)) log(services, news.level, news.text);
-  for (const NamesakeWatch::News& news : namesakes_->look()) log(services, news.level, news.text);
+  for (const DuplicateNameWatch::News& news : duplicate_names_->look()) log(services, news.level, news.text);
   if (const auto change = writer_clock_ ? writer_clock_->look(system_clock_offset()) : std::nullopt)
     log(services, LogLevel::warn,
         fmt::format(
@@ -246,7 +246,7 @@ void Host::look_around(Time now) {
     level = std::max(level, its);
   };
   for (const auto& [topic, state] : command_guard_->states()) show(topic, state.level, state.text);
-  for (const auto& [node, state] : namesakes_->states()) show(node, state.level, state.text);
+  for (const auto& [node, state] : duplicate_names_->states()) show(node, state.level, state.text);
   services.report(level, message);
 }
 

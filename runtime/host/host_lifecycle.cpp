@@ -4,10 +4,10 @@
 
 #include "runtime/host/host.hpp"
 #include "runtime/host/host_setup.hpp"
-#include "runtime/host/led_lifecycle.hpp"
+#include "runtime/host/nested_lifecycle.hpp"
 #include "runtime/host/lifecycle_manager.hpp"
 #include "runtime/host/lifecycle_services.hpp"
-#include "runtime/host/namesake_guard.hpp"
+#include "runtime/host/duplicate_name_guard.hpp"
 #include "runtime/host/rebinding.hpp"
 #include "runtime/registry.hpp"
 
@@ -38,7 +38,7 @@ void Host::offer_lifecycle(Actor& actor, HostSetup& setup) {
     means.tell = offer_transition_events(setup);
     means.rivals = [this, &actor] {
       const std::string name = full_name({.node_namespace = actor.node_namespace, .name = actor.node_name});
-      return namesakes_ ? namesakes_->rivals_of(name) : std::string();
+      return duplicate_names_ ? duplicate_names_->rivals_of(name) : std::string();
     };
     means.make = [&actor] { return make_component(actor.type); };
     means.configure = [this, &actor](Component& component) {
@@ -53,8 +53,8 @@ void Host::offer_lifecycle(Actor& actor, HostSetup& setup) {
   actor.lifecycle = std::make_unique<ActorLifecycle>(actor, std::move(means));
 }
 
-std::unique_ptr<LedLifecycle> Host::led_by(Actor& leader) const {
-  std::vector<LedLifecycle::Follower> followers;
+std::unique_ptr<NestedLifecycle> Host::led_by(Actor& leader) const {
+  std::vector<NestedLifecycle::Follower> followers;
   for (const ComponentNode* node : graph_.followers_of(leader.name)) {
     followers.push_back({.name = node->name,
                          .change_state = node->topic_of("~/change_state"),
@@ -64,7 +64,7 @@ std::unique_ptr<LedLifecycle> Host::led_by(Actor& leader) const {
                          }});
   }
   if (followers.empty()) return nullptr;
-  return std::make_unique<LedLifecycle>(leader, std::move(followers));
+  return std::make_unique<NestedLifecycle>(leader, std::move(followers));
 }
 
 void Host::add_managers() {

@@ -12,7 +12,7 @@
 
 #include "runtime/component.hpp"
 #include "runtime/host/actor.hpp"
-#include "runtime/host/led_lifecycle.hpp"
+#include "runtime/host/nested_lifecycle.hpp"
 #include "runtime/lifecycle/bring_up.hpp"
 
 namespace bw {

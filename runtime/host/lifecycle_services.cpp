@@ -7,7 +7,7 @@
 #include <lifecycle_msgs/srv/get_available_transitions.hpp>
 #include <lifecycle_msgs/srv/get_state.hpp>
 
-#include "runtime/host/led_lifecycle.hpp"
+#include "runtime/host/nested_lifecycle.hpp"
 
 namespace bw {
 namespace {

@@ -32,7 +32,7 @@ void LockstepRunner::push(Event event) {
   events_.push(event);
 }
 
-void LockstepRunner::arrived(Inlet& inlet) {
+void LockstepRunner::arrived(InputEndpoint& inlet) {
   if (std::this_thread::get_id() != thread_) {
     if (options_.outside != nullptr) options_.outside->has_news();
     return;

@@ -33,7 +33,7 @@ class LockstepRunner final : public Runner {
   LockstepRunner(std::vector<Actor*> actors, const LockstepOptions& options);
 
   Time now() const override { return now_; }
-  void arrived(Inlet& inlet) override;
+  void arrived(InputEndpoint& inlet) override;
   void schedule(Timer& timer, Time at) override;
   void publish(OutputEnd& output, std::span<const std::uint8_t> cdr) override;
   void when_done(std::function<void()> action) override;
@@ -50,7 +50,7 @@ class LockstepRunner final : public Runner {
     std::size_t rank = 0;
     std::uint64_t sequence = 0;
     Actor* actor = nullptr;
-    Inlet* inlet = nullptr;     ///< something arrived
+    InputEndpoint* inlet = nullptr;     ///< something arrived
     Timer* timer = nullptr;     ///< a tick is due; with neither: the actor's latency has passed
     bool was_deferred = false;  ///< waited for a busy actor
     bool operator>(const Event& other) const {

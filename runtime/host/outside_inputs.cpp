@@ -10,7 +10,7 @@ namespace bw {
 namespace {
 
 /// So many enter at one instant; the rest at the next.
-constexpr std::size_t kMostPerInstant = 100;
+constexpr std::size_t kMaxPerInstant = 100;
 
 }  // namespace
 
@@ -103,7 +103,7 @@ void OutsideInputs::tell_refusal(const std::string& what, const dds::Guid& sende
 }
 
 void OutsideInputs::enter(Time now) {
-  const std::size_t count = std::min(kept_.size(), kMostPerInstant);
+  const std::size_t count = std::min(kept_.size(), kMaxPerInstant);
   for (std::size_t i = 0; i < count; ++i) {
     Kept& kept = kept_[i];
     was_used_ = true;

@@ -34,7 +34,7 @@ class Runner : public SampleSink {
   /// The component clock.
   virtual Time now() const = 0;
   /// Something waits at the inlet. Called by DDS with its locks held.
-  virtual void arrived(Inlet& inlet) = 0;
+  virtual void arrived(InputEndpoint& inlet) = 0;
   /// Sets when a timer fires next; Timer::kNever: it does not. On the actor's own lane.
   virtual void schedule(Timer& timer, Time at) = 0;
   /// Runs until finish() or, with a duration, until it has passed.

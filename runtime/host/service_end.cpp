@@ -11,7 +11,7 @@ namespace bw {
 namespace {
 
 /// Replies kept for clients whose reader is not known yet.
-constexpr std::size_t kMostPending = 256;
+constexpr std::size_t kMaxPending = 256;
 constexpr Duration kLongestPending = Duration::milliseconds(1000);
 
 /// The last octet of an entity id tells readers (RTPS 9.3.1.2).
@@ -107,7 +107,7 @@ void ServiceEnd::reply(const RequestId& to, std::span<const std::uint8_t> cdr) {
   sink->when_done([this, to, bytes = std::vector<std::uint8_t>(cdr.begin(), cdr.end())] {
     if (is_reader(to.client) && !writer->is_matched(to.client)) {
       const std::lock_guard lock(pending_mutex_);
-      if (pending_.size() >= kMostPending) pending_.pop_front();
+      if (pending_.size() >= kMaxPending) pending_.pop_front();
       pending_.push_back({to, bytes, steady_time()});
     } else {
       write(to, bytes);

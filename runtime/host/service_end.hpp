@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "runtime/dds/participant.hpp"
-#include "runtime/host/inlet.hpp"
+#include "runtime/host/input_endpoint.hpp"
 #include "runtime/host/statistics.hpp"
 #include "runtime/ports.hpp"
 
@@ -21,7 +21,7 @@ class SampleSink;
 /// ROS 2's service introspection: `<service>/_service_event`.
 inline constexpr const char* kServiceEvent = "/_service_event";
 
-class ServiceEnd final : public Inlet, public ServicePort {
+class ServiceEnd final : public InputEndpoint, public ServicePort {
  public:
   /// A request as it came.
   struct Request {

@@ -48,7 +48,7 @@ namespace {
 
 /// Inlets reached by the write this thread is in. They are woken when it returns: before, they would only
 /// block on the locks it holds.
-thread_local std::vector<Inlet*>* t_reached = nullptr;
+thread_local std::vector<InputEndpoint*>* t_reached = nullptr;
 /// Whose write it is: another host of this program wakes its own inlets.
 thread_local const WallRunner* t_writer = nullptr;
 
@@ -62,13 +62,13 @@ void WallRunner::publish(OutputEnd& output, std::span<const std::uint8_t> cdr) {
 
 void WallRunner::run_and_wake(const std::function<void()>& write) {
   if (t_writer == this) return write();
-  thread_local std::vector<Inlet*> reached;
+  thread_local std::vector<InputEndpoint*> reached;
   t_reached = &reached;
   t_writer = this;
   const auto wake = [this] {
     t_reached = nullptr;
     t_writer = nullptr;
-    for (Inlet* inlet : reached) enqueue(*inlet);
+    for (InputEndpoint* inlet : reached) enqueue(*inlet);
     reached.clear();
   };
   try {
@@ -80,7 +80,7 @@ void WallRunner::run_and_wake(const std::function<void()>& write) {
   wake();
 }
 
-void WallRunner::arrived(Inlet& inlet) {
+void WallRunner::arrived(InputEndpoint& inlet) {
   if (inlet.queued.exchange(true)) return;  // the waiting event takes this one too
   inlet.queued_at_ns = steady_time().nanoseconds;
   if (t_writer == this) {
@@ -90,7 +90,7 @@ void WallRunner::arrived(Inlet& inlet) {
   }
 }
 
-void WallRunner::enqueue(Inlet& inlet) {
+void WallRunner::enqueue(InputEndpoint& inlet) {
   Lane& lane = inlet.is_off_lane() ? *acknowledgments_ : *lane_of_.at(inlet.actor);
   {
     const std::lock_guard lock(lane.mutex);
@@ -172,7 +172,7 @@ void WallRunner::work(Lane& lane) {
       wait(lane, lock);
       continue;
     }
-    Inlet* inlet = lane.queue.front();
+    InputEndpoint* inlet = lane.queue.front();
     lane.queue.pop_front();
     lock.unlock();
     run_callback(*inlet->actor, inlet->label(), !inlet->is_off_lane(), [&] { drain(*inlet); });
@@ -210,11 +210,11 @@ void WallRunner::fire(Timer& timer, Time now, Duration late, std::unique_lock<st
   lock.lock();
 }
 
-void WallRunner::drain(Inlet& inlet) {
+void WallRunner::drain(InputEndpoint& inlet) {
   const Duration waited = steady_time() - Duration{inlet.queued_at_ns};
   inlet.queued = false;  // before the take: what arrives from now on makes a new event
-  constexpr int kMostAtOnce = 16;
-  for (int i = 0; i < kMostAtOnce; ++i) {
+  constexpr int kMaxAtOnce = 16;
+  for (int i = 0; i < kMaxAtOnce; ++i) {
     if (!inlet.take_one(clock_.now(), waited)) return;
   }
   arrived(inlet);  // others on this lane first

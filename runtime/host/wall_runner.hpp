@@ -23,7 +23,7 @@ class WallRunner final : public Runner {
   ~WallRunner() override;
 
   Time now() const override { return clock_.now(); }
-  void arrived(Inlet& inlet) override;
+  void arrived(InputEndpoint& inlet) override;
   void schedule(Timer& timer, Time at) override { timer.next = at; }
   void publish(OutputEnd& output, std::span<const std::uint8_t> cdr) override;
   void when_done(std::function<void()> action) override { run_and_wake(action); }
@@ -36,7 +36,7 @@ class WallRunner final : public Runner {
     std::string name;
     std::mutex mutex;
     std::condition_variable wake;
-    std::deque<Inlet*> queue;
+    std::deque<InputEndpoint*> queue;
     std::vector<Timer*> timers;
     bool stop = false;
     const Actor* real_time = nullptr;  ///< who wants it; null: nobody
@@ -47,12 +47,12 @@ class WallRunner final : public Runner {
   void come_to_rest(Duration longest);
   void start_lanes();
   void run_and_wake(const std::function<void()>& write);
-  void enqueue(Inlet& inlet);
+  void enqueue(InputEndpoint& inlet);
   void work(Lane& lane);
   void become_real_time(const Actor& actor) const;
   void fire_if_due(Lane& lane, Timer& timer, std::unique_lock<std::mutex>& lock);
   void fire(Timer& timer, Time now, Duration late, std::unique_lock<std::mutex>& lock);
-  void drain(Inlet& inlet);
+  void drain(InputEndpoint& inlet);
   void wait(Lane& lane, std::unique_lock<std::mutex>& lock);
 
   std::vector<Actor*> actors_;

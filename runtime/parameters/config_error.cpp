@@ -6,28 +6,28 @@
 namespace bw {
 namespace {
 
-constexpr std::size_t kMostLines = 50;
-constexpr std::size_t kMostText = 120;
+constexpr std::size_t kMaxLines = 50;
+constexpr std::size_t kMaxText = 120;
 
 /// Keys and values come from files: no control characters on the terminal, no screenful of one value.
 std::string printable(std::string_view text) {
   std::string out;
-  for (const char c : text.substr(0, kMostText)) {
+  for (const char c : text.substr(0, kMaxText)) {
     const auto byte = static_cast<unsigned char>(c);
     out += byte < 0x20 || byte == 0x7f ? '?' : c;
   }
-  if (text.size() > kMostText) out += "...";
+  if (text.size() > kMaxText) out += "...";
   return out;
 }
 
 std::string lines_of(const std::vector<Violation>& violations) {
   std::string out;
-  for (std::size_t i = 0; i < std::min(violations.size(), kMostLines); ++i) {
+  for (std::size_t i = 0; i < std::min(violations.size(), kMaxLines); ++i) {
     if (i > 0) out += '\n';
     out += violations[i].text();
   }
-  if (violations.size() > kMostLines) {
-    out += "\nand " + std::to_string(violations.size() - kMostLines) + " more";
+  if (violations.size() > kMaxLines) {
+    out += "\nand " + std::to_string(violations.size() - kMaxLines) + " more";
   }
   return out;
 }

@@ -30,8 +30,8 @@ ParameterDescriptor describe(ParameterType type, const Field& field, const Integ
   const bool low = std::isfinite(field.min), high = std::isfinite(field.max);
   if (type == ParameterType::floating_point && (low || high)) {
     // Where infinity is a number, an open end is open.
-    constexpr double kMost = std::numeric_limits<double>::max();
-    const double most = field.infinity ? std::numeric_limits<double>::infinity() : kMost;
+    constexpr double kMax = std::numeric_limits<double>::max();
+    const double most = field.infinity ? std::numeric_limits<double>::infinity() : kMax;
     descriptor.double_range = {std::max(field.min, -most), std::min(field.max, most)};
   }
   if (type == ParameterType::integer && (low || high))

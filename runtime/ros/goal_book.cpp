@@ -29,7 +29,7 @@ std::vector<GoalId> GoalBook::open() const {
 }
 
 bool GoalBook::accept(const GoalId& id, Time now) {
-  if (find(id) != nullptr || open().size() >= kMostOpen) return false;
+  if (find(id) != nullptr || open().size() >= kMaxOpen) return false;
   goals_.push_back({.id = id, .accepted = now, .status = GoalStatus::accepted, .ended = {}, .result = {}});
   return true;
 }

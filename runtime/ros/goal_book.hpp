@@ -14,7 +14,7 @@ namespace bw {
 class GoalBook {
  public:
   /// More open goals than these are refused.
-  static constexpr std::size_t kMostOpen = 1000;
+  static constexpr std::size_t kMaxOpen = 1000;
 
   struct Goal {
     GoalId id{};

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/ros/bell.hpp"
+#include "runtime/ros/notifier.hpp"
 #include "runtime/ros/service_ends.hpp"
 
 namespace bw {
@@ -37,7 +37,7 @@ std::optional<std::vector<std::uint8_t>> call_service(dds::Participant& particip
                                                       std::span<const std::uint8_t> request,
                                                       std::chrono::milliseconds limit) {
   const auto end = std::chrono::steady_clock::now() + limit;
-  Bell bell;
+  Notifier bell;
   ServiceCaller caller(participant, name, type, [&bell] { bell.ring(); });
   while (!caller.is_ready()) {
     if (!bell.wait(end)) return std::nullopt;

@@ -27,6 +27,6 @@ inline constexpr std::chrono::milliseconds kSilence{200};  ///< without a heartb
 inline constexpr std::chrono::milliseconds kRepeat{50};    ///< between two stop frames
 /// So often more after the process is gone; then the guardian ends.
 inline constexpr int kLastWords = 3;
-inline constexpr int kMostUnanswered = 25;  ///< heartbeats, 0.5 s: the guardian hangs
+inline constexpr int kMaxUnanswered = 25;  ///< heartbeats, 0.5 s: the guardian hangs
 
 }  // namespace bw::guardian

@@ -120,7 +120,7 @@ PortGuardian::State PortGuardian::look() {
     if (got > 0 && message == kTripped) state_ = State::tripped;
     if (got > 0 && message == kAnswer) unanswered_ = 0;
   }
-  if (state_ == State::well && unanswered_ > kMostUnanswered) state_ = State::gone;
+  if (state_ == State::well && unanswered_ > kMaxUnanswered) state_ = State::gone;
   return state_;
 }
 

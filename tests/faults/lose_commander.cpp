@@ -162,7 +162,7 @@ void print(const char* what, std::vector<double> seconds, double limit) {
 }
 
 /// A machine that sleeps for 0.3 s looks to the base like wheels that do not turn: it stops for good, as it should.
-constexpr int kMostLatched = 3;
+constexpr int kMaxLatched = 3;
 
 /// Simulated robot, world and base in processes of their own, ended when it goes.
 struct SimulatedRobot {
@@ -196,7 +196,7 @@ int measure(const std::string& program, const std::string& topic, int losses, co
     const auto loss = trial.run(program, topic, i % 2 == 0 ? SIGKILL : SIGSTOP, i * 37 % 101);
     if (!loss) {
       std::printf("%d: it did not drive, or did not stop\n%s", i + 1, robot->base.err().c_str());
-      if (robot->is_latched() && ++latched <= kMostLatched) {
+      if (robot->is_latched() && ++latched <= kMaxLatched) {
         std::printf("%d: the base held it until release_stop, started anew\n", i + 1);
         robot.reset();
         robot.emplace(graph);

@@ -29,8 +29,8 @@ namespace {
 
 constexpr std::size_t kLarge = 20'000;   // [bytes] of a message; a thousand of them each second are 20 MB/s
 constexpr std::size_t kSmall = 200;      // so that no chunk is ever full
-constexpr double kMostLostByKill = 1.0;  // [s]
-constexpr double kMostLostByPowerCut = 2.0;  // [s]
+constexpr double kMaxLostByKill = 1.0;  // [s]
+constexpr double kMaxLostByPowerCut = 2.0;  // [s]
 
 /// What the child tells while it lives.
 struct Shared {
@@ -218,8 +218,8 @@ void kill_often(std::size_t size, std::uint64_t kills, bool is_measured) {
     const std::uint64_t count = messages(random);
     const Lost lost = kill_after(folder / "drive.mcap", size, count);
     if (is_measured) {
-      EXPECT_LE(lost.by_kill, kMostLostByKill) << "kill " << i << " after " << count << " messages";
-      EXPECT_LE(lost.by_power_cut, kMostLostByPowerCut) << "kill " << i << " after " << count << " messages";
+      EXPECT_LE(lost.by_kill, kMaxLostByKill) << "kill " << i << " after " << count << " messages";
+      EXPECT_LE(lost.by_power_cut, kMaxLostByPowerCut) << "kill " << i << " after " << count << " messages";
     }
     worst = {std::max(worst.by_kill, lost.by_kill), std::max(worst.by_power_cut, lost.by_power_cut),
              std::max(worst.longest_sync, lost.longest_sync), worst.dropped + lost.dropped};

@@ -178,14 +178,14 @@ TEST_F(ActionFaults, FiftyGoalsAtOnceEachEndOnceAndTheLastDrives) {
 }
 
 TEST_F(ActionFaults, AThousandOpenGoalsAreTheMost) {
-  constexpr int kMost = 1000, kMore = 20;
+  constexpr int kMax = 1000, kMore = 20;
   plain::ActionClient client(node_, "/together", navigate());
   ASSERT_TRUE(client.wait_until_ready());
   int accepted = 0, answered = 0;
   std::vector<std::int64_t> asked;
-  for (int i = 0; i < kMost + kMore; ++i) {
+  for (int i = 0; i < kMax + kMore; ++i) {
     asked.push_back(client.ask_goal(next_id(), navigate_goal("wait")));
-    if (i % 50 != 49 && i + 1 < kMost + kMore) continue;
+    if (i % 50 != 49 && i + 1 < kMax + kMore) continue;
     ASSERT_TRUE(eventually([&] {
       std::erase_if(asked, [&](std::int64_t sequence) {
         const auto answer = client.take_goal(sequence);
@@ -198,10 +198,10 @@ TEST_F(ActionFaults, AThousandOpenGoalsAreTheMost) {
     })) << answered
         << err();
   }
-  EXPECT_EQ(accepted, kMost);
+  EXPECT_EQ(accepted, kMax);
   const auto canceled = client.cancel({});
   ASSERT_TRUE(canceled.has_value()) << err();
-  EXPECT_THAT(canceled->canceling, SizeIs(kMost));
+  EXPECT_THAT(canceled->canceling, SizeIs(kMax));
   ASSERT_TRUE(eventually([&] {
     const auto& lists = client.status_lists();
     return !lists.empty() && std::ranges::all_of(lists.back(), [](const plain::GoalState& goal) {

@@ -40,7 +40,7 @@ TEST(GoalBook, AnIdIsTakenOnce) {
 
 TEST(GoalBook, OnlySoManyAreOpen) {
   GoalBook book(Duration::seconds(10.0));
-  for (std::size_t n = 0; n < GoalBook::kMostOpen; ++n) {
+  for (std::size_t n = 0; n < GoalBook::kMaxOpen; ++n) {
     EXPECT_TRUE(
         book.accept({static_cast<std::uint8_t>(n % 256), static_cast<std::uint8_t>(n / 256), 1}, at(1.0)));
   }

@@ -16,7 +16,7 @@ namespace {
 using ::testing::ElementsAre;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMost = std::numeric_limits<double>::max();
+constexpr double kMax = std::numeric_limits<double>::max();
 
 enum class Pace { walk, run };
 constexpr auto choice_table(Pace) { return choices<Pace>({{Pace::walk, "walk"}, {Pace::run, "run"}}); }
@@ -127,7 +127,7 @@ TEST(ParameterSet, DescribesRangesChoicesAndUnits) {
   EXPECT_EQ(of("speeds.slow").description, "when people are near [m/s]");
   EXPECT_EQ(of("speeds.slow").double_range, (DoubleRange{0.0, 10.0}));
   EXPECT_EQ(of("speeds.slow").additional_constraints, "");
-  EXPECT_EQ(of("speeds.fast").double_range, (DoubleRange{0.0, kMost}));
+  EXPECT_EQ(of("speeds.fast").double_range, (DoubleRange{0.0, kMax}));
   EXPECT_EQ(of("speeds.fast").additional_constraints, "must be at least 0 m/s");
   EXPECT_EQ(of("range").double_range, (DoubleRange{0.0, kInfinity}));
   EXPECT_EQ(of("beams").integer_range, (IntegerRange{1, std::numeric_limits<int>::max()}));

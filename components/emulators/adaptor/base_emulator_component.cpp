@@ -34,7 +34,7 @@ class BaseEmulatorComponent final : public Component {
         {"kobuki", "eddie", "bumper_gap"});
     robot_ = setup.shared<Robot>("robot");
     firmware_ = make_firmware(options_, robot_, robot_.base.driver, setup.seed());
-    stranger_ =
+    unknown_device_ =
         make_firmware(options_, robot_, robot_.base.driver == "eddie" ? "kobuki" : "eddie", setup.seed());
     line_.emplace(setup.seed() + 1);
     link_ = emulator_link(setup, "base");
@@ -55,7 +55,7 @@ class BaseEmulatorComponent final : public Component {
 
  private:
   Faults acting_at(Time now) const { return acting(options_.faults, (now - started_).to_seconds()); }
-  EmulatedBase& answering(const Faults& faults) { return faults.other_model ? *stranger_ : *firmware_; }
+  EmulatedBase& answering(const Faults& faults) { return faults.other_model ? *unknown_device_ : *firmware_; }
 
   /// `now` is of the world, `real_now` of the component clock.
   void step(Time now, Time real_now) {
@@ -96,7 +96,7 @@ class BaseEmulatorComponent final : public Component {
   BaseEmulatorOptions options_;
   Robot robot_;
   std::unique_ptr<EmulatedBase> firmware_;
-  std::unique_ptr<EmulatedBase> stranger_;  ///< of another model, in place of it
+  std::unique_ptr<EmulatedBase> unknown_device_;  ///< of another model, in place of it
   std::optional<FaultyLine> line_;
   std::unique_ptr<ByteLink> link_;
   std::optional<TrueBody> body_;

@@ -9,7 +9,7 @@ constexpr double kSonarReach = 2.9, kInfraredReach = 1.5;  // [m]
 constexpr double kSonarHalfAngle = 0.35, kInfraredHalfAngle = 0.02;
 constexpr double kFullScale = 4095.0, kVolts = 5.0;
 constexpr std::uint32_t kRealBits = 0xFFC;
-constexpr double kLeastPing = 0x12, kMostPing = 0xB54;
+constexpr double kLeastPing = 0x12, kMaxPing = 0xB54;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ std::vector<Beam> eddie_beams() {
 
 std::uint32_t ping_value(double range, double units_per_mm) {
   const double value = range * 1000.0 * units_per_mm;
-  return value >= kLeastPing && value <= kMostPing ? static_cast<std::uint32_t>(std::lround(value)) : 0U;
+  return value >= kLeastPing && value <= kMaxPing ? static_cast<std::uint32_t>(std::lround(value)) : 0U;
 }
 
 std::uint32_t adc_value(double volts) {

@@ -17,14 +17,14 @@ struct EditedLine {
 
 class LineEditor {
  public:
-  static constexpr std::size_t kMostCharacters = 254;
+  static constexpr std::size_t kMaxCharacters = 254;
 
   /// A line, when this byte ends one.
   std::optional<EditedLine> take(std::uint8_t byte) {
     constexpr std::uint8_t kReturn = 0x0D, kTab = 0x09;
     if (byte == kReturn) return std::exchange(line_, {});
     if (byte != kTab && (byte < 32 || byte > 126)) return std::nullopt;
-    if (line_.text.size() < kMostCharacters) {
+    if (line_.text.size() < kMaxCharacters) {
       line_.text.push_back(static_cast<char>(byte));
     } else {
       line_.has_overflown = true;

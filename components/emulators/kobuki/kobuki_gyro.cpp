@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kDegreesPerDigit = 0.00875;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr std::size_t kMostSamples = 3;  // that a packet holds
+constexpr std::size_t kMaxSamples = 3;  // that a packet holds
 constexpr double kLargest = 32767.0;
 
 int digits(double value) { return static_cast<int>(std::lround(std::clamp(value, -kLargest, kLargest))); }
@@ -36,8 +36,8 @@ void KobukiGyro::step(double rate, double dt) {
     samples_.push_back({x, y, raw(felt)});
     ++frame_id_;
   }
-  if (samples_.size() > kMostSamples)
-    samples_.erase(samples_.begin(), samples_.end() - static_cast<std::ptrdiff_t>(kMostSamples));
+  if (samples_.size() > kMaxSamples)
+    samples_.erase(samples_.begin(), samples_.end() - static_cast<std::ptrdiff_t>(kMaxSamples));
 }
 
 std::vector<RawGyroSample> KobukiGyro::take_samples() { return std::exchange(samples_, {}); }

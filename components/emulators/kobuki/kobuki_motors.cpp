@@ -6,16 +6,16 @@
 namespace bw::emulators {
 namespace {
 
-constexpr double kMostSpeed = 0.7;         // [m/s]
+constexpr double kMaxSpeed = 0.7;         // [m/s]
 constexpr double kFrictionCurrent = 0.35;  // [A] at top speed
 constexpr double kStallCurrent = 4.5;      // [A] when all of the top speed is lacking
-constexpr double kMostCurrent = 3.0;       // [A]
+constexpr double kMaxCurrent = 3.0;       // [A]
 constexpr double kMillimetres = 0.001;
 
 void watch(MotorState& motor, double wanted, double actual, double target) {
   if (motor.is_over && target == 0.0) motor.is_over = false;
   motor.current = motor.is_over ? 0.0 : motor_current(wanted, actual);
-  if (motor.current > kMostCurrent) motor.is_over = true;
+  if (motor.current > kMaxCurrent) motor.is_over = true;
 }
 
 }  // namespace
@@ -32,15 +32,15 @@ WheelSpeeds decode_base_control(int speed, int radius, double wheelbase) {
 }
 
 double motor_current(double wanted, double actual) {
-  return (kFrictionCurrent * std::abs(actual) + kStallCurrent * std::abs(wanted - actual)) / kMostSpeed;
+  return (kFrictionCurrent * std::abs(actual) + kStallCurrent * std::abs(wanted - actual)) / kMaxSpeed;
 }
 
 void KobukiMotors::base_control(Time now, int speed, int radius) {
   WheelSpeeds wheels = decode_base_control(speed, radius, options_.wheelbase);
   const double fastest = std::max(std::abs(wheels.left), std::abs(wheels.right));
-  if (fastest > kMostSpeed) {
-    wheels.left *= kMostSpeed / fastest;
-    wheels.right *= kMostSpeed / fastest;
+  if (fastest > kMaxSpeed) {
+    wheels.left *= kMaxSpeed / fastest;
+    wheels.right *= kMaxSpeed / fastest;
   }
   controller_.command(now, wheels);
   commanded_ = now;

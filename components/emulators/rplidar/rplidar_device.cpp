@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint8_t kStartOfRequest = 0xA5;
 constexpr Duration kBoot = Duration::milliseconds(500);
 constexpr std::string_view kGreeting = "RP LIDAR System.\r\nFirmware Ver 1.29, HW Ver 7\r\n";
-constexpr std::size_t kMostWaiting = 300;  // more than the longest request
+constexpr std::size_t kMaxWaiting = 300;  // more than the longest request
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void RplidarDevice::receive(Time now, std::span<const std::uint8_t> bytes) {
   in_.insert(in_.end(), bytes.begin(), bytes.end());
   while (take_request(now)) {
   }
-  if (in_.size() > kMostWaiting) in_.clear();
+  if (in_.size() > kMaxWaiting) in_.clear();
 }
 
 /// False when more bytes are needed.

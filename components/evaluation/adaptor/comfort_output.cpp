@@ -12,7 +12,7 @@
 namespace bw {
 namespace {
 
-constexpr double kMostApart =
+constexpr double kMaxApart =
     0.5;  // [s] that people are moved along their velocity to the time of the robot's pose
 
 bandwagon_msgs::msg::Comfort to_message(const Comfort& comfort, const TruthSample& sample) {
@@ -51,7 +51,7 @@ std::optional<TruthSample> ComfortOutput::believed() const {
   TruthSample sample;
   sample.time = from_stamp(robot->header().stamp());
   const double age = (sample.time - from_stamp(tracks_->header().stamp())).to_seconds();
-  if (std::abs(age) > kMostApart) return std::nullopt;
+  if (std::abs(age) > kMaxApart) return std::nullopt;
   sample.X_MB = from_pose(robot->pose().pose());
   sample.twist = from_twist(robot->twist().twist());
   for (const auto& track : tracks_->tracks()) {

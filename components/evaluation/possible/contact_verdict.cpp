@@ -37,7 +37,7 @@ ContactVerdict judge_contact(const SearchScene& scene, const std::vector<MotionS
     return true;
   };
   const auto is_lost = [&](std::size_t i) {
-    return search_hopefully(scene, states[i], hopeful, until, options.hopeful) == Hope::none;
+    return search_optimistically(scene, states[i], hopeful, until, options.hopeful) == SearchOutcome::none;
   };
 
   // Backwards in longer and longer steps, to the first state from which a motion is found.

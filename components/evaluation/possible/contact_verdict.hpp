@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "components/evaluation/possible/hopeful_search.hpp"
+#include "components/evaluation/possible/optimistic_search.hpp"
 #include "components/evaluation/possible/motion_finder.hpp"
 #include "components/evaluation/possible/search_scene.hpp"
 #include "components/model/limits.hpp"
@@ -26,7 +26,7 @@ const char* text_of(Avoidance avoidance);
 struct VerdictOptions {
   double after_contact = 5.0;   ///< a motion must stay clear until so long after the contact [s]
   double hopeful_factor = 2.0;  ///< on the accelerations, for the hopeful search
-  HopefulOptions hopeful;
+  OptimisticSearchOptions hopeful;
   FinderOptions finder;
 };
 

@@ -13,7 +13,7 @@ namespace bw {
 namespace {
 
 /// Each is a search: more than a person would name would block the planner for seconds.
-constexpr std::size_t kMostStops = 1000;
+constexpr std::size_t kMaxStops = 1000;
 
 PathAnswer refusal(Nav2ErrorCode error, std::string reason) {
   return {.is_found = false, .path = {}, .error = error, .reason = std::move(reason)};
@@ -30,10 +30,10 @@ PathAnswer answer_question(MapPlanner& planner, PathQuestion question, Time now)
   route.at_their_stamps = true;
   if (route.stops.empty())
     return refusal(compute_path_through_poses_error::kNoViapointsGiven, "the goal names no pose to go to");
-  if (route.stops.size() > kMostStops)
+  if (route.stops.size() > kMaxStops)
     return refusal(compute_path_error::kUnknown,
                    fmt::format("the goal names {} poses, at most {} are planned through", route.stops.size(),
-                               kMostStops));
+                               kMaxStops));
   const std::vector<std::string>& plugins = planner.parameters().planner_plugins;
   if (!is_planner(question.planner_id, plugins))
     return refusal(compute_path_error::kInvalidPlanner,

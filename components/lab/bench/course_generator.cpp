@@ -77,10 +77,10 @@ CourseRanges given_ranges() {
 }
 
 GeneratedCourse generate_course(std::uint64_t seed, const CourseRanges& ranges) {
-  constexpr int kMostDraws = 100'000;
+  constexpr int kMaxDraws = 100'000;
   Random random(seed);
   GeneratedCourse course;
-  while (course.draws < kMostDraws) {
+  while (course.draws < kMaxDraws) {
     ++course.draws;
     course.world = world_of(draw(random));
     const double filled =

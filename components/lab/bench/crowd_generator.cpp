@@ -18,7 +18,7 @@ constexpr double kFreeAtStart = 1.5;   // [m] start to edge
 constexpr double kWalkerGap = 0.1;     // [m] edge to edge, in dense crowds
 constexpr double kWalkerRadius = 0.3;  // [m]
 constexpr std::array<int, 3> kWalkers = {6, 10, 14};
-constexpr int kMostTries = 10'000;
+constexpr int kMaxTries = 10'000;
 
 double two_decimals(double value) { return std::round(100.0 * value) / 100.0; }
 
@@ -37,7 +37,7 @@ bool keeps_gap(const SceneObstacle& disc, const std::vector<SceneObstacle>& othe
 // Six discs; empty when the first ones left no room for the rest.
 std::vector<SceneObstacle> try_static_discs(Random& random) {
   std::vector<SceneObstacle> discs;
-  for (int attempt = 0; attempt < kMostTries; ++attempt) {
+  for (int attempt = 0; attempt < kMaxTries; ++attempt) {
     SceneObstacle disc;
     disc.position = draw_position(random, 2.0, 10.4, 3.5);
     disc.radius = random.uniform() < 0.5 ? 0.2 : 0.3;

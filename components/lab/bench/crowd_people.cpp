@@ -15,7 +15,7 @@ namespace {
 constexpr double kLeastWay = 4.0;    // [m] from start to goal
 constexpr double kFreeAtGoal = 0.1;  // [m] edge to edge of static discs
 constexpr double kLeastSpeed = 0.3;  // [m/s]
-constexpr double kMostSpeed = 1.2;   // [m/s]
+constexpr double kMaxSpeed = 1.2;   // [m/s]
 constexpr double kRounding = 1e-9;   // [s]
 
 /// FNV-1a, the same on every system.
@@ -39,9 +39,9 @@ bool is_free(const Scene& scene, const Vector2& place, double radius) {
 }
 
 Vector2 draw_goal(const Scene& scene, const SceneBox& box, const SceneObstacle& walker, Random& random) {
-  constexpr int kMostTries = 10'000;
+  constexpr int kMaxTries = 10'000;
   Vector2 goal = walker.position;
-  for (int attempt = 0; attempt < kMostTries; ++attempt) {
+  for (int attempt = 0; attempt < kMaxTries; ++attempt) {
     const double x = random.uniform(box.x_min + walker.radius, box.x_max - walker.radius);
     const double y = random.uniform(box.y_min + walker.radius, box.y_max - walker.radius);
     goal = {x, y};
@@ -54,7 +54,7 @@ template <class Options>
 Options options_of(const Scene& scene, const SceneBox& box, Random& random) {
   Options options;
   options.speed_min = kLeastSpeed;
-  options.speed_max = kMostSpeed;
+  options.speed_max = kMaxSpeed;
   for (const SceneObstacle& o : scene.obstacles) {
     if (!o.moves()) continue;
     const Vector2 goal = draw_goal(scene, box, o, random);

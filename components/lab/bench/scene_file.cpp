@@ -11,8 +11,8 @@
 namespace bw {
 namespace {
 
-constexpr std::size_t kMostScenes = 10'000;
-constexpr std::size_t kMostObstacles = 10'000;
+constexpr std::size_t kMaxScenes = 10'000;
+constexpr std::size_t kMaxObstacles = 10'000;
 
 // A mapping of the file, with the place to name in errors.
 class Section {
@@ -103,7 +103,7 @@ Scene read_scene(const std::string& file, const YAML::Node& node) {
   scene.name = s.text("name");
   scene.start = read_pose(file, s.at("start"), "start");
   scene.goal = read_pose(file, s.at("goal"), "goal");
-  for (const YAML::Node& obstacle : s.list("obstacles", kMostObstacles)) {
+  for (const YAML::Node& obstacle : s.list("obstacles", kMaxObstacles)) {
     scene.obstacles.push_back(read_obstacle(file, obstacle));
   }
   return scene;
@@ -177,7 +177,7 @@ SceneFile read(const std::string& path, const YAML::Node& root) {
                                   s.number("goal_tolerance", 0.0, 10.0), s.number("robot_radius", 0.0, 10.0),
                                   read_box(path, s.at("box"))};
   }
-  for (const YAML::Node& scene : s.list("scenes", kMostScenes))
+  for (const YAML::Node& scene : s.list("scenes", kMaxScenes))
     file.scenes.push_back(read_scene(path, scene));
   if (file.scenes.empty()) s.fail(root, "scenes", "must hold at least one scene");
   return file;

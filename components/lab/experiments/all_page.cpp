@@ -6,7 +6,7 @@
 
 #include "components/lab/experiments/all_report.hpp"
 #include "components/lab/experiments/first_screen.hpp"
-#include "components/lab/experiments/honesty.hpp"
+#include "components/lab/experiments/caveats.hpp"
 
 namespace bw {
 namespace {

@@ -5,7 +5,7 @@
 #include "components/lab/experiments/crossing_chart.hpp"
 #include "components/lab/experiments/first_screen.hpp"
 #include "components/lab/experiments/hallway_chart.hpp"
-#include "components/lab/experiments/honesty.hpp"
+#include "components/lab/experiments/caveats.hpp"
 
 namespace bw {
 namespace {

@@ -19,7 +19,7 @@ constexpr double kBetweenDrawn = 4.0;   // [s]
 constexpr double kNear = 3.0;           // [m] people farther away are not drawn with their bodies
 constexpr double kFarthest = 5.0;       // [m] end of the axis of distances
 constexpr double kLongestHop = 2.5;     // [m] farther between two moments: another stay in the scene
-constexpr std::size_t kMost = 200;      // of the course of an index
+constexpr std::size_t kMax = 200;      // of the course of an index
 
 void add_bodies(report::Chart& plan, const RunRecording& course) {
   double next = 0.0;
@@ -111,7 +111,7 @@ report::Figure drive_figure(const RunRecording& course, const std::string& name,
 
 std::vector<Vector2> index_course(const RunRecording& recording) {
   const std::vector<RecordedMoment>& moments = recording.moments;
-  const std::size_t stretch = (moments.size() + kMost - 1) / kMost;
+  const std::size_t stretch = (moments.size() + kMax - 1) / kMax;
   std::vector<Vector2> course;
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const Vector2 now(moments[i].time,

@@ -105,7 +105,7 @@ double delta_min(double gap) {
 FloorRun run_edwa_scene(int scene, const EdwaPairing& pairing, std::uint64_t seed,
                         const EdwaExperimentOptions& options) {
   std::vector<FloorRobot> robots;
-  for (const Errand& errand : edwa_scene(scene, seed).errands) {
+  for (const StartAndGoal& errand : edwa_scene(scene, seed).errands) {
     const std::string_view name = robots.empty() ? pairing.robot : pairing.others;
     FloorRobot robot;
     robot.planner = make_planner(name, options.planners);

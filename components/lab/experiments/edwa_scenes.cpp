@@ -13,19 +13,19 @@ constexpr std::array<std::string_view, kEdwaScenes> kNames = {"S1 head-on", "S2 
 constexpr double kAcross = 0.2;  // [m] jitter of a line
 constexpr double kAlong = 0.4;   // [m] jitter of a start on its line
 
-Errand errand(const Vector2& start, const Vector2& goal) {
+StartAndGoal errand(const Vector2& start, const Vector2& goal) {
   const Vector2 way = goal - start;
   const double theta = std::atan2(way.y(), way.x());
   return {{start.x(), start.y(), theta}, {goal.x(), goal.y(), theta}};
 }
 
-Errand head_on(double y, Random& random) {
+StartAndGoal head_on(double y, Random& random) {
   const double line = y + random.uniform(-kAcross, kAcross);
   return errand({16.0, line}, {0.0, line});
 }
 
 // Along x = `x`, from `from_y` to `to_y`.
-Errand crossing(double x, double jitter_x, double from_y, double to_y, Random& random) {
+StartAndGoal crossing(double x, double jitter_x, double from_y, double to_y, Random& random) {
   const double line = x + random.uniform(-jitter_x, jitter_x);
   return errand({line, from_y + random.uniform(-kAlong, kAlong)}, {line, to_y});
 }
@@ -37,7 +37,7 @@ std::string_view edwa_scene_name(int index) { return kNames.at(static_cast<std::
 EdwaScene edwa_scene(int index, std::uint64_t seed) {
   Random random(seed);
   EdwaScene scene{std::string(edwa_scene_name(index)), {errand({0.0, 0.0}, {16.0, 0.0})}};
-  std::vector<Errand>& errands = scene.errands;
+  std::vector<StartAndGoal>& errands = scene.errands;
   switch (index) {
     case 0:
       errands.push_back(head_on(0.8, random));

@@ -12,7 +12,7 @@
 namespace bw {
 
 /// One robot's errand, straight from start to goal; it begins at rest, looking at its goal.
-struct Errand {
+struct StartAndGoal {
   Pose2 start;
   Pose2 goal;
 };
@@ -20,7 +20,7 @@ struct Errand {
 /// The robot under test is the first.
 struct EdwaScene {
   std::string name;
-  std::vector<Errand> errands;
+  std::vector<StartAndGoal> errands;
 };
 
 constexpr int kEdwaScenes = 4;

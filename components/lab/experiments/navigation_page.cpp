@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "components/lab/experiments/first_screen.hpp"
-#include "components/lab/experiments/honesty.hpp"
+#include "components/lab/experiments/caveats.hpp"
 #include "components/lab/experiments/navigation_report.hpp"
 
 namespace bw {

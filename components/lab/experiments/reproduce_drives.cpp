@@ -18,7 +18,7 @@
 namespace bw {
 namespace {
 
-constexpr int kMostPages = 20;  // of drives that failed: some MB each
+constexpr int kMaxPages = 20;  // of drives that failed: some MB each
 
 /// All that a drive depends on.
 std::string made_by(const DriveJob& job) {
@@ -106,8 +106,8 @@ std::vector<DrivenJob> drive_all(const std::vector<DriveJob>& jobs, const Reprod
     tell(jobs[i], driven.back().card, driven.size(), share, is_kept);
   }
   if (!arguments.shard.is_all()) return {};
-  int pages = viewer::page_files().empty() ? kMostPages : 0;  // of a program without the page none
-  for (std::size_t i = 0; i < jobs.size() && pages < kMostPages; ++i) {
+  int pages = viewer::page_files().empty() ? kMaxPages : 0;  // of a program without the page none
+  for (std::size_t i = 0; i < jobs.size() && pages < kMaxPages; ++i) {
     if (is_success(driven[i].card)) continue;
     driven[i].page = page_of(jobs[i], kept, arguments.out);
     ++pages;

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "components/lab/experiments/honesty.hpp"
+#include "components/lab/experiments/caveats.hpp"
 #include "components/lab/report/report_page.hpp"
 #include "runtime/atomic_file.hpp"
 #include "runtime/build_identity.hpp"

@@ -12,7 +12,7 @@ namespace {
 constexpr double kEdge = 0.1;        // neighbours farther apart are an edge [m],
 constexpr double kEchoLength = 1.2;  // and if farther than this the first echo alone is told [m]
 
-struct Sold {
+struct ScannerProduct {
   int beams;
   double field_of_view;
   double range_max;
@@ -21,7 +21,7 @@ struct Sold {
 };
 
 // From 0.25 to 1 degree between beams.
-constexpr std::array<Sold, 8> kSold = {{{360, 2.0 * std::numbers::pi * 359 / 360, 12.0, 5.5, true},
+constexpr std::array<ScannerProduct, 8> kScannerProducts = {{{360, 2.0 * std::numbers::pi * 359 / 360, 12.0, 5.5, true},
                                         {450, 2.0 * std::numbers::pi * 449 / 450, 12.0, 10.0, true},
                                         {512, std::numbers::pi, 5.6, 10.0, false},
                                         {541, 1.5 * std::numbers::pi, 20.0, 25.0, false},
@@ -52,7 +52,7 @@ ScannerModel draw_scanner(Random& random, bool varied) {
   model.laser.range_max = 10.0;
   model.laser.range_noise = 0.0;
   if (!varied) return model;
-  const Sold& sold = kSold[static_cast<std::size_t>(random.uniform() * kSold.size())];
+  const ScannerProduct& sold = kScannerProducts[static_cast<std::size_t>(random.uniform() * kScannerProducts.size())];
   model.laser.rate = sold.rate;
   model.laser.beams = sold.beams;
   model.laser.field_of_view = sold.field_of_view;

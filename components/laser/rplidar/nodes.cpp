@@ -7,8 +7,8 @@ namespace bw::laser {
 namespace {
 
 constexpr int kFullTurn = 360 * 64;        // [1/64 degree]
-constexpr int kMostAdvance = 20 * 64;  // from node to node: a standard scan has 1 to 2 degrees
-constexpr int kMostReturn = 3 * 64;    // angles tremble
+constexpr int kMaxAdvance = 20 * 64;  // from node to node: a standard scan has 1 to 2 degrees
+constexpr int kMaxReturn = 3 * 64;    // angles tremble
 constexpr int kAngleLimit = 361 * 64;  // firmware rounds up to a whole turn
 
 constexpr std::size_t kRow = 3 * kNodeSize;        // that must fit to be in step again
@@ -16,7 +16,7 @@ constexpr std::size_t kLookBack = 10 * kNodeSize;  // a wall's range may pass fo
 
 bool follows(const Node& before, const Node& node) {
   const int advance = (node.angle_q6 - before.angle_q6 + 2 * kFullTurn) % kFullTurn;
-  return advance <= kMostAdvance || advance >= kFullTurn - kMostReturn;
+  return advance <= kMaxAdvance || advance >= kFullTurn - kMaxReturn;
 }
 
 std::optional<Node> node_at(std::span<const std::uint8_t> bytes, std::size_t at) {

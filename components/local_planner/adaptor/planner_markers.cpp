@@ -25,7 +25,7 @@ constexpr Color kCone{0.8F, 0.1F, 0.1F, 0.15F};
 constexpr Color kLeg{0.8F, 0.1F, 0.1F, 0.8F};
 constexpr Color kWanted{0.1F, 0.3F, 0.9F, 0.9F};
 
-constexpr std::size_t kMostLabels = 12;     // of more candidates only the chosen one can be read
+constexpr std::size_t kMaxLabels = 12;     // of more candidates only the chosen one can be read
 constexpr double kTextHeight = 0.2;         // [m]
 constexpr double kPredictionStep = 0.5;     // [s]
 constexpr double kPredictionHorizon = 3.0;  // [s]
@@ -47,7 +47,7 @@ void draw_candidates(const std::vector<Candidate>& candidates, MarkerDrawing& dr
       line.points().push_back(to_point(point.pose.position()));
     drawing.add(std::move(line));
 
-    if (!candidate.chosen && candidates.size() > kMostLabels) continue;
+    if (!candidate.chosen && candidates.size() > kMaxLabels) continue;
     Marker label = drawing.make("candidate_labels", constants::TEXT_VIEW_FACING, kTextHeight, color);
     label.pose().position(to_point(candidate.trajectory[candidate.trajectory.size() / 2].pose.position()));
     label.pose().position().z(kTextHeight);

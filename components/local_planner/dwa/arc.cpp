@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kShortestMarch = 0.005;  // [m] so that a march along a wall ends
-constexpr int kMostMarches = 1000;        // what goes on longer is not known to be free
+constexpr int kMaxMarches = 1000;        // what goes on longer is not known to be free
 
 }  // namespace
 
@@ -30,7 +30,7 @@ double contact_distance(const Arc& arc, const ClearanceField& field, double marg
   double left = field.at(arc.start.position()) - margin;
   if (left <= 0.0) return 0.0;
   for (int marches = 0; travel < up_to; ++marches) {
-    if (marches == kMostMarches) return travel;
+    if (marches == kMaxMarches) return travel;
     const double step = std::min(std::max(left, kShortestMarch), up_to - travel);
     const double left_after = field.at(arc.at((travel + step) / speed).position()) - margin;
     if (left_after <= 0.0) return travel + step * left / (left - left_after);

@@ -9,10 +9,10 @@
 namespace bw::dwa {
 namespace {
 
-constexpr double kMostMotion = 0.05;       // [m] that any point of the footprint moves between two looks
-constexpr double kMostSteps = 200;   // a base that is faster than any gets longer ones
+constexpr double kMaxMotion = 0.05;       // [m] that any point of the footprint moves between two looks
+constexpr double kMaxSteps = 200;   // a base that is faster than any gets longer ones
 constexpr double kMoverStep = 0.1;   // [s] between places of movers
-constexpr double kMostTurn = 3.0;    // [rad]; a heading reached by turning on would look like one not left
+constexpr double kMaxTurn = 3.0;    // [rad]; a heading reached by turning on would look like one not left
 constexpr double kDeepest = 0.3;     // [m] that it may be inside of something and leave
 constexpr double kNoCloserInside = 0.001;  // [m] by which a motion inside the margin may come closer
 
@@ -54,12 +54,12 @@ RollOut RollOuts::along(const Twist2& held) {
   const Twist2& now = problem_.twist;
   const double fastest = std::max(std::abs(held.v), std::abs(now.v)) +
                          std::max(std::abs(held.omega), std::abs(now.omega)) * problem_.footprint.radius;
-  const double steps = std::clamp(std::ceil(rules_.horizon * fastest / kMostMotion), 2.0, kMostSteps);
+  const double steps = std::clamp(std::ceil(rules_.horizon * fastest / kMaxMotion), 2.0, kMaxSteps);
   const double dt = rules_.horizon / steps;
   RollOut out{.twist = held, .end = problem_.pose, .gap = gap_now_};
   // No gap changes faster than the footprint moves, and movers.
   double surely = rules_.predict_movers ? 0.0 : gap_now_;
-  for (int i = 0; i < static_cast<int>(steps) && out.travel < rules_.way && out.turn < kMostTurn; ++i) {
+  for (int i = 0; i < static_cast<int>(steps) && out.travel < rules_.way && out.turn < kMaxTurn; ++i) {
     const Twist2 twist = velocity_at(held, (i + 0.5) * dt);
     const double way_left = rules_.way - out.travel;
     const double step = std::abs(twist.v) * dt > way_left ? way_left / std::abs(twist.v) : dt;

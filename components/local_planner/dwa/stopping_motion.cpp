@@ -7,7 +7,7 @@ namespace bw::dwa {
 namespace {
 
 constexpr double kTimeStep = 0.1;       // [s]
-constexpr double kMostTimeSteps = 100;  // a base that hardly brakes gets longer ones
+constexpr double kMaxTimeSteps = 100;  // a base that hardly brakes gets longer ones
 
 }  // namespace
 
@@ -15,7 +15,7 @@ std::vector<TrajectoryPoint> stopping_motion(const Arc& arc, double hold, double
   std::vector<TrajectoryPoint> motion{{0.0, arc.start, arc.twist}, {hold, arc.at(hold), arc.twist}};
   const double speed = std::abs(arc.twist.v);
   const double braking = speed / deceleration;
-  const double step = std::max(kTimeStep, braking / kMostTimeSteps);
+  const double step = std::max(kTimeStep, braking / kMaxTimeSteps);
   for (double time = std::min(step, braking); time > 0.0; time = std::min(time + step, braking)) {
     // All of the motion lies on the arc: braking shows in when a place is reached.
     const double travel = speed * time - 0.5 * deceleration * time * time;

@@ -12,11 +12,11 @@ namespace bw::homotopy {
 namespace {
 
 constexpr double kPredictionStep = 0.4;  // [s] within which a predicted motion is taken as straight
-constexpr int kMostSteps = 64;           // of one edge
+constexpr int kMaxSteps = 64;           // of one edge
 constexpr double kAreaRounding = 1e-9;       // [m]
 constexpr std::size_t kManyParts = 32;   // of a body, from which on those near an edge are looked for
 constexpr double kPiece = 0.5;           // [m] of an edge for which they are
-constexpr double kMostPieces = 1000.0;   // of an edge; those of a longer one are longer
+constexpr double kMaxPieces = 1000.0;   // of an edge; those of a longer one are longer
 
 // The part of the way that lies within `aside` of the box along each axis; nothing where it has none.
 std::optional<Segment> within(const Segment& way, const Vector2& low, const Vector2& high, double aside) {
@@ -72,7 +72,7 @@ double EdgeCheck::gap(const Watched& watched, const Vector2& from, const Vector2
   const double duration = course_.earliest_time(to) - start_time;
   const double legs =
       body.motion->predictions.empty() ? 1.0 : std::ceil(std::abs(duration) / kPredictionStep);
-  const int steps = static_cast<int>(std::clamp(legs, 1.0, static_cast<double>(kMostSteps)));
+  const int steps = static_cast<int>(std::clamp(legs, 1.0, static_cast<double>(kMaxSteps)));
   Vector2 last = from - body.position_at(start_time);
   for (int k = 1; k <= steps; ++k) {
     const double s = static_cast<double>(k) / steps;
@@ -92,7 +92,7 @@ double EdgeCheck::gap_to_many(const Watched& watched, const Segment& way, double
   const std::optional<Segment> near = within(way, watched.box.low, watched.box.high, aside);
   if (!near) return smallest;
   const Vector2 whole = near->b - near->a;
-  const int pieces = static_cast<int>(std::clamp(std::ceil(whole.norm() / kPiece), 1.0, kMostPieces));
+  const int pieces = static_cast<int>(std::clamp(std::ceil(whole.norm() / kPiece), 1.0, kMaxPieces));
   const double reach = 0.5 * whole.norm() / pieces + aside;
   for (int i = 0; i < pieces; ++i) {
     parts.visit_near(near->a + whole * ((i + 0.5) / pieces), reach, [&](const CapsuleIndex::Group& group) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kShortestEdge = 1e-6;              // [m]
 constexpr std::array kOffsetShares{1.0, 0.5, 0.0};  // of the way from the edge clearance to the wanted offset
 constexpr double kVelocityStep = 0.1;               // [s] over which a mover's velocity is taken
-constexpr double kMostWidening = 3.0;
+constexpr double kMaxWidening = 3.0;
 constexpr double kBesideEdgeClearance = 1e-3;  // [m] kept beyond it by the nearest of them
 
 // Where a body reaches out furthest to one side of the course: how far, and from where to where along it.
@@ -50,7 +50,7 @@ double widening(const Body& body, const Course& course) {
       (body.motion->position_at(met + kVelocityStep) - body.motion->position_at(met)) / kVelocityStep;
   const Vector2 relative = course.v_max * course.heading() - velocity;
   const double along = std::abs(relative.dot(course.heading()));
-  return relative.norm() < kMostWidening * along ? relative.norm() / along : kMostWidening;
+  return relative.norm() < kMaxWidening * along ? relative.norm() / along : kMaxWidening;
 }
 
 void add_edges(Roadmap& map, const Course& course, const EdgeCheck& check, double heading_threshold) {

@@ -8,7 +8,7 @@ namespace bw::homotopy {
 namespace {
 
 constexpr double kPredictionStep = 0.4;  // [s] within which a predicted motion is taken as straight
-constexpr double kMostSteps = 256;       // of one leg of a route
+constexpr double kMaxSteps = 256;       // of one leg of a route
 constexpr double kSettlingFactor = 2.0;  // of the drive to the goal, after which all routes wait there ...
 constexpr double kSettlingTime = 5.0;    // ... and [s] on top
 
@@ -36,7 +36,7 @@ int cut_crossings(const Body& body, const RoutePoint& from, const RoutePoint& to
   const Vector2 end = seen_from(body, to);
   if (!body.motion || body.motion->predictions.empty()) return cut_crossing(first, end);
   const double legs = std::ceil(std::abs(to.time - from.time) / kPredictionStep);
-  const int steps = static_cast<int>(std::clamp(legs, 1.0, kMostSteps));
+  const int steps = static_cast<int>(std::clamp(legs, 1.0, kMaxSteps));
   int crossings = 0;
   Vector2 last = first;
   for (int k = 1; k <= steps; ++k) {

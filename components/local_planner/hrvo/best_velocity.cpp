@@ -31,8 +31,8 @@ struct Choice {
 class Search {
  public:
   Search(const std::vector<VelocityCone>& cones, const Vector2& preferred, double v_max,
-         const std::optional<Favour>& favour)
-      : cones_(cones), preferred_(preferred), v_max_(v_max), favour_(favour) {
+         const std::optional<PreviousVelocity>& favour)
+      : cones_(cones), preferred_(preferred), v_max_(v_max), previous_(favour) {
     for (std::size_t i = 0; i < cones.size(); ++i) {
       legs_.push_back({cones[i].apex, cones[i].right, i});
       legs_.push_back({cones[i].apex, cones[i].left, i});
@@ -94,13 +94,13 @@ class Search {
   // Nearest to the favoured velocity, then further right.
   bool preferable(const Choice& a, const Choice& b) const {
     const double nearer =
-        favour_ ? (b.velocity - favour_->velocity).norm() - (a.velocity - favour_->velocity).norm() : 0.0;
+        previous_ ? (b.velocity - previous_->velocity).norm() - (a.velocity - previous_->velocity).norm() : 0.0;
     if (std::abs(nearer) > kTie) return nearer > 0.0;
     return cross(preferred_, a.velocity) < cross(preferred_, b.velocity) - kTie;
   }
 
   const Choice* nearest_free() const {
-    const double allowance = kTie + (favour_ ? favour_->allowance : 0.0);
+    const double allowance = kTie + (previous_ ? previous_->allowance : 0.0);
     const Choice* best = nullptr;
     double nearest = 0.0;
     for (const Choice& choice : choices_) {
@@ -123,7 +123,7 @@ class Search {
   const std::vector<VelocityCone>& cones_;
   Vector2 preferred_;
   double v_max_;
-  const std::optional<Favour>& favour_;
+  const std::optional<PreviousVelocity>& previous_;
   std::vector<Leg> legs_;
   std::vector<Choice> choices_;
 };
@@ -131,7 +131,7 @@ class Search {
 }  // namespace
 
 BestVelocity best_velocity(const std::vector<VelocityCone>& cones, const Vector2& preferred, double v_max,
-                           const std::optional<Favour>& favour) {
+                           const std::optional<PreviousVelocity>& favour) {
   const double speed = preferred.norm();
   const Vector2 wish = speed > v_max ? Vector2(preferred * (v_max / speed)) : preferred;
   return Search(cones, wish, v_max, favour).run();

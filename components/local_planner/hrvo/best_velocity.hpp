@@ -14,7 +14,7 @@ struct BestVelocity {
 };
 
 /// Where to go if it costs little.
-struct Favour {
+struct PreviousVelocity {
   Vector2 velocity{0.0, 0.0};  ///< [m/s] of the last decision
   double allowance = 0.0;      ///< [m/s] that a velocity nearer to it may be further from the wish
 };
@@ -24,6 +24,6 @@ struct Favour {
 /// first violated cone comes last (the contact it leads to is with the farthest neighbour), then the nearest
 /// to `preferred`.
 BestVelocity best_velocity(const std::vector<VelocityCone>& cones, const Vector2& preferred, double v_max,
-                           const std::optional<Favour>& favour = {});
+                           const std::optional<PreviousVelocity>& favour = {});
 
 }  // namespace bw::hrvo

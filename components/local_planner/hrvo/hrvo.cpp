@@ -19,7 +19,7 @@ Advice advise(const PlanningProblem& problem, const Vector2& goal, const HrvoOpt
                           advice.preferred, problem.pose.theta};
   for (const Neighbour& neighbour : neighbours(problem, goal, options))
     advice.cones.push_back(cone_of(neighbour, robot, options));
-  std::optional<Favour> favour;
+  std::optional<PreviousVelocity> favour;
   if (last) favour = {*last, kHysteresis};
   const BestVelocity best = best_velocity(advice.cones, advice.preferred, problem.limits.v_max, favour);
   advice.velocity = best.velocity;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFar = 1e9;        // [m]
 constexpr double kCell = 0.05;      // [m] side of a cell, as Nav2 ships it
-constexpr double kMostAside = 120;  // cells on each side of the robot's
+constexpr double kMaxAside = 120;  // cells on each side of the robot's
 
 /// Distances from the middles of cells to what is added, as far as it is nearer than `enough` [m].
 class Distances {
@@ -88,11 +88,11 @@ class Distances {
 double inflated_cost(double distance, double robot_radius, const InflationOptions& options) {
   if (distance <= robot_radius) return kInscribed;
   if (distance >= options.inflation_radius) return 0.0;
-  return kMostWithout * std::exp(-options.cost_scaling_factor * (distance - robot_radius));
+  return kMaxWithout * std::exp(-options.cost_scaling_factor * (distance - robot_radius));
 }
 
 Costmap::Costmap(const PlanningProblem& problem, const InflationOptions& options, double reach, bool movers) {
-  const double resolution = std::max(kCell, reach / kMostAside);
+  const double resolution = std::max(kCell, reach / kMaxAside);
   const auto aside = static_cast<Eigen::Index>(std::ceil(reach / resolution));
   const double radius = problem.footprint.radius;
   Distances distances(aside, resolution, std::max(options.inflation_radius, radius));

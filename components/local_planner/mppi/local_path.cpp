@@ -10,7 +10,7 @@ namespace bw::mppi {
 namespace {
 
 constexpr double kSpacing = 0.05;  // [m]
-constexpr double kMostPoints = 400;
+constexpr double kMaxPoints = 400;
 constexpr double kRounding = 1e-9;  // [m]
 
 struct PlaceOnPlan {
@@ -35,7 +35,7 @@ PlaceOnPlan nearest_place(const std::vector<Pose2>& plan, const Vector2& robot) 
 LocalPath local_path(const std::vector<Pose2>& plan, const Pose2& robot, double length,
                      const Costmap& costmap) {
   LocalPath path;
-  path.spacing = std::max(kSpacing, length / kMostPoints);
+  path.spacing = std::max(kSpacing, length / kMaxPoints);
   const auto most = static_cast<std::size_t>(std::lround(length / path.spacing)) + 1;
   PlaceOnPlan place = nearest_place(plan, robot.position());
   std::vector<Vector2> points{place.point};

@@ -14,14 +14,14 @@ constexpr double kPruned = 1.7;  // [m] of plan that is looked at, as shipped
 constexpr double kBeyond =
     0.3;  // [m] of plan beyond the way of a motion at top speed: 1.7 - 2.8 s 0.5 m/s of Nav2's file
 constexpr double kMapMargin = 0.5;       // [m] of costmap beyond that of the fastest samples
-constexpr std::int64_t kMostRounds = 4;  // that a long control period brings
+constexpr std::int64_t kMaxRounds = 4;  // that a long control period brings
 constexpr double kFastSamples = 2.0;     // standard deviations
 constexpr int kRetries = 1;              // from standing, when every sample collides
 
 // Nav2 samples once in each model_dt (iteration_count): as often here in a control period of several.
 std::int64_t rounds_of(const MppiOptions& options, double control_period) {
   const auto steps = static_cast<std::int64_t>(std::lround(control_period / options.model_dt));
-  return std::clamp<std::int64_t>(steps, 1, kMostRounds);
+  return std::clamp<std::int64_t>(steps, 1, kMaxRounds);
 }
 
 /// Everything that the critics look at, of one problem.

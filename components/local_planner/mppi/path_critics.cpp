@@ -23,7 +23,7 @@ void add_path_align_cost(const PathAlignOptions& options, const CriticScene& sce
   const LocalPath& path = scene.path;
   const Eigen::Index count = scene.furthest;  // points in use
   if (count < 1 || count < options.kFromPoint) return;
-  if (is_blocked(path, count, options.kMostTaken)) return;
+  if (is_blocked(path, count, options.kMaxTaken)) return;
 
   const Eigen::Index samples = motions.samples();
   const double last = static_cast<double>(count - 1);

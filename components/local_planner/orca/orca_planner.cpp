@@ -12,7 +12,7 @@
 namespace bw::orca {
 namespace {
 
-constexpr int kMostNeighbours = 10;  // as CrowdNav has it
+constexpr int kMaxNeighbours = 10;  // as CrowdNav has it
 
 // HRVO and ORCA look at the same neighbours, and differ in what they make of them.
 hrvo::HrvoOptions who_is_looked_at(const OrcaOptions& options) {
@@ -20,7 +20,7 @@ hrvo::HrvoOptions who_is_looked_at(const OrcaOptions& options) {
           .neighbour_range = options.neighbour_range,
           .reciprocity = options.reciprocity,
           .view_angle = 2.0 * std::numbers::pi,
-          .max_neighbours = kMostNeighbours};
+          .max_neighbours = kMaxNeighbours};
 }
 
 Advice advise_robot(const PlanningProblem& problem, const Vector2& aim, const OrcaOptions& options) {
@@ -39,7 +39,7 @@ Advice advise_robot(const PlanningProblem& problem, const Vector2& aim, const Or
     walls.push_back({n.core, n.radius});
   return advise(robot, movers, walls,
                 {.neighbour_range = options.neighbour_range,
-                 .max_neighbours = kMostNeighbours,
+                 .max_neighbours = kMaxNeighbours,
                  .horizon = options.horizon,
                  .wall_horizon = options.static_horizon,
                  .time_step = hrvo::kTimeStep});

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kAssociationMargin =
     0.4;  // [m] that a pose may move in one solve and still know its obstacles
-constexpr int kMostSamplesPerSegment = 4;
+constexpr int kMaxSamplesPerSegment = 4;
 constexpr std::size_t kStretch = 8;  // poses that share one selection of obstacles
 
 struct Near {
@@ -126,7 +126,7 @@ class Association {
 
  private:
   int samples_of(double relative_motion) const {
-    return std::min(static_cast<int>(relative_motion / options_.clearance_step), kMostSamplesPerSegment);
+    return std::min(static_cast<int>(relative_motion / options_.clearance_step), kMaxSamplesPerSegment);
   }
   static double share_of(int i, int samples) { return static_cast<double>(i) / (samples + 1); }
 

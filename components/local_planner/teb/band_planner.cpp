@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "components/local_planner/command_limits.hpp"
-#include "components/local_planner/teb/band_contest.hpp"
+#include "components/local_planner/teb/early_termination.hpp"
 #include "components/local_planner/teb/band_trajectory.hpp"
 
 namespace bw::teb {
@@ -94,7 +94,7 @@ void BandPlanner::remember(const CheckedPlanner& earlier) {
 
 PlanningResult BandPlanner::drive(const PlanningProblem& problem) {
   BandOptions band = options_.teb.band;
-  band.dynamic_obstacle_inflation_dist += outwalked_distance(options_.field, problem.limits.v_max);
+  band.dynamic_obstacle_inflation_dist += pedestrian_lead(options_.field, problem.limits.v_max);
   Cycle cycle{.problem = problem,
               .band = band,
               .field = field_of(problem.obstacles, problem.movers, problem.pose.position(), problem.footprint,
@@ -167,7 +167,7 @@ void BandPlanner::add_new_bands(Cycle& cycle) const {
 void BandPlanner::improve_bands(Cycle& cycle) const {
   // One band competes with nobody; and where more than cost decides, cost does not tell who loses.
   const bool by_cost = !options_.term && options_.selection.obstacle_cost_scale == 1.0;
-  const ContestOptions contest{options_.selection.max_kept > 1 && by_cost,
+  const EarlyTerminationOptions contest{options_.selection.max_kept > 1 && by_cost,
                                options_.selection.cost_hysteresis};
   cycle.iterations = improve_all(cycle.candidates, cycle.problem, cycle.field, cycle.band, options_.driving,
                                  contest, budget_of(cycle.problem));

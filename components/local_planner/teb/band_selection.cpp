@@ -6,7 +6,7 @@
 namespace bw::teb {
 namespace {
 
-constexpr double kMostDuration = 3.0;  // of a kept band, to the driven one
+constexpr double kMaxDuration = 3.0;  // of a kept band, to the driven one
 
 }  // namespace
 
@@ -14,7 +14,7 @@ SelectionOptions selection_of(const homotopy::HomotopyOptions& homotopy) {
   return {.cost_hysteresis = homotopy.selection_cost_hysteresis,
           .obstacle_cost_scale = homotopy.selection_obst_cost_scale,
           .switching_blocking_period = homotopy.switching_blocking_period,
-          .max_duration_ratio = kMostDuration,
+          .max_duration_ratio = kMaxDuration,
           .max_kept = static_cast<std::size_t>(std::max(homotopy.max_number_classes - 1, 1)),
           .max_spare = homotopy.max_number_classes > 1 ? 1u : 0u};
 }

@@ -24,8 +24,8 @@ struct PredictionOptions {
   Prediction prediction = Prediction::time_indexed;
   double uncertainty_factor = 0.0;
   double uncertainty_in_choice = 0.0;
-  double outwalked_speed = 0.0;
-  double outwalked_time = 1.5;
+  double assumed_pedestrian_speed = 0.0;
+  double assumed_pedestrian_time = 1.5;
 
   // By code: what each planner begins from.
   double prediction_time = 1.6;     ///< how far ahead the second place lies [s] (doubled): 4 steps of 0.4 s
@@ -49,31 +49,33 @@ struct PredictionOptions {
        .doc =
            "share of that growth that counts when bands are compared. 0: it bends each band, and people count in "
            "the choice where they are expected; 1: a band that waits or goes round wins more often"});
-    v("outwalked_speed", outwalked_speed,
+    v("assumed_pedestrian_speed", assumed_pedestrian_speed,
       {.unit = "m/s",
        .min = 0,
        .max = 3,
        .doc =
            "of people who turn towards the robot. One whose top speed is less keeps further from movers, by "
-           "what they gain on it in outwalked_time; 0: none does"});
-    v("outwalked_time", outwalked_time,
+           "what they gain on it in assumed_pedestrian_time; 0: none does"});
+    v("assumed_pedestrian_time", assumed_pedestrian_time,
       {.unit = "s",
        .min = 0,
        .max = 10,
        .doc =
            "raise it where a slow robot is touched by people who turn round beside it; it takes longer then"});
+    v.retired({"outwalked_speed"}, "it is called assumed_pedestrian_speed");
+    v.retired({"outwalked_time"}, "it is called assumed_pedestrian_time");
   }
 };
 
 /// Those of `eteb`: predictions that grow unsure, and people who outwalk a slow robot.
 inline PredictionOptions default_eteb_prediction() {
-  return {.uncertainty_factor = 1.0, .outwalked_speed = 1.0, .uncertainty_growth = 0.1};
+  return {.uncertainty_factor = 1.0, .assumed_pedestrian_speed = 1.0, .uncertainty_growth = 0.1};
 }
 
 /// What people who turn towards a robot of top speed `v_max` [m/s] gain on it before it is out of their way [m]: by so
 /// much more it keeps from movers (book 6.5).
-inline double outwalked_distance(const PredictionOptions& options, double v_max) {
-  return options.outwalked_time * std::max(0.0, options.outwalked_speed - v_max);
+inline double pedestrian_lead(const PredictionOptions& options, double v_max) {
+  return options.assumed_pedestrian_time * std::max(0.0, options.assumed_pedestrian_speed - v_max);
 }
 
 }  // namespace bw::teb

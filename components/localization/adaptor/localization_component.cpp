@@ -7,7 +7,7 @@
 namespace bw::localization {
 namespace {
 
-constexpr std::size_t kMostParticlesShown = 1000;
+constexpr std::size_t kMaxParticlesShown = 1000;
 
 /// Of a pose that comes without any.
 Eigen::Matrix3d usual_covariance(const InitialPoseParameters& pose) {
@@ -154,9 +154,9 @@ void LocalizationComponent::report_health(const Tick& tick) {
   const ParticleSet* particles = filter_->particles();
   if (particles == nullptr) return;
   const auto header = make_header(map_frame_, estimate.time);
-  if (cloud_.has_readers()) cloud_.publish(to_cloud(*particles, header, kMostParticlesShown));
+  if (cloud_.has_readers()) cloud_.publish(to_cloud(*particles, header, kMaxParticlesShown));
   if (particle_poses_.has_readers())
-    particle_poses_.publish(to_poses(*particles, header, kMostParticlesShown));
+    particle_poses_.publish(to_poses(*particles, header, kMaxParticlesShown));
 }
 
 BW_COMPONENT(LocalizationComponent, "localization")

@@ -18,7 +18,7 @@
 
 namespace bw::localization {
 
-constexpr double kMostSurprise = 6.0;  // an outlier counts as so many times the variance
+constexpr double kMaxSurprise = 6.0;  // an outlier counts as so many times the variance
 
 /// Takes in an innovation with the declared R; the factor that holds for it, from those before.
 template <int N>
@@ -31,7 +31,7 @@ double adapt_noise(NoiseWatch& watch, const Innovation<kStates, N>& z, const Sta
   // Where the estimate is worse than the source, innovations tell of the estimate.
   if (watch.dof == N && expected < watch.factor) {
     const double change = (white - watch.last.template head<N>()).squaredNorm() / (2.0 * N);
-    const double sample = std::min(change - expected, kMostSurprise * factor);
+    const double sample = std::min(change - expected, kMaxSurprise * factor);
     watch.factor = std::clamp(factor + (sample - factor) / options.kMemory, options.kFloor, options.kCeiling);
   }
   watch.last.template head<N>() = white;

@@ -6,7 +6,7 @@
 namespace bw::localization {
 namespace {
 
-constexpr double kMostVariances[kStates] = {1e6, 1e6, 10.0, 10.0, 10.0, 10.0};
+constexpr double kMaxVariances[kStates] = {1e6, 1e6, 10.0, 10.0, 10.0, 10.0};
 constexpr double kLeastShare = 1e-9;  // 3 cm of 1 km
 constexpr double kPromising = 1e-8;   // det C that keeps the least eigenvalue above 4e-9, n = 6
 constexpr double kRoundOff = 1e-13;   // some hundred roundings of one operation
@@ -15,8 +15,8 @@ constexpr double kRoundOff = 1e-13;   // some hundred roundings of one operation
 
 void limit_variances(StateMatrix& P) {
   for (int i = 0; i < kStates; ++i) {
-    if (P(i, i) <= kMostVariances[i]) continue;
-    const double scale = std::sqrt(kMostVariances[i] / P(i, i));
+    if (P(i, i) <= kMaxVariances[i]) continue;
+    const double scale = std::sqrt(kMaxVariances[i] / P(i, i));
     P.row(i) *= scale;
     P.col(i) *= scale;
   }

@@ -15,7 +15,7 @@ namespace bw::localization {
 namespace {
 
 constexpr double kMemory = 50.0;  // measurements that the smoothed figures look back on
-constexpr double kMostNis = 100.0;
+constexpr double kMaxNis = 100.0;
 
 void note_seen(SourceState& source, Time time) {
   if (source.last_seen != kNever && time > source.last_seen) {
@@ -28,7 +28,7 @@ void note_seen(SourceState& source, Time time) {
 void note_used(SourceState& source, Time time, bool used, double nis, int dof) {
   const double seen = 1.0 + source.used + source.rejected;
   source.acceptance += ((used ? 1.0 : 0.0) - source.acceptance) / std::min(seen, kMemory);
-  source.nis_all += (std::min(nis, kMostNis) - source.nis_all) / std::min(seen, kMemory);
+  source.nis_all += (std::min(nis, kMaxNis) - source.nis_all) / std::min(seen, kMemory);
   source.dof = dof;
   if (!used) {
     ++source.rejected;

@@ -10,9 +10,9 @@
 namespace bw::localization {
 namespace {
 
-constexpr std::size_t kMostPlaces = 1024;
-constexpr std::size_t kMostFixes = 64;
-constexpr std::size_t kMostHeadings = 32;
+constexpr std::size_t kMaxPlaces = 1024;
+constexpr std::size_t kMaxFixes = 64;
+constexpr std::size_t kMaxHeadings = 32;
 constexpr double kCaution = 2.0;  // times the variance: agreeing samples may share an error
 // Variance of the heading at the end of a straight way against that of the line fitted through all of it, as
 // a share of what the wheels' turn adds up along it (a random walk): integral of (3 x^2 - 2 x^3)^2 over 0..1.
@@ -76,15 +76,15 @@ std::optional<StartPose> InitialPose::add(const Measurement& measurement) {
     push(way_,
          {step->time, advance_arc(last.X_OB, step->distance, step->turn),
           last.turn_variance + step->covariance(1, 1)},
-         kMostPlaces);
+         kMaxPlaces);
   } else if (const auto* heading = std::get_if<HeadingReading>(&measurement)) {
     const Place at = place_at(heading->time);
     push(headings_, {wrap_angle(heading->heading - at.X_OB.theta), heading->variance, at.turn_variance},
-         kMostHeadings);
+         kMaxHeadings);
   } else if (const auto* fix = std::get_if<PositionFix>(&measurement)) {
     const Place at = place_at(fix->time);
     const double variance = fix->covariance.diagonal().maxCoeff();
-    push(fixes_, {at.X_OB * fix->antenna, fix->position, variance, at.turn_variance}, kMostFixes);
+    push(fixes_, {at.X_OB * fix->antenna, fix->position, variance, at.turn_variance}, kMaxFixes);
   } else {
     return std::nullopt;
   }

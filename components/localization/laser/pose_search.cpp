@@ -8,16 +8,16 @@
 namespace bw::localization {
 namespace {
 
-constexpr std::size_t kMostEnds = 120;  // times 255 stays within the bounds' 16 bits
+constexpr std::size_t kMaxEnds = 120;  // times 255 stays within the bounds' 16 bits
 constexpr int kBoundsPerNode = 8;       // bounds come many at a time
 constexpr std::int32_t kBoundClass = 16;
 
 BeamEnds thinned(const BeamEnds& ends) {
-  if (ends.size() <= kMostEnds) return ends;
+  if (ends.size() <= kMaxEnds) return ends;
   BeamEnds fewer;
-  for (std::size_t i = 0; i < kMostEnds; ++i) {
-    fewer.x.push_back(ends.x[i * ends.size() / kMostEnds]);
-    fewer.y.push_back(ends.y[i * ends.size() / kMostEnds]);
+  for (std::size_t i = 0; i < kMaxEnds; ++i) {
+    fewer.x.push_back(ends.x[i * ends.size() / kMaxEnds]);
+    fewer.y.push_back(ends.y[i * ends.size() / kMaxEnds]);
   }
   return fewer;
 }
@@ -58,7 +58,7 @@ void PoseSearch::begin(const BeamEnds& ends) {
   least_score_ = static_cast<std::int32_t>(options_.kLeastFit * 255.0 * static_cast<double>(ends_.size()));
   least_candidate_ = least_score_;
   candidates_ = 0;
-  by_bound_.assign(kMostEnds * 255 / kBoundClass + 2, 0);
+  by_bound_.assign(kMaxEnds * 255 / kBoundClass + 2, 0);
   offsets_.resize(headings_);
   for (std::size_t heading = 0; heading < headings_; ++heading) {
     offsets_[heading] = offsets(ends_, heading_of(heading), tables_.resolution());

@@ -8,10 +8,10 @@
 namespace bw::localization {
 namespace {
 
-constexpr std::size_t kMostPlaces = 2048;  // 2 s at 1 kHz
+constexpr std::size_t kMaxPlaces = 2048;  // 2 s at 1 kHz
 constexpr double kCoverage = 0.9;          // of a step that the gyro must have seen
 constexpr double kBiasMemory = 10.0;       // [s] of standing that the bias is averaged over
-constexpr double kMostVariance = 1e6;      // beyond, it says no more
+constexpr double kMaxVariance = 1e6;      // beyond, it says no more
 constexpr double kShortWay = 0.01;         // [m]: the direction of a shorter way is not known
 
 double seconds(Duration d) { return d.to_seconds(); }
@@ -45,7 +45,7 @@ Eigen::Matrix3d amcl_covariance(const Pose2& moved, const ParticleMotionOptions&
 }  // namespace
 
 OdometryTrack::OdometryTrack(const ParticleMotionOptions& options, Duration window)
-    : options_(options), window_(window), places_(kMostPlaces) {
+    : options_(options), window_(window), places_(kMaxPlaces) {
   restart({});
 }
 
@@ -156,7 +156,7 @@ bool OdometryTrack::add(const WheelStep& step) {
     C += R * sigma.cwiseAbs2().asDiagonal() * R.transpose();
   }
   C.diagonal() += dt * Eigen::Vector3d(options_.walk, options_.walk, options_.heading_walk).cwiseAbs2();
-  behind_.covariance = C.cwiseMin(kMostVariance).cwiseMax(-kMostVariance);
+  behind_.covariance = C.cwiseMin(kMaxVariance).cwiseMax(-kMaxVariance);
   behind_.X_BB = arc.pose;
   behind_.way += std::abs(distance);
   behind_.turn += std::abs(turn);
@@ -180,7 +180,7 @@ void OdometryTrack::advance_unknown(Time time) {
   const double position = options_.kSilentSpeed * options_.kSilentSpeed * squares;
   const double heading = options_.kSilentTurnRate * options_.kSilentTurnRate * squares;
   behind_.covariance.diagonal() += Eigen::Vector3d(position, position, heading);
-  behind_.covariance.diagonal() = behind_.covariance.diagonal().cwiseMin(kMostVariance);
+  behind_.covariance.diagonal() = behind_.covariance.diagonal().cwiseMin(kMaxVariance);
   behind_.covariance(2, 2) = std::min(behind_.covariance(2, 2), 10.0);  // any heading at all
   odometer_ += options_.kSilentSpeed * dt;
   twist_ = {};

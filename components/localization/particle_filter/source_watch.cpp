@@ -7,7 +7,7 @@ namespace bw::localization {
 namespace {
 
 constexpr double kMemory = 50.0;  // measurements that the smoothed figures look back on
-constexpr double kMostNis = 100.0;
+constexpr double kMaxNis = 100.0;
 constexpr int kMisfits = 3;         // in a row begin a new run
 constexpr double kWaySlack = 0.1;   // wheels may measure a way this much short
 constexpr double kTurnSlack = 0.1;  // [rad] and a turn
@@ -42,7 +42,7 @@ void SourceWatch::note_seen(Time time) {
 void SourceWatch::note_compared(Time time, bool used, double nis, int dof) {
   const double seen = 1.0 + health_.used + health_.rejected;
   health_.acceptance += ((used ? 1.0 : 0.0) - health_.acceptance) / std::min(seen, kMemory);
-  health_.nis_all += (std::min(nis, kMostNis) - health_.nis_all) / std::min(seen, kMemory);
+  health_.nis_all += (std::min(nis, kMaxNis) - health_.nis_all) / std::min(seen, kMemory);
   health_.dof = dof;
   if (!used) {
     ++health_.rejected;

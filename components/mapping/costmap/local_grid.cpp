@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint8_t kFull = 4;      // evidence a cell can have
 constexpr std::uint8_t kOccupied = 3;  // at which it becomes occupied
-constexpr std::uint8_t kMostWeight = 4;
+constexpr std::uint8_t kMaxWeight = 4;
 
 // Moves the window's content so that what was at (column + columns, row + rows) is at (column, row).
 template <class Value>
@@ -271,7 +271,7 @@ void LocalGrid::win(Cell& cell, std::int8_t& value, const Sum& sum) {
   cell.evidence = static_cast<std::uint8_t>(std::min(cell.evidence + won, int{kFull}));
   if (cell.hits < 255) ++cell.hits;
   cell.age = 0.0F;
-  cell.weight = std::min<std::uint8_t>(static_cast<std::uint8_t>(cell.weight + 1), kMostWeight);
+  cell.weight = std::min<std::uint8_t>(static_cast<std::uint8_t>(cell.weight + 1), kMaxWeight);
   const auto points = static_cast<float>(sum.points);
   cell.dx += (sum.dx / points - cell.dx) / static_cast<float>(cell.weight);
   cell.dy += (sum.dy / points - cell.dy) / static_cast<float>(cell.weight);

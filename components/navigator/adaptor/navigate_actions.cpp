@@ -10,7 +10,7 @@ namespace bw {
 namespace {
 
 /// More poses than this are not driven through: each renewal of the plan costs a search for each.
-constexpr std::size_t kMostPoses = 1000;
+constexpr std::size_t kMaxPoses = 1000;
 
 template <class Action>
 constexpr NavigateAction action_of() {
@@ -26,10 +26,10 @@ PlacedGoal placed(const GoalFrames& frames, const Goal& goal, Time now) {
         {GoalFault::behavior_tree, "there are no behavior trees here: behavior_tree must be empty, and is '" +
                                        goal.behavior_tree() + "'"}};
   const auto poses = poses_of(goal);
-  if (poses.size() > kMostPoses)
+  if (poses.size() > kMaxPoses)
     return {{},
             {GoalFault::refused, std::to_string(poses.size()) + " poses to drive through are more than " +
-                                     std::to_string(kMostPoses)}};
+                                     std::to_string(kMaxPoses)}};
   if constexpr (requires { goal.pose(); }) return frames.place(goal.pose(), now);
   return frames.place(poses, now);
 }

@@ -53,9 +53,9 @@ void set_waypoint_statuses(Message& message, const std::vector<geometry_msgs::ms
 template <class Goal, class Feedback>
 void set_feedback(Feedback& feedback, const Goal& goal, const GoalReport& report,
                   const std_msgs::msg::Header& header) {
-  constexpr std::size_t kMost = std::numeric_limits<std::int16_t>::max();
+  constexpr std::size_t kMax = std::numeric_limits<std::int16_t>::max();
   constexpr std::uint8_t kPending = 0;
-  const auto count = [=](std::size_t n) { return static_cast<std::int16_t>(std::min(n, kMost)); };
+  const auto count = [=](std::size_t n) { return static_cast<std::int16_t>(std::min(n, kMax)); };
   feedback.current_pose(in_map(*report.X_MB, header));
   feedback.navigation_time(to_message(report.navigation_time));
   feedback.estimated_time_remaining(to_message(report.estimated_time_remaining));

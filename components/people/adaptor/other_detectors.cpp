@@ -18,7 +18,7 @@ void OtherDetectors::listen(Setup& setup, const OtherDetectorOptions& options,
         sources_[i].topic, Qos::sensor(),
         [this, i, on_message](const people_msgs::msg::People& message, const Tick& tick) {
           Source& source = sources_[i];
-          if (source.waiting.size() == kMost) source.waiting.pop_front();
+          if (source.waiting.size() == kMax) source.waiting.pop_front();
           source.waiting.push_back(message);
           on_message(tick);
         },
@@ -31,7 +31,7 @@ std::vector<HeardSet> OtherDetectors::take(Time until, Time now) {
     while (!source.waiting.empty() && from_stamp(source.waiting.front().header().stamp()) <= until) {
       const people_msgs::msg::People& message = source.waiting.front();
       ReadPeople read = read_people(message, now, options_.people_timeout, odom_frame_, *transforms_);
-      if (message.people().size() > kMostPeople) read.fault = "it tells of more than 200 people";
+      if (message.people().size() > kMaxPeople) read.fault = "it tells of more than 200 people";
       note(source, read.fault);
       source.waiting.pop_front();
       if (!read.fault.empty()) continue;

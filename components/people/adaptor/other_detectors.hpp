@@ -32,8 +32,8 @@ class OtherDetectors {
   std::string complaint(Time now) const;
 
  private:
-  static constexpr std::size_t kMost = 8;
-  static constexpr std::size_t kMostPeople = 200;  // of a message
+  static constexpr std::size_t kMax = 8;
+  static constexpr std::size_t kMaxPeople = 200;  // of a message
 
   struct Source {
     std::string topic;

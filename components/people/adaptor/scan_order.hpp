@@ -25,7 +25,7 @@ class ScanOrder {
     own.period = own.stamp ? stamp - *own.stamp : Duration{};
     own.stamp = stamp;
     own.heard = received;
-    const bool has_room = own.waiting.size() < kMost;
+    const bool has_room = own.waiting.size() < kMax;
     if (!has_room) own.waiting.pop_front();
     own.waiting.push_back({scan, received});
     return has_room;
@@ -58,7 +58,7 @@ class ScanOrder {
   }
 
  private:
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMax = 4;
   static constexpr Duration kPatience = Duration::milliseconds(50);  // with a laser that is late
   static constexpr Duration kSilence = Duration::milliseconds(500);  // after which none is waited for
 

@@ -8,9 +8,9 @@
 namespace bw::people {
 
 SweepFault fault_for_people(const LaserSweep& sweep) {
-  constexpr double kMostIncrement = 0.2;  // [rad]
+  constexpr double kMaxIncrement = 0.2;  // [rad]
   if (const SweepFault fault = fault_of(sweep); fault != SweepFault::none) return fault;
-  if (std::abs(sweep.angle_increment) > kMostIncrement) return SweepFault::bad_angles;
+  if (std::abs(sweep.angle_increment) > kMaxIncrement) return SweepFault::bad_angles;
   const bool blind = std::all_of(sweep.ranges.begin(), sweep.ranges.end(),
                                  [&](float range) { return kind_of(range, sweep) == BeamKind::unknown; });
   return blind ? SweepFault::mostly_unknown : SweepFault::none;

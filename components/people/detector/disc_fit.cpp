@@ -10,7 +10,7 @@ namespace bw::people {
 namespace {
 
 constexpr int kIterations = 5;
-constexpr std::size_t kMostPoints = 24;  // more of them change a centre by less than a millimetre
+constexpr std::size_t kMaxPoints = 24;  // more of them change a centre by less than a millimetre
 constexpr double kEdgeFloor = 0.005;     // [m]
 constexpr double kStart = 0.1;           // how far the centre may be from where it is first looked for [m]
 constexpr double kLongestStep = 0.1;     // of an iteration [m]
@@ -40,7 +40,7 @@ class Equations {
 
 DiscFit fit(const Arc& arc, const Outline& outline, const LegFitOptions& legs) {
   const std::size_t count = arc.points.size();
-  const std::size_t stride = (count + kMostPoints - 1) / kMostPoints;
+  const std::size_t stride = (count + kMaxPoints - 1) / kMaxPoints;
   // Points left out count through those kept.
   const double point_sigma = legs.kRangeNoise / std::sqrt(static_cast<double>(stride));
   const double edge_sigma = std::max(kEdgeFloor, outline.spacing / std::sqrt(12.0));
@@ -100,11 +100,11 @@ DiscFit fit_disc(const Outline& outline, const LegFitOptions& legs) {
 }
 
 DiscFit fit_two_discs(const Outline& outline, const LegFitOptions& legs) {
-  constexpr std::size_t kMostCuts = 12;
+  constexpr std::size_t kMaxCuts = 12;
   const std::size_t count = outline.points.size();
   if (count < 2) return fit_disc(outline, legs);
   const std::span<const Vector2> points = outline.points;
-  const std::size_t stride = (count - 1 + kMostCuts - 1) / kMostCuts;
+  const std::size_t stride = (count - 1 + kMaxCuts - 1) / kMaxCuts;
   DiscFit best;
   double best_cost = std::numeric_limits<double>::infinity();
   for (std::size_t cut = std::max<std::size_t>(1, stride / 2); cut < count; cut += stride) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kShare = 0.95;             // of truths that an ellipse should hold
 constexpr double kInside = 5.991464547;     // chi-square of that, 2 degrees of freedom
-constexpr double kMostLogSize = 2.7725887;  // log 16
+constexpr double kMaxLogSize = 2.7725887;  // log 16
 constexpr double kGap = 0.6;                // [s] without a sight of the person: nothing is compared
 
 }  // namespace
@@ -56,7 +56,7 @@ void Calibration::compare(std::size_t k, const PredictedPosition& predicted, con
   const double distance = error.dot(C.inverse() * error);
   if (!std::isfinite(distance)) return;
   const double change = distance > kInside ? rate_ * kShare : -rate_ * (1.0 - kShare);
-  log_size_[k] = std::clamp(log_size_[k] + change, -kMostLogSize, kMostLogSize);
+  log_size_[k] = std::clamp(log_size_[k] + change, -kMaxLogSize, kMaxLogSize);
 }
 
 void Calibration::forget(Time before) {

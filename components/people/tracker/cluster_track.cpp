@@ -22,7 +22,7 @@ void ClusterTrack::remember(const Sighting& seen) {
   Sighting& kept = ring_[(count_ - 1) % kRemembered];
   kept = seen;
   kept.nth = nth;
-  existence.looks.add(seen.likeness(), seen.bearing);
+  existence.appearance.add(seen.likeness(), seen.bearing);
 }
 
 void ClusterTrack::predict(double dt) {

@@ -7,7 +7,7 @@
 
 #include "components/people/detection.hpp"
 #include "components/people/tracker/evidence/existence.hpp"
-#include "components/people/tracker/evidence/fidgets.hpp"
+#include "components/people/tracker/evidence/foot_shifts.hpp"
 #include "components/people/tracker/evidence/past_sweeps.hpp"
 #include "runtime/base/pose2.hpp"
 
@@ -56,7 +56,7 @@ class ClusterTrack {
   const Sighting& sighting(int k) const { return ring_[(count_ - 1 - k) % kRemembered]; }
   const Sighting& last() const { return sighting(0); }
 
-  Fidgets fidgets;
+  FootShifts foot_shifts;
   Existence existence;   ///< as a leg, or somebody whole
   std::uint32_t id = 0;  ///< as a possible person; 0: not told of
   /// What was at its place before, when that was looked up last [s], and where.

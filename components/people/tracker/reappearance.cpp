@@ -23,7 +23,7 @@ void follow_hidden(PersonTrack& person, const Surroundings& about, bool known, R
       person.hidden->walk(away / steps, 0.0, about.sweep, about.walls, random, hidden);
   }
   if (known) return;
-  const Whereabouts::Moments moments = person.hidden->moments();
+  const OcclusionMemory::Moments moments = person.hidden->moments();
   person.there = person.hidden->chance_near(moments.mean.head<2>());
   person.walker.place_middle(moments.mean, moments.covariance);
   if (person.heading) person.heading.emplace(moments.mean, moments.covariance, options.heading);

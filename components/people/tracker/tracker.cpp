@@ -16,7 +16,7 @@
 #include "components/people/tracker/reporting.hpp"
 #include "components/people/tracker/selection.hpp"
 #include "components/people/tracker/tracker_impl.hpp"
-#include "components/people/tracker/untangle.hpp"
+#include "components/people/tracker/leg_reassociation.hpp"
 #include "components/people/tracker/visibility.hpp"
 #include "components/people/tracker/walking.hpp"
 
@@ -79,11 +79,11 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   ++sweep_;
   predict_to(sweep.time);
   transform_to_S(sweep);
-  select_detections(sweep_in_S_, options_.kMostDetections, options_.association, detections_);
+  select_detections(sweep_in_S_, options_.kMaxDetections, options_.association, detections_);
   matching_.match(detections_, people_, clusters_, sweep_, options_.association);
   correct_clusters();
   correct_people();
-  untangle();
+  reassociate_legs();
   weighing_.remember(sweep_in_S_, seconds());
   weighing_.weigh(people_, clusters_, sweep_, seconds(), since_own, leading_sensor_, options_.birth);
   watch_for_absence(sweep_in_S_, since_own);
@@ -125,7 +125,7 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
         options_.death.kScoreMemory * person.score + (1.0 - options_.death.kScoreMemory) * d.human_score();
     const Sighting seen = sighting_of(d);
     if (person.existence.prior == Existence::kUnseen) person.existence.prior = Existence::kOneLeg;
-    person.existence.looks.add(seen.likeness(), seen.bearing);
+    person.existence.appearance.add(seen.likeness(), seen.bearing);
     if (person.last_seen != *now_) person.since_seen = (*now_ - person.last_seen).to_seconds();
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
@@ -205,26 +205,26 @@ void Tracker::Impl::follow_legs(PersonTrack& person, const ClusterTrack& first,
   person.hidden.reset();
 }
 
-void Tracker::Impl::untangle() {
+void Tracker::Impl::reassociate_legs() {
   for (std::size_t i = 0; i < people_.size(); ++i) {
     if (people_[i].last_seen != *now_) continue;
-    pair_legs_anew({i});
+    reassociate_legs_of({i});
     for (std::size_t j = i + 1; j < people_.size(); ++j) {
       const double distance = (people_[i].walker.position() - people_[j].walker.position()).norm();
-      if (distance <= options_.untangle.kNear && people_[j].last_seen == *now_) pair_legs_anew({i, j});
+      if (distance <= options_.leg_reassociation.kNear && people_[j].last_seen == *now_) reassociate_legs_of({i, j});
     }
   }
   for (PersonTrack& person : people_) {
     if (!person.both_legs_seen(sweep_)) continue;
-    const auto doubt = doubt_of_legs(*person.legs[0], *person.legs[1], options_.untangle);
-    if (doubt && *doubt < options_.untangle.kSettled) person.settled = state_of(person);
+    const auto doubt = doubt_of_legs(*person.legs[0], *person.legs[1], options_.leg_reassociation);
+    if (doubt && *doubt < options_.leg_reassociation.kSettled) person.settled = state_of(person);
   }
 }
 
-void Tracker::Impl::pair_legs_anew(std::initializer_list<std::size_t> of_people) {
+void Tracker::Impl::reassociate_legs_of(std::initializer_list<std::size_t> of_people) {
   std::vector<const PersonTrack*> people;
   for (const std::size_t i : of_people) people.push_back(&people_[i]);
-  auto pairs = pair_anew(people, clusters_, sweep_, options_.untangle);
+  auto pairs = reassociate_legs(people, clusters_, sweep_, options_.leg_reassociation);
   if (!pairs) return;
   std::size_t k = 0;
   for (const std::size_t i : of_people) {
@@ -284,7 +284,7 @@ void Tracker::Impl::delete_tracks() {
   const auto gone = [&](const PersonTrack& person) {
     const bool is_of_others = person.heard > 0.0 && person.last_heard > person.last_seen;
     if (is_told_of(person)) return person.walker.position_sigma() > death.sigma;
-    if (is_of_others && person.heard < HearingOptions::kForgotten) return true;
+    if (is_of_others && person.heard < ExternalDetectionOptions::kForgotten) return true;
     return person.empty_seconds >= death.unseen - 1e-9 || person.walker.position_sigma() > death.sigma ||
            person.there < options_.hidden.kBelieved ||
            (person.score < death.kUnlikeScore && person.walker.velocity().norm() < death.kUnlikeSpeed);
@@ -296,8 +296,8 @@ void Tracker::Impl::delete_tracks() {
     const Duration stood = std::max(remembered, Duration::seconds(HiddenOptions::kStoodRemembered));
     return *now_ > person.last_known() + (person.stood() ? stood : remembered);
   });
-  if (lost_.size() > HiddenOptions::kMostLost)  // who was let go last stays
-    lost_.erase(lost_.begin(), lost_.end() - static_cast<std::ptrdiff_t>(HiddenOptions::kMostLost));
+  if (lost_.size() > HiddenOptions::kMaxLost)  // who was let go last stays
+    lost_.erase(lost_.begin(), lost_.end() - static_cast<std::ptrdiff_t>(HiddenOptions::kMaxLost));
 }
 
 /// Somebody new keeps the id by which a part of them was told of.
@@ -326,7 +326,7 @@ void Tracker::Impl::initiate_tracks() {
     Existence existence = existence_of(candidate.birth, first, second);
     if (person) {
       if (was_here) existence = existence_of_same(person->existence, existence);
-      if (!was_here) person->fidgets = {};
+      if (!was_here) person->foot_shifts = {};
       if (!was_here && !person->strayed)
         existence = existence_of_returned(person->existence, existence, candidate.birth);
     } else {

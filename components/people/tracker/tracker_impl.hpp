@@ -1,4 +1,4 @@
-// What the tracker keeps from sweep to sweep, and the steps of one (tracker.cpp); what others tell of is in tracker_hearing.cpp.
+// What the tracker keeps from sweep to sweep, and the steps of one (tracker.cpp); what others tell of is in tracker_external.cpp.
 #pragma once
 
 #include <cstdint>
@@ -39,14 +39,14 @@ class Tracker::Impl {
   void begin_with(const HeardPerson& told, double late);
   bool follow_legs_near(PersonTrack& person);
   bool is_told_of(const PersonTrack& person) const {
-    return person.heard > 0.0 && person.last_heard + Duration::seconds(HearingOptions::kTold) >= *now_;
+    return person.heard > 0.0 && person.last_heard + Duration::seconds(ExternalDetectionOptions::kTold) >= *now_;
   }
   void correct_people();
   void correct_heading(PersonTrack& person, const LegMatch& match);
   void correct_person(PersonTrack& person, const LegMatch& match);
   void correct_clusters();
-  void untangle();
-  void pair_legs_anew(std::initializer_list<std::size_t> of_people);
+  void reassociate_legs();
+  void reassociate_legs_of(std::initializer_list<std::size_t> of_people);
   void forget_clusters(std::vector<int>& used);
   double seconds() const { return (*now_ - origin_).to_seconds(); }
   Sighting sighting_of(const Detection& d) const;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "components/people/tracker/heading_filter.hpp"
-#include "components/people/tracker/hearing_options.hpp"
+#include "components/people/tracker/external_detection_options.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/walker.hpp"
 #include "runtime/base/choice.hpp"
@@ -132,7 +132,7 @@ struct DeathOptions {
   }
 };
 
-struct UntangleOptions {
+struct LegReassociationOptions {
   /// [m] people so close may have each other's legs
   static constexpr double kNear = 1.2;
   /// [m] widest distance from somebody to what may be a leg of theirs
@@ -157,7 +157,7 @@ struct HiddenOptions {
   /// score of a detection that shows somebody for sure
   static constexpr double kLikeness = 0.5;
   /// how many people let go are remembered at most, which bounds a sweep's cost
-  static constexpr std::size_t kMostLost = 20;
+  static constexpr std::size_t kMaxLost = 20;
   /// [m/s] who was slower when seen last stood,
   static constexpr double kStoodSpeed = 0.15;
   /// [s] is remembered for so long,
@@ -208,7 +208,7 @@ struct TrackerOptions {
   /// [s] a longer silence of the laser, or jump back in time, forgets everybody
   static constexpr double kLongestGap = 1.0;
   /// most detections of a sweep; of more the least human are ignored
-  static constexpr int kMostDetections = 1000;
+  static constexpr int kMaxDetections = 1000;
   AlignmentOptions alignment;
   AssociationOptions association;
   MotionFilter motion = MotionFilter::heading;
@@ -217,8 +217,8 @@ struct TrackerOptions {
   BirthOptions birth;
   DeathOptions death;
   HiddenOptions hidden;
-  HearingOptions hearing;
-  UntangleOptions untangle;
+  ExternalDetectionOptions hearing;
+  LegReassociationOptions leg_reassociation;
 
   template <class Visitor>
   void fields(Visitor& v) {

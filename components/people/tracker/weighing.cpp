@@ -14,9 +14,9 @@ constexpr double kStill = 0.15;  // [m] its places differ less
 constexpr double kThin = 0.25;   // [m] and it is less wide
 constexpr double kReach = 2.5;   // [m] farther furniture is not theirs: the diagonal of a table and more
 constexpr double kSlowly = 1.0;  // [s] in which patterns gain and lose belief
-constexpr Fidgets::Memory kOfLeg{.gap = 0.5, .turn = 0.1};
+constexpr FootShifts::Memory kOfLeg{.gap = 0.5, .turn = 0.1};
 // However long it is out of view, and from every side: measured on furniture, README.
-constexpr Fidgets::Memory kOfPair{.gap = 1e9, .turn = 4.0};
+constexpr FootShifts::Memory kOfPair{.gap = 1e9, .turn = 4.0};
 constexpr double kSensorStill = 0.05;   // [m] a laser that moves less stands
 constexpr double kSensorStood = 1.0;    // [s]
 constexpr double kLooksOfShifts = 2.0;  // log odds of a pair whose shifts count
@@ -88,9 +88,9 @@ Existence existence_of(const Birth& birth, const ClusterTrack& first, const Clus
   existence.walked.way = birth.way;
   existence.prior = prior_of(birth.kind);
   if (second != nullptr) {
-    if (second->existence.looks.log_odds() < existence.looks.log_odds())
-      existence.looks = second->existence.looks;
-    existence.fidgets = std::max(existence.fidgets, second->existence.fidgets);
+    if (second->existence.appearance.log_odds() < existence.appearance.log_odds())
+      existence.appearance = second->existence.appearance;
+    existence.foot_shifts = std::max(existence.foot_shifts, second->existence.foot_shifts);
     existence.row = std::min(existence.row, second->existence.row);
     existence.came = Existence::kCame * share_that_came(first.past, &second->past);
   }
@@ -110,7 +110,7 @@ Existence existence_of_returned(const Existence& lost, const Existence& born, co
 Existence existence_of_same(const Existence& lost, const Existence& born) {
   Existence existence = born;
   existence.walked.way = std::max(born.walked.way, lost.walked.way);
-  existence.fidgets = std::max(born.fidgets, lost.fidgets);
+  existence.foot_shifts = std::max(born.foot_shifts, lost.foot_shifts);
   existence.came = std::max(born.came, lost.came);
   existence.kept = lost.kept;
   return existence;
@@ -119,7 +119,7 @@ Existence existence_of_same(const Existence& lost, const Existence& born) {
 bool may_be_somebody(const ClusterTrack& cluster) {
   if (cluster.id != 0) return cluster.existence.log_odds() > kFurniture;
   return cluster.last().time - cluster.born() >= kNoticed && stands(cluster) && !cluster.last().on_static &&
-         cluster.existence.looks.log_odds() >= kLeastLooks;
+         cluster.existence.appearance.log_odds() >= kLeastLooks;
 }
 
 void Weighing::reset() {
@@ -159,9 +159,9 @@ void Weighing::weigh_cluster(ClusterTrack& cluster, double gain) {
   const Sighting& seen = cluster.last();
   // Another laser sees it a little elsewhere: that is no fidget.
   if (still_ && seen.source == cluster.source())
-    cluster.fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kOfLeg);
-  cluster.existence.fidgets = kOfOneLeg * cluster.fidgets.log_odds();
-  if (cluster.existence.looks.log_odds() > kLeastLooks && seen.width <= kThin && stands(cluster))
+    cluster.foot_shifts.add(seen.time, seen.position, !seen.occluded, seen.bearing, kOfLeg);
+  cluster.existence.foot_shifts = kOfOneLeg * cluster.foot_shifts.log_odds();
+  if (cluster.existence.appearance.log_odds() > kLeastLooks && seen.width <= kThin && stands(cluster))
     cluster.existence.row += gain * (row_at(cluster, nullptr) - cluster.existence.row);
 }
 
@@ -175,7 +175,7 @@ bool Weighing::is_among_people() const { return company_ >= kSomebody && furnitu
 double Weighing::alone_of(double stood) const {
   const bool undecided = stood < kSettled || company_ < kSomebody;
   const double share = undecided ? 1.0 : furnished_beyond(kNoFurniture);
-  return std::min(Existence::kMostCompany,
+  return std::min(Existence::kMaxCompany,
                   share * Existence::kAlone + Existence::kCompany * std::log1p(company_));
 }
 
@@ -229,7 +229,7 @@ void Weighing::weigh_rigidity(PersonTrack& person, std::int64_t sweep, double dt
   if (existence.has_moved()) {
     existence.rigid = 0.0;
   } else if (person.both_legs_seen(sweep)) {
-    existence.rigid = std::max(Existence::kMostRigid, existence.rigid + Existence::kRigid * dt);
+    existence.rigid = std::max(Existence::kMaxRigid, existence.rigid + Existence::kRigid * dt);
   }
 }
 
@@ -253,8 +253,8 @@ double Weighing::shifts_of_legs(PersonTrack& person, std::int64_t sweep) const {
   for (auto& leg : person.legs) {
     const Sighting& seen = leg->last();
     if (still_ && seen.sweep == sweep && seen.source == leg->source())
-      leg->fidgets.add(seen.time, seen.position, !seen.occluded, seen.bearing, kOfLeg);
-    most = std::max(most, kOfOneLeg * leg->fidgets.log_odds());
+      leg->foot_shifts.add(seen.time, seen.position, !seen.occluded, seen.bearing, kOfLeg);
+    most = std::max(most, kOfOneLeg * leg->foot_shifts.log_odds());
   }
   return most;
 }
@@ -282,12 +282,12 @@ void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, 
   const bool whole = !a.occluded && !b.occluded && std::min(a.width, b.width) >= kThinnest &&
                      std::abs(a.width - b.width) <= kAlike;
   Vector2 way = a.position - b.position;
-  if ((way + person.fidgets.place()).norm() < (way - person.fidgets.place()).norm())
+  if ((way + person.foot_shifts.place()).norm() < (way - person.foot_shifts.place()).norm())
     way = -way;  // legs exchanged
-  person.fidgets.add(a.time, way, whole, a.bearing, kOfPair);
-  if (existence.looks.log_odds() >= kLooksOfShifts)
-    existence.fidgets =
-        std::max({existence.fidgets, person.fidgets.log_odds(), shifts_of_legs(person, sweep)});
+  person.foot_shifts.add(a.time, way, whole, a.bearing, kOfPair);
+  if (existence.appearance.log_odds() >= kLooksOfShifts)
+    existence.foot_shifts =
+        std::max({existence.foot_shifts, person.foot_shifts.log_odds(), shifts_of_legs(person, sweep)});
   double row = 0.0;
   if (stands(*person.legs[0]) && stands(*person.legs[1]))
     row = std::min(row_at(*person.legs[0], &*person.legs[1]), row_at(*person.legs[1], &*person.legs[0]));
@@ -308,11 +308,11 @@ void Weighing::weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>
   for (ClusterTrack& cluster : clusters) {
     if (cluster.last().sweep != sweep) continue;
     weigh_cluster(cluster, gain);
-    if (cluster.last().width <= kThin && cluster.existence.looks.log_odds() > kLeastLooks)
+    if (cluster.last().width <= kThin && cluster.existence.appearance.log_odds() > kLeastLooks)
       look_up(cluster, time);
     const bool came = cluster.past == Past::empty;
     cluster.existence.came = came ? Existence::kThingCame : 0.0;
-    if (is_post(cluster, sweep) && !came && cluster.existence.looks.log_odds() > 0.0) leglike += 1.0;
+    if (is_post(cluster, sweep) && !came && cluster.existence.appearance.log_odds() > 0.0) leglike += 1.0;
   }
   clutter_ += std::min(1.0, dt / (leglike > clutter_ ? kClutterGain : kClutterMemory)) * (leglike - clutter_);
   furniture_ +=

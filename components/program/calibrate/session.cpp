@@ -16,7 +16,7 @@ Time now() { return {steady_time().nanoseconds}; }
 
 void CalibrationSession::end(const std::string& why) {
   for (int i = 0; i < 3; ++i) robot_.command({});
-  throw Ended(why);
+  throw CalibrationAborted(why);
 }
 
 void CalibrationSession::step(const Twist2& twist) {

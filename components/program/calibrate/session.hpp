@@ -13,7 +13,7 @@
 namespace bw {
 
 /// Why a calibration ended before its end.
-class Ended : public std::runtime_error {
+class CalibrationAborted : public std::runtime_error {
  public:
   using runtime_error::runtime_error;
 };
@@ -22,7 +22,7 @@ class CalibrationSession {
  public:
   CalibrationSession(RobotFront& robot, const LegOptions& legs) : robot_(robot), legs_(legs) {}
 
-  /// Until the robot can be driven; throws Ended with what keeps it after 10 s.
+  /// Until the robot can be driven; throws CalibrationAborted with what keeps it after 10 s.
   void wait_for_robot();
   /// The answer; the robot stands meanwhile.
   std::string ask(const std::string& question);

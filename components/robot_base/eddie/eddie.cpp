@@ -66,7 +66,7 @@ void Eddie::begin_session(Time now) {
   was_sent_ = false;
   target_ = sent_ = {};
   check_.reset();
-  stranger_.reset();
+  unknown_device_.reset();
   for (Task& task : tasks_) task.asked.reset();
   ++starts_;
 }
@@ -79,7 +79,7 @@ Readings Eddie::poll(Time now) {
     begin_session(now);
   }
   const std::span<const std::uint8_t> bytes = link_->read();
-  stranger_.add(bytes);
+  unknown_device_.add(bytes);
   const std::optional<Reply> reply = dialogue_.take(now, bytes);
   if (reply && phase_ != Phase::closed && phase_ != Phase::opened) take(now, *reply, readings);
   readings.link = heard(now, link);
@@ -98,7 +98,7 @@ void Eddie::take(Time now, const Reply& reply, Readings& readings) {
     return;
   }
   heard_ = now;
-  stranger_.reset();
+  unknown_device_.reset();
 }
 
 /// One step of the start after the other; without the answers to STOP and VER there is no Eddie, and it begins again.
@@ -133,7 +133,7 @@ void Eddie::take_start(Time now, const Reply& reply) {
   } else if (has_number) {
     (reply.request == Request::version ? version_ : hardware_) = numbers->front();
   }
-  stranger_.reset();
+  unknown_device_.reset();
   if (++start_step_ < start_sequence().size()) return;
   phase_ = Phase::running;
   heard_ = now;
@@ -242,11 +242,11 @@ LinkState Eddie::heard(Time now, const LinkState& cable) {
   if (phase_ == Phase::running && silence >= kStartAnew) begin_session(now);
   if (silence < kSilentStrange) return link;
   link.fault = "no answer of an Eddie to STOP and VER";
-  if (!stranger_.is_heard()) {
+  if (!unknown_device_.is_heard()) {
     link.fault += ": nothing comes; is the board switched on?";
     return link;
   }
-  link.fault += ", but bytes: " + stranger_.likeness();
+  link.fault += ", but bytes: " + unknown_device_.likeness();
   faults_.say(now, "stranger", link.fault);
   if (silence >= kSilentGivenUp) {
     link_->close(now, link.fault);

@@ -15,8 +15,8 @@
 #include "components/robot_base/eddie/dialogue.hpp"
 #include "components/robot_base/eddie/eddie_options.hpp"
 #include "components/robot_base/eddie/text.hpp"
-#include "components/robot_base/stranger.hpp"
-#include "components/robot_base/told_for_a_while.hpp"
+#include "components/robot_base/unknown_device.hpp"
+#include "components/robot_base/held_report.hpp"
 
 namespace bw::eddie {
 
@@ -79,7 +79,7 @@ class Eddie : public Driver {
   std::optional<Time> heard_;  ///< the newest sound reply
   Dialogue dialogue_;
   CommandCheck check_;
-  Stranger stranger_;
+  UnknownDevice unknown_device_;
   std::vector<Task> tasks_;
   Target target_, sent_;
   bool was_sent_ = false;
@@ -91,7 +91,7 @@ class Eddie : public Driver {
   bool has_watch_ = true;
   int drive_refusals_ = 0;
   std::string settings_refused_;
-  ToldForAWhile faults_;
+  HeldReport faults_;
   std::uint64_t errors_ = 0, malformed_ = 0, jumps_ = 0, starts_ = 0, contradictions_ = 0, restarts_ = 0;
   std::optional<std::uint32_t> version_, hardware_;
 };

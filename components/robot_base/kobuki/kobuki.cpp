@@ -65,7 +65,7 @@ Kobuki::Kobuki(const KobukiOptions& options, const WheelRadii& radii, std::uniqu
 void Kobuki::begin_session(Time now) {
   session_ = {.opened = now};
   reader_.reset();
-  stranger_.reset();
+  unknown_device_.reset();
 }
 
 Readings Kobuki::poll(Time now) {
@@ -81,9 +81,9 @@ Readings Kobuki::poll(Time now) {
   for (auto payload = reader_.next(); !payload.empty(); payload = reader_.next())
     packets.push_back(parse(payload));
   if (packets.empty()) {
-    stranger_.add(bytes);
+    unknown_device_.add(bytes);
   } else {
-    stranger_.reset();
+    unknown_device_.reset();
     session_.heard = now;
     session_.packets += packets.size();
     session_.was_heard_since_write = true;
@@ -191,9 +191,9 @@ LinkState Kobuki::heard(Time now, const LinkState& cable) {
   const Duration silence = now - session_.heard.value_or(session_.opened);
   if (silence < Duration::seconds(options_.silence) && is_recognised()) return link;
   link.is_open = false;
-  link.fault = stranger_.is_heard() ? "no packet of a Kobuki, but bytes: " + stranger_.likeness()
+  link.fault = unknown_device_.is_heard() ? "no packet of a Kobuki, but bytes: " + unknown_device_.likeness()
                                     : "no packet of a Kobuki: nothing comes; is the base switched on?";
-  if (!stranger_.is_heard()) return link;
+  if (!unknown_device_.is_heard()) return link;
   if (silence >= kStrange) faults_.say(now, "stranger", link.fault);
   if (silence >= kGiveUp) link_->close(now, link.fault);
   return link;

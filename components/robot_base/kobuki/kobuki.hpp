@@ -14,8 +14,8 @@
 #include "components/robot_base/kobuki/feedback.hpp"
 #include "components/robot_base/kobuki/packet_reader.hpp"
 #include "components/robot_base/kobuki/unwrapped.hpp"
-#include "components/robot_base/stranger.hpp"
-#include "components/robot_base/told_for_a_while.hpp"
+#include "components/robot_base/unknown_device.hpp"
+#include "components/robot_base/held_report.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::kobuki {
@@ -102,9 +102,9 @@ class Kobuki : public Driver {
   std::optional<Time> arrival_;         ///< of the newest
   Duration gap_;                        ///< between the newest two reads that had one
   bool clock_jumped_ = false;           ///< at the newest
-  Stranger stranger_;
-  ToldForAWhile faults_;
-  ToldForAWhile warnings_{Duration::milliseconds(10'000)};
+  UnknownDevice unknown_device_;
+  HeldReport faults_;
+  HeldReport warnings_{Duration::milliseconds(10'000)};
   std::uint64_t encoder_jumps_ = 0, missed_ = 0, skipped_ = 0;
   std::optional<Version> hardware_, firmware_;
 };

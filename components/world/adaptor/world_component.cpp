@@ -94,9 +94,9 @@ class WorldComponent final : public Component {
   /// Steps up to `now`. A host that was held up for long, or a clock that jumped ahead, slows the world down instead of
   /// making it race; after a clock that went back the world goes on from there.
   void catch_up(Time now) {
-    constexpr Duration kMostApart = Duration::milliseconds(500);
-    if (now - start_ > world_->time() + kMostApart) start_ = now - world_->time() - kMostApart;
-    if (world_->time() - (now - start_) > kMostApart) start_ = now - world_->time();
+    constexpr Duration kMaxApart = Duration::milliseconds(500);
+    if (now - start_ > world_->time() + kMaxApart) start_ = now - world_->time() - kMaxApart;
+    if (world_->time() - (now - start_) > kMaxApart) start_ = now - world_->time();
     while (start_ + world_->time() + world_->physics_step() <= now) {
       world_->step();
       for (const auto& robot : robots_) robot->publish(options_, start_);

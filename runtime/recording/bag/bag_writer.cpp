@@ -84,8 +84,8 @@ void BagWriter::open_file() {
 }
 
 std::size_t BagWriter::add_topic(const BagTopic& topic) {
-  constexpr std::size_t kMost = std::numeric_limits<std::uint16_t>::max();
-  if (channels_.size() == kMost)
+  constexpr std::size_t kMax = std::numeric_limits<std::uint16_t>::max();
+  if (channels_.size() == kMax)
     throw std::runtime_error(path_.string() + ": MCAP has no room for more than 65535 topics");
   std::uint16_t& schema_id = schema_ids_[{topic.type, topic.schema_encoding + "\n" + topic.schema_text}];
   const bool has_schema = !topic.type.empty() || !topic.schema_text.empty();

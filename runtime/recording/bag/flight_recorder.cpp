@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPeriod(100);       // between looks at what came
 constexpr std::chrono::milliseconds kSyncPeriod(1000);  // of a snapshot that is being written
-constexpr std::size_t kMostEvents = 100;                // that are told by name
+constexpr std::size_t kMaxEvents = 100;                // that are told by name
 
 /// The first name of this form that is free.
 std::filesystem::path free_path(const std::filesystem::path& wanted) {
@@ -135,7 +135,7 @@ void FlightRecorder::take(const KeptMessage& message, SnapshotRing::Cursor behin
   for (const Event* event : watch_.look(message.topic, message.data)) {
     {
       const std::lock_guard lock(mutex_);
-      if (events_.size() < kMostEvents) events_.push_back(event->name);
+      if (events_.size() < kMaxEvents) events_.push_back(event->name);
     }
     happened(event->name, topics_[message.topic].name, message.log_time, behind);
   }
@@ -145,7 +145,7 @@ void FlightRecorder::happened(const std::string& name, const std::string& topic,
                               SnapshotRing::Cursor behind) {
   if (snapshot_) {
     snapshot_->until = std::max(snapshot_->until, time + options_.after);
-    if (++snapshot_->event_count <= kMostEvents) snapshot_->events += ", " + name + " at " + time_text(time);
+    if (++snapshot_->event_count <= kMaxEvents) snapshot_->events += ", " + name + " at " + time_text(time);
     return;
   }
   {

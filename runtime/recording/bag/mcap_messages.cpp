@@ -6,7 +6,7 @@
 namespace bw::bag::mcap {
 namespace {
 
-constexpr std::uint64_t kMostOpen = std::uint64_t{32} << 20;  // of decompressed chunks kept [bytes]
+constexpr std::uint64_t kMaxOpen = std::uint64_t{32} << 20;  // of decompressed chunks kept [bytes]
 
 }  // namespace
 
@@ -56,7 +56,7 @@ const Bytes* Messages::records_of(std::size_t chunk) {
   if (!open_chunk(record_, index.chunk_start, header, opened.records, fault_)) return nullptr;
   open_size_ += opened.records.size();
   open_.push_front(std::move(opened));
-  while (open_size_ > kMostOpen && open_.size() > 1) {
+  while (open_size_ > kMaxOpen && open_.size() > 1) {
     open_size_ -= open_.back().records.size();
     open_.pop_back();
   }

@@ -11,12 +11,12 @@
 namespace bw::imports {
 namespace {
 
-constexpr std::size_t kMostCells = 1'000'000;
+constexpr std::size_t kMaxCells = 1'000'000;
 
-/// A whole number from 0 to kMostCells.
+/// A whole number from 0 to kMaxCells.
 std::optional<std::size_t> count_of(std::string_view text) {
   const std::optional<std::int64_t> number = parse_integer(text);
-  if (!number || *number < 0 || *number > static_cast<std::int64_t>(kMostCells)) return std::nullopt;
+  if (!number || *number < 0 || *number > static_cast<std::int64_t>(kMaxCells)) return std::nullopt;
   return static_cast<std::size_t>(*number);
 }
 
@@ -96,9 +96,9 @@ std::size_t ColumnLayout::column(std::string_view text) const {
     if (!c.name.empty()) known.push_back(c.name);
   }
   if (known.empty()) throw std::invalid_argument("the columns have no names, only numbers from 1");
-  constexpr std::size_t kMostNames = 30;
+  constexpr std::size_t kMaxNames = 30;
   const auto near = nearest_of(text, known);
-  if (!near && known.size() > kMostNames) throw std::invalid_argument("unknown column");
+  if (!near && known.size() > kMaxNames) throw std::invalid_argument("unknown column");
   throw std::invalid_argument(unknown_rule("column", text, known));
 }
 

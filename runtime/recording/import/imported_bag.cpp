@@ -68,20 +68,20 @@ class ImportedBag final : public bag::Bag {
 };
 
 /// A folder beside the bag's place, where it is written and from where it is moved there in one step.
-class Workshop {
+class TemporaryFolder {
  public:
-  explicit Workshop(const std::filesystem::path& folder) {
+  explicit TemporaryFolder(const std::filesystem::path& folder) {
     std::string name = (folder / ".import-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
       throw std::system_error(errno, std::generic_category(), folder.string());
     path_ = name;
   }
-  ~Workshop() {
+  ~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
   }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   const std::filesystem::path& path() const { return path_; }
 
  private:
@@ -99,7 +99,7 @@ void write_bag(const ImportedLog& log, const std::filesystem::path& path) {
   };
   refuse_existing();
   std::filesystem::create_directories(place.parent_path());
-  const Workshop workshop(place.parent_path());
+  const TemporaryFolder workshop(place.parent_path());
   const std::filesystem::path made = workshop.path() / place.filename();
   {
     bag::BagWriter writer(made, {});

@@ -20,7 +20,7 @@ constexpr std::string_view kDurationType = "builtin_interfaces/msg/Duration";
 constexpr std::string_view kQuaternionType = "geometry_msgs/msg/Quaternion";
 constexpr std::string_view kHeaderType = "std_msgs/msg/Header";
 constexpr std::string_view kAngles[] = {"roll", "pitch", "yaw"};
-constexpr std::size_t kMostElements = 1000;
+constexpr std::size_t kMaxElements = 1000;
 
 /// "covariance[4]" is covariance and 4.
 struct Part {
@@ -34,7 +34,7 @@ Part part_of(std::string_view text) {
   const std::string_view inside = text.substr(bracket + 1);
   const std::optional<std::int64_t> index =
       inside.ends_with(']') ? parse_integer(inside.substr(0, inside.size() - 1)) : std::nullopt;
-  if (!index || *index < 0 || *index >= static_cast<std::int64_t>(kMostElements))
+  if (!index || *index < 0 || *index >= static_cast<std::int64_t>(kMaxElements))
     throw std::invalid_argument(fmt::format("'{}': an element is written as name[0]", text));
   return {text.substr(0, bracket), static_cast<std::size_t>(*index)};
 }

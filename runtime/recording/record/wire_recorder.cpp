@@ -31,11 +31,11 @@ constexpr const char* kNodeName = "bandwagon_recorder";
 // Samples bear the time of their arrival, so that taking them may wait: fewer wake-ups cost less.
 constexpr auto kPeriod = 10ms;
 constexpr int kDepth = 1000;  // that many samples of a topic may come in between
-constexpr int kMostAtOnce = 64;
+constexpr int kMaxAtOnce = 64;
 constexpr auto kLongestUnnamed = 1000ms;  // nodes name their ends a moment after they make them
-constexpr std::size_t kMostHeld = std::size_t{16} << 20;  // [bytes]
+constexpr std::size_t kMaxHeld = std::size_t{16} << 20;  // [bytes]
 constexpr std::uint32_t kReceiveBuffer = 4 << 20;         // [bytes]
-constexpr std::size_t kMostClockSteps = 1000;
+constexpr std::size_t kMaxClockSteps = 1000;
 constexpr auto kReportPeriod = 1000ms;
 
 bool is_own(const dds::Guid& endpoint, const dds::Guid& participant) {
@@ -220,7 +220,7 @@ void WireRecorder::take_queued() {
 
 /// False when nothing is left.
 bool WireRecorder::take_some(Ear& ear) {
-  for (int i = 0; i < kMostAtOnce; ++i) {
+  for (int i = 0; i < kMaxAtOnce; ++i) {
     if (!ear.reader->take(sample_)) return false;
     if (!is_own(sample_.writer, participant_.guid())) take(ear, sample_);
   }
@@ -255,7 +255,7 @@ void WireRecorder::take(const Ear& ear, const dds::Sample& sample) {
 /// Gives the source its place in the bag once its node is known, or nobody has named one for long enough.
 void WireRecorder::settle(Source& source) {
   if (source.bag_topic || source.held.empty()) return;
-  const bool is_long = held_bytes_ > kMostHeld || steady_clock::now() - source.seen > kLongestUnnamed;
+  const bool is_long = held_bytes_ > kMaxHeld || steady_clock::now() - source.seen > kLongestUnnamed;
   if (source.node.empty() && !is_long) return;
   const auto [place, is_new] = bag_topics_.emplace(std::tuple(source.topic, source.type, source.node), 0);
   if (is_new) {
@@ -289,7 +289,7 @@ void WireRecorder::hear_clock() {
   while (clock_reader_->take(clock_sample_)) {
     if (deserialize(clock_sample_.cdr, message)) clock_[clock_sample_.received] = from_stamp(message.clock());
   }
-  while (clock_.size() > kMostClockSteps) clock_.erase(clock_.begin());
+  while (clock_.size() > kMaxClockSteps) clock_.erase(clock_.begin());
 }
 
 Time WireRecorder::log_time(Time received) const {

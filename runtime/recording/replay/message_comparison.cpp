@@ -59,12 +59,12 @@ std::vector<Item> items_of(const TypeDescription& type, bag::BytesView cdr) {
 }
 
 std::string hex_of(bag::BytesView bytes) {
-  constexpr std::size_t kMost = 32;
+  constexpr std::size_t kMax = 32;
   return fmt::format(
       "{} bytes: {:02x}{}", bytes.size(),
-      fmt::join(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), kMost)),
+      fmt::join(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), kMax)),
                 ""),
-      bytes.size() > kMost ? "..." : "");
+      bytes.size() > kMax ? "..." : "");
 }
 
 std::string text_of(const Item& item) {

@@ -20,7 +20,7 @@ namespace bw::foxglove {
 class ParameterInterest {
  public:
   /// More names are not kept; false.
-  static constexpr std::size_t kMostNames = 20'000;
+  static constexpr std::size_t kMaxNames = 20'000;
 
   bool add(const std::vector<std::string>& names) {
     if (names.empty()) *this = ParameterInterest(true);
@@ -42,7 +42,7 @@ class ParameterInterest {
     for (const std::string& name : names) {
       if (!is_put)
         names_.erase(name);
-      else if (names_.size() < kMostNames)
+      else if (names_.size() < kMaxNames)
         names_.insert(name);
       else
         return false;

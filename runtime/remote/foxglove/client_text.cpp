@@ -17,10 +17,10 @@ using Kind = ProtocolError::Kind;
 
 /// A value in a message for people.
 std::string shown(const json& value) {
-  constexpr std::size_t kMost = 40;
+  constexpr std::size_t kMax = 40;
   if (value.is_structured()) return value.is_array() ? "an array" : "an object";
   std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
-  if (text.size() > kMost) text.replace(kMost, std::string::npos, "...");
+  if (text.size() > kMax) text.replace(kMax, std::string::npos, "...");
   return text;
 }
 
@@ -92,8 +92,8 @@ class Fields {
   }
 
   std::uint32_t number_of(const json& value, const std::string& where) const {
-    constexpr auto kMost = std::numeric_limits<std::uint32_t>::max();
-    if (value.is_number_unsigned() && value.get<std::uint64_t>() <= kMost) return value.get<std::uint32_t>();
+    constexpr auto kMax = std::numeric_limits<std::uint32_t>::max();
+    if (value.is_number_unsigned() && value.get<std::uint64_t>() <= kMax) return value.get<std::uint32_t>();
     refuse(where, value, "must be a whole number from 0 to 4294967295");
     return 0;
   }

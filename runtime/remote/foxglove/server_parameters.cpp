@@ -53,13 +53,13 @@ void Server::handle(Client& client, const SetParameters& op) {
 void Server::handle(Client& client, const SubscribeParameterUpdates& op) {
   if (client.interest.add(op.names)) return;
   say(client, Level::error,
-      fmt::format("subscribeParameterUpdates: more than {} names", ParameterInterest::kMostNames));
+      fmt::format("subscribeParameterUpdates: more than {} names", ParameterInterest::kMaxNames));
 }
 
 void Server::handle(Client& client, const UnsubscribeParameterUpdates& op) {
   if (client.interest.remove(op.names)) return;
   say(client, Level::error,
-      fmt::format("unsubscribeParameterUpdates: more than {} names", ParameterInterest::kMostNames));
+      fmt::format("unsubscribeParameterUpdates: more than {} names", ParameterInterest::kMaxNames));
 }
 
 void Server::on_parameters(const std::vector<NamedValue>& changed) {

@@ -17,10 +17,10 @@ constexpr Duration kLeastJump = Duration::milliseconds(500);
 
 /// Several complaints of one kind in one sentence.
 std::string listed(const char* what, const std::vector<std::uint32_t>& ids) {
-  constexpr std::size_t kMost = 8;
-  const std::span<const std::uint32_t> first = std::span(ids).first(std::min(ids.size(), kMost));
+  constexpr std::size_t kMax = 8;
+  const std::span<const std::uint32_t> first = std::span(ids).first(std::min(ids.size(), kMax));
   std::string text = fmt::format("{} {}", what, fmt::join(first, ", "));
-  if (ids.size() > kMost) text += fmt::format(" and {} more", ids.size() - kMost);
+  if (ids.size() > kMax) text += fmt::format(" and {} more", ids.size() - kMax);
   return text;
 }
 

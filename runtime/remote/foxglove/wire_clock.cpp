@@ -16,7 +16,7 @@ using Clock = rosgraph_msgs::msg::Clock;
 
 constexpr const char* kTopic = "rt/clock";
 constexpr int kDepth = 1000;  // that many steps may come between two looks
-constexpr std::size_t kMostSteps = 1000;
+constexpr std::size_t kMaxSteps = 1000;
 constexpr std::chrono::milliseconds kPatience{1000};    // with a /clock that says nothing
 constexpr Duration kStep = Duration::milliseconds(10);  // of the system clock, when it is told
 
@@ -59,7 +59,7 @@ void WireClock::hear() {
   while (reader_->take(sample_)) {
     if (deserialize(sample_.cdr, message)) steps_[sample_.received] = from_stamp(message.clock());
   }
-  while (steps_.size() > kMostSteps) steps_.erase(steps_.begin());
+  while (steps_.size() > kMaxSteps) steps_.erase(steps_.begin());
 }
 
 bool WireClock::is_known() {

@@ -21,13 +21,13 @@ namespace bw::foxglove {
 using Post = std::function<void(std::function<void()>)>;
 
 /// Work that DDS threads ask for, many times, and that the server's thread does once. It may outlive what it works for.
-class Errand {
+class PostedTask {
  public:
-  Errand(Post post, std::function<void()> work)
+  PostedTask(Post post, std::function<void()> work)
       : state_(std::make_shared<State>(std::move(post), std::move(work))) {}
-  ~Errand() { state_->work = nullptr; }
-  Errand(const Errand&) = delete;
-  Errand& operator=(const Errand&) = delete;
+  ~PostedTask() { state_->work = nullptr; }
+  PostedTask(const PostedTask&) = delete;
+  PostedTask& operator=(const PostedTask&) = delete;
 
   /// For DDS threads: may be called when this is gone.
   [[nodiscard]] std::function<void()> bell() const {
@@ -83,12 +83,12 @@ struct WireLink {
   bool is_own(const dds::Guid& end) const { return dds::same_participant(end, participant.guid()); }
   /// Kept for who listens later.
   void say(int level, const std::string& message) {
-    if (said.size() < kMostSaid) said.emplace_back(level, message);
+    if (said.size() < kMaxSaid) said.emplace_back(level, message);
     if (listener != nullptr) listener->on_status(level, message);
   }
 
   static constexpr std::uint32_t kReceiveBuffer = 4 << 20;  // [bytes]
-  static constexpr std::size_t kMostSaid = 100;
+  static constexpr std::size_t kMaxSaid = 100;
 
   Post post;
   dds::Participant participant;

@@ -63,7 +63,7 @@ class WireParameters {
   WireLink& link_;
   WireServices& services_;
   std::map<std::string, Node> nodes_;  ///< by full name; those that were asked
-  Errand hearing_;
+  PostedTask hearing_;
   std::unique_ptr<dds::Reader> events_;
 };
 

@@ -18,7 +18,7 @@ using std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kReaderPatience{1000};       // with readers that do not come, where another is there
 constexpr std::chrono::milliseconds kLongPatience{5000};   // where none is: discovery takes seconds on a busy machine
 constexpr std::chrono::milliseconds kWriterLinger{2000};         // until the last sample has arrived
-constexpr std::size_t kMostWaiting = 100;
+constexpr std::size_t kMaxWaiting = 100;
 
 /// geometry_msgs/PoseStamped -> geometry_msgs/msg/PoseStamped
 std::string full_type(const std::string& type) {
@@ -86,7 +86,7 @@ std::optional<std::string> WirePublisher::publish(const std::string& name,
   std::string broken;
   if (!validate(*one.type, cdr, &broken))
     return topic + ": no " + std::string(one.type->ros_name) + ": " + broken;
-  if (one.waiting.size() >= kMostWaiting) return topic + ": too many messages before anybody hears them";
+  if (one.waiting.size() >= kMaxWaiting) return topic + ": too many messages before anybody hears them";
   one.waiting.emplace_back(cdr.begin(), cdr.end());
   flush();
   return std::nullopt;

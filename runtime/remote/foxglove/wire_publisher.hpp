@@ -49,7 +49,7 @@ class WirePublisher {
   WireLink& link_;
   const std::string refusal_;
   std::map<std::string, Topic> topics_;
-  Errand flushing_;
+  PostedTask flushing_;
 };
 
 }  // namespace bw::foxglove

@@ -76,7 +76,7 @@ class WireRobot final : public Robot {
   WirePublisher publisher_;
   ConnectionGraph graph_;
   std::atomic<std::uint64_t> known_changes_ = ~std::uint64_t{0};
-  Errand ticking_;
+  PostedTask ticking_;
 
   std::mutex mutex_;
   std::condition_variable wake_;

@@ -78,7 +78,7 @@ class WireServices {
   std::set<std::string> told_;  ///< types that are not known
   std::map<std::uint32_t, Caller> callers_;
   std::vector<Answer> refused_;  ///< answers that wait for their turn
-  Errand hearing_;
+  PostedTask hearing_;
 };
 
 }  // namespace bw::foxglove

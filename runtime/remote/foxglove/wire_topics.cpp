@@ -16,7 +16,7 @@ namespace {
 using std::chrono::steady_clock;
 
 constexpr int kTopicDepth = 200;  // samples of a topic that may wait for the server's thread
-constexpr int kMostAtOnce = 64;
+constexpr int kMaxAtOnce = 64;
 // Pages come and go, and so would readers, which every process of the domain is told of.
 constexpr std::chrono::milliseconds kLinger{3000};
 
@@ -225,7 +225,7 @@ void WireTopics::take_queued() {
 
 /// False when nothing is left.
 bool WireTopics::take_some(Ear& ear) {
-  for (int i = 0; i < kMostAtOnce; ++i) {
+  for (int i = 0; i < kMaxAtOnce; ++i) {
     if (!ear.reader || !ear.reader->take(sample_)) return false;
     if (!link_.is_own(sample_.writer)) take(ear, sample_);
   }

@@ -90,7 +90,7 @@ class WireTopics {
   std::map<dds::Guid, Source> sources_;
   std::set<std::pair<std::string, std::string>> told_;  ///< topics with types that are not shown
   std::shared_ptr<Queue> queue_ = std::make_shared<Queue>();
-  Errand taking_;
+  PostedTask taking_;
   dds::Sample sample_;
   std::size_t open_count_ = 0;  ///< of topics with ears
 };

@@ -16,7 +16,7 @@ namespace bw::web {
 namespace {
 
 constexpr int kDepth = 3;
-constexpr std::size_t kMostFiles = 2000;
+constexpr std::size_t kMaxFiles = 2000;
 constexpr int kNoLinks = O_NOFOLLOW | O_CLOEXEC;
 
 struct Listed {
@@ -80,10 +80,10 @@ std::string BagFolder::list() const {
   std::vector<Listed> files;
   const int again = openat(folder_, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (again >= 0) list_folder(again, "", 0, files);
-  if (files.size() > kMostFiles) {
+  if (files.size() > kMaxFiles) {
     std::sort(files.begin(), files.end(),
               [](const Listed& a, const Listed& b) { return a.modified > b.modified; });
-    files.resize(kMostFiles);
+    files.resize(kMaxFiles);
   }
   std::sort(files.begin(), files.end(), [](const Listed& a, const Listed& b) { return a.path < b.path; });
   nlohmann::json list = nlohmann::json::array();

@@ -20,7 +20,7 @@ namespace http = beast::http;
 namespace net = boost::asio;
 
 constexpr std::size_t kChunk = 128 << 10;      // of a file at a time [bytes]
-constexpr std::size_t kMostDrained = 1 << 20;  // read from a client that is told why it is refused [bytes]
+constexpr std::size_t kMaxDrained = 1 << 20;  // read from a client that is told why it is refused [bytes]
 constexpr double kWriteTime = 30;              // for a page, or the next chunk of a file [s]
 constexpr double kDrainTime = 1;               // [s]
 
@@ -223,7 +223,7 @@ void HttpSession::drain() {
   chunk_.resize(4096);
   stream_.async_read_some(net::buffer(chunk_), [self = shared_from_this()](Error error, std::size_t size) {
     self->drained_ += size;
-    if (!error && self->drained_ < kMostDrained) self->drain();
+    if (!error && self->drained_ < kMaxDrained) self->drain();
   });
 }
 

@@ -17,10 +17,10 @@ namespace bw::web {
 namespace {
 
 constexpr std::size_t kLongestToken = 1024;
-constexpr std::size_t kMostSessions = 64;
+constexpr std::size_t kMaxSessions = 64;
 constexpr double kSessionLife = 12 * 3600;  // [s]
 constexpr double kAttemptWindow = 60;       // [s]
-constexpr std::size_t kMostAddresses = 1024;
+constexpr std::size_t kMaxAddresses = 1024;
 
 /// At most kLongestToken + 3 bytes of a file that only its owner can read.
 std::string read_secret(const std::filesystem::path& path) {
@@ -98,7 +98,7 @@ std::string random_text() {
 }
 
 std::string Sessions::open(const std::string& address, double now) {
-  if (sessions_.size() >= kMostSessions) sessions_.pop_front();
+  if (sessions_.size() >= kMaxSessions) sessions_.pop_front();
   sessions_.push_back({random_text(), address, now});
   return sessions_.back().cookie;
 }
@@ -126,7 +126,7 @@ void Attempts::forget(double now) {
 bool Attempts::may_try(const std::string& address, double now) {
   forget(now);
   const auto known = failures_.find(address);
-  if (known == failures_.end()) return failures_.size() < kMostAddresses;
+  if (known == failures_.end()) return failures_.size() < kMaxAddresses;
   return known->second.size() < allowed_;
 }
 

@@ -1,5 +1,5 @@
 // Bands that cannot win are left early: what is driven comes out as if nobody else were there.
-#include "components/local_planner/teb/band_contest.hpp"
+#include "components/local_planner/teb/early_termination.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,8 +40,8 @@ struct AroundADisc {
     improve(candidate, problem, field, options, driving, {.max_iterations = kPlenty});
     return candidate.report;
   }
-  int improve_both(std::vector<BandCandidate>& candidates, bool leaves_losers) const {
-    return improve_all(candidates, problem, field, options, driving, {leaves_losers, 0.95}, kPlenty);
+  int improve_both(std::vector<BandCandidate>& candidates, bool terminates_losers) const {
+    return improve_all(candidates, problem, field, options, driving, {terminates_losers, 0.95}, kPlenty);
   }
 };
 

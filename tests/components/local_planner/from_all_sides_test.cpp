@@ -146,9 +146,9 @@ TEST(FromAllSides, OneWhoTurnsRoundBeforeASlowRobot) {
                      .alpha_max = 1.5,
                      .jerk_max = 4.0,
                      .stop_deceleration = 1.5};
-  const auto contacts = [&](double outwalked_speed) {
+  const auto contacts = [&](double assumed_pedestrian_speed) {
     PlannerOptions options;
-    options.of<teb::PredictionOptions>("eteb").outwalked_speed = outwalked_speed;
+    options.of<teb::PredictionOptions>("eteb").assumed_pedestrian_speed = assumed_pedestrian_speed;
     int count = 0;
     for (const double aside : {0.4, 0.7, 1.0, 1.3}) {
       for (const double ahead : {0.8, 1.2, 1.6, 2.0}) {
@@ -160,7 +160,7 @@ TEST(FromAllSides, OneWhoTurnsRoundBeforeASlowRobot) {
     return count;
   };
   const int with_the_room_of_fast_ones = contacts(0.0);
-  const int with_more = contacts(teb::default_eteb_prediction().outwalked_speed);
+  const int with_more = contacts(teb::default_eteb_prediction().assumed_pedestrian_speed);
   EXPECT_LT(with_more, with_the_room_of_fast_ones);  // 8 and 12
   test::expect_at_most("contacts of a slow robot with one who turns round, of 16",
                        {.asked = 0, .measured = 8}, with_more);

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::uint64_t kSeed = 41;
 constexpr double kRounding = 1e-9;  // of a value, and absolute below 1
-constexpr std::size_t kMostCandidates = 20;
-constexpr std::size_t kMostPoints = 1000;  // of a trajectory
+constexpr std::size_t kMaxCandidates = 20;
+constexpr std::size_t kMaxPoints = 1000;  // of a trajectory
 
 int scenes_per_planner() {
   const char* asked = std::getenv("BANDWAGON_FUZZ_SCENES");
@@ -72,11 +72,11 @@ std::string complaint_about(const PlanningResult& result, const FuzzScene& scene
   if (result.iterations < 0 || result.iterations > p.budget.max_iterations)
     return "more iterations than its budget";
   if (result.status == PlanningStatus::ok && result.trajectory.empty()) return "ok without a trajectory";
-  if (result.candidates.size() > kMostCandidates) return "too many candidates";
-  if (!are_finite(result.trajectory) || result.trajectory.size() > kMostPoints) return "bad trajectory";
+  if (result.candidates.size() > kMaxCandidates) return "too many candidates";
+  if (!are_finite(result.trajectory) || result.trajectory.size() > kMaxPoints) return "bad trajectory";
   for (const Candidate& c : result.candidates) {
     if (!std::isfinite(c.cost)) return "a cost is not finite";
-    if (!are_finite(c.trajectory) || c.trajectory.size() > kMostPoints)
+    if (!are_finite(c.trajectory) || c.trajectory.size() > kMaxPoints)
       return "bad trajectory of a candidate";
   }
   return "";

@@ -127,11 +127,11 @@ TEST(Prediction, TheChoiceCountsItsShareOfTheGrowth) {
 TEST(Prediction, ASlowRobotKeepsWhatPeopleGainOnIt) {
   // 1.5 s (1 m/s - v_max): what one who walks at 1 m/s comes nearer by while the robot gets out of the way.
   const PredictionOptions eteb = default_eteb_prediction();
-  EXPECT_DOUBLE_EQ(outwalked_distance(eteb, 0.6), 0.6);
-  EXPECT_DOUBLE_EQ(outwalked_distance(eteb, 0.65), 0.525);
-  EXPECT_DOUBLE_EQ(outwalked_distance(eteb, 1.0), 0.0);
-  EXPECT_DOUBLE_EQ(outwalked_distance(eteb, 2.0), 0.0);
-  EXPECT_DOUBLE_EQ(outwalked_distance({}, 0.3), 0.0);  // of other planners than eteb
+  EXPECT_DOUBLE_EQ(pedestrian_lead(eteb, 0.6), 0.6);
+  EXPECT_DOUBLE_EQ(pedestrian_lead(eteb, 0.65), 0.525);
+  EXPECT_DOUBLE_EQ(pedestrian_lead(eteb, 1.0), 0.0);
+  EXPECT_DOUBLE_EQ(pedestrian_lead(eteb, 2.0), 0.0);
+  EXPECT_DOUBLE_EQ(pedestrian_lead({}, 0.3), 0.0);  // of other planners than eteb
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "components/people/tracker/evidence/existence.hpp"
-#include "components/people/tracker/evidence/fidgets.hpp"
+#include "components/people/tracker/evidence/foot_shifts.hpp"
 #include "components/people/tracker/evidence/past_sweeps.hpp"
 #include "components/people/tracker/evidence/row_of_posts.hpp"
 #include "components/people/tracker/tracker.hpp"
@@ -17,21 +17,21 @@
 namespace bw::people {
 namespace {
 
-constexpr Fidgets::Memory kOfLeg{.gap = 0.5, .turn = 0.1};
-constexpr Fidgets::Memory kOfPair{.gap = 1e9, .turn = 4.0};
+constexpr FootShifts::Memory kOfLeg{.gap = 0.5, .turn = 0.1};
+constexpr FootShifts::Memory kOfPair{.gap = 1e9, .turn = 4.0};
 
 // One side, score 0.9: n ln 9 / (n + 2), but at most 20 are remembered. A score of 0.5 says nothing.
 TEST(Evidence, LooksOfOneSideAreAveraged) {
-  Looks looks;
-  EXPECT_EQ(looks.log_odds(), 0.0);
+  Appearance appearance;
+  EXPECT_EQ(appearance.log_odds(), 0.0);
   for (int n = 1; n <= 20; ++n) {
-    looks.add(0.9, 0.1);
-    EXPECT_NEAR(looks.log_odds(), n * std::log(9.0) / (n + 2), 1e-5);
+    appearance.add(0.9, 0.1);
+    EXPECT_NEAR(appearance.log_odds(), n * std::log(9.0) / (n + 2), 1e-5);
   }
-  for (int n = 0; n < 500; ++n) looks.add(0.9, 0.1);
-  EXPECT_NEAR(looks.log_odds(), 20.0 * std::log(9.0) / 22.0, 1e-4);
-  for (int n = 0; n < 500; ++n) looks.add(0.5, 0.1);
-  EXPECT_NEAR(looks.log_odds(), 0.0, 1e-4);
+  for (int n = 0; n < 500; ++n) appearance.add(0.9, 0.1);
+  EXPECT_NEAR(appearance.log_odds(), 20.0 * std::log(9.0) / 22.0, 1e-4);
+  for (int n = 0; n < 500; ++n) appearance.add(0.5, 0.1);
+  EXPECT_NEAR(appearance.log_odds(), 0.0, 1e-4);
 }
 
 // Three sightings from one side and three from across: the second half counts half. 3 ln 9 / 5 = 1.318.
@@ -50,40 +50,40 @@ TEST(Evidence, AnotherSideTellsMore) {
   EXPECT_NEAR(unlike.log_odds(), 0.5 * same.log_odds(), 1e-5);
   for (int side = 0; side < 8; ++side)
     for (int n = 0; n < 9; ++n) two_sides.add(1.0, 0.8 * side);
-  EXPECT_EQ(two_sides.log_odds(), Looks::kMost);
+  EXPECT_EQ(two_sides.log_odds(), Appearance::kMax);
 }
 
 TEST(Evidence, WayWalkedCountsAfterASlip) {
   EXPECT_EQ(Walked{0.15}.log_odds(), 0.0);
   EXPECT_NEAR(Walked{0.35}.log_odds(), 2.0, 1e-12);
-  EXPECT_EQ(Walked{5.0}.log_odds(), Walked::kMost);
+  EXPECT_EQ(Walked{5.0}.log_odds(), Walked::kMax);
 }
 
 /// Log odds after a leg stood at 0 for `before` s, at `shift` m for `after` s, and back again, ten sweeps a second.
 double fidgets_of(double before, double shift, double after, bool whole = true, double turn = 0.0) {
-  Fidgets fidgets;
+  FootShifts foot_shifts;
   double t = 0.0;
   const auto stand = [&](double x, double seconds) {
     for (const double end = t + seconds - 1e-9; t < end; t += 0.1)
-      fidgets.add(t, {x, 1.0}, whole, turn * t, kOfLeg);
+      foot_shifts.add(t, {x, 1.0}, whole, turn * t, kOfLeg);
   };
   stand(0.0, before);
   stand(shift, after);
   stand(0.0, before);
-  return fidgets.log_odds();
+  return foot_shifts.log_odds();
 }
 
 // A foot that is set aside by 0.1 m and back after 2 s shifts twice; 0.03 m is within what a standing disc errs,
 // 0.3 m is another thing, 0.3 s are none, and what is half hidden or seen from another side shows nothing.
 TEST(Evidence, WhoStandsFidgets) {
   EXPECT_EQ(fidgets_of(2.0, 0.0, 2.0), 0.0);
-  EXPECT_EQ(fidgets_of(2.0, 0.1, 2.0), 2.0 * Fidgets::kEach);
+  EXPECT_EQ(fidgets_of(2.0, 0.1, 2.0), 2.0 * FootShifts::kEach);
   EXPECT_EQ(fidgets_of(2.0, 0.03, 2.0), 0.0);
   EXPECT_EQ(fidgets_of(2.0, 0.3, 2.0), 0.0);
   EXPECT_EQ(fidgets_of(2.0, 0.1, 0.3), 0.0);
   EXPECT_EQ(fidgets_of(2.0, 0.1, 2.0, false), 0.0);
   EXPECT_EQ(fidgets_of(2.0, 0.1, 2.0, true, 0.2), 0.0);
-  Fidgets noisy;
+  FootShifts noisy;
   Random random(5);
   for (int k = 0; k < 6000; ++k)
     noisy.add(0.1 * k, {random.normal(0.0, 0.012), random.normal(0.0, 0.012)}, true, 0.0, kOfLeg);
@@ -93,17 +93,17 @@ TEST(Evidence, WhoStandsFidgets) {
 // The way between two legs is compared with how it was before they were out of view for 10 s and seen from another side;
 // the place of a single leg is not. Stray sightings before and after do not make a time for which it stood.
 TEST(Evidence, ThePairThatStoodIsRemembered) {
-  const auto shifts = [](const Fidgets::Memory& memory, double shift, int before) {
-    Fidgets fidgets;
-    for (int k = 0; k < before; ++k) fidgets.add(0.1 * k, {0.24, 0.0}, true, 0.0, memory);
-    for (int k = 0; k < 5; ++k) fidgets.add(12.0 + 0.1 * k, {0.24, shift}, true, 1.5, memory);
-    return fidgets.log_odds();
+  const auto shifts = [](const FootShifts::Memory& memory, double shift, int before) {
+    FootShifts foot_shifts;
+    for (int k = 0; k < before; ++k) foot_shifts.add(0.1 * k, {0.24, 0.0}, true, 0.0, memory);
+    for (int k = 0; k < 5; ++k) foot_shifts.add(12.0 + 0.1 * k, {0.24, shift}, true, 1.5, memory);
+    return foot_shifts.log_odds();
   };
-  EXPECT_EQ(shifts(kOfPair, 0.1, 11), Fidgets::kEach);
+  EXPECT_EQ(shifts(kOfPair, 0.1, 11), FootShifts::kEach);
   EXPECT_EQ(shifts(kOfPair, 0.03, 11), 0.0);
   EXPECT_EQ(shifts(kOfPair, 0.1, 10), 0.0);  // stood for 0.9 s
   EXPECT_EQ(shifts(kOfLeg, 0.1, 11), 0.0);
-  Fidgets stray;
+  FootShifts stray;
   for (int k = 0; k < 11; ++k) stray.add(0.1 * k, {0.24, 0.0}, true, 0.0, kOfPair);
   for (int k = 1; k < 10; ++k) stray.add(1.0 + 1.0 * k, {0.24, 0.1}, true, 0.0, kOfPair);
   EXPECT_EQ(stray.log_odds(), 0.0);
@@ -127,7 +127,7 @@ TEST(Evidence, ConfidenceIsTheLogisticOfTheSum) {
   Existence existence{.prior = Existence::kTwoLegs};
   EXPECT_NEAR(existence.confidence(), 1.0 / (1.0 + std::exp(-Existence::kTwoLegs)), 1e-12);
   existence.walked.way = 0.35;
-  existence.fidgets = Fidgets::kEach;
+  existence.foot_shifts = FootShifts::kEach;
   existence.row = RowOfPosts::kRow;
   existence.clutter = -1.0;
   existence.alone = Existence::kAlone;
@@ -142,7 +142,7 @@ TEST(Evidence, AWayWalkedWhereThingsStoodIsNone) {
   existence.in_place = true;
   EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs, 1e-12);
   existence.walked.way = Walked::kFree;
-  EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs + Walked::kMost, 1e-12);
+  EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs + Walked::kMax, 1e-12);
 }
 
 // More things that look like legs come into view: who was confirmed stays so, who was not is doubted. Plain doubt, beyond
@@ -171,7 +171,7 @@ TEST(Evidence, WhoNeverMovedAmongFurnitureKeepsLess) {
   existence.furnished = 0.5;
   existence.keep_belief();
   EXPECT_NEAR(existence.kept, Existence::kKept - 0.5 * Existence::kLostAmongFurniture, 1e-12);
-  existence.fidgets = Fidgets::kEach;
+  existence.foot_shifts = FootShifts::kEach;
   existence.keep_belief();
   EXPECT_EQ(existence.kept, Existence::kKept);
 }
@@ -180,11 +180,11 @@ TEST(Evidence, WhoNeverMovedAmongFurnitureKeepsLess) {
 // walked a metre; of one that stands nothing is.
 TEST(Evidence, LooksOfWalkersSayMoreUntilTheyHaveWalked) {
   Existence walker{.prior = Existence::kWalker};
-  for (int k = 0; k < 500; ++k) walker.looks.add(0.9, 0.1);
+  for (int k = 0; k < 500; ++k) walker.appearance.add(0.9, 0.1);
   const double looks = 20.0 * std::log(9.0) / 22.0;
   EXPECT_NEAR(walker.log_odds(), Existence::kWalker + looks + (looks - 1.0), 1e-4);
   walker.walked.way = Walked::kFree;
-  EXPECT_NEAR(walker.log_odds(), Existence::kWalker + looks + Walked::kMost, 1e-4);
+  EXPECT_NEAR(walker.log_odds(), Existence::kWalker + looks + Walked::kMax, 1e-4);
   Existence standing{.prior = Existence::kTwoLegs, .looks = walker.looks};
   EXPECT_NEAR(standing.log_odds(), Existence::kTwoLegs + looks, 1e-4);
 }

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "components/people/tracker/untangle.hpp"
+#include "components/people/tracker/leg_reassociation.hpp"
 #include "tests/components/people/tracker_sightings.hpp"
 
 namespace bw::people {
@@ -76,7 +76,7 @@ TEST_F(Passing, ExchangedLegsAreGivenBack) {
     const PersonTrack a = pick(2) == 0 ? person(1.0, own, foreign) : person(1.0, foreign, own);
     const PersonTrack b = pick(3) == 0 ? person(-1.0, rest, given) : person(-1.0, given, rest);
     for (const bool a_first : {true, false}) {
-      const auto pairs = a_first ? pair_anew({&a, &b}, {}, kSweep, {}) : pair_anew({&b, &a}, {}, kSweep, {});
+      const auto pairs = a_first ? reassociate_legs({&a, &b}, {}, kSweep, {}) : reassociate_legs({&b, &a}, {}, kSweep, {});
       ASSERT_TRUE(pairs) << "order " << order;
       ASSERT_EQ(pairs->legs.size(), 2U);
       expect_legs_of(1.0, pairs->legs[a_first ? 0 : 1]);
@@ -90,14 +90,14 @@ TEST_F(Passing, ExchangedLegsAreGivenBack) {
 TEST_F(Passing, OwnLegsStay) {
   const PersonTrack a = person(1.0, a_[0], a_[1]);
   const PersonTrack b = person(-1.0, b_[0], b_[1]);
-  EXPECT_FALSE(pair_anew({&a, &b}, {}, kSweep, {}));
+  EXPECT_FALSE(reassociate_legs({&a, &b}, {}, kSweep, {}));
 }
 
 // A holds a leg of B's, and A's other leg is nobody's; B is not asked. A gets it, B's leg is nobody's then.
 TEST_F(Passing, WhatIsLeftAndWhatIsTakenIsTold) {
   const PersonTrack a = person(1.0, a_[0], b_[1]);
   const std::vector<ClusterTrack> clusters{standing({3.0, 3.0}, kSweep), a_[1]};
-  const auto pairs = pair_anew({&a}, clusters, kSweep, {});
+  const auto pairs = reassociate_legs({&a}, clusters, kSweep, {});
   ASSERT_TRUE(pairs);
   ASSERT_EQ(pairs->legs.size(), 1U);
   expect_legs_of(1.0, pairs->legs[0]);
@@ -114,7 +114,7 @@ TEST(Untangle, ChangesNothingWithoutMargin) {
   for (const double wide : {0.39, 0.41}) {
     const ClusterTrack other = standing({wide, 0.0}, kSweep);
     const PersonTrack person = person_at({wide / 2.0, 0.0}, {0.0, 0.0}, {leg, other});
-    const auto pairs = pair_anew({&person}, clusters, kSweep, {});
+    const auto pairs = reassociate_legs({&person}, clusters, kSweep, {});
     EXPECT_EQ(pairs.has_value(), wide > 0.4);
     if (!pairs) continue;
     ASSERT_EQ(pairs->left.size(), 1U);
@@ -147,7 +147,7 @@ TEST(Untangle, StrangerBecomesTheOtherLegOfTheOneLegged) {
         person_at({c.middle, 0.0}, {0.0, 0.0}, {standing({0.0, 0.0}, kSweep), std::nullopt});
     const std::vector<ClusterTrack> clusters{standing(far, kSweep),
                                              standing({c.place, 0.0}, c.seen, c.score)};
-    const auto pairs = pair_anew({&person}, clusters, kSweep, {});
+    const auto pairs = reassociate_legs({&person}, clusters, kSweep, {});
     ASSERT_EQ(pairs.has_value(), c.taken) << c.what;
     if (!pairs) continue;
     EXPECT_EQ(pairs->taken, std::vector<int>{1}) << c.what;
@@ -162,7 +162,7 @@ TEST(Untangle, StrangersAloneAreNotTheirLegs) {
   const ClusterTrack leg = standing({0.0, 0.0}, kSweep);
   const PersonTrack person = person_at({0.0, 0.0}, {0.0, 0.0}, {leg, std::nullopt});
   const std::vector<ClusterTrack> clusters{standing({0.58, 0.0}, kSweep), standing({0.68, 0.0}, kSweep)};
-  EXPECT_FALSE(pair_anew({&person}, clusters, kSweep, {}));
+  EXPECT_FALSE(reassociate_legs({&person}, clusters, kSweep, {}));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Where somebody hidden may be: before walls that were seen, not where the laser sees that nobody is.
 #include <gtest/gtest.h>
 
-#include "components/people/tracker/whereabouts.hpp"
+#include "components/people/tracker/occlusion_memory.hpp"
 #include "tests/components/people/tracker_stage.hpp"
 
 namespace bw::people {
@@ -64,7 +64,7 @@ struct Mass {
 };
 
 /// How much of the density lies before and beyond the wall at x = 4 m, on a raster of 0.1 m.
-Mass mass_of(const Whereabouts& where, const HiddenOptions& options) {
+Mass mass_of(const OcclusionMemory& where, const HiddenOptions& options) {
   Mass mass;
   for (double x = 0.0; x < 8.0; x += 0.1)
     for (double y = -6.0; y < 6.0; y += 0.1)
@@ -74,14 +74,14 @@ Mass mass_of(const Whereabouts& where, const HiddenOptions& options) {
 
 // Towards the wall at 1 m/s for 2 s, 1 m before it at first: straight on all would be beyond. The kernel,
 // here 0.1 m, smears none across, as nobody's middle comes nearer than 0.2 m.
-TEST(Whereabouts, NotBeyondAWall) {
+TEST(OcclusionMemory, NotBeyondAWall) {
   Stage stage;
   const SeenWalls walls = walls_after(stage, 1.1);
   stage.hide({4.0, 0.0}, 8.0, 0.5);  // all of the room is hidden now
   HiddenOptions options;
   options.place_kernel = 0.1;
   Random random(3);
-  Whereabouts where({3.0, 0.0}, {1.0, 0.0}, random, options);
+  OcclusionMemory where({3.0, 0.0}, {1.0, 0.0}, random, options);
   const auto before = where.moments();
   for (int k = 0; k < 20; ++k) where.walk(0.1, 0.1, stage.set(), walls, random, options);
   const double density_at_no_speed = std::pow(2.0 * std::numbers::pi * 0.25, -1.0);  // velocity unknown
@@ -93,29 +93,29 @@ TEST(Whereabouts, NotBeyondAWall) {
 }
 
 // Seen empty all over for 1 s: exp(-1 / 0.33) = 0.048 is left. Hidden: all.
-TEST(Whereabouts, FadesWhereNobodyIsSeen) {
+TEST(OcclusionMemory, FadesWhereNobodyIsSeen) {
   Stage stage;
   stage.begin(0.0);
   const SeenWalls walls;
   Random random(3);
-  Whereabouts seen({3.0, 0.0}, {0.0, 0.0}, random, {});
+  OcclusionMemory seen({3.0, 0.0}, {0.0, 0.0}, random, {});
   for (int k = 0; k < 10; ++k) seen.walk(0.1, 0.1, stage.set(), walls, random, {});
   EXPECT_NEAR(seen.existence(), 0.048, 0.001);
   stage.hide({3.0, 0.0}, 2.0, 1.0);
-  Whereabouts hidden({3.0, 0.0}, {0.0, 0.0}, random, {});
+  OcclusionMemory hidden({3.0, 0.0}, {0.0, 0.0}, random, {});
   for (int k = 0; k < 10; ++k) hidden.walk(0.1, 0.1, stage.set(), walls, random, {});
   EXPECT_NEAR(hidden.existence(), 1.0, 1e-9);
 }
 
 // A pillar hides y = -1 m to 1 m at x = 3 m. Who went behind it at 0.5 m/s has not come out after 4 s, when
 // half of the guesses would have: the rest are behind it.
-TEST(Whereabouts, GathersInWhatIsHidden) {
+TEST(OcclusionMemory, GathersInWhatIsHidden) {
   Stage stage;
   stage.begin(0.0);
   stage.hide({3.0, 0.0}, 1.0, 1.5);
   const SeenWalls walls;
   Random random(3);
-  Whereabouts where({3.0, -0.9}, {0.0, 0.5}, random, {});
+  OcclusionMemory where({3.0, -0.9}, {0.0, 0.5}, random, {});
   for (int k = 0; k < 40; ++k) where.walk(0.1, 0.1, stage.set(), walls, random, {});
   EXPECT_LT(std::abs(where.moments().mean(1)), 1.0);
   EXPECT_GT(where.existence(), 0.2);
@@ -124,12 +124,12 @@ TEST(Whereabouts, GathersInWhatIsHidden) {
   EXPECT_GT(density(0.5), 5.0 * density(2.0));
 }
 
-TEST(Whereabouts, TheSameSeedGuessesTheSame) {
+TEST(OcclusionMemory, TheSameSeedGuessesTheSame) {
   const auto mean = [] {
     Stage stage;
     stage.begin(0.0);
     Random random(9);
-    Whereabouts where({1.0, 2.0}, {0.3, 0.4}, random, {});
+    OcclusionMemory where({1.0, 2.0}, {0.3, 0.4}, random, {});
     for (int k = 0; k < 10; ++k) where.walk(0.1, 0.1, stage.set(), SeenWalls(), random, {});
     return where.moments().mean;
   };

@@ -163,8 +163,8 @@ TEST(EncoderOdometry, AFlippedBitMovesAStandingRobotNoFurtherThanItsWheelsCan) {
                                  robot.limits.omega_max * robot.wheel_separation / 2.0;
   const double in_a_period = options.speed_margin * wheel_speed_max * 0.02 + 2.0 * metres_per_tick(robot);
   constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min();
-  constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
-  for (const std::int32_t count : {0, 1, -1, 12'345, -1'000'000, kLeast, kLeast + 1, kMost}) {
+  constexpr std::int32_t kMax = std::numeric_limits<std::int32_t>::max();
+  for (const std::int32_t count : {0, 1, -1, 12'345, -1'000'000, kLeast, kLeast + 1, kMax}) {
     for (int flip = 0; flip < 3 * 32; ++flip) {  // of the left, the right, both
       for (const int wrong : {1, 2}) {
         const double most = wrong * in_a_period;

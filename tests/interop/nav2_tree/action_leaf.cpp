@@ -11,7 +11,7 @@ constexpr int kLeafSucceeded = 4, kLeafCanceled = 5;
 
 }  // namespace
 
-ActionLeaf::ActionLeaf(plain::Node& node, Journal& journal, Errand errand)
+ActionLeaf::ActionLeaf(plain::Node& node, Journal& journal, PostedTask errand)
     : journal_(journal),
       errand_(std::move(errand)),
       client_(node, "/" + errand_.action, plain::action_type(errand_.type)),

@@ -17,7 +17,7 @@ inline constexpr std::chrono::milliseconds kWaitInTick{5};      ///< half of bt_
 inline constexpr std::chrono::microseconds kLook{100};
 
 /// What differs from action to action.
-struct Errand {
+struct PostedTask {
   std::string action;  ///< follow_path
   std::string type;    ///< nav2_msgs/action/FollowPath
   std::function<Bytes()> goal;
@@ -28,7 +28,7 @@ struct Errand {
 
 class ActionLeaf final : public TreeNode {
  public:
-  ActionLeaf(plain::Node& node, Journal& journal, Errand errand);
+  ActionLeaf(plain::Node& node, Journal& journal, PostedTask errand);
 
   plain::ActionClient& client() { return client_; }
   const std::string& action() const { return errand_.action; }
@@ -55,7 +55,7 @@ class ActionLeaf final : public TreeNode {
   void note_end(const Sent& goal, bool was_replaced);
 
   Journal& journal_;
-  Errand errand_;
+  PostedTask errand_;
   plain::ActionClient client_;
   std::optional<Sent> pending_;  ///< sent, and not yet acknowledged
   std::optional<Sent> running_;

@@ -51,7 +51,7 @@ NodePtr DefaultTree::recover() {
   return sequence(NodePtr(std::move(helps)), NodePtr(std::move(in_turn)));
 }
 
-NodePtr DefaultTree::action(Errand errand) {
+NodePtr DefaultTree::action(PostedTask errand) {
   auto leaf = std::make_unique<ActionLeaf>(node_, journal_, std::move(errand));
   actions_.push_back(leaf.get());
   return leaf;

@@ -31,7 +31,7 @@ class DefaultTree {
   void poll();
 
  private:
-  NodePtr action(Errand errand);
+  NodePtr action(PostedTask errand);
   NodePtr compute_path();
   NodePtr follow_path();
   NodePtr behavior(const std::string& action, const std::string& type, const Bytes& goal);

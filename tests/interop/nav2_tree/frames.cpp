@@ -8,7 +8,7 @@ namespace nav2 {
 namespace {
 
 constexpr const char* kType = "tf2_msgs::msg::dds_::TFMessage_";
-constexpr std::size_t kMostLinks = 10;
+constexpr std::size_t kMaxLinks = 10;
 
 plain::EndOptions end(const std::string& topic, bool is_latched) {
   return {.topic = topic, .type = kType, .type_hash = {}, .depth = 100, .is_latched = is_latched};
@@ -56,7 +56,7 @@ std::optional<std::vector<Frames::Link>> Frames::way_up() const {
   std::vector<Link> way;
   for (std::string frame = "base_link"; frame != "map"; frame = way.back().parent) {
     const auto found = links_.find(frame);
-    if (found == links_.end() || way.size() == kMostLinks) return std::nullopt;
+    if (found == links_.end() || way.size() == kMaxLinks) return std::nullopt;
     way.push_back(found->second);
   }
   return way;

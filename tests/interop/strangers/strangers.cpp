@@ -47,9 +47,9 @@ dds::DomainParticipantQos participant_qos() {
   return qos;
 }
 
-class Stranger {
+class UnknownDevice {
  public:
-  explicit Stranger(int domain) {
+  explicit UnknownDevice(int domain) {
     auto* factory = dds::DomainParticipantFactory::get_instance();
     participant_ = factory->create_participant(static_cast<dds::DomainId_t>(domain), participant_qos());
     if (participant_ == nullptr)
@@ -61,12 +61,12 @@ class Stranger {
       writers_.push_back(publisher->create_datawriter(topic, dds::DATAWRITER_QOS_DEFAULT));
     }
   }
-  ~Stranger() {
+  ~UnknownDevice() {
     participant_->delete_contained_entities();
     dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
   }
-  Stranger(const Stranger&) = delete;
-  Stranger& operator=(const Stranger&) = delete;
+  UnknownDevice(const UnknownDevice&) = delete;
+  UnknownDevice& operator=(const UnknownDevice&) = delete;
   void speak() {
     for (std::size_t i = 0; i < kSaid.size(); ++i) {
       plain::Bytes bytes(4 + kSaid[i].size);
@@ -102,7 +102,7 @@ int main(int count_of_arguments, char** arguments) {
   sigaddset(&ends, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &ends, nullptr);
   try {
-    std::list<Stranger> strangers;
+    std::list<UnknownDevice> strangers;
     {
       std::list<bw::test::DomainLease>
           leases;  // so that they come to no test; strangers know nothing of leases
@@ -113,7 +113,7 @@ int main(int count_of_arguments, char** arguments) {
     }
     const timespec pause{.tv_sec = 0, .tv_nsec = 50'000'000};
     while (sigtimedwait(&ends, nullptr, &pause) < 0) {
-      for (Stranger& stranger : strangers) stranger.speak();
+      for (UnknownDevice& stranger : strangers) stranger.speak();
     }
   } catch (const std::exception& e) {
     std::cerr << "strangers: " << e.what() << "\n";

@@ -20,7 +20,7 @@ using lifecycle::State;
 class StillRunner final : public Runner {
  public:
   Time now() const override { return Time::seconds(100.0); }
-  void arrived(Inlet&) override {}
+  void arrived(InputEndpoint&) override {}
   void schedule(Timer& timer, Time at) override { timer.next = at; }
   RunEnd run(std::optional<Duration>) override { return {}; }
   void finish(RunEnd, Duration) override {}

@@ -11,7 +11,7 @@ namespace bw::lifecycle {
 namespace {
 
 constexpr std::size_t kNodes = 3;
-constexpr int kMostSteps = 3 * static_cast<int>(kNodes) * 2;
+constexpr int kMaxSteps = 3 * static_cast<int>(kNodes) * 2;
 
 struct ManagedWorld {
   std::vector<State> nodes = std::vector<State>(kNodes, State::unconfigured);
@@ -34,7 +34,7 @@ struct ManagedWorld {
     if (!bring_up) return;
     const auto step = bring_up->next();
     if (!step) return;
-    if (++steps > kMostSteps) violation = "it does not end";
+    if (++steps > kMaxSteps) violation = "it does not end";
     const Transition* transition = requested_transition(nodes[step->node], step->id, step->transition);
     if (transition == nullptr) {
       violation = "a transition that the node does not have";

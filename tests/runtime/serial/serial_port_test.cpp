@@ -146,9 +146,9 @@ TEST(SerialPort, ASecondOneOfThisProcessIsRefusedAndGetsItsTurn) {
 }
 
 /// A program that opens the line and knows of no locks, until it is told to end.
-class Stranger {
+class UnknownDevice {
  public:
-  explicit Stranger(const std::string& line) {
+  explicit UnknownDevice(const std::string& line) {
     std::array<int, 2> pipe{};
     if (::pipe(pipe.data()) != 0) return;
     id_ = fork();
@@ -163,7 +163,7 @@ class Stranger {
     ::close(pipe[0]);
     ::close(pipe[1]);
   }
-  ~Stranger() { end(); }
+  ~UnknownDevice() { end(); }
   void end() {
     if (id_ <= 0) return;
     kill(id_, SIGKILL);
@@ -181,7 +181,7 @@ TEST(SerialPort, AStrangerWhoCameFirstIsNamed) {
   Folder folder;
   PseudoTerminal device(folder / "cable");
   device.update(now());
-  Stranger stranger((folder / "cable").string());
+  UnknownDevice stranger((folder / "cable").string());
   ASSERT_TRUE(stranger.has_it());
   SerialPort host({.port = (folder / "cable").string()});
   EXPECT_TRUE(says(host, "in use by process " + std::to_string(stranger.id())));

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "components/people/tracker/evidence/looks.hpp"
+#include "components/people/tracker/evidence/appearance.hpp"
 #include "components/people/tracker/evidence/walked.hpp"
 
 namespace bw::people {
@@ -26,7 +26,7 @@ struct Existence {
   /// people are found where people are, and two posts look like legs everywhere. In full in a furnished place, and at first.
   static constexpr double kAlone = -3.0;
   static constexpr double kCompany = 2.0;
-  static constexpr double kMostCompany = 1.0;
+  static constexpr double kMaxCompany = 1.0;
   /// By 1 + so much for each of them other things that look like legs say less against such two.
   static constexpr double kShareOfOthers = 0.5;
 
@@ -49,15 +49,15 @@ struct Existence {
   static constexpr double kWasThere = -4.0;
   /// Of two that stand and never move, for each second in view [1/s], and at most.
   static constexpr double kRigid = -0.1;
-  static constexpr double kMostRigid = -2.0;
+  static constexpr double kMaxRigid = -2.0;
 
   /// Of who walked and is seen where something stood before: from here on it is that (`taken` ends at -14).
   static constexpr double kSurelyTaken = -13.0;
 
   double prior = kOneLeg;
   Walked walked;
-  Looks looks;
-  double fidgets = 0.0;    ///< log odds (fidgets.hpp)
+  Appearance appearance;
+  double foot_shifts = 0.0;    ///< log odds (foot_shifts.hpp)
   double row = 0.0;        ///< log odds (row_of_posts.hpp), lately
   double clutter = 0.0;    ///< log odds by how many things about look like legs
   double alone = 0.0;      ///< log odds of two that stand by how few people are known to walk about
@@ -75,11 +75,11 @@ struct Existence {
 
   /// In a way that furniture does not.
   bool has_moved() const {
-    return prior != kTwoLegs || walked.way >= Walked::kFree || came >= kHasCome || fidgets > 0.0;
+    return prior != kTwoLegs || walked.way >= Walked::kFree || came >= kHasCome || foot_shifts > 0.0;
   }
 
   double log_odds() const {
-    return prior + way_walked() + looks.log_odds() + looks_of_walker() + fidgets + row + clutter + alone +
+    return prior + way_walked() + appearance.log_odds() + looks_of_walker() + foot_shifts + row + clutter + alone +
            taken + came + rigid + kept;
   }
   double confidence() const { return 1.0 / (1.0 + std::exp(-log_odds())); }
@@ -88,7 +88,7 @@ struct Existence {
   double way_walked() const { return in_place && walked.way < Walked::kFree ? 0.0 : walked.log_odds(); }
   double looks_of_walker() const {
     const bool walks = prior == kWalker || prior == kLoneWalker;
-    return walks && walked.way < Walked::kFree ? kLooksOfWalkers * (looks.log_odds() - kUsualLooks) : 0.0;
+    return walks && walked.way < Walked::kFree ? kLooksOfWalkers * (appearance.log_odds() - kUsualLooks) : 0.0;
   }
 };
 

@@ -182,10 +182,10 @@ TEST(Possible, WhatExistsIsNeverProvenAway) {
     Random random(static_cast<std::uint64_t>(seed));
     bool is_drawn = false;
     for (int k = 0; k < 300 && !is_drawn; ++k) is_drawn = random_motion_is_clear(drawn, bounds, 4.0, random);
-    HopefulOptions coarse;
+    OptimisticSearchOptions coarse;
     coarse.cell = 0.02;
     coarse.escape_area = 12.0;
-    const bool is_none = search_hopefully(drawn.scene, drawn.start, bounds, 4.0, coarse) == Hope::none;
+    const bool is_none = search_optimistically(drawn.scene, drawn.start, bounds, 4.0, coarse) == SearchOutcome::none;
     EXPECT_FALSE(is_found && is_none) << "seed " << seed;
     EXPECT_FALSE(is_drawn && is_none) << "seed " << seed;
     found += is_found ? 1 : 0;

@@ -6,7 +6,7 @@
 
 #include "components/lab/experiments/edwa_criteria.hpp"
 #include "components/lab/experiments/hallway_experiment.hpp"
-#include "components/lab/experiments/honesty.hpp"
+#include "components/lab/experiments/caveats.hpp"
 #include "components/lab/experiments/pf_experiment.hpp"
 
 namespace bw {

@@ -18,23 +18,23 @@ namespace {
 TEST(EdwaScenes, JitterWithinTheRangesOfTheBook) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     for (int i = 0; i < kEdwaScenes; ++i) {
-      const std::vector<Errand> errands = edwa_scene(i, seed).errands;
+      const std::vector<StartAndGoal> errands = edwa_scene(i, seed).errands;
       EXPECT_EQ(errands[0].start, Pose2{});
       EXPECT_EQ(errands[0].goal, (Pose2{16.0, 0.0, 0.0}));
     }
-    const std::vector<Errand> head_on = edwa_scene(0, seed).errands;
+    const std::vector<StartAndGoal> head_on = edwa_scene(0, seed).errands;
     ASSERT_EQ(head_on.size(), 2U);
     EXPECT_NEAR(head_on[1].start.y, 0.8, 0.2);
     EXPECT_EQ(head_on[1].goal.y, head_on[1].start.y);
     EXPECT_DOUBLE_EQ(head_on[1].start.theta, std::numbers::pi);
 
-    const std::vector<Errand> crossing = edwa_scene(1, seed).errands;
+    const std::vector<StartAndGoal> crossing = edwa_scene(1, seed).errands;
     EXPECT_NEAR(crossing[1].start.x, 8.0, 0.2);
     EXPECT_NEAR(crossing[1].start.y, -7.5, 0.4);
     EXPECT_EQ(crossing[1].goal.x, crossing[1].start.x);
     EXPECT_DOUBLE_EQ(crossing[1].start.theta, std::numbers::pi / 2.0);
 
-    const std::vector<Errand> three = edwa_scene(3, seed).errands;
+    const std::vector<StartAndGoal> three = edwa_scene(3, seed).errands;
     ASSERT_EQ(three.size(), 4U);
     EXPECT_NEAR(three[1].start.y, 1.1, 0.2);
     EXPECT_EQ(three[3].start.x, 11.0);

@@ -1,4 +1,4 @@
-#include "components/lab/experiments/honesty.hpp"
+#include "components/lab/experiments/caveats.hpp"
 
 #include <stdexcept>
 

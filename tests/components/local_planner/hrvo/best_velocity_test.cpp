@@ -85,9 +85,9 @@ TEST(BestVelocity, AFavouredWayRoundMayCostItsAllowance) {
   const Vector2 left(0.9, 0.3);
   const Vector2 wish(1.0, 0.0);
   EXPECT_LT(best_velocity({cone}, wish, 1.0).velocity.y(), 0.0);
-  EXPECT_LT(best_velocity({cone}, wish, 1.0, Favour{left, 0.04}).velocity.y(), 0.0);
-  EXPECT_GT(best_velocity({cone}, wish, 1.0, Favour{left, 0.06}).velocity.y(), 0.0);
-  EXPECT_EQ(best_velocity({}, wish, 1.0, Favour{left, 0.06}).velocity, wish);
+  EXPECT_LT(best_velocity({cone}, wish, 1.0, PreviousVelocity{left, 0.04}).velocity.y(), 0.0);
+  EXPECT_GT(best_velocity({cone}, wish, 1.0, PreviousVelocity{left, 0.06}).velocity.y(), 0.0);
+  EXPECT_EQ(best_velocity({}, wish, 1.0, PreviousVelocity{left, 0.06}).velocity, wish);
 }
 
 TEST(BestVelocity, OfNothingFreeWhatMeetsTheFarthestFirst) {

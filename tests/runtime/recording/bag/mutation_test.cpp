@@ -21,7 +21,7 @@ namespace bw::bag {
 namespace {
 
 // The window in which recovery looks for chunks and the first step of decompression are 1 MiB. Files here have 20 kB.
-constexpr std::size_t kMostAtOnce = std::size_t{2} << 20;
+constexpr std::size_t kMaxAtOnce = std::size_t{2} << 20;
 
 /// What a program does with a bag that it was handed. False: it was refused, in words.
 bool use(const std::filesystem::path& path, Reading& reading) {
@@ -142,7 +142,7 @@ TEST(Mutations, AreReadAsFarAsTheyCanBeOrRefused) {
             << "mutation " << i << " (" << kind.name << ") gives out what nobody wrote";
     }
     if (file.extension() == ".mcap") recover_into(file, folder / "recovered.mcap");
-    ASSERT_LE(largest_allocation, kMostAtOnce) << "mutation " << i << ", " << kind.name;
+    ASSERT_LE(largest_allocation, kMaxAtOnce) << "mutation " << i << ", " << kind.name;
   }
   EXPECT_LT(refused, count / 2);
 }
@@ -195,7 +195,7 @@ TEST_P(EveryByte, MayBeTheBeginningOfAHugeLength) {
       mcap::write_content(file, content);
       Reading reading;
       use(file, reading);
-      ASSERT_LE(largest_allocation, kMostAtOnce) << length.size() << " bytes at " << at;
+      ASSERT_LE(largest_allocation, kMaxAtOnce) << length.size() << " bytes at " << at;
     }
   }
 }

@@ -97,7 +97,7 @@ TEST_F(Parameters, ChangesReachThoseWhoAskedForThem) {
 TEST_F(Parameters, NamesThatAreKeptAreBounded) {
   opened(1);
   json names = json::array();
-  for (std::size_t i = 0; i <= ParameterInterest::kMostNames; ++i) names.push_back("/n" + std::to_string(i));
+  for (std::size_t i = 0; i <= ParameterInterest::kMaxNames; ++i) names.push_back("/n" + std::to_string(i));
   text(1, {{"op", "subscribeParameterUpdates"}, {"parameterNames", names}});
   expect_status(1, 2, "more than 20000 names");
   text(1, {{"op", "unsubscribeParameterUpdates"}, {"parameterNames", names}});

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "components/people/tracker/hearing.hpp"
+#include "components/people/tracker/external_detections.hpp"
 #include "components/people/tracker/reappearance.hpp"
 #include "components/people/tracker/tracker_impl.hpp"
 
@@ -33,7 +33,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::hear(const HeardSet& heard) {
 }
 
 void Tracker::Impl::believe(const HeardPerson& told, double late, PersonTrack& person) {
-  const HearingOptions& hearing = options_.hearing;
+  const ExternalDetectionOptions& hearing = options_.hearing;
   person.last_heard = *now_;
   person.heard = believed(person.heard, told.reliability, hearing);
   if (person.empty_seconds >= options_.death.unseen)
@@ -50,7 +50,7 @@ void Tracker::Impl::believe(const HeardPerson& told, double late, PersonTrack& p
 }
 
 void Tracker::Impl::begin_with(const HeardPerson& told, double late) {
-  const double unsure = late * HearingOptions::kUntoldSpeed;
+  const double unsure = late * ExternalDetectionOptions::kUntoldSpeed;
   const double deviation = std::hypot(options_.hearing.position_deviation, unsure);
   HeardPerson there = told;
   there.position += late * told.velocity;

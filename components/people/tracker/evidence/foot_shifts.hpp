@@ -8,10 +8,10 @@ namespace bw::people {
 /// Looks for a place that stays, changes by a few centimetres and stays again: the place of a leg while the laser
 /// stands still, or the way from one leg to the other, which a laser that moves sees as well. All the time it is seen
 /// from about the same side: another one, or something in front of it, moves the middle of anything.
-class Fidgets {
+class FootShifts {
  public:
   static constexpr double kEach = 4.0;  ///< log odds of one shift
-  static constexpr double kMost = 8.0;
+  static constexpr double kMax = 8.0;
 
   /// What ends the memory of where it stood: a time unseen [s], and a turn of the line of sight [rad].
   struct Memory {

@@ -5,7 +5,7 @@
 
 namespace bw::people {
 
-struct HearingOptions {
+struct ExternalDetectionOptions {
   double position_deviation = 0.2;
   double trust = 0.4;
   double memory = 2.0;
@@ -40,7 +40,7 @@ struct HearingOptions {
        .min = 0.1,
        .max = 60,
        .doc = "belief that is not repeated fades with this time constant"});
-    v.retired({"seen", "leg_score", "unseen_limit"}, "a constant of hearing_options.hpp");
+    v.retired({"seen", "leg_score", "unseen_limit"}, "a constant of external_detection_options.hpp");
   }
 };
 

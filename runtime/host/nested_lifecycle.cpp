@@ -1,4 +1,4 @@
-#include "runtime/host/led_lifecycle.hpp"
+#include "runtime/host/nested_lifecycle.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -32,20 +32,20 @@ Command command_for(std::uint8_t transition) {
 
 }  // namespace
 
-void LedLifecycle::configure(Setup& setup) {
+void NestedLifecycle::configure(Setup& setup) {
   log_ = setup.log();
   for (const Follower& follower : followers_)
     clients_.push_back(setup.client<ChangeState>(follower.change_state, Need::optional));
 }
 
-std::vector<State> LedLifecycle::states() const {
+std::vector<State> NestedLifecycle::states() const {
   std::vector<State> now;
   for (const Follower& follower : followers_) now.push_back(follower.state());
   now.push_back(leader_.state);
   return now;
 }
 
-void LedLifecycle::change(const lifecycle::Transition& transition, Time now, OnDone on_done) {
+void NestedLifecycle::change(const lifecycle::Transition& transition, Time now, OnDone on_done) {
   if (bring_up_) {
     log_.warn("no {} while another transition is under way", transition.label);
     on_done(false);
@@ -57,7 +57,7 @@ void LedLifecycle::change(const lifecycle::Transition& transition, Time now, OnD
   step(now);
 }
 
-void LedLifecycle::step(Time now) {
+void NestedLifecycle::step(Time now) {
   const std::optional<BringUp::Step> step = bring_up_->next();
   if (!step) return end(now);
   if (step->node == followers_.size()) {
@@ -79,12 +79,12 @@ void LedLifecycle::step(Time now) {
 }
 
 /// A follower is up whose leader is not even configured.
-bool LedLifecycle::is_behind() const {
+bool NestedLifecycle::is_behind() const {
   return leader_.state == State::unconfigured &&
          std::ranges::any_of(followers_, [](const Follower& f) { return f.state() == State::inactive; });
 }
 
-void LedLifecycle::end(Time now) {
+void NestedLifecycle::end(Time now) {
   if (const auto& failure = bring_up_->failure()) {
     const bool own = failure->node == followers_.size();
     log_.error("{} did not {}: it was {}", own ? leader_.name : followers_[failure->node].name,

@@ -7,7 +7,7 @@
 
 namespace bw {
 
-class Bell {
+class Notifier {
  public:
   void ring() {
     const std::lock_guard lock(mutex_);

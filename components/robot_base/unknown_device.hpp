@@ -9,7 +9,7 @@
 namespace bw {
 
 /// Of all bytes since the last reset(). What it says changes seldom, so that people can read it.
-class Stranger {
+class UnknownDevice {
  public:
   void add(std::span<const std::uint8_t> bytes);
   void reset() { *this = {}; }

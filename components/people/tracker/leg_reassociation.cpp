@@ -1,4 +1,4 @@
-#include "components/people/tracker/untangle.hpp"
+#include "components/people/tracker/leg_reassociation.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -28,7 +28,7 @@ bool overlap(const Pairing& a, const Pairing& b) {
 /// Theirs and what stands near and looks like a leg, as far as this sweep showed it.
 std::vector<Leg> legs_about(const std::vector<const PersonTrack*>& people,
                             const std::vector<ClusterTrack>& clusters, std::int64_t sweep,
-                            const UntangleOptions& options) {
+                            const LegReassociationOptions& options) {
   std::vector<Leg> legs;
   for (const PersonTrack* person : people)
     for (const auto& leg : person->legs)
@@ -48,7 +48,7 @@ std::vector<Leg> legs_about(const std::vector<const PersonTrack*>& people,
 }
 
 /// Doubt of the legs as they are paired.
-double doubt_now(const PersonTrack& person, std::int64_t sweep, const UntangleOptions& options) {
+double doubt_now(const PersonTrack& person, std::int64_t sweep, const LegReassociationOptions& options) {
   if (!person.both_legs_seen(sweep)) return options.kAlone;
   return doubt_of_legs(*person.legs[0], *person.legs[1], options).value_or(options.kAlone);
 }
@@ -73,7 +73,7 @@ std::vector<Pairing> best_of(const std::vector<Pairing>& pairings, std::size_t c
 }
 
 /// How far the legs' way starts from where the person was going when they were last sure to be theirs [m].
-double miss_of(const PersonTrack& person, const Leg& a, const Leg& b, const UntangleOptions& options) {
+double miss_of(const PersonTrack& person, const Leg& a, const Leg& b, const LegReassociationOptions& options) {
   const Gait gait = gait_of(CommonSightings(*a.track, *b.track), options.kSightings);
   const PastState& before = person.settled;
   return (gait.start - before.position - (gait.since - before.time) * before.velocity).norm();
@@ -82,15 +82,15 @@ double miss_of(const PersonTrack& person, const Leg& a, const Leg& b, const Unta
 }  // namespace
 
 std::optional<double> doubt_of_legs(const ClusterTrack& a, const ClusterTrack& b,
-                                    const UntangleOptions& options) {
+                                    const LegReassociationOptions& options) {
   const CommonSightings common(a, b);
   if (common.count < options.kLeast) return std::nullopt;
   return gait_of(common, options.kSightings).doubt();
 }
 
-std::optional<NewPairs> pair_anew(const std::vector<const PersonTrack*>& people,
+std::optional<ReassociatedLegs> reassociate_legs(const std::vector<const PersonTrack*>& people,
                                   const std::vector<ClusterTrack>& clusters, std::int64_t sweep,
-                                  const UntangleOptions& options) {
+                                  const LegReassociationOptions& options) {
   const std::vector<Leg> legs = legs_about(people, clusters, sweep, options);
   if (legs.size() < 2 * people.size()) return std::nullopt;
   double now = -options.margin;
@@ -113,7 +113,7 @@ std::optional<NewPairs> pair_anew(const std::vector<const PersonTrack*>& people,
     if (miss(0, 1) + miss(1, 0) < miss(0, 0) + miss(1, 1)) std::swap(best[0], best[1]);
   }
 
-  NewPairs result;
+  ReassociatedLegs result;
   for (const Pairing& pairing : best) result.legs.push_back({*legs[pairing.i].track, *legs[pairing.j].track});
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const bool chosen = std::ranges::any_of(best, [&](const Pairing& p) { return p.i == i || p.j == i; });

@@ -1,4 +1,4 @@
-#include "runtime/host/namesake_watch.hpp"
+#include "runtime/host/duplicate_name_watch.hpp"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@
 namespace bw {
 namespace {
 
-constexpr std::size_t kMostServices = 5;  // in one line
+constexpr std::size_t kMaxServices = 5;  // in one line
 constexpr std::size_t kPrefixSize = 12;   // of a participant, in the ids of its ends
 
 dds::Guid prefix_of(dds::Guid guid) {
@@ -34,7 +34,7 @@ std::string served_name(const std::string& service) {
 }
 
 std::string listed(const std::vector<std::string>& names) {
-  const std::size_t shown = std::min(names.size(), kMostServices);
+  const std::size_t shown = std::min(names.size(), kMaxServices);
   std::string text =
       fmt::format("{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
   if (shown < names.size()) text += fmt::format(" and {} more", names.size() - shown);
@@ -43,7 +43,7 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
-NamesakeWatch::Rivals NamesakeWatch::rivals_in(const DomainView& view) const {
+DuplicateNameWatch::Rivals DuplicateNameWatch::rivals_in(const DomainView& view) const {
   const dds::Guid own = prefix_of(view.own_participant);
   Rivals rivals;
   for (const ParticipantEntities& participant : view.participants) {
@@ -51,7 +51,7 @@ NamesakeWatch::Rivals NamesakeWatch::rivals_in(const DomainView& view) const {
     if (prefix == own) continue;
     for (const NodeEntities& node : participant.nodes) {
       const auto ours = std::ranges::find(nodes_, full_name(node), &OwnNode::name);
-      if (ours != nodes_.end()) rivals[{&*ours, prefix}] = {.node = ours->name, .is_namesake = true};
+      if (ours != nodes_.end()) rivals[{&*ours, prefix}] = {.node = ours->name, .is_duplicate = true};
     }
   }
   for (const dds::Endpoint& end : view.endpoints) {
@@ -74,22 +74,22 @@ NamesakeWatch::Rivals NamesakeWatch::rivals_in(const DomainView& view) const {
   return rivals;
 }
 
-std::string NamesakeWatch::sentence(const OwnNode& ours, const dds::Guid& theirs, const Rival& rival,
+std::string DuplicateNameWatch::sentence(const OwnNode& ours, const dds::Guid& theirs, const Rival& rival,
                                     const dds::Guid& own_participant) {
   const std::string place = place_of(theirs, own_participant);
   const std::string served = rival.services.empty() ? "" : listed(rival.services);
-  if (rival.is_namesake || rival.services.empty())
+  if (rival.is_duplicate || rival.services.empty())
     return fmt::format("{} is there twice: a node of {} has the same name{}", ours.name, place,
                        served.empty() ? "" : " and serves " + served + " too");
   return fmt::format("{} of {} is served twice: by {} of {} too", served, ours.name,
                      rival.node.empty() ? "somebody without a node name" : rival.node, place);
 }
 
-NamesakeWatch::News NamesakeWatch::news_of(std::string text) {
+DuplicateNameWatch::News DuplicateNameWatch::news_of(std::string text) {
   return {LogLevel::error, std::move(text) + "; end one of the two: nobody can say which is asked"};
 }
 
-std::vector<NamesakeWatch::News> NamesakeWatch::look(const DomainView& view) {
+std::vector<DuplicateNameWatch::News> DuplicateNameWatch::look(const DomainView& view) {
   std::vector<News> news;
   Rivals now = rivals_in(view);
   for (auto& [key, rival] : now) {
@@ -112,7 +112,7 @@ std::vector<NamesakeWatch::News> NamesakeWatch::look(const DomainView& view) {
   return news;
 }
 
-std::string NamesakeWatch::rivals_of(const std::string& node, const DomainView& view) const {
+std::string DuplicateNameWatch::rivals_of(const std::string& node, const DomainView& view) const {
   for (const auto& [key, rival] : rivals_in(view)) {
     const OwnNode& ours = *key.first;
     if (ours.name == node) return news_of(sentence(ours, key.second, rival, view.own_participant)).text;
@@ -120,7 +120,7 @@ std::string NamesakeWatch::rivals_of(const std::string& node, const DomainView& 
   return {};
 }
 
-bool NamesakeWatch::is_waiting() const {
+bool DuplicateNameWatch::is_waiting() const {
   return std::ranges::any_of(rivals_, [](const auto& item) { return item.second.looks < 2; });
 }
 

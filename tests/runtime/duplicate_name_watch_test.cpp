@@ -1,5 +1,5 @@
 // Who else has a name of ours or serves what we serve, from nodes and endpoints as discovery shows them.
-#include "runtime/host/namesake_watch.hpp"
+#include "runtime/host/duplicate_name_watch.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ dds::Guid guid(std::uint8_t participant, std::uint8_t end = 0, std::uint8_t host
 struct Domain {
   std::vector<ParticipantEntities> participants;
   std::vector<dds::Endpoint> endpoints;
-  NamesakeWatch watch{
+  DuplicateNameWatch watch{
       {{.name = "/planner_server",
         .services = {"/planner_server/get_state", "/is_path_valid", "/compute_path_to_pose/_action/send_goal",
                      "/compute_path_to_pose/_action/get_result"}}}};
@@ -57,7 +57,7 @@ struct Domain {
 
 const std::string kEnd = "; end one of the two: nobody can say which is asked";
 
-TEST(NamesakeWatch, ANodeOfOurNameIsToldOnceWithWhatItServes) {
+TEST(DuplicateNameWatch, ANodeOfOurNameIsToldOnceWithWhatItServes) {
   Domain domain;
   domain.add_node(kOurs, "planner_server");
   domain.add_server(kOurs, "/is_path_valid");
@@ -90,7 +90,7 @@ TEST(NamesakeWatch, ANodeOfOurNameIsToldOnceWithWhatItServes) {
   EXPECT_EQ(domain.watch.states().at("/planner_server").level, LogLevel::info);
 }
 
-TEST(NamesakeWatch, AServerOfOursUnderAnotherNameIsOneToo) {
+TEST(DuplicateNameWatch, AServerOfOursUnderAnotherNameIsOneToo) {
   Domain domain;
   domain.add_server(kOther, "/is_path_valid");
   domain.look();
@@ -103,7 +103,7 @@ TEST(NamesakeWatch, AServerOfOursUnderAnotherNameIsOneToo) {
   EXPECT_THAT(domain.look(), ElementsAre(HasSubstr("by somebody without a node name of participant")));
 }
 
-TEST(NamesakeWatch, SaysWhenItIsNotOfThisMachine) {
+TEST(DuplicateNameWatch, SaysWhenItIsNotOfThisMachine) {
   Domain domain;
   domain.add_node(kOther, "planner_server", 9);
   domain.look();

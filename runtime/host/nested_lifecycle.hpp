@@ -19,7 +19,7 @@ inline constexpr Duration kLongestTransition = Duration::milliseconds(10'000);
 
 struct Actor;
 
-class LedLifecycle {
+class NestedLifecycle {
  public:
   struct Follower {
     std::string name;
@@ -28,7 +28,7 @@ class LedLifecycle {
   };
   using OnDone = std::function<void(bool success)>;
 
-  LedLifecycle(Actor& leader, std::vector<Follower> followers)
+  NestedLifecycle(Actor& leader, std::vector<Follower> followers)
       : leader_(leader), followers_(std::move(followers)) {}
 
   /// Declares the calls of the followers as ends of the leader's node.

@@ -24,7 +24,7 @@ bool holds(const plain::Bytes& bytes, const std::string& text) {
   return std::search(bytes.begin(), bytes.end(), text.begin(), text.end()) != bytes.end();
 }
 
-TEST(Namesakes, BesideAServerOfItsNameItIsNotActivated) {
+TEST(DuplicateNames, BesideAServerOfItsNameItIsNotActivated) {
   auto theirs = std::make_unique<Foreign>("planner_server");
   StandIn ours("planner_server");
   Outsider outside;
@@ -75,7 +75,7 @@ std::map<std::string, std::vector<std::string>> containers_seen_by(Outsider& out
 }
 
 // ROS 2's tools warn of nodes that share a name, and ask one of two. The process id is in the name, so that there are none.
-TEST(Namesakes, SeveralProcessesAreSeveralContainers) {
+TEST(DuplicateNames, SeveralProcessesAreSeveralContainers) {
   StandIn planner("planner_server"), controller("controller_server"), behaviors("behavior_server");
   Outsider outside;
   for (const char* node : {"/planner_server", "/controller_server", "/behavior_server"})

@@ -9,9 +9,9 @@
 
 namespace bw {
 
-class ToldForAWhile {
+class HeldReport {
  public:
-  explicit ToldForAWhile(Duration time = Duration::milliseconds(1000)) : time_(time) {}
+  explicit HeldReport(Duration time = Duration::milliseconds(1000)) : time_(time) {}
 
   /// `text` is for people. Of one kind the first text stays for as long as it is told, so that what goes on is one news.
   void say(Time now, const std::string& kind, std::string text) {

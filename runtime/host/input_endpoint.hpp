@@ -13,12 +13,12 @@ namespace bw {
 
 struct Actor;
 
-class Inlet {
+class InputEndpoint {
  public:
-  Inlet() = default;
-  virtual ~Inlet() = default;
-  Inlet(const Inlet&) = delete;
-  Inlet& operator=(const Inlet&) = delete;
+  InputEndpoint() = default;
+  virtual ~InputEndpoint() = default;
+  InputEndpoint(const InputEndpoint&) = delete;
+  InputEndpoint& operator=(const InputEndpoint&) = delete;
 
   /// For messages to people: the topic or service.
   virtual const std::string& label() const = 0;

@@ -1,4 +1,4 @@
-#include "components/people/tracker/evidence/fidgets.hpp"
+#include "components/people/tracker/evidence/foot_shifts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ constexpr int kMean = 20;                // sightings in the mean
 
 }  // namespace
 
-void Fidgets::stand_anew(const Vector2& place, double bearing, double stood_for) {
+void FootShifts::stand_anew(const Vector2& place, double bearing, double stood_for) {
   stood_ = place;
   stood_for_ = stood_for;
   bearing_ = bearing;
@@ -23,7 +23,7 @@ void Fidgets::stand_anew(const Vector2& place, double bearing, double stood_for)
   aside_ = false;
 }
 
-void Fidgets::add(double time, const Vector2& place, bool whole, double bearing, const Memory& memory) {
+void FootShifts::add(double time, const Vector2& place, bool whole, double bearing, const Memory& memory) {
   if (!whole) return;
   const double since = time - last_;
   const bool lost =
@@ -53,6 +53,6 @@ void Fidgets::add(double time, const Vector2& place, bool whole, double bearing,
   stand_anew(moved_, bearing, moved_for_);
 }
 
-double Fidgets::log_odds() const { return std::min(kMost, kEach * shifts_); }
+double FootShifts::log_odds() const { return std::min(kMax, kEach * shifts_); }
 
 }  // namespace bw::people

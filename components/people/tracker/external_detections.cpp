@@ -1,4 +1,4 @@
-#include "components/people/tracker/hearing.hpp"
+#include "components/people/tracker/external_detections.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -53,12 +53,12 @@ std::vector<int> match_heard(const std::vector<HeardPerson>& heard, const std::v
   return assignment.solve();
 }
 
-double believed(double belief, double reliability, const HearingOptions& options) {
+double believed(double belief, double reliability, const ExternalDetectionOptions& options) {
   return 1.0 - (1.0 - belief) * (1.0 - options.trust * reliability);
 }
 
 NearLegs legs_near(const Vector2& place, double now, const std::vector<ClusterTrack>& clusters,
-                   const HearingOptions& options) {
+                   const ExternalDetectionOptions& options) {
   std::vector<int> near;
   const double reach = 2.0 * options.position_deviation;
   for (std::size_t i = 0; i < clusters.size(); ++i) {
@@ -93,7 +93,7 @@ NearLegs legs_near(const Vector2& place, double now, const std::vector<ClusterTr
 
 PersonTrack person_of(const HeardPerson& heard, double deviation, Time now, const TrackerOptions& options) {
   const bool is_told = heard.velocity.squaredNorm() > 0.0;
-  const double speed = is_told ? HearingOptions::kToldSpeed : HearingOptions::kUntoldSpeed;
+  const double speed = is_told ? ExternalDetectionOptions::kToldSpeed : ExternalDetectionOptions::kUntoldSpeed;
   PersonTrack person{.walker = Walker(options.walker, BodyPart::middle, heard.position, heard.velocity,
                                       deviation * deviation, speed * speed),
                      .born = now,

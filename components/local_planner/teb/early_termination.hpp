@@ -8,8 +8,8 @@
 
 namespace bw::teb {
 
-struct ContestOptions {
-  bool leaves_losers = false;    ///< false: all work on every band, as something else than cost decides
+struct EarlyTerminationOptions {
+  bool terminates_losers = false;    ///< false: all work on every band, as something else than cost decides
   double cost_hysteresis = 1.0;  ///< share of its cost that the driven band counts with
 };
 
@@ -21,6 +21,6 @@ struct ContestOptions {
 /// What they are compared with is free and keeps its distance from movers, or nobody is left.
 int improve_all(std::vector<BandCandidate>& candidates, const PlanningProblem& problem,
                 const ObstacleField& field, const BandOptions& options, const DrivingOptions& driving,
-                const ContestOptions& contest, int max_iterations);
+                const EarlyTerminationOptions& contest, int max_iterations);
 
 }  // namespace bw::teb

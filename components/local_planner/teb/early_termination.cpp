@@ -1,4 +1,4 @@
-#include "components/local_planner/teb/band_contest.hpp"
+#include "components/local_planner/teb/early_termination.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -12,35 +12,35 @@ namespace {
 // Of the others those that matter go on in the next one.
 constexpr double kWorthFinishing = 0.85;
 
-class Contest {
+class EarlyTermination {
  public:
-  Contest(std::vector<BandCandidate>& candidates, const PlanningProblem& problem, const ObstacleField& field,
-          const BandOptions& options, const DrivingOptions& driving, const ContestOptions& contest,
+  EarlyTermination(std::vector<BandCandidate>& candidates, const PlanningProblem& problem, const ObstacleField& field,
+          const BandOptions& options, const DrivingOptions& driving, const EarlyTerminationOptions& contest,
           int max_iterations)
       : candidates_(candidates),
         problem_(problem),
         field_(field),
         options_(options),
         driving_(driving),
-        contest_(contest),
+        termination_(contest),
         max_iterations_(max_iterations),
         share_(std::max(1, max_iterations / static_cast<int>(candidates.size()))) {}
 
   void run() {
     const auto is_driven = [](const BandCandidate& c) { return c.driven; };
     const auto driven = std::ranges::find_if(candidates_, is_driven);
-    if (contest_.leaves_losers && driven != candidates_.end()) {
+    if (termination_.terminates_losers && driven != candidates_.end()) {
       work(*driven, {});
       compare_with(*driven);
     }
     for_each([&](BandCandidate& c) {
-      if (!contest_.leaves_losers) {
+      if (!termination_.terminates_losers) {
         work(c, {});
       } else if (!c.driven) {
         work(c, c.kept ? Effort{.rival = rival_} : Effort{.last_round = 1});
       }
     });
-    if (contest_.leaves_losers) finish_plans();
+    if (termination_.terminates_losers) finish_plans();
   }
 
  private:
@@ -80,7 +80,7 @@ class Contest {
   void compare_with(const BandCandidate& c) {
     if (!c.report.usable || !c.safety.free || c.safety.comfort < driving_.mover_margin) return;
     const bool has_advantage = c.driven && c.settled;
-    rival_ = std::min(rival_, has_advantage ? contest_.cost_hysteresis * c.cost : c.cost);
+    rival_ = std::min(rival_, has_advantage ? termination_.cost_hysteresis * c.cost : c.cost);
   }
 
   // Within what is left of its share.
@@ -98,7 +98,7 @@ class Contest {
   const ObstacleField& field_;
   const BandOptions& options_;
   const DrivingOptions& driving_;
-  ContestOptions contest_;
+  EarlyTerminationOptions termination_;
   int max_iterations_;
   int share_;
   double rival_ = std::numeric_limits<double>::infinity();
@@ -108,9 +108,9 @@ class Contest {
 
 int improve_all(std::vector<BandCandidate>& candidates, const PlanningProblem& problem,
                 const ObstacleField& field, const BandOptions& options, const DrivingOptions& driving,
-                const ContestOptions& contest, int max_iterations) {
+                const EarlyTerminationOptions& contest, int max_iterations) {
   if (candidates.empty()) return 0;
-  Contest(candidates, problem, field, options, driving, contest, max_iterations).run();
+  EarlyTermination(candidates, problem, field, options, driving, contest, max_iterations).run();
   int spent = 0;
   for (const BandCandidate& candidate : candidates) spent += candidate.report.iterations;
   return spent;

@@ -7,14 +7,14 @@
 
 namespace bw::people {
 
-class Looks {
+class Appearance {
  public:
-  static constexpr double kMost = 3.0;  ///< log odds, either way
+  static constexpr double kMax = 3.0;  ///< log odds, either way
 
   /// A score, 0 to 1, as seen by somebody who looks along `bearing` [rad].
   void add(double score, double bearing);
 
-  /// Log odds of a person: sum over sides of the mean log odds of the scores, within +-kMost.
+  /// Log odds of a person: sum over sides of the mean log odds of the scores, within +-kMax.
   double log_odds() const;
 
  private:

@@ -28,14 +28,14 @@ struct DomainView {
   std::function<std::string(const dds::Guid&)> node_of;  ///< of an endpoint; empty: not named yet
 };
 
-class NamesakeWatch {
+class DuplicateNameWatch {
  public:
   struct News {
     LogLevel level = LogLevel::error;
     std::string text;
   };
 
-  explicit NamesakeWatch(std::vector<OwnNode> nodes) : nodes_(std::move(nodes)) {}
+  explicit DuplicateNameWatch(std::vector<OwnNode> nodes) : nodes_(std::move(nodes)) {}
 
   /// To be called every half second or so. Who is there is told at the second look: names and servers of a process come one
   /// after the other. Who has left is told too.
@@ -50,7 +50,7 @@ class NamesakeWatch {
  private:
   struct Rival {
     std::string node;                   ///< empty: nobody has named it yet
-    bool is_namesake = false;           ///< its name is that of ours
+    bool is_duplicate = false;           ///< its name is that of ours
     std::vector<std::string> services;  ///< that ours has too; actions by their own name
     int looks = 0;
   };

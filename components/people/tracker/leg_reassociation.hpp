@@ -16,10 +16,10 @@ namespace bw::people {
 /// How little two legs look like those of one person by their last common sightings [m]; nothing when too few
 /// show both.
 std::optional<double> doubt_of_legs(const ClusterTrack& a, const ClusterTrack& b,
-                                    const UntangleOptions& options);
+                                    const LegReassociationOptions& options);
 
 /// Legs paired anew.
-struct NewPairs {
+struct ReassociatedLegs {
   std::vector<std::array<ClusterTrack, 2>> legs;  ///< of each of the people
   std::vector<ClusterTrack> left;                 ///< legs that were theirs and are nobody's now
   std::vector<int> taken;                         ///< indices of clusters that are legs of theirs now
@@ -27,8 +27,8 @@ struct NewPairs {
 
 /// Pairs anew the legs of somebody, or of two, and clusters near them that look like legs, if what they did
 /// lately says so with a margin. Only what was seen in sweep number `sweep` counts.
-std::optional<NewPairs> pair_anew(const std::vector<const PersonTrack*>& people,
+std::optional<ReassociatedLegs> reassociate_legs(const std::vector<const PersonTrack*>& people,
                                   const std::vector<ClusterTrack>& clusters, std::int64_t sweep,
-                                  const UntangleOptions& options);
+                                  const LegReassociationOptions& options);
 
 }  // namespace bw::people

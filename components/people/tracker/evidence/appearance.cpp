@@ -1,4 +1,4 @@
-#include "components/people/tracker/evidence/looks.hpp"
+#include "components/people/tracker/evidence/appearance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ constexpr double kOtherSides = 0.5;   // what a side adds to the one that says m
 
 }  // namespace
 
-void Looks::add(double score, double bearing) {
+void Appearance::add(double score, double bearing) {
   const double p = std::clamp(score, 1.0 - kSurest, kSurest);
   const double turns = bearing / (2.0 * std::numbers::pi);
   const auto at = static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(kSides));
@@ -24,7 +24,7 @@ void Looks::add(double score, double bearing) {
   side.weight = keep * side.weight + 1.0F;
 }
 
-double Looks::log_odds() const {
+double Appearance::log_odds() const {
   double sum = 0.0;
   double strongest = 0.0;
   for (const Side& side : sides_) {
@@ -32,7 +32,7 @@ double Looks::log_odds() const {
     sum += mean;
     if (std::abs(mean) > std::abs(strongest)) strongest = mean;
   }
-  return std::clamp(strongest + kOtherSides * (sum - strongest), -kMost, kMost);
+  return std::clamp(strongest + kOtherSides * (sum - strongest), -kMax, kMax);
 }
 
 }  // namespace bw::people

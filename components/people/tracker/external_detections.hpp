@@ -7,7 +7,7 @@
 #include "components/people/heard_person.hpp"
 #include "components/people/tracker/cluster_track.hpp"
 #include "components/people/tracker/heading_filter.hpp"
-#include "components/people/tracker/hearing_options.hpp"
+#include "components/people/tracker/external_detection_options.hpp"
 #include "components/people/tracker/person_track.hpp"
 #include "components/people/tracker/tracker_options.hpp"
 
@@ -22,7 +22,7 @@ std::vector<int> match_heard(const std::vector<HeardPerson>& heard, const std::v
                              double late, double deviation, const AssociationOptions& options);
 
 /// Belief after one more message.
-double believed(double belief, double reliability, const HearingOptions& options);
+double believed(double belief, double reliability, const ExternalDetectionOptions& options);
 
 /// Clusters seen within `seen` before `now` [s], two deviations away at most, that may be the legs of somebody told to be at `place`; -1: none. Two whom one sweep
 /// showed come before one.
@@ -31,7 +31,7 @@ struct NearLegs {
   int second = -1;
 };
 NearLegs legs_near(const Vector2& place, double now, const std::vector<ClusterTrack>& clusters,
-                   const HearingOptions& options);
+                   const ExternalDetectionOptions& options);
 
 /// Somebody new of whom nothing is known but this, by a laser not seen for as long as anybody is remembered; `deviation` of the place [m].
 PersonTrack person_of(const HeardPerson& heard, double deviation, Time now, const TrackerOptions& options);

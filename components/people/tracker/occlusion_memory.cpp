@@ -1,4 +1,4 @@
-#include "components/people/tracker/whereabouts.hpp"
+#include "components/people/tracker/occlusion_memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ bool is_barred(const Vector2& from, const Vector2& step, const DetectionSet& swe
 
 }  // namespace
 
-Whereabouts::Whereabouts(const Vector2& position, const Vector2& velocity, Random& random,
+OcclusionMemory::OcclusionMemory(const Vector2& position, const Vector2& velocity, Random& random,
                          const HiddenOptions& options)
     : guesses_(static_cast<std::size_t>(options.kGuesses)) {
   for (Guess& guess : guesses_) {
@@ -43,7 +43,7 @@ Whereabouts::Whereabouts(const Vector2& position, const Vector2& velocity, Rando
   }
 }
 
-void Whereabouts::walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls,
+void OcclusionMemory::walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls,
                        Random& random, const HiddenOptions& options) {
   const double wander = options.kWander * std::sqrt(dt);
   const double anew = 1.0 - std::exp(-dt / options.kKeepsWay);
@@ -73,7 +73,7 @@ void Whereabouts::walk(double dt, double looked, const DetectionSet& sweep, cons
 }
 
 /// Systematic resampling: as many guesses, all of the same weight.
-void Whereabouts::draw_anew(Random& random) {
+void OcclusionMemory::draw_anew(Random& random) {
   const std::vector<Guess> old = guesses_;
   const double share = 1.0 / static_cast<double>(old.size());
   double pointer = random.uniform() * share;
@@ -87,7 +87,7 @@ void Whereabouts::draw_anew(Random& random) {
   while (next < guesses_.size()) guesses_[next++] = {old.back().position, old.back().velocity, share};
 }
 
-Whereabouts::Moments Whereabouts::moments() const {
+OcclusionMemory::Moments OcclusionMemory::moments() const {
   Moments m{Eigen::Vector4d::Zero(), Eigen::Matrix4d::Zero()};
   Eigen::Vector4d x;
   for (const Guess& guess : guesses_) {
@@ -100,14 +100,14 @@ Whereabouts::Moments Whereabouts::moments() const {
   return m;
 }
 
-double Whereabouts::chance_near(const Vector2& place) const {
+double OcclusionMemory::chance_near(const Vector2& place) const {
   double sum = 0.0;
   for (const Guess& guess : guesses_)
     if ((guess.position - place).squaredNorm() < kNear * kNear) sum += guess.weight;
   return existence_ * sum;
 }
 
-double Whereabouts::density(const Vector2& place, std::optional<Vector2> velocity, double ago,
+double OcclusionMemory::density(const Vector2& place, std::optional<Vector2> velocity, double ago,
                             const HiddenOptions& options) const {
   const double p = options.place_kernel * options.place_kernel;
   const double v = options.kVelocityKernel * options.kVelocityKernel;

@@ -1,4 +1,4 @@
-#include "components/evaluation/possible/hopeful_search.hpp"
+#include "components/evaluation/possible/optimistic_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ std::vector<MoveRow> moves_of(const std::vector<Vector2>& vectors, double cell) 
 class HopefulSearch {
  public:
   HopefulSearch(const SearchScene& scene, const MotionState& start, const MotionBounds& bounds, double until,
-                const HopefulOptions& options)
+                const OptimisticSearchOptions& options)
       : scene_(scene),
         start_(start),
         bounds_(bounds),
@@ -90,20 +90,20 @@ class HopefulSearch {
     paint_standing();
   }
 
-  Hope run() {
+  SearchOutcome run() {
     block_at(start_.time);
-    if (blocked_.at(frame_.side / 2, frame_.side / 2)) return Hope::none;
+    if (blocked_.at(frame_.side / 2, frame_.side / 2)) return SearchOutcome::none;
     now_[0].set(frame_.side / 2, {frame_.side / 2, frame_.side / 2});
     const int steps = static_cast<int>(std::floor((until_ - start_.time) / options_.step + 1e-9));
     for (int step = 1; step <= steps; ++step) {
-      if (!move(step)) return Hope::some;
+      if (!move(step)) return SearchOutcome::some;
       const std::int64_t cells = cut(step);
-      if (cells == 0) return Hope::none;
+      if (cells == 0) return SearchOutcome::none;
       if (static_cast<double>(cells) * options_.cell * options_.cell > options_.escape_area)
-        return Hope::some;
+        return SearchOutcome::some;
       std::swap(now_, next_);
     }
-    return Hope::some;
+    return SearchOutcome::some;
   }
 
  private:
@@ -204,7 +204,7 @@ class HopefulSearch {
   const SearchScene& scene_;
   const MotionState start_;
   const MotionBounds bounds_;
-  const HopefulOptions options_;
+  const OptimisticSearchOptions options_;
   double until_;
   MotionEnvelope envelope_;
   BitFrame frame_;
@@ -216,8 +216,8 @@ class HopefulSearch {
 
 }  // namespace
 
-Hope search_hopefully(const SearchScene& scene, const MotionState& start, const MotionBounds& bounds,
-                      double until, const HopefulOptions& options) {
+SearchOutcome search_optimistically(const SearchScene& scene, const MotionState& start, const MotionBounds& bounds,
+                      double until, const OptimisticSearchOptions& options) {
   return HopefulSearch(scene, start, bounds, until, options).run();
 }
 

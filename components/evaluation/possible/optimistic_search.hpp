@@ -21,20 +21,20 @@
 
 namespace bw::possible {
 
-struct HopefulOptions {
+struct OptimisticSearchOptions {
   double step = 0.1;         ///< h [s]
   double cell = 0.01;        ///< c [m]
   double half_width = 5.0;   ///< of the place looked at, around the start [m]; who leaves it has escaped
   double escape_area = 4.0;  ///< so much room left [m^2]: given up as unlikely to be a proof
 };
 
-enum class Hope {
+enum class SearchOutcome {
   none,  ///< no motion within the bounds stays clear: proven
   some   ///< cells are left, or it was given up
 };
 
 /// From `start` until `until` [s].
-Hope search_hopefully(const SearchScene& scene, const MotionState& start, const MotionBounds& bounds,
-                      double until, const HopefulOptions& options = {});
+SearchOutcome search_optimistically(const SearchScene& scene, const MotionState& start, const MotionBounds& bounds,
+                      double until, const OptimisticSearchOptions& options = {});
 
 }  // namespace bw::possible

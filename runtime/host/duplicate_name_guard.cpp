@@ -1,4 +1,4 @@
-#include "runtime/host/namesake_guard.hpp"
+#include "runtime/host/duplicate_name_guard.hpp"
 
 #include "runtime/host/actor.hpp"
 
@@ -15,14 +15,14 @@ std::vector<OwnNode> find_own_nodes(const std::vector<Actor*>& local) {
   return nodes;
 }
 
-DomainView NamesakeGuard::view(const std::vector<dds::Endpoint>& endpoints) {
+DomainView DuplicateNameGuard::view(const std::vector<dds::Endpoint>& endpoints) {
   return {.own_participant = participant_.guid(),
           .participants = directory_.participants(),
           .endpoints = endpoints,
           .node_of = [this](const dds::Guid& guid) { return directory_.node_of(guid); }};
 }
 
-std::vector<NamesakeWatch::News> NamesakeGuard::look() {
+std::vector<DuplicateNameWatch::News> DuplicateNameGuard::look() {
   const std::lock_guard lock(mutex_);
   const bool has_names = directory_.update();
   const std::uint64_t changes = participant_.endpoint_changes();
@@ -33,7 +33,7 @@ std::vector<NamesakeWatch::News> NamesakeGuard::look() {
   return watch_.look(view(endpoints));
 }
 
-std::string NamesakeGuard::rivals_of(const std::string& node) {
+std::string DuplicateNameGuard::rivals_of(const std::string& node) {
   const std::lock_guard lock(mutex_);
   directory_.update();
   directory_.forget_the_gone();
@@ -41,7 +41,7 @@ std::string NamesakeGuard::rivals_of(const std::string& node) {
   return watch_.rivals_of(node, view(endpoints));
 }
 
-std::map<std::string, NamesakeWatch::News> NamesakeGuard::states() {
+std::map<std::string, DuplicateNameWatch::News> DuplicateNameGuard::states() {
   const std::lock_guard lock(mutex_);
   return watch_.states();
 }

@@ -1,11 +1,11 @@
-#include "components/robot_base/stranger.hpp"
+#include "components/robot_base/unknown_device.hpp"
 
 #include <algorithm>
 #include <string_view>
 
 namespace bw {
 
-void Stranger::add(std::span<const std::uint8_t> bytes) {
+void UnknownDevice::add(std::span<const std::uint8_t> bytes) {
   for (const std::uint8_t byte : bytes) {
     is_heard_ = true;
     is_text_ &= byte == '\r' || byte == '\n' || byte == '\t' || (byte >= 32 && byte <= 126);
@@ -18,7 +18,7 @@ void Stranger::add(std::span<const std::uint8_t> bytes) {
   }
 }
 
-std::string Stranger::likeness() const {
+std::string UnknownDevice::likeness() const {
   constexpr int kNoChance = 3;
   if (!is_heard_) return "nothing comes";
   if (kobuki_headers_ >= kNoChance) return "it speaks as a Kobuki does (AA 55)";

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/host/namesake_watch.hpp"
+#include "runtime/host/duplicate_name_watch.hpp"
 #include "runtime/ros/node_directory.hpp"
 
 namespace bw {
@@ -16,16 +16,16 @@ struct Actor;
 std::vector<OwnNode> find_own_nodes(const std::vector<Actor*>& local);
 
 /// From any thread.
-class NamesakeGuard {
+class DuplicateNameGuard {
  public:
   /// The participant must outlive this.
-  NamesakeGuard(dds::Participant& participant, std::vector<OwnNode> nodes)
+  DuplicateNameGuard(dds::Participant& participant, std::vector<OwnNode> nodes)
       : participant_(participant), directory_(participant), watch_(std::move(nodes)) {}
 
-  std::vector<NamesakeWatch::News> look();
+  std::vector<DuplicateNameWatch::News> look();
   /// Who stands beside our node of this full name at this moment; empty: nobody.
   std::string rivals_of(const std::string& node);
-  std::map<std::string, NamesakeWatch::News> states();
+  std::map<std::string, DuplicateNameWatch::News> states();
 
  private:
   DomainView view(const std::vector<dds::Endpoint>& endpoints);
@@ -33,7 +33,7 @@ class NamesakeGuard {
   std::mutex mutex_;
   dds::Participant& participant_;
   NodeDirectory directory_;
-  NamesakeWatch watch_;
+  DuplicateNameWatch watch_;
   std::uint64_t changes_ = 0;
 };
 
