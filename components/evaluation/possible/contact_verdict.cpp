@@ -28,7 +28,7 @@ ContactVerdict judge_contact(const SearchScene& scene, const std::vector<MotionS
   if (states.empty()) return verdict;
   const double until = std::min(contact + options.after_contact, std::max(contact, known_until));
   const MotionBounds bounds = bounds_of(limits, 1.0);
-  const MotionBounds hopeful = bounds_of(limits, options.hopeful_factor);
+  const MotionBounds optimistic = bounds_of(limits, options.optimistic_factor);
   const auto is_saved = [&](std::size_t i) {
     std::optional<std::vector<MotionState>> motion =
         find_motion(scene, states[i], bounds, until, options.finder);
@@ -37,7 +37,7 @@ ContactVerdict judge_contact(const SearchScene& scene, const std::vector<MotionS
     return true;
   };
   const auto is_lost = [&](std::size_t i) {
-    return search_optimistically(scene, states[i], hopeful, until, options.hopeful) == SearchOutcome::none;
+    return search_optimistically(scene, states[i], optimistic, until, options.optimistic) == SearchOutcome::none;
   };
 
   // Backwards in longer and longer steps, to the first state from which a motion is found.

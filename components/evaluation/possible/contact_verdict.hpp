@@ -25,8 +25,8 @@ const char* text_of(Avoidance avoidance);
 
 struct VerdictOptions {
   double after_contact = 5.0;   ///< a motion must stay clear until so long after the contact [s]
-  double hopeful_factor = 2.0;  ///< on the accelerations, for the hopeful search
-  OptimisticSearchOptions hopeful;
+  double optimistic_factor = 2.0;  ///< on the accelerations, for the hopeful search
+  OptimisticSearchOptions optimistic;
   FinderOptions finder;
 };
 

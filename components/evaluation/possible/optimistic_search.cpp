@@ -63,9 +63,9 @@ std::vector<MoveRow> moves_of(const std::vector<Vector2>& vectors, double cell) 
   return moves;
 }
 
-class HopefulSearch {
+class OptimisticSearch {
  public:
-  HopefulSearch(const SearchScene& scene, const MotionState& start, const MotionBounds& bounds, double until,
+  OptimisticSearch(const SearchScene& scene, const MotionState& start, const MotionBounds& bounds, double until,
                 const OptimisticSearchOptions& options)
       : scene_(scene),
         start_(start),
@@ -218,7 +218,7 @@ class HopefulSearch {
 
 SearchOutcome search_optimistically(const SearchScene& scene, const MotionState& start, const MotionBounds& bounds,
                       double until, const OptimisticSearchOptions& options) {
-  return HopefulSearch(scene, start, bounds, until, options).run();
+  return OptimisticSearch(scene, start, bounds, until, options).run();
 }
 
 }  // namespace bw::possible

@@ -167,10 +167,10 @@ void BandPlanner::add_new_bands(Cycle& cycle) const {
 void BandPlanner::improve_bands(Cycle& cycle) const {
   // One band competes with nobody; and where more than cost decides, cost does not tell who loses.
   const bool by_cost = !options_.term && options_.selection.obstacle_cost_scale == 1.0;
-  const EarlyTerminationOptions contest{options_.selection.max_kept > 1 && by_cost,
+  const EarlyTerminationOptions termination{options_.selection.max_kept > 1 && by_cost,
                                options_.selection.cost_hysteresis};
   cycle.iterations = improve_all(cycle.candidates, cycle.problem, cycle.field, cycle.band, options_.driving,
-                                 contest, budget_of(cycle.problem));
+                                 termination, budget_of(cycle.problem));
   for (BandCandidate& candidate : cycle.candidates) candidate.evasive = false;
 }
 

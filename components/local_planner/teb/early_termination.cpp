@@ -15,14 +15,14 @@ constexpr double kWorthFinishing = 0.85;
 class EarlyTermination {
  public:
   EarlyTermination(std::vector<BandCandidate>& candidates, const PlanningProblem& problem, const ObstacleField& field,
-          const BandOptions& options, const DrivingOptions& driving, const EarlyTerminationOptions& contest,
+          const BandOptions& options, const DrivingOptions& driving, const EarlyTerminationOptions& termination,
           int max_iterations)
       : candidates_(candidates),
         problem_(problem),
         field_(field),
         options_(options),
         driving_(driving),
-        termination_(contest),
+        termination_(termination),
         max_iterations_(max_iterations),
         share_(std::max(1, max_iterations / static_cast<int>(candidates.size()))) {}
 
@@ -108,9 +108,9 @@ class EarlyTermination {
 
 int improve_all(std::vector<BandCandidate>& candidates, const PlanningProblem& problem,
                 const ObstacleField& field, const BandOptions& options, const DrivingOptions& driving,
-                const EarlyTerminationOptions& contest, int max_iterations) {
+                const EarlyTerminationOptions& termination, int max_iterations) {
   if (candidates.empty()) return 0;
-  EarlyTermination(candidates, problem, field, options, driving, contest, max_iterations).run();
+  EarlyTermination(candidates, problem, field, options, driving, termination, max_iterations).run();
   int spent = 0;
   for (const BandCandidate& candidate : candidates) spent += candidate.report.iterations;
   return spent;

@@ -21,6 +21,6 @@ struct EarlyTerminationOptions {
 /// What they are compared with is free and keeps its distance from movers, or nobody is left.
 int improve_all(std::vector<BandCandidate>& candidates, const PlanningProblem& problem,
                 const ObstacleField& field, const BandOptions& options, const DrivingOptions& driving,
-                const EarlyTerminationOptions& contest, int max_iterations);
+                const EarlyTerminationOptions& termination, int max_iterations);
 
 }  // namespace bw::teb

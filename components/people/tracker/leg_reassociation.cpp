@@ -33,7 +33,7 @@ std::vector<Leg> legs_about(const std::vector<const PersonTrack*>& people,
   for (const PersonTrack* person : people)
     for (const auto& leg : person->legs)
       if (leg && leg->last().sweep == sweep) legs.push_back({&*leg, kNobody});
-  int room = options.kStrangers;
+  int room = options.kUnrelatedClusters;
   for (std::size_t i = 0; i < clusters.size() && room > 0; ++i) {
     const Sighting& last = clusters[i].last();
     if (last.sweep != sweep || last.leg_score < options.kScore) continue;

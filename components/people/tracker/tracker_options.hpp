@@ -140,7 +140,7 @@ struct LegReassociationOptions {
   /// least leg score of what may be a leg of theirs
   static constexpr double kScore = 0.4;
   /// how many of them are tried
-  static constexpr int kStrangers = 4;
+  static constexpr int kUnrelatedClusters = 4;
   /// over how many of the last sightings legs are compared
   static constexpr int kSightings = 5;
   /// fewest of these sweeps that must show both legs

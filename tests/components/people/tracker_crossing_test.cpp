@@ -98,7 +98,7 @@ std::optional<bool> keep_their_ids(const Two& two, const TrackerOptions& options
 // nothing reaches). Asked of these: 60 % of that at most, and 15 % of all.
 TEST(Tracker, PairingLegsAnewKeepsIdentities) {
   TrackerOptions never;
-  never.untangle.margin = 5.0;
+  never.leg_reassociation.margin = 5.0;
   Random random(23);
   int all = 0;
   int lost = 0;

@@ -60,7 +60,7 @@ TEST(Evidence, WayWalkedCountsAfterASlip) {
 }
 
 /// Log odds after a leg stood at 0 for `before` s, at `shift` m for `after` s, and back again, ten sweeps a second.
-double fidgets_of(double before, double shift, double after, bool whole = true, double turn = 0.0) {
+double foot_shifts_of(double before, double shift, double after, bool whole = true, double turn = 0.0) {
   FootShifts foot_shifts;
   double t = 0.0;
   const auto stand = [&](double x, double seconds) {
@@ -75,14 +75,14 @@ double fidgets_of(double before, double shift, double after, bool whole = true, 
 
 // A foot that is set aside by 0.1 m and back after 2 s shifts twice; 0.03 m is within what a standing disc errs,
 // 0.3 m is another thing, 0.3 s are none, and what is half hidden or seen from another side shows nothing.
-TEST(Evidence, WhoStandsFidgets) {
-  EXPECT_EQ(fidgets_of(2.0, 0.0, 2.0), 0.0);
-  EXPECT_EQ(fidgets_of(2.0, 0.1, 2.0), 2.0 * FootShifts::kEach);
-  EXPECT_EQ(fidgets_of(2.0, 0.03, 2.0), 0.0);
-  EXPECT_EQ(fidgets_of(2.0, 0.3, 2.0), 0.0);
-  EXPECT_EQ(fidgets_of(2.0, 0.1, 0.3), 0.0);
-  EXPECT_EQ(fidgets_of(2.0, 0.1, 2.0, false), 0.0);
-  EXPECT_EQ(fidgets_of(2.0, 0.1, 2.0, true, 0.2), 0.0);
+TEST(Evidence, WhoStandsShiftsAFoot) {
+  EXPECT_EQ(foot_shifts_of(2.0, 0.0, 2.0), 0.0);
+  EXPECT_EQ(foot_shifts_of(2.0, 0.1, 2.0), 2.0 * FootShifts::kEach);
+  EXPECT_EQ(foot_shifts_of(2.0, 0.03, 2.0), 0.0);
+  EXPECT_EQ(foot_shifts_of(2.0, 0.3, 2.0), 0.0);
+  EXPECT_EQ(foot_shifts_of(2.0, 0.1, 0.3), 0.0);
+  EXPECT_EQ(foot_shifts_of(2.0, 0.1, 2.0, false), 0.0);
+  EXPECT_EQ(foot_shifts_of(2.0, 0.1, 2.0, true, 0.2), 0.0);
   FootShifts noisy;
   Random random(5);
   for (int k = 0; k < 6000; ++k)
@@ -288,7 +288,7 @@ TEST(Evidence, TwoThatNeverMoveAreDoubted) {
 
 // One leg stands still: a possible person within 2 s, never a confirmed one. It is set aside and back: confirmed,
 // with the same id.
-void expect_one_leg_is_somebody_when_it_fidgets(bool becomes_background) {
+void expect_one_leg_is_somebody_when_it_shifts(bool becomes_background) {
   Stage stage;
   Tracker tracker({});
   for (int k = 0; k < 300; ++k) {
@@ -306,12 +306,12 @@ void expect_one_leg_is_somebody_when_it_fidgets(bool becomes_background) {
   EXPECT_GE(tracker.people()[0].confidence, kConfirmed);
 }
 
-TEST(Evidence, OneLegThatStandsIsPossibleUntilItFidgets) {
-  expect_one_leg_is_somebody_when_it_fidgets(false);
+TEST(Evidence, OneLegThatStandsIsPossibleUntilItShifts) {
+  expect_one_leg_is_somebody_when_it_shifts(false);
 }
 
 // What stands for 2.5 s is background: a leg that shifts there in view of a laser that stands is one no less.
-TEST(Evidence, OneLegThatBecameBackgroundFidgets) { expect_one_leg_is_somebody_when_it_fidgets(true); }
+TEST(Evidence, OneLegThatBecameBackgroundShifts) { expect_one_leg_is_somebody_when_it_shifts(true); }
 
 // Two legs of which something hides an edge of the second lean by 0.06 m, both at once, among posts, and the laser stands: confirmed.
 // They do not lean, or lean by 0.03 m, which is within what a standing disc errs: not.

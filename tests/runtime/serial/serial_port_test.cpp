@@ -146,9 +146,9 @@ TEST(SerialPort, ASecondOneOfThisProcessIsRefusedAndGetsItsTurn) {
 }
 
 /// A program that opens the line and knows of no locks, until it is told to end.
-class UnknownDevice {
+class ForeignProcess {
  public:
-  explicit UnknownDevice(const std::string& line) {
+  explicit ForeignProcess(const std::string& line) {
     std::array<int, 2> pipe{};
     if (::pipe(pipe.data()) != 0) return;
     id_ = fork();
@@ -163,7 +163,7 @@ class UnknownDevice {
     ::close(pipe[0]);
     ::close(pipe[1]);
   }
-  ~UnknownDevice() { end(); }
+  ~ForeignProcess() { end(); }
   void end() {
     if (id_ <= 0) return;
     kill(id_, SIGKILL);
@@ -181,11 +181,11 @@ TEST(SerialPort, AStrangerWhoCameFirstIsNamed) {
   Folder folder;
   PseudoTerminal device(folder / "cable");
   device.update(now());
-  UnknownDevice stranger((folder / "cable").string());
-  ASSERT_TRUE(stranger.has_it());
+  ForeignProcess foreign((folder / "cable").string());
+  ASSERT_TRUE(foreign.has_it());
   SerialPort host({.port = (folder / "cable").string()});
-  EXPECT_TRUE(says(host, "in use by process " + std::to_string(stranger.id())));
-  stranger.end();
+  EXPECT_TRUE(says(host, "in use by process " + std::to_string(foreign.id())));
+  foreign.end();
   EXPECT_TRUE(opens(host)) << host.update(now()).fault;
 }
 

@@ -32,9 +32,9 @@ std::vector<MotionState> straight(double speed, double seconds) {
 void add_wall(SearchScene& scene, double y) { scene.shapes.segments.push_back({{-20.0, y}, {20.0, y}}); }
 
 ContactVerdict judge(const SearchScene& scene, const std::vector<MotionState>& drive, double contact,
-                     double hopeful_factor = 2.0) {
+                     double optimistic_factor = 2.0) {
   VerdictOptions options;
-  options.hopeful_factor = hopeful_factor;
+  options.optimistic_factor = optimistic_factor;
   return judge_contact(scene, drive, 0.0, contact, 20.0, Limits{}, options);
 }
 

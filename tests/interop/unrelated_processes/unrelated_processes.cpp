@@ -1,4 +1,4 @@
-// strangers [COUNT]: somebody else's ROS 2 on this machine, as tests may have it beside them: a participant
+// unrelated_processes [COUNT]: somebody else's ROS 2 on this machine, as tests may have it beside them: a participant
 // on each of COUNT (10) domains, the first that a test would lease. They write what robots write, know each
 // other by shared memory and UDP on 127.0.0.1, and hold the port of a page. Prints the domains in one line
 // once all are there; ends by SIGINT or SIGTERM.
@@ -47,9 +47,9 @@ dds::DomainParticipantQos participant_qos() {
   return qos;
 }
 
-class UnknownDevice {
+class ForeignParticipant {
  public:
-  explicit UnknownDevice(int domain) {
+  explicit ForeignParticipant(int domain) {
     auto* factory = dds::DomainParticipantFactory::get_instance();
     participant_ = factory->create_participant(static_cast<dds::DomainId_t>(domain), participant_qos());
     if (participant_ == nullptr)
@@ -61,12 +61,12 @@ class UnknownDevice {
       writers_.push_back(publisher->create_datawriter(topic, dds::DATAWRITER_QOS_DEFAULT));
     }
   }
-  ~UnknownDevice() {
+  ~ForeignParticipant() {
     participant_->delete_contained_entities();
     dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
   }
-  UnknownDevice(const UnknownDevice&) = delete;
-  UnknownDevice& operator=(const UnknownDevice&) = delete;
+  ForeignParticipant(const ForeignParticipant&) = delete;
+  ForeignParticipant& operator=(const ForeignParticipant&) = delete;
   void speak() {
     for (std::size_t i = 0; i < kSaid.size(); ++i) {
       plain::Bytes bytes(4 + kSaid[i].size);
@@ -102,21 +102,21 @@ int main(int count_of_arguments, char** arguments) {
   sigaddset(&ends, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &ends, nullptr);
   try {
-    std::list<UnknownDevice> strangers;
+    std::list<ForeignParticipant> participants;
     {
       std::list<bw::test::DomainLease>
-          leases;  // so that they come to no test; strangers know nothing of leases
-      for (int i = 0; i < count; ++i) strangers.emplace_back(leases.emplace_back().domain());
+          leases;  // so that they come to no test; participants know nothing of leases
+      for (int i = 0; i < count; ++i) participants.emplace_back(leases.emplace_back().domain());
       hold_the_port_of_a_page();
       for (const auto& lease : leases) std::cout << lease.domain() << " ";
       std::cout << std::endl;
     }
     const timespec pause{.tv_sec = 0, .tv_nsec = 50'000'000};
     while (sigtimedwait(&ends, nullptr, &pause) < 0) {
-      for (UnknownDevice& stranger : strangers) stranger.speak();
+      for (ForeignParticipant& participant : participants) participant.speak();
     }
   } catch (const std::exception& e) {
-    std::cerr << "strangers: " << e.what() << "\n";
+    std::cerr << "participants: " << e.what() << "\n";
     return 1;
   }
   return 0;

@@ -45,7 +45,7 @@ struct AroundADisc {
   }
 };
 
-TEST(BandContest, WithoutItEveryBandIsSolvedAsIfAlone) {
+TEST(EarlyTermination, WithoutItEveryBandIsSolvedAsIfAlone) {
   const AroundADisc scene;
   std::vector<BandCandidate> candidates{scene.on_side(3.4), scene.on_side(-0.1)};
   const std::vector<BandReport> alone{scene.alone(candidates[0]), scene.alone(candidates[1])};
@@ -53,7 +53,7 @@ TEST(BandContest, WithoutItEveryBandIsSolvedAsIfAlone) {
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(candidates[i].report.cost, alone[i].cost);
 }
 
-TEST(BandContest, TheBestFirstPlanIsFinishedTheOtherAfterItsFirstSolve) {
+TEST(EarlyTermination, TheBestFirstPlanIsFinishedTheOtherAfterItsFirstSolve) {
   const AroundADisc scene;
   for (const Solver solver : {Solver::ceres, Solver::banded}) {
     AroundADisc by = scene;
@@ -69,7 +69,7 @@ TEST(BandContest, TheBestFirstPlanIsFinishedTheOtherAfterItsFirstSolve) {
   }
 }
 
-TEST(BandContest, AKeptBandThatLosesEndsEarly) {
+TEST(EarlyTermination, AKeptBandThatLosesEndsEarly) {
   const AroundADisc scene;
   for (const Solver solver : {Solver::ceres, Solver::banded}) {
     AroundADisc by = scene;
@@ -87,7 +87,7 @@ TEST(BandContest, AKeptBandThatLosesEndsEarly) {
 }
 
 // The driven band leads through the disc now: nobody is compared with it.
-TEST(BandContest, WithADrivenBandThatIsNotFreeNobodyLoses) {
+TEST(EarlyTermination, WithADrivenBandThatIsNotFreeNobodyLoses) {
   AroundADisc scene;
   std::vector<BandCandidate> candidates{scene.kept(scene.on_side(3.4), false),
                                         scene.kept(scene.on_side(-0.1), true)};

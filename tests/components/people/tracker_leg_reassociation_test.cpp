@@ -19,7 +19,7 @@ PersonTrack person_at(const Vector2& place, const Vector2& velocity, const Track
 }
 
 // Legs 0.2 m apart, middles 0, 0.03, 0 m off their line: misfit 0.0141 m as in the test of Gait.
-TEST(Untangle, DoubtIsWidestAndFourTimesTheMisfit) {
+TEST(LegReassociation, DoubtIsWidestAndFourTimesTheMisfit) {
   const auto leg = [](double side, int sweeps) {
     std::vector<Sighting> seen{sighting(0, {0.0, side}), sighting(1, {0.1, 0.03 + side})};
     if (sweeps == 3) seen.push_back(sighting(2, {0.2, side}));
@@ -32,7 +32,7 @@ TEST(Untangle, DoubtIsWidestAndFourTimesTheMisfit) {
 }
 
 // Only the last 5 sightings count: 0.6 m apart six sweeps ago, 0.2 m since.
-TEST(Untangle, DoubtForgets) {
+TEST(LegReassociation, DoubtForgets) {
   const auto doubt = [](int wide_until) {
     const ClusterTrack b =
         track_of(0, 5, [=](double t) { return Vector2(0.0, t < 0.1 * wide_until + 0.05 ? 0.6 : 0.2); });
@@ -108,7 +108,7 @@ TEST_F(Passing, WhatIsLeftAndWhatIsTakenIsTold) {
 
 // Somebody stands on legs `wide` apart, another cluster 0.15 m from one of them. It is taken when that is
 // less doubtful by 0.25 m: from 0.40 m on.
-TEST(Untangle, ChangesNothingWithoutMargin) {
+TEST(LegReassociation, ChangesNothingWithoutMargin) {
   const ClusterTrack leg = standing({0.0, 0.0}, kSweep);
   const std::vector<ClusterTrack> clusters{standing({-0.15, 0.0}, kSweep)};
   for (const double wide : {0.39, 0.41}) {
@@ -125,7 +125,7 @@ TEST(Untangle, ChangesNothingWithoutMargin) {
 
 // Of somebody one leg is known, at the origin: doubt 0.8 m. Another is taken for the second if that leaves
 // less than 0.8 - 0.25 = 0.55 m, if it is within 0.7 m of them, scores 0.4, and was seen in this sweep.
-TEST(Untangle, StrangerBecomesTheOtherLegOfTheOneLegged) {
+TEST(LegReassociation, AnUnrelatedClusterBecomesTheOtherLegOfTheOneLegged) {
   const Vector2 far(3.0, 3.0);
   struct Case {
     const char* what;
@@ -158,7 +158,7 @@ TEST(Untangle, StrangerBecomesTheOtherLegOfTheOneLegged) {
 }
 
 // Two clusters that are nobody's make no new person here, however alike: each pair keeps a leg of theirs.
-TEST(Untangle, StrangersAloneAreNotTheirLegs) {
+TEST(LegReassociation, UnrelatedClustersAloneAreNotTheirLegs) {
   const ClusterTrack leg = standing({0.0, 0.0}, kSweep);
   const PersonTrack person = person_at({0.0, 0.0}, {0.0, 0.0}, {leg, std::nullopt});
   const std::vector<ClusterTrack> clusters{standing({0.58, 0.0}, kSweep), standing({0.68, 0.0}, kSweep)};
