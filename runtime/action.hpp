@@ -1,4 +1,5 @@
-// An action server as its component sees it: goals come and are canceled in callbacks, and end when the component says so.
+// An action server as its component sees it: goals come and are canceled in callbacks, and end when the
+// component says so.
 // Requests are acknowledged, results kept and statuses told by the runtime.
 #pragma once
 
@@ -64,14 +65,16 @@ class GoalHandle {
   std::shared_ptr<const typename A::Goal> goal_;
 };
 
-/// What a component does with goals. Called between its other callbacks, in the order in which goals and requests to cancel
-/// were accepted. A goal in hand when another one comes goes on until the component ends it.
+/// What a component does with goals. Called between its other callbacks, in the order in which goals and
+/// requests to cancel were accepted. A goal in hand when another one comes goes on until the component ends
+/// it.
 template <class A>
 struct ActionCallbacks {
   std::function<void(const GoalHandle<A>& goal, const Tick& tick)> on_goal;
   /// The goal is `canceling` by now. The component says when it is over, and how.
   std::function<void(const GoalHandle<A>& goal, const Tick& tick)> on_cancel;
-  /// The result of a goal that is open when the component is deactivated: it ends aborted. Captures nothing of the component.
+  /// The result of a goal that is open when the component is deactivated: it ends aborted. Captures nothing
+  /// of the component.
   std::function<typename A::Result(const std::string& reason)> abandoned;
 };
 

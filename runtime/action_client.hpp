@@ -1,5 +1,5 @@
-// A client of an action: sends goals, hears how they fare, cancels them. Made of the client's half of three services and a
-// topic, so that it needs nothing of the host.
+// A client of an action: sends goals, hears how they fare, cancels them. Made of the client's half of three
+// services and a topic, so that it needs nothing of the host.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,8 @@ struct GoalCallbacks {
   /// Once; false too when nobody answered within the deadline.
   std::function<void(bool accepted, const Tick& tick)> on_acknowledged = nullptr;
   std::function<void(const typename A::Feedback& feedback, const Tick& tick)> on_feedback = nullptr;
-  /// Once for an accepted goal. Without a result, and with status unknown: the server is gone, or knows nothing of it.
+  /// Once for an accepted goal. Without a result, and with status unknown: the server is gone, or knows
+  /// nothing of it.
   std::function<void(GoalStatus status, const typename A::Result* result, const Tick& tick)> on_result =
       nullptr;
 };

@@ -27,7 +27,8 @@ void write_all(int descriptor, std::string_view content, const std::filesystem::
   }
 }
 
-/// A new file beside `path`, whose name nobody can have taken before: in a folder that others write, a link would lead elsewhere.
+/// A new file beside `path`, whose name nobody can have taken before: in a folder that others write, a link
+/// would lead elsewhere.
 class Draft {
  public:
   explicit Draft(const std::filesystem::path& path) : path_(path) {

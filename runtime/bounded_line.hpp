@@ -7,8 +7,8 @@
 
 namespace bw {
 
-/// The next line without its '\n'; false at the end of the input. Of a line of more than `longest` characters the first
-/// `longest` + 1, and the rest is left.
+/// The next line without its '\n'; false at the end of the input. Of a line of more than `longest` characters
+/// the first `longest` + 1, and the rest is left.
 inline bool read_line(std::istream& input, std::string& text, std::size_t longest) {
   using Traits = std::istream::traits_type;
   text.clear();

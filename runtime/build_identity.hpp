@@ -5,8 +5,8 @@
 
 namespace bw {
 
-/// The linker's build ids of this program and of the project's own libraries that it has loaded, in hexadecimal, joined
-/// by `+`. It changes with any change of code or compiler.
+/// The linker's build ids of this program and of the project's own libraries that it has loaded, in
+/// hexadecimal, joined by `+`. It changes with any change of code or compiler.
 [[nodiscard]] std::string build_id();
 
 /// The processor's name, as its vendor gives it; "unknown" where the system does not tell.

@@ -61,7 +61,8 @@ class Output {
   OutputPort* port_ = nullptr;
 };
 
-/// The newest message of a topic; empty until the first one since activation came, unless the topic is latched.
+/// The newest message of a topic; empty until the first one since activation came, unless the topic is
+/// latched.
 template <class M>
 class Latest {
  public:
@@ -114,10 +115,11 @@ class Setup {
  public:
   virtual ~Setup() = default;
 
-  /// The parameters of this instance, read strictly from the graph over the defaults of P. While the component is
-  /// configured, they may be changed from outside if it wants to hear of it: `on_change` gets every new snapshot between
-  /// two callbacks, whole and checked; a std::runtime_error of it refuses the change, and it gets the old one again.
-  /// `fixed` names parameters, or sections of them, that may not be changed even so; without `on_change` none may.
+  /// The parameters of this instance, read strictly from the graph over the defaults of P. While the
+  /// component is configured, they may be changed from outside if it wants to hear of it: `on_change` gets
+  /// every new snapshot between two callbacks, whole and checked; a std::runtime_error of it refuses the
+  /// change, and it gets the old one again. `fixed` names parameters, or sections of them, that may not be
+  /// changed even so; without `on_change` none may.
   template <class P>
   P parameters(std::function<void(const P&, const Tick&)> on_change = {},
                std::vector<std::string> fixed = {}) {
@@ -130,9 +132,9 @@ class Setup {
     declare_parameters(values, std::move(on_snapshot), std::move(fixed));
     return values;
   }
-  /// A section of the graph that components share, or by a dot one within it: "robot.base"; `values` are the defaults. What it
-  /// describes may move, and then says by a member `Duration time_to_rest() const` how long the run goes on after an end that
-  /// finds it moving.
+  /// A section of the graph that components share, or by a dot one within it: "robot.base"; `values` are the
+  /// defaults. What it describes may move, and then says by a member `Duration time_to_rest() const` how long
+  /// the run goes on after an end that finds it moving.
   template <class S>
   S shared(std::string_view section, S values = {}) {
     const S defaults = values;
@@ -148,8 +150,8 @@ class Setup {
   Output<M> output(const std::string& topic, const Qos& qos = Qos::standard()) {
     return Output<M>(add_output(topic, message_type<M>(), qos, false));
   }
-  /// An output whose messages are bytes already: CDR with its encapsulation, passed through as they are. `type` must
-  /// outlive the run.
+  /// An output whose messages are bytes already: CDR with its encapsulation, passed through as they are.
+  /// `type` must outlive the run.
   OutputPort* raw_output(const std::string& topic, const MessageType& type, const Qos& qos) {
     return add_output(topic, type, qos, false);
   }
@@ -191,9 +193,10 @@ class Setup {
   /// one.
   virtual void every(Duration period, const std::string& name, TickHandler on_tick) = 0;
 
-  /// Answers requests of service S: `handle(request, tick)` returns the response, or `handle(request, reply, tick)` calls
-  /// `reply` now or later. A service that changes something gives `refuse(reason)`, its answer where that may not be: the
-  /// component is not active, the run is in lock-step, the request cannot be read. Without it the service only tells.
+  /// Answers requests of service S: `handle(request, tick)` returns the response, or `handle(request, reply,
+  /// tick)` calls `reply` now or later. A service that changes something gives `refuse(reason)`, its answer
+  /// where that may not be: the component is not active, the run is in lock-step, the request cannot be read.
+  /// Without it the service only tells.
   template <class S, class Handle>
   void service(const std::string& name, Handle handle, Refusal<S> refuse = nullptr,
                ServiceScope scope = ServiceScope::component) {
@@ -216,8 +219,9 @@ class Setup {
     return ActionClient<A>::declare(*this, name, need);
   }
 
-  /// What outlives the instance, and with it a cleanup and every later configure: made with the node, the same from then on. What it
-  /// declares in its own `configure(Setup&)` is heard in every state of the component. One for each component.
+  /// What outlives the instance, and with it a cleanup and every later configure: made with the node, the
+  /// same from then on. What it declares in its own `configure(Setup&)` is heard in every state of the
+  /// component. One for each component.
   template <class Part>
   std::shared_ptr<Part> part_of_node() {
     return std::static_pointer_cast<Part>(keep_part([](Setup& setup) {
@@ -226,8 +230,9 @@ class Setup {
       return part;
     }));
   }
-  /// A file that outlives the process, below the user's state folder, for this node on this domain alone. Not in lock-step: what a
-  /// run leaves decides nothing of the next one. Throws std::runtime_error where the environment names no folder.
+  /// A file that outlives the process, below the user's state folder, for this node on this domain alone. Not
+  /// in lock-step: what a run leaves decides nothing of the next one. Throws std::runtime_error where the
+  /// environment names no folder.
   virtual std::filesystem::path state_file(const std::string& name) const = 0;
   /// Who writes what this component hears. Valid as long as the host.
   virtual Writers& writers() = 0;
@@ -242,7 +247,8 @@ class Setup {
   virtual bool is_lockstep() const = 0;
   /// Lock-step: what changes something may come from outside (--accept-inputs). True on every other clock.
   virtual bool accepts_inputs() const = 0;
-  /// For a component that looks at the run as other programs do: the network to join (runtime/dds/participant.hpp).
+  /// For a component that looks at the run as other programs do: the network to join
+  /// (runtime/dds/participant.hpp).
   virtual dds::Network network() const = 0;
   /// Whose bytes nav2_msgs has on the wire; never `automatic`: where nobody says, Jazzy's.
   virtual RosDistro ros_distro() const = 0;

@@ -1,5 +1,5 @@
-// The parameters of one node while it runs: who may change what, and when. All calls on the component's lane, between
-// its callbacks.
+// The parameters of one node while it runs: who may change what, and when. All calls on the component's lane,
+// between its callbacks.
 #pragma once
 
 #include <functional>
@@ -29,13 +29,14 @@ class LiveParameters {
   /// `component` is named in refusals.
   explicit LiveParameters(std::string component = {}) : component_(std::move(component)) {}
 
-  /// What is there instead of earlier ones of the same kind, as after a second configure(). Throws std::logic_error for
-  /// a fixed name that the struct does not have.
+  /// What is there instead of earlier ones of the same kind, as after a second configure(). Throws
+  /// std::logic_error for a fixed name that the struct does not have.
   void declare(ParameterDeclaration declaration);
   /// Parameters that are never changed here, under `prefix` (empty: none); `why` ends their refusals.
   void declare_read_only(const std::string& prefix, ParameterSet values, std::string why);
 
-  /// False from cleanup() to the next configure(): every parameter of the component may change, and nobody is called.
+  /// False from cleanup() to the next configure(): every parameter of the component may change, and nobody is
+  /// called.
   void set_configured(bool configured) { configured_ = configured; }
   /// What was changed goes into the section that the next configure() reads.
   void write_changes(ConfigNode& section) const { own_.values.write_changes(section); }
@@ -53,8 +54,8 @@ class LiveParameters {
     std::vector<std::string> refusals;  ///< one for each change asked for; empty: accepted
     std::vector<NamedValue> changed;    ///< what is now different, for those who follow /parameter_events
   };
-  /// One after the other, each judged with those accepted before; then the component is called once. When it refuses,
-  /// all are refused.
+  /// One after the other, each judged with those accepted before; then the component is called once. When it
+  /// refuses, all are refused.
   Outcome change_each(std::span<const NamedValue> changes, const Tick& tick);
   /// All or none; one refusal for the whole.
   Outcome change_all(std::span<const NamedValue> changes, const Tick& tick);

@@ -1,5 +1,5 @@
-// The type-erased ends of topics, services and actions: what the templates of component.hpp hand to the host, which alone knows
-// lanes, clocks and DDS.
+// The type-erased ends of topics, services and actions: what the templates of component.hpp hand to the host,
+// which alone knows lanes, clocks and DDS.
 #pragma once
 
 #include <array>
@@ -65,8 +65,8 @@ class OutputPort {
   std::vector<std::uint8_t> buffer;  ///< reused by Output::publish
 };
 
-/// Gives the bytes of one sample to the component; false when they do not hold the message. No bytes at all: what is kept
-/// of earlier ones is out of date.
+/// Gives the bytes of one sample to the component; false when they do not hold the message. No bytes at all:
+/// what is kept of earlier ones is out of date.
 using SampleHandler = std::function<bool(std::span<const std::uint8_t> cdr, const Tick& tick)>;
 using TickHandler = std::function<void(const Tick& tick)>;
 
@@ -91,15 +91,16 @@ class ServicePort {
   virtual void reply(const RequestId& to, std::span<const std::uint8_t> cdr) = 0;
 };
 
-/// What a service does with a request. A service that changes something says with `refuse` what it answers where that may
-/// not be; without, it only tells.
+/// What a service does with a request. A service that changes something says with `refuse` what it answers
+/// where that may not be; without, it only tells.
 struct RequestHandler {
   /// False when the bytes do not hold the request.
   std::function<bool(std::span<const std::uint8_t> cdr, const RequestId& from, const Tick& tick)> handle;
   std::function<void(const std::string& reason, std::vector<std::uint8_t>& cdr)> refuse = nullptr;
   /// The response with nothing in it: what is answered where there is no component to tell.
   std::function<void(std::vector<std::uint8_t>& cdr)> empty = nullptr;
-  /// With `refuse`: the request as a message that can be recorded, and back. False when the bytes do not hold it.
+  /// With `refuse`: the request as a message that can be recorded, and back. False when the bytes do not hold
+  /// it.
   std::function<bool(std::span<const std::uint8_t> request, const RequestId& from, Time now,
                      std::vector<std::uint8_t>& event)>
       to_event = nullptr;
@@ -141,8 +142,8 @@ struct CanceledGoals {
   std::vector<Goal> goals;
 };
 
-/// The goals of one action server. What the wire asks comes on a lane of its own, so that a busy component delays no answer;
-/// what the component says counts when its callback is over.
+/// The goals of one action server. What the wire asks comes on a lane of its own, so that a busy component
+/// delays no answer; what the component says counts when its callback is over.
 class ActionPort {
  public:
   virtual ~ActionPort() = default;
@@ -171,7 +172,8 @@ struct ActionHandler {
   RequestHandler send_goal;
   RequestHandler cancel_goal;
   RequestHandler get_result;
-  /// The whole response to get_result about a goal that the component did not end; about none with status unknown.
+  /// The whole response to get_result about a goal that the component did not end; about none with status
+  /// unknown.
   std::function<std::vector<std::uint8_t>(GoalStatus status, const std::string& reason)> abandoned;
   std::function<void(const GoalId& id, std::shared_ptr<const void> goal, const Tick& tick)> on_goal;
   std::function<void(const GoalId& id, std::shared_ptr<const void> goal, const Tick& tick)> on_cancel;

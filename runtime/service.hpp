@@ -1,4 +1,5 @@
-// The two ends of a service as components see them. Neither blocks: a reply is given now or later, and comes as a call.
+// The two ends of a service as components see them. Neither blocks: a reply is given now or later, and comes
+// as a call.
 #pragma once
 
 #include <functional>
@@ -32,8 +33,8 @@ class Reply {
   RequestId to_;
 };
 
-/// What a service that changes something answers where it may not. It outlives the component that gave it: nothing of that
-/// is captured in it.
+/// What a service that changes something answers where it may not. It outlives the component that gave it:
+/// nothing of that is captured in it.
 template <class S>
 using Refusal = std::function<typename S::Response(const std::string& reason)>;
 
@@ -48,8 +49,8 @@ class Client {
 
   /// A server is there.
   bool is_ready() const { return port_->is_ready(); }
-  /// `on_response` is called once, as a callback of the component: with null when no server answered within `deadline`
-  /// of the component clock. A request waits so long for its server.
+  /// `on_response` is called once, as a callback of the component: with null when no server answered within
+  /// `deadline` of the component clock. A request waits so long for its server.
   void call(const typename S::Request& request, Duration deadline, OnResponse on_response) const {
     std::vector<std::uint8_t> cdr;
     serialize(request, cdr);
@@ -77,8 +78,8 @@ ServiceType service_type() {
           .event = message(std::type_identity<typename S::Event>{})};
 }
 
-/// The message under which a request is recorded, as ROS 2's service introspection has it; false when the bytes do not hold
-/// the request.
+/// The message under which a request is recorded, as ROS 2's service introspection has it; false when the
+/// bytes do not hold the request.
 template <class S>
 bool event_of_request(std::span<const std::uint8_t> request_cdr, const RequestId& from, Time now,
                       std::vector<std::uint8_t>& event_cdr) {
@@ -105,7 +106,8 @@ bool request_of_event(std::span<const std::uint8_t> event_cdr, RequestId& from,
   return true;
 }
 
-/// `handle(request, tick)` returns the response; or `handle(request, reply, tick)` sees to it that `reply` is called.
+/// `handle(request, tick)` returns the response; or `handle(request, reply, tick)` sees to it that `reply` is
+/// called.
 template <class S, class Handle>
 RequestHandler request_handler(ServicePort& port, Handle handle, Refusal<S> refuse) {
   RequestHandler result;

@@ -1,4 +1,5 @@
-// Where a program keeps what has to outlive it, by the XDG base directory specification: $XDG_STATE_HOME, else ~/.local/state.
+// Where a program keeps what has to outlive it, by the XDG base directory specification: $XDG_STATE_HOME,
+// else ~/.local/state.
 #pragma once
 
 #include <cstdlib>
@@ -8,7 +9,8 @@
 
 namespace bw {
 
-/// Not made yet. Throws std::runtime_error where neither variable is set. The specification ignores a path that is not absolute.
+/// Not made yet. Throws std::runtime_error where neither variable is set. The specification ignores a path
+/// that is not absolute.
 inline std::filesystem::path state_folder() {
   const auto folder = [](const char* variable) {
     const char* text = std::getenv(variable);

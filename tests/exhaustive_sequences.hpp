@@ -1,16 +1,16 @@
-// Every sequence of events that a state machine can meet, up to a depth: breadth first, so that the first sequence that breaks the
-// invariant is a shortest one. Sequences that lead to the same state are followed as one; what is counted is all of them,
-// n + n^2 + ... + n^depth for n events.
+// Every sequence of events that a state machine can meet, up to a depth: breadth first, so that the first
+// sequence that breaks the invariant is a shortest one. Sequences that lead to the same state are followed as
+// one; what is counted is all of them, n + n^2 + ... + n^depth for n events.
 //
 //   struct Door { bool is_open = false; ... };
 //   Sequences<Door> doors{.make = [] { return Door{}; },
-//                         .events = {{"open", [](Door& d) { d.open(); }}, {"close", [](Door& d) { d.close(); }}},
-//                         .broken = [](const Door& d) { return d.is_sound() ? "" : "open and locked"; },
+//                         .events = {{"open", [](Door& d) { d.open(); }}, {"close", [](Door& d) { d.close();
+//                         }}}, .broken = [](const Door& d) { return d.is_sound() ? "" : "open and locked"; },
 //                         .state = [](const Door& d) { return std::string(d.is_open ? "o" : "c"); }};
 //   expect_unbroken("door", doors, sequence_depth(8));
 //
-// A machine that can be copied is copied at each branch. Of others `make` returns a std::unique_ptr, and each sequence is played from
-// the beginning.
+// A machine that can be copied is copied at each branch. Of others `make` returns a std::unique_ptr, and each
+// sequence is played from the beginning.
 #pragma once
 
 #include <cmath>
@@ -40,9 +40,11 @@ struct Sequences {
 
   std::function<Made()> make;
   std::vector<Event> events;
-  /// What is wrong after an event, for people; empty: the invariant holds. An exception of an event breaks it too.
+  /// What is wrong after an event, for people; empty: the invariant holds. An exception of an event breaks it
+  /// too.
   std::function<std::string(const Machine&)> broken;
-  /// All that decides what the machine does from here on, times as ages; two sequences with the same text are followed as one.
+  /// All that decides what the machine does from here on, times as ages; two sequences with the same text are
+  /// followed as one.
   /// None: no two sequences are the same.
   std::function<std::string(const Machine&)> state = {};
 };

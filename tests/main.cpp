@@ -1,7 +1,7 @@
-// The main() of every test program. Tests that need recorded data skip themselves without it; a program in which one
-// did ends with 77, which CTest shows as skipped where the entry says so (RECORDED of bw_test) and as failed where it
-// does not. A program in which anything fails, or that runs nothing, fails. Its DDS domain and its folder for temporary
-// files are its own, and go when it ends.
+// The main() of every test program. Tests that need recorded data skip themselves without it; a program in
+// which one did ends with 77, which CTest shows as skipped where the entry says so (RECORDED of bw_test) and
+// as failed where it does not. A program in which anything fails, or that runs nothing, fails. Its DDS domain
+// and its folder for temporary files are its own, and go when it ends.
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,5 +1,6 @@
-// A figure that was asked for and is not reached. The test says what was asked and what was last measured, and is held to that: a loss
-// beyond chance fails. Tests with such figures are CTest entries of the label `shortfall` (SHORTFALL of bw_test): ctest -L shortfall -V.
+// A figure that was asked for and is not reached. The test says what was asked and what was last measured,
+// and is held to that: a loss beyond chance fails. Tests with such figures are CTest entries of the label
+// `shortfall` (SHORTFALL of bw_test): ctest -L shortfall -V.
 #pragma once
 
 #include <cmath>

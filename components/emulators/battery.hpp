@@ -1,4 +1,5 @@
-// A lead or lithium pack as a voltage: charge goes down with the current drawn and up on a charger, and the voltage sags under load.
+// A lead or lithium pack as a voltage: charge goes down with the current drawn and up on a charger, and the
+// voltage sags under load.
 #pragma once
 
 #include <algorithm>

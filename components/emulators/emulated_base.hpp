@@ -1,6 +1,6 @@
-// The firmware of a base and its board, emulated byte by byte from its protocol; it shares no code with our drivers. The world
-// behind it is the simulated one: who hosts it gives it the true wheels and body, and turns the wheels as its motors say. Values in,
-// result out: no clock, no file, no middleware.
+// The firmware of a base and its board, emulated byte by byte from its protocol; it shares no code with our
+// drivers. The world behind it is the simulated one: who hosts it gives it the true wheels and body, and
+// turns the wheels as its motors say. Values in, result out: no clock, no file, no middleware.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,8 @@ class EmulatedBase {
   virtual ~EmulatedBase() = default;
   /// Bytes off the cable; returns what is answered at once, valid until the next call.
   virtual std::span<const std::uint8_t> receive(Time now, std::span<const std::uint8_t> bytes) = 0;
-  /// Up to `now`, in steps of at most 10 ms: what it sends; valid until the next call. Also when no cable is plugged in: it goes on.
+  /// Up to `now`, in steps of at most 10 ms: what it sends; valid until the next call. Also when no cable is
+  /// plugged in: it goes on.
   virtual std::span<const std::uint8_t> step(Time now, const Body& body) = 0;
   /// What its controller makes the wheels turn at: speeds of their rims [m/s], were they of `wheel_radius`.
   virtual WheelSpeeds motors() const = 0;

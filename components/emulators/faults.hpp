@@ -1,4 +1,5 @@
-// What can be wrong with an emulated base, its board and its cable: switched on one by one, while it runs or in a window of the run.
+// What can be wrong with an emulated base, its board and its cable: switched on one by one, while it runs or
+// in a window of the run.
 #pragma once
 
 #include <cstdint>

@@ -8,8 +8,8 @@
 
 namespace bw::emulators {
 
-/// Bumpers that something within `gap` [m] of the robot's rim presses: ahead the centre, up to 100 degrees aside left or right; what
-/// is near both presses both.
+/// Bumpers that something within `gap` [m] of the robot's rim presses: ahead the centre, up to 100 degrees
+/// aside left or right; what is near both presses both.
 ContactReading touched(const Pose2& X_map_base, double radius, double gap, const StaticScene& scene,
                        const std::vector<Disc>& people);
 

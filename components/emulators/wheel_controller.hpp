@@ -1,5 +1,5 @@
-// From a commanded to a driven wheel speed: the command acts late, the loop follows as a first-order lag, and no faster than the
-// motors accelerate.
+// From a commanded to a driven wheel speed: the command acts late, the loop follows as a first-order lag, and
+// no faster than the motors accelerate.
 //
 //   v += clamp((v_commanded - v) (1 - exp(-dt / lag)), -acceleration dt, acceleration dt)
 #pragma once

@@ -1,5 +1,5 @@
-// Every contact with somebody in a drive: when, with whom, who hit whom, and since when they were there. Values in, values
-// out; contacts begin and end by the rule of the score card (score_keeper.hpp).
+// Every contact with somebody in a drive: when, with whom, who hit whom, and since when they were there.
+// Values in, values out; contacts begin and end by the rule of the score card (score_keeper.hpp).
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,8 @@ inline constexpr double kMidFloor = 1.0;
 
 class ContactDiary {
  public:
-  /// `time` of the sample is since the start of the drive [s]; it rises. Samples that are not sound are left out.
+  /// `time` of the sample is since the start of the drive [s]; it rises. Samples that are not sound are left
+  /// out.
   void add(double time, const TruthSample& sample, const Footprint& robot);
   /// In the order of their beginnings.
   const std::vector<ContactRecord>& contacts() const { return contacts_; }

@@ -1,6 +1,7 @@
-// Judges a drive from its beginning to its end: the score card, the error of the pose, and what the picture needs.
-// A drive begins with a goal and ends with it, or with the last of several that follow each other. A judge of a whole run
-// goes on from the first goal to the end of the run; the outcome is that of the last goal.
+// Judges a drive from its beginning to its end: the score card, the error of the pose, and what the picture
+// needs.
+// A drive begins with a goal and ends with it, or with the last of several that follow each other. A judge of
+// a whole run goes on from the first goal to the end of the run; the outcome is that of the last goal.
 #pragma once
 
 #include <cstdint>

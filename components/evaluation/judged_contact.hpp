@@ -18,15 +18,16 @@ struct JudgedContact {
 /// The longest time before a contact that is searched [s]: who can be saved then could be at any time before.
 inline constexpr double kLongestSearch = 16.0;
 
-/// Each of `contacts`, in their order, from when its person came to be on, and from the end of any before it that could not be
-/// avoided; who comes to be in contact cannot be avoided. The first 20 are judged. `drive`: states by rising time;
-/// `known_until`: after it nobody knows where people were [s].
+/// Each of `contacts`, in their order, from when its person came to be on, and from the end of any before it
+/// that could not be avoided; who comes to be in contact cannot be avoided. The first 20 are judged. `drive`:
+/// states by rising time; `known_until`: after it nobody knows where people were [s].
 std::vector<JudgedContact> judge_contacts(const std::vector<ContactRecord>& contacts,
                                           const possible::SearchScene& scene,
                                           const std::vector<possible::MotionState>& drive, double known_until,
                                           const Limits& limits);
 
-/// Of a recorded drive whose people walked as they did, linear between its moments. Not judged where its limits are not known.
+/// Of a recorded drive whose people walked as they did, linear between its moments. Not judged where its
+/// limits are not known.
 std::vector<JudgedContact> judge_contacts(const RunRecording& recording);
 
 /// True when success was impossible: there were contacts, and none of them could have been avoided.

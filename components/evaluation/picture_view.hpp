@@ -27,7 +27,8 @@ struct PictureView {
 /// wide.
 PictureView view_of(const RunRecording& recording, double width, const Vector2& corner);
 
-/// All cells of the window at or above `lowest` and at or below `highest`: rectangles, merged along rows and columns.
+/// All cells of the window at or above `lowest` and at or below `highest`: rectangles, merged along rows and
+/// columns.
 std::vector<Eigen::AlignedBox2d> cell_blocks(const OccupancyGrid& grid, const Eigen::AlignedBox2d& window,
                                              int lowest, int highest);
 

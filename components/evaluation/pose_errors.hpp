@@ -12,9 +12,9 @@ class PoseErrors {
  public:
   /// A truth without speed (NaN), such as a reference without heading, is interpolated between its samples.
   void set_truth(const TruthSample& truth);
-  /// An estimate in map at `time`. The truth is carried there along its arc; estimates more than 0.2 s away from it,
-  /// not finite, or before any truth do not count. Without speed, an estimate counts when the truth after it is there
-  /// and follows the one before within half a second.
+  /// An estimate in map at `time`. The truth is carried there along its arc; estimates more than 0.2 s away
+  /// from it, not finite, or before any truth do not count. Without speed, an estimate counts when the truth
+  /// after it is there and follows the one before within half a second.
   void add(Time time, const Pose2& X_MB);
 
   int count() const { return count_; }

@@ -81,8 +81,8 @@ class ScoreKeeper {
   void end_goal(bool claimed, const std::string& reason) { settle(claimed, reason); }
   /// Ends the card with the outcome that stands on it.
   void close();
-  /// Counts while a drive lasts. Samples that are not newer, or whose places are not finite, are ignored; without a
-  /// speed (NaN) there is no jerk.
+  /// Counts while a drive lasts. Samples that are not newer, or whose places are not finite, are ignored;
+  /// without a speed (NaN) there is no jerk.
   void add(const TruthSample& sample);
   /// `claimed`: the robot says that it stands at the goal.
   void finish(Time now, bool claimed, const std::string& reason);

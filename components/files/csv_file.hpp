@@ -19,8 +19,8 @@ enum class CsvNumbers {
 };
 
 /// Reads comma-separated numbers under a first line that must be exactly `header`. Windows line ends are
-/// accepted, an empty last line too. Throws std::runtime_error ("file:line: what is wrong") otherwise; of a wrong
-/// header it tells the first column that differs.
+/// accepted, an empty last line too. Throws std::runtime_error ("file:line: what is wrong") otherwise; of a
+/// wrong header it tells the first column that differs.
 std::vector<CsvRow> read_csv(std::istream& input, const std::string& file, std::string_view header,
                              CsvNumbers numbers = CsvNumbers::finite);
 

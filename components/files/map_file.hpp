@@ -34,21 +34,23 @@ constexpr auto choice_table(ImageFormat) {
   return choices<ImageFormat>({{ImageFormat::pgm, "pgm"}, {ImageFormat::png, "png"}});
 }
 
-/// The file below `folder` that a request names: relative to it, or absolute and within it; `.yaml` is added where it is missing. Throws
-/// std::runtime_error: a folder or subfolder that is not there, a way out of it (`..`, another absolute path, a link to elsewhere).
+/// The file below `folder` that a request names: relative to it, or absolute and within it; `.yaml` is added
+/// where it is missing. Throws std::runtime_error: a folder or subfolder that is not there, a way out of it
+/// (`..`, another absolute path, a link to elsewhere).
 std::filesystem::path place_of_map(const std::filesystem::path& folder, const std::filesystem::path& asked);
 
 enum class Existing { refuse, replace };
 
-/// Writes `yaml` and, beside it, a picture of the same name; each appears whole or not at all, the picture first. A link with either name
-/// is a file that exists; it is replaced itself, not what it leads to. load_map() gives back what pixel_of_cell() keeps; size, resolution and origin exactly. Throws std::runtime_error: a
-/// folder that is not there, a file that cannot be written, thresholds without room, a PGM in mode `scale` for cells that
-/// are unknown, a file that exists where that is refused.
+/// Writes `yaml` and, beside it, a picture of the same name; each appears whole or not at all, the picture
+/// first. A link with either name is a file that exists; it is replaced itself, not what it leads to.
+/// load_map() gives back what pixel_of_cell() keeps; size, resolution and origin exactly. Throws
+/// std::runtime_error: a folder that is not there, a file that cannot be written, thresholds without room, a
+/// PGM in mode `scale` for cells that are unknown, a file that exists where that is refused.
 void save_map(const OccupancyGrid& grid, const std::filesystem::path& yaml, const MapShades& shades,
               ImageFormat format = ImageFormat::pgm, Existing existing = Existing::replace);
 
-/// The file that a map's URL names: a path, relative to the working directory, or file:// with an absolute one. Nothing
-/// for another scheme, another host, or no path at all.
+/// The file that a map's URL names: a path, relative to the working directory, or file:// with an absolute
+/// one. Nothing for another scheme, another host, or no path at all.
 std::optional<std::filesystem::path> path_of_url(std::string_view url);
 
 }  // namespace bw

@@ -11,8 +11,8 @@ namespace {
 constexpr double kWhite = 255.0;
 constexpr double kLeastApart = 0.01;
 
-/// map_server's shade for what is not known, where the thresholds leave it between them. With Nav2's defaults they do not:
-/// there 205 would be read as free.
+/// map_server's shade for what is not known, where the thresholds leave it between them. With Nav2's defaults
+/// they do not: there 205 would be read as free.
 std::uint8_t unknown_pixel(const MapShades& shades) {
   constexpr double kCustomary = 205.0;
   const double p = 1.0 - kCustomary / kWhite;

@@ -1,6 +1,7 @@
-// Nodes of a turning head put together to revolutions, in the laser's frame L: x where the device has its 0 degrees, z up,
-// angles counter-clockwise. A revolution goes from the rear (180 degrees) to the rear: where its two ends, a whole turn of time
-// apart, do not fit together, that is behind the robot and not ahead of it.
+// Nodes of a turning head put together to revolutions, in the laser's frame L: x where the device has its 0
+// degrees, z up, angles counter-clockwise. A revolution goes from the rear (180 degrees) to the rear: where
+// its two ends, a whole turn of time apart, do not fit together, that is behind the robot and not ahead of
+// it.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +31,8 @@ class RevolutionCollector {
   /// `is_upside_down`: mounted head first, so that the device's clockwise is counter-clockwise from above.
   explicit RevolutionCollector(bool is_upside_down) : is_upside_down_(is_upside_down) {}
 
-  /// The revolution that `node`, taken at `time`, follows on. The first one is not told: it was not seen from its beginning.
+  /// The revolution that `node`, taken at `time`, follows on. The first one is not told: it was not seen from
+  /// its beginning.
   std::optional<Revolution> add(const Node& node, Time time);
   /// Nodes were missed for an unknown time.
   void restart();

@@ -42,7 +42,8 @@ struct Resampler {
     return std::abs(a.range - b.range) <= kSlant * std::min(a.range, b.range) * (b.angle - a.angle);
   }
 
-  /// `after`: the first sample at or behind the angle. [m]; 0: nothing measured; nothing: nobody looked there.
+  /// `after`: the first sample at or behind the angle. [m]; 0: nothing measured; nothing: nobody looked
+  /// there.
   std::optional<double> range_at(double angle, std::ptrdiff_t after) const {
     const Sample low = at(after - 1);
     const Sample high = at(after);

@@ -1,10 +1,10 @@
-// A revolution on a fixed grid of beams, as readers of sensor_msgs/LaserScan expect it: as many every time, evenly apart, angles
-// rising counter-clockwise from the rear, -pi.
+// A revolution on a fixed grid of beams, as readers of sensor_msgs/LaserScan expect it: as many every time,
+// evenly apart, angles rising counter-clockwise from the rear, -pi.
 //
-// A beam between two samples that see the same surface gets what a straight wall through both has there: 1/r is a sine of the
-// angle, so it is 1/r that is interpolated. Surface: their ranges differ by no more than one seen at 72 degrees from head-on
-// would make them. Otherwise the sample that is nearer in angle counts; and what stands in the beam's own width well before that
-// is not lost.
+// A beam between two samples that see the same surface gets what a straight wall through both has there: 1/r
+// is a sine of the angle, so it is 1/r that is interpolated. Surface: their ranges differ by no more than one
+// seen at 72 degrees from head-on would make them. Otherwise the sample that is nearer in angle counts; and
+// what stands in the beam's own width well before that is not lost.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +49,8 @@ struct ScanOptions {
   }
 };
 
-/// Beam i looks at -pi + i * angle_increment and was taken at `time` + i * time_increment, as well as an even turn tells.
+/// Beam i looks at -pi + i * angle_increment and was taken at `time` + i * time_increment, as well as an even
+/// turn tells.
 struct Scan {
   Time time;                     ///< of beam 0
   double angle_increment = 0.0;  ///< [rad]

@@ -25,8 +25,8 @@ class Localizer {
   /// The map that lasers are compared with, again whenever it changes.
   virtual void set_map(const OccupancyGrid&) {}
 
-  /// Uses the next sweep whether the robot moved or not (AMCL: request_nomotion_update); nothing for a filter that uses every
-  /// measurement anyway.
+  /// Uses the next sweep whether the robot moved or not (AMCL: request_nomotion_update); nothing for a filter
+  /// that uses every measurement anyway.
   virtual void use_next_sweep() {}
 
   virtual Outcome add(const Measurement& measurement, Time now) = 0;

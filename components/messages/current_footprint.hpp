@@ -1,5 +1,5 @@
-// The robot's footprint as of now: that of section `robot` until another is told on topic `robot_footprint` (FootprintSource
-// tells it). For adaptors only.
+// The robot's footprint as of now: that of section `robot` until another is told on topic `robot_footprint`
+// (FootprintSource tells it). For adaptors only.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,8 @@ class CurrentFootprint {
   /// Nothing changes it in a run in lock-step that takes nothing from outside: there nobody listens.
   static bool may_change(const Setup& setup) { return !setup.is_lockstep() || setup.accepts_inputs(); }
 
-  /// `on_change` is called with each that is new; `below` is the name of one of several robots, with its slash.
+  /// `on_change` is called with each that is new; `below` is the name of one of several robots, with its
+  /// slash.
   void listen(Setup& setup, const Robot& robot, std::function<void(const Footprint&)> on_change = {},
               const std::string& below = "") {
     footprint_ = robot.outline();
@@ -38,7 +39,8 @@ class CurrentFootprint {
   const Footprint& now() const { return footprint_; }
 
  private:
-  /// Of several who tell it the last counts, in whatever order they are heard; all anew where the clock went back.
+  /// Of several who tell it the last counts, in whatever order they are heard; all anew where the clock went
+  /// back.
   void take(const geometry_msgs::msg::PolygonStamped& message, Time now) {
     const Time stamp = from_stamp(message.header().stamp());
     if (told_ && stamp < *told_ && *told_ <= now) return;

@@ -18,8 +18,8 @@ inline void add_point(geometry_msgs::msg::Polygon& polygon, const Vector2& at) {
   polygon.points().push_back(point);
 }
 
-/// As Nav2's costmaps publish it; of a disc 16 corners on its rim, as Nav2 makes them of a `robot_radius`. X_FB: the robot
-/// in the header's frame.
+/// As Nav2's costmaps publish it; of a disc 16 corners on its rim, as Nav2 makes them of a `robot_radius`.
+/// X_FB: the robot in the header's frame.
 inline geometry_msgs::msg::PolygonStamped to_published_footprint(const Pose2& X_FB,
                                                                  const Footprint& footprint,
                                                                  const std_msgs::msg::Header& header) {

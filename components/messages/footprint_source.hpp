@@ -1,5 +1,6 @@
-// Where the robot's footprint is changed while it runs, as in Nav2's costmaps: parameters `footprint`, `robot_radius`,
-// `footprint_padding` and the topic `footprint`. What is accepted is told to every component on `robot_footprint`, latched.
+// Where the robot's footprint is changed while it runs, as in Nav2's costmaps: parameters `footprint`,
+// `robot_radius`, `footprint_padding` and the topic `footprint`. What is accepted is told to every component
+// on `robot_footprint`, latched.
 // For adaptors only.
 #pragma once
 

@@ -66,8 +66,9 @@ inline Pose2 from_pose(const geometry_msgs::msg::Pose& pose) {
   return {pose.position().x(), pose.position().y(), yaw_of(pose.orientation())};
 }
 
-/// What keeps a pose that a person or a program sent from being one; empty: nothing. As in ROS's move_base a quaternion
-/// shorter than 0.001 has no direction: it is more likely a forgotten orientation than a wish to face along x.
+/// What keeps a pose that a person or a program sent from being one; empty: nothing. As in ROS's move_base a
+/// quaternion shorter than 0.001 has no direction: it is more likely a forgotten orientation than a wish to
+/// face along x.
 inline std::string fault_of(const geometry_msgs::msg::Pose& pose) {
   constexpr double kShortestSquared = 1e-6;
   const auto& p = pose.position();

@@ -34,7 +34,8 @@ inline std::string read_grid(const nav_msgs::msg::OccupancyGrid& message, Occupa
       message.data().size() != std::size_t{info.width()} * info.height()) {
     return "its cells are not width * height";
   }
-  // As in map files; a cell of a thousandth of that would make the fields around a map of one cell as large as memory.
+  // As in map files; a cell of a thousandth of that would make the fields around a map of one cell as large
+  // as memory.
   if (!(info.resolution() >= 0.001F && info.resolution() <= 100.0F))
     return "its resolution is not between 0.001 and 100 m";
   const Pose2 origin = from_pose(info.origin());

@@ -10,8 +10,8 @@
 
 namespace bw {
 
-/// From one beam to the next [s]: a head that turns takes them one after the other, from the stamp on (backwards, if negative). Zero:
-/// all at the stamp, as of who says nothing, or what no laser does.
+/// From one beam to the next [s]: a head that turns takes them one after the other, from the stamp on
+/// (backwards, if negative). Zero: all at the stamp, as of who says nothing, or what no laser does.
 inline double time_increment_of(const sensor_msgs::msg::LaserScan& message) {
   constexpr double kLongest = 1.0;  // [s]: a turn that any laser needs
   const auto increment = static_cast<double>(message.time_increment());
@@ -25,8 +25,8 @@ inline Time time_of(const sensor_msgs::msg::LaserScan& message) {
   return from_stamp(message.header().stamp()) + Duration::seconds(half);
 }
 
-/// Looks into the message, which must live as long. X_FL: the scanner in the frame the reader works in, at time_of(message).
-/// sweep_motion.hpp has where it was at the other beams.
+/// Looks into the message, which must live as long. X_FL: the scanner in the frame the reader works in, at
+/// time_of(message). sweep_motion.hpp has where it was at the other beams.
 inline LaserSweep to_sweep(const sensor_msgs::msg::LaserScan& message, const Pose2& X_FL) {
   return {.time = time_of(message),
           .X_FL = X_FL,

@@ -1,5 +1,5 @@
-// Goals of Nav2's actions, written and read without asking which layout it is. Where a layout lacks a field, reading it gives what
-// Nav2 takes for granted without it.
+// Goals of Nav2's actions, written and read without asking which layout it is. Where a layout lacks a field,
+// reading it gives what Nav2 takes for granted without it.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,8 @@ inline void put(PosesStamped poses, nav_msgs::msg::Goals& into) {
 }
 }  // namespace nav2_goals_detail
 
-/// Of ComputePathThroughPoses, NavigateThroughPoses and FollowWaypoints: PoseStamped[] up to Jazzy, nav_msgs/Goals from Kilted on.
+/// Of ComputePathThroughPoses, NavigateThroughPoses and FollowWaypoints: PoseStamped[] up to Jazzy,
+/// nav_msgs/Goals from Kilted on.
 template <class Goal>
 const PosesStamped& goal_poses(const Goal& goal) {
   if constexpr (requires { goal.goals(); }) {

@@ -1,12 +1,14 @@
-// Nav2's actions and services as each distribution lays them out. Their names on the wire are the same everywhere, their
-// fields are not (idl/README.md), so a server or client is made for the layout of the graph's `ros_distro`:
+// Nav2's actions and services as each distribution lays them out. Their names on the wire are the same
+// everywhere, their fields are not (idl/README.md), so a server or client is made for the layout of the
+// graph's `ros_distro`:
 //
 //   with_nav2_layout(setup.ros_distro(), [&](auto layout) {
 //     using Nav2 = decltype(layout);
 //     setup.action<typename Nav2::FollowPath>("follow_path", callbacks);
 //   });
 //
-// Kilted and Lyrical follow the definitions of navigation2's branches and are unproved: no program of theirs has been met.
+// Kilted and Lyrical follow the definitions of navigation2's branches and are unproved: no program of theirs
+// has been met.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,6 @@
-// Results and feedback of Nav2's actions and responses of its services, written and read without asking which layout it is. Where
-// a layout lacks a field, writing it does nothing and reading it gives what Nav2 takes for granted without it.
+// Results and feedback of Nav2's actions and responses of its services, written and read without asking which
+// layout it is. Where a layout lacks a field, writing it does nothing and reading it gives what Nav2 takes
+// for granted without it.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +47,8 @@ void set_last_reached_index(Result& result, std::int16_t index) {
   if constexpr (requires { result.last_reached_index(index); }) result.last_reached_index(index);
 }
 
-/// Of FollowWaypoints: int32 in Humble, MissedWaypoint in Jazzy, WaypointStatus (with status FAILED) from Kilted on.
+/// Of FollowWaypoints: int32 in Humble, MissedWaypoint in Jazzy, WaypointStatus (with status FAILED) from
+/// Kilted on.
 template <class Result>
 void add_missed_waypoint(Result& result, std::uint32_t index, const geometry_msgs::msg::PoseStamped& pose,
                          std::uint16_t code, const std::string& text) {
@@ -66,8 +68,9 @@ void add_missed_waypoint(Result& result, std::uint32_t index, const geometry_msg
   }
 }
 
-/// How the robot stands to the path it follows. Distances in m along the path, speed in m/s, errors from the path in m (positive:
-/// left of it) and rad (positive: turned to the right of it); the pose is base_link's, in the path's frame.
+/// How the robot stands to the path it follows. Distances in m along the path, speed in m/s, errors from the
+/// path in m (positive: left of it) and rad (positive: turned to the right of it); the pose is base_link's,
+/// in the path's frame.
 struct PathTracking {
   geometry_msgs::msg::PoseStamped robot_pose;
   std::uint32_t path_index = 0;

@@ -1,4 +1,5 @@
-// What a planner of motions, or who watches one, knows of robot and surroundings, from topics. For adaptors only.
+// What a planner of motions, or who watches one, knows of robot and surroundings, from topics. For adaptors
+// only.
 #pragma once
 
 #include <memory>
@@ -23,10 +24,11 @@ class PlanningInputs {
  public:
   void listen(Setup& setup, const Robot& robot);
 
-  /// A problem without plan, goal and means. `missing` names what is needed and not there yet; without odometry the rest is not
-  /// in it either.
+  /// A problem without plan, goal and means. `missing` names what is needed and not there yet; without
+  /// odometry the rest is not in it either.
   PlanningProblem problem(Time now, std::string& missing) const;
-  /// One sentence when people or obstacles were never heard of since activation: then nothing seems to be in the way.
+  /// One sentence when people or obstacles were never heard of since activation: then nothing seems to be in
+  /// the way.
   std::string unheard() const;
   /// Tracks whose confidence is not from 0 to 1; they are taken for people.
   std::size_t tracks_without_confidence() const;

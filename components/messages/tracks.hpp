@@ -1,4 +1,5 @@
-// From tracks to the movers of a PlanningProblem. Whatever is not finite in tracks is kept: the planner's own check refuses it by name.
+// From tracks to the movers of a PlanningProblem. Whatever is not finite in tracks is kept: the planner's own
+// check refuses it by name.
 #pragma once
 
 #include <vector>

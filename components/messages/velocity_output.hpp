@@ -1,4 +1,5 @@
-// Commands of velocity: a Twist, or a TwistStamped of base_link where Nav2's neighbours want one. For adaptors only.
+// Commands of velocity: a Twist, or a TwistStamped of base_link where Nav2's neighbours want one. For
+// adaptors only.
 #pragma once
 
 #include <functional>

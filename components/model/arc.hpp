@@ -54,8 +54,8 @@ struct ArcTravel {
   double turn = 0.0;      ///< [rad]
 };
 
-/// The arc that turns by the difference in heading and whose chord is the way between the poses along the mean
-/// heading. What lies across that is no motion of a differential drive, and is left out.
+/// The arc that turns by the difference in heading and whose chord is the way between the poses along the
+/// mean heading. What lies across that is no motion of a differential drive, and is left out.
 inline ArcTravel arc_between(const Pose2& from, const Pose2& to) {
   const Pose2 moved = inverse(from) * to;
   const double half = moved.theta / 2.0;

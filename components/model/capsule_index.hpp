@@ -15,7 +15,8 @@ namespace bw {
 /// Points, discs and segments as capsules, in this order.
 std::vector<Capsule> capsules_of(const StaticObstacles& statics);
 
-/// Cells that have a number, by column and row. Finding one takes a time that does not depend on how many there are.
+/// Cells that have a number, by column and row. Finding one takes a time that does not depend on how many
+/// there are.
 class CellNumbers {
  public:
   static constexpr std::uint32_t kNone = UINT32_MAX;
@@ -39,7 +40,8 @@ class CellNumbers {
   std::uint32_t count_ = 0;
 };
 
-/// Built once, in a time linear in the number of capsules, and read by any number of threads. Capsules are finite.
+/// Built once, in a time linear in the number of capsules, and read by any number of threads. Capsules are
+/// finite.
 class CapsuleIndex {
  public:
   /// Capsules that lie within a few centimetres of each other, or a piece of a long one.
@@ -64,8 +66,9 @@ class CapsuleIndex {
   std::span<const std::uint32_t> members(const Group& group) const {
     return {members_.data() + group.first, members_.data() + group.last};
   }
-  /// visit(group) for every group whose box comes so near to `centre` that a capsule of it may be within `reach` [m]:
-  /// of all capsules within reach none is missed. A long capsule may come several times, in at most 200 pieces.
+  /// visit(group) for every group whose box comes so near to `centre` that a capsule of it may be within
+  /// `reach` [m]: of all capsules within reach none is missed. A long capsule may come several times, in at
+  /// most 200 pieces.
   template <class Visit>
   void visit_near(const Vector2& centre, double reach, Visit&& visit) const;
 

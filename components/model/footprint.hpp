@@ -16,7 +16,8 @@ struct Footprint {
   bool is_polygon() const { return polygon.size() >= 3; }
 };
 
-/// Radius [m] of the largest disc around base_link that the footprint holds; 0 where it does not hold base_link.
+/// Radius [m] of the largest disc around base_link that the footprint holds; 0 where it does not hold
+/// base_link.
 double inscribed_radius(const Footprint& footprint);
 
 }  // namespace bw

@@ -25,7 +25,8 @@ bool cross_each_other(const Vector2& a, const Vector2& b, const Vector2& c, cons
   return side_a * side_b < 0.0 && side_c * side_d < 0.0;
 }
 
-// In base_link: the distance, the unit vector from footprint to obstacle, and the point of either that it acts at.
+// In base_link: the distance, the unit vector from footprint to obstacle, and the point of either that it
+// acts at.
 struct Contact {
   double distance = std::numeric_limits<double>::infinity();
   Vector2 normal{0.0, 0.0};

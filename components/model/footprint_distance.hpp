@@ -1,5 +1,5 @@
-// How far the footprint of a robot is from an obstacle, and how that changes as the robot moves. Exact for discs
-// and polygons.
+// How far the footprint of a robot is from an obstacle, and how that changes as the robot moves. Exact for
+// discs and polygons.
 #pragma once
 
 #include <limits>
@@ -23,12 +23,12 @@ struct FootprintDistance {
   double turn = 0.0;           ///< by theta [m/rad]; 0 for a disc
 };
 
-/// From the footprint at `pose` to the capsule, both in one frame. Of a polygon that is not convex distances outside
-/// are exact; how deep a segment crosses it is not.
+/// From the footprint at `pose` to the capsule, both in one frame. Of a polygon that is not convex distances
+/// outside are exact; how deep a segment crosses it is not.
 FootprintDistance distance_to(const Footprint& footprint, const Pose2& pose, const Capsule& capsule);
 
-/// The same without derivatives. From `enough` [m] on any number that is as large will do: the gap of the disc around
-/// a polygon, which takes less time.
+/// The same without derivatives. From `enough` [m] on any number that is as large will do: the gap of the
+/// disc around a polygon, which takes less time.
 double gap_to(const Footprint& footprint, const Pose2& pose, const Capsule& capsule,
               double enough = std::numeric_limits<double>::infinity());
 

@@ -1,4 +1,5 @@
-// A footprint as a parameter: a text in Nav2's form, or a list in YAML; what is no footprint is refused where it was written.
+// A footprint as a parameter: a text in Nav2's form, or a list in YAML; what is no footprint is refused where
+// it was written.
 #pragma once
 
 #include <string>

@@ -50,7 +50,8 @@ double straight_way(const std::vector<Vector2>& polygon, const Vector2& p, const
   return enter < leave ? enter : kNever;
 }
 
-/// Angle that a point turns around `center`, in the sense of `sense` (1: counter-clockwise), until it crosses a side.
+/// Angle that a point turns around `center`, in the sense of `sense` (1: counter-clockwise), until it crosses
+/// a side.
 double turned_angle(const std::vector<Vector2>& polygon, const Vector2& center, const Vector2& p,
                     double sense) {
   const Vector2 from = p - center;

@@ -13,9 +13,9 @@ struct TouchOnArc {
   double lever = 1.0;  ///< way of the side that touches over that [-]; of a turn on the spot [m]
 };
 
-/// Of the convex counter-clockwise `polygon` with a point, on the arc of `twist` for one whole turn at most. Seen from the robot
-/// the point runs on a circle around the centre of the turn, and the touch is where it crosses a side. A point inside: at once
-/// when the motion goes deeper, never when it leads out.
+/// Of the convex counter-clockwise `polygon` with a point, on the arc of `twist` for one whole turn at most.
+/// Seen from the robot the point runs on a circle around the centre of the turn, and the touch is where it
+/// crosses a side. A point inside: at once when the motion goes deeper, never when it leads out.
 TouchOnArc first_touch(const Twist2& twist, const std::vector<Vector2>& polygon, const Vector2& point);
 
 }  // namespace bw

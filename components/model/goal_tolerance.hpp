@@ -12,8 +12,8 @@ struct GoalTolerance {
   friend bool operator==(const GoalTolerance&, const GoalTolerance&) = default;
 };
 
-/// Where a planner ends its drive, unless told otherwise: half of the way in, so that coming to rest, and what
-/// localization and odometry disagree by, stay inside; a third of the heading, which turning on the spot
+/// Where a planner ends its drive, unless told otherwise: half of the way in, so that coming to rest, and
+/// what localization and odometry disagree by, stay inside; a third of the heading, which turning on the spot
 /// reaches anyway.
 constexpr GoalTolerance inside(const GoalTolerance& reached) { return {reached.xy / 2.0, reached.yaw / 3.0}; }
 

@@ -21,9 +21,11 @@ struct LaserSweep {
   double range_max = 0.0;         ///< [m]
   std::span<const float> ranges;  ///< [m]
   std::optional<double> angle_max = std::nullopt;  ///< of the last beam, if the source says so [rad]
-  /// X_FL of each beam, if the scanner moved meanwhile (sweep_motion.hpp); empty: X_FL is that of all. Views, as the ranges are.
+  /// X_FL of each beam, if the scanner moved meanwhile (sweep_motion.hpp); empty: X_FL is that of all. Views,
+  /// as the ranges are.
   std::span<const Pose2> beam_poses = {};
-  /// From one beam to the next [s]; negative when the last beam was taken first. Zero: all at `time`, which else is the middle's.
+  /// From one beam to the next [s]; negative when the last beam was taken first. Zero: all at `time`, which
+  /// else is the middle's.
   double time_increment = 0.0;
 };
 

@@ -2,9 +2,9 @@
 //
 //   s(c) = min(1, max(0, c - kFurniture) / (kConfirmed - kFurniture))
 //
-// s scales what is kept from a mover beyond what the costmap shows of it: its extent, the comfortable distance and the spread
-// of its prediction. Whether a motion is feasible asks the confirmed alone (s = 1). Everything here rises with c, so that more
-// confidence never brings a plan nearer.
+// s scales what is kept from a mover beyond what the costmap shows of it: its extent, the comfortable
+// distance and the spread of its prediction. Whether a motion is feasible asks the confirmed alone (s = 1).
+// Everything here rises with c, so that more confidence never brings a plan nearer.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,12 @@
 
 namespace bw {
 
-/// Up to this confidence a mover is an obstacle and nothing more: two of three and more of them are furniture.
+/// Up to this confidence a mover is an obstacle and nothing more: two of three and more of them are
+/// furniture.
 inline constexpr double kFurniture = 0.3;
 
-/// A confidence that is not from 0 to 1 says nothing, and a person is the safe guess: NaN and such count as confirmed.
+/// A confidence that is not from 0 to 1 says nothing, and a person is the safe guess: NaN and such count as
+/// confirmed.
 inline bool is_confirmed(double confidence) { return !(confidence >= 0.0 && confidence < kConfirmed); }
 inline bool is_confirmed(const Mover& mover) { return is_confirmed(mover.confidence); }
 

@@ -92,8 +92,8 @@ class LocalPlanner {
   virtual PlanningResult plan(const PlanningProblem& problem) = 0;
   /// Forgets warm starts: the next call is a first call.
   virtual void reset() = 0;
-  /// Takes over the warm starts of an earlier planner of the same kind, whose parameters were others. Of another kind
-  /// there are none.
+  /// Takes over the warm starts of an earlier planner of the same kind, whose parameters were others. Of
+  /// another kind there are none.
   virtual void continue_from(const LocalPlanner&) {}
 };
 

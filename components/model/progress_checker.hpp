@@ -1,4 +1,5 @@
-// Whether a drive is getting anywhere: has the robot moved, or turned, far enough for the time that has passed?
+// Whether a drive is getting anywhere: has the robot moved, or turned, far enough for the time that has
+// passed?
 #pragma once
 
 #include <cmath>
@@ -22,8 +23,8 @@ class ProgressChecker {
  public:
   void reset() { anchor_.reset(); }
 
-  /// False when the last progress is longer ago than `limits` allow. A first call, and one of an earlier time than the last
-  /// progress, is a start.
+  /// False when the last progress is longer ago than `limits` allow. A first call, and one of an earlier time
+  /// than the last progress, is a start.
   bool update(Time now, const Pose2& X, const ProgressLimits& limits) {
     if (!anchor_ || now < anchor_->time || (X.position() - anchor_->X.position()).norm() >= limits.movement ||
         std::abs(wrap_angle(X.theta - anchor_->X.theta)) >= limits.turn) {

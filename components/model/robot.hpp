@@ -98,7 +98,8 @@ struct Robot {
     return polygon.fault.empty() ? std::move(polygon.footprint) : Footprint{radius, {}};
   }
 
-  /// From the top speeds as gently as they are commanded, and a little more until it hears of it: while it brakes, a run goes on.
+  /// From the top speeds as gently as they are commanded, and a little more until it hears of it: while it
+  /// brakes, a run goes on.
   Duration time_to_rest() const {
     constexpr double kHears = 0.3;  // [s]: the oldest command that motor control obeys, and two cycles
     const double v = std::max(limits.v_max, limits.v_back_max);

@@ -1,5 +1,5 @@
-// Braking along the curve the robot is on: both wheels shrink by one factor, so the curvature stays. What safety functions reckon
-// with and what motor control does, in turns as well.
+// Braking along the curve the robot is on: both wheels shrink by one factor, so the curvature stays. What
+// safety functions reckon with and what motor control does, in turns as well.
 #pragma once
 
 #include <algorithm>
@@ -18,16 +18,17 @@ inline WheelSpeeds brake(const WheelSpeeds& wheels, double deceleration, double 
   return {wheels.left * (left_over / fastest), wheels.right * (left_over / fastest)};
 }
 
-/// How fast |v| [m/s^2] and |omega| [rad/s^2] fall while a robot that moves with `twist` brakes so. Straight on it is `deceleration`, of
-/// a turn on the spot that of the wheels over half their separation.
+/// How fast |v| [m/s^2] and |omega| [rad/s^2] fall while a robot that moves with `twist` brakes so. Straight
+/// on it is `deceleration`, of a turn on the spot that of the wheels over half their separation.
 inline Twist2 braking_of(const Twist2& twist, double deceleration, double separation) {
   const double fastest = std::abs(twist.v) + 0.5 * separation * std::abs(twist.omega);
   if (!(fastest > 0.0)) return {deceleration, 2.0 * deceleration / separation};
   return {deceleration * std::abs(twist.v) / fastest, deceleration * std::abs(twist.omega) / fastest};
 }
 
-/// The same while a safety function limits the robot to `wish`, of what falls: v, and the turn rate where v falls too, or the robot is
-/// to turn on the spot. Another turn at the same speed is steering. Zero: it does not fall.
+/// The same while a safety function limits the robot to `wish`, of what falls: v, and the turn rate where v
+/// falls too, or the robot is to turn on the spot. Another turn at the same speed is steering. Zero: it does
+/// not fall.
 inline Twist2 braking_towards(const Twist2& wish, const Twist2& twist, double deceleration,
                               double separation) {
   const auto falls = [](double to, double from) { return std::abs(to) < std::abs(from) || to * from < 0.0; };

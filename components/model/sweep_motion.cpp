@@ -29,8 +29,8 @@ std::vector<Knot> known_knots(const LaserSweep& sweep, const PoseAtTime& X_FB_at
 
 }  // namespace
 
-// With the body velocity held, a point of the plane taken for a complex number has gone (e^(i theta) - 1) / (i theta) of the straight
-// way after a turn by theta; the quotient of two of these is what is left here.
+// With the body velocity held, a point of the plane taken for a complex number has gone (e^(i theta) - 1) /
+// (i theta) of the straight way after a turn by theta; the quotient of two of these is what is left here.
 Pose2 on_the_way(const Pose2& a, const Pose2& b, double share) {
   const Pose2 X_ab = inverse(a) * b;
   const double half = X_ab.theta / 2.0;

@@ -20,8 +20,8 @@ struct WheelStep {
   double turn = 0.0;                                     ///< counter-clockwise [rad]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of (distance, turn); may be singular
   double separation = 0.0;  ///< of the wheels [m]; 0: not two wheels, or not known
-  /// Variance of the turn [rad^2] by which counts are rounded at either end; steps that adjoin share it, so that it
-  /// never adds up. Not in `covariance`. 0: counts are fine, or not known.
+  /// Variance of the turn [rad^2] by which counts are rounded at either end; steps that adjoin share it, so
+  /// that it never adds up. Not in `covariance`. 0: counts are fine, or not known.
   double rounding = 0.0;
 };
 

@@ -72,7 +72,8 @@ void VelocityLimiter::rest() {
   acceleration_ = 0.0;
 }
 
-/// After a stall a command catches up no more than the longest step; before that the base has braked, which knows of no stall.
+/// After a stall a command catches up no more than the longest step; before that the base has braked, which
+/// knows of no stall.
 double VelocityLimiter::elapsed(Time now) {
   constexpr double kLongestStep = 0.1;  // [s]
   const double dt = last_step_ ? std::max(0.0, (now - *last_step_).to_seconds()) : 0.0;

@@ -9,8 +9,9 @@
 //   with e = command - v
 //
 // clipped to |a'| <= acc_max and |a' - a| <= j dt. The turn rate approaches with alpha_max, within what the
-// wheels have left. While a safety function slows the robot down, |v| and |omega| fall without jerk limit and as fast as the faster
-// wheel can with stop_deceleration, both in proportion, so that the curvature stays (components/model/stopping.hpp).
+// wheels have left. While a safety function slows the robot down, |v| and |omega| fall without jerk limit and
+// as fast as the faster wheel can with stop_deceleration, both in proportion, so that the curvature stays
+// (components/model/stopping.hpp).
 #pragma once
 
 #include <optional>
@@ -71,7 +72,8 @@ class VelocityLimiter {
   }
 
   void command(Time now, const Twist2& twist);
-  /// Speeds that commands are cut to from now on, at most the robot's own; they are reached within acc_max and jerk_max.
+  /// Speeds that commands are cut to from now on, at most the robot's own; they are reached within acc_max
+  /// and jerk_max.
   void allow(const Limits& limits) { allowed_ = limits; }
   /// How lower speeds are reached, until told otherwise.
   void set_braking(Braking braking) { braking_ = braking; }
@@ -79,7 +81,8 @@ class VelocityLimiter {
   LimitedTwist step(Time now);
   /// Like step(), but brakes with stop_deceleration whatever the command is.
   LimitedTwist stop(Time now);
-  /// The robot stands by other means: the next step begins at rest, and needs a command that arrives from now on.
+  /// The robot stands by other means: the next step begins at rest, and needs a command that arrives from now
+  /// on.
   void rest();
 
  private:

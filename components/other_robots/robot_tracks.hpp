@@ -28,12 +28,13 @@ std::string fault_of(const RobotReport& report, Time now, const OtherRobotsOptio
 TrackedPerson robot_track(const RobotReport& report, const Pose2& X_FM, Time time, std::uint32_t id,
                           double radius, const OtherRobotsOptions& options);
 
-/// A robot whose place and velocity in the frame of the tracks are known, with its predictions. `covariance`: of (x, y) [m^2].
+/// A robot whose place and velocity in the frame of the tracks are known, with its predictions. `covariance`:
+/// of (x, y) [m^2].
 TrackedPerson robot_track(const Vector2& position, const Vector2& velocity, const Eigen::Matrix2d& covariance,
                           Time time, std::uint32_t id, double radius, const OtherRobotsOptions& options);
 
-/// Whether somebody seen at `position` is that robot. A person is not, unless the robot touches them: their centre is a
-/// person's radius farther out.
+/// Whether somebody seen at `position` is that robot. A person is not, unless the robot touches them: their
+/// centre is a person's radius farther out.
 inline bool is_body_of(const Mover& robot, const Vector2& position, double body_margin) {
   return (position - robot.position).norm() <= robot.radius + body_margin;
 }

@@ -1,5 +1,5 @@
-// People whom somebody else sees, as people_msgs/People tells them: a name, a place and a velocity. They become people with ids
-// and with covariances that nobody told.
+// People whom somebody else sees, as people_msgs/People tells them: a name, a place and a velocity. They
+// become people with ids and with covariances that nobody told.
 #pragma once
 
 #include <cstddef>
@@ -37,8 +37,8 @@ struct HeardPeopleOptions {
 
 class HeardPeople {
  public:
-  /// All in one frame, at `stamp`. Who is not finite is left out. An id stays one name's as long as each message has it; among
-  /// equal names it is their order that tells.
+  /// All in one frame, at `stamp`. Who is not finite is left out. An id stays one name's as long as each
+  /// message has it; among equal names it is their order that tells.
   std::vector<TrackedPerson> take(const std::vector<HeardPerson>& people, Time stamp,
                                   const HeardPeopleOptions& options);
 

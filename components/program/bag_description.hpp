@@ -6,8 +6,8 @@
 
 namespace bw {
 
-/// Attachments graph.yaml, parameters.yaml and one file for each shared section that has one, such as robot.yaml; metadata
-/// `bandwagon`.
+/// Attachments graph.yaml, parameters.yaml and one file for each shared section that has one, such as
+/// robot.yaml; metadata `bandwagon`.
 [[nodiscard]] bag::BagDescription describe(const Host& host, const HostOptions& options);
 
 /// Whose layouts its messages have: as the graph says, or as the environment does.

@@ -26,7 +26,8 @@ struct CourseTopics {
 /// Fills a recorder from within a component.
 class CourseListener {
  public:
-  /// `course` begins with the first goal, and is read after the run; it has the robot's size, speed and limits from the graph.
+  /// `course` begins with the first goal, and is read after the run; it has the robot's size, speed and
+  /// limits from the graph.
   CourseListener(std::shared_ptr<std::optional<RunRecorder>> course, CourseTopics topics)
       : course_(std::move(course)), topics_(std::move(topics)) {}
 

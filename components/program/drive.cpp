@@ -269,7 +269,8 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
       if (running == nullptr || planners.empty()) return 0.0;
       return planner_cycle(running->statistics(), planners.begin()->second).run.quantile_ms(0.5);
     };
-    // Contacts are heard by a component that is there anyway: what the run publishes stays the same to the byte.
+    // Contacts are heard by a component that is there anyway: what the run publishes stays the same to the
+    // byte.
     std::vector<CourseListener> listeners;
     for (const ComponentNode* node : find_each(graph, "evaluation", "")) {
       if (!options.contacts) break;
@@ -291,7 +292,8 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
   running = &host;
   slowest(host, planners);  // throws before the drive, not after it
   cli::catch_interrupts();
-  // Whoever reads our output may go first, as `tee` does when its terminal is closed: no reason to leave a robot driving.
+  // Whoever reads our output may go first, as `tee` does when its terminal is closed: no reason to leave a
+  // robot driving.
   std::signal(SIGPIPE, SIG_IGN);
   const InterruptWatch watch(host);
   const Duration started = steady_time();

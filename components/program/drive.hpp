@@ -52,7 +52,8 @@ struct DriveResult {
   nlohmann::json json;                 ///< the score card (score_card_json.hpp)
 };
 
-/// A callback of the run threw; everything was brought to rest. `what()` names component, callback and exception.
+/// A callback of the run threw; everything was brought to rest. `what()` names component, callback and
+/// exception.
 class RunFailed : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -60,8 +61,8 @@ class RunFailed : public std::runtime_error {
 /// The first component of this type in `process` (empty: in any); nullptr if there is none.
 const ComponentNode* find_type(const Graph& graph, const std::string& type, const std::string& process);
 
-/// Runs until the goal is decided (unless it stays), `longest` is over, or a person interrupts. Throws ConfigError or
-/// std::runtime_error on a wrong configuration, RunFailed when a callback threw.
+/// Runs until the goal is decided (unless it stays), `longest` is over, or a person interrupts. Throws
+/// ConfigError or std::runtime_error on a wrong configuration, RunFailed when a callback threw.
 DriveResult drive(Graph graph, const DriveSettings& options);
 
 }  // namespace bw

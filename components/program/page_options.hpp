@@ -19,8 +19,8 @@ struct PageOptions {
 
   /// --page and where it listens.
   void add_to(cli::Verb verb);
-  /// Enables the viewer of the graph, or adds one, and puts what was given over its parameters. Does nothing where nothing was
-  /// given. Throws std::runtime_error naming option, value and rule.
+  /// Enables the viewer of the graph, or adds one, and puts what was given over its parameters. Does nothing
+  /// where nothing was given. Throws std::runtime_error naming option, value and rule.
   void apply_to(Graph& graph) const;
 };
 

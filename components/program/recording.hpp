@@ -16,8 +16,8 @@ class Recording {
  public:
   Recording() : recorder_(std::make_shared<std::shared_ptr<bag::RunRecorder>>()) {}
 
-  /// Of drops and failures on the diagnostics: in real time only, so that in lock-step nothing of the recording enters a
-  /// sample. To be made before the host, which takes it.
+  /// Of drops and failures on the diagnostics: in real time only, so that in lock-step nothing of the
+  /// recording enters a sample. To be made before the host, which takes it.
   [[nodiscard]] std::unique_ptr<Component> make_reporter() const;
   /// When the graph is known to be sound. Throws std::runtime_error or std::system_error naming `path`.
   [[nodiscard]] std::shared_ptr<SampleTap> open(const std::filesystem::path& path,

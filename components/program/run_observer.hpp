@@ -1,5 +1,5 @@
-// The run verb's own component: follows the score card and the true way of each robot, shows progress on one line, ends the run
-// when the goals are decided.
+// The run verb's own component: follows the score card and the true way of each robot, shows progress on one
+// line, ends the run when the goals are decided.
 #pragma once
 
 #include <functional>
@@ -44,8 +44,9 @@ constexpr Duration kPathPeriod = Duration::milliseconds(100);
 
 class RunObserver final : public Component {
  public:
-  /// `show_progress`: write the progress line to stderr, with `planner_ms`, the planner's last known median cycle time. With `stays`
-  /// the run goes on when the goal is decided. `courses`: of each robot, in their order; may be none.
+  /// `show_progress`: write the progress line to stderr, with `planner_ms`, the planner's last known median
+  /// cycle time. With `stays` the run goes on when the goal is decided. `courses`: of each robot, in their
+  /// order; may be none.
   RunObserver(std::shared_ptr<Observation> seen, bool show_progress, bool stays,
               std::function<double()> planner_ms, std::vector<CourseListener> courses = {})
       : seen_(std::move(seen)),

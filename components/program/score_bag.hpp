@@ -1,5 +1,5 @@
-// The score cards of a recorded drive: from the world's truth where the bag has it, else from what the robot itself
-// believed (its odometry) and saw (its tracks).
+// The score cards of a recorded drive: from the world's truth where the bag has it, else from what the robot
+// itself believed (its odometry) and saw (its tracks).
 #pragma once
 
 #include <optional>
@@ -29,7 +29,8 @@ struct BagScore {
   std::vector<ScoredDrive> drives;
 };
 
-/// Of a robot with this outline; without `limits` contacts are not judged. Throws std::runtime_error when the bag holds neither a truth nor an odometry.
+/// Of a robot with this outline; without `limits` contacts are not judged. Throws std::runtime_error when the
+/// bag holds neither a truth nor an odometry.
 [[nodiscard]] BagScore score_bag(const bag::Bag& recording, const Footprint& robot,
                                  const std::optional<Limits>& limits = std::nullopt);
 

@@ -25,19 +25,21 @@ struct RunFacts {
   bool stays = false;    ///< the whole run is scored, and the last goal's outcome counts
 };
 
-/// The statistics of the planner's cycle, the callback `control_cycle`. Throws std::runtime_error when `component` has
-/// none of that name: a time of 0 would pass for a fast planner.
+/// The statistics of the planner's cycle, the callback `control_cycle`. Throws std::runtime_error when
+/// `component` has none of that name: a time of 0 would pass for a fast planner.
 const CallbackStatistics& planner_cycle(const std::vector<CallbackStatistics>& statistics,
                                         const std::string& component);
 
-/// The robot's true way in map as [[t, x, y, theta], ...]: t [s] since the drive began, places [m], heading [rad].
+/// The robot's true way in map as [[t, x, y, theta], ...]: t [s] since the drive began, places [m], heading
+/// [rad].
 /// One point every 0.5 s, rounded to 1 ms, 1 mm and 1 mrad; what was before the drive is left out.
 nlohmann::json path_json(const std::vector<PathPoint>& path, const bandwagon_msgs::msg::ScoreCard& card);
 
 /// The card alone.
 nlohmann::json card_json(const bandwagon_msgs::msg::ScoreCard& card);
 
-/// The card of a run with its facts. Throws std::runtime_error like planner_cycle() unless planner_component is empty.
+/// The card of a run with its facts. Throws std::runtime_error like planner_cycle() unless planner_component
+/// is empty.
 nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card, const RunFacts& facts,
                        const std::vector<CallbackStatistics>& statistics);
 

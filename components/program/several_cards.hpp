@@ -13,8 +13,8 @@ namespace bw {
 /// By robot; none before its drive began.
 using RobotCard = std::pair<std::string, std::optional<bandwagon_msgs::msg::ScoreCard>>;
 
-/// Of one robot its own. Of several the worst of each figure, contacts of all: reached when all have reached, finished when
-/// all have finished. None before the first card.
+/// Of one robot its own. Of several the worst of each figure, contacts of all: reached when all have reached,
+/// finished when all have finished. None before the first card.
 std::optional<bandwagon_msgs::msg::ScoreCard> card_of_all(const std::vector<RobotCard>& cards);
 
 }  // namespace bw

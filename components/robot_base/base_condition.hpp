@@ -1,4 +1,5 @@
-// Whether and why a base does not drive: the numbers of bandwagon_msgs/BaseState, and the causes of a stop among them.
+// Whether and why a base does not drive: the numbers of bandwagon_msgs/BaseState, and the causes of a stop
+// among them.
 #pragma once
 
 #include <array>

@@ -124,7 +124,8 @@ BaseOutput BaseGuard::stand(Time now, StopCause cause, bool is_reopened) {
           latch_.reason(cause)};
 }
 
-/// After all that held it: nobody is near who does not know that it drives on. A clock that jumps makes it no shorter.
+/// After all that held it: nobody is near who does not know that it drives on. A clock that jumps makes it no
+/// shorter.
 BaseOutput BaseGuard::pause(Time now) {
   constexpr Duration kLongestStep = Duration::milliseconds(100);
   BaseOutput output{.wheels = braked(now)};

@@ -1,9 +1,10 @@
-// Everything that may keep a base from obeying, the same for all drivers: the age of commands, touches, wheels that do otherwise,
-// the cable, the battery, the emergency stop. Values in, wheel speeds and the reason out; a driver decides nothing.
+// Everything that may keep a base from obeying, the same for all drivers: the age of commands, touches,
+// wheels that do otherwise, the cable, the battery, the emergency stop. Values in, wheel speeds and the
+// reason out; a driver decides nothing.
 //
-// What forbids to drive makes a ramp to rest with `stop_deceleration`; a touch, a cliff, a dropped wheel and a device that
-// was opened anew make it zero at once. When nothing forbids it any more it stands for `restart.pause` and says so; then a command
-// is needed that arrived after that.
+// What forbids to drive makes a ramp to rest with `stop_deceleration`; a touch, a cliff, a dropped wheel and
+// a device that was opened anew make it zero at once. When nothing forbids it any more it stands for
+// `restart.pause` and says so; then a command is needed that arrived after that.
 #pragma once
 
 #include <optional>

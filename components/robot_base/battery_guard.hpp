@@ -1,4 +1,5 @@
-// Whether the battery is low or empty. Motors that set off pull the voltage down for a moment: only what lasts counts.
+// Whether the battery is low or empty. Motors that set off pull the voltage down for a moment: only what
+// lasts counts.
 #pragma once
 
 #include <optional>

@@ -1,11 +1,13 @@
-// What the base does about a touch, a missing floor or a wheel in the air, since no firmware does it: a bumper or a cliff sensor
-// in front makes it back off, slowly and a little, then it stands. A dropped wheel makes it stand at once, also while it backs
-// off: that is how a cliff behind, which no sensor sees, is noticed. A base that stood when it was touched goes on standing.
+// What the base does about a touch, a missing floor or a wheel in the air, since no firmware does it: a
+// bumper or a cliff sensor in front makes it back off, slowly and a little, then it stands. A dropped wheel
+// makes it stand at once, also while it backs off: that is how a cliff behind, which no sensor sees, is
+// noticed. A base that stood when it was touched goes on standing.
 //
-// Backing off is straight, along the way it came, and measured by the wheels. It ends early enough that the base stands within
-// `distance`: v (t_lag + v / 2 a) before, t_lag = 0.05 s from the command until the wheels slow down. What else is touched
-// meanwhile makes it no longer. It is none of the planner's back-offs, and stands below them: it sees no obstacle and asks no planner, since
-// whoever drove into what was touched did not see it either.
+// Backing off is straight, along the way it came, and measured by the wheels. It ends early enough that the
+// base stands within `distance`: v (t_lag + v / 2 a) before, t_lag = 0.05 s from the command until the wheels
+// slow down. What else is touched meanwhile makes it no longer. It is none of the planner's back-offs, and
+// stands below them: it sees no obstacle and asks no planner, since whoever drove into what was touched did
+// not see it either.
 #pragma once
 
 #include <optional>

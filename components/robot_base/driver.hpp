@@ -1,6 +1,6 @@
-// What robot_base asks of a base: take wheel speeds, tell what was measured. A simulated world, a Kobuki and an Eddie are all one
-// of these; another project adds its own by driver_registry.hpp. A driver decides nothing: time-outs, reactions and latches are
-// robot_base's, the same for all bases.
+// What robot_base asks of a base: take wheel speeds, tell what was measured. A simulated world, a Kobuki and
+// an Eddie are all one of these; another project adds its own by driver_registry.hpp. A driver decides
+// nothing: time-outs, reactions and latches are robot_base's, the same for all bases.
 #pragma once
 
 #include <cstdint>
@@ -23,12 +23,13 @@ struct PortOptions;
 struct DriverContext {
   Setup& setup;  ///< for drivers over topics; others leave it alone
   const Robot& robot;
-  /// The cable, for a driver that has one. `stop_frame`: the bytes that make the base stand, which the port's guardian sends when this
-  /// process is killed or hangs: also in the middle of a command, of which they must not become a part. Empty: the base has no such bytes,
-  /// and drives on as its firmware likes.
+  /// The cable, for a driver that has one. `stop_frame`: the bytes that make the base stand, which the port's
+  /// guardian sends when this process is killed or hangs: also in the middle of a command, of which they must
+  /// not become a part. Empty: the base has no such bytes, and drives on as its firmware likes.
   std::function<std::unique_ptr<ByteLink>(const PortOptions&, std::vector<std::uint8_t> stop_frame)>
       open_link;
-  /// To be called when something came that should not wait for the next poll; kept as long as the driver likes.
+  /// To be called when something came that should not wait for the next poll; kept as long as the driver
+  /// likes.
   std::function<void(Time now)> wake;
 };
 
@@ -55,11 +56,11 @@ class Driver {
   virtual ~Driver() = default;
   /// What came since the last call. Never blocks. Called every 10 ms, and after `wake`.
   virtual Readings poll(Time now) = 0;
-  /// Turns the wheels at these ground speeds [m/s] from `now` on; called every 10 ms, whether or not they changed. False when they
-  /// cannot be told to the base now.
+  /// Turns the wheels at these ground speeds [m/s] from `now` on; called every 10 ms, whether or not they
+  /// changed. False when they cannot be told to the base now.
   virtual bool command(Time now, const WheelSpeeds& wheels) = 0;
-  /// The command must be on its way before the process ends; the cable may be gone. Never blocks. Nobody polls until it is active again:
-  /// a driver with a cable says so to it (ByteLink::rest).
+  /// The command must be on its way before the process ends; the cable may be gone. Never blocks. Nobody
+  /// polls until it is active again: a driver with a cable says so to it (ByteLink::rest).
   virtual void stop(Time now) { static_cast<void>(command(now, {})); }
   virtual std::vector<Ranger> rangers() const { return {}; }
   /// For diagnostics, asked for once a second: frames, bad checksums, bytes thrown away, resets.

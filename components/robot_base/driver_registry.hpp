@@ -1,5 +1,5 @@
-// How a driver joins those that `base: {driver: NAME}` of a robot file chooses from, in this tree or in a library of another
-// project that a graph names under `plugins:`.
+// How a driver joins those that `base: {driver: NAME}` of a robot file chooses from, in this tree or in a
+// library of another project that a graph names under `plugins:`.
 //
 //   struct TrolleyOptions { ... template <class Visitor> void fields(Visitor& v) { ... } };
 //   class Trolley final : public bw::Driver {
@@ -9,7 +9,8 @@
 //   };
 //   BW_DRIVER(Trolley, TrolleyOptions, "trolley")
 //
-// Its parameters stand beside `driver` in the section `base` of the robot file. Making one opens no device and moves nothing.
+// Its parameters stand beside `driver` in the section `base` of the robot file. Making one opens no device
+// and moves nothing.
 #pragma once
 
 #include <functional>

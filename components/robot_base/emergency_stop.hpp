@@ -1,5 +1,6 @@
-// The emergency stop: who has pressed it, whether a button that has to be heard is silent, and whether it may be released. It is latched
-// for each writer by itself: `false` lifts the writer's own button and no other, and only a release lets the base drive again.
+// The emergency stop: who has pressed it, whether a button that has to be heard is silent, and whether it may
+// be released. It is latched for each writer by itself: `false` lifts the writer's own button and no other,
+// and only a release lets the base drive again.
 //
 //   stop.hear(now, writer, node, is_pressed);     // each message
 //   stop.step(now);                               // while the base is active

@@ -7,8 +7,8 @@
 //
 // A counter that moves further than the wheels can is not motion. One such reading is dropped and the next
 // good one bridges it; two that agree with each other are a new count (the board restarted or lost counts):
-// odometry goes on from there and leaves the unknown part out. Old stamps are never motion: a driver stamps by the clock of its caller
-// (driver.hpp), and who sees that clock go back says begin_anew().
+// odometry goes on from there and leaves the unknown part out. Old stamps are never motion: a driver stamps
+// by the clock of its caller (driver.hpp), and who sees that clock go back says begin_anew().
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,8 @@ class HeldReport {
  public:
   explicit HeldReport(Duration time = Duration::milliseconds(1000)) : time_(time) {}
 
-  /// `text` is for people. Of one kind the first text stays for as long as it is told, so that what goes on is one news.
+  /// `text` is for people. Of one kind the first text stays for as long as it is told, so that what goes on
+  /// is one news.
   void say(Time now, const std::string& kind, std::string text) {
     const auto [one, is_new] = said_.try_emplace(kind, now, std::move(text));
     one->second.first = now;

@@ -44,8 +44,8 @@ class LinkGuard {
     if (health == LinkHealth::unheard && (link_.is_opening || is_beginning(now))) reason_.clear();
     return health;
   }
-  /// Why it is not heard, for people; empty also while its cable is being opened and in the first second: a base
-  /// may take its time to begin.
+  /// Why it is not heard, for people; empty also while its cable is being opened and in the first second: a
+  /// base may take its time to begin.
   const std::string& reason() const { return reason_; }
 
  private:

@@ -1,5 +1,5 @@
-// What a base told since it was last asked. Each part is there only if the base has it and told it. Times are of the component
-// clock: when it was measured, as well as the driver knows.
+// What a base told since it was last asked. Each part is there only if the base has it and told it. Times are
+// of the component clock: when it was measured, as well as the driver knows.
 #pragma once
 
 #include <cstdint>

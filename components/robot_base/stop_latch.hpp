@@ -1,7 +1,8 @@
-// Why the base has to stand, and what it takes until it may drive again: a release by somebody who means it, or that the cause
-// is over. An emergency stop, and by default all that touched, fell, blocked or ran by itself, needs the release, and so does
-// what interrupted a goal or a hand: nobody shall be surprised by a robot that drives off after they lifted it, freed it, pulled
-// its charger or put its cable in again (ISO 3691-4 bars the automatic restart).
+// Why the base has to stand, and what it takes until it may drive again: a release by somebody who means it,
+// or that the cause is over. An emergency stop, and by default all that touched, fell, blocked or ran by
+// itself, needs the release, and so does what interrupted a goal or a hand: nobody shall be surprised by a
+// robot that drives off after they lifted it, freed it, pulled its charger or put its cable in again (ISO
+// 3691-4 bars the automatic restart).
 #pragma once
 
 #include <array>
@@ -79,7 +80,8 @@ class StopLatch {
   /// Whether it takes a release: of the gravest cause, or of another that holds.
   bool is_latched() const;
   const std::string& reason(StopCause cause) const { return at(cause).reason; }
-  /// The deliberate reset of all. Says why not while a cause lasts that needs it, and lets go of nothing then.
+  /// The deliberate reset of all. Says why not while a cause lasts that needs it, and lets go of nothing
+  /// then.
   std::optional<std::string> release();
 
  private:

@@ -14,7 +14,8 @@ class UnknownDevice {
   void add(std::span<const std::uint8_t> bytes);
   void reset() { *this = {}; }
   bool is_heard() const { return is_heard_; }
-  /// For people: "it speaks as a Kobuki does (AA 55)"; what cannot be told is likely the wrong speed of the line.
+  /// For people: "it speaks as a Kobuki does (AA 55)"; what cannot be told is likely the wrong speed of the
+  /// line.
   std::string likeness() const;
 
  private:

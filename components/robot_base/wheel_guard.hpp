@@ -1,17 +1,19 @@
-// Whether the wheels do what they are told, by their own encoders. Each wheel has a band of speeds [lo, hi] in which it may be:
-// all that was commanded within the last `response` seconds, since a base answers late, and what it can have reached from there:
+// Whether the wheels do what they are told, by their own encoders. Each wheel has a band of speeds [lo, hi]
+// in which it may be: all that was commanded within the last `response` seconds, since a base answers late,
+// and what it can have reached from there:
 //
-//   hi = highest command in [t - response, t], but falls no faster than the base brakes or accelerates; lo likewise
-//   below <- max(0, below + lo dt - ds - m dt),  above <- max(0, above + ds - hi dt - m dt),  m = share max(|lo|, |hi|) + tolerance
+//   hi = highest command in [t - response, t], but falls no faster than the base brakes or accelerates; lo
+//   likewise below <- max(0, below + lo dt - ds - m dt),  above <- max(0, above + ds - hi dt - m dt),  m =
+//   share max(|lo|, |hi|) + tolerance
 //
-// with ds the travel between two readings dt apart. Either sum beyond slack + 2 ticks is an alarm: the sum of the readings' errors
-// is never more than 2 ticks, however coarse they are, so the resolution costs time and no false alarm. A wheel that stands though
-// its command is a steady v is found after
+// with ds the travel between two readings dt apart. Either sum beyond slack + 2 ticks is an alarm: the sum of
+// the readings' errors is never more than 2 ticks, however coarse they are, so the resolution costs time and
+// no false alarm. A wheel that stands though its command is a steady v is found after
 //
 //   (slack + 2 ticks) / ((1 - share) |v| - tolerance)      and the age of a reading
 //
-// which for ticks of 0.1 mm is 62 ms at 0.17 m/s and 0.2 s at 0.07 m/s, for ticks of 3.3 mm 0.2 s at 0.12 m/s; one that is told to
-// set off, `response` later. Slip is invisible here: wheels turn as told.
+// which for ticks of 0.1 mm is 62 ms at 0.17 m/s and 0.2 s at 0.07 m/s, for ticks of 3.3 mm 0.2 s at 0.12
+// m/s; one that is told to set off, `response` later. Slip is invisible here: wheels turn as told.
 #pragma once
 
 #include <array>

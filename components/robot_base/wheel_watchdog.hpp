@@ -5,7 +5,8 @@
 //
 //   fastest wheel = commanded - stop_deceleration * max(0, age - timeout), both wheels in proportion
 //
-// After a stop, commands are reached with at most `acceleration` of the faster wheel: whoever commands knows nothing of it.
+// After a stop, commands are reached with at most `acceleration` of the faster wheel: whoever commands knows
+// nothing of it.
 #pragma once
 
 #include <cstdint>

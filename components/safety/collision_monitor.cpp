@@ -125,8 +125,9 @@ CollisionMonitor::Ahead CollisionMonitor::ahead_at(Time now) const {
   return ahead;
 }
 
-/// Whether the robot, stopped a reaction time from now, closes in on nothing: neither on its present way, nor on that of `told`, nor
-/// where it turns as told already, but is not as fast yet: motor control bounds the jerk of its speed, and not that of its turn.
+/// Whether the robot, stopped a reaction time from now, closes in on nothing: neither on its present way, nor
+/// on that of `told`, nor where it turns as told already, but is not as fast yet: motor control bounds the
+/// jerk of its speed, and not that of its turn.
 bool CollisionMonitor::stops_in_time(const Verdict& told, const Ahead& ahead) const {
   const StopPath path{limits_, wheel_separation_, stopping_.reaction_time};
   const auto is_gentle = [&](const Told& what) {

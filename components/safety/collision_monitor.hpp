@@ -2,7 +2,8 @@
 // Knows no map, no plan, no people and no place, so that none of them can be wrong.
 //
 //   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's footprint
-//           along the wanted arc (free_way.hpp, footprint_way.hpp); v and omega shrink together, so the path stays
+//           along the wanted arc (free_way.hpp, footprint_way.hpp); v and omega shrink together, so the path
+//           stays
 //   stop    what it does now and what it is told to do, a reaction later stopped, closes in on nothing (stop_path.hpp)
 //   graze   what the side of the robot would touch by less than `graze` is passed at graze_speed
 //   body    around narrow things (legs) the robot is down to narrow_speed narrow_margin earlier
@@ -11,7 +12,8 @@
 //   zones   of nav2_collision_monitor (zone.hpp)
 //   laser   silent, frozen, unsound or too old for source_timeout: a stop
 //
-// Turning on the spot is always free for a disc; a polygon's sides come round, and are judged as on any arc. A motion that leads away from what is too near is free.
+// Turning on the spot is always free for a disc; a polygon's sides come round, and are judged as on any arc.
+// A motion that leads away from what is too near is free.
 #pragma once
 
 #include <optional>
@@ -54,24 +56,26 @@ inline constexpr bool is_laser_fault(std::string_view cause) {
 inline constexpr std::string_view kOdometrySilent = "odometry_silent";
 inline constexpr std::string_view kWaitingForReset = "waiting_for_reset";
 
-/// Times are of the component clock. After one that went back nothing of before counts: neither sweep nor odometry is fresh.
+/// Times are of the component clock. After one that went back nothing of before counts: neither sweep nor
+/// odometry is fresh.
 class CollisionMonitor {
  public:
   CollisionMonitor(const Robot& robot, const CollisionMonitorOptions& options);
 
-  /// New zones, stopping distances and sight; what watches the laser stays as it was constructed. Causes of verdicts given
-  /// before are no longer valid.
+  /// New zones, stopping distances and sight; what watches the laser stays as it was constructed. Causes of
+  /// verdicts given before are no longer valid.
   void set_options(const CollisionMonitorOptions& options);
-  /// What the robot carries, too, from now on: the outline is the convex hull around this and the robot file's own, so that no message
-  /// makes it smaller than that.
+  /// What the robot carries, too, from now on: the outline is the convex hull around this and the robot
+  /// file's own, so that no message makes it smaller than that.
   void set_footprint(const Footprint& footprint);
   /// It, and its padding.
   const Footprint& kept_free() const { return kept_free_; }
 
   /// Where the encoders say the robot is, and its true body velocity, at `time`.
   void odometry(Time time, const Pose2& X_OB, const Twist2& twist);
-  /// A sweep that arrived at `now`, the laser in base_link; where that was at each beam is found by the odometry here. `source` says
-  /// how old it is; one that is older than source_timeout, or of which nobody knows how old it is, is refused.
+  /// A sweep that arrived at `now`, the laser in base_link; where that was at each beam is found by the
+  /// odometry here. `source` says how old it is; one that is older than source_timeout, or of which nobody
+  /// knows how old it is, is refused.
   void sweep(Time now, LaserSweep sweep, const StampSource& source = {});
   /// One that came and is of no use.
   void refuse(Time now, const LaserSweep& sweep, SweepFault why);

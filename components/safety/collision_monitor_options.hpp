@@ -15,8 +15,8 @@ struct StoppingOptions {
   double padding = 0.0;
   double reaction_time = 0.1;
   double approach_speed = 0.0;
-  /// [m] what the robot's side would touch no deeper than this is passed at graze_speed, not stopped for; as large
-  /// as the noise of the laser and of arcs that are not held exactly
+  /// [m] what the robot's side would touch no deeper than this is passed at graze_speed, not stopped for; as
+  /// large as the noise of the laser and of arcs that are not held exactly
   static constexpr double kGraze = 0.03;
   double graze_speed = 0.05;
   double narrow_margin = 0.2;

@@ -10,12 +10,13 @@
 namespace bw::safety {
 namespace {
 
-// From one sweep to the next (0.1 s, of slow lasers 0.2 s) a thing that is met at 3 m/s gets no farther away than this,
+// From one sweep to the next (0.1 s, of slow lasers 0.2 s) a thing that is met at 3 m/s gets no farther away
+// than this,
 constexpr double kFarther = 1.0;  // [m]
 // and at half a metre, walking aside past a robot that turns, no farther round.
 constexpr double kRound = 0.3;  // [rad]
-// So many points are a wall, a pillar, or a person nearer than 4 m (two legs of 0.14 m, beams 0.4 degrees apart). Who is
-// farther away may be hidden by a leg, or missed.
+// So many points are a wall, a pillar, or a person nearer than 4 m (two legs of 0.14 m, beams 0.4 degrees
+// apart). Who is farther away may be hidden by a leg, or missed.
 constexpr std::size_t kCannotVanish = 10;
 // What stands is so many already: a leg at 2 m, beams 1 degree apart,
 constexpr std::size_t kSeenStanding = 5;
@@ -38,7 +39,8 @@ class Field {
         X_LO_(inverse(X_OB * sweep.X_FL)),
         has_edges_(std::abs(width()) < kTurn - kRound) {}
 
-  /// The beam that looks at a place of odom which a sound laser sees in its next sweep too, wherever it moves; none where it may not.
+  /// The beam that looks at a place of odom which a sound laser sees in its next sweep too, wherever it
+  /// moves; none where it may not.
   std::optional<std::size_t> lasting(const Vector2& place) const {
     const Vector2 p_L = X_LO_ * place;
     const double off = wrap_angle(std::atan2(p_L.y(), p_L.x()) - first_ - 0.5 * width());

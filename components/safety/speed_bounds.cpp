@@ -32,8 +32,8 @@ Stopping CollisionMonitor::stopping_on(const Twist2& along) const {
   return {stopping_.reaction_time, along.v != 0.0 ? braking.v : braking.omega, stopping_.approach_speed};
 }
 
-/// Speed along the arc of `along` that the stopping distance allows; of a turn on the spot the turn rate. From `enough` on any number that
-/// is as large will do.
+/// Speed along the arc of `along` that the stopping distance allows; of a turn on the spot the turn rate.
+/// From `enough` on any number that is as large will do.
 double CollisionMonitor::rule_speed(const Twist2& along, const Ahead& ahead, double enough) const {
   Ahead near{{}, ahead.nearer, ahead.X_seen_now};
   const Stopping stopping = stopping_on(along);
@@ -110,7 +110,8 @@ double CollisionMonitor::sight_speed(double v, const Ahead& ahead) const {
   return is_seen ? std::numeric_limits<double>::infinity() : options.creep_speed;
 }
 
-/// Of a motion that is mostly a turn: a polygon's sides swing through places that must be seen, as far as they get before they stand.
+/// Of a motion that is mostly a turn: a polygon's sides swing through places that must be seen, as far as
+/// they get before they stand.
 /// Else the outermost point of the outline moves at creep_speed.
 double CollisionMonitor::swing_share(const Twist2& wanted, const Ahead& ahead) const {
   const double rim = kept_free_.radius * std::abs(wanted.omega);

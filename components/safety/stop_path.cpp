@@ -15,7 +15,8 @@ constexpr double kStep = 0.02;  // [s]
 
 double towards(double from, double to, double step) { return from + std::clamp(to - from, -step, step); }
 
-/// A step later, as motor control has it (components/motor_control/velocity_limiter.hpp), but without limit of jerk.
+/// A step later, as motor control has it (components/motor_control/velocity_limiter.hpp), but without limit
+/// of jerk.
 Twist2 later(const StopPath& path, const Twist2& twist, const Told& told) {
   const Twist2& to = told.command;
   const Twist2 braking =

@@ -1,8 +1,9 @@
-// The way that a robot still goes when it is stopped: a last look at what is about to be commanded, whatever was driven before.
+// The way that a robot still goes when it is stopped: a last look at what is about to be commanded, whatever
+// was driven before.
 //
-// free_way.hpp judges the arc of the command. A robot that is on another arc is on neither for a while. Here both ends of what may
-// happen are followed step by step: that it goes on as it does for the reaction time, or that it takes the command meanwhile; and then
-// brakes to rest (components/model/stopping.hpp).
+// free_way.hpp judges the arc of the command. A robot that is on another arc is on neither for a while. Here
+// both ends of what may happen are followed step by step: that it goes on as it does for the reaction time,
+// or that it takes the command meanwhile; and then brakes to rest (components/model/stopping.hpp).
 #pragma once
 
 #include <vector>
@@ -29,9 +30,9 @@ struct Told {
   Action action = Action::do_nothing;  ///< anything else: what falls, falls by stop_deceleration
 };
 
-/// Largest speed [m/s] (of those above kGentle the first) at which the outline closes in on one of `points` (base_link) while it covers
-/// it, on the way of a robot that moves with `now`, is told `told`, and brakes to rest after the reaction time. 0: it covers none, or
-/// leads out.
+/// Largest speed [m/s] (of those above kGentle the first) at which the outline closes in on one of `points`
+/// (base_link) while it covers it, on the way of a robot that moves with `now`, is told `told`, and brakes to
+/// rest after the reaction time. 0: it covers none, or leads out.
 double closing_speed(const StopPath& path, const Footprint& footprint, const Twist2& now, const Told& told,
                      const std::vector<SeenPoint>& points);
 

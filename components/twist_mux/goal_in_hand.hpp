@@ -9,8 +9,8 @@ namespace bw {
 
 class GoalInHand {
  public:
-  /// A report on a goal, and how many of its list follow it. True: what was in hand is over, and nothing goes on by itself: it ended, or
-  /// somebody gave another goal. What only follows in a list goes on.
+  /// A report on a goal, and how many of its list follow it. True: what was in hand is over, and nothing goes
+  /// on by itself: it ended, or somebody gave another goal. What only follows in a list goes on.
   bool see(std::uint64_t id, GoalStatus status, std::uint32_t remaining) {
     bool is_given = false;
     if (id != id_) {

@@ -1,6 +1,7 @@
-// One of several who want to drive, by priority: the highest that speaks is obeyed, alone, until it has been silent for its
-// time-out. As twist_mux of ROS, but for hands: whom a hand took over from, or whoever has a goal meanwhile, is not heard again
-// before a release or another goal, so that a robot that somebody moved away by hand does not set off when they let go.
+// One of several who want to drive, by priority: the highest that speaks is obeyed, alone, until it has been
+// silent for its time-out. As twist_mux of ROS, but for hands: whom a hand took over from, or whoever has a
+// goal meanwhile, is not heard again before a release or another goal, so that a robot that somebody moved
+// away by hand does not set off when they let go.
 #pragma once
 
 #include <cstdint>
@@ -30,13 +31,13 @@ class TwistMux {
   /// `options` keep their rule.
   explicit TwistMux(const TwistMuxOptions& options);
 
-  /// A command of source i (index in the options), with the stamp if it has one, and by whose clock. What was heard after `now`, as
-  /// before a clock went back, is forgotten. What goes on to the robot, if anything: the command itself, or zero when the source
-  /// that drives sends what is no number.
+  /// A command of source i (index in the options), with the stamp if it has one, and by whose clock. What was
+  /// heard after `now`, as before a clock went back, is forgotten. What goes on to the robot, if anything:
+  /// the command itself, or zero when the source that drives sends what is no number.
   std::optional<Twist2> command(Time now, std::size_t i, const Twist2& twist,
                                 std::optional<Time> stamp = std::nullopt, const StampSource& writer = {});
-  /// To be called every few milliseconds. Zero, once, when the source that drives has been silent for its time-out and left
-  /// the robot moving.
+  /// To be called every few milliseconds. Zero, once, when the source that drives has been silent for its
+  /// time-out and left the robot moving.
   std::optional<Twist2> check(Time now);
   /// Whether somebody who is not a hand has a goal in hand.
   void set_goal(bool is_in_hand) { has_goal_ = is_in_hand; }

@@ -27,8 +27,8 @@ class ContactLog {
   static constexpr double kApart = 0.02;
 
   /// `held_by_wall`: the base was stopped by a wall in this step; `wall_gap` [m]: from the robot's rim to the
-  /// nearest wall; `speed_before` [m/s]: ground speed as the step began, before a wall took it; `others`: people and
-  /// other robots.
+  /// nearest wall; `speed_before` [m/s]: ground speed as the step began, before a wall took it; `others`:
+  /// people and other robots.
   void step(Duration now, const Footprint& footprint, const Pose2& pose, double speed_before,
             bool held_by_wall, double wall_gap, const std::vector<Person>& others);
 

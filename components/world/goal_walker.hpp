@@ -70,7 +70,8 @@ struct GoalWalker {
   bool arrived = false;
 };
 
-/// One for each of `options.walkers`, at rest at its start, which is moved by up to `start_jitter`; ids count up from `first_id`.
+/// One for each of `options.walkers`, at rest at its start, which is moved by up to `start_jitter`; ids count
+/// up from `first_id`.
 template <class Walker>
 std::vector<Walker> walkers_at_start(const GoalWalkersOptions& options, std::uint32_t first_id,
                                      Random& random) {

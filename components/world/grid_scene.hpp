@@ -29,7 +29,8 @@ class GridScene {
   /// Nearest point of a solid cell within `limit` [m]; the point itself when it lies in one.
   std::optional<Vector2> nearest_point(const Vector2& point, double limit) const;
 
-  /// The borders of solid cells towards cells that are not solid, of all that come within `reach` [m] of the point.
+  /// The borders of solid cells towards cells that are not solid, of all that come within `reach` [m] of the
+  /// point.
   std::vector<Segment> edges_within(const Vector2& point, double reach) const;
 
  private:

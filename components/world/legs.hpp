@@ -32,8 +32,8 @@ struct LegOptions {
   double shift_every = 0.0;
 };
 
-/// Remembers how far everybody has walked, which way those who stand were facing, and where they have set their
-/// feet since. The same people and times give the same legs.
+/// Remembers how far everybody has walked, which way those who stand were facing, and where they have set
+/// their feet since. The same people and times give the same legs.
 class Legs {
  public:
   explicit Legs(const LegOptions& options) : options_(options) {}

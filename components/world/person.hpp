@@ -37,7 +37,8 @@ class PeopleModel {
   virtual ~PeopleModel() = default;
   /// Moves everybody by dt [s] and appends those present to `people`, in an order that never changes.
   virtual void step(double dt, const Surroundings& surroundings, std::vector<Person>& people) = 0;
-  /// Moves one person aside; they go on from there. False when it has no such person, or theirs is a recorded way.
+  /// Moves one person aside; they go on from there. False when it has no such person, or theirs is a recorded
+  /// way.
   virtual bool displace(std::uint32_t /*id*/, const Vector2& /*by*/) { return false; }
 };
 

@@ -1,4 +1,5 @@
-// What a push does to somebody: a velocity beside their own that decays, as people regain the velocity they want.
+// What a push does to somebody: a velocity beside their own that decays, as people regain the velocity they
+// want.
 #pragma once
 
 #include <cmath>

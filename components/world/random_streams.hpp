@@ -8,8 +8,8 @@
 
 namespace bw {
 
-/// What a stream is for. The values are part of what a seed means: append, never renumber. `more_lasers` is of the first of them,
-/// 7 of the second and so on: what comes new has a value far above.
+/// What a stream is for. The values are part of what a seed means: append, never renumber. `more_lasers` is
+/// of the first of them, 7 of the second and so on: what comes new has a value far above.
 enum class RandomPurpose : std::uint64_t {
   wheels = 1,
   laser = 2,

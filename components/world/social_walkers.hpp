@@ -31,7 +31,8 @@ class SocialWalkers final : public PeopleModel {
                 Random random);
   void step(double dt, const Surroundings& surroundings, std::vector<Person>& people) override;
   bool displace(std::uint32_t id, const Vector2& by) override;
-  /// One more. Who has a goal walks there, and on as the others do (turn_round); who has none keeps to the velocity.
+  /// One more. Who has a goal walks there, and on as the others do (turn_round); who has none keeps to the
+  /// velocity.
   void add(std::uint32_t id, const NewPerson& person);
 
  private:

@@ -17,7 +17,8 @@ double wall_gap(const StaticScene& scene, const Footprint& footprint, const Pose
   for (const Segment& wall : scene.segments()) look_at(wall.a, wall.b, 0.0);
   for (const Disc& disc : scene.discs()) look_at(disc.center, disc.center, disc.radius);
   if (!scene.grid()) return gap;
-  // What is farther from the centre than the nearest thing by more than the outline varies is farther from the rim.
+  // What is farther from the centre than the nearest thing by more than the outline varies is farther from
+  // the rim.
   const double reach = from_center + footprint.radius - inscribed_radius(footprint);
   for (const Segment& edge : scene.grid()->edges_within(pose.position(), reach)) look_at(edge.a, edge.b, 0.0);
   return gap;

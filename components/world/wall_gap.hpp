@@ -6,7 +6,8 @@
 
 namespace bw {
 
-/// From the footprint at `pose` to the nearest static thing, at most `limit` [m]; negative: it is in one. Exact from outside.
+/// From the footprint at `pose` to the nearest static thing, at most `limit` [m]; negative: it is in one.
+/// Exact from outside.
 double wall_gap(const StaticScene& scene, const Footprint& footprint, const Pose2& pose, double limit);
 
 }  // namespace bw

@@ -1,9 +1,10 @@
-// The world simulated robots live in: floor, walls, people, and the sensors and wheels of the robots, one unless the
-// options name several. It knows no middleware, clock or file: it is stepped, and the same seed and commands give the
-// same bytes.
+// The world simulated robots live in: floor, walls, people, and the sensors and wheels of the robots, one
+// unless the options name several. It knows no middleware, clock or file: it is stepped, and the same seed
+// and commands give the same bytes.
 //
-// One step of physics_step: the wheels follow the held commands, the poses their exact arcs, people move (each
-// group sees the groups before it), contacts are counted, and the sensors that are due read the new state.
+// One step of physics_step: the wheels follow the held commands, the poses their exact arcs, people move
+// (each group sees the groups before it), contacts are counted, and the sensors that are due read the new
+// state.
 #pragma once
 
 #include <cstdint>
@@ -60,8 +61,8 @@ class World {
   };
   /// One more person, who walks by the social force model, as of this instant.
   Admission add_person(const NewPerson& person);
-  /// Changes the velocity of a walker or scripted person at once; what was added decays, and ends at a wall. One sentence when
-  /// it may not be.
+  /// Changes the velocity of a walker or scripted person at once; what was added decays, and ends at a wall.
+  /// One sentence when it may not be.
   std::string push_person(std::uint32_t id, const Vector2& velocity_change);
 
   /// What it produced for the first robot; samples() has it for all. Both until the next step.

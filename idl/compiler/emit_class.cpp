@@ -16,7 +16,8 @@ std::string cpp_type(Kind kind) {
   return kNames[static_cast<int>(kind)];
 }
 
-/// As a class of `user` names it. Inside humble::nav2_msgs a name that begins with nav2_msgs would not be the base's.
+/// As a class of `user` names it. Inside humble::nav2_msgs a name that begins with nav2_msgs would not be the
+/// base's.
 std::string cpp_name(const Struct& type, const Struct& user) {
   return (user.distro.empty() ? "" : "::") + type.cpp_name();
 }

@@ -1,5 +1,6 @@
-// The C++ class of a message: accessors as eProsima's generator names them (`message.header()` reads and refers,
-// `message.header(value)` sets), equality, and for_each_field() for whoever walks the fields in the order of the wire.
+// The C++ class of a message: accessors as eProsima's generator names them (`message.header()` reads and
+// refers, `message.header(value)` sets), equality, and for_each_field() for whoever walks the fields in the
+// order of the wire.
 #pragma once
 
 #include <string>
@@ -18,8 +19,8 @@ namespace bw::idl {
 /// struct GetState { using Request = GetState_Request; ... }; likewise of an action. Empty for a message.
 [[nodiscard]] std::string interface_definition(const Interface& interface);
 
-/// Constructors, destructor, assignments, and setters of what owns memory: compiled once, not by each user. Empty for a
-/// class of numbers alone, whose own are trivial.
+/// Constructors, destructor, assignments, and setters of what owns memory: compiled once, not by each user.
+/// Empty for a class of numbers alone, whose own are trivial.
 [[nodiscard]] std::string special_members(const Struct& type, const Types& types);
 
 }  // namespace bw::idl

@@ -20,8 +20,8 @@ namespace bw::idl {
 /// A file whose text stays the same is left alone, so that its users are not compiled again.
 void write(const std::filesystem::path& path, const std::string& text);
 
-/// Throws std::runtime_error, before anything is written, where a file exists that does not carry `mark`: somebody
-/// else wrote it.
+/// Throws std::runtime_error, before anything is written, where a file exists that does not carry `mark`:
+/// somebody else wrote it.
 void write_all(const std::filesystem::path& folder, const std::map<std::string, std::string>& texts,
                const std::string& mark);
 

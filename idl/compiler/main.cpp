@@ -1,5 +1,6 @@
-// bandwagon_idl_compiler ROOT OUT FILE...: reads the IDL files (paths relative to ROOT) and writes C++ below OUT.
-// bandwagon_idl_compiler --ros2-package ROOT OUT PACKAGE...: writes packages of ROOT as ROS 2 builds them, OUT/PACKAGE.
+// bandwagon_idl_compiler ROOT OUT FILE...: reads the IDL files (paths relative to ROOT) and writes C++ below
+// OUT. bandwagon_idl_compiler --ros2-package ROOT OUT PACKAGE...: writes packages of ROOT as ROS 2 builds
+// them, OUT/PACKAGE.
 #include <exception>
 #include <filesystem>
 #include <iostream>

@@ -36,8 +36,8 @@ struct Interface {
   [[nodiscard]] std::string key() const { return (distro.empty() ? "" : distro + "/") + ros_name(); }
 };
 
-/// "nav_msgs/msg/Odometry.idl", "distros/humble/nav2_msgs/action/Spin.idl" -> its parts; those that a path does not have
-/// are empty.
+/// "nav_msgs/msg/Odometry.idl", "distros/humble/nav2_msgs/action/Spin.idl" -> its parts; those that a path
+/// does not have are empty.
 [[nodiscard]] Interface interface_of(const std::string& path);
 
 struct Struct : Interface {

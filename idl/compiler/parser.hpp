@@ -1,6 +1,6 @@
 // Reads the subset of OMG IDL that ROS 2 interfaces need: package and category modules, structs of
-// primitives, strings, nested structs, one-dimensional arrays and sequences, and numeric constants in a module
-// <Name>_Constants.
+// primitives, strings, nested structs, one-dimensional arrays and sequences, and numeric constants in a
+// module <Name>_Constants.
 #pragma once
 
 #include <map>
@@ -18,8 +18,8 @@ namespace bw::idl {
 /// All structs by Interface::key().
 using Types = std::map<std::string, Struct>;
 
-/// What `member`, of kind kMessage, of `user` is: the layout of the user's distribution where that has one of its own,
-/// the base's otherwise.
+/// What `member`, of kind kMessage, of `user` is: the layout of the user's distribution where that has one of
+/// its own, the base's otherwise.
 [[nodiscard]] const Struct& nested(const Types& types, const Struct& user, const Member& member);
 
 /// Throws std::runtime_error if a type is defined twice, unknown, contains itself, or is used without its

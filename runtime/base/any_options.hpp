@@ -1,5 +1,6 @@
-// A parameter struct of any type, by value: that of a planner or a driver of another project, for instance. Whoever knows the
-// type wraps it, AnyOptions(MyOptions{}); its fields are visited as those of any struct. Plain C++ only.
+// A parameter struct of any type, by value: that of a planner or a driver of another project, for instance.
+// Whoever knows the type wraps it, AnyOptions(MyOptions{}); its fields are visited as those of any struct.
+// Plain C++ only.
 #pragma once
 
 #include <concepts>

@@ -10,9 +10,11 @@
 //
 // That one list feeds YAML, validation, `bandwagon param`, the wire and the documentation. A field may be
 // bool, int, std::int64_t, double, std::string, an enum with a table (choice.hpp), a nested struct with
-// fields(), or a std::vector of any of these. A rule over several fields is `std::optional<std::string> violated_rule() const`, which returns the
-// broken rule as a sentence. A name that was a field once is refused with what to do instead: `v.retired({"age"}, "set command_timeout")`. `static constexpr bool leaves_other_keys = true`: others read the same section too, and what is unknown
-// here is theirs. Plain C++ only: algorithms include this header.
+// fields(), or a std::vector of any of these. A rule over several fields is `std::optional<std::string>
+// violated_rule() const`, which returns the broken rule as a sentence. A name that was a field once is
+// refused with what to do instead: `v.retired({"age"}, "set command_timeout")`. `static constexpr bool
+// leaves_other_keys = true`: others read the same section too, and what is unknown here is theirs. Plain C++
+// only: algorithms include this header.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +27,8 @@
 
 namespace bw {
 
-/// Texts that somebody else holds: a list in braces, or a vector, for as long as the call of the visitor lasts.
+/// Texts that somebody else holds: a list in braces, or a vector, for as long as the call of the visitor
+/// lasts.
 class Texts {
  public:
   Texts() = default;

@@ -1,6 +1,7 @@
-// A field of a parameter struct whose C++ type is forgotten: what reading, listing and writing need of it. A visitor of
-// fields is a FieldVisitor, compiled once; a struct is asked for its fields by that type alone, so that each source that
-// uses the struct compiles its list once and not once for each reader and writer. Plain C++ only.
+// A field of a parameter struct whose C++ type is forgotten: what reading, listing and writing need of it. A
+// visitor of fields is a FieldVisitor, compiled once; a struct is asked for its fields by that type alone, so
+// that each source that uses the struct compiles its list once and not once for each reader and writer. Plain
+// C++ only.
 #pragma once
 
 #include <concepts>

@@ -1,4 +1,5 @@
-// The one rule for quantiles: nearest rank, the smallest sample below or at which at least `share` of all lie.
+// The one rule for quantiles: nearest rank, the smallest sample below or at which at least `share` of all
+// lie.
 // It is always a sample that occurred.
 #pragma once
 

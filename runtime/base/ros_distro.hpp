@@ -1,4 +1,5 @@
-// The ROS 2 distributions whose bytes differ: ids of nodes up to Humble and from Iron on, nav2_msgs from each to the next.
+// The ROS 2 distributions whose bytes differ: ids of nodes up to Humble and from Iron on, nav2_msgs from each
+// to the next.
 #pragma once
 
 #include <optional>

@@ -1,18 +1,19 @@
-// How old is what a stamp tells? Stamps of the own clock say so: age = now - stamp, a constant delay included. Of another clock only
-// differences can be trusted:
+// How old is what a stamp tells? Stamps of the own clock say so: age = now - stamp, a constant delay
+// included. Of another clock only differences can be trusted:
 //
 //   age = (arrival - stamp) - least + delay,   least = min over samples of (arrival - stamp), which follows a drift of 500 ppm
 //
-// with the delay that somebody measured: one that is always there is in the least and cannot be seen. The least rises only while samples
-// keep close to it, as those of a slow clock do; what is later than that stays late, however long it does.
+// with the delay that somebody measured: one that is always there is in the least and cannot be seen. The
+// least rises only while samples keep close to it, as those of a slow clock do; what is later than that stays
+// late, however long it does.
 //
 //   earlier than the least   the other clock was set forward, or all before were late: begun anew
 //   stamps that go back      overtaken or sent twice, unless new ones stay so, constant, for a second: then the clock was set back
 //   silence                  of 10 s and more outlasts any queue: what differs afterwards for a second is a clock that was set
 //
-// What was late for a second before a clock was set is as late after it. After a beginning nothing is believed for a second in which no
-// sample comes sooner than those before: a queue that drains is no clock. A clock that is set forward while samples are late, by less than
-// they are, hides so much of it.
+// What was late for a second before a clock was set is as late after it. After a beginning nothing is
+// believed for a second in which no sample comes sooner than those before: a queue that drains is no clock. A
+// clock that is set forward while samples are late, by less than they are, hides so much of it.
 #pragma once
 
 #include <array>

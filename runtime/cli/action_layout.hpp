@@ -1,6 +1,6 @@
-// Actions as discovery shows them, and the layouts in which one of them speaks. nav2_msgs has other fields in each distribution
-// under the same names, so the layout is what the server's type hashes say; a server that tells none, as in Humble, has
-// that of a distribution.
+// Actions as discovery shows them, and the layouts in which one of them speaks. nav2_msgs has other fields in
+// each distribution under the same names, so the layout is what the server's type hashes say; a server that
+// tells none, as in Humble, has that of a distribution.
 #pragma once
 
 #include <map>
@@ -36,8 +36,8 @@ struct ActionLayout {
   ServiceType get_result() const;
 };
 
-/// `distro` counts where no hash is told. Throws std::runtime_error when this program does not know a type, or not with that
-/// hash.
+/// `distro` counts where no hash is told. Throws std::runtime_error when this program does not know a type,
+/// or not with that hash.
 ActionLayout layout_of(const SeenAction& action, RosDistro distro);
 
 }  // namespace bw::cli

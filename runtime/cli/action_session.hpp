@@ -1,5 +1,5 @@
-// One goal of an action, from its sending to its end, for a program of the command line. Every wait ends within 100 ms, so
-// that the program can look for Ctrl-C.
+// One goal of an action, from its sending to its end, for a program of the command line. Every wait ends
+// within 100 ms, so that the program can look for Ctrl-C.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The verbs of `bandwagon bag`. Each returns the exit status, and throws std::runtime_error for what is no bag and for what
-// cannot be written.
+// The verbs of `bandwagon bag`. Each returns the exit status, and throws std::runtime_error for what is no
+// bag and for what cannot be written.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// Serial devices: which there are, who may open them, who has them open; and whether a graph's own can be had.
+// Serial devices: which there are, who may open them, who has them open; and whether a graph's own can be
+// had.
 #pragma once
 
 #include <string>
@@ -19,8 +20,8 @@ struct GraphPort {
   PortOptions options;
 };
 
-/// Of the devices in its shared sections (robot.base, robot.laser): each that has a `port`, but for emulated ones, those whose
-/// driver is `none` or `simulated`, and those whose component (laser) is not enabled.
+/// Of the devices in its shared sections (robot.base, robot.laser): each that has a `port`, but for emulated
+/// ones, those whose driver is `none` or `simulated`, and those whose component (laser) is not enabled.
 std::vector<GraphPort> ports_of(const Graph& graph);
 
 /// Opens each as a driver would, and closes it again. Nothing is sent.

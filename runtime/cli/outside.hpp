@@ -16,7 +16,8 @@ class Outside {
   /// Joins the domain of the environment (ROS_DOMAIN_ID, discovery range).
   Outside();
 
-  /// Waits until discovery has settled: somebody is there, nothing new came for a moment, and `found`, if given, holds.
+  /// Waits until discovery has settled: somebody is there, nothing new came for a moment, and `found`, if
+  /// given, holds.
   /// On a busy machine others are heard of late; after 3 s nothing is waited for any more.
   void settle(const std::function<bool()>& found = nullptr);
   /// Remote endpoints of ROS topics; with `all` also services and the graph topic.

@@ -16,7 +16,8 @@ class NameCount {
  public:
   explicit NameCount(bool all) : all_(all) {}
 
-  /// Each component by itself: stand-ins for one another, as a localization and the ideal one, do not live together.
+  /// Each component by itself: stand-ins for one another, as a localization and the ideal one, do not live
+  /// together.
   void add(const Graph& graph) {
     for (const ComponentNode& node : graph.components) {
       Graph alone = graph;

@@ -1,5 +1,5 @@
-// bandwagon record [TOPIC...]: topics of any running ROS 2 system into a bag. Exit status 1 when the disk failed or was
-// too slow, 2 on a wrong use.
+// bandwagon record [TOPIC...]: topics of any running ROS 2 system into a bag. Exit status 1 when the disk
+// failed or was too slow, 2 on a wrong use.
 #include <chrono>
 #include <ctime>
 #include <iostream>

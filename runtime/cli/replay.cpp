@@ -1,6 +1,6 @@
-// bandwagon replay BAG --graph G --run COMPONENT...: the bag as the truth. Exit status 0 when every output of the named
-// components equals the bag's, 1 when not, 2 on a wrong configuration. bandwagon replay BAG...: the bag as topics
-// (replay_topics.hpp).
+// bandwagon replay BAG --graph G --run COMPONENT...: the bag as the truth. Exit status 0 when every output of
+// the named components equals the bag's, 1 when not, 2 on a wrong configuration. bandwagon replay BAG...: the
+// bag as topics (replay_topics.hpp).
 #include <iostream>
 #include <memory>
 #include <optional>

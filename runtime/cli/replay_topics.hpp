@@ -23,7 +23,8 @@ struct ReplayTopicsOptions {
 /// Adds them to the verb `replay`.
 void add_replay_topics_options(Verb verb, ReplayTopicsOptions& options);
 
-/// The options of the verb that were given and belong to this way of replaying alone, for a refusal; else empty.
+/// The options of the verb that were given and belong to this way of replaying alone, for a refusal; else
+/// empty.
 [[nodiscard]] std::string given_replay_topics_option(Verb verb);
 
 /// `clock_hz`: publishes /clock. Exit status 1 when it was interrupted or the bag is damaged.

@@ -13,8 +13,8 @@ namespace bw::cli {
 
 namespace {
 
-// Opened once more, so that not to block is ours and not that of the shell that shares it. A file keeps its place and blocks nobody;
-// what cannot be opened (a socket, a terminal of somebody else's) is read as it is.
+// Opened once more, so that not to block is ours and not that of the shell that shares it. A file keeps its
+// place and blocks nobody; what cannot be opened (a socket, a terminal of somebody else's) is read as it is.
 int reopened() {
   struct stat status {};
   if (fstat(STDIN_FILENO, &status) != 0 || S_ISREG(status.st_mode)) return STDIN_FILENO;

@@ -48,7 +48,8 @@ std::optional<Key> Keyboard::wait(Duration limit) {
   return next_key();
 }
 
-/// Keys that were pressed quickly come together; an arrow is three bytes, and other keys that begin with an escape are one.
+/// Keys that were pressed quickly come together; an arrow is three bytes, and other keys that begin with an
+/// escape are one.
 Key Keyboard::next_key() {
   struct Name {
     std::string_view bytes;

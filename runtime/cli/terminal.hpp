@@ -30,8 +30,9 @@ class ProgressLine {
 using Key = int;
 inline constexpr Key kUp = 256, kDown = 257, kLeft = 258, kRight = 259, kOtherKey = 260;
 
-/// Keys of stdin without Enter and echo, where it is a terminal; it is as it was when this object goes. Ctrl-C stays a signal; the
-/// keys that would kill or suspend the program and leave the terminal so are keys as all others.
+/// Keys of stdin without Enter and echo, where it is a terminal; it is as it was when this object goes.
+/// Ctrl-C stays a signal; the keys that would kill or suspend the program and leave the terminal so are keys
+/// as all others.
 class Keyboard {
  public:
   Keyboard();
@@ -40,7 +41,8 @@ class Keyboard {
   Keyboard& operator=(const Keyboard&) = delete;
 
   [[nodiscard]] bool is_there() const { return before_.has_value(); }
-  /// The next key; nothing when none came within `limit`. Without a terminal, or when it is gone, it only waits.
+  /// The next key; nothing when none came within `limit`. Without a terminal, or when it is gone, it only
+  /// waits.
   std::optional<Key> wait(Duration limit);
 
  private:

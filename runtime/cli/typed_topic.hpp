@@ -45,7 +45,8 @@ class TopicWriter {
 template <class M>
 class TopicReader {
  public:
-  /// Takes whatever QoS is offered, unless `qos` asks for more. `on_news` runs on a DDS thread: it may only wake somebody.
+  /// Takes whatever QoS is offered, unless `qos` asks for more. `on_news` runs on a DDS thread: it may only
+  /// wake somebody.
   TopicReader(
       dds::Participant& participant, const std::string& topic, const Qos& qos = Qos::sensor(),
       std::function<void()> on_news = [] {})

@@ -9,7 +9,8 @@
 // and by `bw_verb(list SOURCES list.cpp)` in its CMakeLists.txt. Exit status of every verb: 0 done, 1 the job
 // failed, 2 wrong use or configuration (ConfigError or std::runtime_error while configuring).
 //
-// CLI11 reads the command line; it is included by verb.cpp alone, since it costs each source five seconds of compiling.
+// CLI11 reads the command line; it is included by verb.cpp alone, since it costs each source five seconds of
+// compiling.
 #pragma once
 
 #include <cstdint>
@@ -122,7 +123,8 @@ using AddVerb = void (*)(Verb verb);
 /// Throws std::logic_error when the name is taken.
 bool register_verb(VerbGroup group, std::string_view name, std::string_view help, AddVerb add);
 
-/// Reads the command line and runs the verb that it names; returns its exit status. What the verb throws comes through.
+/// Reads the command line and runs the verb that it names; returns its exit status. What the verb throws
+/// comes through.
 int run_verb(const std::string& name, const std::string& help, const std::function<std::string()>& version,
              int argc, char** argv);
 

@@ -41,8 +41,8 @@ void add_peer(rtps::LocatorList_t& peers, const std::string& address) {
   peers.push_back(locator);
 }
 
-// Who comes is answered at once, but may miss it: Fast DDS (2.9 to 2.14) announces itself before it hears. The next
-// announcement has to come within the half second in which ROS 2's tools look around.
+// Who comes is answered at once, but may miss it: Fast DDS (2.9 to 2.14) announces itself before it hears.
+// The next announcement has to come within the half second in which ROS 2's tools look around.
 Duration announcement_period(const Network& network) {
   // Peers by address get a packet on each of their ports, through the network.
   const bool seeks_hosts = network.transport == Transport::lan && !network.static_peers.empty();
@@ -73,8 +73,8 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   loopback.port = 0;
   rtps::IPLocator::setIPv4(loopback, "127.0.0.1");
   if (options.alone) {
-    // With both filters Fast DDS opens no unicast locator. One has to be named all the same: without any it takes the
-    // default multicast group, and announces there. Without a peer nothing is announced.
+    // With both filters Fast DDS opens no unicast locator. One has to be named all the same: without any it
+    // takes the default multicast group, and announces there. Without a peer nothing is announced.
     wire.builtin.discovery_config.ignoreParticipantFlags = static_cast<rtps::ParticipantFilteringFlags_t>(
         rtps::FILTER_DIFFERENT_HOST | rtps::FILTER_DIFFERENT_PROCESS);
     wire.builtin.metatrafficUnicastLocatorList.push_back(loopback);
@@ -201,8 +201,9 @@ std::unique_ptr<Reader> Participant::create_reader(const EndpointOptions& option
                                                    std::function<void()> on_match) {
   efd::DataReaderQos qos = efd::DATAREADER_QOS_DEFAULT;
   apply(options, qos);
-  // A writer that knew this reader before it was known itself has sent in vain: it is asked at once what it has, since
-  // `ros2 topic pub --once` leaves after 100 ms. By default the question waits for 70 ms and the answer's answer for 5.
+  // A writer that knew this reader before it was known itself has sent in vain: it is asked at once what it
+  // has, since `ros2 topic pub --once` leaves after 100 ms. By default the question waits for 70 ms and the
+  // answer's answer for 5.
   qos.reliable_reader_qos().times.initialAcknackDelay = to_duration(Duration::milliseconds(1));
   qos.reliable_reader_qos().times.heartbeatResponseDelay = to_duration(Duration::milliseconds(1));
   set_user_data(qos.user_data(), options.user_data);

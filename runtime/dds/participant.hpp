@@ -20,7 +20,8 @@ namespace bw::dds {
 using Guid = std::array<std::uint8_t, 16>;  ///< 12 bytes of participant prefix, 4 of entity id
 
 bool same_participant(const Guid& a, const Guid& b);
-/// Both are of Fast DDS, which puts a number of the host behind its vendor id. Other vendors' GIDs do not tell: false.
+/// Both are of Fast DDS, which puts a number of the host behind its vendor id. Other vendors' GIDs do not
+/// tell: false.
 bool same_host(const Guid& a, const Guid& b);
 
 enum class Transport {
@@ -46,7 +47,8 @@ struct ParticipantOptions {
   /// Non-empty: readers of this participant match only its own writers (lock-step), while outside readers
   /// still see the writers.
   std::string private_partition;
-  /// Nobody is heard and nobody is told, whatever the network says: no port is opened. Own ends find one another as ever.
+  /// Nobody is heard and nobody is told, whatever the network says: no port is opened. Own ends find one
+  /// another as ever.
   bool alone = false;
   /// Of each socket; the kernel gives at most net.core.rmem_max. 0: its default [bytes].
   std::uint32_t receive_buffer = 0;
@@ -64,8 +66,8 @@ struct Endpoint {
   std::vector<std::string> partitions = {};  ///< none: that of every ordinary endpoint
 };
 
-/// For what is written as soon as the other side is known: it may not know us yet, drops the sample, and is told of it again
-/// by the next heartbeat alone.
+/// For what is written as soon as the other side is known: it may not know us yet, drops the sample, and is
+/// told of it again by the next heartbeat alone.
 inline constexpr Duration kPromptHeartbeat = Duration::milliseconds(100);
 
 struct EndpointOptions {
@@ -81,8 +83,8 @@ struct EndpointOptions {
   int allocated_samples = 100;
 };
 
-/// By which a reply finds its request: whom to answer, and the count of the request at its writer. On the wire it is the
-/// related sample identity (PID 0x800f).
+/// By which a reply finds its request: whom to answer, and the count of the request at its writer. On the
+/// wire it is the related sample identity (PID 0x800f).
 struct SampleIdentity {
   Guid guid{};
   std::int64_t sequence = 0;
@@ -135,8 +137,8 @@ class Participant {
   /// `on_match`, if any, runs on a DDS thread when a reader has come or gone: it may only enqueue.
   std::unique_ptr<Writer> create_writer(const EndpointOptions& options,
                                         std::function<void()> on_match = nullptr);
-  /// `on_sample` runs on a DDS thread with endpoint locks held: it may only enqueue. So does `on_match`, if any, when a writer
-  /// has come or gone.
+  /// `on_sample` runs on a DDS thread with endpoint locks held: it may only enqueue. So does `on_match`, if
+  /// any, when a writer has come or gone.
   std::unique_ptr<Reader> create_reader(const EndpointOptions& options, std::function<void()> on_sample,
                                         std::function<void()> on_match = nullptr);
 
@@ -144,8 +146,8 @@ class Participant {
   const std::string& private_partition() const;
   /// Every endpoint known now, own and remote, sorted by topic, kind and guid.
   std::vector<Endpoint> endpoints() const;
-  /// Remote writers that have left since the last call, so that one that came and went between two looks at endpoints()
-  /// is not missed; the first 256 of them.
+  /// Remote writers that have left since the last call, so that one that came and went between two looks at
+  /// endpoints() is not missed; the first 256 of them.
   std::vector<Endpoint> take_departed();
   /// Counts the changes of endpoints(): cheap to look at often.
   std::uint64_t endpoint_changes() const;

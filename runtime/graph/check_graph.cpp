@@ -199,8 +199,8 @@ class Checker {
   /// Who is called by whose command.
   using Obedience = std::map<const ComponentNode*, std::set<const ComponentNode*>>;
 
-  /// An input that is left to others, and hears what comes of its component's own command, drives the robot by itself and
-  /// for ever: a multiplexer that takes for a hand's what a monitor made of its command.
+  /// An input that is left to others, and hears what comes of its component's own command, drives the robot
+  /// by itself and for ever: a multiplexer that takes for a hand's what a monitor made of its command.
   void check_loops() {
     std::map<std::string, Obedience> by_type;
     for_each_command([&](const auto& writer, const auto& reader) {

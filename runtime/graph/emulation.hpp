@@ -1,4 +1,5 @@
-// What changes in a graph when devices of its robot are emulated instead of real. Each component says itself what that is to it:
+// What changes in a graph when devices of its robot are emulated instead of real. Each component says itself
+// what that is to it:
 //
 //   base_emulator:
 //     enabled: false
@@ -30,8 +31,9 @@ struct EmulationChange {
 std::vector<EmulationChange> read_emulation(const ConfigNode& map, const std::string& key,
                                             std::vector<Violation>& violations);
 
-/// Emulates every device that has a driver with a cable, which is any but `none` and `simulated`: its `port` becomes `emulator`, and
-/// the components change as they say. Throws ConfigError, located at `where`, when there is none.
+/// Emulates every device that has a driver with a cable, which is any but `none` and `simulated`: its `port`
+/// becomes `emulator`, and the components change as they say. Throws ConfigError, located at `where`, when
+/// there is none.
 void emulate_devices(Graph& graph, const Location& where);
 
 }  // namespace bw

@@ -119,14 +119,15 @@ struct Graph {
   std::vector<std::string> processes() const;
   /// Those that go through their states with `leader`, in rank order; what is not enabled is left out.
   std::vector<const ComponentNode*> followers_of(std::string_view leader) const;
-  /// The components in the order in which they are configured and activated; the way down is backwards. Who follows comes
-  /// before its leader.
+  /// The components in the order in which they are configured and activated; the way down is backwards. Who
+  /// follows comes before its leader.
   std::vector<const ComponentNode*> bring_up_order() const;
 };
 
-/// Overrides are `component.param=value`, `component.enabled=true|false`, `section.param=value`, `section=FILE`, `ros_distro=NAME` or
-/// `emulate=true`, which comes after those of sections and before those of components; of several robots each is meant, one alone by
-/// `robot/component.param=value`. Throws ConfigError with all violations that were found.
+/// Overrides are `component.param=value`, `component.enabled=true|false`, `section.param=value`,
+/// `section=FILE`, `ros_distro=NAME` or `emulate=true`, which comes after those of sections and before those
+/// of components; of several robots each is meant, one alone by `robot/component.param=value`. Throws
+/// ConfigError with all violations that were found.
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 /// One more override of a graph that is loaded. Throws ConfigError.

@@ -285,7 +285,8 @@ class GraphReader {
     }
   }
 
-  /// What is emulated is up to the robot that is meant in the end, and gives way to what is said of single components.
+  /// What is emulated is up to the robot that is meant in the end, and gives way to what is said of single
+  /// components.
   void apply(const std::vector<std::string>& overrides) {
     std::vector<Override> changes;
     for (const std::string& text : overrides) or_violation([&] { changes.push_back(parse_override(text)); });
@@ -333,7 +334,8 @@ bool set_distro(Graph& graph, const Override& change) {
   return true;
 }
 
-/// A whole shared section from a file: robot=FILE, where the command line stands. False when the override means something else.
+/// A whole shared section from a file: robot=FILE, where the command line stands. False when the override
+/// means something else.
 bool set_section(Graph& graph, const Override& change) {
   const bool is_section =
       change.path.size() == 1 &&

@@ -25,8 +25,8 @@ std::vector<Remap> read_remaps(const ConfigNode& map, const std::string& key,
 
 /// One token: letters, digits and _, no digit first.
 std::optional<std::string> node_name_rule(std::string_view name);
-/// Tokens joined by /, absolute or relative, private as ~/name, or of the namespace above as ../name; absolute at most 247
-/// characters long.
+/// Tokens joined by /, absolute or relative, private as ~/name, or of the namespace above as ../name;
+/// absolute at most 247 characters long.
 std::optional<std::string> topic_name_rule(std::string_view name);
 /// As a topic name, but not private; empty or "/" is the root.
 std::optional<std::string> namespace_rule(std::string_view name);

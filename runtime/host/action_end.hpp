@@ -1,5 +1,6 @@
-// One action of one actor: three services and two topics under `<name>/_action`, and the goals between them. Requests are
-// answered apart from the actor's lane, in every state of the component; goals and cancels wait here for its turn.
+// One action of one actor: three services and two topics under `<name>/_action`, and the goals between them.
+// Requests are answered apart from the actor's lane, in every state of the component; goals and cancels wait
+// here for its turn.
 #pragma once
 
 #include <deque>

@@ -53,7 +53,8 @@ class Input final : public InputEndpoint {
   bool is_declared =
       true;  ///< of the component and its part; a second end of the part on one topic is an ear more, and no input
 
-  /// Samples of a latched topic outlive the instance that heard them: the next one does not get them from the wire again.
+  /// Samples of a latched topic outlive the instance that heard them: the next one does not get them from the
+  /// wire again.
   struct Kept {
     dds::Guid writer;
     std::vector<std::uint8_t> cdr;
@@ -176,7 +177,8 @@ struct Actor final : DiagnosticReporter {
   void fire(Timer& timer, Time now, std::optional<Duration> waited);
 
  private:
-  /// Ages count from here after a clock that went back, or a silent input would stay fresh until it is there again.
+  /// Ages count from here after a clock that went back, or a silent input would stay fresh until it is there
+  /// again.
   void see(Time now);
 
   dds::Sample sample_;

@@ -16,8 +16,8 @@ namespace id = lifecycle::transition_id;
 
 namespace {
 
-/// What it means that the work of a transition was not done. Upwards nothing has changed; who cannot be brought to rest is
-/// not to be trusted with a second try; what is shut down is shut down.
+/// What it means that the work of a transition was not done. Upwards nothing has changed; who cannot be
+/// brought to rest is not to be trusted with a second try; what is shut down is shut down.
 Outcome outcome_of_failure(std::uint8_t transition) {
   switch (transition) {
     case id::kConfigure:
@@ -202,8 +202,8 @@ void ActorLifecycle::destroy() {
   actor_.component.reset();
 }
 
-/// Ages and ticks count from now on. What a latched topic has said meanwhile, or before this instance was, it hears now:
-/// the same reader would not get it again.
+/// Ages and ticks count from now on. What a latched topic has said meanwhile, or before this instance was, it
+/// hears now: the same reader would not get it again.
 void ActorLifecycle::begin_hearing(Time now) {
   {
     const std::lock_guard lock(actor_.mutex);

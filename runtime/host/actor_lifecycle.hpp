@@ -1,6 +1,6 @@
-// Moves the component of one actor through its states: each transition is plain calls of the component, between its
-// callbacks, on its lane. What is not active hears nothing, ticks not, and its outputs are mute; its ends on the wire stay,
-// so that a component that comes up again finds its place as it left it.
+// Moves the component of one actor through its states: each transition is plain calls of the component,
+// between its callbacks, on its lane. What is not active hears nothing, ticks not, and its outputs are mute;
+// its ends on the wire stay, so that a component that comes up again finds its place as it left it.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,8 @@ struct LifecycleMeans {
   /// Hears of every change.
   std::function<void(const lifecycle::Transition& transition, Time now)> tell;
   std::function<void(const std::string& text)> log_error;
-  /// Who else is there under the node's name or with its servers; empty text: nobody. It is not activated beside one.
+  /// Who else is there under the node's name or with its servers; empty text: nobody. It is not activated
+  /// beside one.
   std::function<std::string()> rivals;
 };
 
@@ -36,16 +37,17 @@ class ActorLifecycle {
 
   /// Outputs go there. Before the first transition.
   void connect(Runner& runner) { runner_ = &runner; }
-  /// While the run goes on transitions are told, and timers begin with them; before and after it the host does as much for
-  /// all at once.
+  /// While the run goes on transitions are told, and timers begin with them; before and after it the host
+  /// does as much for all at once.
   void set_running(bool is_running) { is_running_ = is_running; }
   /// The configured instance that is there waits for its first `configure`, and serves then.
   void wait_for_configure();
   /// What the instance read when it was configured has changed: the next `configure` makes a new one.
   void forget_parameters() { instance_is_ready_ = false; }
 
-  /// Takes a transition of the table that begins at the actor's state. Empty when it succeeded, else why not: then the
-  /// state is the one before, after an error `unconfigured`, and in every case the outputs of what is not active are mute.
+  /// Takes a transition of the table that begins at the actor's state. Empty when it succeeded, else why not:
+  /// then the state is the one before, after an error `unconfigured`, and in every case the outputs of what
+  /// is not active are mute.
   std::string change(const lifecycle::Transition& transition, Time now);
 
  private:

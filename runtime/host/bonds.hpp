@@ -1,6 +1,6 @@
-// The bonds of this process's components with a manager from outside (bond/msg/Status, as bondcpp): while a component is
-// active its bond beats, so that a process that died is missed within seconds. One writer and one reader per namespace
-// serve all components: a bond is told by its id, the node's name.
+// The bonds of this process's components with a manager from outside (bond/msg/Status, as bondcpp): while a
+// component is active its bond beats, so that a process that died is missed within seconds. One writer and
+// one reader per namespace serve all components: a bond is told by its id, the node's name.
 #pragma once
 
 #include <map>

@@ -1,4 +1,5 @@
-// The watch over the commands of one process, on the wire. In real time only: lock-step does not hear the outside.
+// The watch over the commands of one process, on the wire. In real time only: lock-step does not hear the
+// outside.
 #pragma once
 
 #include <map>
@@ -12,8 +13,8 @@ namespace bw {
 
 struct Actor;
 
-/// Marks the local inputs that a node of the graph commands (Input::commander), and gives their topics and those that the
-/// graph leaves to others.
+/// Marks the local inputs that a node of the graph commands (Input::commander), and gives their topics and
+/// those that the graph leaves to others.
 std::vector<WatchedTopic> find_watched_topics(const std::vector<Actor*>& all,
                                               const std::vector<Actor*>& local);
 

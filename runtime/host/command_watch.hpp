@@ -1,6 +1,6 @@
-// Who writes in vain on topics that this process hears. A command has one owner in the graph and is read in a partition of
-// this owner, where nobody else writes: the others are not heard, and named here. So are those who write another type on a
-// topic that the graph leaves to others.
+// Who writes in vain on topics that this process hears. A command has one owner in the graph and is read in a
+// partition of this owner, where nobody else writes: the others are not heard, and named here. So are those
+// who write another type on a topic that the graph leaves to others.
 #pragma once
 
 #include <functional>
@@ -41,7 +41,8 @@ class CommandWatch {
 
   explicit CommandWatch(const std::vector<WatchedTopic>& topics);
 
-  /// To be called every half second or so, with the endpoints that are there and the writers that left since the last call.
+  /// To be called every half second or so, with the endpoints that are there and the writers that left since
+  /// the last call.
   /// A writer is told once: when its node has a name, or after a second without one.
   std::vector<News> look(const std::vector<dds::Endpoint>& present,
                          const std::vector<dds::Endpoint>& departed, const NodeOf& node_of, Time now);

@@ -1,5 +1,6 @@
-// When something was last told to move, by the bytes of the commands that a process sends and obeys. The runtime knows no robot: a
-// command by which nothing moves is one whose floating-point numbers are all zero, a Twist or the rates of wheels at rest.
+// When something was last told to move, by the bytes of the commands that a process sends and obeys. The
+// runtime knows no robot: a command by which nothing moves is one whose floating-point numbers are all zero,
+// a Twist or the rates of wheels at rest.
 #pragma once
 
 #include <atomic>

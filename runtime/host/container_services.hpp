@@ -1,5 +1,6 @@
-// The process as a component container of ROS 2 (composition_interfaces): `ros2 component list` shows what runs in it. What
-// runs is said by the graph file alone, which is checked as a whole: loading and unloading are refused.
+// The process as a component container of ROS 2 (composition_interfaces): `ros2 component list` shows what
+// runs in it. What runs is said by the graph file alone, which is checked as a whole: loading and unloading
+// are refused.
 #pragma once
 
 #include <vector>

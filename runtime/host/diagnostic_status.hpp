@@ -1,5 +1,5 @@
-// What /diagnostics says of a component: where it runs, how it is, how old and how frequent its inputs are on the component
-// clock, and, where time is real, how long its callbacks wait and run.
+// What /diagnostics says of a component: where it runs, how it is, how old and how frequent its inputs are on
+// the component clock, and, where time is real, how long its callbacks wait and run.
 #pragma once
 
 #include <cstdint>

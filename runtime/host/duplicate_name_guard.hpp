@@ -1,4 +1,5 @@
-// The watch over the names of one process, on the wire. In real time only: lock-step does not hear the outside.
+// The watch over the names of one process, on the wire. In real time only: lock-step does not hear the
+// outside.
 #pragma once
 
 #include <map>

@@ -1,5 +1,6 @@
-// Who else on the domain has the name of one of our nodes, or serves what one of them serves. ROS 2 lets both answer: a manager
-// brings up either, a client hears whoever is first. Endpoints and nodes in, words out: no DDS, no clock.
+// Who else on the domain has the name of one of our nodes, or serves what one of them serves. ROS 2 lets both
+// answer: a manager brings up either, a client hears whoever is first. Endpoints and nodes in, words out: no
+// DDS, no clock.
 #pragma once
 
 #include <functional>
@@ -37,8 +38,8 @@ class DuplicateNameWatch {
 
   explicit DuplicateNameWatch(std::vector<OwnNode> nodes) : nodes_(std::move(nodes)) {}
 
-  /// To be called every half second or so. Who is there is told at the second look: names and servers of a process come one
-  /// after the other. Who has left is told too.
+  /// To be called every half second or so. Who is there is told at the second look: names and servers of a
+  /// process come one after the other. Who has left is told too.
   std::vector<News> look(const DomainView& view);
   /// Whom `view` shows beside our node of this full name; empty: nobody.
   std::string rivals_of(const std::string& node, const DomainView& view) const;

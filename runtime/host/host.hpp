@@ -39,7 +39,8 @@ struct HostOptions {
   EventSource* source = nullptr;             ///< lock-step: what happens besides the components
   /// Lock-step: nobody sees this run, and it sees nobody: for runs that are only measured, side by side.
   bool alone = false;
-  /// Lock-step: what changes something may come from outside, and is a part of the run then. Else it is refused.
+  /// Lock-step: what changes something may come from outside, and is a part of the run then. Else it is
+  /// refused.
   bool accept_inputs = false;
   bool is_partial =
       false;  ///< a part of a graph, looked at and not run: inputs that nobody feeds are no mistake
@@ -65,8 +66,8 @@ class Host {
 
   /// Connects, activates, runs to the end, deactivates. Once.
   RunEnd run(std::optional<Duration> duration);
-  /// Ends the run from any thread, and at any time: one that was not begun ends as soon as it is. With `at_rest`
-  /// false what moves gets the time to stop that it asked for (Setup::shared).
+  /// Ends the run from any thread, and at any time: one that was not begun ends as soon as it is. With
+  /// `at_rest` false what moves gets the time to stop that it asked for (Setup::shared).
   void finish(RunEnd end, bool at_rest);
 
   const Graph& graph() const { return graph_; }
@@ -104,7 +105,8 @@ class Host {
   std::optional<RunEnd> bring_up(const std::vector<Actor*>& order);
   /// Brings what is up to rest, backwards, whatever fails.
   void bring_down(const std::vector<Actor*>& order, RunEnd& end);
-  /// A callback threw: its component is deactivated at once, which stops what it moves; all others get their time to rest.
+  /// A callback threw: its component is deactivated at once, which stops what it moves; all others get their
+  /// time to rest.
   void end_by(const CallbackFailure& failure);
   void offer_parameters(Setup& setup, Actor& actor);
   void make_runner();

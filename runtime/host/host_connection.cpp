@@ -149,7 +149,8 @@ void Host::connect_clients(Actor& actor) {
     ClientEnd* end = client.get();
     end->runner = runner_.get();
     const std::function<void()> on_arrival = [this, end] { runner_->arrived(*end); };
-    // A request waits until both halves of its server are connected. Within a run in lock-step they are from the beginning.
+    // A request waits until both halves of its server are connected. Within a run in lock-step they are from
+    // the beginning.
     const std::function<void()> on_match = lockstep ? nullptr : on_arrival;
     end->reader = participant_->create_reader(service_end(reply_topic(end->service), end->type.response),
                                               on_arrival, on_match);

@@ -146,7 +146,8 @@ ServicePort& HostSetup::add_service(const std::string& name, const ServiceType& 
   return *actor_.services.back();
 }
 
-// A request from outside of a run in lock-step is a message of that run: recorded, and heard again by a replay.
+// A request from outside of a run in lock-step is a message of that run: recorded, and heard again by a
+// replay.
 void HostSetup::set_handler(ServicePort& port, RequestHandler handler) {
   auto& end = static_cast<ServiceEnd&>(port);
   const bool hears_events = host_.options_.accept_inputs || host_.options_.source != nullptr;

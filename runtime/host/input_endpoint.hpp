@@ -1,5 +1,5 @@
-// Something that comes to an actor from the wire, one at a time: samples of a topic, requests, replies. DDS only says that
-// something waits; the runner takes it when it is the actor's turn.
+// Something that comes to an actor from the wire, one at a time: samples of a topic, requests, replies. DDS
+// only says that something waits; the runner takes it when it is the actor's turn.
 #pragma once
 
 #include <atomic>
@@ -28,7 +28,8 @@ class InputEndpoint {
   virtual bool is_off_lane() const { return false; }
   /// In lock-step, taking makes the component busy for its declared latency.
   virtual bool takes_latency() const { return true; }
-  /// Takes the oldest and gives it to the component; false when nothing was waiting. `waited` is for the statistics.
+  /// Takes the oldest and gives it to the component; false when nothing was waiting. `waited` is for the
+  /// statistics.
   virtual bool take_one(Time now, std::optional<Duration> waited) = 0;
 
   Actor* actor = nullptr;

@@ -1,5 +1,5 @@
-// One of this program's two lifecycle managers, as rviz's Nav2 panel looks for them: brings its components up and down in
-// the order of the graph, through their own change_state services, whichever process they are in.
+// One of this program's two lifecycle managers, as rviz's Nav2 panel looks for them: brings its components up
+// and down in the order of the graph, through their own change_state services, whichever process they are in.
 #pragma once
 
 #include <memory>

@@ -10,7 +10,8 @@
 
 namespace bw {
 
-/// Declares ~/change_state, ~/get_state, ~/get_available_states, ~/get_available_transitions and ~/get_transition_graph.
+/// Declares ~/change_state, ~/get_state, ~/get_available_states, ~/get_available_transitions and
+/// ~/get_transition_graph.
 void offer_lifecycle_services(Setup& setup, Actor& actor);
 
 /// Declares ~/transition_event; what it returns publishes a transition there.

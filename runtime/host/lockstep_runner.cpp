@@ -159,7 +159,8 @@ void LockstepRunner::complete(Actor& actor) {
   Busy done = std::move(busy_.at(actor.rank));
   busy_.erase(actor.rank);
   for (const auto& action : done.held) action();
-  // In their own places: what has waited comes before what arrives at this instant, whoever sends that and when.
+  // In their own places: what has waited comes before what arrives at this instant, whoever sends that and
+  // when.
   for (Event event : done.deferred) {
     event.time = now_;
     event.was_deferred = true;

@@ -1,5 +1,6 @@
-// A component and those that follow it, moved through their states as one, as Nav2's servers move the costmaps inside them:
-// on the way up the followers go first, on the way down last, each on its own lane by its own change_state.
+// A component and those that follow it, moved through their states as one, as Nav2's servers move the
+// costmaps inside them: on the way up the followers go first, on the way down last, each on its own lane by
+// its own change_state.
 #pragma once
 
 #include <functional>
@@ -33,9 +34,9 @@ class NestedLifecycle {
 
   /// Declares the calls of the followers as ends of the leader's node.
   void configure(Setup& setup);
-  /// Takes the leader's `transition`, and the followers with it. `on_done` is called once, on the leader's lane: at once
-  /// with false while another transition is under way. When one of them fails on the way up, nobody stays farther up than
-  /// the leader.
+  /// Takes the leader's `transition`, and the followers with it. `on_done` is called once, on the leader's
+  /// lane: at once with false while another transition is under way. When one of them fails on the way up,
+  /// nobody stays farther up than the leader.
   void change(const lifecycle::Transition& transition, Time now, OnDone on_done);
 
  private:

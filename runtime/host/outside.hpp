@@ -1,4 +1,5 @@
-// What other participants send into a run in lock-step: seen between events, let in at the beginning of an instant.
+// What other participants send into a run in lock-step: seen between events, let in at the beginning of an
+// instant.
 #pragma once
 
 #include "runtime/base/time.hpp"

@@ -1,7 +1,7 @@
-// What other participants send into a run in lock-step. Requests that only ask are answered between events. What changes
-// something is refused, or accepted: then it is published at the beginning of an instant by a component of the run, so
-// that it is hashed, recorded and replayed as every other message. A request is published as the event that ROS 2's
-// service introspection makes of it.
+// What other participants send into a run in lock-step. Requests that only ask are answered between events.
+// What changes something is refused, or accepted: then it is published at the beginning of an instant by a
+// component of the run, so that it is hashed, recorded and replayed as every other message. A request is
+// published as the event that ROS 2's service introspection makes of it.
 #pragma once
 
 #include <atomic>

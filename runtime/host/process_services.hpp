@@ -1,5 +1,5 @@
-// What every process offers beside its components, as one more node: /clock in lock-step, /rosout, /parameter_events,
-// /diagnostics, the list of what runs in it, bonds.
+// What every process offers beside its components, as one more node: /clock in lock-step, /rosout,
+// /parameter_events, /diagnostics, the list of what runs in it, bonds.
 #pragma once
 
 #include <functional>
@@ -32,8 +32,9 @@ struct ProcessServiceOptions {
                         ///< real clock may enter a sample
 };
 
-/// The node of a process, `process` as the graph calls it, empty for the only one. The process id is behind its name on the wire,
-/// since ROS 2's tools cannot tell nodes of one name apart; logs and diagnostics, which lock-step repeats to the byte, do without.
+/// The node of a process, `process` as the graph calls it, empty for the only one. The process id is behind
+/// its name on the wire, since ROS 2's tools cannot tell nodes of one name apart; logs and diagnostics, which
+/// lock-step repeats to the byte, do without.
 ComponentNode node_of_process(const std::string& process);
 
 class ProcessServices final : public Component {

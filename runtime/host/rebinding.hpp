@@ -1,6 +1,6 @@
-// The ends of an actor handed to a new instance of its component. Endpoints on the wire live as long as the process: a
-// component that is configured again declares the ends it declared before, and gets them. Nothing changes for the instance
-// before until commit().
+// The ends of an actor handed to a new instance of its component. Endpoints on the wire live as long as the
+// process: a component that is configured again declares the ends it declared before, and gets them. Nothing
+// changes for the instance before until commit().
 #pragma once
 
 #include <functional>

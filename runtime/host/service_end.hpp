@@ -1,5 +1,5 @@
-// One service of one actor: takes requests, gives them to the component, writes replies as rmw_fastrtps does (identity in
-// the inline QoS, nothing in the payload).
+// One service of one actor: takes requests, gives them to the component, writes replies as rmw_fastrtps does
+// (identity in the inline QoS, nothing in the payload).
 #pragma once
 
 #include <deque>
@@ -38,10 +38,11 @@ class ServiceEnd final : public InputEndpoint, public ServicePort {
   /// A request to the node waits while its component is busy, and does not make it so.
   bool takes_latency() const override { return scope == ServiceScope::component; }
   bool take_one(Time now, std::optional<Duration> waited) override;
-  /// When the component's latency has passed; to a client that is not connected yet when it is, for at most a second.
+  /// When the component's latency has passed; to a client that is not connected yet when it is, for at most a
+  /// second.
   void reply(const RequestId& to, std::span<const std::uint8_t> cdr) override;
-  /// Answers it here and now: by the component, or why not. A component that is not active changes nothing; one that is
-  /// inactive still tells.
+  /// Answers it here and now: by the component, or why not. A component that is not active changes nothing;
+  /// one that is inactive still tells.
   void answer(const Request& request, Time now);
   void refuse(const RequestId& from, const std::string& reason);
   /// It changes something, so that in lock-step it may not come from outside.

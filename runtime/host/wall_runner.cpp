@@ -133,7 +133,8 @@ RunEnd WallRunner::run(std::optional<Duration> duration) {
 }
 
 void WallRunner::come_to_rest(Duration longest) {
-  // As long as a command may be obeyed: what nobody has told to move for that long stands, or is on its way there by itself.
+  // As long as a command may be obeyed: what nobody has told to move for that long stands, or is on its way
+  // there by itself.
   constexpr Duration kQuiet = Duration::milliseconds(200);
   constexpr std::chrono::milliseconds kPause{5};
   for (Actor* actor : actors_) actor->stop_requested = true;

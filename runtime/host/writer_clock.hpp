@@ -35,7 +35,8 @@ class WriterClock {
   std::atomic<bool> was_set_ = false;
 };
 
-/// Of this machine. Both are slewed alike: it changes when the system clock is set, and by what a suspended machine slept.
+/// Of this machine. Both are slewed alike: it changes when the system clock is set, and by what a suspended
+/// machine slept.
 Duration system_clock_offset();
 
 }  // namespace bw

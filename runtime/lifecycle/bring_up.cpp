@@ -11,7 +11,8 @@ constexpr std::string_view kActivate = "activate";
 constexpr std::string_view kDeactivate = "deactivate";
 constexpr std::string_view kShutdown = "shutdown";
 
-/// A node in `state`, which has no such transition, is nevertheless where the transition leads, or further on the way.
+/// A node in `state`, which has no such transition, is nevertheless where the transition leads, or further on
+/// the way.
 bool is_past(std::string_view transition, State state) {
   if (transition == kConfigure) return state == State::inactive || state == State::active;
   if (transition == kActivate) return state == State::active;

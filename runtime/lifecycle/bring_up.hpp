@@ -1,14 +1,14 @@
-// What a manager does with its nodes, step by step: which node is asked for which transition next, given how the steps
-// before went. The commands are those of nav2_msgs/ManageLifecycleNodes.
+// What a manager does with its nodes, step by step: which node is asked for which transition next, given how
+// the steps before went. The commands are those of nav2_msgs/ManageLifecycleNodes.
 //
 //   startup    configure all, then activate all, in order      pause    deactivate all, backwards
 //   resume     activate all, in order                          reset    deactivate, then clean up all, backwards
 //   configure  configure all, in order                         cleanup  clean up all, backwards
 //   shutdown   deactivate, clean up, shut down all, backwards
 //
-// A node that is where the step leads already is passed over. The way up ends at the first node that fails, and what is
-// active by then is deactivated backwards: half a graph does not drive. The way down goes on with the others: they can
-// still be brought to rest.
+// A node that is where the step leads already is passed over. The way up ends at the first node that fails,
+// and what is active by then is deactivated backwards: half a graph does not drive. The way down goes on with
+// the others: they can still be brought to rest.
 #pragma once
 
 #include <cstddef>

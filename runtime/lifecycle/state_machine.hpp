@@ -1,5 +1,5 @@
-// The states of a node and the ways between them, with the ids and labels of lifecycle_msgs and in the order in which
-// ROS 2's own nodes list them (rcl_lifecycle, default state machine).
+// The states of a node and the ways between them, with the ids and labels of lifecycle_msgs and in the order
+// in which ROS 2's own nodes list them (rcl_lifecycle, default state machine).
 #pragma once
 
 #include <cstdint>
@@ -49,8 +49,8 @@ enum class Outcome { success, failure, error };
 [[nodiscard]] std::span<const Transition> transitions();
 /// Those that begin at `state`.
 [[nodiscard]] std::vector<Transition> transitions_from(State state);
-/// The transition that a request means: the label decides, the id only where there is none. Null when `from` has no such
-/// transition; a transitional state has none that may be asked for.
+/// The transition that a request means: the label decides, the id only where there is none. Null when `from`
+/// has no such transition; a transitional state has none that may be asked for.
 [[nodiscard]] const Transition* requested_transition(State from, std::uint8_t id, std::string_view label);
 /// How a transition ends whose work ended so. `state` is transitional; throws std::logic_error for any other.
 [[nodiscard]] const Transition& finishing_transition(State state, Outcome outcome);

@@ -31,8 +31,8 @@ std::vector<ParameterRow> list_parameters(T& value, std::string_view prefix = ""
   return list_parameters(FieldRef::of(value), FieldRef::of(defaults), prefix);
 }
 
-/// Every name that can be set, dotted, in the order of the field lists; those of a list of structs once, without index, as walls.x. `section`
-/// holds anything afterwards.
+/// Every name that can be set, dotted, in the order of the field lists; those of a list of structs once,
+/// without index, as walls.x. `section` holds anything afterwards.
 std::vector<std::string> parameter_names(FieldRef section);
 
 }  // namespace bw

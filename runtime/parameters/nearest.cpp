@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t kLongestName = 64;
 
-/// Levenshtein distance, a swap of neighbours counted as one step; `limit` if it is not below that. Keeps its memory from
-/// word to word.
+/// Levenshtein distance, a swap of neighbours counted as one step; `limit` if it is not below that. Keeps its
+/// memory from word to word.
 class EditDistance {
  public:
   std::size_t operator()(std::string_view a, std::string_view b, std::size_t limit) {

@@ -1,4 +1,5 @@
-// What a person or a tool may know of a parameter before changing it, as rcl_interfaces/msg/ParameterDescriptor.
+// What a person or a tool may know of a parameter before changing it, as
+// rcl_interfaces/msg/ParameterDescriptor.
 #pragma once
 
 #include <cstdint>
@@ -34,8 +35,8 @@ struct ParameterDescriptor {
   std::optional<IntegerRange> integer_range;
 };
 
-/// `limits` are those of an integer's C++ type; `choices` the texts that the parameter may have (empty: any). A range
-/// that is open at one end goes there to the end of the type.
+/// `limits` are those of an integer's C++ type; `choices` the texts that the parameter may have (empty: any).
+/// A range that is open at one end goes there to the end of the type.
 ParameterDescriptor describe(ParameterType type, const Field& field, const IntegerRange& limits,
                              const std::vector<std::string_view>& choices);
 

@@ -1,6 +1,6 @@
-// The parameters of a node as ROS 2 sees them: a snapshot of a struct with fields(v), taken apart into typed leaves with
-// names, and changed leaf by leaf through the very checks that YAML goes through (read_parameters.hpp). A value type: a
-// change makes a new snapshot or nothing.
+// The parameters of a node as ROS 2 sees them: a snapshot of a struct with fields(v), taken apart into typed
+// leaves with names, and changed leaf by leaf through the very checks that YAML goes through
+// (read_parameters.hpp). A value type: a change makes a new snapshot or nothing.
 #pragma once
 
 #include <map>
@@ -51,13 +51,13 @@ class ParameterSet {
   /// Whether it is a parameter, or the name of a section or list of them that may be empty.
   bool has(std::string_view name) const;
 
-  /// All of them or none, in one step: rules over several fields see all. Returns the reason of a refusal: parameter,
-  /// value and rule. A value must have the type of its parameter: an integer is no double (as in rclcpp); an empty list
-  /// is one of any type.
+  /// All of them or none, in one step: rules over several fields see all. Returns the reason of a refusal:
+  /// parameter, value and rule. A value must have the type of its parameter: an integer is no double (as in
+  /// rclcpp); an empty list is one of any type.
   [[nodiscard]] std::optional<std::string> change(std::span<const NamedValue> changes);
 
-  /// Puts what was changed since the construction into the section that the struct was read from, so that reading it
-  /// again gives this snapshot.
+  /// Puts what was changed since the construction into the section that the struct was read from, so that
+  /// reading it again gives this snapshot.
   void write_changes(ConfigNode& section) const;
 
  private:

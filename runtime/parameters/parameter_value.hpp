@@ -1,5 +1,5 @@
-// A parameter's value as ROS 2 has it: one of ten types, told apart on the wire by a number. Without middleware;
-// runtime/ros/parameter_messages.hpp has the message.
+// A parameter's value as ROS 2 has it: one of ten types, told apart on the wire by a number. Without
+// middleware; runtime/ros/parameter_messages.hpp has the message.
 #pragma once
 
 #include <cstdint>
@@ -38,16 +38,16 @@ inline ParameterType type_of(const ParameterValue& value) {
 /// "a double", "a list of strings"; "nothing" for not_set.
 std::string_view name_of(ParameterType type);
 
-/// As YAML on one line; reads back as the same value of the same type, but for bytes, which are integers in YAML, and
-/// for an empty list, which has no type there.
+/// As YAML on one line; reads back as the same value of the same type, but for bytes, which are integers in
+/// YAML, and for an empty list, which has no type there.
 std::string to_yaml_text(const ParameterValue& value);
 
 /// As a configuration has it, located in kOverrideFile.
 ConfigNode to_config_node(const ParameterValue& value);
 
-/// The value that ROS 2's tools take a YAML text for: `1` is an integer, `1.0` a double, `true` a bool, `"1"` a
-/// string; a list of one kind of these. Whole numbers among doubles are doubles. Nothing for a map, a null, or a list
-/// of different kinds or of lists.
+/// The value that ROS 2's tools take a YAML text for: `1` is an integer, `1.0` a double, `true` a bool, `"1"`
+/// a string; a list of one kind of these. Whole numbers among doubles are doubles. Nothing for a map, a null,
+/// or a list of different kinds or of lists.
 std::optional<ParameterValue> parameter_value_of(const ConfigNode& node);
 
 }  // namespace bw

@@ -1,5 +1,5 @@
-// The goals of one action server: who asked for what, where each stands, and the results that are still kept. States and
-// answers as rcl_action has them. Not safe for two threads at a time.
+// The goals of one action server: who asked for what, where each stands, and the results that are still kept.
+// States and answers as rcl_action has them. Not safe for two threads at a time.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +31,8 @@ class GoalBook {
 
   /// False: the id is known already, or too many goals are open.
   bool accept(const GoalId& id, Time now);
-  /// Neither id nor stamp: every open goal. A stamp: all that were accepted until then. An id: that goal, beside a
-  /// stamp that one too. What is being canceled already counts as ended.
+  /// Neither id nor stamp: every open goal. A stamp: all that were accepted until then. An id: that goal,
+  /// beside a stamp that one too. What is being canceled already counts as ended.
   CanceledGoals cancel(const CancelRequest& request);
   /// False when the goal is not waiting to be executed.
   bool execute(const GoalId& id);

@@ -1,4 +1,5 @@
-// A message from text, as `ros2 topic pub` and `ros2 service call` take it: {pose: {position: {x: 1.0}}}. JSON is YAML too.
+// A message from text, as `ros2 topic pub` and `ros2 service call` take it: {pose: {position: {x: 1.0}}}.
+// JSON is YAML too.
 // What is not given is zero, empty, false; a quaternion that is not given is no rotation.
 #pragma once
 
@@ -11,8 +12,8 @@
 
 namespace bw {
 
-/// CDR with its encapsulation. Throws ConfigError with all keys that the type does not have and all values that their field
-/// does not hold.
+/// CDR with its encapsulation. Throws ConfigError with all keys that the type does not have and all values
+/// that their field does not hold.
 [[nodiscard]] std::vector<std::uint8_t> message_from_yaml(const TypeDescription& type,
                                                           const ConfigNode& text);
 

@@ -1,8 +1,8 @@
 // Our nodes on ros_discovery_info, so that ROS 2's tools list them with their ends.
 //
-// In which format is decided once: by the caller, by ROS_DISTRO, or within two seconds by what the others on the domain
-// announce (distro_evidence.hpp); where nobody is, as for Jazzy. Nothing waits for that but the list of nodes. Who comes later
-// with the other format is told of, and changes nothing.
+// In which format is decided once: by the caller, by ROS_DISTRO, or within two seconds by what the others on
+// the domain announce (distro_evidence.hpp); where nobody is, as for Jazzy. Nothing waits for that but the
+// list of nodes. Who comes later with the other format is told of, and changes nothing.
 #pragma once
 
 #include <condition_variable>
@@ -24,8 +24,8 @@ namespace bw {
 struct AnnouncementOptions {
   RosDistro distro = RosDistro::automatic;
   bool looks_around = true;  ///< false: decides at once and hears nobody, as lock-step must
-  /// Is told of the other format on the domain, once, on a thread of the announcement's own. Empty: nobody is looked for
-  /// after the decision.
+  /// Is told of the other format on the domain, once, on a thread of the announcement's own. Empty: nobody is
+  /// looked for after the decision.
   std::function<void(const std::string&)> warn = nullptr;
 };
 

@@ -27,8 +27,8 @@ std::vector<NamedValue> from_messages(const std::vector<rcl_interfaces::msg::Par
 rcl_interfaces::msg::ParameterDescriptor to_message(const std::string& name,
                                                     const ParameterDescriptor& descriptor);
 
-/// As rclcpp: a prefix stands for itself and for what lies below it, no prefix for everything; `depth` counts the parts
-/// of a name below the prefix, 0 is without limit.
+/// As rclcpp: a prefix stands for itself and for what lies below it, no prefix for everything; `depth` counts
+/// the parts of a name below the prefix, 0 is without limit.
 rcl_interfaces::msg::ListParametersResult list_names(std::span<const std::string> names,
                                                      std::span<const std::string> prefixes,
                                                      std::uint64_t depth);

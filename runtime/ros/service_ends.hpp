@@ -9,8 +9,8 @@
 
 namespace bw {
 
-/// As rmw has services and parameters, with the longer history of the two: it outlasts a busy lane. Few samples wait, and
-/// there are many such ends.
+/// As rmw has services and parameters, with the longer history of the two: it outlasts a busy lane. Few
+/// samples wait, and there are many such ends.
 inline dds::EndpointOptions service_end(const std::string& dds_topic, const MessageType& type) {
   constexpr int kDepth = 1000;
   return {.topic = dds_topic,

@@ -6,7 +6,8 @@
 
 namespace bw {
 
-/// A link below XDG_RUNTIME_DIR or the folder of temporary files, of this user, domain and device ("base", "laser").
+/// A link below XDG_RUNTIME_DIR or the folder of temporary files, of this user, domain and device ("base",
+/// "laser").
 std::filesystem::path emulator_path(const std::string& name, int domain);
 
 }  // namespace bw

@@ -1,5 +1,5 @@
-// The serial port of a base that must not drive on when this process cannot stop it: a SerialPort with a guardian. What a guardian does,
-// what becomes of it and of this process: components/robot_base/README.md.
+// The serial port of a base that must not drive on when this process cannot stop it: a SerialPort with a
+// guardian. What a guardian does, what becomes of it and of this process: components/robot_base/README.md.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ class GuardedPort final : public ByteLink {
   GuardedPort(const GuardedPort&) = delete;
   GuardedPort& operator=(const GuardedPort&) = delete;
 
-  /// Open with a guardian or not at all: without one, and after a hang of this process, the base is told to stand, the port is closed and
-  /// opened anew with another.
+  /// Open with a guardian or not at all: without one, and after a hang of this process, the base is told to
+  /// stand, the port is closed and opened anew with another.
   const LinkState& update(Time now) override;
   std::span<const std::uint8_t> read() override { return port_->read(); }
   /// Nothing goes out that was meant before a hang.

@@ -1,8 +1,10 @@
-// The guardian of a base's port: a process of its own that does nothing but tell the base to stand when the process that drives it is
-// gone (SIGKILL, abort, out of memory) or silent (hung, SIGSTOP). It has a second descriptor of the open port, so that the port
-// outlives that process for a moment, and knows no protocol: the stop frame is given. PortGuardian starts it; by hand it is of no use:
+// The guardian of a base's port: a process of its own that does nothing but tell the base to stand when the
+// process that drives it is gone (SIGKILL, abort, out of memory) or silent (hung, SIGSTOP). It has a second
+// descriptor of the open port, so that the port outlives that process for a moment, and knows no protocol:
+// the stop frame is given. PortGuardian starts it; by hand it is of no use:
 //   bandwagon_port_guardian PID PORT STOP_FRAME_IN_HEX      (descriptors 3 and 4: guardian_protocol.hpp)
-// All signals that can be are blocked by who starts it: Ctrl-C is for the base's process, which brings its robot to rest by itself.
+// All signals that can be are blocked by who starts it: Ctrl-C is for the base's process, which brings its
+// robot to rest by itself.
 #include <algorithm>
 #include <cerrno>
 #include <chrono>

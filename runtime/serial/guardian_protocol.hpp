@@ -1,4 +1,5 @@
-// What a port's guardian and the process that it guards say to each other: one byte a message, over a socket pair (SOCK_SEQPACKET).
+// What a port's guardian and the process that it guards say to each other: one byte a message, over a socket
+// pair (SOCK_SEQPACKET).
 #pragma once
 
 #include <chrono>

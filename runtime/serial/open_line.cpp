@@ -46,7 +46,8 @@ std::string claim(int descriptor, const struct stat& status, const SystemFolders
   const bool is_ours = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
   const auto others = holders_of(status.st_rdev, descriptor, folders);
   if (!is_ours || !others.empty()) return "owned by somebody else: in use by " + in_words(others);
-  // Shuts out who comes later and looks for no lock. Of a pseudo-terminal the mark would outlive this process.
+  // Shuts out who comes later and looks for no lock. Of a pseudo-terminal the mark would outlive this
+  // process.
   if (!is_pseudo_terminal(status.st_rdev)) ioctl(descriptor, TIOCEXCL);
   return {};
 }

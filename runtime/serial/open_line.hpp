@@ -1,4 +1,5 @@
-// Opens a serial line for this process alone. May take long (a hung USB adapter, a look through all processes): not for a lane.
+// Opens a serial line for this process alone. May take long (a hung USB adapter, a look through all
+// processes): not for a lane.
 #pragma once
 
 #include <string>
@@ -14,7 +15,8 @@ struct OpenedLine {
   std::string fault;    ///< what is wrong and what to do; empty: it is open
 };
 
-/// Raw, exclusive, not waiting for a carrier, of low latency. A second process of ours, or a stranger who came first, is named.
+/// Raw, exclusive, not waiting for a carrier, of low latency. A second process of ours, or a stranger who
+/// came first, is named.
 OpenedLine open_line(const PortOptions& options, const SystemFolders& folders = {});
 
 /// Why this user may not open `device`, and what to type. Empty: he may, or there is none.

@@ -39,8 +39,9 @@ std::string hex_of(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
-/// In a session of its own and with every signal blocked from its first instruction: neither Ctrl-C, nor Ctrl-Z, nor a closed
-/// terminal, nor a signal to the whole process group reaches it. Returns the error, 0: started.
+/// In a session of its own and with every signal blocked from its first instruction: neither Ctrl-C, nor
+/// Ctrl-Z, nor a closed terminal, nor a signal to the whole process group reaches it. Returns the error, 0:
+/// started.
 int start(const std::string& program, const std::vector<std::string>& words, int socket, int port,
           pid_t& process) {
   posix_spawnattr_t how;

@@ -1,5 +1,5 @@
-// The process's side of its port's guardian (guardian_main.cpp), a small process of its own that tells the base to stand when this one
-// cannot: killed, aborted or hung. One guardian for each opening of the port.
+// The process's side of its port's guardian (guardian_main.cpp), a small process of its own that tells the
+// base to stand when this one cannot: killed, aborted or hung. One guardian for each opening of the port.
 #pragma once
 
 #include <cstdint>
@@ -28,13 +28,15 @@ class PortGuardian {
 
   /// Starts it; `fault()` tells why it could not.
   PortGuardian(const GuardedDevice& device, std::span<const std::uint8_t> stop_frame);
-  /// Gives the port up and waits until the guardian, which says one last stop, has ended: milliseconds, 0.3 s at most. Not on a lane.
+  /// Gives the port up and waits until the guardian, which says one last stop, has ended: milliseconds, 0.3 s
+  /// at most. Not on a lane.
   ~PortGuardian();
   PortGuardian(const PortGuardian&) = delete;
   PortGuardian& operator=(const PortGuardian&) = delete;
 
   const std::string& fault() const { return fault_; }
-  /// What has come from it. Asked before each write to the device: after a hang nothing of before it goes out.
+  /// What has come from it. Asked before each write to the device: after a hang nothing of before it goes
+  /// out.
   State look();
   /// To be called at least every 0.1 s; says so every 20 ms.
   void beat();

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kPseudoTerminalReadSize = 65'536;
 
-/// Once opened and closed again, a pseudo-terminal tells by POLLHUP that nobody listens. What the host says before it has set the
-/// line must not come back as an echo: raw from the start.
+/// Once opened and closed again, a pseudo-terminal tells by POLLHUP that nobody listens. What the host says
+/// before it has set the line must not come back as an echo: raw from the start.
 std::string make_raw_and_hung_up(const std::string& slave) {
   const int descriptor = open(slave.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return std::strerror(errno);

@@ -1,6 +1,7 @@
-// The device's end of an emulated serial cable: the master of a pseudo-terminal, and a link by which the host finds the other end.
-// The link goes through the process that made it (/proc/PID/root/dev/pts/N): when that is gone it leads nowhere, and never to a
-// terminal that got the number since.
+// The device's end of an emulated serial cable: the master of a pseudo-terminal, and a link by which the host
+// finds the other end.
+// The link goes through the process that made it (/proc/PID/root/dev/pts/N): when that is gone it leads
+// nowhere, and never to a terminal that got the number since.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +21,12 @@ class PseudoTerminal final : public ByteLink {
   PseudoTerminal(const PseudoTerminal&) = delete;
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
 
-  /// Plugs the cable in where it is not. `is_open`: it is plugged in, whether or not the host listens. Refused, in `fault`, while
-  /// another living process has the link.
+  /// Plugs the cable in where it is not. `is_open`: it is plugged in, whether or not the host listens.
+  /// Refused, in `fault`, while another living process has the link.
   const LinkState& update(Time now) override;
   std::span<const std::uint8_t> read() override;
-  /// A device sends whether or not somebody listens: bytes for nobody are lost, and taken. False when the host reads so slowly
-  /// that they do not fit.
+  /// A device sends whether or not somebody listens: bytes for nobody are lost, and taken. False when the
+  /// host reads so slowly that they do not fit.
   bool write(std::span<const std::uint8_t> bytes) override;
   /// Pulls the cable: the host sees its line hung up. The next update() puts it back.
   void close(Time now, const std::string& why) override;

@@ -1,5 +1,6 @@
-// The serial lines that this machine has now, and which of them is the adapter with a USB serial number. Source: sysfs
-// (class/tty, of USB devices the files `serial` and `product` of an ancestor) and /dev/serial/by-id.
+// The serial lines that this machine has now, and which of them is the adapter with a USB serial number.
+// Source: sysfs (class/tty, of USB devices the files `serial` and `product` of an ancestor) and
+// /dev/serial/by-id.
 #pragma once
 
 #include <filesystem>

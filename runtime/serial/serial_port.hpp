@@ -1,5 +1,6 @@
-// The host's end of a serial cable: a tty, for this process alone. Opening, closing and control lines go through a thread of the
-// port's own, so that no call waits for a device, not even for one that hangs; bytes are read and written at once or not at all.
+// The host's end of a serial cable: a tty, for this process alone. Opening, closing and control lines go
+// through a thread of the port's own, so that no call waits for a device, not even for one that hangs; bytes
+// are read and written at once or not at all.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +18,9 @@ namespace bw {
 
 class SerialPort final : public ByteLink {
  public:
-  /// Opens nothing yet. `name` is for people where the port's own says little. A device that is not there is no fault for so long as
-  /// `patience` since the first update(), and is looked for more often: who makes it may only be starting.
+  /// Opens nothing yet. `name` is for people where the port's own says little. A device that is not there is
+  /// no fault for so long as `patience` since the first update(), and is looked for more often: who makes it
+  /// may only be starting.
   explicit SerialPort(PortOptions options, std::string name = {}, Duration patience = {},
                       SystemFolders folders = {});
   /// Bytes written before still go out, for 0.1 s at most.
@@ -26,7 +28,8 @@ class SerialPort final : public ByteLink {
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /// Tries to open at most every 0.5 s; a result shows in a later call. A line that was hung up or removed is seen here or by read().
+  /// Tries to open at most every 0.5 s; a result shows in a later call. A line that was hung up or removed is
+  /// seen here or by read().
   const LinkState& update(Time now) override;
   std::span<const std::uint8_t> read() override;
   bool write(std::span<const std::uint8_t> bytes) override;

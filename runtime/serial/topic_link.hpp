@@ -1,4 +1,5 @@
-// A cable of topics, for lock-step: bytes are messages, hashed, recorded and replayed as all others. Always plugged in.
+// A cable of topics, for lock-step: bytes are messages, hashed, recorded and replayed as all others. Always
+// plugged in.
 #pragma once
 
 #include <cstdint>

@@ -22,7 +22,8 @@ std::string set_raw_line(int descriptor, std::int64_t baud) {
   line.c_iflag = IGNBRK | IGNPAR;
   line.c_oflag = 0;
   line.c_lflag = 0;
-  // Without HUPCL the control lines stay as they were set when the port is closed: DTR holds the motor of some lasers.
+  // Without HUPCL the control lines stay as they were set when the port is closed: DTR holds the motor of
+  // some lasers.
   line.c_cflag = CS8 | CREAD | CLOCAL | BOTHER;
   line.c_ispeed = line.c_ospeed = static_cast<speed_t>(baud);
   // A read finds nothing: EAGAIN. Zero bytes are then the end of the line, and nothing else.

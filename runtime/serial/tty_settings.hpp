@@ -6,8 +6,8 @@
 
 namespace bw {
 
-/// Raw, 8 data bits, no parity, 1 stop bit, no flow control, at any speed [bit/s] that the chip can make. Returns what is wrong in
-/// words; empty: done.
+/// Raw, 8 data bits, no parity, 1 stop bit, no flow control, at any speed [bit/s] that the chip can make.
+/// Returns what is wrong in words; empty: done.
 std::string set_raw_line(int descriptor, std::int64_t baud);
 
 /// Bytes are handed on at once, and closing waits for none; where the driver can and this user may.

@@ -21,8 +21,9 @@ class TransformTree {
   explicit TransformTree(Duration history = Duration::milliseconds(10'000)) : history_(history) {}
 
   /// Ignores (false) a transform that is not finite, has no unit quaternion within 1e-3, is from itself to
-  /// itself, or is older than the history. A later parent for the same child replaces the former one. Five in a row that
-  /// are half a second older than the newest are a clock that went back: what was known of the child is forgotten.
+  /// itself, or is older than the history. A later parent for the same child replaces the former one. Five in
+  /// a row that are half a second older than the newest are a clock that went back: what was known of the
+  /// child is forgotten.
   bool set(const std::string& parent, const std::string& child, Time stamp, const Eigen::Isometry3d& X_PC,
            bool is_static);
 

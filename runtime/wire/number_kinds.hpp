@@ -9,7 +9,8 @@
 
 namespace bw {
 
-/// The rule that a field of this kind holds and the value breaks: a whole number in range, a float32 that is not too large.
+/// The rule that a field of this kind holds and the value breaks: a whole number in range, a float32 that is
+/// not too large.
 std::optional<std::string> broken_rule(Kind kind, double value);
 
 /// Of a value that breaks no rule.

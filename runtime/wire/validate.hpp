@@ -18,8 +18,8 @@ namespace bw {
 [[nodiscard]] bool validate(const TypeDescription& type, std::span<const std::uint8_t> cdr,
                             std::string* error = nullptr);
 
-/// Bytes that the message takes, encapsulation included: DDS pads what it carries to a multiple of four. Nothing when
-/// validate() refuses it.
+/// Bytes that the message takes, encapsulation included: DDS pads what it carries to a multiple of four.
+/// Nothing when validate() refuses it.
 [[nodiscard]] std::optional<std::size_t> message_size(const TypeDescription& type,
                                                       std::span<const std::uint8_t> cdr);
 

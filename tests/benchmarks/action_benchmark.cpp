@@ -1,7 +1,7 @@
-// What actions cost. How long a client waits for the acknowledgement of a goal, and for the answer to its cancel, while the
-// component that serves them computes: by itself, and with every core taken by other components besides. The client is a
-// process of its own; Nav2's behavior tree waits 20 ms. And processor time and memory of nodes that do nothing but offer
-// actions, beside as many that offer none.
+// What actions cost. How long a client waits for the acknowledgement of a goal, and for the answer to its
+// cancel, while the component that serves them computes: by itself, and with every core taken by other
+// components besides. The client is a process of its own; Nav2's behavior tree waits 20 ms. And processor
+// time and memory of nodes that do nothing but offer actions, beside as many that offer none.
 //   benchmark_action [--json FILE]
 //   benchmark_action --against ACTION      the same latencies of a navigate_to_pose server that runs on the domain: it will drive
 #include <chrono>

@@ -1,6 +1,7 @@
-// What one band costs, by both solvers in turns and from the same bands: a first plan (cold), and the twenty cycles
-// after it (warm, per cycle). Counters: time of each, their ratio, iterations, and the sum of the final costs. BM_Floor
-// is what is left of a solve by Ceres when evaluation costs nothing: the same blocks, rows copied, ten iterations.
+// What one band costs, by both solvers in turns and from the same bands: a first plan (cold), and the twenty
+// cycles after it (warm, per cycle). Counters: time of each, their ratio, iterations, and the sum of the
+// final costs. BM_Floor is what is left of a solve by Ceres when evaluation costs nothing: the same blocks,
+// rows copied, ten iterations.
 // All times are CPU time.
 #include <ctime>
 

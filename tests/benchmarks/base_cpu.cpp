@@ -1,10 +1,11 @@
-// Measures in real time what share of a core a base's driver and robot_base take: a process of their own, with a real driver at the
-// pseudo-terminal of its emulator; floor, emulator and the commander of its wheels are another process.
+// Measures in real time what share of a core a base's driver and robot_base take: a process of their own,
+// with a real driver at the pseudo-terminal of its emulator; floor, emulator and the commander of its wheels
+// are another process.
 //   base_cpu [--unguarded] ROBOT.yaml [SECONDS]      a robot file such as config/robots/kobuki.yaml
 // --unguarded: the port has no guardian, for what one costs: its own process, and the heartbeat of this one.
-// CPU time of the whole process, DDS included, and of each of its threads; other programs on the machine take no part in it, but
-// caches that they wash out do. Asked: less than 2 % of a core. A measurement, not a test: it judges nothing;
-// status 1 when the base did not drive all the time.
+// CPU time of the whole process, DDS included, and of each of its threads; other programs on the machine take
+// no part in it, but caches that they wash out do. Asked: less than 2 % of a core. A measurement, not a test:
+// it judges nothing; status 1 when the base did not drive all the time.
 #include <algorithm>
 #include <csignal>
 #include <cstdio>

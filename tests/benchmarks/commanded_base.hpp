@@ -1,4 +1,5 @@
-// What measurements of a base in real time have in common: who commands its wheels, and what the process has cost.
+// What measurements of a base in real time have in common: who commands its wheels, and what the process has
+// cost.
 #pragma once
 
 #include <sys/resource.h>

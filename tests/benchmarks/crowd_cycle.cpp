@@ -1,5 +1,6 @@
-// What a whole cycle of a planner costs with 40 people around: process CPU of every call of closed drives through a hall
-// in which they walk to and fro and react to nobody. Prints median, p99 and most, and how the drives went.
+// What a whole cycle of a planner costs with 40 people around: process CPU of every call of closed drives
+// through a hall in which they walk to and fro and react to nobody. Prints median, p99 and most, and how the
+// drives went.
 //   crowd_cycle [--people N] [--drives N] [--rectangle] [--first] [PLANNER...]
 // --rectangle: a robot of 0.51 x 0.43 m, not a disc; --first: first plans alone, with what they cost.
 // Asked: p99 of eteb at most 10 ms. A measurement, not a test: it judges nothing.

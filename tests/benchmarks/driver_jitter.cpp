@@ -1,11 +1,12 @@
-// Measures the loop between robot_base and its driver in real time: by how much the time between two polls differs from 10 ms, and
-// what share of a core the whole process takes: a driver that counts 100 times a second, the base, and the commander of its wheels (a real
-// driver and the base alone: base_cpu). Beside `spinners` processes that take all CPU they get.
+// Measures the loop between robot_base and its driver in real time: by how much the time between two polls
+// differs from 10 ms, and what share of a core the whole process takes: a driver that counts 100 times a
+// second, the base, and the commander of its wheels (a real driver and the base alone: base_cpu). Beside
+// `spinners` processes that take all CPU they get.
 //   driver_jitter [--normal] [--port|--guarded] [SECONDS [SPINNERS]]
 // --normal: without a real-time priority. --port: each poll writes 13 bytes to a pseudo-terminal, as a
 // Kobuki's does; --guarded: the same, with a guardian.
-// Asked: 2 ms in 999 of 1000 alone, 10 ms beside four spinners where real-time rights are given. A measurement,
-// not a test: it judges nothing.
+// Asked: 2 ms in 999 of 1000 alone, 10 ms beside four spinners where real-time rights are given. A
+// measurement, not a test: it judges nothing.
 #include <algorithm>
 #include <atomic>
 #include <chrono>

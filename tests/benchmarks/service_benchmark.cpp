@@ -1,7 +1,7 @@
-// What services cost. The round trip of a call between two components, from Client::call to the callback with the response:
-// in one process and across two, on lanes of their own, at rest (1 kHz) and one call after the other. Compare with
-// `benchmark_executor`, whose messages go one way. And nodes that do nothing but offer the services that every node has:
-// processor and memory of a process with 12 of them, and with none.
+// What services cost. The round trip of a call between two components, from Client::call to the callback with
+// the response: in one process and across two, on lanes of their own, at rest (1 kHz) and one call after the
+// other. Compare with `benchmark_executor`, whose messages go one way. And nodes that do nothing but offer
+// the services that every node has: processor and memory of a process with 12 of them, and with none.
 //   benchmark_service [--json FILE]
 #include <chrono>
 #include <csignal>

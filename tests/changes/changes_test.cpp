@@ -1,5 +1,7 @@
-// Each component of the hallway meets five recorded seconds again; what it answers stands in tests/changes as text.
-// A difference is a change of behaviour: wanted, and then BANDWAGON_UPDATE_CHANGES=1 writes the files anew, or not.
+// Each component of the hallway meets five recorded seconds again; what it answers stands in tests/changes as
+// text.
+// A difference is a change of behaviour: wanted, and then BANDWAGON_UPDATE_CHANGES=1 writes the files anew,
+// or not.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

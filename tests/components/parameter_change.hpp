@@ -12,8 +12,8 @@
 
 namespace bw {
 
-/// Once, `at` [s] after the start of the run. `refusals` gets a reason for each, empty where it was accepted, and must
-/// outlive the run.
+/// Once, `at` [s] after the start of the run. `refusals` gets a reason for each, empty where it was accepted,
+/// and must outlive the run.
 inline void change_parameters(Setup& setup, const std::string& node, double at,
                               const std::vector<NamedValue>& parameters, std::vector<std::string>& refusals) {
   using rcl_interfaces::srv::SetParameters;

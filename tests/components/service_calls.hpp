@@ -18,8 +18,8 @@ struct TimedRequest {
   typename S::Request request;
 };
 
-/// Sends each request at its moment; the answers, in their order, are in `responses` when the run is over. One that does not
-/// come within a second fails the test.
+/// Sends each request at its moment; the answers, in their order, are in `responses` when the run is over.
+/// One that does not come within a second fails the test.
 template <class S>
 void call_at(Setup& setup, const std::string& service, std::vector<TimedRequest<S>> requests,
              std::vector<typename S::Response>& responses) {

@@ -1,9 +1,11 @@
-// Measures how soon a base without a dead-man time of its own is told to stand, and stands, when the process that drives it ends in any
-// way while it drives: an emulated Kobuki on a pseudo-terminal (this program), its wheels at 0.5 m/s, `bandwagon run` at the other end.
+// Measures how soon a base without a dead-man time of its own is told to stand, and stands, when the process
+// that drives it ends in any way while it drives: an emulated Kobuki on a pseudo-terminal (this program), its
+// wheels at 0.5 m/s, `bandwagon run` at the other end.
 //   kill_base [--limit MS] [--program PATH] KILL|STOP|ABRT|SEGV|TERM|INT|HUP|guardian TIMES
-// STOP: the process hangs; it goes on after a while, and must not drive on. guardian: not the process but the guardian of its port is
-// killed. Each time at another phase, and nobody may be left over. Exit status 0: each was told within the limit (250 ms; for TERM, INT
-// and HUP, which end by a ramp, the limit is of nothing but that it stands). --program: another one than the `bandwagon` of this tree.
+// STOP: the process hangs; it goes on after a while, and must not drive on. guardian: not the process but the
+// guardian of its port is killed. Each time at another phase, and nobody may be left over. Exit status 0:
+// each was told within the limit (250 ms; for TERM, INT and HUP, which end by a ramp, the limit is of nothing
+// but that it stands). --program: another one than the `bandwagon` of this tree.
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -75,7 +77,8 @@ class Trial {
       if (kobuki_.live(milliseconds(300), drives)) return "it drove on while it was stopped";
       base.signal(SIGCONT);
       if (kobuki_.live(milliseconds(400), drives)) return "it drove on after the hang\n" + base.err();
-      // Of the base's own reasons another one may come first: wheels that do not turn as they were told before the hang.
+      // Of the base's own reasons another one may come first: wheels that do not turn as they were told
+      // before the hang.
       if (base.err().find("is silent, the base is told to stop") == std::string::npos)
         return "nobody says that it hung\n" + base.err();
     }

@@ -1,6 +1,6 @@
 // The laser fails while the robot drives at top speed (rows 6 to 8 of tests/README.md): time from the last
-// sound sweep until the wheels brake, and until the robot stands. Whole chain in virtual time: world, laser filter
-// (this test), collision monitor, motor control, base.
+// sound sweep until the wheels brake, and until the robot stands. Whole chain in virtual time: world, laser
+// filter (this test), collision monitor, motor control, base.
 //
 // Brakes at the latest: 250 ms source_timeout + 20 ms cycle + 20 ms motor control + 10 ms physics, and 10 ms
 // until 0.02 m/s are lost. Standstill: 1 m/s at 2 m/s^2 is 0.5 s after that.
@@ -187,8 +187,8 @@ TEST(LaserFaults, AnOpenPlaceIsNoFault) {
   EXPECT_GT(slowest, 0.98);
 }
 
-// Out of a hall into the open: the last walls are left behind, and with them all returns. The laser sees 135 degrees
-// to either side; the ends of the walls at x = 3 leave its field 2.5 m further on.
+// Out of a hall into the open: the last walls are left behind, and with them all returns. The laser sees 135
+// degrees to either side; the ends of the walls at x = 3 leave its field 2.5 m further on.
 TEST(LaserFaults, LeavingAHallForAnOpenPlaceIsNoFault) {
   double slowest = 1.0;
   int hits_at_end = -1;

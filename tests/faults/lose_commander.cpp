@@ -1,6 +1,7 @@
-// Measures how soon the base stops when whoever commands it falls silent (SIGSTOP) or dies (SIGKILL), in real time: the world and
-// the base are processes of their own, the commander a third. Two figures of each loss, from the last command that was sent: until
-// the stop frame, the first slower command to the driver, and until the true robot has begun to decelerate.
+// Measures how soon the base stops when whoever commands it falls silent (SIGSTOP) or dies (SIGKILL), in real
+// time: the world and the base are processes of their own, the commander a third. Two figures of each loss,
+// from the last command that was sent: until the stop frame, the first slower command to the driver, and
+// until the true robot has begun to decelerate.
 //   lose_commander [--limit-frame MS] [--limit-motion MS] cmd_vel|wheel_commands LOSSES
 // Exit status 0: all within the limits (300 and 250 ms). 300 losses take some eight minutes.
 #include <algorithm>
@@ -161,7 +162,8 @@ void print(const char* what, std::vector<double> seconds, double limit) {
               seconds[seconds.size() / 2] * 1e3, seconds.back() * 1e3);
 }
 
-/// A machine that sleeps for 0.3 s looks to the base like wheels that do not turn: it stops for good, as it should.
+/// A machine that sleeps for 0.3 s looks to the base like wheels that do not turn: it stops for good, as it
+/// should.
 constexpr int kMaxLatched = 3;
 
 /// Simulated robot, world and base in processes of their own, ended when it goes.

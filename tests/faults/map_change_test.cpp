@@ -1,5 +1,5 @@
-// The hallway while somebody loads maps: broken ones, the hallway once more with other cells and another origin, a place that
-// is elsewhere altogether. The robot arrives, and touches nobody.
+// The hallway while somebody loads maps: broken ones, the hallway once more with other cells and another
+// origin, a place that is elsewhere altogether. The robot arrives, and touches nobody.
 #include <cmath>
 #include <filesystem>
 

@@ -1,4 +1,5 @@
-// A ROS 2 node outside of the graph that wants to drive, and sees what the robot does: a participant of its own.
+// A ROS 2 node outside of the graph that wants to drive, and sees what the robot does: a participant of its
+// own.
 #pragma once
 
 #include <atomic>
@@ -108,8 +109,8 @@ class Spectator {
       return sight && condition(*sight);
     });
   }
-  /// How far the robot was at most from where it is now, in the next `seconds` of its clock [m]; infinite when that clock
-  /// stands still.
+  /// How far the robot was at most from where it is now, in the next `seconds` of its clock [m]; infinite
+  /// when that clock stands still.
   double moves_within(double seconds) {
     if (!sees([](const Sight&) { return true; })) return HUGE_VAL;
     from_ = last_;

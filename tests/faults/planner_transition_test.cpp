@@ -1,7 +1,8 @@
-// The local planner is taken away at full speed, through its lifecycle, and given back: the robot stands meanwhile and
-// drives on afterwards. Straight on at 1 m/s, in virtual time.
+// The local planner is taken away at full speed, through its lifecycle, and given back: the robot stands
+// meanwhile and drives on afterwards. Straight on at 1 m/s, in virtual time.
 //
-// Deactivating, the planner commands standstill, and motor_control brakes: at 1 m/s^2 with a jerk of 5 m/s^3 that takes
+// Deactivating, the planner commands standstill, and motor_control brakes: at 1 m/s^2 with a jerk of 5 m/s^3
+// that takes
 // 1.0 + 0.2 s; commands of an older planner are 200 ms old at most. So it stands within 1.5 s.
 #include <map>
 #include <optional>

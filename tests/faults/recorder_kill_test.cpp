@@ -1,9 +1,11 @@
-// The recorder's process is killed while it records 20 MB/s (rows 20 and 21): what is left opens without repair, whole up to
-// what was flushed; and so does what would be left of it after a power cut at that moment, whole up to what was synced.
+// The recorder's process is killed while it records 20 MB/s (rows 20 and 21): what is left opens without
+// repair, whole up to what was flushed; and so does what would be left of it after a power cut at that
+// moment, whole up to what was synced.
 //
 //   BANDWAGON_RECORDER_KILLS=300 [BANDWAGON_RECORDER_SEED=N] test_recorder_kill
 //
-// does so 300 times, and 30 times at 0.2 MB/s, prints the seed and what was lost, and asserts the limits in seconds: 1 after a kill, 2 after a power cut.
+// does so 300 times, and 30 times at 0.2 MB/s, prints the seed and what was lost, and asserts the limits in
+// seconds: 1 after a kill, 2 after a power cut.
 // Without it a few kills, and no clock is asked.
 #include <algorithm>
 #include <array>

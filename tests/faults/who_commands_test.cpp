@@ -1,5 +1,6 @@
-// Whom the robot obeys, in real time and in two processes: outsiders are participants of their own, as ROS 2 nodes are. What
-// moves is the true robot. How long an outsider tries: 1 s each, BANDWAGON_FOREIGN_SECONDS asks for more.
+// Whom the robot obeys, in real time and in two processes: outsiders are participants of their own, as ROS 2
+// nodes are. What moves is the true robot. How long an outsider tries: 1 s each, BANDWAGON_FOREIGN_SECONDS
+// asks for more.
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -107,7 +108,8 @@ TEST_F(WhoCommands, TheHandDrivesUntilTheWallAndNotALongerWhileThanItSpeaks) {
   }
   ASSERT_TRUE(spectator_.sees_it_stand());
   EXPECT_LT(spectator_.moves_within(0.5), kStill);
-  // A joystick that is held keeps going forward: the monitor stops the robot, 0.3 m of radius before the wall at 4 m.
+  // A joystick that is held keeps going forward: the monitor stops the robot, 0.3 m of radius before the wall
+  // at 4 m.
   const OutsideDriver<TwistStamped> joystick("joystick", "cmd_vel_teleop_stamped", k20Hz, [] {
     TwistStamped message;
     message.header().stamp(to_stamp(system_time()));

@@ -1,4 +1,5 @@
-// Not a test of its own: what check_skips_test.sh runs, to see how programs end in which tests pass, skip and fail.
+// Not a test of its own: what check_skips_test.sh runs, to see how programs end in which tests pass, skip and
+// fail.
 #include <gtest/gtest.h>
 
 TEST(Sample, Passes) {}

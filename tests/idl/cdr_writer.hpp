@@ -56,8 +56,8 @@ class CdrWriter {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// A valid message of `type` with random values; sequences of up to `longest` elements, or as many as they may have,
-/// texts of up to 8 characters.
+/// A valid message of `type` with random values; sequences of up to `longest` elements, or as many as they
+/// may have, texts of up to 8 characters.
 class RandomPayload {
  public:
   RandomPayload(std::uint64_t seed, std::uint32_t longest) : random_(seed), longest_(longest) {}

@@ -70,7 +70,8 @@ TEST(IdlCompiler, ReadsEveryKindOfMember) {
   EXPECT_EQ(file.constants[0].values[0].value, "-1");
 }
 
-// What the wire cannot show: the constants, and that only a class which owns memory has members to be compiled elsewhere.
+// What the wire cannot show: the constants, and that only a class which owns memory has members to be
+// compiled elsewhere.
 TEST(IdlCompiler, WritesConstantsAndClasses) {
   const File file =
       parse(in_module("module B_Constants { const int8 LOW = -1; }; struct B { octet x; float y[2]; };"

@@ -1,4 +1,5 @@
-// Packages for ROS 2: every type in them has the hash that we announce for it, computed from the exported text by another hand.
+// Packages for ROS 2: every type in them has the hash that we announce for it, computed from the exported
+// text by another hand.
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -99,7 +100,8 @@ TEST(Ros2Package, KeepsTheCommentsOfAMessage) {
               HasSubstr("uint8 STOP=0\nuint8 FOLLOW=1\n"));
 }
 
-// A package depends on those of the types it refers to, once each and not on itself; one with an action also on action_msgs.
+// A package depends on those of the types it refers to, once each and not on itself; one with an action also
+// on action_msgs.
 TEST(Ros2Package, NamesItsDependencies) {
   const Folder folder;
   ASSERT_EQ(export_to(folder / "src", {"bandwagon_msgs", "nav2_msgs", "std_msgs"}).status, 0);

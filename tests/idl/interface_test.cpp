@@ -1,4 +1,5 @@
-// What users of services and actions write down: the struct that names the parts, constants, the empty request.
+// What users of services and actions write down: the struct that names the parts, constants, the empty
+// request.
 #include <type_traits>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// A second, independent hand at type hashes: reads .msg, .srv and .action files and computes RIHS01 as REP 2011 has it. Shares no code with
-// idl/compiler; the tests hold what it exports against this.
+// A second, independent hand at type hashes: reads .msg, .srv and .action files and computes RIHS01 as REP
+// 2011 has it. Shares no code with idl/compiler; the tests hold what it exports against this.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct TextField {
 /// Every type that ROS 2 makes of the files read so far, those derived for services and actions included.
 class InterfaceTexts {
  public:
-  /// The text of <package>/<category>/<name>.<category>. Throws std::runtime_error on what rosidl would refuse: a line that is neither field
-  /// nor constant, a name against its rules.
+  /// The text of <package>/<category>/<name>.<category>. Throws std::runtime_error on what rosidl would
+  /// refuse: a line that is neither field nor constant, a name against its rules.
   void read(const std::string& package, const std::string& category, const std::string& name,
             const std::string& text);
 

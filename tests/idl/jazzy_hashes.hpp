@@ -1,5 +1,6 @@
-// Type hashes (without "RIHS01_") of ROS 2 Jazzy: what its own parser and hash generator give for its own .msg, .srv and .action files
-// (rosidl, common_interfaces, rcl_interfaces, geometry2, unique_identifier_msgs, navigation2: branch jazzy; bond_core, people: ros2).
+// Type hashes (without "RIHS01_") of ROS 2 Jazzy: what its own parser and hash generator give for its own
+// .msg, .srv and .action files (rosidl, common_interfaces, rcl_interfaces, geometry2, unique_identifier_msgs,
+// navigation2: branch jazzy; bond_core, people: ros2).
 #pragma once
 
 namespace bw::test {

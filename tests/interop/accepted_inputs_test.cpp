@@ -1,5 +1,6 @@
-// A run in lock-step that takes 24 changes from another program: parameters, transitions, services, goals, limits, people. They
-// are part of its record, and every component that runs again on the record says the same bytes.
+// A run in lock-step that takes 24 changes from another program: parameters, transitions, services, goals,
+// limits, people. They are part of its record, and every component that runs again on the record says the
+// same bytes.
 #include <filesystem>
 #include <fstream>
 #include <memory>

@@ -1,5 +1,5 @@
-// Our action clients as another program sees them on the wire, in the layouts of Humble and of Jazzy: its server, plain::ActionServer,
-// shares no code with this project.
+// Our action clients as another program sees them on the wire, in the layouts of Humble and of Jazzy: its
+// server, plain::ActionServer, shares no code with this project.
 #include <set>
 
 #include <gmock/gmock.h>

@@ -1,6 +1,7 @@
-// What strangers do to our action servers: requests that are none, layouts of another distribution, floods of goals, ids twice,
-// clients that die, goals for who is not active. Each goal that was accepted ends once, and the server takes the next client's
-// as if nothing had been. The client shares no code with this project (plain::Node).
+// What strangers do to our action servers: requests that are none, layouts of another distribution, floods of
+// goals, ids twice, clients that die, goals for who is not active. Each goal that was accepted ends once, and
+// the server takes the next client's as if nothing had been. The client shares no code with this project
+// (plain::Node).
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -43,8 +44,8 @@ class ActionFaults : public testing::Test {
   plain::GoalId next_id() { return goal_id(++count_); }
   std::string err() { return server_.process().err(); }
 
-  /// A newcomer's goal on each action, from its request to its result. Nothing of before is open on /preempting and /follow
-  /// after it.
+  /// A newcomer's goal on each action, from its request to its result. Nothing of before is open on
+  /// /preempting and /follow after it.
   void expect_alive() {
     plain::Node newcomer("newcomer");
     const auto drive = [&](const std::string& action, const plain::ActionType& type,

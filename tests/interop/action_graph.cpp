@@ -1,6 +1,7 @@
 // The project's side of an action, as a process of its own, for tests that sit on the other side:
 //   action_graph serve DISTRO [topic]   a node `server` with the scripted actions /together, /preempting (NavigateToPose) and
-//                                       /follow (FollowPath), in the layouts of a distribution; `topic`: on the time of /clock
+//                                       /follow (FollowPath), in the layouts of a distribution; `topic`: on
+//                                       the time of /clock
 //   action_graph call DISTRO            a node `caller` that sends goals to /plain one after the other and prints what becomes
 //                                       of each
 #include <csignal>
@@ -27,8 +28,8 @@ void serve(Setup& setup) {
   });
 }
 
-/// Goals `end`, `cancel`, `refuse`, `abort`, `leave`: the text says to the other side what to do with each. `cancel` is
-/// canceled at its first feedback.
+/// Goals `end`, `cancel`, `refuse`, `abort`, `leave`: the text says to the other side what to do with each.
+/// `cancel` is canceled at its first feedback.
 template <class A>
 class Caller {
  public:

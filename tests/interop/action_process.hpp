@@ -1,4 +1,5 @@
-// action_graph as a child process of a test, and goals and results of nav2_msgs as each distribution has them, in plain CDR.
+// action_graph as a child process of a test, and goals and results of nav2_msgs as each distribution has
+// them, in plain CDR.
 // Layouts: navigation2's branches humble and jazzy; hashes: printed by Jazzy's generator.
 #pragma once
 

@@ -1,5 +1,5 @@
-// `bandwagon action list`, `info` and `send` against our server in two layouts, and against one on plain Fast DDS that tells no
-// type hashes, as Humble's.
+// `bandwagon action list`, `info` and `send` against our server in two layouts, and against one on plain Fast
+// DDS that tells no type hashes, as Humble's.
 #include <thread>
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-// Our action servers as another program sees them on the wire, in the layouts of Humble and of Jazzy: plain::Node
-// follows rmw_fastrtps and rcl_action by the letter and shares no code with this project.
+// Our action servers as another program sees them on the wire, in the layouts of Humble and of Jazzy:
+// plain::Node follows rmw_fastrtps and rcl_action by the letter and shares no code with this project.
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -289,7 +289,8 @@ class KeptResults : public testing::Test {
     plain::Bytes bytes = plain::CdrOut().number(sec).number(std::uint32_t{0}).bytes();
     clock_->write(&bytes);
   }
-  /// Whether the goal is known, once the server has seen the time: what a goal sent afterwards is stamped with.
+  /// Whether the goal is known, once the server has seen the time: what a goal sent afterwards is stamped
+  /// with.
   GoalStatus status_at(plain::ActionClient& client, const plain::GoalId& id, std::int32_t sec) {
     EXPECT_TRUE(eventually([&] {
       set_clock(sec);

@@ -1,5 +1,5 @@
-// `bandwagon calibrate odometry` and `bandwagon teleop` with a simulated robot in real time: prompts, one short straight, the file that
-// it writes, every way to end it, and the emergency stop of a hand.
+// `bandwagon calibrate odometry` and `bandwagon teleop` with a simulated robot in real time: prompts, one
+// short straight, the file that it writes, every way to end it, and the emergency stop of a hand.
 #include <fstream>
 #include <sstream>
 
@@ -44,8 +44,8 @@ class Calibrate : public testing::Test {
   Process graph_{{BANDWAGON_PROGRAM, "run", kSource + "/tests/interop/by_hand.yaml", "--stay"}};
 };
 
-// Encoders count 2 % too much, so that half a metre by odometry is 0.5 / 1.02 m on the floor; told so, the radius is 0.0762 / 1.02 = 0.07471,
-// and what two numbers by tape measure do not tell stays.
+// Encoders count 2 % too much, so that half a metre by odometry is 0.5 / 1.02 m on the floor; told so, the
+// radius is 0.0762 / 1.02 = 0.07471, and what two numbers by tape measure do not tell stays.
 TEST_F(Calibrate, AStraightCorrectsTheRadiusInTheFileWhenItIsToldTo) {
   OnTerminal terminal(command("1", "0"));
   ASSERT_TRUE(terminal.shows("[Enter drives, q ends]")) << terminal.out();
@@ -115,8 +115,9 @@ TEST_F(Calibrate, AHandStopsTheBaseForGoodAndReleasesIt) {
   EXPECT_EQ(terminal.status(), 0);
 }
 
-// Wheels, cable, firmware and laser as on the floor, all emulated: ends are the localization's, and nobody is asked for a distance. The
-// particle filter is a centimetre or two off, so that one metre tells the radius to 5 %.
+// Wheels, cable, firmware and laser as on the floor, all emulated: ends are the localization's, and nobody is
+// asked for a distance. The particle filter is a centimetre or two off, so that one metre tells the radius to
+// 5 %.
 TEST(CalibrateByPoses, TakesTheEndsOfTheLocalization) {
   const Folder folder;
   const std::filesystem::path robot = folder / "qbot2e.yaml";

@@ -1,4 +1,5 @@
-// `run --clock topic`: whatever an outside clock does, the robot's odometry goes on within a second of that clock.
+// `run --clock topic`: whatever an outside clock does, the robot's odometry goes on within a second of that
+// clock.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -75,8 +76,9 @@ class OutsideClock {
     write(*goal_, message);
   }
 
-  /// Lets `span` of the clock pass in steps that `next_step` gives, each lasting `slowness` times as long; the longest time
-  /// of the clock without odometry of about now. A machine that is held up holds up the clock as well.
+  /// Lets `span` of the clock pass in steps that `next_step` gives, each lasting `slowness` times as long;
+  /// the longest time of the clock without odometry of about now. A machine that is held up holds up the
+  /// clock as well.
   Duration run(Duration span, double slowness, const std::function<Duration()>& next_step) {
     Duration longest{};
     Time heard = now_;
@@ -142,8 +144,9 @@ constexpr Duration kWhile = Duration::milliseconds(1500);
 
 Duration ten_milliseconds() { return Duration::milliseconds(10); }
 
-// At half the real pace, with even steps and uneven ones; ahead and back by seconds; and from another year on. The first stamp
-// comes when the graph is up already. What comes back must be there within a second of the clock.
+// At half the real pace, with even steps and uneven ones; ahead and back by seconds; and from another year
+// on. The first stamp comes when the graph is up already. What comes back must be there within a second of
+// the clock.
 TEST(ClockTopic, EverythingRunsAgainASecondAfterAnyJump) {
   OutsideClock clock;
   clock.set(kNoon);

@@ -1,4 +1,5 @@
-// Ours and Nav2's server of one name on one domain: the second is not brought up, and who comes later is told of.
+// Ours and Nav2's server of one name on one domain: the second is not brought up, and who comes later is told
+// of.
 #include <memory>
 
 #include <gmock/gmock.h>
@@ -59,7 +60,8 @@ TEST(DuplicateNames, BesideAServerOfItsNameItIsNotActivated) {
   EXPECT_EQ(ours.stop(), 0) << ours.process().err();
 }
 
-/// Of all nodes that answer as a component container, what runs in them (composition_interfaces/srv/ListNodes).
+/// Of all nodes that answer as a component container, what runs in them
+/// (composition_interfaces/srv/ListNodes).
 std::map<std::string, std::vector<std::string>> containers_seen_by(Outsider& outside) {
   std::map<std::string, std::vector<std::string>> containers;
   for (const plain::NodeInfo& node : outside.node().nodes()) {
@@ -74,7 +76,8 @@ std::map<std::string, std::vector<std::string>> containers_seen_by(Outsider& out
   return containers;
 }
 
-// ROS 2's tools warn of nodes that share a name, and ask one of two. The process id is in the name, so that there are none.
+// ROS 2's tools warn of nodes that share a name, and ask one of two. The process id is in the name, so that
+// there are none.
 TEST(DuplicateNames, SeveralProcessesAreSeveralContainers) {
   StandIn planner("planner_server"), controller("controller_server"), behaviors("behavior_server");
   Outsider outside;

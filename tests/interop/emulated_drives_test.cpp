@@ -1,7 +1,8 @@
-// The hallway in real time through the pseudo-terminals of emulated bases and of an emulated laser, beside the simulated driver's drives of
-// the same seeds in lock-step, which have neither cable nor firmware.
+// The hallway in real time through the pseudo-terminals of emulated bases and of an emulated laser, beside
+// the simulated driver's drives of the same seeds in lock-step, which have neither cable nor firmware.
 //
-// One drive over 6 m, where nobody walks; BANDWAGON_DRIVES=20 drives the whole hallway with seeds 1 to 20, each base in one process and in three:
+// One drive over 6 m, where nobody walks; BANDWAGON_DRIVES=20 drives the whole hallway with seeds 1 to 20,
+// each base in one process and in three:
 //   BANDWAGON_DRIVES=20 build/release/bin/test_emulated_drives
 #include <cstdio>
 #include <cstdlib>
@@ -82,7 +83,8 @@ void print(const Drive& drive, const nlohmann::json& card, Tally& tally) {
   tally.untouched += reached && contacts == 0 ? 1 : 0;
 }
 
-/// Whether somebody who walks touches a robot is of the scene and the planner: the simulated driver's drives stand beside for that.
+/// Whether somebody who walks touches a robot is of the scene and the planner: the simulated driver's drives
+/// stand beside for that.
 TEST(EmulatedDrives, ReachTheGoal) {
   const int asked = drives_asked_for();
   const int count = std::max(asked, 1);

@@ -168,8 +168,9 @@ TEST_F(ForeignBag, OfRealTimeSaysThatItHasNoOrderOfInputs) {
   EXPECT_TRUE(verdict["input_order"].is_null());
 }
 
-// In the hallway the costmap takes a sweep in at its own tick 10 ms later, with the tracks that were made of that
-// sweep. A recorder that hears one set of tracks 12 ms after the sweep has people of the sweep before there.
+// In the hallway the costmap takes a sweep in at its own tick 10 ms later, with the tracks that were made of
+// that sweep. A recorder that hears one set of tracks 12 ms after the sweep has people of the sweep before
+// there.
 TEST_F(ForeignBag, SaysWhichOtherOrderOfInputsMakesItEqual) {
   Time scan_at, tracks_at, start;
   as_others_record("shuffled.mcap", [&](std::vector<Message>& all) {

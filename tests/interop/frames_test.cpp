@@ -102,7 +102,8 @@ TEST(Frames, OfTwoRobotsAreOneTreeUnderTheMapTheyShare) {
     EXPECT_FALSE(frames.named_by.contains(frame)) << frame;
 }
 
-// As each of several real robots runs a graph of its own: names below robot1, frames with its prefix, but the map.
+// As each of several real robots runs a graph of its own: names below robot1, frames with its prefix, but the
+// map.
 TEST(Frames, OfARobotWithNamespaceAndPrefixHangOnTheMapAllShare) {
   const std::string folder = std::string(BANDWAGON_SOURCE_DIR) + "/config/";
   std::ifstream hallway(folder + "graphs/hallway.yaml");

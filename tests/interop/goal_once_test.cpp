@@ -1,4 +1,5 @@
-// Goals by `ros2 topic pub --once`: the participant that sends one leaves a tenth of a second later, and the goal counts.
+// Goals by `ros2 topic pub --once`: the participant that sends one leaves a tenth of a second later, and the
+// goal counts.
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>

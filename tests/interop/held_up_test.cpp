@@ -1,4 +1,5 @@
-// An emulated robot whose process is held up now and then, as by a busy machine: nothing is wrong with the wheels, and nobody may say so.
+// An emulated robot whose process is held up now and then, as by a busy machine: nothing is wrong with the
+// wheels, and nobody may say so.
 #include <chrono>
 #include <csignal>
 
@@ -16,9 +17,9 @@ using testing::Not;
 
 class HeldUp : public testing::TestWithParam<const char*> {};
 
-// Six metres in 12 s and more; held up for a third of a second from the fifth second on, six times. Wheels that stall, run away or
-// contradict a command are latched until release_stop. That it is not heard meanwhile interrupts the goal, which would need one too:
-// here it may go on by itself.
+// Six metres in 12 s and more; held up for a third of a second from the fifth second on, six times. Wheels
+// that stall, run away or contradict a command are latched until release_stop. That it is not heard meanwhile
+// interrupts the goal, which would need one too: here it may go on by itself.
 TEST_P(HeldUp, IsNoFaultOfTheWheels) {
   const Folder folder;
   const std::string root = BANDWAGON_SOURCE_DIR;

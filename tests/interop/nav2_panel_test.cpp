@@ -1,5 +1,6 @@
-// Everything that rviz2's Nav2 panel calls or hears is served under its name and type: the lists of nav2_rviz_plugins' nav2_panel.cpp
-// and of the lifecycle manager's client, which are the same from Humble to Lyrical.
+// Everything that rviz2's Nav2 panel calls or hears is served under its name and type: the lists of
+// nav2_rviz_plugins' nav2_panel.cpp and of the lifecycle manager's client, which are the same from Humble to
+// Lyrical.
 #include <algorithm>
 #include <optional>
 #include <string>

@@ -1,6 +1,7 @@
-// The services that every node has, as ROS 2's tools ask for them, byte by byte. The node `limited` of service_graph has one
-// parameter of its own, limits.v_max = 0.75 from 0 to 2, so that most of its answers are those worked out in
-// service_golden.hpp; the others are worked out here by the same rules. They are those that rclcpp gives every node.
+// The services that every node has, as ROS 2's tools ask for them, byte by byte. The node `limited` of
+// service_graph has one parameter of its own, limits.v_max = 0.75 from 0 to 2, so that most of its answers
+// are those worked out in service_golden.hpp; the others are worked out here by the same rules. They are
+// those that rclcpp gives every node.
 #include <gmock/gmock.h>
 
 #include "tests/interop/eventually.hpp"
@@ -178,8 +179,9 @@ TEST_F(NodeServices, TheTypesOfANodeAreDescribedByTheirHashes) {
   EXPECT_EQ(call("get_type_description", type_request(hash)), to_hex(plain::padded(expected.bytes())));
 }
 
-// Log: every node has /rosout, as in rclcpp, though one writer of the process serves them all. Trigger is a service of another
-// node of this process. The last one is a hash as rmw_zenoh has it of the whole service (type_description_messages_test.cpp).
+// Log: every node has /rosout, as in rclcpp, though one writer of the process serves them all. Trigger is a
+// service of another node of this process. The last one is a hash as rmw_zenoh has it of the whole service
+// (type_description_messages_test.cpp).
 TEST_F(NodeServices, WhatANodeDoesNotUseIsRefusedAtOnceAndInWords) {
   const auto is_told = [this](const std::string& hash) {
     return plain::CdrIn(from_hex(call("get_type_description", type_request(hash, true))))

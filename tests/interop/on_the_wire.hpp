@@ -11,7 +11,8 @@
 
 namespace bw::test {
 
-/// PID_RELATED_SAMPLE_IDENTITY as eProsima and RTI number it: GUID, then the sequence number, high word first.
+/// PID_RELATED_SAMPLE_IDENTITY as eProsima and RTI number it: GUID, then the sequence number, high word
+/// first.
 inline constexpr std::uint16_t kRelatedIdentity = 0x800f;
 
 inline std::string wire_hex(const std::string& hex) {

@@ -1,4 +1,5 @@
-// A drive of the hallway is recorded and scored by two commands: the bag holds the truth, so no labels are needed.
+// A drive of the hallway is recorded and scored by two commands: the bag holds the truth, so no labels are
+// needed.
 #include <chrono>
 #include <filesystem>
 #include <fstream>

@@ -1,5 +1,5 @@
-// `bandwagon record` beside writers of others: what they sent is what the bag holds, byte by byte, whatever they offer and
-// whether the type is known or not.
+// `bandwagon record` beside writers of others: what they sent is what the bag holds, byte by byte, whatever
+// they offer and whether the type is known or not.
 #include <algorithm>
 #include <fstream>
 #include <map>
@@ -208,7 +208,8 @@ TEST(Record, WhatIsLostOnTheWireIsCounted) {
   ASSERT_TRUE(is_matched(*writer));
   writer->write(unknown(100'000, 0));
   ASSERT_TRUE(writer->wait_until_received(Duration::milliseconds(10'000)));
-  // The recorder stands still while 20 MB are written, five times of what its sockets hold; the writer keeps the last one only.
+  // The recorder stands still while 20 MB are written, five times of what its sockets hold; the writer keeps
+  // the last one only.
   recorder.process().signal(SIGSTOP);
   ASSERT_TRUE(eventually([&] { return state_of(recorder.process()) == 'T'; }));
   for (std::uint8_t i = 1; i <= 200; ++i) writer->write(unknown(100'000, i));
@@ -234,7 +235,8 @@ TEST(Record, ATypeOfAnotherDdsIsRecordedAndPlayedByItsBytes) {
   }
   const std::vector<Recorded> first = messages_of(folder / "first");
   ASSERT_EQ(first.size(), 10U);
-  // Number 7: encapsulation, number, length of "reading 7" with its NUL, the text, two bytes of padding, 21 bytes from 7 on.
+  // Number 7: encapsulation, number, length of "reading 7" with its NUL, the text, two bytes of padding, 21
+  // bytes from 7 on.
   const Bytes& cdr = first[7].cdr;
   ASSERT_GE(cdr.size(), 4U + 4 + 4 + 10 + 2 + 4 + 21);
   EXPECT_EQ(cdr[4], 7);
@@ -280,7 +282,8 @@ TEST(Record, WithSimTimeTheBagHasTheTimesOfTheClock) {
   texts->write(text("from before"));
   tick(100);
   ASSERT_TRUE(is_matched(*texts));
-  // The recorder may be told of the text before it has looked at the clock; 100 s is the least that it knows then.
+  // The recorder may be told of the text before it has looked at the clock; 100 s is the least that it knows
+  // then.
   ASSERT_TRUE(texts->wait_until_received(Duration::milliseconds(10'000)));
   tick(250);
   texts->write(text("now"));

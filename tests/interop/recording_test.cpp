@@ -1,4 +1,5 @@
-// A drive is recorded, and components run again on the recording: what they write is what they wrote, byte by byte.
+// A drive is recorded, and components run again on the recording: what they write is what they wrote, byte by
+// byte.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -117,8 +118,8 @@ std::vector<std::string> messages_of(const std::filesystem::path& path) {
   return list;
 }
 
-// Record, replay, record: the new bag holds the same messages at the same times in the same order, and is as good a
-// truth as the first.
+// Record, replay, record: the new bag holds the same messages at the same times in the same order, and is as
+// good a truth as the first.
 TEST_F(Recording, ReplayedAndRecordedAgainIsTheSame) {
   const std::vector<std::string> all = {"localization",      "people",   "local_costmap", "local_planner",
                                         "collision_monitor", "navigator"};

@@ -1,4 +1,5 @@
-// `bandwagon replay BAG...` as topics: names, bytes, offers, order, what late readers get, the clock, the keys.
+// `bandwagon replay BAG...` as topics: names, bytes, offers, order, what late readers get, the clock, the
+// keys.
 #include <array>
 
 #include <gmock/gmock.h>

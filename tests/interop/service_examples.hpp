@@ -1,5 +1,5 @@
-// One request and one response of each service type that ROS 2's tools call most, as messages of this project. Their bytes,
-// worked out by hand, are in service_golden.hpp.
+// One request and one response of each service type that ROS 2's tools call most, as messages of this
+// project. Their bytes, worked out by hand, are in service_golden.hpp.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
-// What strangers do to our services: requests that are none, clients that die, floods of clients, of participants and of
-// requests. After each the server answers everybody else, and its memory is bounded. The client shares no code with this
-// project (plain::Node).
+// What strangers do to our services: requests that are none, clients that die, floods of clients, of
+// participants and of requests. After each the server answers everybody else, and its memory is bounded. The
+// client shares no code with this project (plain::Node).
 #include <cstdlib>
 
 #include <gmock/gmock.h>

@@ -1,8 +1,9 @@
-// Requests and responses as ROS 2 puts them on the wire, worked out by hand from the rules of plain CDR: behind the
-// encapsulation 00010000 (little endian) the fields in their order, a number of n bytes at a multiple of n, a string as length
-// with NUL (4 bytes), characters and NUL, a sequence as count (4 bytes) and elements, an empty message as one zero byte. In the
-// texts a space stands between fields; padding is written in front of the field that asks for it and commented with the
-// offset that it fills up to. Type hashes: printed by Jazzy's generator.
+// Requests and responses as ROS 2 puts them on the wire, worked out by hand from the rules of plain CDR:
+// behind the encapsulation 00010000 (little endian) the fields in their order, a number of n bytes at a
+// multiple of n, a string as length with NUL (4 bytes), characters and NUL, a sequence as count (4 bytes) and
+// elements, an empty message as one zero byte. In the texts a space stands between fields; padding is written
+// in front of the field that asks for it and commented with the offset that it fills up to. Type hashes:
+// printed by Jazzy's generator.
 #pragma once
 
 #include <string>

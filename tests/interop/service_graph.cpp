@@ -33,7 +33,8 @@ Trigger::Response said(const std::string& text) {
   return response;
 }
 
-/// Offered as /example/list_parameters and so on, beside the services of the node itself. What is not asked by the example gets an empty response.
+/// Offered as /example/list_parameters and so on, beside the services of the node itself. What is not asked
+/// by the example gets an empty response.
 void offer_examples(Setup& setup) {
   for_each_example([&setup]<class S>(const Example<S>& example) {
     setup.service<S>(
@@ -43,7 +44,8 @@ void offer_examples(Setup& setup) {
   });
 }
 
-/// `count` says how often it was asked; `later` answers at the next tick of 100 ms; `kept` answers when `release` is called.
+/// `count` says how often it was asked; `later` answers at the next tick of 100 ms; `kept` answers when
+/// `release` is called.
 void offer_slow_ones(Setup& setup) {
   auto count = std::make_shared<int>(0);
   setup.service<Trigger>(
@@ -90,7 +92,8 @@ struct LimitedOptions {
   void fields(auto& v) { v("limits", limits); }
 };
 
-/// All calls at once, in the hope of a server; the run ends when each has been answered or has run out of time.
+/// All calls at once, in the hope of a server; the run ends when each has been answered or has run out of
+/// time.
 class Caller final : public Component {
  public:
   void configure(Setup& setup) override {

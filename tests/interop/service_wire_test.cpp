@@ -1,6 +1,6 @@
-// Our services and clients as another program sees them on the wire, byte by byte: plain::Node follows rmw_fastrtps by the
-// letter and shares no code with this project. Expected values: service_golden.hpp, rmw's profiles, rmw_fastrtps's use of the
-// sample identity.
+// Our services and clients as another program sees them on the wire, byte by byte: plain::Node follows
+// rmw_fastrtps by the letter and shares no code with this project. Expected values: service_golden.hpp, rmw's
+// profiles, rmw_fastrtps's use of the sample identity.
 #include <algorithm>
 #include <sstream>
 

@@ -1,5 +1,5 @@
-// The flight recorder of a whole graph: nothing of it enters a sample, a near miss is a bag of its own, what cannot be is
-// refused before anything moves, and processes of one graph write together.
+// The flight recorder of a whole graph: nothing of it enters a sample, a near miss is a bag of its own, what
+// cannot be is refused before anything moves, and processes of one graph write together.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

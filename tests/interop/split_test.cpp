@@ -46,7 +46,8 @@ TEST(Split, RecordsWhatAllProcessesSay) {
     EXPECT_THAT(manifest, HasSubstr(std::string(process) + ": exit status")) << process;
 }
 
-// The recorder ends at once, before the others know how to: they end all the same, and what there was is kept.
+// The recorder ends at once, before the others know how to: they end all the same, and what there was is
+// kept.
 TEST(Split, EndsAllWhenOneCannotBegin) {
   const Folder folder;
   std::ofstream(folder / "drive.mcap") << "of yesterday";
@@ -57,7 +58,8 @@ TEST(Split, EndsAllWhenOneCannotBegin) {
   EXPECT_EQ(text_of(folder / "drive.mcap"), "of yesterday");
 }
 
-// As the program takes them. The page is a process of its own: one that was asked for by --set=... was not started.
+// As the program takes them. The page is a process of its own: one that was asked for by --set=... was not
+// started.
 TEST(Split, TakesItsOptionsWithAnEqualsSignToo) {
   const Folder folder;
   split(folder, {"--for=3", "--set=viewer.enabled=true", "--set=viewer.port=0"});
@@ -67,8 +69,8 @@ TEST(Split, TakesItsOptionsWithAnEqualsSignToo) {
     EXPECT_EQ(log.status().permissions() & std::filesystem::perms(077), std::filesystem::perms::none) << log;
 }
 
-// The first process asks for the end while the second one is not started yet: nobody is left behind. In place of the program
-// a script that has three processes and notes who ran.
+// The first process asks for the end while the second one is not started yet: nobody is left behind. In place
+// of the program a script that has three processes and notes who ran.
 TEST(Split, EndsWhatItStartsWhileItIsAskedToEnd) {
   const Folder folder;
   const std::filesystem::path program = folder / "program";

@@ -1,5 +1,5 @@
-// One of config/graphs/nav2 as a process of its own, and who stands outside: a node that shares nothing with the runtime, asks
-// for states as Nav2's lifecycle_manager does and looks at what is there.
+// One of config/graphs/nav2 as a process of its own, and who stands outside: a node that shares nothing with
+// the runtime, asks for states as Nav2's lifecycle_manager does and looks at what is there.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// What stands in for one server of Nav2, as somebody outside meets it: names, types and states of navigation2's jazzy branch,
-// bytes by the rules of plain CDR. The outsider manages as lifecycle_manager does.
+// What stands in for one server of Nav2, as somebody outside meets it: names, types and states of
+// navigation2's jazzy branch, bytes by the rules of plain CDR. The outsider manages as lifecycle_manager
+// does.
 #include <chrono>
 
 #include <gmock/gmock.h>
@@ -136,7 +137,8 @@ TEST(StandIns, PlannerServerAndTheCostmapInIt) {
   pose(header(goal, "map"), 1.0, 1.0);
   goal.text("GridBased").number(std::uint8_t{1});
   const std::string part = "/compute_path_to_pose/_action/", type = "nav2_msgs/action/ComputePathToPose";
-  // CostmapMetaData: two stamps, layer, resolution, sizes, origin. The costmap has heard of the map, and so has the planner soon.
+  // CostmapMetaData: two stamps, layer, resolution, sizes, origin. The costmap has heard of the map, and so
+  // has the planner soon.
   CdrOut specs;
   zeros(specs, 2).text("").number(0.0F).number(std::uint32_t{0}).number(std::uint32_t{0});
   pose(specs, 0.0, 0.0);

@@ -36,7 +36,8 @@ bool ends(const Process& graph, const std::string& goal) {
   return eventually([&] { return graph.err().find("goal " + goal + ": reached in") != std::string::npos; });
 }
 
-// Without a goal of its own it waits; after the first it waits again. 1 m to x = 2, 1 m to x = 3: one card of 2 m.
+// Without a goal of its own it waits; after the first it waits again. 1 m to x = 2, 1 m to x = 3: one card of
+// 2 m.
 TEST(Stay, WaitsForGoalsUntilCtrlC) {
   Process graph(run({"--stay"}));
   send_goal("2");

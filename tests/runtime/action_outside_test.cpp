@@ -1,4 +1,5 @@
-// Goals of other participants: in lock-step as every change from outside, in real time however busy the component is.
+// Goals of other participants: in lock-step as every change from outside, in real time however busy the
+// component is.
 #include <future>
 
 #include <gmock/gmock.h>
@@ -110,8 +111,8 @@ TEST(ActionOutside, AcceptedGoalsEnterAtAnInstantOfTheRun) {
   EXPECT_TRUE(host.was_changed_from_outside());
 }
 
-// The component is held inside of its first goal until the second one and a cancel are answered: were they answered on its
-// lane, nobody would go on.
+// The component is held inside of its first goal until the second one and a cancel are answered: were they
+// answered on its lane, nobody would go on.
 TEST(ActionOutside, ABusyComponentDelaysNoAcknowledgement) {
   std::promise<void> answered;
   std::vector<std::uint8_t> goals;

@@ -1,5 +1,6 @@
-// 1,000 goals in lock-step, with random scripts, preemptions and cancels: of one goal, of all, up to a time, twice, of unknown
-// ones. Whatever happens, each goal ends in one terminal state, and what is told of it never goes back.
+// 1,000 goals in lock-step, with random scripts, preemptions and cancels: of one goal, of all, up to a time,
+// twice, of unknown ones. Whatever happens, each goal ends in one terminal state, and what is told of it
+// never goes back.
 #include <algorithm>
 #include <map>
 #include <random>

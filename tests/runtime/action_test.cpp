@@ -1,5 +1,5 @@
-// Action servers and clients of components, in lock-step over real DDS ends. Expected times and orders follow from the rules
-// in lockstep_runner.hpp; states from rcl_action.
+// Action servers and clients of components, in lock-step over real DDS ends. Expected times and orders follow
+// from the rules in lockstep_runner.hpp; states from rcl_action.
 #include <functional>
 
 #include <gmock/gmock.h>
@@ -84,8 +84,9 @@ GoalCallbacks<NavigateToPose> noting(Drive::Log& log) {
 constexpr Duration kDeadline = Duration::milliseconds(100);
 
 TEST(Action, ABusyComponentDelaysTheResultAndNotTheAcknowledgement) {
-  // The server takes 25 ms for each call. Goals come at 10 and 20: each is acknowledged at once. The first call begins at 10
-  // and says at 35 that the goal is executing, fed back and done; the second one begins at 35 and ends at 60.
+  // The server takes 25 ms for each call. Goals come at 10 and 20: each is acknowledged at once. The first
+  // call begins at 10 and says at 35 that the goal is executing, fed back and done; the second one begins at
+  // 35 and ends at 60.
   Drive run;
   run.latency = Duration::milliseconds(25);
   run.server = [](bw::Setup& setup) {

@@ -1,4 +1,5 @@
-// Parameters that are one of some choices. Expected texts are the message form of config_error.hpp filled in by hand.
+// Parameters that are one of some choices. Expected texts are the message form of config_error.hpp filled in
+// by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// Commands on the wire, in real time: whom a reader hears, with others on the same topic. Nothing here depends on how fast.
+// Commands on the wire, in real time: whom a reader hears, with others on the same topic. Nothing here
+// depends on how fast.
 #include <atomic>
 #include <functional>
 #include <set>

@@ -139,10 +139,10 @@ class SoughtPort {
   bool is_bound_ = false;
 };
 
-// Who comes may miss the answer to its first announcement, as rmw_fastrtps does in half of all starts: Fast DDS sends that before
-// it hears. ROS 2's tools look around for half a second (--spin-time), and discovery of the ends takes 0.1 s of it. The first
-// five announcements are 0.1 s apart by themselves; of the gaps behind them the median, which a machine that is busy elsewhere
-// does not move.
+// Who comes may miss the answer to its first announcement, as rmw_fastrtps does in half of all starts: Fast
+// DDS sends that before it hears. ROS 2's tools look around for half a second (--spin-time), and discovery of
+// the ends takes 0.1 s of it. The first five announcements are 0.1 s apart by themselves; of the gaps behind
+// them the median, which a machine that is busy elsewhere does not move.
 TEST(Participant, IsAnnouncedAgainWithinTheTimeThatToolsLookAround) {
   const SoughtPort port(31);
   ASSERT_TRUE(port.is_bound());

@@ -18,7 +18,8 @@ using diagnostic_msgs::msg::DiagnosticArray;
 using std_msgs::msg::Float64;
 using Values = std::map<std::string, std::string>;
 
-/// Of component `worker`, by the full seconds since the start. It hears /a every 300 ms until 1.5 s, and never /b.
+/// Of component `worker`, by the full seconds since the start. It hears /a every 300 ms until 1.5 s, and
+/// never /b.
 std::map<int, Values> values_of_worker() {
   Graph graph;
   graph.components.push_back(scripted({.name = "source"}, [](bw::Setup& setup) {
@@ -55,8 +56,8 @@ std::map<int, Values> values_of_worker() {
   return seen;
 }
 
-// Samples at 0.3, 0.6, 0.9, 1.2, 1.5 s. At 1 s the last is 0.1 s old; from there to 2 s come two. At 3 s it is 1.5 s old,
-// which is more than 800 ms. Nothing measured on a real clock is among it.
+// Samples at 0.3, 0.6, 0.9, 1.2, 1.5 s. At 1 s the last is 0.1 s old; from there to 2 s come two. At 3 s it
+// is 1.5 s old, which is more than 800 ms. Nothing measured on a real clock is among it.
 TEST(Diagnostics, TellPlaceAgesAndRates) {
   const auto seen = values_of_worker();
   ASSERT_GE(seen.size(), 3U);

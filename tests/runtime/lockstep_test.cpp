@@ -77,8 +77,9 @@ TEST(Lockstep, TicksMissedWhileBusyBecomeOne) {
   EXPECT_EQ(graph.statistics("slow", "tick").missed, 2U + 2U);
 }
 
-// The worker is busy from 10 to 30 ms. What waited since 10 comes before what is said at 30, whether that is said before or
-// after the worker is free again: a replay, which says everything at the beginning of an instant, has the same order.
+// The worker is busy from 10 to 30 ms. What waited since 10 comes before what is said at 30, whether that is
+// said before or after the worker is free again: a replay, which says everything at the beginning of an
+// instant, has the same order.
 TEST(Lockstep, WhatWaitedComesBeforeWhatArrives) {
   for (const bool speaks_first : {true, false}) {
     std::vector<double> heard;

@@ -1,5 +1,5 @@
-// Messages from text. Expected bytes are worked out by hand from the rules of plain CDR: each number at a multiple of its size,
-// strings as length with NUL, characters, NUL.
+// Messages from text. Expected bytes are worked out by hand from the rules of plain CDR: each number at a
+// multiple of its size, strings as length with NUL, characters, NUL.
 #include "runtime/ros/message_from_yaml.hpp"
 
 #include <array>
@@ -87,7 +87,8 @@ TEST(MessageFromYaml, JsonIsYaml) {
 }
 
 TEST(MessageFromYaml, ListsAndArrays) {
-  // 3 numbers of 2 bytes; at 8 the count 2, at 16 the count 1, at 24 the double (3ff0...), then two texts and a short one.
+  // 3 numbers of 2 bytes; at 8 the count 2, at 16 the count 1, at 24 the double (3ff0...), then two texts and
+  // a short one.
   EXPECT_EQ(
       hex(kShapes, "{three: [1, 2, 3], two_at_most: [4, 5], any: [1.0], texts: [a, ''], short_text: abcd}"),
       without_spaces("00010000 0100 0200 0300 0000 02000000 04 05 0000 01000000 00000000 000000000000f03f "

@@ -1,4 +1,5 @@
-// In which format our nodes are announced, beside others on a domain. The formats' bytes are those of discovery_info_test.
+// In which format our nodes are announced, beside others on a domain. The formats' bytes are those of
+// discovery_info_test.
 #include "runtime/ros/node_announcement.hpp"
 
 #include <algorithm>
@@ -189,7 +190,8 @@ TEST_F(Announcement, WithoutLookingAroundItIsJazzyAtOnce) {
   EXPECT_THAT(told(), ElementsAre());
 }
 
-// Bytes that are none, that claim billions of nodes, or to come from somebody else; then a sound sample is still heard.
+// Bytes that are none, that claim billions of nodes, or to come from somebody else; then a sound sample is
+// still heard.
 TEST(NodeDirectory, HostileBytesHarmNobody) {
   dds::Participant participant(local());
   NodeDirectory directory(participant);

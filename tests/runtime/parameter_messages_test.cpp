@@ -1,5 +1,5 @@
-// Parameters on the wire, and which names a listing gives. Expected names follow rclcpp's rule: a prefix stands for itself
-// and what is below it, depth counts parts below the prefix.
+// Parameters on the wire, and which names a listing gives. Expected names follow rclcpp's rule: a prefix
+// stands for itself and what is below it, depth counts parts below the prefix.
 #include "runtime/ros/parameter_messages.hpp"
 
 #include <gmock/gmock.h>

@@ -270,8 +270,8 @@ TEST(ParameterServices, LeaveTheRunAsItIsWhenTheyOnlyTell) {
   EXPECT_NE(client.hash, alone);
 }
 
-// A component that takes 20 ms for what it does takes none to answer: a request waits for it, no more. 499 requests, all
-// but the last 20 ms of them answered by the end.
+// A component that takes 20 ms for what it does takes none to answer: a request waits for it, no more. 499
+// requests, all but the last 20 ms of them answered by the end.
 TEST(ParameterServices, CostABusyComponentNoLatency) {
   Client client;
   client.latency = Duration::milliseconds(20);
@@ -288,8 +288,8 @@ TEST(ParameterServices, CostABusyComponentNoLatency) {
   EXPECT_EQ(client.gains.size(), 4U);  // what is due at 500 ms comes 20 ms later
 }
 
-// A thousand changes a second: 499 calls from 1 to 499 ms, the n-th to n / 100; each is answered, each change is told, and
-// the component publishes at its own pace what holds then.
+// A thousand changes a second: 499 calls from 1 to 499 ms, the n-th to n / 100; each is answered, each change
+// is told, and the component publishes at its own pace what holds then.
 TEST(ParameterServices, AnswerEveryOneOfManyChanges) {
   Client client;
   int answers = 0;

@@ -1,5 +1,6 @@
-// Parameters as ROS 2 sees them: typed leaves of a struct, and changes of them. Expected texts are the rules of
-// read_parameters.hpp with the name of the parameter; type numbers are those of rcl_interfaces/msg/ParameterType.
+// Parameters as ROS 2 sees them: typed leaves of a struct, and changes of them. Expected texts are the rules
+// of read_parameters.hpp with the name of the parameter; type numbers are those of
+// rcl_interfaces/msg/ParameterType.
 #include "runtime/parameters/parameter_set.hpp"
 
 #include <limits>

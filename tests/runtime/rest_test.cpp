@@ -1,5 +1,6 @@
-// How long a run in real time goes on after it was asked to end: until what it commands stands. Callbacks are the clock of these
-// tests: a timer of 10 ms that is late ticks once, so a busy machine makes fewer of them, never more.
+// How long a run in real time goes on after it was asked to end: until what it commands stands. Callbacks are
+// the clock of these tests: a timer of 10 ms that is late ticks once, so a busy machine makes fewer of them,
+// never more.
 #include <cmath>
 
 #include <geometry_msgs/msg/twist_stamped.hpp>

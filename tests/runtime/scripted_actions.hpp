@@ -1,5 +1,5 @@
-// An action server whose goals do what their own text says, for tests of everything around it. The text is `behavior_tree` of
-// NavigateToPose, `controller_id` of FollowPath:
+// An action server whose goals do what their own text says, for tests of everything around it. The text is
+// `behavior_tree` of NavigateToPose, `controller_id` of FollowPath:
 //
 //   succeed, abort   at once
 //   wait             stays accepted until it is canceled

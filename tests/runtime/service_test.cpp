@@ -1,5 +1,5 @@
-// Services and clients of components, in lock-step over real DDS ends. Expected times and orders follow from the rules in
-// lockstep_runner.hpp.
+// Services and clients of components, in lock-step over real DDS ends. Expected times and orders follow from
+// the rules in lockstep_runner.hpp.
 #include "runtime/service.hpp"
 
 #include <functional>
@@ -84,8 +84,8 @@ TEST(Service, AReplyWaitsForTheLatencyOfItsComponent) {
 }
 
 TEST(Service, AReplyMayBeGivenLaterAndALateOneIsNothing) {
-  // The server answers the first request at 30 ms. The client waits 15 ms: nothing at 25; later replies of unknown calls are
-  // not heard.
+  // The server answers the first request at 30 ms. The client waits 15 ms: nothing at 25; later replies of
+  // unknown calls are not heard.
   std::vector<std::string> heard;
   std::vector<Reply<Trigger>> waiting;
   Graph graph = server_graph([&waiting](bw::Setup& setup) {
@@ -99,7 +99,8 @@ TEST(Service, AReplyMayBeGivenLaterAndALateOneIsNothing) {
   graph.components.push_back(scripted({.name = "asker"}, asker(heard, Duration::milliseconds(15))));
   Host host(graph, {.clock = ClockMode::lockstep});
   host.run(Duration::milliseconds(40));
-  // Asked at 10: too late at 25. Asked at 20 and, in rank order after the server's tick, at 30: 30 for the first of them.
+  // Asked at 10: too late at 25. Asked at 20 and, in rank order after the server's tick, at 30: 30 for the
+  // first of them.
   EXPECT_THAT(heard, ElementsAre("10>25 nothing", "20>30 late"));
 }
 
@@ -150,7 +151,8 @@ TEST(Service, TwoServersOfOneNameAreRefused) {
 
 constexpr std::chrono::seconds kLong{10};
 
-/// A server with a service that tells how often it was switched, and one that switches; ends its run at `done`.
+/// A server with a service that tells how often it was switched, and one that switches; ends its run at
+/// `done`.
 Graph switch_graph(std::vector<std::int64_t>& switched_at) {
   return server_graph([&switched_at](Setup& setup) {
     setup.service<Trigger>("count", [&switched_at](const Trigger::Request&, const Tick&) {

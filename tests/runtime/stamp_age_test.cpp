@@ -81,7 +81,8 @@ TEST(StampAge, OfAnotherClockGrowsFromTheLeastAfterASecondOfProof) {
   EXPECT_EQ(sensor.add(3.1, 3.35).fault, StampFault::late);
 }
 
-// A queue of 3 s at the beginning: the first of it say that they are new. 3 s at 8 % a second more than come in: 37 s.
+// A queue of 3 s at the beginning: the first of it say that they are new. 3 s at 8 % a second more than come
+// in: 37 s.
 TEST(StampAge, AQueueAtTheBeginningIsNotBelievedUntilItIsEmpty) {
   Sensor sensor;
   double arrival = 3.0, measured = 0.0;
@@ -165,7 +166,8 @@ TEST(StampAge, AClockThatIsSetIsToldOnceAndBelievedAfterASecond) {
   }
 }
 
-// The clock is set back while a queue of 2 s empties, more slowly than 20 ms a second never: nothing of it is taken for new.
+// The clock is set back while a queue of 2 s empties, more slowly than 20 ms a second never: nothing of it is
+// taken for new.
 TEST(StampAge, AStepWhileAQueueEmptiesIsNotBelievedBeforeItIsEmpty) {
   for (const double step : {0.301, -0.301, 3600.001, -3600.001}) {
     Sensor sensor;
@@ -198,7 +200,8 @@ TEST(StampAge, WhatWasLateBeforeAClockWasSetIsAsLateAfterIt) {
   }
 }
 
-// Another way through the network takes over, half a second late: what comes there was seen before, and the rest stays late.
+// Another way through the network takes over, half a second late: what comes there was seen before, and the
+// rest stays late.
 TEST(StampAge, WhatComesAgainOnASlowerWayIsNoStep) {
   Sensor sensor;
   sensor.run(0.0, 10.0);
@@ -239,7 +242,8 @@ TEST(StampAge, WritersAreToldApartAndTheirNumberIsBounded) {
   EXPECT_EQ(add(1, 2.2, 0.0), StampFault::unproven);  // sixteen others came since
 }
 
-// Whatever comes, an age is not believed that is far too young: random delays, queues, drifts and stalls, without steps.
+// Whatever comes, an age is not believed that is far too young: random delays, queues, drifts and stalls,
+// without steps.
 TEST(StampAge, RandomQueuesAreNeverTakenForNew) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> chance(0.0, 1.0);

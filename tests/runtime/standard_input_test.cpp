@@ -1,5 +1,5 @@
-// Standard input that never waits for longer than asked, on a terminal and on a pipe. Expected: what a person types comes as it is; an
-// empty terminal gives nothing, at once, and is not over; a closed one is over.
+// Standard input that never waits for longer than asked, on a terminal and on a pipe. Expected: what a person
+// types comes as it is; an empty terminal gives nothing, at once, and is not over; a closed one is over.
 #include "runtime/cli/standard_input.hpp"
 
 #include <array>
@@ -46,7 +46,8 @@ struct Terminal {
 
 constexpr Duration kLong = Duration::milliseconds(20'000);
 
-// Ctrl-C between poll() and read() throws the typed line away: a read that blocks then never sees that it was interrupted.
+// Ctrl-C between poll() and read() throws the typed line away: a read that blocks then never sees that it was
+// interrupted.
 TEST(StandardInput, DoesNotWaitForALineThatWasThrownAway) {
   const Terminal terminal;
   const AsStdin as(terminal.slave);

@@ -75,7 +75,8 @@ TEST(TransformTree, ALoopOfFramesEndsTheLookup) {
   EXPECT_FALSE(t.lookup("c", "a"));
 }
 
-// A clock 5 s and a clock 60 s back: the fifth transform tells, and the newest instant is one of the new time.
+// A clock 5 s and a clock 60 s back: the fifth transform tells, and the newest instant is one of the new
+// time.
 TEST(TransformTree, ForgetsTheTimeBeforeAClockThatWentBack) {
   for (const double restart : {95.0, 40.0}) {
     TransformTree t;

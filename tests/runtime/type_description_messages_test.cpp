@@ -1,6 +1,6 @@
-// What GetTypeDescription tells of every type of this program. Expected values: each type's own hash, which tests/idl holds against
-// Jazzy's generator: the description is right when REP 2011's hash of it is that one. Of a whole service: the hash under which
-// rmw_zenoh of Jazzy names std_srvs/srv/Trigger on its wire.
+// What GetTypeDescription tells of every type of this program. Expected values: each type's own hash, which
+// tests/idl holds against Jazzy's generator: the description is right when REP 2011's hash of it is that one.
+// Of a whole service: the hash under which rmw_zenoh of Jazzy names std_srvs/srv/Trigger on its wire.
 #include "runtime/ros/type_description_messages.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,7 @@
-// Adaptor of the emulated base: a firmware between a cable and the wheels of the simulated world. It lives in the world's time, one
-// step with each reading of the encoders, so that what it sends is of that very moment. While the world is held up it says nothing: a
-// board whose clock goes on and whose wheels do not is one that stalls.
+// Adaptor of the emulated base: a firmware between a cable and the wheels of the simulated world. It lives in
+// the world's time, one step with each reading of the encoders, so that what it sends is of that very moment.
+// While the world is held up it says nothing: a board whose clock goes on and whose wheels do not is one that
+// stalls.
 #include <algorithm>
 #include <memory>
 #include <optional>

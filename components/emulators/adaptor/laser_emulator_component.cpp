@@ -1,4 +1,5 @@
-// Adaptor of the emulated laser: the world's scan in, the bytes of an RPLIDAR out, over the device's end of the cable `laser`.
+// Adaptor of the emulated laser: the world's scan in, the bytes of an RPLIDAR out, over the device's end of
+// the cable `laser`.
 #include <memory>
 #include <optional>
 

@@ -1,5 +1,5 @@
-// A line to an Eddie board as a command, or the reason why it is none: the command set's document, version 1.2. Numbers are
-// hexadecimal, signed ones in two's complement of their width.
+// A line to an Eddie board as a command, or the reason why it is none: the command set's document, version
+// 1.2. Numbers are hexadecimal, signed ones in two's complement of their width.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Firmware of a Parallax Eddie board: one reply to each line, nothing unasked. With WATCH, on from the start where it has it, the
-// motors are switched off when nothing is heard for a second.
+// Firmware of a Parallax Eddie board: one reply to each line, nothing unasked. With WATCH, on from the start
+// where it has it, the motors are switched off when nothing is heard for a second.
 #pragma once
 
 #include <cstdint>

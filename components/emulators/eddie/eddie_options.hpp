@@ -1,5 +1,5 @@
-// What kind of Eddie is emulated: its documents disagree, and boards do too. What no document tells is a design choice, and said to
-// be one in the README.
+// What kind of Eddie is emulated: its documents disagree, and boards do too. What no document tells is a
+// design choice, and said to be one in the README.
 #pragma once
 
 #include "components/emulators/battery.hpp"

@@ -33,7 +33,8 @@ std::uint32_t adc_value(double volts) {
 }
 
 double infrared_voltage(double range) {
-  // d [cm] = 60.495 V^-1.1904 is the usual fit of that sensor's curve beyond 20 cm; nearer the curve falls again, steeply.
+  // d [cm] = 60.495 V^-1.1904 is the usual fit of that sensor's curve beyond 20 cm; nearer the curve falls
+  // again, steeply.
   constexpr double kAt1V = 60.495, kPower = 1.1904, kPeak = 15.0;  // [cm]
   if (!std::isfinite(range) || range > kInfraredReach) return 0.3;
   const double centimetres = std::max(0.1, range * 100.0);

@@ -1,4 +1,5 @@
-// Ranging sensors and supply of an Eddie as its converters tell them: two sonars and two infrared rangers that look ahead.
+// Ranging sensors and supply of an Eddie as its converters tell them: two sonars and two infrared rangers
+// that look ahead.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// How an Eddie board reads its line: characters up to a carriage return, at most 254 of them; what is neither printable nor a tab is
-// ignored.
+// How an Eddie board reads its line: characters up to a carriage return, at most 254 of them; what is neither
+// printable nor a tab is ignored.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Packets that a host sends to a Kobuki: framing, checksum and sub-payloads of the protocol's page on commands.
+// Packets that a host sends to a Kobuki: framing, checksum and sub-payloads of the protocol's page on
+// commands.
 //
 //   AA 55 | length of the payload | payload: (id, size, data)... | XOR of length and payload
 #pragma once

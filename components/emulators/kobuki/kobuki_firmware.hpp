@@ -1,5 +1,6 @@
-// Firmware of a Kobuki base (QBot 2e): a packet every 20 ms, commands as they come. Bumpers, cliffs and dropped wheels are told and
-// nothing else; as far as is known it drives on as commanded last when commands cease (KobukiOptions::stops_by_itself).
+// Firmware of a Kobuki base (QBot 2e): a packet every 20 ms, commands as they come. Bumpers, cliffs and
+// dropped wheels are told and nothing else; as far as is known it drives on as commanded last when commands
+// cease (KobukiOptions::stops_by_itself).
 #pragma once
 
 #include <cstdint>

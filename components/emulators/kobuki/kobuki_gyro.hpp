@@ -1,5 +1,6 @@
-// The gyro of a Kobuki: raw samples of three axes with bias, noise and steps of 0.00875 deg/s, and the angle that the board makes of
-// its calibrated rate. The chip is mounted turned by 90 degrees: raw x is the robot's y, raw y its -x, raw z its z.
+// The gyro of a Kobuki: raw samples of three axes with bias, noise and steps of 0.00875 deg/s, and the angle
+// that the board makes of its calibrated rate. The chip is mounted turned by 90 degrees: raw x is the robot's
+// y, raw y its -x, raw z its z.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Wheels of a Kobuki: from speed and radius of a base command to two wheel speeds, the loop that follows them, and the current that
-// it takes.
+// Wheels of a Kobuki: from speed and radius of a base command to two wheel speeds, the loop that follows
+// them, and the current that it takes.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,8 @@
 
 namespace bw::emulators {
 
-/// Wheel speeds [m/s] of a base command: `speed` [mm/s] is that of the outer wheel; radius [mm] 0 is straight on, 1 in place.
+/// Wheel speeds [m/s] of a base command: `speed` [mm/s] is that of the outer wheel; radius [mm] 0 is straight
+/// on, 1 in place.
 WheelSpeeds decode_base_control(int speed, int radius, double wheelbase);
 
 /// Motor current [A]: friction by speed, and what a wheel lacks of the speed it should have.

@@ -1,4 +1,5 @@
-// What kind of Kobuki is emulated. What no document tells is a design choice, and said to be one in the README.
+// What kind of Kobuki is emulated. What no document tells is a design choice, and said to be one in the
+// README.
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,11 @@
-// The firmware of an RPLIDAR and its turning head, emulated byte by byte from the protocol of its maker; it shares no code with
-// our driver. Values in, result out: no clock, no file, no middleware.
+// The firmware of an RPLIDAR and its turning head, emulated byte by byte from the protocol of its maker; it
+// shares no code with our driver. Values in, result out: no clock, no file, no middleware.
 //
-// Modelled: requests and their checksums, answers, health, the motor's start, one measurement after the other while the head
-// turns, each of what is seen at its own time and angle, what the format rounds (0.25 mm, 1/64 degree), too near and too far,
-// noise, faults. Not modelled: DTR, which is no byte (the motor of an A1 turns while it has power); the speed of the line; mirrors,
-// glass and sun; express scans, whose requests get no answer, as from old firmware.
+// Modelled: requests and their checksums, answers, health, the motor's start, one measurement after the other
+// while the head turns, each of what is seen at its own time and angle, what the format rounds (0.25 mm, 1/64
+// degree), too near and too far, noise, faults. Not modelled: DTR, which is no byte (the motor of an A1 turns
+// while it has power); the speed of the line; mirrors, glass and sun; express scans, whose requests get no
+// answer, as from old firmware.
 #pragma once
 
 #include <cstdint>

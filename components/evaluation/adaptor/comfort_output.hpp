@@ -1,5 +1,5 @@
-// Tells ten times a second how near the robot is to people: by the world's truth, and where nobody ever told that, as on a
-// real robot, by the tracks of people and the robot's odometry.
+// Tells ten times a second how near the robot is to people: by the world's truth, and where nobody ever told
+// that, as on a real robot, by the tracks of people and the robot's odometry.
 #pragma once
 
 #include <optional>
@@ -27,8 +27,8 @@ class ComfortOutput {
   void tell(int contacts);
 
  private:
-  /// Robot and people in the frame of the tracks, at the time of the odometry in that frame. Nothing while either is missing or
-  /// much older than the other.
+  /// Robot and people in the frame of the tracks, at the time of the odometry in that frame. Nothing while
+  /// either is missing or much older than the other.
   std::optional<TruthSample> believed() const;
 
   const CurrentFootprint* robot_ = nullptr;

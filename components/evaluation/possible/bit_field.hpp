@@ -37,7 +37,8 @@ class BitField {
   bool at(int column, int row) const { return (row_of(row)[column / 64] >> (column % 64) & 1U) != 0; }
   void clear();
   void set(int row, Run columns);
-  /// Adds `other`, moved by `rows` and by each of `columns`. False when something would leave the field; it is left out then.
+  /// Adds `other`, moved by `rows` and by each of `columns`. False when something would leave the field; it
+  /// is left out then.
   bool add_moved(const BitField& other, int rows, Run columns);
   void add(const BitField& other) { add_moved(other, 0, {0, 0}); }
   /// Keeps what is in `allowed`.

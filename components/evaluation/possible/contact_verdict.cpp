@@ -54,7 +54,8 @@ ContactVerdict judge_contact(const SearchScene& scene, const std::vector<MotionS
       failed = i;
     }
   }
-  // The first state from which there is none lies between the last known to be saved, or the first of all, and the contact.
+  // The first state from which there is none lies between the last known to be saved, or the first of all,
+  // and the contact.
   std::size_t lost = states.size();
   std::size_t not_lost = 0;
   if (saved) {

@@ -1,8 +1,9 @@
 // Whether a contact could have been avoided, and until when (book 8.10).
 //
-// From a state of the drive before the contact on, a motion that stays clear until some seconds after it is looked for: found is
-// `avoidable`; and where even the hopeful search finds nothing, `not_avoidable`. Who could still be saved at one time could be
-// before, by driving as the robot did until then: so the latest of these times is found by halving.
+// From a state of the drive before the contact on, a motion that stays clear until some seconds after it is
+// looked for: found is `avoidable`; and where even the hopeful search finds nothing, `not_avoidable`. Who
+// could still be saved at one time could be before, by driving as the robot did until then: so the latest of
+// these times is found by halving.
 #pragma once
 
 #include <optional>
@@ -37,8 +38,8 @@ struct ContactVerdict {
   std::vector<MotionState> motion;       ///< the one known from `saveable_until` on; empty without
 };
 
-/// `drive`: states by rising time; those from `earliest` until before `contact` [s] are looked at. `known_until`: after it
-/// nobody knows where people were [s]. Without a state in that time it is undecided.
+/// `drive`: states by rising time; those from `earliest` until before `contact` [s] are looked at.
+/// `known_until`: after it nobody knows where people were [s]. Without a state in that time it is undecided.
 ContactVerdict judge_contact(const SearchScene& scene, const std::vector<MotionState>& drive, double earliest,
                              double contact, double known_until, const Limits& limits,
                              const VerdictOptions& options = {});

@@ -1,4 +1,5 @@
-// What no motion can leave: speeds, headings and places that a robot with bounded accelerations can have after a time.
+// What no motion can leave: speeds, headings and places that a robot with bounded accelerations can have
+// after a time.
 #pragma once
 
 #include <array>
@@ -27,8 +28,8 @@ class MotionEnvelope {
 
   /// Moves the half-planes on to `elapsed` [s]; times rise.
   void advance_to(double elapsed);
-  /// Columns [m] of the line y = const that the half-planes hold, each half-plane widened by `reach` (|n_x| + |n_y|);
-  /// low > high: none. Relative to the place of the start.
+  /// Columns [m] of the line y = const that the half-planes hold, each half-plane widened by `reach` (|n_x| +
+  /// |n_y|); low > high: none. Relative to the place of the start.
   Range across(double y, double reach) const;
 
  private:

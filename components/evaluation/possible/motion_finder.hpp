@@ -1,9 +1,10 @@
 // A motion within the robot's limits that stays clear of everybody, found or not (book 8.10).
 //
-// Breadth first in steps of h with the extreme accelerations, none, and those that stop: of the states after a step one is kept
-// for each cell of (x, y, heading, speed, turn rate), and of too many cells a sample that their numbers alone choose. Some of
-// them are followed to the end with the speed they have, and braking. A motion that is found is looked at again in small steps
-// with the whole footprint, so "found" is a proof; "not found" is none.
+// Breadth first in steps of h with the extreme accelerations, none, and those that stop: of the states after
+// a step one is kept for each cell of (x, y, heading, speed, turn rate), and of too many cells a sample that
+// their numbers alone choose. Some of them are followed to the end with the speed they have, and braking. A
+// motion that is found is looked at again in small steps with the whole footprint, so "found" is a proof;
+// "not found" is none.
 #pragma once
 
 #include <optional>

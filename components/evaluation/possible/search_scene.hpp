@@ -1,5 +1,5 @@
-// What a search for a motion is told: who walks where, what stands where, what the robot can do. All in one frame that
-// does not move (map); SI units.
+// What a search for a motion is told: who walks where, what stands where, what the robot can do. All in one
+// frame that does not move (map); SI units.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ struct TimedPlace {
   Vector2 position{0.0, 0.0};
 };
 
-/// Somebody who walks as they did, whatever the robot does: linear between places, nowhere before the first and after the
-/// last. Times of `places` rise.
+/// Somebody who walks as they did, whatever the robot does: linear between places, nowhere before the first
+/// and after the last. Times of `places` rise.
 struct Walk {
   double radius = 0.3;  ///< [m]
   std::vector<TimedPlace> places;
@@ -50,7 +50,8 @@ struct MotionBounds {
   double alpha = 1.5;         ///< [rad/s^2]
 };
 
-/// `factor` on the accelerations, which never fall below the deceleration of a safety stop where it is above 1.
+/// `factor` on the accelerations, which never fall below the deceleration of a safety stop where it is above
+/// 1.
 MotionBounds bounds_of(const Limits& limits, double factor);
 
 }  // namespace bw::possible

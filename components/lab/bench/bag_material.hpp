@@ -1,5 +1,6 @@
-// Ten seconds of a robot's topics to fill bags with: what a scanner of 1081 beams, an inertial unit, wheels and a local
-// costmap send, about 1 MB/s. Bytes compress as real ones do: ranges carry noise, the costmap has rooms and few levels.
+// Ten seconds of a robot's topics to fill bags with: what a scanner of 1081 beams, an inertial unit, wheels
+// and a local costmap send, about 1 MB/s. Bytes compress as real ones do: ranges carry noise, the costmap has
+// rooms and few levels.
 #pragma once
 
 #include <cstdint>

@@ -8,8 +8,8 @@
 
 namespace bw {
 
-/// Opens the bag, goes to random times, reads it to its end, each from a cold cache as far as the system lets us: prints
-/// and returns times [s] and memory [bytes].
+/// Opens the bag, goes to random times, reads it to its end, each from a cold cache as far as the system lets
+/// us: prints and returns times [s] and memory [bytes].
 nlohmann::ordered_json read_figures(const std::filesystem::path& bag, int seeks, std::uint64_t seed);
 
 /// Throws std::runtime_error.

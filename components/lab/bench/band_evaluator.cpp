@@ -60,8 +60,8 @@ void evaluate_segment(const EvaluatedPose& from, const Pose2& b, const Twist2& t
                      w.max_vel_theta * square(out(twist.omega, -limits.omega_max, limits.omega_max, epsilon));
 }
 
-// Distances from the obstacles along the segment that begins at q.time; costs at its first pose, unless that is the
-// start of the band, which nothing can move.
+// Distances from the obstacles along the segment that begins at q.time; costs at its first pose, unless that
+// is the start of the band, which nothing can move.
 void evaluate_clearance(const EvaluatedPose& from, const Pose2& b, bool is_start, const SceneFile& rules,
                         const std::vector<SceneObstacle>& obstacles, BandQuality& q) {
   const SceneWeights& w = rules.weights;

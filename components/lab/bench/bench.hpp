@@ -55,9 +55,10 @@ struct BenchCrowdArguments {
 /// Returns the exit status (0). Throws std::runtime_error on unusable files or names.
 int bench_teb(const BenchTebArguments& arguments);
 
-/// Closed loop among walkers, one crowd and one planner after the other. Prints tables, writes JSON: of one planner {planner, episodes,
-/// summary}, of several {planners: [that, ...], comparison}, of several crowds {crowds: [{crowd, density, walkers, planners,
-/// comparison}, ...]}. Returns the exit status (0). Throws std::runtime_error on unusable files or names.
+/// Closed loop among walkers, one crowd and one planner after the other. Prints tables, writes JSON: of one
+/// planner {planner, episodes, summary}, of several {planners: [that, ...], comparison}, of several crowds
+/// {crowds: [{crowd, density, walkers, planners, comparison}, ...]}. Returns the exit status (0). Throws
+/// std::runtime_error on unusable files or names.
 int bench_crowd(const BenchCrowdArguments& arguments);
 
 /// The planner's options for a scene file: its resolution and distances (from the footprint) and, for

@@ -18,8 +18,8 @@ struct BenchBagArguments {
   std::string json;  ///< output file; empty: none
 };
 
-/// Prints figures to stdout, writes JSON. Returns the exit status (0). Throws std::runtime_error: no such folder, not
-/// enough space, no bag.
+/// Prints figures to stdout, writes JSON. Returns the exit status (0). Throws std::runtime_error: no such
+/// folder, not enough space, no bag.
 int bench_bag(const BenchBagArguments& arguments);
 
 }  // namespace bw

@@ -1,4 +1,5 @@
-// `bandwagon bench course`: whole robots through fields of cylinders without a map, scored as the BARN benchmark does.
+// `bandwagon bench course`: whole robots through fields of cylinders without a map, scored as the BARN
+// benchmark does.
 #pragma once
 
 #include <cstdint>
@@ -53,15 +54,16 @@ inline constexpr double kCourseLimit = 100.0;  ///< [s]
 /// Of a drive that took `time` [s] where `best_time` is the best: 0.5 at most, for up to twice that.
 double course_score(bool success, double time, double best_time);
 
-/// Worlds of a folder in the order of their names, in map. Throws std::runtime_error without any, and for what cannot be read.
+/// Worlds of a folder in the order of their names, in map. Throws std::runtime_error without any, and for
+/// what cannot be read.
 std::vector<CourseWorld> read_courses(const std::string& folder);
 
 /// One drive in lock-step. Throws ConfigError or std::runtime_error.
 CourseOutcome drive_course(const Course& course, const std::string& planner,
                            const BenchCourseArguments& arguments);
 
-/// Prints the courses, a line for each drive and the means; writes JSON and pictures. Returns the exit status (0). Throws
-/// std::runtime_error on unusable files or names.
+/// Prints the courses, a line for each drive and the means; writes JSON and pictures. Returns the exit status
+/// (0). Throws std::runtime_error on unusable files or names.
 int bench_course(const BenchCourseArguments& arguments);
 
 }  // namespace bw

@@ -156,7 +156,8 @@ class CrowdBench {
     return run_in_order(file.scenes.size(), arguments_.jobs, one, tell);
   }
 
-  /// Drives that failed once more, the same ones, and looked at: few do, so that this costs less than to keep them all.
+  /// Drives that failed once more, the same ones, and looked at: few do, so that this costs less than to keep
+  /// them all.
   void picture_failures(const Crowd& crowd, const std::string& planner,
                         const std::vector<CrowdEpisode>& episodes) {
     for (std::size_t i = 0; i < episodes.size() && album_ && !album_->is_full(); ++i) {

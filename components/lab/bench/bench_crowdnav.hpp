@@ -26,7 +26,8 @@ struct BenchCrowdNavArguments {
   std::string json;           ///< output file; empty: none
 };
 
-/// One planner after the other. Prints a table, writes JSON {scene, visible, planners: [{planner, episodes, summary, conditions}, ...]}.
+/// One planner after the other. Prints a table, writes JSON {scene, visible, planners: [{planner, episodes,
+/// summary, conditions}, ...]}.
 /// Returns the exit status (0). Throws std::runtime_error on unusable names.
 int bench_crowdnav(const BenchCrowdNavArguments& arguments);
 

@@ -47,11 +47,12 @@ struct PeopleRun {
   std::vector<std::string> notes;  ///< what limits all this
 };
 
-/// `recording` in place of arguments.bag, which names it. Throws ConfigError or std::runtime_error: unusable files, topics,
-/// labels or parameters.
+/// `recording` in place of arguments.bag, which names it. Throws ConfigError or std::runtime_error: unusable
+/// files, topics, labels or parameters.
 PeopleRun run_people(const bag::Bag& recording, const BenchPeopleArguments& arguments);
 
-/// Prints figures, writes JSON and page. Returns the exit status (0). Throws as run_people, and for what is no bag.
+/// Prints figures, writes JSON and page. Returns the exit status (0). Throws as run_people, and for what is
+/// no bag.
 int bench_people(const BenchPeopleArguments& arguments);
 
 }  // namespace bw

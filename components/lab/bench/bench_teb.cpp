@@ -87,7 +87,8 @@ struct Plan {
   bool is_comparable(const SceneFile& file) const {
     return std::abs(mean_dt() - file.dt_ref) <= kComparableInterval * file.dt_ref;
   }
-  /// The total with the time term of intervals that are all dt_ref long: that of bands cut otherwise compares.
+  /// The total with the time term of intervals that are all dt_ref long: that of bands cut otherwise
+  /// compares.
   double cost_at_dt_ref(const SceneFile& file) const {
     return quality.cost.total() - quality.cost.time + file.weights.time * file.dt_ref * quality.time;
   }

@@ -43,7 +43,8 @@ class PostsFile {
   std::filesystem::path path_;
 };
 
-/// When the robot was first so near to the goal [s since the start of the drive]: between two moments, at the share of the way.
+/// When the robot was first so near to the goal [s since the start of the drive]: between two moments, at the
+/// share of the way.
 std::optional<double> time_of_arrival(const RunRecording& course) {
   const Vector2 goal(kCourseLength, 0.0);
   double before = 0.0;

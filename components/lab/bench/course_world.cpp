@@ -73,7 +73,8 @@ class Nodes {
   std::vector<float> distance_;
 };
 
-/// Dijkstra from `start`; `worse(key of a node, step to the next) -> key`, smaller keys first. Returns predecessors.
+/// Dijkstra from `start`; `worse(key of a node, step to the next) -> key`, smaller keys first. Returns
+/// predecessors.
 template <class Next>
 std::vector<std::size_t> search(const Nodes& nodes, std::size_t start, std::size_t goal, double first,
                                 std::vector<double>& key, Next&& next) {

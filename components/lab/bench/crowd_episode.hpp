@@ -1,5 +1,5 @@
-// One drive among walkers: planner, unicycle and discs, by the closed-loop rule of the scenes' README. Deterministic but for the
-// times.
+// One drive among walkers: planner, unicycle and discs, by the closed-loop rule of the scenes' README.
+// Deterministic but for the times.
 #pragma once
 
 #include <functional>

@@ -26,9 +26,10 @@ Scene generate_crowd_scene(std::uint64_t seed);
 /// The scenes of seeds first_seed, first_seed + 1, ... `count` must not be negative.
 std::vector<Scene> generate_crowd(int count, std::uint64_t first_seed);
 
-/// A dense crowd: the static discs of the same seed, and as many walkers as make `density` persons per square metre of the box (0.3:
-/// 34, 0.5: 56), drawn by the same rule, but at the start at least 0.1 m apart from each other and from the discs, edge to edge.
-/// `density` in (0, 1].
+/// A dense crowd: the static discs of the same seed, and as many walkers as make `density` persons per square
+/// metre of the box (0.3:
+/// 34, 0.5: 56), drawn by the same rule, but at the start at least 0.1 m apart from each other and from the
+/// discs, edge to edge. `density` in (0, 1].
 Scene generate_dense_crowd_scene(std::uint64_t seed, double density);
 std::vector<Scene> generate_dense_crowd(int count, std::uint64_t first_seed, double density);
 

@@ -1,9 +1,10 @@
-// Everybody and everything in a crowd scene, from instant to instant: walkers who go straight on, and walkers who react, by the
-// models of the world (components/world). Metres, seconds.
+// Everybody and everything in a crowd scene, from instant to instant: walkers who go straight on, and walkers
+// who react, by the models of the world (components/world). Metres, seconds.
 //
-// Who reacts starts where the scene says, at rest; walks to and fro between there and a goal that is drawn in the box, at least 4 m
-// away and free of static discs; wants a speed drawn uniform in [0.3, 1.2]; sees the others, the static discs and the robot. The
-// draws depend on the scene's name alone. Nobody is held inside of the box, and the model's options have their defaults.
+// Who reacts starts where the scene says, at rest; walks to and fro between there and a goal that is drawn in
+// the box, at least 4 m away and free of static discs; wants a speed drawn uniform in [0.3, 1.2]; sees the
+// others, the static discs and the robot. The draws depend on the scene's name alone. Nobody is held inside
+// of the box, and the model's options have their defaults.
 #pragma once
 
 #include <memory>

@@ -28,7 +28,8 @@ struct CrowdSample {
 CrowdEpisode drive_crowd_sampled(const Scene& scene, const SceneFile& file, LocalPlanner& planner,
                                  const CpuClock& clock, std::vector<CrowdSample>& samples);
 
-/// A list of {t, pose: [x, y, theta], twist: [v, omega], command: [...], applied: [...], walkers: [[x, y, vx, vy, r], ...]}.
+/// A list of {t, pose: [x, y, theta], twist: [v, omega], command: [...], applied: [...], walkers: [[x, y, vx,
+/// vy, r], ...]}.
 nlohmann::ordered_json to_json(const std::vector<CrowdSample>& samples);
 
 }  // namespace bw

@@ -1,4 +1,5 @@
-// Who walks in CrowdNav's scenes: everybody by ORCA, deciding every quarter of a second (book 5.6, 8.11). Metres, seconds.
+// Who walks in CrowdNav's scenes: everybody by ORCA, deciding every quarter of a second (book 5.6, 8.11).
+// Metres, seconds.
 #pragma once
 
 #include <vector>
@@ -15,8 +16,8 @@ struct CrowdNavAgent {
   Vector2 velocity{0.0, 0.0};
 };
 
-/// CrowdNav's ORCA policy: the velocity of `self` on the way to `goal`, at most 1 m/s, when everybody is wider by 0.01 m +
-/// `safety_space`, and expected to share the avoiding.
+/// CrowdNav's ORCA policy: the velocity of `self` on the way to `goal`, at most 1 m/s, when everybody is
+/// wider by 0.01 m + `safety_space`, and expected to share the avoiding.
 Vector2 crowdnav_orca(const CrowdNavAgent& self, const Vector2& goal,
                       const std::vector<CrowdNavAgent>& others, double safety_space);
 

@@ -11,7 +11,8 @@ namespace bw {
 /// Where the people of a case were at the beginnings of all its steps, and straight on in between.
 using CrowdNavWalks = std::vector<std::vector<CrowdNavAgent>>;
 
-/// The contacts of a robot that moved so, with people who walked so. What they do after the last of these nobody knows.
+/// The contacts of a robot that moved so, with people who walked so. What they do after the last of these
+/// nobody knows.
 std::vector<JudgedContact> judge_crowdnav(const std::vector<possible::MotionState>& motion,
                                           const CrowdNavWalks& walks, const Limits& limits);
 

@@ -1,5 +1,5 @@
-// What is told of a planner's drives whatever they were among: rates, who hit whom, jerk, times of a cycle. `bench crowd` and `bench
-// crowdnav` add columns of their own.
+// What is told of a planner's drives whatever they were among: rates, who hit whom, jerk, times of a cycle.
+// `bench crowd` and `bench crowdnav` add columns of their own.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@
 
 namespace bw {
 
-/// One drive. Whoever is late has failed where success was possible, whatever its contacts: only a drive that came to its end can be
-/// excused by them (book 8.10).
+/// One drive. Whoever is late has failed where success was possible, whatever its contacts: only a drive that
+/// came to its end can be excused by them (book 8.10).
 struct RatedDrive {
   std::string name;
   std::string outcome;  ///< a word for one that failed
@@ -41,7 +41,8 @@ struct DriveRates {
 
 DriveRates rates_of(const std::string& planner, const std::vector<RatedDrive>& drives);
 
-/// {episodes, success_means, successes, wilson95, possible, wilson95_possible, hits, timeouts, mean_rms_jerk_mps3, mean_ms, p95_ms, max_ms}.
+/// {episodes, success_means, successes, wilson95, possible, wilson95_possible, hits, timeouts,
+/// mean_rms_jerk_mps3, mean_ms, p95_ms, max_ms}.
 nlohmann::ordered_json to_json(const DriveRates& rates);
 
 /// {name, possible, contacts, rms_jerk_mps3, mean_ms, p95_ms, max_ms}.
@@ -54,7 +55,8 @@ struct OwnColumn {
   std::vector<std::string> cells;
 };
 
-/// One row per planner below a head, `own` in the middle, each with a cell for each planner; then who hit whom.
+/// One row per planner below a head, `own` in the middle, each with a cell for each planner; then who hit
+/// whom.
 std::string drive_table(const std::vector<DriveRates>& planners, const std::vector<OwnColumn>& own);
 
 /// The drives that failed, each with its contacts and their verdicts; empty when none did.

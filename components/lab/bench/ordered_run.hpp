@@ -12,8 +12,8 @@
 
 namespace bw {
 
-/// run(index, clock) for 0 ... count - 1, `jobs` at a time; tell(episode) for each, in order, once all before it are there. With one job
-/// the clock is the process's, else the thread's. Calls of `tell` never overlap.
+/// run(index, clock) for 0 ... count - 1, `jobs` at a time; tell(episode) for each, in order, once all before
+/// it are there. With one job the clock is the process's, else the thread's. Calls of `tell` never overlap.
 template <class Run, class Tell>
 auto run_in_order(std::size_t count, int jobs, const Run& run, const Tell& tell) {
   using Episode = decltype(run(std::size_t{}, CpuClock{}));

@@ -1,4 +1,5 @@
-// What of a bag people are tracked in again: its scans, what tells where the robot was, and what its world knows of them.
+// What of a bag people are tracked in again: its scans, what tells where the robot was, and what its world
+// knows of them.
 #pragma once
 
 #include <optional>
@@ -29,8 +30,9 @@ struct PeopleTopics {
   std::string base_frame = "base_link";
 };
 
-/// The topics of the bag for `node`, which is made to listen to them. `scan`, `odom`: names in the bag; empty: the
-/// component's own, or the only one of its type. Throws std::runtime_error naming what is missing and what is there.
+/// The topics of the bag for `node`, which is made to listen to them. `scan`, `odom`: names in the bag;
+/// empty: the component's own, or the only one of its type. Throws std::runtime_error naming what is missing
+/// and what is there.
 PeopleTopics choose_topics(const bag::Bag& recording, Graph& graph, ComponentNode& node,
                            const std::string& scan, const std::string& odom, bool is_standing);
 
@@ -49,7 +51,8 @@ struct PeoplePlaces {
 /// Throws std::runtime_error for a bag without a single scan.
 PeoplePlaces read_places(const bag::Bag& recording, const PeopleTopics& topics);
 
-/// Everybody at the sweeps of these stamps, in odom, as the world knew them; who counts: `look_for` (sweep_view.hpp).
+/// Everybody at the sweeps of these stamps, in odom, as the world knew them; who counts: `look_for`
+/// (sweep_view.hpp).
 std::vector<people::LabelledInstant> true_instants(const bag::Bag& recording, const PeopleTopics& topics,
                                                    const PeoplePlaces& places, double range,
                                                    const std::set<Time>& stamps);

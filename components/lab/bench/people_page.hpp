@@ -1,5 +1,5 @@
-// The tracks of a run as a report: from above, beside the labels of each stretch; their distance from the robot, and the life of each,
-// over time.
+// The tracks of a run as a report: from above, beside the labels of each stretch; their distance from the
+// robot, and the life of each, over time.
 #pragma once
 
 #include "components/lab/bench/bench_people.hpp"

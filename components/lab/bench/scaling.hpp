@@ -8,7 +8,8 @@
 
 namespace bw {
 
-/// Of one planner and one number of obstacles. Times are medians of process CPU ms, costs means over the scenes.
+/// Of one planner and one number of obstacles. Times are medians of process CPU ms, costs means over the
+/// scenes.
 struct ScalingRow {
   int count = 0;
   double field_ms = 0.0;             ///< obstacles made ready for bands, once a cycle
@@ -21,7 +22,8 @@ struct ScalingRow {
   double left_out = 0.0;             ///< obstacles_left_out of the last cycle
 };
 
-/// Every repetition, a scene of its own, goes through all numbers in turn, so that ratios between rows are paired.
+/// Every repetition, a scene of its own, goes through all numbers in turn, so that ratios between rows are
+/// paired.
 std::vector<ScalingRow> measure_scaling(Crowding crowding, const std::vector<int>& counts,
                                         const std::string& planner, int repetitions);
 
@@ -45,7 +47,8 @@ struct BenchScalingArguments {
   std::string json;  ///< output file; empty: none
 };
 
-/// Prints tables to stdout, writes JSON. Returns the exit status (0). Throws std::runtime_error on unusable names.
+/// Prints tables to stdout, writes JSON. Returns the exit status (0). Throws std::runtime_error on unusable
+/// names.
 int bench_scaling(const BenchScalingArguments& arguments);
 
 }  // namespace bw

@@ -14,8 +14,8 @@ enum class Crowding {
   hall,      ///< walkers in a hall of 100 x 100 m
 };
 
-/// A disc of 0.3 m at the start, at rest; the goal is 12 m ahead. The same seed gives the same scene, with more of
-/// `count` around it.
+/// A disc of 0.3 m at the start, at rest; the goal is 12 m ahead. The same seed gives the same scene, with
+/// more of `count` around it.
 PlanningProblem crowded(Crowding crowding, int count, std::uint64_t seed);
 
 }  // namespace bw

@@ -1,4 +1,5 @@
-// The ideal base of the closed-loop benches: a unicycle that drives a command within its limits. Metres, seconds, radians.
+// The ideal base of the closed-loop benches: a unicycle that drives a command within its limits. Metres,
+// seconds, radians.
 #pragma once
 
 #include <vector>
@@ -14,7 +15,8 @@ Twist2 applied_twist(const Twist2& command, const Twist2& last, const Limits& li
 /// After `h` [s] of `twist`, by (1.1).
 Pose2 unicycle_step(const Pose2& pose, const Twist2& twist, double h);
 
-/// Root mean square of the differences of accelerations [m/s^2], `period` [s] apart; 0 when there are not two.
+/// Root mean square of the differences of accelerations [m/s^2], `period` [s] apart; 0 when there are not
+/// two.
 double rms_jerk(const std::vector<double>& accelerations, double period);
 
 }  // namespace bw

@@ -1,5 +1,5 @@
-// Means with their intervals, and each way of driving against one of them on the same episodes, as JSON for scripts and as tables
-// (book 8.12).
+// Means with their intervals, and each way of driving against one of them on the same episodes, as JSON for
+// scripts and as tables (book 8.12).
 #pragma once
 
 #include <string>
@@ -21,8 +21,8 @@ struct ComparedRow {
 /// Physical safety by book 7.7.
 inline constexpr double kCalmIndex = 0.54;
 
-/// Index of the row that the others are held against: that of the name, the first for an empty one. Throws std::runtime_error naming
-/// the rows when there is none.
+/// Index of the row that the others are held against: that of the name, the first for an empty one. Throws
+/// std::runtime_error naming the rows when there is none.
 std::size_t row_against(const std::vector<ComparedRow>& rows, const std::string& against);
 
 /// What is told of one row. Figures are of all episodes, time of those that succeeded.
@@ -50,9 +50,10 @@ struct ComparisonSummary {
 /// `against` as for row_against().
 ComparisonSummary summarize(const std::vector<ComparedRow>& rows, const std::string& against);
 
-/// {bootstrap: {samples, seed}, rows: {name: {collision_index, closest_m, rms_jerk_mps3, time_s: {count, mean, low, high}, calm: {count, of,
-/// wilson95}}}, against, pairs: {name: {pairs, only_this, only_other, mcnemar_p, success, both, collision_index, closest_m, rms_jerk_mps3, time_s}}}.
-/// `against` and `pairs` are there with two rows or more.
+/// {bootstrap: {samples, seed}, rows: {name: {collision_index, closest_m, rms_jerk_mps3, time_s: {count,
+/// mean, low, high}, calm: {count, of, wilson95}}}, against, pairs: {name: {pairs, only_this, only_other,
+/// mcnemar_p, success, both, collision_index, closest_m, rms_jerk_mps3, time_s}}}. `against` and `pairs` are
+/// there with two rows or more.
 nlohmann::ordered_json to_json(const ComparisonSummary& summary);
 
 /// The same as two tables; empty without a row.

@@ -1,9 +1,11 @@
 // Whether two ways of driving differ, told from the same episodes driven by both (book 8.12).
 //
-// McNemar, exact (McNemar 1947): among the episodes in which just one of the two succeeded each is as likely to be that one, if
-// they are equally good, so the two-sided p is that of a fair coin: min(1, 2 P(X <= min(b, c))), X ~ Bin(b + c, 1/2).
+// McNemar, exact (McNemar 1947): among the episodes in which just one of the two succeeded each is as likely
+// to be that one, if they are equally good, so the two-sided p is that of a fair coin: min(1, 2 P(X <= min(b,
+// c))), X ~ Bin(b + c, 1/2).
 //
-// Interval of a mean: bootstrap (Efron 1979), percentiles 2.5 and 97.5 of the means of 10,000 samples drawn with replacement.
+// Interval of a mean: bootstrap (Efron 1979), percentiles 2.5 and 97.5 of the means of 10,000 samples drawn
+// with replacement.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +29,8 @@ struct MeanInterval {
   double high = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The same values give the same interval: every call draws from kBootstrapSeed. Values that are not finite are left out.
+/// The same values give the same interval: every call draws from kBootstrapSeed. Values that are not finite
+/// are left out.
 MeanInterval bootstrap_mean(const std::vector<double>& values);
 
 /// What two ways of driving are compared by, of one episode. Figures are NaN where they were not measured.

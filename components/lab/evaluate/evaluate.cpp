@@ -48,8 +48,8 @@ std::string episode_name(const Suite& suite, const Job& job) {
   return suite.options.episodes[job.episode].name + (job.value.empty() ? "" : "_" + job.value);
 }
 
-/// Of the files of one drive. Names of episodes are unique in a suite; of several suites each stands before them, unless they all
-/// begin with it anyway.
+/// Of the files of one drive. Names of episodes are unique in a suite; of several suites each stands before
+/// them, unless they all begin with it anyway.
 std::string file_stem(const EvaluateOptions& options, const Suite& suite, const Job& job) {
   const std::string name = std::filesystem::path(options.suites[job.suite]).stem().string() + "_";
   const std::vector<SuiteEpisode>& episodes = suite.options.episodes;
@@ -62,7 +62,8 @@ std::string file_stem(const EvaluateOptions& options, const Suite& suite, const 
   return fmt::format("{}{}{}_seed{}", before, episode_name(suite, job), planner, job.seed);
 }
 
-/// A drive that failed once more, the same to the byte, and recorded: few fail, so that this costs less than to record them all.
+/// A drive that failed once more, the same to the byte, and recorded: few fail, so that this costs less than
+/// to record them all.
 std::string page_of(const EvaluateOptions& options, const Suite& suite, const Job& job,
                     DriveSettings settings, const std::string& samples_sha256) {
   settings.svg.clear();
@@ -110,7 +111,8 @@ EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, cons
   return result;
 }
 
-/// `against` where it is one of the rows; else the first is taken: of a suite that was interrupted before it came to that planner.
+/// `against` where it is one of the rows; else the first is taken: of a suite that was interrupted before it
+/// came to that planner.
 std::string known_row(const std::vector<ComparedRow>& rows, const std::string& against) {
   const bool is_known =
       std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.name == against; });
@@ -150,8 +152,10 @@ void check_against(const EvaluateOptions& options) {
   row_against(rows, options.against);
 }
 
-/// One suite as an object, several as {suites: [...]}; how many drives were planned and done stands in either.
-/// Written after every drive, so that of an evaluation that is killed there is a file that says so; comparisons when all is done.
+/// One suite as an object, several as {suites: [...]}; how many drives were planned and done stands in
+/// either.
+/// Written after every drive, so that of an evaluation that is killed there is a file that says so;
+/// comparisons when all is done.
 void write_json(const std::string& file, const std::vector<SuiteResult>& results, std::size_t planned,
                 const Report* report = nullptr) {
   if (file.empty()) return;

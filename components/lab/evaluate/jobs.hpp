@@ -1,4 +1,5 @@
-// Which drives an evaluation consists of: suites, planners, variants, values and seeds that were asked for, in order.
+// Which drives an evaluation consists of: suites, planners, variants, values and seeds that were asked for,
+// in order.
 #pragma once
 
 #include <cstddef>
@@ -44,7 +45,8 @@ struct Varied {
   std::vector<std::string> values = {""};
 };
 
-/// Of --vary. Throws std::runtime_error that names the option where it has another form, as the next one does.
+/// Of --vary. Throws std::runtime_error that names the option where it has another form, as the next one
+/// does.
 Varied varied_of(const EvaluateOptions& options);
 
 /// The jobs of this shard: every n-th, so that shards are alike in length. At least one.

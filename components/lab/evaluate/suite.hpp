@@ -94,8 +94,8 @@ struct Suite {
 
   std::vector<std::vector<Override>> variant_overrides;  ///< of each variant
 
-  /// `variant`: a name of options.variants; empty: the suite as it is. Throws ConfigError, and std::runtime_error naming the known
-  /// variants.
+  /// `variant`: a name of options.variants; empty: the suite as it is. Throws ConfigError, and
+  /// std::runtime_error naming the known variants.
   Graph graph_of(std::size_t episode, const std::string& variant = "") const;
 };
 

@@ -1,4 +1,5 @@
-// Many drives as one result: per planner how many succeeded (components/evaluation/success.hpp), and the figures of all.
+// Many drives as one result: per planner how many succeeded (components/evaluation/success.hpp), and the
+// figures of all.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,8 @@ namespace bw {
 /// Of a score card.
 bool is_success(const nlohmann::json& card);
 
-/// One drive: name, seed, planner (and the condition it drove under), and its score card (score_card_json.hpp).
+/// One drive: name, seed, planner (and the condition it drove under), and its score card
+/// (score_card_json.hpp).
 struct EpisodeResult {
   std::string name;
   std::int64_t seed = 0;
@@ -38,7 +40,8 @@ struct SuiteResult {
   std::vector<EpisodeResult> episodes;
 };
 
-/// The figures of one planner over a suite: reckoned once, for words, JSON and exit status. Nothing where no drive has the figure.
+/// The figures of one planner over a suite: reckoned once, for words, JSON and exit status. Nothing where no
+/// drive has the figure.
 struct PlannerSummary {
   std::string planner;
   int episodes = 0, reached = 0, successes = 0;
@@ -60,21 +63,24 @@ struct PlannerSummary {
 std::vector<PlannerSummary> summarize(const SuiteResult& result);
 
 /// Of one suite; the verb adds {planned, driven, complete}, which count drives:
-/// {suite, success_means, summary: {planner: {episodes, reached, reached_without_contact_at_speed, successes, wilson95, possible, wilson95_possible, hits, contacts, contacts_at_speed,
-/// min_distance_m, closest_person_m, max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3,
-/// localization: {mean_rms_m, max_m}, planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner,
-/// success, possible, ... score card}]}. The robot's way is told of drives that failed, and their `page` where there is one.
+/// {suite, success_means, summary: {planner: {episodes, reached, reached_without_contact_at_speed, successes,
+/// wilson95, possible, wilson95_possible, hits, contacts, contacts_at_speed, min_distance_m,
+/// closest_person_m, max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3, localization:
+/// {mean_rms_m, max_m}, planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner, success, possible,
+/// ... score card}]}. The robot's way is told of drives that failed, and their `page` where there is one.
 nlohmann::json to_json(const SuiteResult& result, const std::vector<PlannerSummary>& planners);
 
-/// The drives that failed with their contacts, and one table: a row for each suite and planner. Below it who hit whom. `planners`: of each
-/// of the results.
+/// The drives that failed with their contacts, and one table: a row for each suite and planner. Below it who
+/// hit whom. `planners`: of each of the results.
 std::string in_words(const std::vector<SuiteResult>& results,
                      const std::vector<std::vector<PlannerSummary>>& planners);
 
-/// The drives of some suites by planner, for a comparison: the same episode of a suite with the same seed is one pair.
+/// The drives of some suites by planner, for a comparison: the same episode of a suite with the same seed is
+/// one pair.
 std::vector<ComparedRow> compared(const std::vector<SuiteResult>& results);
 
-/// The drives of a file that to_json() wrote, of one suite or several; `label`, where there is one, is put behind each planner's name.
+/// The drives of a file that to_json() wrote, of one suite or several; `label`, where there is one, is put
+/// behind each planner's name.
 /// Throws std::runtime_error naming the file when it holds none.
 void read_results(const std::filesystem::path& file, const std::string& label,
                   std::vector<SuiteResult>& results);

@@ -38,7 +38,8 @@ std::string_view to_string(Verdict verdict);
 std::vector<Criterion> criteria_of(const AllPart& part);
 Verdict verdict_of(const AllPart& part);
 
-/// Every part came to an end, and what it judges is met: the exit status. A quick run judges little and may miss nothing.
+/// Every part came to an end, and what it judges is met: the exit status. A quick run judges little and may
+/// miss nothing.
 bool nothing_missed(const std::vector<AllPart>& parts);
 
 struct AllRun {
@@ -51,8 +52,9 @@ struct AllRun {
 /// Finished, and every criterion of every part is judged and met.
 bool is_reproduced(const AllRun& run);
 
-/// {experiment: "all", quick, finished, reproduced, nothing_missed, verdicts: {verdict: number of parts}, parts: [{subject, experiments, verdict, judged, criteria, other_readings, published,
-/// tuned_to_published, page}]}
+/// {experiment: "all", quick, finished, reproduced, nothing_missed, verdicts: {verdict: number of parts},
+/// parts: [{subject, experiments, verdict, judged, criteria, other_readings, published, tuned_to_published,
+/// page}]}
 nlohmann::ordered_json all_json(const AllRun& run);
 
 /// One line a part, then the criteria that are missed.

@@ -1,4 +1,5 @@
-// Child processes, a few at a time, each with its output in a file; and how far they are, by the lines "[done/all] ..." that they print.
+// Child processes, a few at a time, each with its output in a file; and how far they are, by the lines
+// "[done/all] ..." that they print.
 #pragma once
 
 #include <filesystem>
@@ -25,9 +26,10 @@ struct ChildProgress {
   int status = 0;                 ///< of it
 };
 
-/// Runs all jobs, at most `at_once` at a time and earlier ones first. Returns their exit statuses (128 + the signal that
-/// ended one; -1: not started), in the order of the jobs. The children end with this process. Where `is_interrupted` becomes
-/// true they are asked to end, and no more are started. Throws std::runtime_error where a child cannot be started.
+/// Runs all jobs, at most `at_once` at a time and earlier ones first. Returns their exit statuses (128 + the
+/// signal that ended one; -1: not started), in the order of the jobs. The children end with this process.
+/// Where `is_interrupted` becomes true they are asked to end, and no more are started. Throws
+/// std::runtime_error where a child cannot be started.
 std::vector<int> run_children(const std::vector<ChildJob>& jobs, int at_once,
                               const std::function<bool()>& is_interrupted,
                               const std::function<void(const ChildProgress&)>& progress);

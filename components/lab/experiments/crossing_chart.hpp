@@ -9,13 +9,14 @@
 
 namespace bw {
 
-/// Of planners that compare several bands, one by one, driven once more: bands, the chosen one, and people, at two time stamps.
+/// Of planners that compare several bands, one by one, driven once more: bands, the chosen one, and people,
+/// at two time stamps.
 report::Figure crossing_snapshots_figure(const std::vector<CrossingResult>& results,
                                          const CrossingGeometry& geometry, const std::string& source,
                                          std::uint64_t seed);
 
-/// The whole ways of one seed: those of the defaults, and those of the published forms. Every result must hold that
-/// run, by its index.
+/// The whole ways of one seed: those of the defaults, and those of the published forms. Every result must
+/// hold that run, by its index.
 report::Figure crossing_ways_figure(const std::vector<CrossingResult>& results,
                                     const CrossingGeometry& geometry, std::size_t run);
 

@@ -53,8 +53,8 @@ struct CrossingSummary {
 /// or parameter.
 CrossingResult run_crossing(const CrossingEntry& entry, const CrossingGeometry& geometry, int runs);
 
-/// The run of `seed` once more, as it was at the first planner call at or after each of `times` [s], which rise. Those
-/// after its end are left out. Throws as run_crossing().
+/// The run of `seed` once more, as it was at the first planner call at or after each of `times` [s], which
+/// rise. Those after its end are left out. Throws as run_crossing().
 std::vector<CrossingSnapshot> crossing_snapshots(const CrossingEntry& entry, const CrossingGeometry& geometry,
                                                  std::uint64_t seed, const std::vector<double>& times);
 

@@ -19,7 +19,8 @@ std::string content_of(const std::filesystem::path& path) {
 
 void add(std::string& text, const ConfigNode& node, int depth);
 
-/// What the file that this value names holds, and of one in YAML the files that it names in turn. Nothing where the value names none.
+/// What the file that this value names holds, and of one in YAML the files that it names in turn. Nothing
+/// where the value names none.
 void add_file(std::string& text, const ConfigNode& node, int depth) {
   if (node.scalar.empty() || depth >= kDeepest) return;
   const std::filesystem::path path = resolve_path(node.where, node.scalar);

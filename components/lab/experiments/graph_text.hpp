@@ -7,8 +7,9 @@
 
 namespace bw {
 
-/// The file, and components, parameters and shared sections as they are after all overrides, with the content of the files that they name (maps and
-/// their pictures, tables). Not where they were written, so that a project that was moved is the same one.
+/// The file, and components, parameters and shared sections as they are after all overrides, with the content
+/// of the files that they name (maps and their pictures, tables). Not where they were written, so that a
+/// project that was moved is the same one.
 std::string text_of(const Graph& graph);
 
 }  // namespace bw

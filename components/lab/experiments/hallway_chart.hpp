@@ -1,5 +1,5 @@
-// The figures of E6: the source's Figures 3.9 and 3.12, and the largest collision index of every drive. Without pictures where there is
-// nothing to show.
+// The figures of E6: the source's Figures 3.9 and 3.12, and the largest collision index of every drive.
+// Without pictures where there is nothing to show.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace bw {
 
-/// The collision index along the drives of an episode whose course was kept; by ideal senses, people who react.
+/// The collision index along the drives of an episode whose course was kept; by ideal senses, people who
+/// react.
 report::Figure hallway_courses_figure(const std::vector<HallwayDrive>& drives, const std::string& episode,
                                       const std::string& source);
 

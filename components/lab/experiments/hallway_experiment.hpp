@@ -60,9 +60,9 @@ struct HallwayRow {
 /// In the order in which planner and setting first appear.
 std::vector<HallwayRow> hallway_rows(const std::vector<HallwayDrive>& drives);
 
-/// By ideal senses, where people react, for every episode: the median max CI of the planners in `order` does not rise from one
-/// to the next, and those after the first stay below 0.54 in at least 80 % of the seeds. Of people who do not
-/// react, and of drives by own senses, the rows are only reported.
+/// By ideal senses, where people react, for every episode: the median max CI of the planners in `order` does
+/// not rise from one to the next, and those after the first stay below 0.54 in at least 80 % of the seeds. Of
+/// people who do not react, and of drives by own senses, the rows are only reported.
 std::vector<Criterion> hallway_criteria(const std::vector<HallwayRow>& rows,
                                         const std::vector<std::string>& order);
 

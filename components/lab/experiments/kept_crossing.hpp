@@ -8,8 +8,9 @@
 
 namespace bw {
 
-/// As run_crossing(). `name` is the piece's; `program` tells programs apart. What a result has of an episode is success, collision, time,
-/// clearance, index and jerk: times of the planner belong to the machine and are not kept.
+/// As run_crossing(). `name` is the piece's; `program` tells programs apart. What a result has of an episode
+/// is success, collision, time, clearance, index and jerk: times of the planner belong to the machine and are
+/// not kept.
 CrossingResult kept_crossing(const Kept& kept, const std::string& name, const std::string& program,
                              const CrossingEntry& entry, const CrossingGeometry& geometry, int runs);
 

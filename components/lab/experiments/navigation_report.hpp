@@ -1,5 +1,6 @@
-// The integrated drives on the source's robots (book 7.5): Eddie and QBot 2e cross a hallway among people by their own senses, EKF, A* and a
-// local planner. No number is published for it: asked is the goal, without a contact.
+// The integrated drives on the source's robots (book 7.5): Eddie and QBot 2e cross a hallway among people by
+// their own senses, EKF, A* and a local planner. No number is published for it: asked is the goal, without a
+// contact.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +31,8 @@ const std::vector<NavigationPair>& navigation_pairs();
 
 inline constexpr std::int64_t kNavigationSeeds = 20;
 
-/// The hallway of E6 that is judged: three walkers. The source's pictures show one to a few people; "full", with six, is reported.
+/// The hallway of E6 that is judged: three walkers. The source's pictures show one to a few people; "full",
+/// with six, is reported.
 inline constexpr const char* kNavigationHallway = "light";
 
 /// One drive, from its score card. Lengths in metres, times in seconds.
@@ -72,7 +74,8 @@ struct NavigationRow {
 };
 std::vector<NavigationRow> navigation_rows(const NavigationResults& results);
 
-/// Each pair that is judged reaches the goal without a contact in all its drives through a hallway; with any number of seeds.
+/// Each pair that is judged reaches the goal without a contact in all its drives through a hallway; with any
+/// number of seeds.
 std::vector<Criterion> navigation_criteria(const NavigationResults& results, const std::string& hallway);
 std::vector<PublishedValue> published_values(const NavigationResults& results);
 

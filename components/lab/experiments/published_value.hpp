@@ -1,4 +1,5 @@
-// A published value beside what is measured here: the one form in which every experiment tells it, for the page of all.
+// A published value beside what is measured here: the one form in which every experiment tells it, for the
+// page of all.
 #pragma once
 
 #include <string>
@@ -39,7 +40,8 @@ struct PublishedValue {
 /// {mean, low, high, seeds}
 nlohmann::ordered_json spread_json(const Spread& spread);
 
-/// [{source, what, unit, published, here: {mean, low, high, seeds}, others: [{name, mean, low, high, seeds}]}]
+/// [{source, what, unit, published, here: {mean, low, high, seeds}, others: [{name, mean, low, high,
+/// seeds}]}]
 nlohmann::ordered_json published_json(const std::vector<PublishedValue>& values);
 
 }  // namespace bw

@@ -11,7 +11,8 @@
 
 namespace bw {
 
-/// Figure 2.3. Beside the filter "placed" the one that knows its wheels; beside the variance the mean square that the word says.
+/// Figure 2.3. Beside the filter "placed" the one that knows its wheels; beside the variance the mean square
+/// that the word says.
 std::vector<PublishedValue> published_values(const EkfReport& report);
 
 /// Table 2.1. Beside Gaussian weights the printed ones; beside the last fix wheels alone.
@@ -20,7 +21,8 @@ std::vector<PublishedValue> published_values(const PfTable& table);
 /// Table 3.2, runs that reached the goal. Beside the reading that is judged all that were run.
 std::vector<PublishedValue> published_values(const std::vector<EdwaResult>& results);
 
-/// Figures 3.7 to 3.9, 3.11 and 3.12, which print no numbers. Beside the planners' defaults their published forms.
+/// Figures 3.7 to 3.9, 3.11 and 3.12, which print no numbers. Beside the planners' defaults their published
+/// forms.
 std::vector<PublishedValue> published_values(const AnticipationResults& results);
 
 }  // namespace bw

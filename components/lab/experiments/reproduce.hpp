@@ -24,8 +24,8 @@ struct ReproduceArguments {
   int jobs = 1;  ///< all: processes at a time
 };
 
-// Each subject writes its files, prints a summary to stdout, progress to stderr, and returns whether all criteria
-// of what it judges are met; the last lines of the summary say what that is, and what was tuned.
+// Each subject writes its files, prints a summary to stdout, progress to stderr, and returns whether all
+// criteria of what it judges are met; the last lines of the summary say what that is, and what was tuned.
 
 /// E1 (Figure 2.3) and, where BANDWAGON_SHARED names recorded data, E7: results.json and index.html.
 bool reproduce_ekf(const ReproduceArguments& arguments);
@@ -43,7 +43,8 @@ bool reproduce_eteb(const ReproduceArguments& arguments);
 /// The whole system on the source's two robots (Figures 3.5 and 3.13, section 3.4).
 bool reproduce_navigation(const ReproduceArguments& arguments);
 
-/// All of them, each in a folder and a process of its own, and one page; what an earlier run finished is not done again.
+/// All of them, each in a folder and a process of its own, and one page; what an earlier run finished is not
+/// done again.
 bool reproduce_all(const ReproduceArguments& arguments);
 
 }  // namespace bw

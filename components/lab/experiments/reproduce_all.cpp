@@ -16,7 +16,8 @@
 namespace bw {
 namespace {
 
-/// CPU seconds on one core of the machine on which they were measured: for the estimate, and to begin with the longest.
+/// CPU seconds on one core of the machine on which they were measured: for the estimate, and to begin with
+/// the longest.
 struct Cost {
   const char* subject;
   double all, quick;
@@ -37,7 +38,8 @@ nlohmann::json read_results(const std::filesystem::path& folder) {
   return json.is_object() ? json : nlohmann::json();
 }
 
-/// Those that read no file, and so cannot have changed but with the program: the others are put together again from their finished drives.
+/// Those that read no file, and so cannot have changed but with the program: the others are put together
+/// again from their finished drives.
 bool is_kept(const std::string& subject, const ReproduceArguments& arguments) {
   if (subject != "pf" && subject != "edwa") return false;
   const nlohmann::json json = read_results(arguments.out / subject);

@@ -1,4 +1,5 @@
-// bandwagon reproduce pteb|eteb: E5 in process, then E6 as drives of the hallway suite, by ideal senses and by own.
+// bandwagon reproduce pteb|eteb: E5 in process, then E6 as drives of the hallway suite, by ideal senses and
+// by own.
 #include <algorithm>
 #include <iostream>
 #include <stdexcept>

@@ -56,7 +56,8 @@ DrivenJob driven_job(const nlohmann::json& piece) {
   return driven;
 }
 
-/// A drive that failed once more, the same to the byte, and recorded: few fail, so that this costs less than to record them all.
+/// A drive that failed once more, the same to the byte, and recorded: few fail, so that this costs less than
+/// to record them all.
 std::string page_of(const DriveJob& job, const Kept& kept, const std::filesystem::path& out) {
   const std::string name = file_name_of(job.title);
   const std::string page = "failed/" + name + ".html";

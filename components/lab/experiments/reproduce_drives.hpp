@@ -27,9 +27,10 @@ struct DrivenJob {
   std::string page = {};             ///< that plays the drive, beside the results; empty: none
 };
 
-/// All jobs in their order: from the folder `kept` what an earlier run has finished, the others driven now. A shard drives its part
-/// and returns nothing. Of the drives that failed the first 20 get a page in `failed`. Progress goes to stderr. Throws ConfigError
-/// before the first drive where a graph is wrong, std::runtime_error when a person interrupts.
+/// All jobs in their order: from the folder `kept` what an earlier run has finished, the others driven now. A
+/// shard drives its part and returns nothing. Of the drives that failed the first 20 get a page in `failed`.
+/// Progress goes to stderr. Throws ConfigError before the first drive where a graph is wrong,
+/// std::runtime_error when a person interrupts.
 std::vector<DrivenJob> drive_all(const std::vector<DriveJob>& jobs, const ReproduceArguments& arguments);
 
 /// The drive once more, for a figure of it; nothing where it had no goal.

@@ -1,4 +1,5 @@
-// bandwagon reproduce navigation: the hallway in lock-step by the source's robots, each through its emulated base and laser.
+// bandwagon reproduce navigation: the hallway in lock-step by the source's robots, each through its emulated
+// base and laser.
 #include <algorithm>
 #include <iostream>
 #include <numeric>

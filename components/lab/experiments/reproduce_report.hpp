@@ -31,8 +31,9 @@ nlohmann::ordered_json made_by(const ReproduceArguments& arguments);
 /// The document as DIR/index.html; a program without the page says that there is none.
 void write_page(const report::Document& page, const ReproduceArguments& arguments);
 
-/// Writes index.html, then results.json: what the subject found, and `judged`, `criteria`, `other_readings`, `published`,
-/// `tuned_to_published`, `made_by`. Prints the last lines of the summary. Returns whether all that is judged is met.
+/// Writes index.html, then results.json: what the subject found, and `judged`, `criteria`, `other_readings`,
+/// `published`, `tuned_to_published`, `made_by`. Prints the last lines of the summary. Returns whether all
+/// that is judged is met.
 bool write_report(const ReproduceReport& report, const ReproduceArguments& arguments);
 
 }  // namespace bw

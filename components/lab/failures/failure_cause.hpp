@@ -1,4 +1,5 @@
-// Why a drive failed, as far as its recording tells (book 8.10): one cause of a list, for counting and for looking on.
+// Why a drive failed, as far as its recording tells (book 8.10): one cause of a list, for counting and for
+// looking on.
 #pragma once
 
 #include <array>
@@ -33,7 +34,8 @@ const char* text_of(FailureCause cause);
 
 struct FoundCause {
   FailureCause cause = FailureCause::late;
-  /// Of the person at the contact, from where they would have been, straight on at their velocity 2 s before (when they came, if later) [m].
+  /// Of the person at the contact, from where they would have been, straight on at their velocity 2 s before
+  /// (when they came, if later) [m].
   std::optional<double> off_course;
 };
 

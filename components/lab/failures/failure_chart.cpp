@@ -103,7 +103,8 @@ class FailureDrawing {
     return box;
   }
 
-  /// Everybody at the time of the contact, and their ways of the seconds before; of who is touched also after it.
+  /// Everybody at the time of the contact, and their ways of the seconds before; of who is touched also after
+  /// it.
   void add_people() {
     const auto now = std::ranges::min_element(
         moments_, {}, [this](const RecordedMoment& moment) { return std::abs(moment.time - time_); });

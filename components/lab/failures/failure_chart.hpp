@@ -1,5 +1,5 @@
-// How a drive failed, seen from above: the seconds before the contact, in which way everybody went, until when the contact could have been
-// avoided, and the motion that a search found from there (book 8.10).
+// How a drive failed, seen from above: the seconds before the contact, in which way everybody went, until
+// when the contact could have been avoided, and the motion that a search found from there (book 8.10).
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace bw {
 
-/// `contact`: the one that is shown; without one (a drive that was late) the whole drive and its goals. Times in it are seconds since the
-/// drive began. `recording` needs a moment.
+/// `contact`: the one that is shown; without one (a drive that was late) the whole drive and its goals. Times
+/// in it are seconds since the drive began. `recording` needs a moment.
 report::Chart failure_chart(const RunRecording& recording, const std::optional<JudgedContact>& contact);
 
 }  // namespace bw

@@ -1,5 +1,6 @@
-// The drawings of the theory pages: one for each algorithm, made by that algorithm itself at a moment of a drive. They are drawn anew by
-// `bandwagon-lab figures` and compared by a test with those that the pages show (docs/figures).
+// The drawings of the theory pages: one for each algorithm, made by that algorithm itself at a moment of a
+// drive. They are drawn anew by `bandwagon-lab figures` and compared by a test with those that the pages show
+// (docs/figures).
 #pragma once
 
 #include <span>
@@ -16,7 +17,8 @@ struct Figure {
 
 std::span<const Figure> all();
 
-// From a drive in which two people cross the robot's way (components/lab/experiments/crossing_scene.hpp, seed 1).
+// From a drive in which two people cross the robot's way (components/lab/experiments/crossing_scene.hpp, seed
+// 1).
 std::string elastic_band();
 std::string homotopy_classes();
 std::string velocity_obstacle();

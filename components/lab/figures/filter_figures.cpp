@@ -26,7 +26,8 @@ const Time kBegin = Time::seconds(100.0);
 
 Time at_step(std::size_t i) { return kBegin + Duration::seconds(kPeriod * static_cast<double>(i)); }
 
-/// What wheels with `k` [m] (variance of a metre's travel) measure of one step; and `slant` [rad/m] that they do not know of.
+/// What wheels with `k` [m] (variance of a metre's travel) measure of one step; and `slant` [rad/m] that they
+/// do not know of.
 WheelStep wheel_step(std::size_t i, const Pose2& from, const Pose2& to, double k, double slant, Random& random) {
   const Pose2 by = inverse(from) * to;
   const double way = std::hypot(by.x, by.y);
@@ -45,7 +46,8 @@ std::vector<Vector2> places(const std::vector<Pose2>& poses) {
 
 }  // namespace
 
-// Wheels alone drift; a fix of 1.5 s ago arrives, is used at its own stamp, and what the wheels said since is predicted again.
+// Wheels alone drift; a fix of 1.5 s ago arrives, is used at its own stamp, and what the wheels said since is
+// predicted again.
 std::string late_measurement() {
   constexpr std::size_t kNow = 120, kMeasured = 90;
   const std::vector<Pose2> truth = way_through_room(static_cast<int>(kNow));

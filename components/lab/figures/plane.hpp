@@ -1,5 +1,5 @@
-// A drawing in the units of its subject: a window of a plane (metres, or velocities), with axes, arrows, discs and a key. The same bytes
-// for the same input.
+// A drawing in the units of its subject: a window of a plane (metres, or velocities), with axes, arrows,
+// discs and a key. The same bytes for the same input.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// The room of the drawings about sensors: walls and three pillars, as a map and as what a laser meets. Frame: map, metres.
+// The room of the drawings about sensors: walls and three pillars, as a map and as what a laser meets. Frame:
+// map, metres.
 #pragma once
 
 #include <vector>

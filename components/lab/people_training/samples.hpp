@@ -22,7 +22,8 @@ struct Collection {
   double every = 0.4;     ///< so long apart outlines are taken: neighbours are nearly alike [s]
 };
 
-/// Outlines no wider than kWidestPerson whose kind is clear, of walls a third. The same seeds give the same samples.
+/// Outlines no wider than kWidestPerson whose kind is clear, of walls a third. The same seeds give the same
+/// samples.
 std::vector<Sample> collect(const Collection& collection);
 
 }  // namespace bw::people

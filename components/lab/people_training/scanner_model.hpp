@@ -1,5 +1,5 @@
-// Scanners as they are sold, and what they make of the exact distances: noise, steps, beams that are lost, and
-// mixed pixels, where a beam meets two things at an edge and tells a place between them.
+// Scanners as they are sold, and what they make of the exact distances: noise, steps, beams that are lost,
+// and mixed pixels, where a beam meets two things at an edge and tells a place between them.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct ScannerModel {
   double step = 0.0;               ///< ranges are multiples of it [m]; 0: any
 };
 
-/// One of those sold, 360 to 1440 beams, 5 to 40 Hz, in some state; or the usual one of simulations: 720 beams
-/// over 270 degrees, 10 m, noise 0.02 m, nothing else.
+/// One of those sold, 360 to 1440 beams, 5 to 40 Hz, in some state; or the usual one of simulations: 720
+/// beams over 270 degrees, 10 m, noise 0.02 m, nothing else.
 ScannerModel draw_scanner(Random& random, bool varied);
 
 /// `exact`: a scan without noise; `on_leg`: a flag for each beam.

@@ -1,5 +1,6 @@
 // Trains the table of classifier.cpp, and reports how good it is:
-//   train_people_classifier components/people/detector/classifier_table.inc components/people/detector/classifier_report.txt
+//   train_people_classifier components/people/detector/classifier_table.inc
+//   components/people/detector/classifier_report.txt
 // Rooms of other seeds judge than train. The same program gives the same bytes.
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,8 @@
-// A report: titles, paragraphs, tables and figures in the order in which they are read, as one JSON document that the page draws (README).
+// A report: titles, paragraphs, tables and figures in the order in which they are read, as one JSON document
+// that the page draws (README).
 //
-// Texts are plain but for **bold** and [words](address); an address is a file beside the report or #id of a figure in it.
+// Texts are plain but for **bold** and [words](address); an address is a file beside the report or #id of a
+// figure in it.
 #pragma once
 
 #include <concepts>
@@ -29,7 +31,8 @@ struct Verdict {
   Tone tone = Tone::plain;
 };
 
-/// Text, a count, a figure (three significant digits are shown, or as many decimals as its column says), an interval, a verdict.
+/// Text, a count, a figure (three significant digits are shown, or as many decimals as its column says), an
+/// interval, a verdict.
 class Cell {
  public:
   Cell(std::string text) : json_(std::move(text)) {}
@@ -109,7 +112,8 @@ using Writer = std::function<void(const Document& document, const std::filesyste
 /// A text in which nothing is markup.
 std::string plain(const std::string& text);
 
-/// As the page shows a figure: with three significant digits, none after a whole number of four. What is not finite is a dash.
+/// As the page shows a figure: with three significant digits, none after a whole number of four. What is not
+/// finite is a dash.
 std::string in_digits(double value);
 
 }  // namespace bw::report

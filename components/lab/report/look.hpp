@@ -1,4 +1,5 @@
-// How the parts of a picture are told apart. Which shade a colour has, in the light and in the dark, is the page's matter.
+// How the parts of a picture are told apart. Which shade a colour has, in the light and in the dark, is the
+// page's matter.
 #pragma once
 
 #include <cstddef>

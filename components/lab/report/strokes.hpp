@@ -9,7 +9,8 @@
 
 namespace bw::report {
 
-/// How finely a chart is drawn: what it shows, a grid of some hundred steps across it, and numbers as round as that allows.
+/// How finely a chart is drawn: what it shows, a grid of some hundred steps across it, and numbers as round
+/// as that allows.
 class Canvas {
  public:
   explicit Canvas(const Chart& chart);

@@ -1,5 +1,5 @@
-// Adaptor of the laser that the robot file chooses: bytes of its cable in, scans out. With `laser: {driver: none}` scans come from
-// another program, or from the world, and this component has no ends at all.
+// Adaptor of the laser that the robot file chooses: bytes of its cable in, scans out. With `laser: {driver:
+// none}` scans come from another program, or from the world, and this component has no ends at all.
 #include <memory>
 #include <numbers>
 #include <optional>

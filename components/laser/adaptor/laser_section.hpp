@@ -30,7 +30,8 @@ struct LaserSection {
   std::optional<std::string> violated_rule() const { return scan.violated_rule(); }
 };
 
-/// Throws ConfigError for a driver that there is not, without a port, and for a frame that is none of the robot's sensors.
+/// Throws ConfigError for a driver that there is not, without a port, and for a frame that is none of the
+/// robot's sensors.
 LaserSection read_laser_section(Setup& setup, const Robot& robot);
 
 }  // namespace bw::laser

@@ -1,5 +1,5 @@
-// Finds answers among the bytes of a device: a header, then its data; a header of the scan begins the stream of nodes, which ends
-// only by restart().
+// Finds answers among the bytes of a device: a header, then its data; a header of the scan begins the stream
+// of nodes, which ends only by restart().
 #pragma once
 
 #include <cstdint>

@@ -85,8 +85,8 @@ bool NodeReader::find_step() {
   }
 }
 
-/// Fits: so many nodes in a row follow each other, over the place where step was lost and a node further. What was read in step until there
-/// breaks there again, so that nothing is read twice.
+/// Fits: so many nodes in a row follow each other, over the place where step was lost and a node further.
+/// What was read in step until there breaks there again, so that nothing is read twice.
 NodeReader::Row NodeReader::row_at(std::size_t at) const {
   const std::size_t end = std::max(at + kRow, next_ + kNodeSize);
   std::optional<Node> before;

@@ -1,5 +1,7 @@
-// The words of Slamtec's RPLIDAR protocol: requests to the device, the headers of its answers, and what the short answers hold.
-// All numbers on the wire are little endian. Source: the public headers of Slamtec's SDK (sl_lidar_cmd.h, sl_lidar_protocol.h).
+// The words of Slamtec's RPLIDAR protocol: requests to the device, the headers of its answers, and what the
+// short answers hold.
+// All numbers on the wire are little endian. Source: the public headers of Slamtec's SDK (sl_lidar_cmd.h,
+// sl_lidar_protocol.h).
 //
 //   request   A5 command                                        without payload
 //             A5 command size payload xor                       bit 7 of the command is set; xor of all bytes before it

@@ -1,9 +1,12 @@
-// Speaks to an RPLIDAR over its cable: stop, who are you, how are you, motor, scan; again from the start whenever the cable was
-// opened anew or the device fell silent. Never blocks and knows no clock: it is asked every few milliseconds.
+// Speaks to an RPLIDAR over its cable: stop, who are you, how are you, motor, scan; again from the start
+// whenever the cable was opened anew or the device fell silent. Never blocks and knows no clock: it is asked
+// every few milliseconds.
 //
-//   closed -> quiet (what is under way is thrown away) -> info -> health -> sample times -> scan asked for -> scanning
+//   closed -> quiet (what is under way is thrown away) -> info -> health -> sample times -> scan asked for ->
+//   scanning
 //
-// Any of info, health and scan that is not answered within 0.5 s begins from quiet; every third time with a reset of the firmware.
+// Any of info, health and scan that is not answered within 0.5 s begins from quiet; every third time with a
+// reset of the firmware.
 // Nothing turns before the device has said which one it is.
 #pragma once
 

@@ -24,8 +24,8 @@ double contact_distance(const Arc& arc, const ClearanceField& field, double marg
 /// Smallest gap [m] over the first `horizon` seconds, at least as good as tests every `step` [s].
 double smallest_gap(const Arc& arc, const ClearanceField& field, double horizon, double step);
 
-/// The same for movers where they are predicted to be, tested every `step` [s]; possible people are as small as their
-/// presence is (book 7.10).
+/// The same for movers where they are predicted to be, tested every `step` [s]; possible people are as small
+/// as their presence is (book 7.10).
 double smallest_gap(const Arc& arc, const std::vector<Mover>& movers, double robot_radius, double horizon,
                     double step);
 

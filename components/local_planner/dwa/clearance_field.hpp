@@ -10,8 +10,8 @@ namespace bw::dwa {
 
 class ClearanceField {
  public:
-  /// Obstacles and confirmed movers (where they are now; book 7.10) whose gap to a robot disc of `robot_radius` [m] at `center` is
-  /// less than `reach` [m].
+  /// Obstacles and confirmed movers (where they are now; book 7.10) whose gap to a robot disc of
+  /// `robot_radius` [m] at `center` is less than `reach` [m].
   ClearanceField(const StaticObstacles& obstacles, const std::vector<Mover>& movers, const Vector2& center,
                  double robot_radius, double reach);
 

@@ -9,7 +9,8 @@ namespace bw::dwa {
 
 /// How far before the robot the point is that the aligning terms look at [m]: DWB's forward_point_distance.
 inline constexpr double kForwardPoint = 0.325;
-/// Gaps from here on cost nothing [m], and how fast the cost falls with the gap [1/m]: those of Nav2's inflation layer.
+/// Gaps from here on cost nothing [m], and how fast the cost falls with the gap [1/m]: those of Nav2's
+/// inflation layer.
 inline constexpr double kInflationRadius = 0.55;
 inline constexpr double kCostScaling = 3.0;
 /// What tells equals apart: the faster [s/m], and who turns as now [s/rad].

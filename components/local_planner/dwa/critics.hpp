@@ -29,8 +29,8 @@ struct Course {
 /// `plan` is not empty.
 Course course_of(const std::vector<Pose2>& plan, const PlanningProblem& problem);
 
-/// A place of the plan counts as near to the end of a roll-out only if the way driven can have led so far along it: where the plan
-/// comes back on the other side of a wall is no shortcut.
+/// A place of the plan counts as near to the end of a roll-out only if the way driven can have led so far
+/// along it: where the plan comes back on the other side of a wall is no shortcut.
 Critique critique(const RollOut& roll_out, const Course& course, const PlanningProblem& problem);
 
 /// exp(-kCostScaling gap), as costmaps are inflated; 0 from kInflationRadius on.

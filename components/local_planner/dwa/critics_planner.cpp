@@ -128,8 +128,8 @@ void CriticsPlanner::choose(const std::vector<Judged>& judged, const RollOuts& r
   }
 }
 
-/// When the command is held for longer than roll-outs last: people come from farther off than what stands there. It makes
-/// an evasive move worth trying; a stop is for later.
+/// When the command is held for longer than roll-outs last: people come from farther off than what stands
+/// there. It makes an evasive move worth trying; a stop is for later.
 double CriticsPlanner::comfort_among_walkers(const PlanningProblem& walkers, const RollOuts& roll_outs,
                                              const Twist2& held) const {
   const auto trajectory = roll_outs.trajectory(held, driving().feasibility_check_time);

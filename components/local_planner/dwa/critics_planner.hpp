@@ -1,5 +1,5 @@
-// The dynamic window approach as DWB's users know it (book 5.9): samples are judged by the plan, the real footprint, and in EDWA by
-// HRVO while people matter.
+// The dynamic window approach as DWB's users know it (book 5.9): samples are judged by the plan, the real
+// footprint, and in EDWA by HRVO while people matter.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,11 @@
 
 namespace bw::dwa {
 
-/// Each call: the velocities in reach, of those the ones that can brake before the footprint touches anything, of those the
-/// cheapest (critics.hpp) from which it can brake clear of where people will be. Where the plan leads off by more than
-/// rotate_threshold: a turn on the spot. If none is admissible: as every planner, an evasive move or a stop, status infeasible; a robot
-/// that stands long backs off. Remembers which way it turns and how long it stands.
+/// Each call: the velocities in reach, of those the ones that can brake before the footprint touches
+/// anything, of those the cheapest (critics.hpp) from which it can brake clear of where people will be. Where
+/// the plan leads off by more than rotate_threshold: a turn on the spot. If none is admissible: as every
+/// planner, an evasive move or a stop, status infeasible; a robot that stands long backs off. Remembers which
+/// way it turns and how long it stands.
 class CriticsPlanner final : public CheckedPlanner {
  public:
   /// With options of EDWA it is EDWA.

@@ -49,7 +49,8 @@ struct DwaOptions {
   bool check_movers = true;
   bool predict_movers = false;
 
-  // What tells the published forms apart is set by code, where their tables are made; the defaults are what drives best.
+  // What tells the published forms apart is set by code, where their tables are made; the defaults are what
+  // drives best.
   ScoreWeights weights;
   Normalisation normalisation = Normalisation::scale;
   bool teaching_sample = false;  ///< the MATLAB sample that Table 3.1's constants come from: gap of the end pose

@@ -1,5 +1,5 @@
-// Where the heading and velocity terms of the objective (3.1) come from: the point aimed at (DWA, book 5.2), or
-// the velocity that HRVO advises (EDWA, book 5.4). All else is one dynamic window approach.
+// Where the heading and velocity terms of the objective (3.1) come from: the point aimed at (DWA, book 5.2),
+// or the velocity that HRVO advises (EDWA, book 5.4). All else is one dynamic window approach.
 #pragma once
 
 #include <functional>
@@ -23,8 +23,8 @@ struct Guidance {
 /// For a sound problem with a plan and the point of the plan that is aimed at.
 using HeadingSource = std::function<Guidance(const PlanningProblem& problem, const Vector2& aim)>;
 
-/// DWA: towards the aim from where the sample ends (3.2), and fast. The nearer to the aim a sample ends, the less
-/// its bearing from there says: within the arrival tolerance it fades out.
+/// DWA: towards the aim from where the sample ends (3.2), and fast. The nearer to the aim a sample ends, the
+/// less its bearing from there says: within the arrival tolerance it fades out.
 HeadingSource towards_aim(const DrivingOptions& driving);
 
 /// EDWA: towards the direction of HRVO's velocity, at its speed (D5, D6); as DWA when HRVO has no direction.

@@ -1,4 +1,5 @@
-// What EDWA adds to the critics while people matter (book 5.9): the direction and the speed that HRVO advises.
+// What EDWA adds to the critics while people matter (book 5.9): the direction and the speed that HRVO
+// advises.
 #pragma once
 
 #include <optional>
@@ -10,8 +11,8 @@
 
 namespace bw::dwa {
 
-/// Could the robot, driving anywhere at v_max, meet somebody who walks within `horizon` [s]? Confirmed movers alone; who stands is
-/// in the way as any obstacle is.
+/// Could the robot, driving anywhere at v_max, meet somebody who walks within `horizon` [s]? Confirmed movers
+/// alone; who stands is in the way as any obstacle is.
 bool somebody_within(const PlanningProblem& problem, double horizon);
 
 class HrvoGuide {
@@ -20,8 +21,8 @@ class HrvoGuide {
 
   /// HRVO has a direction: it leads.
   bool has_direction() const;
-  /// heading_scale times the angle [rad] between that direction and the heading after kHeadingTime, and advised_speed_scale times
-  /// the difference of the speeds [m/s].
+  /// heading_scale times the angle [rad] between that direction and the heading after kHeadingTime, and
+  /// advised_speed_scale times the difference of the speeds [m/s].
   double cost(const RollOut& roll_out) const;
   const hrvo::Advice& advice() const { return advice_; }
 

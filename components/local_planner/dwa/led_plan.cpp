@@ -54,7 +54,8 @@ class Obstacles {
   CapsuleIndex index_;
 };
 
-// Cells around the straight way from the robot to the place where the plan is joined again, along it and across.
+// Cells around the straight way from the robot to the place where the plan is joined again, along it and
+// across.
 class Grid {
  public:
   Grid(const Vector2& robot, const Vector2& target, const Obstacles& obstacles, double needed)
@@ -72,7 +73,8 @@ class Grid {
     }
   }
 
-  /// From the robot to the target; nothing when no way leads there. Among equals the one nearer to the straight way.
+  /// From the robot to the target; nothing when no way leads there. Among equals the one nearer to the
+  /// straight way.
   std::optional<std::vector<Vector2>> way() const {
     const std::vector<int> left = ways_to_target();
     int at = cell(0, 0);

@@ -28,8 +28,9 @@ struct RollOut {
   bool meets = false;     ///< it ends before a contact
 };
 
-/// Roll-outs from the pose and velocity of one problem, which must outlive it. v and omega approach the velocity that is held at
-/// acc_max and alpha_max. No point of the footprint moves more than 5 cm between two looks.
+/// Roll-outs from the pose and velocity of one problem, which must outlive it. v and omega approach the
+/// velocity that is held at acc_max and alpha_max. No point of the footprint moves more than 5 cm between two
+/// looks.
 class RollOuts {
  public:
   RollOuts(const PlanningProblem& problem, const RollOutRules& rules);
@@ -41,8 +42,8 @@ class RollOuts {
   std::vector<TrajectoryPoint> trajectory(const Twist2& held, double time) const;
   /// Here and now [m]; at most the reach.
   double gap_now() const { return gap_now_; }
-  /// What counts as contact [m]: the margin, or less where the robot is nearer already; negative where something is said to stand
-  /// in it, as a post that is taken for somebody wider: it may leave.
+  /// What counts as contact [m]: the margin, or less where the robot is nearer already; negative where
+  /// something is said to stand in it, as a post that is taken for somebody wider: it may leave.
   double margin() const { return margin_; }
 
  private:

@@ -1,4 +1,5 @@
-// A robot that stands although it has not arrived, because it can neither drive on nor turn: it backs off a little.
+// A robot that stands although it has not arrived, because it can neither drive on nor turn: it backs off a
+// little.
 #pragma once
 
 #include <optional>
@@ -7,11 +8,12 @@
 
 namespace bw::dwa {
 
-/// Backs off 0.3 m, straight and slowly (../back_off), when nothing else than standing has been found for 2 s and nobody walks within
-/// 2 m, as far as there is room behind.
+/// Backs off 0.3 m, straight and slowly (../back_off), when nothing else than standing has been found for 2 s
+/// and nobody walks within 2 m, as far as there is room behind.
 class StuckRecovery {
  public:
-  /// Puts the command to back off into `result`, what was planned for `problem`, while that is the thing to do.
+  /// Puts the command to back off into `result`, what was planned for `problem`, while that is the thing to
+  /// do.
   void apply(const PlanningProblem& problem, PlanningResult& result);
   void forget() { *this = {}; }
 

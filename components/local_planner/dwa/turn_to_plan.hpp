@@ -20,8 +20,8 @@ class TurnToPlan {
   double side_ = 0.0;  // that it turns to: 1 left, -1 right, 0 not at all
 };
 
-/// What a turn on the spot costs: [rad] between the angle that is wanted and where it comes to rest when `held` is held until a
-/// later command takes effect, and stopped then.
+/// What a turn on the spot costs: [rad] between the angle that is wanted and where it comes to rest when
+/// `held` is held until a later command takes effect, and stopped then.
 double turn_left_over(const Twist2& held, double angle, const PlanningProblem& problem);
 
 }  // namespace bw::dwa

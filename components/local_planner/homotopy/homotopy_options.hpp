@@ -42,11 +42,12 @@ constexpr auto choice_table(MoverTopology) {
 
 /// Difference of H-signatures from which classes differ.
 inline constexpr double kHSignatureThreshold = 0.1;
-/// Cosine between goal and a place beside an obstacle below which it is no vertex, and between goal and edge above which the edge
-/// goes forward.
+/// Cosine between goal and a place beside an obstacle below which it is no vertex, and between goal and edge
+/// above which the edge goes forward.
 inline constexpr double kVertexHeading = 0.1;
 inline constexpr double kEdgeHeading = 0.45;
-/// Random vertices that method roadmap draws, and the width of the strip around the line to the goal that is explored [m].
+/// Random vertices that method roadmap draws, and the width of the strip around the line to the goal that is
+/// explored [m].
 inline constexpr int kRoadmapVertices = 15;
 inline constexpr double kAreaWidth = 6.0;
 

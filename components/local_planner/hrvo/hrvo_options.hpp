@@ -47,9 +47,11 @@ struct HrvoOptions {
   }
 };
 
-/// Obstacle points closer than this to a nearer one are left out, at most the radius they get [m]: three in a robot's width.
+/// Obstacle points closer than this to a nearer one are left out, at most the radius they get [m]: three in a
+/// robot's width.
 inline constexpr double kPointSpacing = 0.3;
-/// In this time an overlap with a neighbour is left; within it of the goal at v_max the robot slows down: a planning cycle [s].
+/// In this time an overlap with a neighbour is left; within it of the goal at v_max the robot slows down: a
+/// planning cycle [s].
 inline constexpr double kTimeStep = 0.25;
 
 }  // namespace bw::hrvo

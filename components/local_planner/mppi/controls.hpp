@@ -1,4 +1,5 @@
-// The sequence of velocities that MPPI improves from cycle to cycle: kept within limits, smoothed, shifted in time.
+// The sequence of velocities that MPPI improves from cycle to cycle: kept within limits, smoothed, shifted in
+// time.
 #pragma once
 
 #include <array>
@@ -18,13 +19,14 @@ class Controls {
   void reset(Eigen::Index steps);
 
   Eigen::Index steps() const { return v.size(); }
-  /// At `steps` times dt from now: linear between them; before the four steps and after the last one the nearest.
+  /// At `steps` times dt from now: linear between them; before the four steps and after the last one the
+  /// nearest.
   Twist2 at(double steps) const;
 
   /// Into the limits, and no faster changes than dt [s] allows.
   void limit(const Limits& limits, double dt);
-  /// Savitzky-Golay: each one becomes what the parabola nearest to it and four on either side has there. Beyond the end the last
-  /// one goes on; that itself stays. Nothing with fewer than 21 steps.
+  /// Savitzky-Golay: each one becomes what the parabola nearest to it and four on either side has there.
+  /// Beyond the end the last one goes on; that itself stays. Nothing with fewer than 21 steps.
   void smooth();
   /// `steps` times dt later; the last one goes on.
   void shift(double steps);

@@ -1,5 +1,5 @@
-// What it costs to be at a place: the inflated costmap that Nav2's critic looks into, made anew from the shapes of a problem in
-// each cycle.
+// What it costs to be at a place: the inflated costmap that Nav2's critic looks into, made anew from the
+// shapes of a problem in each cycle.
 #pragma once
 
 #include <vector>
@@ -15,14 +15,16 @@ namespace bw::mppi {
 inline constexpr double kInscribed = 253.0;    ///< from here on the robot touches
 inline constexpr double kMaxWithout = 252.0;  ///< just before that
 
-/// By the distance between the middle of the robot and the nearest obstacle: 253 up to the robot's radius, beyond it
-/// 252 exp(-cost_scaling_factor (distance - radius)), 0 from the inflation radius on. Not rounded to whole numbers.
+/// By the distance between the middle of the robot and the nearest obstacle: 253 up to the robot's radius,
+/// beyond it 252 exp(-cost_scaling_factor (distance - radius)), 0 from the inflation radius on. Not rounded
+/// to whole numbers.
 double inflated_cost(double distance, double robot_radius, const InflationOptions& options);
 
 /// A square of cells around the robot, aligned with base_link, so that a scene seen otherwise costs the same.
 class Costmap {
  public:
-  /// Static obstacles and, if `movers`, confirmed movers where they are now (book 7.10), up to `reach` [m] from the robot.
+  /// Static obstacles and, if `movers`, confirmed movers where they are now (book 7.10), up to `reach` [m]
+  /// from the robot.
   /// Cells are larger than asked for where there were more than 241 x 241 of them.
   Costmap(const PlanningProblem& problem, const InflationOptions& options, double reach, bool movers);
 
@@ -49,7 +51,8 @@ class PredictedCosts {
                  double horizon);
 
   bool empty() const { return movers_.empty(); }
-  /// For places in base_link at `time` [s] from now: `costs` becomes the larger of what it was and what movers cost there.
+  /// For places in base_link at `time` [s] from now: `costs` becomes the larger of what it was and what
+  /// movers cost there.
   void raise(Eigen::Ref<const Eigen::ArrayXd> x, Eigen::Ref<const Eigen::ArrayXd> y, double time,
              Eigen::ArrayXd& costs) const;
 

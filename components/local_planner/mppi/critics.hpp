@@ -1,5 +1,5 @@
-// What each sampled motion costs: the critics of Nav2's parameter file (book 5.8), one function each. All of them add to `costs`,
-// one for each sample. Poses are in base_link of now.
+// What each sampled motion costs: the critics of Nav2's parameter file (book 5.8), one function each. All of
+// them add to `costs`, one for each sample. Poses are in base_link of now.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,7 +28,8 @@ struct CriticScene {
 void add_constraint_cost(const ConstraintOptions& options, const CriticScene& scene, const Rollouts& motions,
                          Eigen::ArrayXd& costs);
 
-/// weight / 254 times the mean cost of the poses in the costmap; kCollisionCost for a motion that touches something.
+/// weight / 254 times the mean cost of the poses in the costmap; kCollisionCost for a motion that touches
+/// something.
 /// Returns how many do not.
 Eigen::Index add_cost_cost(const CostOptions& options, const CriticScene& scene, const Rollouts& motions,
                            Eigen::ArrayXd& costs);
@@ -41,12 +42,13 @@ void add_goal_cost(const GoalOptions& options, const CriticScene& scene, const R
 void add_goal_angle_cost(const GoalAngleOptions& options, const CriticScene& scene, const Rollouts& motions,
                          Eigen::ArrayXd& costs);
 
-/// weight times the mean distance [m] to the point of the plan that is as far along it as the pose is along its motion; points
-/// that are taken do not count.
+/// weight times the mean distance [m] to the point of the plan that is as far along it as the pose is along
+/// its motion; points that are taken do not count.
 void add_path_align_cost(const PathAlignOptions& options, const CriticScene& scene, const Rollouts& motions,
                          Eigen::ArrayXd& costs);
 
-/// weight times the distance [m] from the end of the motion to the first free point of the plan beyond the furthest.
+/// weight times the distance [m] from the end of the motion to the first free point of the plan beyond the
+/// furthest.
 void add_path_follow_cost(const PathFollowOptions& options, const CriticScene& scene, const Rollouts& motions,
                           Eigen::ArrayXd& costs);
 

@@ -17,7 +17,8 @@ struct LocalPath {
   Eigen::Index size() const { return x.size(); }
 };
 
-/// As dense as the plans of Nav2's planners on their costmaps, 0.05 m, or 400 points for a longer stretch. `plan` is not empty.
+/// As dense as the plans of Nav2's planners on their costmaps, 0.05 m, or 400 points for a longer stretch.
+/// `plan` is not empty.
 LocalPath local_path(const std::vector<Pose2>& plan, const Pose2& robot, double length,
                      const Costmap& costmap);
 

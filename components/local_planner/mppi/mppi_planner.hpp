@@ -8,9 +8,9 @@
 
 namespace bw::mppi {
 
-/// Each call: the motion of the last one, shifted by the control period, improved by one round of samples; its velocity at
-/// command_lead, as far as that can be reached. When every sample collides: a stop, status infeasible, or, with check_motion,
-/// an evasive move. The footprint counts as a disc.
+/// Each call: the motion of the last one, shifted by the control period, improved by one round of samples;
+/// its velocity at command_lead, as far as that can be reached. When every sample collides: a stop, status
+/// infeasible, or, with check_motion, an evasive move. The footprint counts as a disc.
 class MppiPlanner final : public CheckedPlanner {
  public:
   MppiPlanner(const MppiOptions& options, const DrivingOptions& driving)

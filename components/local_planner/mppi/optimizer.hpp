@@ -1,5 +1,6 @@
-// Model predictive path integral control (Williams et al. 2017) as Nav2 has it (book 5.8): sample around the motion of the last cycle,
-// roll out, let the critics judge, and take the mean with weights that fall with the cost.
+// Model predictive path integral control (Williams et al. 2017) as Nav2 has it (book 5.8): sample around the
+// motion of the last cycle, roll out, let the critics judge, and take the mean with weights that fall with
+// the cost.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +16,8 @@ namespace bw::mppi {
 /// exp(-(cost - the smallest) / temperature), their sum 1.
 Eigen::ArrayXd softmax_weights(const Eigen::ArrayXd& costs, double temperature);
 
-/// gamma / std^2 times the sum over the steps of `mean` (`commands` - `mean`), for each sample: what it costs to leave the mean.
+/// gamma / std^2 times the sum over the steps of `mean` (`commands` - `mean`), for each sample: what it costs
+/// to leave the mean.
 void add_deviation_cost(const Eigen::ArrayXXd& commands, const Eigen::ArrayXd& mean, double gamma, double std,
                         Eigen::ArrayXd& costs);
 
@@ -32,8 +34,8 @@ class Optimizer {
     bool found = false;  ///< some sample touches nothing
     int iterations = 0;
   };
-  /// Improves controls() for a sound problem with a plan. When every sample collides: from standing again, and after the last try
-  /// not found, standing. Keeps to the budget.
+  /// Improves controls() for a sound problem with a plan. When every sample collides: from standing again,
+  /// and after the last try not found, standing. Keeps to the budget.
   Outcome improve(const PlanningProblem& problem);
 
   Controls& controls() { return controls_; }

@@ -1,5 +1,5 @@
-// What the base does with many sequences of velocities at once: all samples side by side, one column for each step, so that the
-// loops run over neighbours in memory.
+// What the base does with many sequences of velocities at once: all samples side by side, one column for each
+// step, so that the loops run over neighbours in memory.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,8 +21,8 @@ struct Rollouts {
   Eigen::Index steps() const { return x.cols(); }
 };
 
-/// From `now` on: the first step is driven at `now`, step k at command k - 1, as far as the accelerations allow. Speeds are
-/// not cut: that is the constraint critic's. Poses by exact arcs (book 2.1).
+/// From `now` on: the first step is driven at `now`, step k at command k - 1, as far as the accelerations
+/// allow. Speeds are not cut: that is the constraint critic's. Poses by exact arcs (book 2.1).
 void roll_out(Rollouts& rollouts, const Twist2& now, const Limits& limits, double dt);
 
 /// Every command but the last, which nobody drives, becomes what is driven of it.

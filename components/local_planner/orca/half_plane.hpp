@@ -1,5 +1,5 @@
-// The velocities that keep clear of one neighbour: a half plane (book 5.6; van den Berg, Guy, Lin, Manocha 2011). All in one
-// frame; positions [m], velocities [m/s].
+// The velocities that keep clear of one neighbour: a half plane (book 5.6; van den Berg, Guy, Lin, Manocha
+// 2011). All in one frame; positions [m], velocities [m/s].
 #pragma once
 
 #include "components/model/obstacles.hpp"
@@ -7,7 +7,8 @@
 
 namespace bw::orca {
 
-/// Allowed is what lies left of the line through `point` along `direction` (a unit vector), and the line itself.
+/// Allowed is what lies left of the line through `point` along `direction` (a unit vector), and the line
+/// itself.
 struct HalfPlane {
   Vector2 point{0.0, 0.0};
   Vector2 direction{1.0, 0.0};
@@ -25,14 +26,15 @@ struct MovingDisc {
   double radius = 0.0;         ///< of both together, above 0
 };
 
-/// The velocities that do not touch `other` within `horizon` [s], if the two make the change that this takes together: `share` of it
-/// is that of the one who decides, whose velocity is `own` (0.5: both act by this rule; 1: the other does nothing). When they overlap,
-/// those that end it within `time_step` [s].
+/// The velocities that do not touch `other` within `horizon` [s], if the two make the change that this takes
+/// together: `share` of it is that of the one who decides, whose velocity is `own` (0.5: both act by this
+/// rule; 1: the other does nothing). When they overlap, those that end it within `time_step` [s].
 HalfPlane clear_of(const MovingDisc& other, const Vector2& own, double share, double horizon,
                    double time_step);
 
-/// The same for a wall, given from where the one who decides is, that nothing comes nearer to than `radius` (above 0), all of the change
-/// their own. Standing is always allowed. Nearer than `radius` already, those that do not approach its nearest point.
+/// The same for a wall, given from where the one who decides is, that nothing comes nearer to than `radius`
+/// (above 0), all of the change their own. Standing is always allowed. Nearer than `radius` already, those
+/// that do not approach its nearest point.
 HalfPlane clear_of(const Segment& wall, double radius, const Vector2& own, double horizon);
 
 }  // namespace bw::orca

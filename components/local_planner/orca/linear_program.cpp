@@ -61,8 +61,8 @@ Progress within_all(HalfPlanes half_planes, double v_max, const Aim& aim) {
   return progress;
 }
 
-// Where `other` is violated no more than `line`: `line` is the one with the greatest violation there. Nothing when both are the same but
-// for their place.
+// Where `other` is violated no more than `line`: `line` is the one with the greatest violation there. Nothing
+// when both are the same but for their place.
 std::optional<HalfPlane> no_worse_than(const HalfPlane& line, const HalfPlane& other) {
   const double sine = cross(line.direction, other.direction);
   HalfPlane border;
@@ -76,8 +76,8 @@ std::optional<HalfPlane> no_worse_than(const HalfPlane& line, const HalfPlane& o
   return border;
 }
 
-// From a velocity within the half planes before `failed_at`: the greatest violation grows half plane by half plane, each time as little as
-// can be.
+// From a velocity within the half planes before `failed_at`: the greatest violation grows half plane by half
+// plane, each time as little as can be.
 Vector2 least_violation(HalfPlanes half_planes, std::size_t walls, const Progress& progress, double v_max) {
   Vector2 velocity = progress.velocity;
   double greatest = 0.0;

@@ -1,5 +1,5 @@
-// Optimal reciprocal collision avoidance (book 5.6; van den Berg, Guy, Lin, Manocha 2011): the velocity of one disc among moving discs and
-// walls. All in one frame; SI units.
+// Optimal reciprocal collision avoidance (book 5.6; van den Berg, Guy, Lin, Manocha 2011): the velocity of
+// one disc among moving discs and walls. All in one frame; SI units.
 #pragma once
 
 #include <cstdint>
@@ -47,8 +47,8 @@ struct Advice {
   std::vector<HalfPlane> half_planes;  ///< of the walls, then of the neighbours, each nearest first
 };
 
-/// The neighbours' half planes may be violated when there is no other way, those of the walls never. The order of `neighbours` and `walls`
-/// does not matter.
+/// The neighbours' half planes may be violated when there is no other way, those of the walls never. The
+/// order of `neighbours` and `walls` does not matter.
 Advice advise(const Agent& agent, const std::vector<Neighbour>& neighbours, const std::vector<Wall>& walls,
               const Rule& rule);
 

@@ -1,5 +1,5 @@
-// Local planner `orca`: the velocity of optimal reciprocal collision avoidance (book 5.6), followed by a base that has to turn. A peer from
-// outside, beside `hrvo`.
+// Local planner `orca`: the velocity of optimal reciprocal collision avoidance (book 5.6), followed by a base
+// that has to turn. A peer from outside, beside `hrvo`.
 #pragma once
 
 #include "components/local_planner/checked_planner.hpp"
@@ -8,7 +8,8 @@
 
 namespace bw::orca {
 
-/// Each call: the advised velocity towards the point of the plan `lookahead` ahead, driven by track_velocity. Remembers nothing.
+/// Each call: the advised velocity towards the point of the plan `lookahead` ahead, driven by track_velocity.
+/// Remembers nothing.
 class OrcaPlanner final : public CheckedPlanner {
  public:
   OrcaPlanner(const OrcaOptions& options, const DrivingOptions& driving)

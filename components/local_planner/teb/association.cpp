@@ -22,9 +22,9 @@ struct Near {
   ClearanceTerm term;
 };
 
-// The nearest terms, of each kind in places of their own: possible people take none from the confirmed, movers none
-// from walls. Equal distances keep their order, so that equal input gives equal output. Returns how many that cost
-// something were left out.
+// The nearest terms, of each kind in places of their own: possible people take none from the confirmed,
+// movers none from walls. Equal distances keep their order, so that equal input gives equal output. Returns
+// how many that cost something were left out.
 std::size_t keep_nearest(std::vector<Near>& near, std::size_t count, std::vector<ClearanceTerm>& terms) {
   std::stable_sort(near.begin(), near.end(),
                    [](const Near& l, const Near& r) { return l.distance < r.distance; });

@@ -18,10 +18,10 @@ struct PoseTerms {
       0;  ///< obstacles that cost something here and found no place (max_obstacles_per_pose)
 };
 
-/// Of all obstacles of the field those nearest to each pose: max_obstacles_per_pose static ones, as many movers where
-/// they are at the pose's time, and as many possible people; again as many between poses where obstacle and robot move
-/// relative to each other by more than clearance_step. Result k belongs to pose k. Takes a time that does not grow with
-/// what is far from the band.
+/// Of all obstacles of the field those nearest to each pose: max_obstacles_per_pose static ones, as many
+/// movers where they are at the pose's time, and as many possible people; again as many between poses where
+/// obstacle and robot move relative to each other by more than clearance_step. Result k belongs to pose k.
+/// Takes a time that does not grow with what is far from the band.
 std::vector<PoseTerms> associate(const Band& band, const ObstacleField& field, const BandOptions& options);
 
 }  // namespace bw::teb

@@ -36,8 +36,8 @@ struct Band {
 /// Point at fraction s in [0, 1] of the arc from a to b (of the line, if they do not lie on one arc).
 Pose2 interpolate(const Pose2& a, const Pose2& b, double s);
 
-/// Where a clearance term looks at the robot: at share `fraction` of the way from `a` to `b`, states (x, y, theta, ...),
-/// place and heading taken apart.
+/// Where a clearance term looks at the robot: at share `fraction` of the way from `a` to `b`, states (x, y,
+/// theta, ...), place and heading taken apart.
 inline Pose2 between(const double* a, const double* b, double fraction) {
   const double rest = 1.0 - fraction;
   return {rest * a[0] + fraction * b[0], rest * a[1] + fraction * b[1],

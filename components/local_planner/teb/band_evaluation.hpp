@@ -9,19 +9,20 @@
 
 namespace bw::teb {
 
-/// Keeps a reference to `problem`, whose clearance model may change in between. Allocates when it is made, never
-/// later.
+/// Keeps a reference to `problem`, whose clearance model may change in between. Allocates when it is made,
+/// never later.
 class BandEvaluation {
  public:
   explicit BandEvaluation(const BandProblem& problem);
 
-  /// The cost at these poses (as many as the problem has), which must stay until linearise(). False, and infinite,
-  /// when an interval is too short to divide by.
+  /// The cost at these poses (as many as the problem has), which must stay until linearise(). False, and
+  /// infinite, when an interval is too short to divide by.
   bool evaluate(const BandPose* poses);
   const BandCost& cost() const { return cost_; }
 
-  /// The equations at the poses last evaluated, with success. Returns the largest diagonal entry of J'J without the
-  /// obstacles, x and y of a pose taken together: the scale of the damping, in every frame the same.
+  /// The equations at the poses last evaluated, with success. Returns the largest diagonal entry of J'J
+  /// without the obstacles, x and y of a pose taken together: the scale of the damping, in every frame the
+  /// same.
   double linearise(NormalEquations& equations) const;
 
  private:

@@ -10,8 +10,9 @@
 namespace bw::teb {
 namespace {
 
-// Trust radius of a first solve = this / max diag(J'J). Four times larger, the first steps of a straight band along
-// itself go astray: 6 % (soft weights) and 14 % (defaults) more cost after 16 iterations, in the mean of 64 scenes.
+// Trust radius of a first solve = this / max diag(J'J). Four times larger, the first steps of a straight band
+// along itself go astray: 6 % (soft weights) and 14 % (defaults) more cost after 16 iterations, in the mean
+// of 64 scenes.
 constexpr double kFirstRadiusScale = 2.5e4;
 constexpr double kLargestCarriedRadius = 1e3;
 
@@ -38,7 +39,8 @@ double share_in_choice(const BandScene& scene) {
   return uncertainty.factor > 0.0 ? uncertainty.in_choice : 1.0;
 }
 
-// What unsure predictions cost the band and do not count in the choice: that much more may it cost than its rival.
+// What unsure predictions cost the band and do not count in the choice: that much more may it cost than its
+// rival.
 double cost_beyond_choice(const Band& band, BandProblem& problem, BandEvaluation& evaluation) {
   const double share = share_in_choice(problem.scene);
   if (share == 1.0 || !evaluation.evaluate(band.poses.data())) return 0.0;

@@ -21,8 +21,8 @@ struct BandScene {
 
 struct BandReport {
   bool usable = false;  ///< finite, and the solver did not fail
-  /// For the choice: sum of squared weighted residuals, without growth of the obstacle weights, and with the share
-  /// Uncertainty::in_choice of what unsure predictions cost.
+  /// For the choice: sum of squared weighted residuals, without growth of the obstacle weights, and with the
+  /// share Uncertainty::in_choice of what unsure predictions cost.
   double cost = 0.0;
   double obstacle_cost = 0.0;  ///< the part of `cost` that obstacles cause
   int iterations = 0;
@@ -40,8 +40,8 @@ struct Effort {
 };
 
 /// A band with trust_radius 0 gets the outer and inner iterations of a first plan, any other those of a warm
-/// start; one that has had some of the solves of its first plan gets the others. At most `max_iterations` solver
-/// iterations are spent.
+/// start; one that has had some of the solves of its first plan gets the others. At most `max_iterations`
+/// solver iterations are spent.
 BandReport optimize(Band& band, const BandScene& scene, const BandOptions& options, const Effort& effort);
 inline BandReport optimize(Band& band, const BandScene& scene, const BandOptions& options,
                            int max_iterations) {

@@ -73,7 +73,8 @@ constexpr auto choice_table(Solver) {
 /// Fewer poses have none that could move: start and goal stay.
 inline constexpr int kFewestPoses = 3;
 
-/// Iterations that the last solve of a first plan may take beyond its own, as long as four of them still gain 15 %.
+/// Iterations that the last solve of a first plan may take beyond its own, as long as four of them still gain
+/// 15 %.
 inline constexpr int kFirstPlanOvertime = 16;
 
 struct BandOptions {
@@ -87,8 +88,9 @@ struct BandOptions {
   // Set by code: scenes of a bench that bring rules of their own, and tests.
   double dt_hysteresis = 0.1;  ///< the band is resampled when an interval is further than this from dt_ref [s]
   int max_samples = 150;       ///< most poses; bounds the time of a cycle
-  /// Between two obstacles that leave less than min_obstacle_dist at either side of the robot, but not less than this, half of
-  /// what they leave is wanted; min_obstacle_dist: as teb_local_planner, which often waits in front of them [m].
+  /// Between two obstacles that leave less than min_obstacle_dist at either side of the robot, but not less
+  /// than this, half of what they leave is wanted; min_obstacle_dist: as teb_local_planner, which often waits
+  /// in front of them [m].
   double narrow_passage_dist = 0.03;
   double clearance_step = 0.25;    ///< motion relative to an obstacle between two clearance tests [m]
   double penalty_epsilon = 0.02;   ///< inside of every limit and distance at which its cost begins

@@ -23,13 +23,13 @@ struct SelectionOptions {
 /// One place of max_number_classes stays open for a topology that is new, or better by now.
 SelectionOptions selection_of(const homotopy::HomotopyOptions& homotopy);
 
-/// Index of the candidate to drive: free ones first, then the cheapest; the driven one as long as it is free when
-/// `since_switch` [s] is within the blocking period. At least one candidate.
+/// Index of the candidate to drive: free ones first, then the cheapest; the driven one as long as it is free
+/// when `since_switch` [s] is within the blocking period. At least one candidate.
 std::size_t select(const std::vector<BandCandidate>& candidates, const SelectionOptions& options,
                    double since_switch);
 
-/// Marks `chosen` as driven and drops what is not worth another cycle. The driven one is first; empty when no band
-/// is usable.
+/// Marks `chosen` as driven and drops what is not worth another cycle. The driven one is first; empty when no
+/// band is usable.
 std::vector<BandCandidate> worth_keeping(std::vector<BandCandidate> candidates, std::size_t chosen,
                                          const SelectionOptions& options);
 

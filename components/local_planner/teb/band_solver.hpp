@@ -1,5 +1,5 @@
-// The solvers of a band's least-squares problem: Ceres, and Levenberg's method on the band of blocks, by hand. Both see
-// the same costs and normal equations, damp every variable alike, and end at the same minimum.
+// The solvers of a band's least-squares problem: Ceres, and Levenberg's method on the band of blocks, by
+// hand. Both see the same costs and normal equations, damp every variable alike, and end at the same minimum.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@ struct SolveLimits {
   double rival = std::numeric_limits<double>::infinity();  ///< cost that another band has already
   int overtime = 0;  ///< most iterations more, as long as the cost still falls fast
 
-  /// Whether a band of this cost stays above its rival even if each of the iterations left gains as much as the last
-  /// of these did. Gains mostly fall, so that little is lost with a band that is given up then.
+  /// Whether a band of this cost stays above its rival even if each of the iterations left gains as much as
+  /// the last of these did. Gains mostly fall, so that little is lost with a band that is given up then.
   bool is_lost(double cost, double gain, int iterations) const {
     return iterations >= kFewest && cost - gain * std::max(0, max_iterations - iterations) > rival;
   }
@@ -29,7 +29,8 @@ class SolveProgress {
  public:
   SolveProgress(const SolveLimits& limits, double cost) : limits_(limits), costs_{cost} {}
 
-  /// After an iteration that led to this cost, or whose step was rejected (a gain of at most 0): whether it was the last.
+  /// After an iteration that led to this cost, or whose step was rejected (a gain of at most 0): whether it
+  /// was the last.
   bool ends(double cost, double gain);
 
  private:
@@ -43,8 +44,9 @@ struct SolveReport {
   bool converged = false;
 };
 
-/// Minimises over the free variables of the band that the evaluation was made for, and leaves it there with the damping of
-/// the last step. `evaluation` and `equations`: working space, and what they have to say at the band as it is.
+/// Minimises over the free variables of the band that the evaluation was made for, and leaves it there with
+/// the damping of the last step. `evaluation` and `equations`: working space, and what they have to say at
+/// the band as it is.
 SolveReport solve_with_ceres(Band& band, BandEvaluation& evaluation, NormalEquations& equations,
                              const SolveLimits& limits);
 SolveReport solve_banded(Band& band, BandEvaluation& evaluation, NormalEquations& equations,

@@ -10,14 +10,14 @@
 namespace bw::teb {
 namespace {
 
-// Variables of a parameter block: those of two poses. A row of R then ends with the next block, and half as many
-// blocks are kept book of as with one for each pose; with three poses the zeros among them cost more.
+// Variables of a parameter block: those of two poses. A row of R then ends with the next block, and half as
+// many blocks are kept book of as with one for each pose; with three poses the zeros among them cost more.
 constexpr std::size_t kBlock = 8;
 
-// Ceres gets the square root of the normal equations instead of the terms they are made of: R with R'R = J'J and q with
-// R'q = J'r. These are four rows a pose where the terms are a dozen and more, of the same cost, gradient and
-// Gauss-Newton step; what is left of the cost is a residual that nothing changes. All is computed at once, before
-// Ceres asks the cost functions for their rows.
+// Ceres gets the square root of the normal equations instead of the terms they are made of: R with R'R = J'J
+// and q with R'q = J'r. These are four rows a pose where the terms are a dozen and more, of the same cost,
+// gradient and Gauss-Newton step; what is left of the cost is a residual that nothing changes. All is
+// computed at once, before Ceres asks the cost functions for their rows.
 class SquareRoot final : public ceres::EvaluationCallback {
  public:
   /// Evaluation and equations are at the band as it is: the first point that Ceres asks for.

@@ -22,8 +22,8 @@ struct ClearanceTerm {
       std::numeric_limits<double>::infinity();  ///< most that is asked for [m] (narrow_passage.hpp)
 };
 
-/// Weights and distances of clearance terms; `growth` multiplies the weights in later outer iterations. Keeps a
-/// reference to the footprint.
+/// Weights and distances of clearance terms; `growth` multiplies the weights in later outer iterations. Keeps
+/// a reference to the footprint.
 struct ClearanceModel {
   ClearanceModel(const BandOptions& options, const Footprint& footprint, double growth);
 
@@ -39,8 +39,8 @@ struct ClearanceModel {
   const Footprint* footprint;
 };
 
-/// Root of the summed obstacle and inflation costs of the robot at `pose`: one residual of the same cost. gradient:
-/// by x, y and theta, or null.
+/// Root of the summed obstacle and inflation costs of the robot at `pose`: one residual of the same cost.
+/// gradient: by x, y and theta, or null.
 double evaluate_clearance(const ClearanceModel& model, const ClearanceTerm& term, const Pose2& pose,
                           Eigen::Vector3d* gradient);
 

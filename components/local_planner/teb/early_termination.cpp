@@ -8,7 +8,8 @@
 namespace bw::teb {
 namespace {
 
-// Share of the best cost so far below which the outlook of a first plan must lie for it to be finished in this cycle.
+// Share of the best cost so far below which the outlook of a first plan must lie for it to be finished in
+// this cycle.
 // Of the others those that matter go on in the next one.
 constexpr double kWorthFinishing = 0.85;
 
@@ -53,8 +54,9 @@ class EarlyTermination {
     }
   }
 
-  // What a band may come to when its first plan is finished: limits and kinematics still cost much after the first
-  // solve, and little in the end; its time stays about the same, and obstacles go only for a longer way.
+  // What a band may come to when its first plan is finished: limits and kinematics still cost much after the
+  // first solve, and little in the end; its time stays about the same, and obstacles go only for a longer
+  // way.
   double outlook(const BandCandidate& c) const {
     return options_.weights.time * options_.dt_ref * c.band.duration() + c.report.obstacle_cost;
   }

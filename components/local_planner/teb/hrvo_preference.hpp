@@ -28,8 +28,8 @@ struct PtebOptions {
 double hrvo_cost(const hrvo::Advice& advice, const std::vector<TrajectoryPoint>& trajectory,
                  const ObstacleField& field, double weight);
 
-/// hrvo_cost of every candidate against the advice for the way to the end of the plan. `weight`: delta_hrvo of
-/// (3.12), per radian.
+/// hrvo_cost of every candidate against the advice for the way to the end of the plan. `weight`: delta_hrvo
+/// of (3.12), per radian.
 ChoiceTermSource hrvo_preference(const hrvo::HrvoOptions& hrvo, double weight);
 
 }  // namespace bw::teb

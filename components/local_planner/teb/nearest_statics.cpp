@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kSameSpot = 0.05;   // [m]
 constexpr double kSamePoint = 1e-9;  // [m]
-// How wide a spot is where there are many, by how much nearer it must come to cost something: from there on what lies
-// beside it is reached on nearly the same way.
+// How wide a spot is where there are many, by how much nearer it must come to cost something: from there on
+// what lies beside it is reached on nearly the same way.
 constexpr double kSpotWidening = 1.5;
 
 // Tells apart all that differ, by the distance from the robot first: that is the same in every frame.

@@ -25,11 +25,13 @@ class NearestStatics {
   /// The searches that follow are for poses at most `aside` [m] from `way`.
   void look_along(const Segment& way, double aside);
 
-  /// The `most` nearest to the footprint at `pose`, the nearest first; of equally near ones in an order that neither
-  /// hangs on that of the input nor on the frame. Obstacles that touch the same spot of a surface (the corner of two
-  /// walls, neighbouring points) count once: together they would outweigh what stands on the other side of a gap.
-  /// Neither side of the robot takes more than half of the places while the other has something costly: one wall of a
-  /// narrow way must not crowd out the other. Where there are many, what costs nothing yet is thinned out besides, the more the further it is from costing.
+  /// The `most` nearest to the footprint at `pose`, the nearest first; of equally near ones in an order that
+  /// neither hangs on that of the input nor on the frame. Obstacles that touch the same spot of a surface
+  /// (the corner of two walls, neighbouring points) count once: together they would outweigh what stands on
+  /// the other side of a gap.
+  /// Neither side of the robot takes more than half of the places while the other has something costly: one
+  /// wall of a narrow way must not crowd out the other. Where there are many, what costs nothing yet is
+  /// thinned out besides, the more the further it is from costing.
   /// Returns in how many more spots something costly was left out (within 3.5 cm it may count as one).
   std::size_t find(const Pose2& pose, std::size_t most, std::vector<NearStatic>& found);
 

@@ -14,8 +14,8 @@ void add_scaled(double a, const double* values, double* row) {
   for (std::size_t j = 0; j < kLength; ++j) row[j] += a * values[j];
 }
 
-// row -= what the rows of `at` have in column `column`, times those rows from the block of that column on. In a copy, so
-// that the compiler knows that nothing overlaps.
+// row -= what the rows of `at` have in column `column`, times those rows from the block of that column on. In
+// a copy, so that the compiler knows that nothing overlaps.
 template <std::size_t kLength>
 void subtract_products(const BlockRow& at, std::size_t column, double* row) {
   double sum[kLength];

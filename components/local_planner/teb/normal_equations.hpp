@@ -1,5 +1,5 @@
-// The normal equations of a band, J'J x = -J'r, and their Cholesky factorisation. Terms tie at most three successive
-// poses together, so that J'J is a band of 4 x 4 blocks.
+// The normal equations of a band, J'J x = -J'r, and their Cholesky factorisation. Terms tie at most three
+// successive poses together, so that J'J is a band of 4 x 4 blocks.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace bw::teb {
 
-/// One row of blocks: rows of the four variables (x, y, theta, dt) of pose k, columns of those of poses k, k + 1 and
-/// k + 2.
+/// One row of blocks: rows of the four variables (x, y, theta, dt) of pose k, columns of those of poses k, k
+/// + 1 and k + 2.
 using BlockRow = std::array<std::array<double, 12>, 4>;
 /// Four variables of every pose.
 using BandVector = std::vector<std::array<double, 4>>;

@@ -21,8 +21,8 @@ void add_standing(const Mover& mover, const PredictionOptions& prediction, std::
   if (prediction.prediction == Prediction::doubled) add(mover.position_at(prediction.prediction_time));
 }
 
-// By the distance from the robot first, and told apart by all in which they can differ: sums over them do not hang on
-// the order given.
+// By the distance from the robot first, and told apart by all in which they can differ: sums over them do not
+// hang on the order given.
 auto order_of(const Mover& m, const Vector2& robot) {
   return std::tuple((m.position - robot).norm() - m.radius, m.position.x(), m.position.y(), m.velocity.x(),
                     m.velocity.y(), m.radius, m.confidence, m.id);

@@ -72,8 +72,8 @@ inline PredictionOptions default_eteb_prediction() {
   return {.uncertainty_factor = 1.0, .assumed_pedestrian_speed = 1.0, .uncertainty_growth = 0.1};
 }
 
-/// What people who turn towards a robot of top speed `v_max` [m/s] gain on it before it is out of their way [m]: by so
-/// much more it keeps from movers (book 6.5).
+/// What people who turn towards a robot of top speed `v_max` [m/s] gain on it before it is out of their way
+/// [m]: by so much more it keeps from movers (book 6.5).
 inline double pedestrian_lead(const PredictionOptions& options, double v_max) {
   return options.assumed_pedestrian_time * std::max(0.0, options.assumed_pedestrian_speed - v_max);
 }

@@ -36,8 +36,8 @@ struct Heading {
   Vector2 u;
 };
 
-/// Speed and turn rate of the segment from pose a to pose b, each by x, y, theta, dt of a and x, y, theta of b. False,
-/// and nothing is written, when the interval is too short to divide by.
+/// Speed and turn rate of the segment from pose a to pose b, each by x, y, theta, dt of a and x, y, theta of
+/// b. False, and nothing is written, when the interval is too short to divide by.
 struct SegmentMotion {
   static constexpr std::size_t kInputs = 7;
   struct Quantity {
@@ -50,8 +50,8 @@ struct SegmentMotion {
 };
 bool evaluate_motion(const SegmentModel& model, const Heading& a, const Heading& b, SegmentMotion& motion);
 
-/// Segment a-b with its motion and that of the next one (read only for `next_segment`). `start_twist`: body velocity at
-/// a, for the first segment of the band; else null.
+/// Segment a-b with its motion and that of the next one (read only for `next_segment`). `start_twist`: body
+/// velocity at a, for the first segment of the band; else null.
 struct SegmentStates {
   const Heading& a;
   const Heading& b;
@@ -65,8 +65,8 @@ inline constexpr std::size_t kSegmentResiduals =
     9;  ///< time, non-holonomic, forward, v, omega, a, alpha, first a, first alpha
 inline constexpr std::size_t kSegmentColumns = 12;  ///< d / d (a, b, c), c the end of the next segment
 
-/// Residuals and, of those that vary here (the penalties that act), rows of the Jacobian: `active` of them, row i of
-/// residual `of_row[i]`.
+/// Residuals and, of those that vary here (the penalties that act), rows of the Jacobian: `active` of them,
+/// row i of residual `of_row[i]`.
 struct SegmentRows {
   std::array<double, kSegmentResiduals> residuals;
   std::size_t active;

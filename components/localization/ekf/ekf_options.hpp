@@ -17,8 +17,8 @@ struct BiasOptions {
   /// [rad/s/sqrt(s)] how fast the bias wanders (set by code alone)
   double gyro_bias_walk = 1e-4;
   bool heading_offset = false;
-  /// [rad] standard deviation of the offset at the start; 3.15 for a compass whose zero points anywhere (set by
-  /// code alone)
+  /// [rad] standard deviation of the offset at the start; 3.15 for a compass whose zero points anywhere (set
+  /// by code alone)
   double heading_offset_sigma = 0.3;
   /// [rad/sqrt(s)] how fast the offset wanders (set by code alone)
   double heading_offset_walk = 0.005;

@@ -13,8 +13,8 @@
 
 namespace bw::localization {
 
-/// x, y, theta, gyro bias, heading offset, rounding of the turn that the wheels have counted; an unused one has variance
-/// zero.
+/// x, y, theta, gyro bias, heading offset, rounding of the turn that the wheels have counted; an unused one
+/// has variance zero.
 constexpr int kStates = 6;
 constexpr int kRounding = 5;
 using StateVector = Eigen::Matrix<double, kStates, 1>;

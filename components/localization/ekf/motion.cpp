@@ -64,9 +64,9 @@ struct Joint {
   double& turn_variance() { return covariance(kStates + 1, kStates + 1); }
 };
 
-// The wheels have counted the turn Theta_k + r_k, r_k rounded anew at the end of each step, so that a step measures
-// its turn as turn - r_(k-1) + r_k. With r in the state a count that has not come yet is no proof that the robot does
-// not turn, and nothing adds up over many steps.
+// The wheels have counted the turn Theta_k + r_k, r_k rounded anew at the end of each step, so that a step
+// measures its turn as turn - r_(k-1) + r_k. With r in the state a count that has not come yet is no proof
+// that the robot does not turn, and nothing adds up over many steps.
 void add_rounding(Joint& joint, const EkfState& state, const WheelStep& step, bool follows) {
   const auto before = state.P.col(kRounding).head<kRounding>();
   joint.carried = follows ? state.x(kRounding) : 0.0;

@@ -1,8 +1,9 @@
 // Wheel slip from the turn that wheels and gyro disagree about, and the way that went with it.
 //
 // Sign of slip: e <- lambda e + (turn - gyro), s <- lambda^2 s + var, T <- lambda T + dt, lambda =
-// exp(-dt / window); slip when e^2 > gate (s + T^2 var(bias) + 2 rounding) and |e| > least_rate T. One wheel that slips
-// always shows; both alike show only while turning, so that slip lasts for `hold` after its last sign.
+// exp(-dt / window); slip when e^2 > gate (s + T^2 var(bias) + 2 rounding) and |e| > least_rate T. One wheel
+// that slips always shows; both alike show only while turning, so that slip lasts for `hold` after its last
+// sign.
 //
 // The way: with E the turn that the wheels measured too much since the slip began, and b their separation,
 //   right wheel alone at fault: b/2 E too far,      left wheel alone: -b/2 E too far,

@@ -1,7 +1,8 @@
 // Are stamps on the time base of the component's clock, and when have both jumped?
 //
-// Wheel steps carry the time base: they are many, local and quick. One stamp far off is a fault of that message; steps that are refused
-// for a second by a clock that keeps to itself (runtime/base/stamp_age.hpp) are of a clock that was set.
+// Wheel steps carry the time base: they are many, local and quick. One stamp far off is a fault of that
+// message; steps that are refused for a second by a clock that keeps to itself (runtime/base/stamp_age.hpp)
+// are of a clock that was set.
 #pragma once
 
 #include "components/localization/measurements.hpp"
@@ -23,7 +24,8 @@ class StampWatch {
 
   bool in_future(Time stamp, Time now) const { return stamp > now + shift_ + tolerance_; }
 
-  /// Each wheel step; `is_refused`: for its stamp. True when the clock behind the stamps was set: their new base counts from then on.
+  /// Each wheel step; `is_refused`: for its stamp. True when the clock behind the stamps was set: their new
+  /// base counts from then on.
   bool was_set(const WheelStep& step, bool is_refused, Time now) {
     const StampAge age = clock_.add(now, step.time);
     lost_ = is_refused ? lost_ + step.over : Duration{};

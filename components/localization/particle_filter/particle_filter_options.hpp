@@ -56,8 +56,8 @@ struct ParticleMotionOptions {
   static constexpr double kStepAcross = 0.012;
   /// [rad] noise per_step: standard deviation of the heading
   static constexpr double kStepHeading = 0.0061;
-  /// [m/sqrt(s)] spread of the position that is added to any motion, since a set that rests dies out (set by code
-  /// alone)
+  /// [m/sqrt(s)] spread of the position that is added to any motion, since a set that rests dies out (set by
+  /// code alone)
   double walk = 0.005;
   /// [rad/sqrt(s)] spread of the heading that is added to any motion (set by code alone)
   double heading_walk = 0.002;
@@ -91,7 +91,8 @@ struct ParticleMotionOptions {
 };
 
 struct ResamplingOptions {
-  /// particles are drawn anew when fewer than this share count; 1: after every measurement (set by code alone)
+  /// particles are drawn anew when fewer than this share count; 1: after every measurement (set by code
+  /// alone)
   double n_eff_share = 0.5;
   /// fewest measurements between two drawings
   static constexpr int kResampleInterval = 1;
@@ -134,8 +135,8 @@ struct ParticleFilterOptions {
   MeasurementLimits limits;
   ParticleCountOptions count;
   ParticleMotionOptions motion;
-  /// gaussian: exp(-d^2/2) of the errors in standard deviations; printed: exp(-d^0.4/2), as in the dissertation;
-  /// printed_unscaled: the same of metres and radians as they are (set by code alone)
+  /// gaussian: exp(-d^2/2) of the errors in standard deviations; printed: exp(-d^0.4/2), as in the
+  /// dissertation; printed_unscaled: the same of metres and radians as they are (set by code alone)
   WeightLaw weight_law = WeightLaw::gaussian;
   ResamplingOptions resampling;
   LaserUseOptions laser;

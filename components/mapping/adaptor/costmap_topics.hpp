@@ -1,4 +1,5 @@
-// The costs around the robot on topics: one for people to look at, and with Nav2's names those that its behaviour server reads.
+// The costs around the robot on topics: one for people to look at, and with Nav2's names those that its
+// behaviour server reads.
 #pragma once
 
 #include <optional>

@@ -14,8 +14,8 @@
 
 namespace bw::costmap {
 
-/// Nothing is filled before listen(), before a usable map came, and while its frame is not connected. Lives in the component
-/// whose setup it is given.
+/// Nothing is filled before listen(), before a usable map came, and while its frame is not connected. Lives
+/// in the component whose setup it is given.
 class MapBelow {
  public:
   void listen(Setup& setup, std::shared_ptr<const TransformTree> transforms) {

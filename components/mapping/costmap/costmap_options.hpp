@@ -16,7 +16,8 @@ struct GridOptions {
   double obstacle_min_range = 0.0;
   double obstacle_max_range = 5.0;
   double raytrace_max_range = 7.0;
-  /// [m] beams clear nothing this close to their hit: three standard deviations of a range (set by code alone)
+  /// [m] beams clear nothing this close to their hit: three standard deviations of a range (set by code
+  /// alone)
   double hit_margin = 0.03;
   /// [m] hits of neighbouring beams nearer than this are one surface (set by code alone)
   double link_gap = 0.3;

@@ -38,7 +38,8 @@ class LocalGrid {
 
   void clear();  ///< forgets everything; the next sweep may have any time
 
-  /// Forgets the cells with their centre in the axis-aligned square of this edge [m] around a point in odom, or all others.
+  /// Forgets the cells with their centre in the axis-aligned square of this edge [m] around a point in odom,
+  /// or all others.
   void clear_inside(const Vector2& center, double edge) { clear_square(center, edge, true); }
   void clear_outside(const Vector2& center, double edge) { clear_square(center, edge, false); }
 

@@ -1,4 +1,5 @@
-// Adaptor: tracks of people, other robots' odometry and scans in; tracks of people and robots out. Topics: README.md.
+// Adaptor: tracks of people, other robots' odometry and scans in; tracks of people and robots out. Topics:
+// README.md.
 #include <algorithm>
 #include <memory>
 #include <string>

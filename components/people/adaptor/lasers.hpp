@@ -1,4 +1,5 @@
-// The lasers that look for people: each with its topic and a detector of its own, for what has long stood is as that one sees it.
+// The lasers that look for people: each with its topic and a detector of its own, for what has long stood is
+// as that one sees it.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// Other detectors of people (people_msgs/People: cameras, mostly) beside the lasers. One that is silent is only missing.
+// Other detectors of people (people_msgs/People: cameras, mostly) beside the lasers. One that is silent is
+// only missing.
 #pragma once
 
 #include <cstdint>

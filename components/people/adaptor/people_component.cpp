@@ -112,7 +112,8 @@ void PeopleComponent::look_at(std::size_t laser, const sensor_msgs::msg::LaserSc
     leg_markers_.publish(to_markers(detections, kMarkerLifetime, make_header(odom_frame_, detections.time)));
 }
 
-/// What others tell waits for the lasers' sweep of its time or after, if any laser sweeps; else it goes out by itself.
+/// What others tell waits for the lasers' sweep of its time or after, if any laser sweeps; else it goes out
+/// by itself.
 void PeopleComponent::hear() {
   const bool is_alone = lasers_.all_silent(now_);
   const Time latest = now_ + Duration::seconds(1.0);

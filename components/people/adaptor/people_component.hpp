@@ -1,4 +1,5 @@
-// Adaptor: scans, odometry and what other detectors tell in; tracked people with predictions out. Topics: README.md.
+// Adaptor: scans, odometry and what other detectors tell in; tracked people with predictions out. Topics:
+// README.md.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,5 @@
-// Adaptor: people whom another program sees (people_msgs/People) in; tracks with predictions out. In place of the own detector.
+// Adaptor: people whom another program sees (people_msgs/People) in; tracks with predictions out. In place of
+// the own detector.
 #include <memory>
 #include <optional>
 #include <string>

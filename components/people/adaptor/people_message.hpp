@@ -15,8 +15,8 @@ struct ReadPeople {
   HeardSet heard;     ///< in `odom_frame`
 };
 
-/// A stamp farther than `timeout` [s] from now, none, and a frame that nobody places are faults. The frame is taken as of the stamp, or
-/// as it was last where that is not known.
+/// A stamp farther than `timeout` [s] from now, none, and a frame that nobody places are faults. The frame is
+/// taken as of the stamp, or as it was last where that is not known.
 ReadPeople read_people(const people_msgs::msg::People& message, Time now, double timeout,
                        const std::string& odom_frame, const TransformTree& transforms);
 

@@ -1,5 +1,5 @@
-// Sweeps of several lasers in the order of their stamps. They come as their drivers and the network have it: one waits for the odometry
-// of its time, and for an earlier one of another laser that is due.
+// Sweeps of several lasers in the order of their stamps. They come as their drivers and the network have it:
+// one waits for the odometry of its time, and for an earlier one of another laser that is due.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@ class ScanOrder {
     return has_room;
   }
 
-  /// Hands scans over, the earliest first, for as long as use(laser, scan) is true; false: what it needs may still come. Others do not
-  /// wait for ever for a laser whose stamps nothing comes for.
+  /// Hands scans over, the earliest first, for as long as use(laser, scan) is true; false: what it needs may
+  /// still come. Others do not wait for ever for a laser whose stamps nothing comes for.
   template <class Use>
   void hand_over(Time now, Use use) {
     for (Laser& laser : lasers_) laser.is_stuck = false;
@@ -84,7 +84,8 @@ class ScanOrder {
     return best;
   }
 
-  /// A laser of which nothing waits, and whose next sweep may be no later than this one: 0.8 periods after its last.
+  /// A laser of which nothing waits, and whose next sweep may be no later than this one: 0.8 periods after
+  /// its last.
   bool is_another_due(const Waiting& next, Time now) const {
     if (now - next.received >= kPatience) return false;
     for (const Laser& laser : lasers_) {

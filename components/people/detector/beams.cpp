@@ -18,7 +18,8 @@ SweepFault fault_for_people(const LaserSweep& sweep) {
 
 namespace {
 
-/// Where each beam looked, when the scanner moved meanwhile: the directions are then as even as the turning was.
+/// Where each beam looked, when the scanner moved meanwhile: the directions are then as even as the turning
+/// was.
 void place_moving(const LaserSweep& sweep, Beams& beams) {
   const bool backwards = sweep.angle_increment < 0.0;
   const std::size_t count = sweep.ranges.size();

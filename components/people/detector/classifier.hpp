@@ -31,9 +31,10 @@ struct DecisionTree {
   }
 };
 
-/// Which share of outlines that look like this one is human, where as many human outlines are about as others. So
-/// leg + body, at most 1, is the probability of a human where nothing is known, and its log odds are what the look
-/// adds to what is known. Looks at one thing a short time apart say nearly the same: they must not all be added.
+/// Which share of outlines that look like this one is human, where as many human outlines are about as
+/// others. So leg + body, at most 1, is the probability of a human where nothing is known, and its log odds
+/// are what the look adds to what is known. Looks at one thing a short time apart say nearly the same: they
+/// must not all be added.
 struct HumanScores {
   double leg = 0.0;   ///< of one leg
   double body = 0.0;  ///< of two legs of one person in one outline

@@ -1,5 +1,5 @@
-// What the outline of a cluster looks like, in numbers: after Arras, Martinez Mozos and Burgard, ICRA 2007; and
-// what stands about it.
+// What the outline of a cluster looks like, in numbers: after Arras, Martinez Mozos and Burgard, ICRA 2007;
+// and what stands about it.
 #pragma once
 
 #include <array>

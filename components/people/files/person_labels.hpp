@@ -28,9 +28,9 @@ struct PersonLabels {
   std::vector<PersonLabel> rows;
 };
 
-/// The first line names the columns, in any order: `time` (since the first scan) or `stamp` [s]; `id`, a whole number
-/// from 1; `x`, `y` [m]; `frame`; and, if some are hidden, `visible`, 0 or 1. Times do not fall, and nobody is labelled
-/// twice at one. Throws std::runtime_error naming file, line, column and rule.
+/// The first line names the columns, in any order: `time` (since the first scan) or `stamp` [s]; `id`, a
+/// whole number from 1; `x`, `y` [m]; `frame`; and, if some are hidden, `visible`, 0 or 1. Times do not fall,
+/// and nobody is labelled twice at one. Throws std::runtime_error naming file, line, column and rule.
 PersonLabels read_person_labels(std::istream& input, const std::string& file);
 PersonLabels read_person_labels(const std::string& file);
 

@@ -22,9 +22,11 @@ struct PredictionOptions {
   PredictionModel model = PredictionModel::constant_velocity;
   double horizon = 4.0;
   double step = 0.5;
-  /// [m^2/s^3] white acceleration along the way that people may show against the prediction (set by code alone)
+  /// [m^2/s^3] white acceleration along the way that people may show against the prediction (set by code
+  /// alone)
   double spread_along = 0.0;
-  /// [m^2/s^3] white acceleration across the way that people may show against the prediction (set by code alone)
+  /// [m^2/s^3] white acceleration across the way that people may show against the prediction (set by code
+  /// alone)
   double spread_across = 0.0;
   /// [m/s] below this speed a velocity shows no heading and no turn
   static constexpr double kWalkingSpeed = 0.2;

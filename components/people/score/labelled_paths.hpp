@@ -19,12 +19,12 @@ struct LabelledInstant {
 
 class LabelledPaths {
  public:
-  /// `instants` rise in time. People are taken to walk straight on between labels no more than `longest_step` [s]
-  /// apart; across more nothing is known of them.
+  /// `instants` rise in time. People are taken to walk straight on between labels no more than `longest_step`
+  /// [s] apart; across more nothing is known of them.
   LabelledPaths(const std::vector<LabelledInstant>& instants, double longest_step);
 
-  /// Everybody known at `time`. Who is counted, or in plain view, is so at both labels around it; velocities are
-  /// those of the way from one to the other.
+  /// Everybody known at `time`. Who is counted, or in plain view, is so at both labels around it; velocities
+  /// are those of the way from one to the other.
   std::vector<TruePerson> at(double time) const;
   std::optional<TruePerson> at(double time, std::uint32_t id) const;
 

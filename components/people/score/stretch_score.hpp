@@ -1,5 +1,5 @@
-// How a run of the tracker agrees with one stretch of labels: CLEAR MOT at the labelled instants, every error by
-// its time and place, what was only thought possible, and how far and how surely predictions came true.
+// How a run of the tracker agrees with one stretch of labels: CLEAR MOT at the labelled instants, every error
+// by its time and place, what was only thought possible, and how far and how surely predictions came true.
 #pragma once
 
 #include <cstdint>

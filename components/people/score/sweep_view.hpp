@@ -8,9 +8,10 @@
 
 namespace bw::people {
 
-/// Sets `counted` and `unoccluded` of people, in the frame F of the sweep. Counted: in the view of the scanner, no farther
-/// from it than `range` [m], and most of the three beams through the middle of the body end at a person or behind, not at
-/// something nearer that is nobody. Unoccluded: at least three beams end at them.
+/// Sets `counted` and `unoccluded` of people, in the frame F of the sweep. Counted: in the view of the
+/// scanner, no farther from it than `range` [m], and most of the three beams through the middle of the body
+/// end at a person or behind, not at something nearer that is nobody. Unoccluded: at least three beams end at
+/// them.
 void look_for(const LaserSweep& sweep, double range, std::vector<TruePerson>& people);
 
 }  // namespace bw::people

@@ -36,8 +36,8 @@ struct Sighting {
 class ClusterTrack {
  public:
   static constexpr int kRemembered = 12;
-  /// [s] of sightings that follow each other faster the last is remembered, so that what is remembered spans a
-  /// second at any rate
+  /// [s] of sightings that follow each other faster the last is remembered, so that what is remembered spans
+  /// a second at any rate
   static constexpr double kSpacing = 0.075;
 
   explicit ClusterTrack(const Sighting& first);

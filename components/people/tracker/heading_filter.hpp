@@ -20,8 +20,8 @@ struct HeadingOptions {
   double acceleration = 0.8;
   /// [m/s^2/sqrt(Hz)] how fast people who stand begin to move (set by code alone)
   double acceleration_standing = 0.3;
-  /// [m/s] below this speed a velocity has no heading; at its maximum this is a constant-velocity filter (set by
-  /// code alone)
+  /// [m/s] below this speed a velocity has no heading; at its maximum this is a constant-velocity filter (set
+  /// by code alone)
   double walking_speed = 0.2;
   /// [m] standard deviation of the middle between the legs, beyond that of the legs (set by code alone)
   double position_noise = 0.02;

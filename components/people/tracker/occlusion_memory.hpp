@@ -1,6 +1,7 @@
 // Where somebody may be who is not seen: guesses that walk on from where they were seen last (a particle
-// filter). They go on as people do, neither through what was seen to stand nor, for long, where the laser sees
-// that nobody is; they gather in what is hidden, and spread at walls and doors. All in S, the tracker's frame.
+// filter). They go on as people do, neither through what was seen to stand nor, for long, where the laser
+// sees that nobody is; they gather in what is hidden, and spread at walls and doors. All in S, the tracker's
+// frame.
 #pragma once
 
 #include <optional>

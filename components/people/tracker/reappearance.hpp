@@ -1,4 +1,5 @@
-// Who is out of sight: where they may be, from sweep to sweep, and whether somebody who appears is one of them.
+// Who is out of sight: where they may be, from sweep to sweep, and whether somebody who appears is one of
+// them.
 #pragma once
 
 #include <optional>
@@ -11,8 +12,8 @@
 
 namespace bw::people {
 
-/// What a sweep at `now` [s, from the tracker's own origin] shows of the room: `dt` [s] after the sweep before
-/// of any sensor, `since_own` [s] after the one before of its own.
+/// What a sweep at `now` [s, from the tracker's own origin] shows of the room: `dt` [s] after the sweep
+/// before of any sensor, `since_own` [s] after the one before of its own.
 struct Surroundings {
   const DetectionSet& sweep;
   const SeenWalls& walls;

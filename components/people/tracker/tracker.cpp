@@ -263,7 +263,8 @@ void Tracker::Impl::follow_hidden_people(double dt, double since_own) {
   for (PersonTrack& person : lost_) follow_hidden(person, about, false, random_, options_);
 }
 
-/// Whoever walked and is believed no longer, since what they seem to be stood there before them, has walked on unseen.
+/// Whoever walked and is believed no longer, since what they seem to be stood there before them, has walked
+/// on unseen.
 void Tracker::Impl::leave_furniture() {
   const auto is_furniture = [](const PersonTrack& person) {
     return person.existence.taken < Existence::kSurelyTaken && person.existence.log_odds() < 0.0;

@@ -76,7 +76,8 @@ void Tracker::Impl::begin_with(const HeardPerson& told, double late) {
   believe(told, late, *std::ranges::find(people_, person.id, &PersonTrack::id));
 }
 
-/// What stands where they are told to be are their legs, also if it does not walk or look like a person's yet.
+/// What stands where they are told to be are their legs, also if it does not walk or look like a person's
+/// yet.
 bool Tracker::Impl::follow_legs_near(PersonTrack& person) {
   const NearLegs legs = legs_near(person.walker.position(), seconds(), clusters_, options_.hearing);
   if (legs.first < 0) return false;

@@ -1,4 +1,5 @@
-// What the tracker keeps from sweep to sweep, and the steps of one (tracker.cpp); what others tell of is in tracker_external.cpp.
+// What the tracker keeps from sweep to sweep, and the steps of one (tracker.cpp); what others tell of is in
+// tracker_external.cpp.
 #pragma once
 
 #include <cstdint>

@@ -14,8 +14,8 @@
 namespace bw::people {
 
 struct AssociationOptions {
-  /// a detection further than this from a track, in squared standard deviations (2 values), is not its own (set by
-  /// code alone)
+  /// a detection further than this from a track, in squared standard deviations (2 values), is not its own
+  /// (set by code alone)
   double gate = 9.21;
   /// [m] nor is one further than this in metres: the radius of book 7.2
   static constexpr double kReach = 1.2;
@@ -33,8 +33,8 @@ struct AssociationOptions {
   static constexpr double kOnStatic = 2.0;
   /// [m] detections wider than this are no part of a person
   static constexpr double kLargest = 0.8;
-  /// [m] standard deviation added to a detection that does not look human, such as legs of two people in one (set
-  /// by code alone)
+  /// [m] standard deviation added to a detection that does not look human, such as legs of two people in one
+  /// (set by code alone)
   double vague = 0.1;
 };
 
@@ -54,7 +54,8 @@ struct BirthOptions {
   /// [m] from leg to leg, at most, while standing
   static constexpr double kStandingSeparation = 0.42;
   double standing_score = 0.7;
-  /// score of a leg that stands behind the edge of something, half of the time or more; the other one has standing_score.
+  /// score of a leg that stands behind the edge of something, half of the time or more; the other one has
+  /// standing_score.
   /// Such a pair is one where people walk about and little else looks like a leg,
   static constexpr double kHalfHiddenScore = 0.4;
   /// and is seen for so long [s]
@@ -185,8 +186,8 @@ struct HiddenOptions {
   double place_kernel = 0.35;
   /// [m/s] and how near to its velocity they must go
   static constexpr double kVelocityKernel = 0.5;
-  /// [s^2/m^4] density of people nobody has seen before: who appears where somebody lost is less likely is somebody
-  /// new (set by code alone)
+  /// [s^2/m^4] density of people nobody has seen before: who appears where somebody lost is less likely is
+  /// somebody new (set by code alone)
   double newcomers = 0.0005;
 
   template <class Visitor>

@@ -28,8 +28,8 @@ double mean_of(const ClusterTrack& cluster, int count, const Value& value) {
 }
 
 std::optional<Walk> walk_of_pair(const ClusterTrack& a, const ClusterTrack& b, const BirthOptions& options);
-/// Whether two that may be legs have gone nowhere in what is remembered of them, as far as their middle tells and both feet
-/// agree.
+/// Whether two that may be legs have gone nowhere in what is remembered of them, as far as their middle tells
+/// and both feet agree.
 bool stays(const ClusterTrack& a, const ClusterTrack& b, const BirthOptions& options);
 std::optional<Walk> walk_of_single(const ClusterTrack& cluster, const BirthOptions& options);
 

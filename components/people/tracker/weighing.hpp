@@ -16,8 +16,8 @@ namespace bw::people {
 /// The evidence for somebody just born of these clusters; `second` may be null.
 Existence existence_of(const Birth& birth, const ClusterTrack& first, const ClusterTrack* second);
 
-/// The evidence for somebody lost who is taken to be back as somebody born: that they have walked counts less where
-/// somebody only stands.
+/// The evidence for somebody lost who is taken to be back as somebody born: that they have walked counts less
+/// where somebody only stands.
 Existence existence_of_returned(const Existence& lost, const Existence& born, const Birth& birth);
 
 /// The same of somebody lost who stood at the very place: they are believed as before.
@@ -26,13 +26,14 @@ Existence existence_of_same(const Existence& lost, const Existence& born);
 /// Whether something that stands may be the leg of somebody, or both in one, and should be told of.
 bool may_be_somebody(const ClusterTrack& cluster);
 
-/// For how long two legs are in view that have gone nowhere [s]; nothing of others, or where one is missing (null).
+/// For how long two legs are in view that have gone nowhere [s]; nothing of others, or where one is missing
+/// (null).
 std::optional<double> stood(const ClusterTrack* one, const ClusterTrack* other, const BirthOptions& options);
 
 class Weighing {
  public:
-  /// Sweep number `sweep` at `time` [s], `dt` [s] after the same sensor's before. `sensor`: where it is, or the first
-  /// of several.
+  /// Sweep number `sweep` at `time` [s], `dt` [s] after the same sensor's before. `sensor`: where it is, or
+  /// the first of several.
   void weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>& clusters, std::int64_t sweep,
              double time, double dt, const Vector2& sensor, const BirthOptions& options);
 
@@ -43,7 +44,8 @@ class Weighing {
   /// Whether people walk about, and little stands about that looks like a leg.
   bool is_among_people() const;
 
-  /// What is about says of somebody: other things that look like legs, and how few people are known. `stood`: of stood().
+  /// What is about says of somebody: other things that look like legs, and how few people are known. `stood`:
+  /// of stood().
   void weigh_surroundings(std::optional<double> stood, Existence& existence) const;
 
  private:

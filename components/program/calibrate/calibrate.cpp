@@ -1,4 +1,5 @@
-// `bandwagon calibrate odometry`: the sizes of the wheels and their distance, driven and measured on the floor.
+// `bandwagon calibrate odometry`: the sizes of the wheels and their distance, driven and measured on the
+// floor.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -143,7 +144,8 @@ void print(const WheelGeometry& before, const Calibration& found) {
       << "The errors are those of how well the motions agree with each other; more of them make them smaller.\n";
 }
 
-/// A controller of speed in other units than its driver believes turns wheels at twice or half of what they are told.
+/// A controller of speed in other units than its driver believes turns wheels at twice or half of what they
+/// are told.
 void print_obedience(std::vector<double> shares) {
   constexpr double kNear = 0.15;
   if (shares.empty()) return;

@@ -1,5 +1,6 @@
-// The robot as a calibration sees it from outside: it is told velocities by `cmd_vel_teleop`, as a hand does, and tells its odometry, the
-// angles of its wheels, why it stands, and, if a localization runs, where it is on the map.
+// The robot as a calibration sees it from outside: it is told velocities by `cmd_vel_teleop`, as a hand does,
+// and tells its odometry, the angles of its wheels, why it stands, and, if a localization runs, where it is
+// on the map.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// A calibration between a person and a robot: every leg is asked for, and driven alone; Ctrl-C, the end of the input or any line typed
-// while it drives stops the robot and ends it.
+// A calibration between a person and a robot: every leg is asked for, and driven alone; Ctrl-C, the end of
+// the input or any line typed while it drives stops the robot and ends it.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,5 @@
-// A page and what it shows, a bag or a report, as one HTML text that needs nothing else: no server, no network.
+// A page and what it shows, a bag or a report, as one HTML text that needs nothing else: no server, no
+// network.
 #pragma once
 
 #include <span>
@@ -9,8 +10,9 @@
 
 namespace bw {
 
-/// Scripts and styles of `site` stand in the text, and its Content-Security-Policy names them by their hashes: nothing else runs, nothing
-/// is loaded. `name` is shown as that of the bag. Throws std::runtime_error naming the file of the site that is not as expected.
+/// Scripts and styles of `site` stand in the text, and its Content-Security-Policy names them by their
+/// hashes: nothing else runs, nothing is loaded. `name` is shown as that of the bag. Throws
+/// std::runtime_error naming the file of the site that is not as expected.
 std::string self_contained_page(std::span<const web::SiteFile> site, const std::string& name,
                                 bag::BytesView bag);
 

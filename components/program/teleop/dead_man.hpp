@@ -1,9 +1,11 @@
-// A hand on keys as a velocity. A terminal tells that a key went down and, while it is held, again and again; it never tells that
-// it was let go. So each of these lets the robot drive a little further, and silence is the stop: a dead-man's handle.
+// A hand on keys as a velocity. A terminal tells that a key went down and, while it is held, again and again;
+// it never tells that it was let go. So each of these lets the robot drive a little further, and silence is
+// the stop: a dead-man's handle.
 //
-// Most keyboards begin to repeat after 250 to 660 ms and then come every 25 to 40 ms. A key that is held drives at once, stands until
-// the keyboard begins to repeat it, and then goes on; a key that is tapped moves the robot by `hold` times its speed. A hold as
-// long as that first delay would let the robot drive on for as long after the hand has left.
+// Most keyboards begin to repeat after 250 to 660 ms and then come every 25 to 40 ms. A key that is held
+// drives at once, stands until the keyboard begins to repeat it, and then goes on; a key that is tapped moves
+// the robot by `hold` times its speed. A hold as long as that first delay would let the robot drive on for as
+// long after the hand has left.
 #pragma once
 
 #include <optional>

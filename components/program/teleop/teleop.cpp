@@ -1,5 +1,5 @@
-// `bandwagon teleop`: the robot by hand, on the keys of a terminal. It publishes `cmd_vel_teleop`, which twist_mux takes before the planner;
-// the collision monitor and the base watch over a hand as over everybody.
+// `bandwagon teleop`: the robot by hand, on the keys of a terminal. It publishes `cmd_vel_teleop`, which
+// twist_mux takes before the planner; the collision monitor and the base watch over a hand as over everybody.
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -191,7 +191,8 @@ class Teleop {
     see_stop(*stopping_since_);
   }
 
-  /// That somebody has a reader says nothing: the base itself tells that it is latched. Until then it is said again.
+  /// That somebody has a reader says nothing: the base itself tells that it is latched. Until then it is said
+  /// again.
   void see_stop(Time t) {
     namespace base = bandwagon_msgs::msg::BaseState_Constants;
     if (base_ && base_->state() == base::EMERGENCY_STOP && base_->is_latched()) {

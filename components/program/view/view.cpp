@@ -1,4 +1,5 @@
-// `bandwagon view`: the page on a recording, on a robot that serves it, or on whatever ROS 2 system is on the domain.
+// `bandwagon view`: the page on a recording, on a robot that serves it, or on whatever ROS 2 system is on the
+// domain.
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -37,7 +38,8 @@ struct ViewOptions {
   bool open = false;
 };
 
-/// A page of our own folder that leads to the address: on a command line every user of the machine could read its token.
+/// A page of our own folder that leads to the address: on a command line every user of the machine could read
+/// its token.
 std::string page_that_leads_to(const std::string& address) {
   static const TemporaryFolder folder;  // as long as the program: browsers take their time
   const fs::path page = folder.path() / "open.html";

@@ -102,8 +102,8 @@ class DriveReader {
     wheel_radius_ = result_.log.wheel_radius.value_or(sizes.radius);
   }
 
-  /// True if the bag has the topic; then its messages go to `use`, which says whether they were of use. A name other
-  /// than the usual one must be there.
+  /// True if the bag has the topic; then its messages go to `use`, which says whether they were of use. A
+  /// name other than the usual one must be there.
   template <class Message, class Use>
   bool add(const std::string& topic, const std::string& usual, Use use) {
     bool found = false;

@@ -23,13 +23,14 @@ struct WheelSizes {
   double radius = 0.0;      ///< [m]
 };
 
-/// Stamps are those of the messages (of the recorder where a message has none), counted from the log's start that the
-/// bag tells, else from the first one. Without odometry it is the sum of the commands, in steps of 0.1 s, or of the
-/// wheels' speeds. Wheel separation, radius and variance are those that the bag declares, else those of `wheels`. `path` is for
-/// messages.
+/// Stamps are those of the messages (of the recorder where a message has none), counted from the log's start
+/// that the bag tells, else from the first one. Without odometry it is the sum of the commands, in steps of
+/// 0.1 s, or of the wheels' speeds. Wheel separation, radius and variance are those that the bag declares,
+/// else those of `wheels`. `path` is for messages.
 ///
-/// Throws std::runtime_error: a topic of another type than it must have, a topic that was named and is not there, no
-/// topic of a drive at all, wheels of unknown size, a command other than zero that holds for more than a minute.
+/// Throws std::runtime_error: a topic of another type than it must have, a topic that was named and is not
+/// there, no topic of a drive at all, wheels of unknown size, a command other than zero that holds for more
+/// than a minute.
 BagDrive drive_of_bag(const bag::Bag& bag, const DriveTopics& topics, const std::string& path,
                       const WheelSizes& wheels = {});
 

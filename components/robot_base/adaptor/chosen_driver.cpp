@@ -21,7 +21,8 @@ class FieldCounter final : public FieldVisitor {
   void visit(std::string_view, FieldRef, const Field&) override { ++fields; }
 };
 
-/// A driver without any leaves those that stand there for another one alone: `--set robot.base.driver=simulated`.
+/// A driver without any leaves those that stand there for another one alone: `--set
+/// robot.base.driver=simulated`.
 bool has_fields(AnyOptions options) {
   FieldCounter counter;
   options.fields(counter);

@@ -9,7 +9,8 @@
 
 namespace bw {
 
-/// Of section `base`, which is read strictly by its own field list. Throws ConfigError for a driver that nobody registered.
+/// Of section `base`, which is read strictly by its own field list. Throws ConfigError for a driver that
+/// nobody registered.
 std::unique_ptr<Driver> make_chosen_driver(Setup& setup, const Robot& robot,
                                            std::function<void(Time now)> wake);
 

@@ -1,5 +1,5 @@
-// A latched emergency stop in a file, so that a process that is started anew knows of it. The file is there as long as the stop is
-// latched: what cannot be read is latched too.
+// A latched emergency stop in a file, so that a process that is started anew knows of it. The file is there
+// as long as the stop is latched: what cannot be read is latched too.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,8 @@ class EmergencyStopFile {
 
   /// What the process before left; nothing: it was released.
   std::optional<EmergencyStop::Record> read() const;
-  /// Writes it, or removes the file when it is not latched; returns at once, as a card may take its time to write.
+  /// Writes it, or removes the file when it is not latched; returns at once, as a card may take its time to
+  /// write.
   void keep(const EmergencyStop::Record& record);
   /// Why nothing can be kept; nothing: it can, as far as is known before.
   std::optional<std::string> obstacle() const;

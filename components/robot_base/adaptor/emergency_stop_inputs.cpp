@@ -29,8 +29,8 @@ void EmergencyStopInputs::configure(Setup& setup) {
                                                 [this](const std::string& text) { log_.error("{}", text); });
     if (auto record = file_->read()) stop_.restore(kept_ = std::move(*record));
   }
-  // A reader that wants what was said before it came does not match those who keep nothing, a reliable one not those who are not:
-  // an emergency stop is heard from all of them, if twice.
+  // A reader that wants what was said before it came does not match those who keep nothing, a reliable one
+  // not those who are not: an emergency stop is heard from all of them, if twice.
   Qos best_effort = Qos::standard();
   best_effort.reliability = Reliability::best_effort;
   for (const Qos& qos : {Qos::standard(), Qos::latched(), best_effort}) {

@@ -1,4 +1,5 @@
-// The part of robot_base that outlives its instances: hears `emergency_stop` in every state, and keeps the latch.
+// The part of robot_base that outlives its instances: hears `emergency_stop` in every state, and keeps the
+// latch.
 #pragma once
 
 #include <functional>

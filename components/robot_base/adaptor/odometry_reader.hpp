@@ -1,5 +1,5 @@
-// From counts to odometry, joint states and odom->base_link, and what is said of counts that were no motion or did not come. For
-// the adaptor only.
+// From counts to odometry, joint states and odom->base_link, and what is said of counts that were no motion
+// or did not come. For the adaptor only.
 #pragma once
 
 #include <optional>

@@ -20,7 +20,8 @@ namespace {
 
 using std_srvs::srv::Trigger;
 
-/// Wheel commands are said anew 50 times a second: one that is lost is not asked for again, which saves a reply for each.
+/// Wheel commands are said anew 50 times a second: one that is lost is not asked for again, which saves a
+/// reply for each.
 constexpr Qos kNewest{.reliability = Reliability::best_effort, .depth = 1};
 
 struct RobotBaseOptions : BaseGuardOptions {

@@ -1,5 +1,5 @@
-// Legs of a calibration, driven by odometry: straight on for a length, and turns on the spot. They need not be exact: what counts is
-// how far the wheels turned and where the robot then stood.
+// Legs of a calibration, driven by odometry: straight on for a length, and turns on the spot. They need not
+// be exact: what counts is how far the wheels turned and where the robot then stood.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// What a calibration knows of one motion: how far the wheels turned on the way, and where the robot stood at its end.
+// What a calibration knows of one motion: how far the wheels turned on the way, and where the robot stood at
+// its end.
 #pragma once
 
 #include <vector>

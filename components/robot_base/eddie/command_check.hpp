@@ -1,13 +1,15 @@
-// Does the board do what GOSPD says? The documents contradict each other about its unit, a motor or an encoder may be plugged in the
-// wrong way round, and a board may drive on by itself. So the counts of DIST are compared with the speeds that were commanded.
+// Does the board do what GOSPD says? The documents contradict each other about its unit, a motor or an
+// encoder may be plugged in the wrong way round, and a board may drive on by itself. So the counts of DIST
+// are compared with the speeds that were commanded.
 //
-// Over a window of 0.2 s each wheel's speed must lie within 1.5 times the commands that may still show in it, and a tolerance:
+// Over a window of 0.2 s each wheel's speed must lie within 1.5 times the commands that may still show in it,
+// and a tolerance:
 //
 //   1.5 min(0, c) - tolerance <= measured <= 1.5 max(0, c) + tolerance,   tolerance = 0.05 m/s + 2 counts / 0.2 s
 //
-// A command c shows for 0.3 s after the next one, c2, and as long as the board's ramp takes from it: (|c| + |c2|) / ACC. Three
-// readings in a row that do not fit are a contradiction. Standing where it should turn is left to robot_base; turning at half of a
-// steady command is the other way to be wrong about the unit.
+// A command c shows for 0.3 s after the next one, c2, and as long as the board's ramp takes from it: (|c| +
+// |c2|) / ACC. Three readings in a row that do not fit are a contradiction. Standing where it should turn is
+// left to robot_base; turning at half of a steady command is the other way to be wrong about the unit.
 #pragma once
 
 #include <deque>

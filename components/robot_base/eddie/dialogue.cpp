@@ -24,7 +24,8 @@ void Dialogue::throw_away() {
   is_broken_ = false;
 }
 
-/// True when it ends a line. A byte that is no text breaks its line: without it, it might look like another one.
+/// True when it ends a line. A byte that is no text breaks its line: without it, it might look like another
+/// one.
 bool Dialogue::take_byte(std::uint8_t byte) {
   if (byte == '\r') return true;
   if (byte == '\n') return false;

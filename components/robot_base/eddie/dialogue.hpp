@@ -1,6 +1,7 @@
-// Strictly one request, one reply: what an Eddie's board wants. Nothing is sent before the reply to what was sent is there, or its
-// time is over. What is late, or was not asked for, must not be taken for the next reply: after a time-out, an unexpected line or half
-// a one, what comes is thrown away until the line was quiet for a while.
+// Strictly one request, one reply: what an Eddie's board wants. Nothing is sent before the reply to what was
+// sent is there, or its time is over. What is late, or was not asked for, must not be taken for the next
+// reply: after a time-out, an unexpected line or half a one, what comes is thrown away until the line was
+// quiet for a while.
 #pragma once
 
 #include <cstdint>

@@ -101,7 +101,8 @@ void Eddie::take(Time now, const Reply& reply, Readings& readings) {
   unknown_device_.reset();
 }
 
-/// One step of the start after the other; without the answers to STOP and VER there is no Eddie, and it begins again.
+/// One step of the start after the other; without the answers to STOP and VER there is no Eddie, and it
+/// begins again.
 void Eddie::take_start(Time now, const Reply& reply) {
   const auto reason = error_of(reply.text);
   const bool is_version = reply.request == Request::version || reply.request == Request::hardware;
@@ -139,7 +140,8 @@ void Eddie::take_start(Time now, const Reply& reply) {
   heard_ = now;
 }
 
-/// VERB 1 is forgotten when the board loses its power, and its counts are: the same error then has no reason any more.
+/// VERB 1 is forgotten when the board loses its power, and its counts are: the same error then has no reason
+/// any more.
 void Eddie::take_mark(Time now, bool has_reason) {
   if (start_sequence().at(start_step_ - 1) == Request::verbose) {
     is_marked_ = has_reason;
@@ -166,7 +168,8 @@ bool Eddie::take_running(Time now, const Reply& reply, Readings& readings) {
 bool Eddie::take_counts(Time now, const Reply& reply, Readings& readings) {
   const auto distances = distances_of(reply.text);
   if (!distances) return false;
-  // It lay there while this computer was held up: when it was counted is not known, and the next one tells as much.
+  // It lay there while this computer was held up: when it was counted is not known, and the next one tells as
+  // much.
   if (reply.arrived - reply.sent > Duration::seconds(options_.reply_timeout)) return true;
   const Time time = middle(reply);
   if (has_restarted_) {

@@ -1,5 +1,5 @@
-// A Parallax Eddie on a cable: what its board answers to readings, wheel speeds to GOSPD. Protocol, sources and what is doubtful:
-// components/robot_base/eddie/README.md.
+// A Parallax Eddie on a cable: what its board answers to readings, wheel speeds to GOSPD. Protocol, sources
+// and what is doubtful: components/robot_base/eddie/README.md.
 #pragma once
 
 #include <cstddef>
@@ -20,16 +20,17 @@
 
 namespace bw::eddie {
 
-/// poll() reads, command() writes, at most one request at a time. The first thing written after an opening, and after a long silence, is
-/// STOP 0; nothing but the questions and settings of the start follows until the board answered all of them.
+/// poll() reads, command() writes, at most one request at a time. The first thing written after an opening,
+/// and after a long silence, is STOP 0; nothing but the questions and settings of the start follows until the
+/// board answered all of them.
 class Eddie : public Driver {
  public:
   Eddie(const EddieOptions& options, const Robot& robot, std::unique_ptr<ByteLink> link);
 
   Readings poll(Time now) override;
   bool command(Time now, const WheelSpeeds& wheels) override;
-  /// Makes the board stand, whatever it does: twice, because in the middle of a line the first one makes that an error, which moves
-  /// nothing.
+  /// Makes the board stand, whatever it does: twice, because in the middle of a line the first one makes that
+  /// an error, which moves nothing.
   static std::vector<std::uint8_t> stop_frame();
   /// Does not wait for a reply that is due: the board's buffer holds both lines, and the process ends.
   void stop(Time now) override;

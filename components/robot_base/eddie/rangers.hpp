@@ -34,7 +34,8 @@ inline double sonar_range(const EddieOptions& options, std::uint32_t value) {
   return value == 0 || range > kSonarMax ? std::numeric_limits<double>::infinity() : range;
 }
 
-/// [m]. Below its least range the sensor's voltage falls again: what is that near cannot be told from what is further.
+/// [m]. Below its least range the sensor's voltage falls again: what is that near cannot be told from what is
+/// further.
 inline double infrared_range(const EddieOptions& options, std::uint32_t value) {
   const double range = options.infrared_scale * std::pow(value * kVoltsPerUnit, -options.infrared_power);
   return range <= kInfraredMax ? range : std::numeric_limits<double>::infinity();

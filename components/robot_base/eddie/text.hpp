@@ -1,5 +1,5 @@
-// Commands and replies of an Eddie's board, as text: words and hexadecimal numbers, two's complement where they are signed, one line
-// each way, ended by CR (components/robot_base/eddie/README.md).
+// Commands and replies of an Eddie's board, as text: words and hexadecimal numbers, two's complement where
+// they are signed, one line each way, ended by CR (components/robot_base/eddie/README.md).
 #pragma once
 
 #include <cstddef>

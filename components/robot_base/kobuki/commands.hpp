@@ -10,16 +10,17 @@ namespace bw::kobuki {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The firmware's own way to say how wheels turn: speed of the outer wheel [mm/s], radius of the middle's circle [mm]; radius 0 is
-/// straight on, 1 is in place.
+/// The firmware's own way to say how wheels turn: speed of the outer wheel [mm/s], radius of the middle's
+/// circle [mm]; radius 0 is straight on, 1 is in place.
 struct SpeedAndRadius {
   std::int16_t speed = 0, radius = 0;
   bool operator==(const SpeedAndRadius&) const = default;
 };
 
-/// `separation` b [m] is the one that the firmware turns speed and radius back into wheels by, whatever the robot's true one is. With
-/// v, w from the wheels by b: |w| < 1e-4: (1000 v, 0); |v| < 1e-4 or |1000 v / w| <= 1: (1000 b w / 2, 1); else r = 1000 v / w, speed
-/// = (r +- 1000 b / 2) w, + for r > 0. Fractions are cut off, too large numbers limited to 16 bits. What is not finite is a stop.
+/// `separation` b [m] is the one that the firmware turns speed and radius back into wheels by, whatever the
+/// robot's true one is. With v, w from the wheels by b: |w| < 1e-4: (1000 v, 0); |v| < 1e-4 or |1000 v / w|
+/// <= 1: (1000 b w / 2, 1); else r = 1000 v / w, speed = (r +- 1000 b / 2) w, + for r > 0. Fractions are cut
+/// off, too large numbers limited to 16 bits. What is not finite is a stop.
 SpeedAndRadius speed_and_radius(const WheelSpeeds& wheels, double separation);
 
 Bytes base_control(const SpeedAndRadius& motion);

@@ -1,4 +1,5 @@
-// What a packet of a Kobuki says: its sub-payloads, as the board counts and scales them. All numbers are little endian.
+// What a packet of a Kobuki says: its sub-payloads, as the board counts and scales them. All numbers are
+// little endian.
 #pragma once
 
 #include <array>
@@ -9,7 +10,8 @@
 
 namespace bw::kobuki {
 
-/// 01. Bits: 1 right, 2 centre, 4 left for bumper and cliff, 1 right, 2 left for the wheel drop, 1 left, 2 right for the overcurrent.
+/// 01. Bits: 1 right, 2 centre, 4 left for bumper and cliff, 1 right, 2 left for the wheel drop, 1 left, 2
+///     right for the overcurrent.
 struct Core {
   std::uint16_t stamp = 0;  ///< [ms], wraps
   std::uint8_t bumper = 0, wheel_drop = 0, cliff = 0;
@@ -74,7 +76,8 @@ struct Feedback {
   int skipped = 0;  ///< sub-payloads that are not known, or known with another size
 };
 
-/// Of a payload whose sub-payloads fill it (PacketReader); what is left over behind the last whole one is ignored.
+/// Of a payload whose sub-payloads fill it (PacketReader); what is left over behind the last whole one is
+/// ignored.
 Feedback parse(std::span<const std::uint8_t> payload);
 
 }  // namespace bw::kobuki

@@ -1,5 +1,5 @@
-// A Kobuki on a cable (TurtleBot 2, QBot 2e): its packets to readings, wheel speeds to its commands. Protocol, sources and what is
-// doubtful: components/robot_base/kobuki/README.md.
+// A Kobuki on a cable (TurtleBot 2, QBot 2e): its packets to readings, wheel speeds to its commands.
+// Protocol, sources and what is doubtful: components/robot_base/kobuki/README.md.
 #pragma once
 
 #include <cstdint>
@@ -48,14 +48,15 @@ struct KobukiOptions {
   }
 };
 
-/// poll() reads, command() writes. After each opening the first thing written is a stop, and stops are all that is written until two
-/// packets were understood. Nothing here makes the base stand when commands cease, and no document says that its firmware does.
+/// poll() reads, command() writes. After each opening the first thing written is a stop, and stops are all
+/// that is written until two packets were understood. Nothing here makes the base stand when commands cease,
+/// and no document says that its firmware does.
 class Kobuki : public Driver {
  public:
   Kobuki(const KobukiOptions& options, const WheelRadii& radii, std::unique_ptr<ByteLink> link);
 
-  /// Makes the base stand, whatever it does. Behind AA 55 alone the next frame's first byte is a length of 170: so many frames, that the
-  /// last of them is heard.
+  /// Makes the base stand, whatever it does. Behind AA 55 alone the next frame's first byte is a length of
+  /// 170: so many frames, that the last of them is heard.
   static Bytes stop_frame();
   Readings poll(Time now) override;
   bool command(Time now, const WheelSpeeds& wheels) override;

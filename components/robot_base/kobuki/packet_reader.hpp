@@ -1,10 +1,12 @@
 // Kobuki's packets out of a stream of bytes (components/robot_base/kobuki/README.md):
 //
-//   AA 55, u8 length of payload, payload, u8 XOR of length and payload;  payload: sub-payloads u8 id, u8 size, data
+//   AA 55, u8 length of payload, payload, u8 XOR of length and payload;  payload: sub-payloads u8 id, u8
+//   size, data
 //
-// Any byte may be wrong or missing. A packet is believed if its sub-payloads fill it exactly and its checksum holds. While one that
-// begins earlier is not complete, a later one that is complete and has the core sensor data wins, so that a false beginning in
-// garbage swallows none: the second whole packet after garbage is always found.
+// Any byte may be wrong or missing. A packet is believed if its sub-payloads fill it exactly and its checksum
+// holds. While one that begins earlier is not complete, a later one that is complete and has the core sensor
+// data wins, so that a false beginning in garbage swallows none: the second whole packet after garbage is
+// always found.
 #pragma once
 
 #include <cstddef>

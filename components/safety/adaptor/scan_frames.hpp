@@ -1,6 +1,6 @@
-// Whether the robot file says where the laser of a scan sits. A robot file that lists sensors must list this one: an obstacle would be
-// looked for where it is not. One that lists none has its laser at base_link. Transforms do not count: they come and go, and the
-// collision monitor hangs on this.
+// Whether the robot file says where the laser of a scan sits. A robot file that lists sensors must list this
+// one: an obstacle would be looked for where it is not. One that lists none has its laser at base_link.
+// Transforms do not count: they come and go, and the collision monitor hangs on this.
 #pragma once
 
 #include <string>

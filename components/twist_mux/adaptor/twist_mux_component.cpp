@@ -81,7 +81,8 @@ class TwistMuxComponent final : public Component {
     tell_override();
   }
 
-  /// News, and after each release all the same: who heard of an interruption before this instance was still waits.
+  /// News, and after each release all the same: who heard of an interruption before this instance was still
+  /// waits.
   void tell_override(bool is_asked = false) {
     const bool is_news = mux_->is_interrupted() != is_interrupted_;
     if (!is_news && !is_asked) return;

@@ -12,8 +12,8 @@ namespace bw::viewer {
 
 class PageServer {
  public:
-  /// Serves from now on, on a thread of its own with a lower priority than the robot's. Throws as web::Server and
-  /// foxglove::WireRobot do.
+  /// Serves from now on, on a thread of its own with a lower priority than the robot's. Throws as web::Server
+  /// and foxglove::WireRobot do.
   PageServer(const web::ServerOptions& options, foxglove::WireRobotOptions robot, Logger log);
   /// Sockets are told that it goes.
   ~PageServer();
@@ -44,8 +44,8 @@ class RecordingServer {
   std::unique_ptr<Parts> parts_;
 };
 
-/// What people are told: the address of the page, or where Foxglove finds what this program has of it. One or two lines without an
-/// end of line.
+/// What people are told: the address of the page, or where Foxglove finds what this program has of it. One or
+/// two lines without an end of line.
 std::string invitation(const std::string& address);
 
 }  // namespace bw::viewer

@@ -1,5 +1,5 @@
-// The page and Foxglove for whoever wants to look at a run. It looks on from outside, through a participant of its own: a run in
-// lock-step has the same bytes with it and without.
+// The page and Foxglove for whoever wants to look at a run. It looks on from outside, through a participant
+// of its own: a run in lock-step has the same bytes with it and without.
 #include <iostream>
 #include <memory>
 #include <string>

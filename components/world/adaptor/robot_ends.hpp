@@ -15,8 +15,8 @@ namespace bw {
 
 class RobotEnds {
  public:
-  /// `name`: of one of several, below which its topics and frames are; empty: the only one. `world` must outlive it.
-  /// `kind`: what each of the robots is.
+  /// `name`: of one of several, below which its topics and frames are; empty: the only one. `world` must
+  /// outlive it. `kind`: what each of the robots is.
   RobotEnds(Setup& setup, World& world, std::size_t robot, const std::string& name, const Robot& kind,
             const WorldOptions& options);
 

@@ -91,8 +91,8 @@ class WorldComponent final : public Component {
     mounts_.publish(mounts);
   }
 
-  /// Steps up to `now`. A host that was held up for long, or a clock that jumped ahead, slows the world down instead of
-  /// making it race; after a clock that went back the world goes on from there.
+  /// Steps up to `now`. A host that was held up for long, or a clock that jumped ahead, slows the world down
+  /// instead of making it race; after a clock that went back the world goes on from there.
   void catch_up(Time now) {
     constexpr Duration kMaxApart = Duration::milliseconds(500);
     if (now - start_ > world_->time() + kMaxApart) start_ = now - world_->time() - kMaxApart;

@@ -26,7 +26,8 @@ sensor_msgs::msg::NavSatFix to_message(const GpsFix& fix, const GpsOptions& opti
 
 bandwagon_msgs::msg::WheelTicks to_message(const EncoderTicks& ticks, Time stamp);
 
-/// Frame: map. Wall clearance from the robot's rim, infinite where no wall is near; the other robots are among the people.
+/// Frame: map. Wall clearance from the robot's rim, infinite where no wall is near; the other robots are
+/// among the people.
 bandwagon_msgs::msg::GroundTruth ground_truth(const World& world, std::size_t robot, Time stamp);
 
 }  // namespace bw

@@ -1,4 +1,5 @@
-// A recorded bag, whatever its storage: an MCAP file, a rosbag2 folder of MCAP or SQLite files, or a single SQLite file.
+// A recorded bag, whatever its storage: an MCAP file, a rosbag2 folder of MCAP or SQLite files, or a single
+// SQLite file.
 //
 //   const auto bag = bag::open_bag("run/demo/drive.mcap");
 //   auto messages = bag->messages({});
@@ -100,7 +101,8 @@ class Bag {
   [[nodiscard]] virtual std::unique_ptr<BagMessages> messages(const BagSelection& selection) const = 0;
 };
 
-/// A file, or a folder with or without metadata.yaml. Throws std::runtime_error naming the path for what is no bag.
+/// A file, or a folder with or without metadata.yaml. Throws std::runtime_error naming the path for what is
+/// no bag.
 [[nodiscard]] std::unique_ptr<Bag> open_bag(const std::filesystem::path& path);
 
 /// Several as one, by log time; of one time those of the earlier bag first. At least one.

@@ -1,5 +1,5 @@
-// The metadata.yaml beside the files of a rosbag2 bag. Written in version 8, the newest whose QoS is a text as Humble reads
-// it, with what Jazzy shows more; versions 4 to 9 are read.
+// The metadata.yaml beside the files of a rosbag2 bag. Written in version 8, the newest whose QoS is a text
+// as Humble reads it, with what Jazzy shows more; versions 4 to 9 are read.
 #pragma once
 
 #include <cstdint>

@@ -42,8 +42,8 @@ struct BagReport {
   [[nodiscard]] bool is_sound() const;
 };
 
-/// Reads every message. Stamps and log times that move apart by more than `jump` from one message of a topic to the next
-/// are a jump of a clock.
+/// Reads every message. Stamps and log times that move apart by more than `jump` from one message of a topic
+/// to the next are a jump of a clock.
 [[nodiscard]] BagReport examine(const Bag& bag, Duration jump = Duration::milliseconds(1000));
 
 }  // namespace bw::bag

@@ -1,4 +1,5 @@
-// Writes a recording: one MCAP file, or a folder of them with the metadata.yaml of rosbag2, split by size or time.
+// Writes a recording: one MCAP file, or a folder of them with the metadata.yaml of rosbag2, split by size or
+// time.
 //
 //   drive.mcap          one file
 //   drive/              drive_0.mcap, drive_1.mcap, ..., metadata.yaml
@@ -27,8 +28,9 @@ struct BagWriterOptions {
   std::string ros_distro = default_ros_distro();
   std::uint64_t split_size = 0;  ///< a new file begins beyond this [bytes]; 0: never. Folders only
   Duration split_duration{};     ///< or after this time; 0: never. Folders only
-  /// The oldest files go, so that all together stay below this [bytes]; 0: they stay. Attachments, metadata and latched
-  /// messages in them are written again. Without a split_size files are split at a tenth of it. Folders only
+  /// The oldest files go, so that all together stay below this [bytes]; 0: they stay. Attachments, metadata
+  /// and latched messages in them are written again. Without a split_size files are split at a tenth of it.
+  /// Folders only
   std::uint64_t max_size = 0;
   /// Makes the files; a test puts a disk that is full or slow in this place.
   std::function<std::unique_ptr<ByteSink>(const std::filesystem::path&)> create = create_file;
@@ -38,9 +40,9 @@ struct BagWriterOptions {
 
 class BagWriter {
  public:
-  /// `path` ends in .mcap: one file; else a folder, which is made. Throws std::runtime_error or std::system_error
-  /// naming the path: it exists already, somebody records there, or it cannot be written. Every later call may throw
-  /// what the sinks throw; what was written before stays.
+  /// `path` ends in .mcap: one file; else a folder, which is made. Throws std::runtime_error or
+  /// std::system_error naming the path: it exists already, somebody records there, or it cannot be written.
+  /// Every later call may throw what the sinks throw; what was written before stays.
   BagWriter(std::filesystem::path path, BagWriterOptions options);
   ~BagWriter();
   BagWriter(const BagWriter&) = delete;

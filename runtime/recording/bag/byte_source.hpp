@@ -16,8 +16,8 @@ class ByteSource {
   ByteSource(const ByteSource&) = delete;
   ByteSource& operator=(const ByteSource&) = delete;
 
-  /// Replaces `out` by `size` bytes from `offset`; false when the file does not hold them all. Nothing is allocated
-  /// for bytes that lie beyond the end of the file.
+  /// Replaces `out` by `size` bytes from `offset`; false when the file does not hold them all. Nothing is
+  /// allocated for bytes that lie beyond the end of the file.
   [[nodiscard]] bool read(std::uint64_t offset, std::uint64_t size, Bytes& out) const;
   [[nodiscard]] std::uint64_t size() const { return size_; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }

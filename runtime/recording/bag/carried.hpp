@@ -1,5 +1,6 @@
-// What a bag cannot be without, whichever of its files go: attachments, metadata, and the latest messages of latched
-// topics, such as maps and fixed transforms. When the file that holds them is deleted they are written again.
+// What a bag cannot be without, whichever of its files go: attachments, metadata, and the latest messages of
+// latched topics, such as maps and fixed transforms. When the file that holds them is deleted they are
+// written again.
 #pragma once
 
 #include <cstdint>

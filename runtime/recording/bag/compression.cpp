@@ -21,8 +21,8 @@ struct Lz4Free {
   void operator()(LZ4F_dctx* context) const { LZ4F_freeDecompressionContext(context); }
 };
 
-/// Where the next decompressed bytes go: what is left of `out`, grown towards `size`; once that is full a byte that
-/// must stay empty, so that a decoder can end its frame but not say more than was claimed.
+/// Where the next decompressed bytes go: what is left of `out`, grown towards `size`; once that is full a
+/// byte that must stay empty, so that a decoder can end its frame but not say more than was claimed.
 struct Room {
   std::uint8_t* data;
   std::size_t size;

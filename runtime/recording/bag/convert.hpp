@@ -16,9 +16,10 @@ struct ConvertReport {
   std::vector<BagFault> lost;  ///< what could not be read, and where
 };
 
-/// Messages by log time, with their bytes as they are, decoded or not; topics, attachments, metadata and profile as well.
-/// A topic without a schema gets that of this build if its type is known. `to` is as BagWriter takes it; throws as that
-/// does.
+/// Messages by log time, with their bytes as they are, decoded or not; topics, attachments, metadata and
+/// profile as well.
+/// A topic without a schema gets that of this build if its type is known. `to` is as BagWriter takes it;
+/// throws as that does.
 ConvertReport convert(const Bag& from, const std::filesystem::path& to, Compression compression);
 
 }  // namespace bw::bag

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kWhole = std::numeric_limits<std::size_t>::max();  // a field outside of any sequence
 
-/// status[].name and status[3].name: 3. Of a field without []: kWhole. Nothing when the path is of another field.
+/// status[].name and status[3].name: 3. Of a field without []: kWhole. Nothing when the path is of another
+/// field.
 std::optional<std::size_t> element_of(std::string_view field, std::string_view path) {
   const std::size_t bracket = field.find("[]");
   if (bracket == std::string_view::npos) return field == path ? std::optional(kWhole) : std::nullopt;

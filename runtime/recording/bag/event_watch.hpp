@@ -18,8 +18,9 @@ namespace bw::bag {
 [[nodiscard]] std::optional<std::string> condition_rule(const TypeDescription& type,
                                                         const EventCondition& condition);
 
-/// Whether all conditions hold in one message: those with [] in their field for the same element of the sequence. `last`
-/// has the values of the fields that shall rise, by condition. False for bytes that are no such message.
+/// Whether all conditions hold in one message: those with [] in their field for the same element of the
+/// sequence. `last` has the values of the fields that shall rise, by condition. False for bytes that are no
+/// such message.
 [[nodiscard]] bool all_hold(const std::vector<EventCondition>& conditions, const TypeDescription& type,
                             BytesView cdr, std::map<std::size_t, double>& last);
 
@@ -27,7 +28,8 @@ class EventWatch {
  public:
   explicit EventWatch(std::vector<Event> events) : events_(std::move(events)) {}
 
-  /// Named by what is returned. `type` is null where nobody knows it: then only events without conditions count.
+  /// Named by what is returned. `type` is null where nobody knows it: then only events without conditions
+  /// count.
   std::size_t add_topic(const std::string& name, const TypeDescription* type);
   [[nodiscard]] bool is_watched(std::size_t topic) const { return !topics_[topic].watches.empty(); }
   /// The events that happen with the topic's next message.

@@ -1,6 +1,7 @@
-// Keeps the last seconds of a run in memory, and writes them, and what follows, when something happens: each time a bag
-// of its own. A message costs the lane that sends it one copy; events are looked for, and bags written, on a thread of
-// its own. In lock-step all of it happens on the caller's thread, and equal runs give equal bags.
+// Keeps the last seconds of a run in memory, and writes them, and what follows, when something happens: each
+// time a bag of its own. A message costs the lane that sends it one copy; events are looked for, and bags
+// written, on a thread of its own. In lock-step all of it happens on the caller's thread, and equal runs give
+// equal bags.
 #pragma once
 
 #include <condition_variable>

@@ -13,8 +13,8 @@ struct KnownType {
   std::string why;  ///< what is not the same then; empty where this build has no such type
 };
 
-/// By the hash of the type where the bag has one, else by the fields of its schema. Where the bag has neither the name
-/// must do; every message is validated before it is used.
+/// By the hash of the type where the bag has one, else by the fields of its schema. Where the bag has neither
+/// the name must do; every message is validated before it is used.
 [[nodiscard]] KnownType known_type(const BagTopic& topic);
 
 }  // namespace bw::bag

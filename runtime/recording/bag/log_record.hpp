@@ -3,7 +3,8 @@
 
 namespace bw::bag {
 
-/// Its fields: name, source, licence, columns (the columns file), tables, start [s], and what the log declares of the robot.
+/// Its fields: name, source, licence, columns (the columns file), tables, start [s], and what the log
+/// declares of the robot.
 inline constexpr const char* kLogRecord = "log";
 
 }  // namespace bw::bag

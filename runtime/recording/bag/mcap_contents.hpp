@@ -1,5 +1,5 @@
-// What an MCAP file holds, messages apart: from its summary, or, where that is missing or broken, from a walk over the
-// file up to the first damage.
+// What an MCAP file holds, messages apart: from its summary, or, where that is missing or broken, from a walk
+// over the file up to the first damage.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,8 @@ struct Contents {
   std::vector<Fault> faults;
 };
 
-/// Throws std::runtime_error naming the file for one that is no MCAP file at all; anything else becomes a fault.
+/// Throws std::runtime_error naming the file for one that is no MCAP file at all; anything else becomes a
+/// fault.
 [[nodiscard]] Contents read_contents(const ByteSource& file);
 
 /// One record whose claimed length the file really holds; false, with the fault, otherwise.

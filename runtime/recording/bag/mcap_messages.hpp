@@ -1,4 +1,5 @@
-// The messages of an MCAP file in the order of their log times; those of one time in the order they were written.
+// The messages of an MCAP file in the order of their log times; those of one time in the order they were
+// written.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +32,8 @@ class Messages {
   /// Both must outlive this.
   Messages(const ByteSource& file, const Contents& contents, Selection selection);
 
-  /// `message` lies in memory that is valid until the next call. `damaged`: fault() says what is lost; the next call
-  /// goes on behind it.
+  /// `message` lies in memory that is valid until the next call. `damaged`: fault() says what is lost; the
+  /// next call goes on behind it.
   Step next(Message& message);
   const Fault& fault() const { return fault_; }
 

@@ -167,7 +167,8 @@ void append(Bytes& out, const MetadataIndex& record);
 void append(Bytes& out, const SummaryOffset& record);
 void append_data_end(Bytes& out, std::uint32_t data_section_crc);
 
-/// Read the content of a record; false when it does not hold one. Bytes after it are ignored, as the format asks.
+/// Read the content of a record; false when it does not hold one. Bytes after it are ignored, as the format
+/// asks.
 [[nodiscard]] bool parse(BytesView content, Header& record);
 [[nodiscard]] bool parse(BytesView content, Footer& record);
 [[nodiscard]] bool parse(BytesView content, Schema& record);

@@ -16,9 +16,9 @@ struct RecoveryReport {
   bool was_whole = false;        ///< nothing was wrong
 };
 
-/// Writes a new file, with the compression of the old one, in the order of the old one. A chunk whose checksum does not
-/// fit is lost, not passed on. Throws std::runtime_error when `from` is no MCAP file, std::system_error when `to` exists
-/// or cannot be written.
+/// Writes a new file, with the compression of the old one, in the order of the old one. A chunk whose
+/// checksum does not fit is lost, not passed on. Throws std::runtime_error when `from` is no MCAP file,
+/// std::system_error when `to` exists or cannot be written.
 RecoveryReport recover(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace bw::bag::mcap

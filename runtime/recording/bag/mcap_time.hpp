@@ -1,5 +1,6 @@
-// Times as MCAP has them, unsigned nanoseconds, and as the rest of the program has them. What lies outside of the other's
-// range is moved to its nearest end, so that times of a bag can always be subtracted from each other.
+// Times as MCAP has them, unsigned nanoseconds, and as the rest of the program has them. What lies outside of
+// the other's range is moved to its nearest end, so that times of a bag can always be subtracted from each
+// other.
 #pragma once
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 
 namespace bw::bag::mcap {
 
-/// Of the data section, byte by byte, and of the attachments; metadata records must be what they say. Reads the whole
-/// file once; without a summary only what the walk found.
+/// Of the data section, byte by byte, and of the attachments; metadata records must be what they say. Reads
+/// the whole file once; without a summary only what the walk found.
 [[nodiscard]] std::vector<Fault> verify(const ByteSource& file, const Contents& contents);
 
 }  // namespace bw::bag::mcap

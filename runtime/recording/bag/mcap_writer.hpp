@@ -1,5 +1,6 @@
-// Writes one MCAP file: messages in compressed chunks with their indexes, a summary at the end. A file that is cut
-// anywhere still opens up to its last whole chunk: every chunk repeats the schemas and channels that it uses.
+// Writes one MCAP file: messages in compressed chunks with their indexes, a summary at the end. A file that
+// is cut anywhere still opens up to its last whole chunk: every chunk repeats the schemas and channels that
+// it uses.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,8 @@ namespace bw::bag {
 namespace {
 
 constexpr std::chrono::milliseconds kPeriod(100);  // between looks at the queue
-// A kill takes what waits in the queue and in the open chunk: kPeriod + kFlushPeriod, and the time to write them.
+// A kill takes what waits in the queue and in the open chunk: kPeriod + kFlushPeriod, and the time to write
+// them.
 constexpr std::chrono::milliseconds kFlushPeriod(500);
 // A power cut takes also what came since the last sync.
 constexpr std::chrono::milliseconds kSyncPeriod(1000);

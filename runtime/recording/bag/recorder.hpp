@@ -1,6 +1,6 @@
-// Records messages without ever holding up who sends them: they are copied into a bounded queue, and a thread of its
-// own writes them. What finds the queue full is dropped and counted, by topic. A disk that fails ends the recording,
-// not the drive. A kill of the program costs the last second, a power cut the last two.
+// Records messages without ever holding up who sends them: they are copied into a bounded queue, and a thread
+// of its own writes them. What finds the queue full is dropped and counted, by topic. A disk that fails ends
+// the recording, not the drive. A kill of the program costs the last second, a power cut the last two.
 #pragma once
 
 #include <condition_variable>
@@ -49,8 +49,8 @@ class Recorder {
   void add_metadata(const std::string& name, const std::map<std::string, std::string>& entries);
   [[nodiscard]] RecorderStatus status() const;
 
-  /// Writes what waits, the counts of what was dropped (metadata record `dropped`), and the end. The status after it is
-  /// the last one.
+  /// Writes what waits, the counts of what was dropped (metadata record `dropped`), and the end. The status
+  /// after it is the last one.
   void close();
 
  private:

@@ -45,7 +45,8 @@ std::string full_type(std::string_view type, std::string_view package) {
   return type == "Header" ? "std_msgs/Header" : std::string(package) + "/" + std::string(type);
 }
 
-/// A line `type name`, `type name default` or `type NAME=value`; nothing for the last one, which is a constant.
+/// A line `type name`, `type name default` or `type NAME=value`; nothing for the last one, which is a
+/// constant.
 std::optional<MsgField> field_of(std::string_view line, std::string_view package) {
   const std::string_view type = take(line, kBlank);
   line = trimmed(line);

@@ -1,4 +1,5 @@
-// Message definitions as bags carry them (encoding `ros2msg`), read as far as they tell how bytes are laid out.
+// Message definitions as bags carry them (encoding `ros2msg`), read as far as they tell how bytes are laid
+// out.
 #pragma once
 
 #include <map>
@@ -24,8 +25,8 @@ struct MsgDefinition {
 /// `type` is the message's name, nav_msgs/msg/Odometry: types named without a package are of its own.
 [[nodiscard]] MsgDefinition parse_ros2msg(std::string_view type, std::string_view text);
 
-/// The first field that is not the same in both, in words; nothing when bytes mean the same. A contained type that one of
-/// them does not define is taken as equal by its name.
+/// The first field that is not the same in both, in words; nothing when bytes mean the same. A contained type
+/// that one of them does not define is taken as equal by its name.
 [[nodiscard]] std::optional<std::string> first_difference(const MsgDefinition& bag,
                                                           const MsgDefinition& here);
 

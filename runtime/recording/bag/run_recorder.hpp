@@ -1,4 +1,5 @@
-// Records what the outputs of a process write, without a second serialisation: their bytes go into the bag as they are.
+// Records what the outputs of a process write, without a second serialisation: their bytes go into the bag as
+// they are.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +19,8 @@ class RunRecorder final : public SampleTap {
 
   void connect(const std::vector<const OutputEnd*>& outputs) override;
   void on_sample(const OutputEnd& output, Time now, std::span<const std::uint8_t> cdr) override;
-  /// It records what is sent, and has nothing made that nobody else reads: drawings made the planner's cycle longer.
+  /// It records what is sent, and has nothing made that nobody else reads: drawings made the planner's cycle
+  /// longer.
   [[nodiscard]] bool wants_everything() const override { return false; }
   void run_is_over() override { messages_of_run_ = recorder_.status().recorded; }
 

@@ -7,7 +7,8 @@
 
 namespace bw::bag {
 
-/// The type's own definition, then each type that it contains, once, behind a line of 80 `=` and `MSG: package/Name`.
+/// The type's own definition, then each type that it contains, once, behind a line of 80 `=` and `MSG:
+/// package/Name`.
 [[nodiscard]] std::string schema_text(const TypeDescription& type);
 
 }  // namespace bw::bag

@@ -9,10 +9,10 @@
 
 namespace bw::bag {
 
-/// `graph` with the components that are left out, `declarations` of those that are not. What the settings do not name
-/// are all events that declared components tell of. An event of a component that is left out never happens. Throws
-/// ConfigError with all violations: an unknown event, a topic that nobody publishes, a field that is not there, or
-/// nothing at all to wait for.
+/// `graph` with the components that are left out, `declarations` of those that are not. What the settings do
+/// not name are all events that declared components tell of. An event of a component that is left out never
+/// happens. Throws ConfigError with all violations: an unknown event, a topic that nobody publishes, a field
+/// that is not there, or nothing at all to wait for.
 [[nodiscard]] std::vector<Event> resolve_events(const SnapshotSettings& settings, const Graph& graph,
                                                 const std::vector<ComponentDeclaration>& declarations);
 

@@ -1,5 +1,5 @@
-// The last messages of a run, in memory: what is older than asked goes, and the oldest before the memory grows too
-// large. The latest messages of latched topics stay. No threads; whoever shares it locks it.
+// The last messages of a run, in memory: what is older than asked goes, and the oldest before the memory
+// grows too large. The latest messages of latched topics stay. No threads; whoever shares it locks it.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,8 @@ struct KeptMessage {
 
 class SnapshotRing {
  public:
-  /// Messages one behind the other. Appending leaves those before as they are, so that they can be read meanwhile.
+  /// Messages one behind the other. Appending leaves those before as they are, so that they can be read
+  /// meanwhile.
   class Block;
   struct Latched {
     Time publish_time;
@@ -63,8 +64,9 @@ class SnapshotRing {
   /// False, and nothing is kept, for one that is larger than the memory.
   bool add(const KeptMessage& message);
 
-  /// What is there from `cursor` on, up to the end of a block at most; moves the cursor behind it, and adds to `lost` what
-  /// went before it was read. What lies behind the cursor stays until the memory is full, however old it is.
+  /// What is there from `cursor` on, up to the end of a block at most; moves the cursor behind it, and adds
+  /// to `lost` what went before it was read. What lies behind the cursor stays until the memory is full,
+  /// however old it is.
   [[nodiscard]] Stretch read(Cursor& cursor, std::uint64_t& lost);
   /// The oldest there is.
   [[nodiscard]] Cursor begin() const;

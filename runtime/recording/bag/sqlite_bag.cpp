@@ -20,7 +20,8 @@ struct FinishStatement {
 };
 using Database = std::unique_ptr<sqlite3, CloseDatabase>;
 
-/// A file may hold queries of its own, as views are, and pages that lead back to themselves: neither may keep the reader for ever.
+/// A file may hold queries of its own, as views are, and pages that lead back to themselves: neither may keep
+/// the reader for ever.
 class Guard {
  public:
   /// `file_size` [bytes]. Must outlive the database's queries.
@@ -151,7 +152,8 @@ class SqliteBag final : public Bag {
     // Nothing in the file can be longer than the file; SQLite needs some for itself.
     const std::uintmax_t most = std::clamp(std::filesystem::file_size(file), kLeastLimit, kLargestValue);
     sqlite3_limit(raw, SQLITE_LIMIT_LENGTH, static_cast<int>(most));
-    // Of a file that was cut, what is left is read; SQLite refuses it otherwise. Damage is looked for in every page.
+    // Of a file that was cut, what is left is read; SQLite refuses it otherwise. Damage is looked for in
+    // every page.
     sqlite3_exec(raw, "PRAGMA writable_schema=ON; PRAGMA cell_size_check=ON; PRAGMA trusted_schema=OFF",
                  nullptr, nullptr, nullptr);
     guard_ = std::make_unique<Guard>(raw, std::filesystem::file_size(file));

@@ -1,4 +1,5 @@
-// Waits for devices on a thread of its own: a sync may take seconds, and what comes meanwhile must get into the file.
+// Waits for devices on a thread of its own: a sync may take seconds, and what comes meanwhile must get into
+// the file.
 #pragma once
 
 #include <condition_variable>

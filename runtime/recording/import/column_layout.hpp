@@ -1,5 +1,5 @@
-// Which cells of a row belong to which column. A column may be several cells: as many as another column says, or all
-// that the others leave.
+// Which cells of a row belong to which column. A column may be several cells: as many as another column says,
+// or all that the others leave.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,9 @@ struct CellRange {
 
 class ColumnLayout {
  public:
-  /// The columns of a header, or of a list as a columns file has it: `word`, `n`, `ranges[n]` (column n says how many
-  /// cells), `ranges[1081]`, `ranges[*]` (all that the others leave), and at the end `...` (whatever else there is).
+  /// The columns of a header, or of a list as a columns file has it: `word`, `n`, `ranges[n]` (column n says
+  /// how many cells), `ranges[1081]`, `ranges[*]` (all that the others leave), and at the end `...` (whatever
+  /// else there is).
   /// Throws std::invalid_argument with the rule that the list breaks.
   static ColumnLayout of_header(const std::vector<std::string>& names);
   static ColumnLayout of_list(const std::vector<std::string>& entries);
@@ -30,7 +31,8 @@ class ColumnLayout {
 
   /// By name, or by number from 1. Throws std::invalid_argument with the rule that the text breaks.
   [[nodiscard]] std::size_t column(std::string_view text) const;
-  /// A column of several cells by its name; or neighbours, `r0..r511` or `2..` (to the last). First and last column.
+  /// A column of several cells by its name; or neighbours, `r0..r511` or `2..` (to the last). First and last
+  /// column.
   [[nodiscard]] std::pair<std::size_t, std::size_t> columns(std::string_view text) const;
   [[nodiscard]] const std::string& name(std::size_t column) const { return columns_[column].name; }
   [[nodiscard]] bool is_several(std::size_t column) const { return columns_[column].kind != Kind::one; }

@@ -1,4 +1,5 @@
-// What a columns file says: which column of which table is which field of which message. README.md has one in full.
+// What a columns file says: which column of which table is which field of which message. README.md has one in
+// full.
 #pragma once
 
 #include <cstddef>
@@ -113,8 +114,8 @@ struct ColumnsFile {
   std::vector<TableRule> tables;
 };
 
-/// Throws ConfigError with everything that is wrong in the file itself; what only the tables can tell is refused by the
-/// import.
+/// Throws ConfigError with everything that is wrong in the file itself; what only the tables can tell is
+/// refused by the import.
 ColumnsFile read_columns_file(const std::filesystem::path& file);
 
 }  // namespace bw::imports

@@ -12,12 +12,13 @@ namespace bw::imports {
 
 class FieldWriter {
  public:
-  /// A constant is written at once. Throws ConfigError naming file, line and key of the rule for a field that the type
-  /// does not have, a column that the table does not have, and a unit that is none of the field's.
+  /// A constant is written at once. Throws ConfigError naming file, line and key of the rule for a field that
+  /// the type does not have, a column that the table does not have, and a unit that is none of the field's.
   FieldWriter(const ValueRule& rule, MessageDraft& draft, const ColumnLayout& layout,
               const std::string& table);
 
-  /// From a row that `layout` was laid over. False: a gap says that the row gives no such message. Throws TableError.
+  /// From a row that `layout` was laid over. False: a gap says that the row gives no such message. Throws
+  /// TableError.
   bool write(const Row& row, const ColumnLayout& layout, const std::string& table, MessageDraft& draft);
 
   [[nodiscard]] const ValueRule& rule() const { return rule_; }

@@ -35,7 +35,8 @@ struct ImportedLog {
   std::vector<TopicImport> report;
 };
 
-/// Each table is read by the entry whose `file` is its name. A folder stands for the files in it that entries name.
+/// Each table is read by the entry whose `file` is its name. A folder stands for the files in it that entries
+/// name.
 /// Throws ConfigError for what is wrong with the columns file, TableError for what is wrong in a table, and
 /// std::runtime_error naming a file that is not there, that no entry names, or that an entry misses.
 ImportedLog import_tables(const ColumnsFile& columns, const std::vector<std::filesystem::path>& tables);

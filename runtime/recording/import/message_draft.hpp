@@ -1,5 +1,6 @@
-// A message of any type that is known by its description alone: its fields are set by their paths, and it is written
-// as the class of the type would be. What nobody sets is zero, empty, false; an unset quaternion is no rotation.
+// A message of any type that is known by its description alone: its fields are set by their paths, and it is
+// written as the class of the type would be. What nobody sets is zero, empty, false; an unset quaternion is
+// no rotation.
 #pragma once
 
 #include <cstdint>
@@ -34,18 +35,19 @@ class MessageDraft {
 
   explicit MessageDraft(const TypeDescription& type);
 
-  /// `pose.pose.position.x`, `position_covariance[4]`, `transforms[0].child_frame_id`, `ranges`, `header.stamp`,
-  /// `pose.pose.orientation.yaw`. Sequences grow as far as they are spoken of. Throws std::invalid_argument with the
-  /// rule that the path breaks.
+  /// `pose.pose.position.x`, `position_covariance[4]`, `transforms[0].child_frame_id`, `ranges`,
+  /// `header.stamp`, `pose.pose.orientation.yaw`. Sequences grow as far as they are spoken of. Throws
+  /// std::invalid_argument with the rule that the path breaks.
   Place find(std::string_view path);
 
-  /// Each returns the rule that the value breaks, if it does: a whole number in range where the field is one, a text
-  /// within its bound, as many numbers as an array has.
+  /// Each returns the rule that the value breaks, if it does: a whole number in range where the field is one,
+  /// a text within its bound, as many numbers as an array has.
   std::optional<std::string> set(const Place& place, double value);
   std::optional<std::string> set(const Place& place, std::string_view text);
   std::optional<std::string> set(const Place& place, std::span<const double> values);
   std::optional<std::string> set(const Place& place, Duration since_epoch);
-  /// In every std_msgs/Header of the message, and in a message that begins with a builtin_interfaces/Time there.
+  /// In every std_msgs/Header of the message, and in a message that begins with a builtin_interfaces/Time
+  /// there.
   void set_stamps(Time stamp);
 
   /// Of a place of kind numbers or number.

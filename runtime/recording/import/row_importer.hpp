@@ -23,8 +23,8 @@ struct RowCounts {
 
 class RowImporter {
  public:
-  /// `rule` must outlive this. `columns`: of the header; without names and list, of the first row's width. Throws
-  /// ConfigError.
+  /// `rule` must outlive this. `columns`: of the header; without names and list, of the first row's width.
+  /// Throws ConfigError.
   RowImporter(const MessageRule& rule, const TypeDescription& type, ColumnLayout columns, std::string table);
 
   /// The stamp of the message that the row gives, if it gives one: write() then writes it. Throws TableError.

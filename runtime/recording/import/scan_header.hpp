@@ -8,8 +8,8 @@
 
 namespace bw::imports {
 
-/// Of a sensor_msgs/LaserScan: angle_max from angle_min, angle_increment and the number of ranges, or angle_increment
-/// from the two angles, whichever no rule gives.
+/// Of a sensor_msgs/LaserScan: angle_max from angle_min, angle_increment and the number of ranges, or
+/// angle_increment from the two angles, whichever no rule gives.
 void complete_scan(const std::vector<ValueRule>& rules, MessageDraft& scan);
 
 }  // namespace bw::imports

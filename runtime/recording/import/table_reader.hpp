@@ -31,7 +31,8 @@ struct Row {
   std::vector<std::string> cells;
 };
 
-/// What is wrong in a table: "imu.csv:3: column 4 (yaw) = 'x': is no number". Nothing of the import is kept then.
+/// What is wrong in a table: "imu.csv:3: column 4 (yaw) = 'x': is no number". Nothing of the import is kept
+/// then.
 class TableError : public std::runtime_error {
  public:
   /// `column`: from 1; 0: the line as a whole.
@@ -40,8 +41,8 @@ class TableError : public std::runtime_error {
   TableError(const std::string& table, std::size_t line, std::string_view rule);
 };
 
-/// Blank lines and comments are stepped over; a byte order mark and Windows line ends are no part of a cell. Cells of a
-/// separated table may stand in double quotes, and lose blanks around them.
+/// Blank lines and comments are stepped over; a byte order mark and Windows line ends are no part of a cell.
+/// Cells of a separated table may stand in double quotes, and lose blanks around them.
 class TableReader {
  public:
   /// Throws std::runtime_error naming the file when it cannot be read, TableError when the header is missing.

@@ -12,8 +12,9 @@ struct Unit {
   std::array<int, 3> powers{};  ///< of metre, radian, second
 };
 
-/// A name, a power of it, and one such divided by another: `mm`, `mm^2`, `km/h`, `deg/s`, `m/s^2`. Nothing for a text
-/// that is none. Names: m, km, cm, mm, um, in, ft; rad, mrad, deg, rev; s, ms, us, ns, min, h; Hz, kn, rpm, g.
+/// A name, a power of it, and one such divided by another: `mm`, `mm^2`, `km/h`, `deg/s`, `m/s^2`. Nothing
+/// for a text that is none. Names: m, km, cm, mm, um, in, ft; rad, mrad, deg, rev; s, ms, us, ns, min, h; Hz,
+/// kn, rpm, g.
 std::optional<Unit> unit_of(std::string_view text);
 
 /// The names, for messages.

@@ -9,8 +9,9 @@
 
 namespace bw::imports {
 
-/// The value of a field is the name of a column, or a section; that of a constant a text or a number with or without its
-/// unit (`-90 deg`), or a section. `key`: of the section it stands in. Adds what it refuses to `violations`.
+/// The value of a field is the name of a column, or a section; that of a constant a text or a number with or
+/// without its unit (`-90 deg`), or a section. `key`: of the section it stands in. Adds what it refuses to
+/// `violations`.
 ValueRule read_value_rule(const ConfigEntry& entry, const std::string& key, bool constant,
                           std::vector<Violation>& violations);
 

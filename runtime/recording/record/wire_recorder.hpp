@@ -1,7 +1,9 @@
-// Records topics of a running ROS 2 system, types it knows and types it does not, into a bag. Topics that appear while it
-// records are joined. It is a node of its own, `bandwagon_recorder`, and tells /diagnostics how it is doing.
+// Records topics of a running ROS 2 system, types it knows and types it does not, into a bag. Topics that
+// appear while it records are joined. It is a node of its own, `bandwagon_recorder`, and tells /diagnostics
+// how it is doing.
 //
-// log_time is when a sample arrived here (system clock, or /clock), publish_time its own stamp, or when it was sent.
+// log_time is when a sample arrived here (system clock, or /clock), publish_time its own stamp, or when it
+// was sent.
 #pragma once
 
 #include <atomic>
@@ -52,7 +54,8 @@ class WireRecorder {
 
   /// From any thread.
   [[nodiscard]] WireRecorderStatus status() const;
-  /// Ends it. What was lost on the wire becomes the metadata record `lost`, what the disk was too slow for `dropped`.
+  /// Ends it. What was lost on the wire becomes the metadata record `lost`, what the disk was too slow for
+  /// `dropped`.
   void close();
 
  private:

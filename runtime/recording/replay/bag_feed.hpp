@@ -1,8 +1,8 @@
-// The recorded side of a replay: publishes what the bag holds of components that do not run, in virtual time and in the
-// order of the recording, and tells the comparison what the running ones wrote.
+// The recorded side of a replay: publishes what the bag holds of components that do not run, in virtual time
+// and in the order of the recording, and tells the comparison what the running ones wrote.
 //
-// Within one instant a recorded message comes when all messages that the bag has before it have come, those of running
-// components included. So every running component meets its inputs in the order of the recording.
+// Within one instant a recorded message comes when all messages that the bag has before it have come, those
+// of running components included. So every running component meets its inputs in the order of the recording.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,8 @@ class BagFeed final : public EventSource {
   /// Bag and comparison must outlive this.
   BagFeed(const bag::Bag& recording, FeedOptions options, OutputComparison& comparison);
 
-  /// The component through which it publishes; must come first in the graph's order. It must not outlive this.
+  /// The component through which it publishes; must come first in the graph's order. It must not outlive
+  /// this.
   std::unique_ptr<Component> make_component();
 
   std::optional<Time> next() const override;

@@ -28,9 +28,9 @@ struct BagRunResult {
   std::vector<std::string> notes;  ///< damage of the bag; topics that are not what their type's name says
 };
 
-/// In lock-step, from the bag's first message to its last: same bag, same graph, same outputs. Only what the named
-/// components read is played, in the order of the recording, and nothing that somebody here writes. Throws ConfigError or
-/// std::runtime_error: a component that is not in the graph, an input nobody feeds.
+/// In lock-step, from the bag's first message to its last: same bag, same graph, same outputs. Only what the
+/// named components read is played, in the order of the recording, and nothing that somebody here writes.
+/// Throws ConfigError or std::runtime_error: a component that is not in the graph, an input nobody feeds.
 BagRunResult run_on(const bag::Bag& recording, Graph graph, BagRunOptions options);
 
 }  // namespace bw::replay

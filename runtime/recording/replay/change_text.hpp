@@ -1,5 +1,6 @@
-// The outputs of a replay as text that a person can review and that any CPU type and build gives again: numbers to three
-// decimals, long lists by their least, mean and largest value, at most one message of a topic in a period.
+// The outputs of a replay as text that a person can review and that any CPU type and build gives again:
+// numbers to three decimals, long lists by their least, mean and largest value, at most one message of a
+// topic in a period.
 //
 //   /cmd_vel_nav geometry_msgs/msg/Twist
 //     1.050 linear.x=0.2 angular.z=-0.013

@@ -10,7 +10,8 @@
 
 namespace bw::replay {
 
-/// Enables the named components, and no others. Throws std::runtime_error for a name that is not in the graph.
+/// Enables the named components, and no others. Throws std::runtime_error for a name that is not in the
+/// graph.
 void keep_only(Graph& graph, const std::vector<std::string>& names);
 
 struct Ends {

@@ -61,9 +61,9 @@ struct FirstDifference {
                                                         const std::set<std::string>& topics, Time from,
                                                         Time to);
 
-/// Most messages of the stamped topic carry the stamp of a message of one input, the one of which the greatest share is
-/// answered so; and it has none of that stamp in the bag. The recorder did not hear it, and no order of the
-/// others makes up for it.
+/// Most messages of the stamped topic carry the stamp of a message of one input, the one of which the
+/// greatest share is answered so; and it has none of that stamp in the bag. The recorder did not hear it, and
+/// no order of the others makes up for it.
 [[nodiscard]] bool lacks_its_input(const bag::Bag& recording, const std::set<std::string>& topics,
                                    const FirstDifference& difference);
 

@@ -1,5 +1,5 @@
-// What readers that come late would know at some time of a recording: the last message of each latched writer, and every
-// transform of /tf_static.
+// What readers that come late would know at some time of a recording: the last message of each latched
+// writer, and every transform of /tf_static.
 #pragma once
 
 #include <cstddef>

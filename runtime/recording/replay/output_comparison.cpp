@@ -69,7 +69,8 @@ void OutputComparison::match_by_stamp(const std::string& topic, Time end) {
   Pair& pair = waiting_[topic];
   std::ranges::stable_sort(pair.expected, {}, &Waiting::stamp);
   std::ranges::stable_sort(pair.got, {}, &Waiting::stamp);
-  // Processes of a real-time run start and end one after the other: outside of what a topic holds, its writer did not run.
+  // Processes of a real-time run start and end one after the other: outside of what a topic holds, its writer
+  // did not run.
   if (!pair.expected.empty()) {
     const Duration margin = half_period(pair.expected).value_or(Duration{});
     const Time first = pair.expected.front().stamp - margin;

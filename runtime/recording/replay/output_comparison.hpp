@@ -54,8 +54,8 @@ class OutputComparison {
   void add_topic(const std::string& topic, const std::string& type);
   void expect(const std::string& topic, Time time, bag::BytesView cdr);
   void got(const std::string& topic, Time time, bag::BytesView cdr);
-  /// What waits for its partner has none. Messages got at `end` or later may be more than were recorded: the recording
-  /// may have stopped within that instant.
+  /// What waits for its partner has none. Messages got at `end` or later may be more than were recorded: the
+  /// recording may have stopped within that instant.
   void finish(Time end);
 
   [[nodiscard]] const std::map<std::string, TopicVerdict>& verdicts() const { return verdicts_; }

@@ -1,5 +1,5 @@
-// When what is due, while a bag is played in real time: pure arithmetic between the bag's time and a steady clock. Every
-// due time is reckoned from one anchor, so that nothing adds up over an hour.
+// When what is due, while a bag is played in real time: pure arithmetic between the bag's time and a steady
+// clock. Every due time is reckoned from one anchor, so that nothing adds up over an hour.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +32,8 @@ class PlaySchedule {
   /// `now`, here and below: the steady clock.
   PlaySchedule(const PlayScheduleOptions& options, Duration now);
 
-  /// What is due at `now`, when the next message was recorded at `message`. A message or clock that it names counts as
-  /// given. At rate 0 the clock goes by the bag's time.
+  /// What is due at `now`, when the next message was recorded at `message`. A message or clock that it names
+  /// counts as given. At rate 0 the clock goes by the bag's time.
   PlayStep next(Time message, Duration now);
 
   /// The next message is due at once, also while it is paused, and the bag's time jumps to it.

@@ -26,8 +26,8 @@ struct PlayedTopic {
   Qos qos;
 };
 
-/// By topic of the bag; nothing for what is not played. Throws std::runtime_error for a topic or remap that is not in the
-/// bag, a name that is none, two types on one topic, and when nothing is left.
+/// By topic of the bag; nothing for what is not played. Throws std::runtime_error for a topic or remap that
+/// is not in the bag, a name that is none, two types on one topic, and when nothing is left.
 [[nodiscard]] std::vector<std::optional<PlayedTopic>> played_topics(
     const std::vector<bag::BagTopic>& recorded, const TopicSelection& selection);
 

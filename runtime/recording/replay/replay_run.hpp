@@ -40,8 +40,9 @@ struct ReplayResult {
 /// Virtual time that may be replayed to explain a difference by the order of inputs.
 constexpr Duration kOrderBudget = Duration::milliseconds(600'000);
 
-/// In lock-step, from the bag's first message to its last, by the tolerances of the graph. Throws ConfigError or std::runtime_error: a component that
-/// is not in the graph or writes nothing that was recorded, an input nobody feeds.
+/// In lock-step, from the bag's first message to its last, by the tolerances of the graph. Throws ConfigError
+/// or std::runtime_error: a component that is not in the graph or writes nothing that was recorded, an input
+/// nobody feeds.
 [[nodiscard]] ReplayResult replay(const bag::Bag& recording, Graph graph, const ReplayOptions& options);
 
 }  // namespace bw::replay

@@ -15,7 +15,8 @@
 
 namespace bw::replay {
 
-/// Fields are named without indexes (ranges, tracks.position.x); a name stands for all below it, the longest one counts.
+/// Fields are named without indexes (ranges, tracks.position.x); a name stands for all below it, the longest
+/// one counts.
 /// A stamp or duration is one field [s].
 struct TopicTolerances {
   std::map<std::string, double> absolute;  ///< in the field's unit; missing: exact
@@ -28,8 +29,8 @@ struct TopicTolerances {
 
 using Tolerances = std::map<std::string, TopicTolerances>;  ///< by topic
 
-/// Throws ConfigError: a field that the topic's type does not have, a tolerance that is neither a number of at least 0
-/// nor `left_out`. Topics that are not in `topics` are not looked at further.
+/// Throws ConfigError: a field that the topic's type does not have, a tolerance that is neither a number of
+/// at least 0 nor `left_out`. Topics that are not in `topics` are not looked at further.
 [[nodiscard]] Tolerances read_tolerances(const ConfigNode& section, const std::vector<bag::BagTopic>& topics);
 
 }  // namespace bw::replay

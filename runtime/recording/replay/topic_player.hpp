@@ -1,5 +1,5 @@
-// Plays a bag as topics in real time: the recorded bytes under the recorded names, types and offers, as a node of its own,
-// `bandwagon_player`. What latched writers had said before the beginning is published first.
+// Plays a bag as topics in real time: the recorded bytes under the recorded names, types and offers, as a
+// node of its own, `bandwagon_player`. What latched writers had said before the beginning is published first.
 #pragma once
 
 #include <cstdint>
@@ -52,11 +52,12 @@ class PlayerControl {
 
 class TopicPlayer {
  public:
-  /// Makes the writers. Throws as played_topics and dds::Participant do, and std::runtime_error when `start` is behind the
-  /// bag's end. The bag must outlive this.
+  /// Makes the writers. Throws as played_topics and dds::Participant do, and std::runtime_error when `start`
+  /// is behind the bag's end. The bag must outlive this.
   TopicPlayer(const bag::Bag& recording, const PlayerOptions& options);
 
-  /// Waits until readers that are there already have been found, plays, and waits until the reliable ones have it all.
+  /// Waits until readers that are there already have been found, plays, and waits until the reliable ones
+  /// have it all.
   PlayerStatus run(PlayerControl& control);
 
   [[nodiscard]] std::size_t topics() const;  ///< that are played

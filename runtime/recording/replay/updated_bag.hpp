@@ -1,4 +1,5 @@
-// A bag beside another: its recorded inputs, with the outputs that components write now. The truth from then on.
+// A bag beside another: its recorded inputs, with the outputs that components write now. The truth from then
+// on.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,8 @@ class UpdatedBag {
 
   /// By the topic of the recording.
   void write(std::size_t topic, Time log_time, Time publish_time, bag::BytesView cdr);
-  /// Attachments and metadata of the recording, with this build and `parameters` (replayed_parameters.yaml), and the end.
+  /// Attachments and metadata of the recording, with this build and `parameters` (replayed_parameters.yaml),
+  /// and the end.
   void finish(const std::string& parameters);
 
  private:

@@ -1,4 +1,5 @@
-// What clients send, decoded without trust: no exception leaves, nothing is allocated for a length that is only claimed.
+// What clients send, decoded without trust: no exception leaves, nothing is allocated for a length that is
+// only claimed.
 #pragma once
 
 #include <cstdint>
@@ -87,7 +88,8 @@ struct CallService {
   std::string_view encoding;
   std::span<const std::uint8_t> payload;
 };
-/// Opcode 3 of foxglove.sdk.v1: u8 command (0 play, 1 pause), f32 speed, u8 had seek, u64 seek [ns], u32 length, request.
+/// Opcode 3 of foxglove.sdk.v1: u8 command (0 play, 1 pause), f32 speed, u8 had seek, u64 seek [ns], u32
+/// length, request.
 struct PlaybackControl {
   bool is_play = false;
   float speed = 0.0F;

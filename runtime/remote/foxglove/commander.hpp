@@ -1,5 +1,6 @@
-// Who commands the robot: the client whose command was the last. Where the server is open to a network there is one at a time, until it
-// leaves or was silent for a while; on this machine's own loopback everybody may, and the last one is known all the same.
+// Who commands the robot: the client whose command was the last. Where the server is open to a network there
+// is one at a time, until it leaves or was silent for a while; on this machine's own loopback everybody may,
+// and the last one is known all the same.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +45,8 @@ class Commander {
   Time last_;
 };
 
-/// Whether a service of this type changes nothing: it may be called by whoever may not command. By the names of ROS 2's and Nav2's
-/// interfaces; of an action it is the question for a result.
+/// Whether a service of this type changes nothing: it may be called by whoever may not command. By the names
+/// of ROS 2's and Nav2's interfaces; of an action it is the question for a result.
 bool only_asks(std::string_view service_type);
 
 }  // namespace bw::foxglove

@@ -9,7 +9,8 @@
 namespace bw::foxglove {
 
 struct GraphDifference {
-  /// Whole entries that take the place of older ones; no nodes: nobody any more, while the topic has others at its other end.
+  /// Whole entries that take the place of older ones; no nodes: nobody any more, while the topic has others
+  /// at its other end.
   ConnectionGraph changed;
   std::vector<std::string> removed_topics;  ///< neither published nor subscribed any more
   std::vector<std::string> removed_services;

@@ -1,6 +1,6 @@
-// What both sides of Foxglove's WebSocket protocol agree on. Source: the public text of `foxglove.websocket.v1` (foxglove/ws-protocol,
-// docs/spec.md at 5efa728) and the documented layouts of `foxglove.sdk.v1`, which has the same JSON ops and binary opcodes, and playback
-// control besides.
+// What both sides of Foxglove's WebSocket protocol agree on. Source: the public text of
+// `foxglove.websocket.v1` (foxglove/ws-protocol, docs/spec.md at 5efa728) and the documented layouts of
+// `foxglove.sdk.v1`, which has the same JSON ops and binary opcodes, and playback control besides.
 #pragma once
 
 #include <array>

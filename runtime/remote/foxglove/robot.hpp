@@ -1,5 +1,6 @@
-// The robot's side of a Foxglove server: what there is to be heard, asked and changed. `WireRobot` (wire_robot.hpp) finds it on the domain;
-// tests of the protocol have one of their own. Bytes are CDR with its encapsulation and pass through as they are.
+// The robot's side of a Foxglove server: what there is to be heard, asked and changed. `WireRobot`
+// (wire_robot.hpp) finds it on the domain; tests of the protocol have one of their own. Bytes are CDR with
+// its encapsulation and pass through as they are.
 //
 // All calls, in both directions, come on one thread: the server's.
 #pragma once
@@ -82,7 +83,8 @@ class Robot {
   /// The last messages of a latched topic, one of each publisher; empty where none is known yet.
   virtual std::vector<std::pair<Time, SharedBytes>> latched(std::uint32_t channel) const = 0;
 
-  /// What is wrong with it, or nothing. Types by both spellings: geometry_msgs/PoseStamped, geometry_msgs/msg/PoseStamped.
+  /// What is wrong with it, or nothing. Types by both spellings: geometry_msgs/PoseStamped,
+  /// geometry_msgs/msg/PoseStamped.
   virtual std::optional<std::string> advertise(const std::string& topic, const std::string& type) = 0;
   virtual void unadvertise(const std::string& topic) = 0;
   virtual std::optional<std::string> publish(const std::string& topic, std::span<const std::uint8_t> cdr) = 0;
@@ -96,7 +98,8 @@ class Robot {
                          Answer answer) = 0;  ///< the reply as JSON text
 
   using Values = std::function<void(const std::vector<NamedValue>&, const std::vector<std::string>& errors)>;
-  /// Named /local_planner.teb.weight_obstacle: the node's full name, a dot, the parameter's. No names: all of all nodes.
+  /// Named /local_planner.teb.weight_obstacle: the node's full name, a dot, the parameter's. No names: all of
+  /// all nodes.
   virtual void get_parameters(const std::vector<std::string>& names, Values values) = 0;
   /// The values that hold afterwards.
   virtual void set_parameters(const std::vector<NamedValue>& parameters, Values values) = 0;

@@ -1,4 +1,5 @@
-// Clients come, speak and go. What they ask is in server_reading.cpp, what they command in server_commands.cpp.
+// Clients come, speak and go. What they ask is in server_reading.cpp, what they command in
+// server_commands.cpp.
 #include "runtime/remote/foxglove/server.hpp"
 
 #include <algorithm>

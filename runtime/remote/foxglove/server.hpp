@@ -1,9 +1,11 @@
-// A Foxglove server: the protocol between clients' sockets and a robot, and what is kept of each client. No sockets, DDS, threads or
-// clocks of its own. All calls come on one thread; neither the sender nor the robot's answers need to wait for anything.
+// A Foxglove server: the protocol between clients' sockets and a robot, and what is kept of each client. No
+// sockets, DDS, threads or clocks of its own. All calls come on one thread; neither the sender nor the
+// robot's answers need to wait for anything.
 //
-// Per client: channels and services are announced in batches; one subscription a channel; latched messages are sent again to each new
-// subscription; times go before the messages they belong to; data may be left out for the slow (web::Keep), answers are not. Commands are
-// publishing, setting parameters and calls of services that change something; who may not command is told why, and may read.
+// Per client: channels and services are announced in batches; one subscription a channel; latched messages
+// are sent again to each new subscription; times go before the messages they belong to; data may be left out
+// for the slow (web::Keep), answers are not. Commands are publishing, setting parameters and calls of
+// services that change something; who may not command is told why, and may read.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +51,8 @@ class Server final : public web::SocketHandler, public RobotListener {
   using Clock = std::function<Time()>;
   /// Id of the status that says to a client why it may not command.
   static constexpr const char* kReadOnlyStatus = "read_only";
-  /// Id of the status that says who commands. Level 0: this client does, or may; 1: another one does, and this one would be refused.
+  /// Id of the status that says who commands. Level 0: this client does, or may; 1: another one does, and
+  /// this one would be refused.
   static constexpr const char* kCommanderStatus = "commander";
 
   /// Listens to the robot from now on; both must outlive it.

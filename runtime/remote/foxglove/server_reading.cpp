@@ -12,7 +12,8 @@ namespace {
 /// Streams of data are channels, which are u32; beyond them is the time.
 constexpr std::uint64_t kTimeStream = std::uint64_t{1} << 32;
 
-/// Messages of different topics overtake each other on their way here: what goes back by less is no jump of the robot's clock.
+/// Messages of different topics overtake each other on their way here: what goes back by less is no jump of
+/// the robot's clock.
 constexpr Duration kLeastJump = Duration::milliseconds(500);
 
 /// Several complaints of one kind in one sentence.
@@ -93,7 +94,8 @@ void Server::on_message(std::uint32_t channel, Time received, const SharedBytes&
   const auto found = channels_.find(channel);
   if (found == channels_.end()) return;
   const Heard& heard = found->second;
-  // The newest of a channel stays whatever else is left out. Where several latch (/tf_static), the newest is not the whole.
+  // The newest of a channel stays whatever else is left out. Where several latch (/tf_static), the newest is
+  // not the whole.
   web::Keep keep{web::Keep::Rule::newest, channel};
   if (heard.channel.is_latched && robot_.latched(channel).size() > 1) keep = {};
   for (const auto& [id, subscription] : heard.subscriptions)
@@ -104,7 +106,8 @@ void Server::on_time(Time now) {
   const bool is_back = time_ && now < *time_;
   if (is_back && *time_ - now < kLeastJump) return;
   time_ = now;
-  // Clients take a jump back for a seek and drop what they have: they hear of it at once, others with their next message.
+  // Clients take a jump back for a seek and drop what they have: they hear of it at once, others with their
+  // next message.
   if (!is_back) return;
   for (auto& [id, client] : clients_) tell_time(client);
 }

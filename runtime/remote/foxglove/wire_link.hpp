@@ -1,4 +1,5 @@
-// What the parts of WireRobot share: a participant of their own, who is there, who listens, and the server's thread.
+// What the parts of WireRobot share: a participant of their own, who is there, who listens, and the server's
+// thread.
 #pragma once
 
 #include <atomic>
@@ -20,7 +21,8 @@ namespace bw::foxglove {
 /// Brings work to the server's thread, from any thread.
 using Post = std::function<void(std::function<void()>)>;
 
-/// Work that DDS threads ask for, many times, and that the server's thread does once. It may outlive what it works for.
+/// Work that DDS threads ask for, many times, and that the server's thread does once. It may outlive what it
+/// works for.
 class PostedTask {
  public:
   PostedTask(Post post, std::function<void()> work)

@@ -1,5 +1,6 @@
-// The parameters of all nodes of a domain, asked for by their services and kept up by /parameter_events: who asks often costs them
-// nothing. A name is /local_planner.teb.weight_obstacle: the node's full name, a dot, the parameter's.
+// The parameters of all nodes of a domain, asked for by their services and kept up by /parameter_events: who
+// asks often costs them nothing. A name is /local_planner.teb.weight_obstacle: the node's full name, a dot,
+// the parameter's.
 #pragma once
 
 #include <cstdint>

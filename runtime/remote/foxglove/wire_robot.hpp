@@ -1,5 +1,6 @@
-// The robot's side of a Foxglove server on a DDS participant of its own: an outsider, as ros2's tools are. It shows any ROS 2 system
-// whose types this program knows. What no client asks for is not heard; without clients it looks at discovery, and nothing else.
+// The robot's side of a Foxglove server on a DDS participant of its own: an outsider, as ros2's tools are. It
+// shows any ROS 2 system whose types this program knows. What no client asks for is not heard; without
+// clients it looks at discovery, and nothing else.
 #pragma once
 
 #include <atomic>
@@ -37,8 +38,8 @@ struct WireRobotOptions {
 
 class WireRobot final : public Robot {
  public:
-  /// `post` brings work to the server's thread, on which all else is called, this and its end included. It may be called from any
-  /// thread until then. Throws std::runtime_error as dds::Participant does.
+  /// `post` brings work to the server's thread, on which all else is called, this and its end included. It
+  /// may be called from any thread until then. Throws std::runtime_error as dds::Participant does.
   WireRobot(WireRobotOptions options, Post post);
   ~WireRobot() override;
   WireRobot(const WireRobot&) = delete;
@@ -84,7 +85,8 @@ class WireRobot final : public Robot {
   std::thread thread_;
 };
 
-/// Who writes and hears what, and offers which service, by name of its node. Ends that no node has named are left out.
+/// Who writes and hears what, and offers which service, by name of its node. Ends that no node has named are
+/// left out.
 [[nodiscard]] ConnectionGraph connection_graph(const std::vector<dds::Endpoint>& endpoints,
                                                const NodeDirectory& nodes);
 

@@ -1,7 +1,9 @@
 // The topics of a domain as channels, and their messages to who has subscribed.
 //
-// A topic has a reader for each quality of service that is offered on it, while somebody has subscribed and a moment longer.
-// Messages are checked, cut to their size (DDS pads them) and passed on as they are; of latched ones the last of each writer is kept.
+// A topic has a reader for each quality of service that is offered on it, while somebody has subscribed and a
+// moment longer.
+// Messages are checked, cut to their size (DDS pads them) and passed on as they are; of latched ones the last
+// of each writer is kept.
 #pragma once
 
 #include <atomic>

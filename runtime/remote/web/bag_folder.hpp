@@ -1,5 +1,5 @@
-// The one folder of recordings that is served: regular files `.mcap` and `.db3`, and no others. Nothing outside of it can be reached: links
-// are not followed, wherever they lead.
+// The one folder of recordings that is served: regular files `.mcap` and `.db3`, and no others. Nothing
+// outside of it can be reached: links are not followed, wherever they lead.
 #pragma once
 
 #include <cstdint>
@@ -43,8 +43,9 @@ class BagFolder {
   BagFolder(const BagFolder&) = delete;
   BagFolder& operator=(const BagFolder&) = delete;
 
-  /// `[{"path": "run/run_0.mcap", "size": 12345, "modified": 1700000000.5}, ...]`: recordings at most three folders deep, by path, the
-  /// newest 2000 where there are more; time in seconds since 1970. What begins with a dot is neither told nor served.
+  /// `[{"path": "run/run_0.mcap", "size": 12345, "modified": 1700000000.5}, ...]`: recordings at most three
+  /// folders deep, by path, the newest 2000 where there are more; time in seconds since 1970. What begins
+  /// with a dot is neither told nor served.
   std::string list() const;
   std::variant<std::shared_ptr<const ServedFile>, FileRefusal> open(
       const std::vector<std::string>& segments) const;

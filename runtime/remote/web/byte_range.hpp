@@ -1,4 +1,5 @@
-// `Range: bytes=` of a request (RFC 9110, 14.1): one range; more than one, or what is none, is left out of account, as the RFC allows.
+// `Range: bytes=` of a request (RFC 9110, 14.1): one range; more than one, or what is none, is left out of
+// account, as the RFC allows.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// What the server of web pages and sockets (server.hpp) and whoever speaks over its sockets say to each other. No Boost here.
+// What the server of web pages and sockets (server.hpp) and whoever speaks over its sockets say to each
+// other. No Boost here.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +35,8 @@ class Head {
   std::uint8_t size_ = 0;
 };
 
-/// One WebSocket message: its head and then its body, written as one without putting them together. The body is shared by all who get it.
+/// One WebSocket message: its head and then its body, written as one without putting them together. The body
+/// is shared by all who get it.
 struct Frame {
   bool is_text = false;  ///< then it is UTF-8
   Head head = {};
@@ -48,7 +50,8 @@ inline Frame text_frame(std::string_view text) {
 }
 inline Frame binary_frame(Bytes bytes) { return {.body = std::make_shared<const Bytes>(std::move(bytes))}; }
 
-/// Which frames of a slow client may be left out. Frames of one client are sent in the order in which they were given.
+/// Which frames of a slow client may be left out. Frames of one client are sent in the order in which they
+/// were given.
 struct Keep {
   enum class Rule : std::uint8_t {
     always,  ///< answers and announcements; too many of them close the connection
@@ -68,7 +71,8 @@ struct Opening {
   std::string read_only;    ///< why it may not command (gate.hpp); empty: it may
 };
 
-/// Whoever speaks over the sockets. All calls come on the server's thread, and none of them from within a call of SocketSender.
+/// Whoever speaks over the sockets. All calls come on the server's thread, and none of them from within a
+/// call of SocketSender.
 class SocketHandler {
  public:
   virtual ~SocketHandler() = default;
@@ -83,10 +87,11 @@ class SocketHandler {
 class SocketSender {
  public:
   virtual ~SocketSender() = default;
-  /// Costs the same however long the queue is, and never waits for the client. Nothing happens where the connection is gone.
+  /// Costs the same however long the queue is, and never waits for the client. Nothing happens where the
+  /// connection is gone.
   virtual void send(ConnectionId id, Frame frame, Keep keep) = 0;
-  /// What is queued is still sent, if the client takes it in time. WebSocket's close codes; `reason` of at most 123 bytes. Nothing that
-  /// the client says afterwards is handed on.
+  /// What is queued is still sent, if the client takes it in time. WebSocket's close codes; `reason` of at
+  /// most 123 bytes. Nothing that the client says afterwards is handed on.
   virtual void close(ConnectionId id, std::uint16_t code, const std::string& reason) = 0;
 };
 

@@ -1,4 +1,5 @@
-// Lets requests in: the rules about Host and Origin in every mode, and the token: for commands, or for everything.
+// Lets requests in: the rules about Host and Origin in every mode, and the token: for commands, or for
+// everything.
 #pragma once
 
 #include <optional>
@@ -29,9 +30,10 @@ class Gate {
   Reply log_in(const Request& request);
   Reply log_out(const Request& request);
 
-  /// Why the socket that is asked for may only read; empty: it may command. Of a request that was not refused; `query_token`: of its
-  /// target. A wrong token is no refusal where reading is free, and is not counted: all clients there share an address, and a
-  /// lockout would take the stop from the one who has the token. 128 random bits are not guessed.
+  /// Why the socket that is asked for may only read; empty: it may command. Of a request that was not
+  /// refused; `query_token`: of its target. A wrong token is no refusal where reading is free, and is not
+  /// counted: all clients there share an address, and a lockout would take the stop from the one who has the
+  /// token. 128 random bits are not guessed.
   std::string read_only(const Request& request, const std::optional<std::string>& query_token) const;
 
   bool is_loopback() const { return rules_.is_loopback; }

@@ -147,7 +147,8 @@ Reply Router::site_reply(const Request& request, const RequestTarget& target) co
 Reply Router::bag_reply(const Request& request, const RequestTarget& target) const {
   if (!is_reading(request)) return not_allowed("GET, HEAD");
   if (target.path == "/bags/") {
-    // Without a folder there are none: the page asks each time, and a browser would print a refusal as an error.
+    // Without a folder there are none: the page asks each time, and a browser would print a refusal as an
+    // error.
     return {200,
             {{"Content-Type", "application/json"}, {"Cache-Control", "no-store"}},
             bags_ ? bags_->list() : std::string("[]")};

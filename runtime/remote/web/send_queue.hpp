@@ -1,4 +1,5 @@
-// What waits for one client, within bounds: a client that does not read loses older data and keeps the newest of each stream.
+// What waits for one client, within bounds: a client that does not read loses older data and keeps the newest
+// of each stream.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,8 @@
 
 namespace bw::web {
 
-/// Frames with Rule::newest count as data, with Rule::always as control. Latched ones are one of each stream and count as neither.
+/// Frames with Rule::newest count as data, with Rule::always as control. Latched ones are one of each stream
+/// and count as neither.
 struct QueueLimits {
   std::size_t data_bytes = 8 << 20;
   std::size_t data_frames = 1024;
@@ -19,7 +21,8 @@ struct QueueLimits {
   std::size_t control_frames = 4096;
 };
 
-/// Each call costs the same however much waits (an exception: a bound that one large frame breaks lets several small ones go).
+/// Each call costs the same however much waits (an exception: a bound that one large frame breaks lets
+/// several small ones go).
 class SendQueue {
  public:
   explicit SendQueue(QueueLimits limits) : limits_(limits) {}

@@ -1,12 +1,13 @@
-// HTTP and WebSocket on one port. One thread reads, writes and calls the handler; it is also the Loop that others may post to.
+// HTTP and WebSocket on one port. One thread reads, writes and calls the handler; it is also the Loop that
+// others may post to.
 //
 //   Server server(options, site, {"foxglove.websocket.v1"}, logger);   // the port is bound: port() and address() are known
 //   Handler handler(server, server);                                   // as SocketSender and as Loop
 //   server.start(handler);
 //   server.stop();                                                     // sockets are told 1001; returns within 0.5 s
 //
-// What is refused, is refused with an HTTP status or a WebSocket close code and its reason in words, and logged at debug, never with
-// a token, a cookie or the query of a URL.
+// What is refused, is refused with an HTTP status or a WebSocket close code and its reason in words, and
+// logged at debug, never with a token, a cookie or the query of a URL.
 #pragma once
 
 #include <chrono>
@@ -25,8 +26,9 @@ namespace bw::web {
 
 class Server : public SocketSender, public Loop {
  public:
-  /// `subprotocols`: those spoken, the preferred one first. Throws std::runtime_error: an address that is none or not of this machine, no
-  /// free port, no token where one is needed, a token file that others can read, a folder of bags that is none.
+  /// `subprotocols`: those spoken, the preferred one first. Throws std::runtime_error: an address that is
+  /// none or not of this machine, no free port, no token where one is needed, a token file that others can
+  /// read, a folder of bags that is none.
   Server(const ServerOptions& options, Site site, std::vector<std::string> subprotocols, Logger logger);
   ~Server() override;  ///< stops
 

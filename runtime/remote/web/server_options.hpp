@@ -1,4 +1,5 @@
-// What a server of web pages and sockets may be told. Read with the parameters of the component it belongs to.
+// What a server of web pages and sockets may be told. Read with the parameters of the component it belongs
+// to.
 #pragma once
 
 #include <optional>

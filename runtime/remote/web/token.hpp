@@ -1,4 +1,5 @@
-// The token that opens a server to other machines, the sessions of browsers that showed it, and how often it may be guessed.
+// The token that opens a server to other machines, the sessions of browsers that showed it, and how often it
+// may be guessed.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +14,23 @@ namespace bw::web {
 
 inline constexpr std::size_t kShortestToken = 16;  ///< [characters]
 
-/// The one line of a file that is ours and that nobody else can read. Throws std::runtime_error naming file and rule: not a regular file, of
-/// another user, readable by others, more than one line, shorter than kShortestToken, characters that no header can carry.
+/// The one line of a file that is ours and that nobody else can read. Throws std::runtime_error naming file
+/// and rule: not a regular file, of another user, readable by others, more than one line, shorter than
+/// kShortestToken, characters that no header can carry.
 std::string read_token_file(const std::filesystem::path& path);
 
 /// Takes as long for any wrong text of the same length.
 bool is_equal_in_constant_time(std::string_view given, std::string_view secret);
 
-/// The token of `Authorization: Bearer TOKEN`, or the password of `Basic`, which is what browsers and libraries make of ws://any:TOKEN@host.
+/// The token of `Authorization: Bearer TOKEN`, or the password of `Basic`, which is what browsers and
+/// libraries make of ws://any:TOKEN@host.
 std::optional<std::string> token_of(std::string_view authorization);
 
 /// 128 bits of the system's generator as text.
 std::string random_text();
 
-/// Browsers that showed the token. A cookie counts from the address that got it, until it is closed, too old or forgotten for newer ones.
+/// Browsers that showed the token. A cookie counts from the address that got it, until it is closed, too old
+/// or forgotten for newer ones.
 /// Times are of a steady clock [s].
 class Sessions {
  public:

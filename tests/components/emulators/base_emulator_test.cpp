@@ -1,4 +1,5 @@
-// The emulated base as a component, with the world behind it: what goes over its cable, and what the wheels do.
+// The emulated base as a component, with the world behind it: what goes over its cable, and what the wheels
+// do.
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -38,7 +39,8 @@ std::string graph(const Scene& scene) {
          scene.emulator + "}}\n";
 }
 
-/// What a host at the other end sees, and what it says: `talk` is called every 20 ms with the time since the start.
+/// What a host at the other end sees, and what it says: `talk` is called every 20 ms with the time since the
+/// start.
 struct Host {
   std::function<Bytes(double)> talk = [](double) { return Bytes{}; };
   Bytes heard;
@@ -95,8 +97,8 @@ TEST(BaseEmulator, AKobukiStandsAtTheStartAndTellsItEvery20Milliseconds) {
 }
 
 TEST(BaseEmulator, AKobukiDrivesWhatItIsToldAndCountsItThroughTheWrap) {
-  // 0.3 m/s for the last 4 of 5 s: 1.2 m and 11724.4 ticks/m (2578 a turn: 11722.9), less what the start takes; the counters begin
-  // 1000 below their wrap.
+  // 0.3 m/s for the last 4 of 5 s: 1.2 m and 11724.4 ticks/m (2578 a turn: 11722.9), less what the start
+  // takes; the counters begin 1000 below their wrap.
   Host host;
   host.talk = [](double time) { return time >= 1.0 ? kKobukiForward : Bytes{}; };
   run({.world = ", drive: {slip: 0.02, noise: 0.00003, first_tick: 64536}"}, 5.0, host);
@@ -112,7 +114,8 @@ TEST(BaseEmulator, AKobukiDrivesWhatItIsToldAndCountsItThroughTheWrap) {
       counted += step;
     }
     EXPECT_LT(u16(cores.back(), wheel), 64'536);  // it has wrapped
-    // Start: 20 ms on the way, 20 ms latency, 40 ms lag and 0.1 s of ramp cost at most 0.06 m. Noise: sd sqrt(0.00003 * 1.2) = 6 mm.
+    // Start: 20 ms on the way, 20 ms latency, 40 ms lag and 0.1 s of ramp cost at most 0.06 m. Noise: sd
+    // sqrt(0.00003 * 1.2) = 6 mm.
     EXPECT_GT(counted / ticks_per_metre, 1.2 - 0.06 - 0.024);
     EXPECT_LT(counted / ticks_per_metre, 1.2 + 0.024);
     EXPECT_LT(fastest, 400.0);
@@ -135,7 +138,8 @@ TEST(BaseEmulator, AKobukiGoesOnWithoutCommandsAndItsBumperTellsTheWall) {
 }
 
 TEST(BaseEmulator, AnEddieAnswersAndStopsWhenNothingIsHeard) {
-  // ACC 400 and 60 positions/s of 3.3249 mm: 0.3192 m/s (0x60 = 96) from 0.5 s on; silence from 2 s on, stop a second later.
+  // ACC 400 and 60 positions/s of 3.3249 mm: 0.3192 m/s (0x60 = 96) from 0.5 s on; silence from 2 s on, stop
+  // a second later.
   const Scene eddie{
       .driver = "eddie",
       .robot = "ticks_per_revolution: 144, wheel_radius: 0.0762, wheel_separation: 0.39, radius: 0.225"};

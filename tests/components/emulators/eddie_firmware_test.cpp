@@ -122,7 +122,8 @@ TEST(EddieFirmware, CountsInTwosComplementSinceReset) {
 }
 
 TEST(EddieFirmware, HeadingCountsClockwise) {
-  // Left 30, right -30 positions: 60 * 3.3249 mm / 0.39 m = 0.5115 rad = 29.3 deg clockwise, 0x1D; the other way 360 - 29.3 = 0x14B.
+  // Left 30, right -30 positions: 60 * 3.3249 mm / 0.39 m = 0.5115 rad = 29.3 deg clockwise, 0x1D; the other
+  // way 360 - 29.3 = 0x14B.
   Bench bench;
   bench.place(30.0, -30.0);
   EXPECT_EQ(bench.ask("HEAD"), "01D\r");
@@ -231,7 +232,8 @@ TEST(EddieFirmware, TellsRangesAndSupply) {
   EXPECT_EQ(bench.ask("PING"), "1F4 000\r");  // 500 mm; beyond 0xB54
   const std::string converter = bench.ask("ADC");
   ASSERT_EQ(converter.size(), 8U * 4U);
-  // 12 V / 3.21 * 819 = 3061.7; ten bits are real: 0xBF4. Infrared at 1 m: (60.495 / 100)^(1 / 1.1904) = 0.6556 V, 537 of 4095: 0x218.
+  // 12 V / 3.21 * 819 = 3061.7; ten bits are real: 0xBF4. Infrared at 1 m: (60.495 / 100)^(1 / 1.1904) =
+  // 0.6556 V, 537 of 4095: 0x218.
   EXPECT_EQ(converter.substr(28, 3), "BF4");
   EXPECT_EQ(converter.substr(0, 3), "218");
   Bench scaled({.ping_units_per_mm = 0.5});

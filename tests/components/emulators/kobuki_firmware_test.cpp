@@ -187,7 +187,8 @@ TEST(KobukiFirmware, GyroComesInFramesOfTwoOrThreeSamples) {
   EXPECT_EQ(packets, 200U);
   EXPECT_NEAR(static_cast<double>(three), 16.0, 1.0);
   EXPECT_EQ(part(last, 0x0D)[0], static_cast<std::uint8_t>(rates.size()));
-  // 0.5 rad/s = 28.648 deg/s and the bias; the mean of 416 samples of 0.1 deg/s errs by 0.005 (4 sigma: 0.02).
+  // 0.5 rad/s = 28.648 deg/s and the bias; the mean of 416 samples of 0.1 deg/s errs by 0.005 (4 sigma:
+  // 0.02).
   const double mean = std::accumulate(rates.begin(), rates.end(), 0.0) / static_cast<double>(rates.size());
   EXPECT_NEAR(mean, 28.648 + 0.5, 0.02);
   // After 4 s it has turned by 114.59 deg, and tells it without the bias.

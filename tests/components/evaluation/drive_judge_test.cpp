@@ -58,8 +58,8 @@ TEST(DriveJudge, ARunWithoutAGoalIsScoredWhole) {
   EXPECT_FALSE(d.judge.running());
 }
 
-// 3 m to the first goal, 2 s at it, 1 m to the second, which is canceled half a metre short; then a goal in a wall is refused
-// while the robot stands, and the run ends: one card of 4 m in 8 s with the last outcome.
+// 3 m to the first goal, 2 s at it, 1 m to the second, which is canceled half a metre short; then a goal in a
+// wall is refused while the robot stands, and the run ends: one card of 4 m in 8 s with the last outcome.
 TEST(DriveJudge, AWholeRunHasTheOutcomeOfItsLastGoal) {
   Drive d(DriveJudge::Lasts::until_end_of_run);
   EXPECT_FALSE(d.goal(1, 3.0, false, false, false, 0.0));

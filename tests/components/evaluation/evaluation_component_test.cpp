@@ -121,8 +121,8 @@ TEST(EvaluationComponent, ARunThatEndsEarlyStillHasItsPicture) {
   EXPECT_THAT(text_of(svg), HasSubstr(">ended early<"));
 }
 
-// The run is over after 3 s, and the graph knows it: the picture says so, and shows the wall the world told of, which
-// is in no map.
+// The run is over after 3 s, and the graph knows it: the picture says so, and shows the wall the world told
+// of, which is in no map.
 TEST(EvaluationComponent, ADriveThatTheLimitEndsIsATimeoutAmongTheWorldsWalls) {
   const auto svg = std::filesystem::path(::testing::TempDir()) / "late.svg";
   std::filesystem::remove(svg);
@@ -131,8 +131,8 @@ TEST(EvaluationComponent, ADriveThatTheLimitEndsIsATimeoutAmongTheWorldsWalls) {
   EXPECT_THAT(text_of(svg), HasSubstr("stroke-width=\"4\" stroke-linecap=\"round\""));
 }
 
-// 0.25 m from the goal: by the usual tolerance of 0.2 m within 0.1 m of it; by one of 0.1 m not, unless the judge has
-// a figure of its own.
+// 0.25 m from the goal: by the usual tolerance of 0.2 m within 0.1 m of it; by one of 0.1 m not, unless the
+// judge has a figure of its own.
 TEST(EvaluationComponent, JudgesByTheNavigatorsTolerance) {
   const auto reached = [](const std::string& parameters, double xy_tolerance) {
     return cards(parameters, NavigationStatus_Constants::SUCCEEDED, 6.0, xy_tolerance, 4.25).back().reached();
@@ -145,7 +145,8 @@ TEST(EvaluationComponent, JudgesByTheNavigatorsTolerance) {
   EXPECT_FALSE(reached("{goal_tolerance: 0.2}", 1.0));
 }
 
-// Beside a recording: no goal, a reference of places alone at 10 Hz, an opinion 0.25 m to the left of it at 20 Hz.
+// Beside a recording: no goal, a reference of places alone at 10 Hz, an opinion 0.25 m to the left of it at
+// 20 Hz.
 TEST(Evaluation, ScoresAWholeRunAgainstAReferenceWithoutHeading) {
   const std::filesystem::path svg = std::filesystem::path(::testing::TempDir()) / "recorded_run.svg";
   std::vector<ScoreCard> list;
@@ -200,7 +201,8 @@ std::vector<Comfort> comforts(Neighbours neighbours, double seconds) {
   return list;
 }
 
-// Past somebody who stands 1.0 m aside of the line, at 1 m/s: of 10 samples a second the one abreast is at a gap of
+// Past somebody who stands 1.0 m aside of the line, at 1 m/s: of 10 samples a second the one abreast is at a
+// gap of
 // 1.0 - 0.3 - 0.3. The world counts a contact from 2 s on.
 TEST(Evaluation, TellsComfortByTheTruth) {
   const auto list = comforts(
@@ -244,8 +246,8 @@ TEST(Evaluation, TellsComfortByTheTruth) {
   EXPECT_NEAR(closest, 0.4, 1e-3);  // at most 20 ms from abreast
 }
 
-// No truth, as on a real robot: tracks in odom, and odometry in odom and in map. Somebody walks at 1 m/s across, told 0.2 s
-// late; the gap is that of now. Tracks that end at 2 s count for half a second.
+// No truth, as on a real robot: tracks in odom, and odometry in odom and in map. Somebody walks at 1 m/s
+// across, told 0.2 s late; the gap is that of now. Tracks that end at 2 s count for half a second.
 TEST(Evaluation, TellsComfortByTracksWhereThereIsNoTruth) {
   const auto list = comforts(
       [](bw::Setup& setup) {

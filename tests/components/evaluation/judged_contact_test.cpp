@@ -60,7 +60,8 @@ TEST(JudgedContact, WithoutLimitsNothingIsJudged) {
   EXPECT_FALSE(is_excused(judged, 1));
 }
 
-// Success is one thing (success.hpp): the contact of a robot that stands counts as any other, for failure and for excuse.
+// Success is one thing (success.hpp): the contact of a robot that stands counts as any other, for failure and
+// for excuse.
 TEST(JudgedContact, AStandingRobotsContactsCountAsAllOthers) {
   JudgedContact stood;
   stood.is_judged = true;

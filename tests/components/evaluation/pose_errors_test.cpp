@@ -32,7 +32,8 @@ TEST(PoseErrors, CarriesTheTruthToTheStampOfTheEstimate) {
   EXPECT_NEAR(errors.rms_heading(), 0.0, 1e-12);
 }
 
-// A reference of positions alone, 0.2 s apart: half way from (0, 0) to (1, 0) lies (0.5, 0), however early the estimate comes.
+// A reference of positions alone, 0.2 s apart: half way from (0, 0) to (1, 0) lies (0.5, 0), however early
+// the estimate comes.
 TEST(PoseErrors, InterpolatesATruthWithoutSpeedAndHeading) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   const auto place = [](double seconds, double x) { return truth(seconds, {x, 0.0, kNan}, {kNan, kNan}); };

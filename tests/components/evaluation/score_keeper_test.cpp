@@ -79,7 +79,8 @@ TEST(ScoreKeeper, TheClosestEncounterIsFound) {
   EXPECT_NEAR(card.max_collision_index_045, std::exp(-1.21 / 0.405), 1e-9);
 }
 
-// Somebody of 0.3 m stands 0.53 m beside the line that a rectangle of 0.51 x 0.43 m drives on: its side passes at 0.53 - 0.3 - 0.215 =
+// Somebody of 0.3 m stands 0.53 m beside the line that a rectangle of 0.51 x 0.43 m drives on: its side
+// passes at 0.53 - 0.3 - 0.215 =
 // 0.015 m, the disc around it would touch. Padded by 0.02 m the rectangle touches, too.
 TEST(ScoreKeeper, ARectangleIsJudgedByItsSides) {
   const Footprint rectangle =

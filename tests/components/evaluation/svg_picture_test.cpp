@@ -95,8 +95,8 @@ TEST(PictureView, MapsMetresToPixelsWithYUp) {
   EXPECT_NEAR(view(view.window_in_map.max()).y(), 20.0, 1e-9);
 }
 
-// The window is 1/3 as high as wide, 6.67 m of 20 m and more: the walls at y = -3 and y = 3 fit, wherever between
-// them the drive was.
+// The window is 1/3 as high as wide, 6.67 m of 20 m and more: the walls at y = -3 and y = 3 fit, wherever
+// between them the drive was.
 TEST(PictureView, BothWallsOfTheHallwayAreShown) {
   for (const double aside : {-1.5, 0.0, 1.5}) {
     RunRecording recording = drive();

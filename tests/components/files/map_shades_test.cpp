@@ -25,8 +25,8 @@ TEST(MapShades, HaveMapServersPixels) {
   EXPECT_EQ(pixel_of_cell(shades, kU), 205);
 }
 
-// With free_thresh 0.25, the default of Nav2's map_saver, 205 is read as free: 0.196 < 0.25. The middle of the thresholds
-// is p = 0.45, pixel 255 * 0.55 = 140.25.
+// With free_thresh 0.25, the default of Nav2's map_saver, 205 is read as free: 0.196 < 0.25. The middle of
+// the thresholds is p = 0.45, pixel 255 * 0.55 = 140.25.
 TEST(MapShades, KeepUnknownCellsUnknownWithNav2sDefaults) {
   const MapShades shades;
   EXPECT_EQ(cell_of_shade(shades, 205.0 / 255.0), OccupancyGrid::kFree);

@@ -1,5 +1,6 @@
-// The footprint is changed while the robot drives: a corridor of 0.5 m stops its disc and lets its rectangle pass. Collision
-// monitor, costmaps and who else listens hear of it by the parameter and by the topic of Nav2's costmaps.
+// The footprint is changed while the robot drives: a corridor of 0.5 m stops its disc and lets its rectangle
+// pass. Collision monitor, costmaps and who else listens hear of it by the parameter and by the topic of
+// Nav2's costmaps.
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -203,7 +204,8 @@ TEST(FootprintChanges, ByTheParametersOfNav2) {
   for (std::size_t i = 2; i < corridor.refusals.size(); ++i) EXPECT_EQ(corridor.refusals[i], "") << i;
 }
 
-// What the graph says of the costmap holds for all from the start, but the monitor takes no less than the robot file says.
+// What the graph says of the costmap holds for all from the start, but the monitor takes no less than the
+// robot file says.
 TEST(FootprintChanges, FromTheGraphOfACostmap) {
   Corridor corridor;
   corridor.graph =

@@ -1,5 +1,5 @@
-// A robot that is a rectangle of 0.51 x 0.43 m drives whole graphs in lock-step: through the hallway, and through a passage that its
-// disc of 0.67 m does not fit.
+// A robot that is a rectangle of 0.51 x 0.43 m drives whole graphs in lock-step: through the hallway, and
+// through a passage that its disc of 0.67 m does not fit.
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -36,7 +36,8 @@ struct Drive {
 };
 
 /// The hallway's graph with these settings until the card says that it is over, or `limit` [s].
-/// `changes_at` [s]: it carries something as wide as the disc around the rectangle, and is told that it is the rectangle by then.
+/// `changes_at` [s]: it carries something as wide as the disc around the rectangle, and is told that it is
+/// the rectangle by then.
 Drive driven(std::vector<std::string> settings, double limit, std::optional<double> changes_at = {}) {
   Drive drive;
   std::vector<std::string> refusals;
@@ -82,8 +83,8 @@ TEST(FootprintGraph, ARectangleCrossesTheHallway) {
   EXPECT_NEAR(drive.card.closest_person_m(), drive.person_gap, 1e-9);
 }
 
-/// The hallway, closed at its ends, with a wall of 1 m across it, and through that a passage along x of this width. The robot's
-/// map has the wall or not.
+/// The hallway, closed at its ends, with a wall of 1 m across it, and through that a passage along x of this
+/// width. The robot's map has the wall or not.
 std::vector<std::string> passage(double width, bool is_mapped) {
   const std::string y = std::to_string(width / 2.0);
   std::string walls =
@@ -128,9 +129,10 @@ TEST(FootprintGraph, ARobotFileWithAPolygonDrives) {
   EXPECT_LE(drive.wall_gap, 0.5 * (0.6 - 0.43));
 }
 
-// As a disc it stands before the passage; what it carried is put down at 9 s, and all who plan, guard, judge and simulate it hear so.
-// (It is the rectangle of the robot file then, and no less: the monitor would not take less.)
-// Later it stands far beside the passage, from where it finds none (Limits in components/local_planner/homotopy/README.md).
+// As a disc it stands before the passage; what it carried is put down at 9 s, and all who plan, guard, judge
+// and simulate it hear so. (It is the rectangle of the robot file then, and no less: the monitor would not
+// take less.) Later it stands far beside the passage, from where it finds none (Limits in
+// components/local_planner/homotopy/README.md).
 TEST(FootprintGraph, APassageIsPassedOnceTheOutlineIsSmaller) {
   const Drive stood = driven(passage(0.6, false), 12.0, 30.0);
   EXPECT_LT(stood.farthest_x, 6.0);

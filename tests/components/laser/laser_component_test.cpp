@@ -1,4 +1,5 @@
-// The laser on its topics, in lock-step: world, emulated device, cable of topics, component. The world's scan goes in, and comes out.
+// The laser on its topics, in lock-step: world, emulated device, cable of topics, component. The world's scan
+// goes in, and comes out.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,8 +26,8 @@ struct Seen {
   Time received;
 };
 
-/// In the corner of a room of 8 x 5 m, turned by 0.4 rad, with a pillar; without noise. `laser`: more of the robot's section, `emulator`:
-/// parameters.
+/// In the corner of a room of 8 x 5 m, turned by 0.4 rad, with a pillar; without noise. `laser`: more of the
+/// robot's section, `emulator`: parameters.
 std::string graph(const std::string& laser = ", beams: 360", const std::string& emulator = "",
                   const std::string& sensor = "laser") {
   return "robot:\n"
@@ -83,9 +84,9 @@ std::pair<float, float> world_between(const LaserScan& world, double angle, doub
   return {least, largest};
 }
 
-// 7 Hz x 500 us: samples are 1.26 degrees apart, each of the nearest of the world's beams (0.125 degree), so a beam comes from what the
-// world has within 1.4 degrees; beside that the device rounds to 0.25 mm. On the walls, away from their corners, beams are right to
-// what a ray 0.133 degree beside its own sees.
+// 7 Hz x 500 us: samples are 1.26 degrees apart, each of the nearest of the world's beams (0.125 degree), so
+// a beam comes from what the world has within 1.4 degrees; beside that the device rounds to 0.25 mm. On the
+// walls, away from their corners, beams are right to what a ray 0.133 degree beside its own sees.
 TEST(LaserComponent, TellsWhatTheWorldShows) {
   const Heard heard = run(graph(), 3.0);
   ASSERT_GE(heard.laser.size(), 12U) << "(3 s - 0.6 s of spin-up - first part of a turn) x 7";
@@ -106,8 +107,8 @@ TEST(LaserComponent, TellsWhatTheWorldShows) {
   EXPECT_LT(error, 0.012) << "the mean; most of it at the pillar's edges";
 }
 
-// A turn is 1/7 s, known to a measurement or two (0.5 ms each, and 5 ms of polling that count back by them); beam 0 was the last of a turn
-// and came at once.
+// A turn is 1/7 s, known to a measurement or two (0.5 ms each, and 5 ms of polling that count back by them);
+// beam 0 was the last of a turn and came at once.
 TEST(LaserComponent, MeasuresItsOwnTime) {
   const Heard heard = run(graph(), 3.0);
   ASSERT_GE(heard.laser.size(), 3U);
@@ -125,8 +126,8 @@ TEST(LaserComponent, MeasuresItsOwnTime) {
   }
 }
 
-// Pulled at 2 s, put back at 3 s: nothing in between, but for the turn that was just over; the device is there again at once, since
-// its head turned on.
+// Pulled at 2 s, put back at 3 s: nothing in between, but for the turn that was just over; the device is
+// there again at once, since its head turned on.
 TEST(LaserComponent, APulledCableIsSilenceAndThenScans) {
   const Heard heard = run(graph("", "faults: {cable_pulled: true, from: 2.0, until: 3.0}"), 5.0);
   const auto between = [&](double from, double until) {
@@ -172,7 +173,8 @@ TEST(LaserComponent, RefusesARobotFileThatCannotBe) {
               ::testing::HasSubstr("robot.laser.driver = rplidr_: unknown driver; did you mean 'rplidar'?"));
 }
 
-// 360 beams, 0.5 ms apart, backwards from 10 s: the middle is 90 ms before. An increment of 10 s is no laser's.
+// 360 beams, 0.5 ms apart, backwards from 10 s: the middle is 90 ms before. An increment of 10 s is no
+// laser's.
 TEST(LaserScanMessage, ItsTimeIsThatOfItsMiddle) {
   LaserScan scan;
   scan.ranges(std::vector<float>(360, 1.0F));

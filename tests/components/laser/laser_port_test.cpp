@@ -1,4 +1,5 @@
-// The laser in real time, over a pseudo-terminal: scans, a cable that is pulled for a second, and scans again.
+// The laser in real time, over a pseudo-terminal: scans, a cable that is pulled for a second, and scans
+// again.
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -36,8 +37,8 @@ struct Journal {
 };
 
 // An emulator starts beside the laser: no error before its first scan, and one when the cable is pulled.
-// Ends with the third scan after the pause, half a minute later at the latest. The wall is 2 m ahead, at beam 360 of 720; the world's noise
-// has 1 cm, of which five standard deviations are allowed.
+// Ends with the third scan after the pause, half a minute later at the latest. The wall is 2 m ahead, at beam
+// 360 of 720; the world's noise has 1 cm, of which five standard deviations are allowed.
 TEST(LaserPort, ScansGoOnAfterACableWasPulled) {
   int before = 0;
   int after = 0;

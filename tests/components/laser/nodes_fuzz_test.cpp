@@ -1,5 +1,5 @@
-// The stream of nodes with bytes changed, lost, doubled and put in: in step again soon, and nothing invented for long. The number of
-// streams is BANDWAGON_SERIAL_FUZZ, 20,000 unless it says otherwise.
+// The stream of nodes with bytes changed, lost, doubled and put in: in step again soon, and nothing invented
+// for long. The number of streams is BANDWAGON_SERIAL_FUZZ, 20,000 unless it says otherwise.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,7 +28,8 @@ int streams() {
 constexpr int kBefore = 20;  // nodes before the damage
 constexpr int kAfter = 60;
 
-/// What the head turns before. Where ranges change little from node to node, bytes at a wrong place may follow each other for long.
+/// What the head turns before. Where ranges change little from node to node, bytes at a wrong place may
+/// follow each other for long.
 enum class Scene : std::uint8_t { clutter, wall, wall_with_noise, column };
 constexpr int kScenes = 4;
 
@@ -106,9 +107,10 @@ int same_at_end(const std::vector<Node>& a, const std::vector<Node>& b) {
   return static_cast<int>(differ.first - a.rbegin());
 }
 
-// Damage of up to 9 bytes hurts up to three nodes (two that it touches whole or in part, one by the bytes after them). "In step
-// again within 2 nodes": of the 57 behind those all but two are read. A node at a wrong place that follows the one before, by chance, is
-// given out before anybody can know: hence what is invented beside the flipped bits in ranges that nobody can see.
+// Damage of up to 9 bytes hurts up to three nodes (two that it touches whole or in part, one by the bytes
+// after them). "In step again within 2 nodes": of the 57 behind those all but two are read. A node at a wrong
+// place that follows the one before, by chance, is given out before anybody can know: hence what is invented
+// beside the flipped bits in ranges that nobody can see.
 TEST(RplidarFuzz, IsInStepAgainWithinTwoNodes) {
   const int count = streams();
   std::array<int, kScenes> late{}, latest{}, invented{};
@@ -139,7 +141,8 @@ TEST(RplidarFuzz, IsInStepAgainWithinTwoNodes) {
   }
 }
 
-// Nothing but noise, and noise after a sound header: no crash, memory bounded, and never a whole revolution of it.
+// Nothing but noise, and noise after a sound header: no crash, memory bounded, and never a whole revolution
+// of it.
 TEST(RplidarFuzz, NoiseIsNoScan) {
   const int count = std::max(1, streams() / 20);
   std::uint64_t nodes_of_noise = 0;

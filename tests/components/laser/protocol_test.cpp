@@ -12,7 +12,8 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// Without payload: A5 and the command. With one: xor of all before. Full speed of an A2 in the maker's examples, 660 = 0294h:
+// Without payload: A5 and the command. With one: xor of all before. Full speed of an A2 in the maker's
+// examples, 660 = 0294h:
 // A5^F0 = 55, ^02 = 57, ^94 = C3, ^02 = C1. 600 rpm = 0258h: A5^A8 = 0D, ^02 = 0F, ^58 = 57, ^02 = 55.
 TEST(RplidarProtocol, WritesRequests) {
   EXPECT_EQ(request(Command::stop), (Bytes{0xA5, 0x25}));

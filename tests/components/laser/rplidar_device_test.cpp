@@ -78,7 +78,8 @@ TEST(RplidarDevice, WhatIsOutOfReachIsZero) {
   }
 }
 
-// An A2's motor stands until it is told; a wrong checksum tells nothing. Then it answers nothing for the half second of a reset.
+// An A2's motor stands until it is told; a wrong checksum tells nothing. Then it answers nothing for the half
+// second of a reset.
 TEST(RplidarDevice, ObeysTheMotorAndTheReset) {
   Bench bench({.model = 0x28});
   bench.ask({0xA5, 0xF0, 0x02, 0x58, 0x02, 0x0E});

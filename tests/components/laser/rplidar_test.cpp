@@ -1,5 +1,5 @@
-// The driver against the emulated device, byte by byte over a cable without a middleware: what goes over it, what is told when something
-// is wrong, and how long that takes. Time is an argument; a step is 5 ms.
+// The driver against the emulated device, byte by byte over a cable without a middleware: what goes over it,
+// what is told when something is wrong, and how long that takes. Time is an argument; a step is 5 ms.
 #include "components/laser/rplidar/rplidar.hpp"
 
 #include <algorithm>
@@ -118,8 +118,8 @@ TEST(Rplidar, ScansAndSaysWhatItIs) {
   EXPECT_EQ(rig.cable.written, (Bytes{0xA5, 0x25, 0xA5, 0x50, 0xA5, 0x52, 0xA5, 0x59, 0xA5, 0x20}));
 }
 
-// Wall at 2 m ahead: the view's beams are 0.25 degree apart and the device rounds to 1/64, so a sample is of a ray at most 0.133 degree
-// beside its own; at 45 degrees (2.83 m) that is 2.83 x tan 45 x 0.00232 = 6.6 mm.
+// Wall at 2 m ahead: the view's beams are 0.25 degree apart and the device rounds to 1/64, so a sample is of
+// a ray at most 0.133 degree beside its own; at 45 degrees (2.83 m) that is 2.83 x tan 45 x 0.00232 = 6.6 mm.
 TEST(Rplidar, SeesTheWallWhereItStands) {
   Rig rig;
   rig.run(3.0);
@@ -251,7 +251,8 @@ TEST(Rplidar, ASlowHeadIsWarnedOfAndMeasured) {
   EXPECT_NEAR(to_scan(rig.revolutions.back(), {}).scan_time, 1.0 / 2.8, 0.001);
 }
 
-// While it slows down nothing is measured: silence, and a new beginning. Then nodes come, all of one angle: 5 s are time to spin up.
+// While it slows down nothing is measured: silence, and a new beginning. Then nodes come, all of one angle: 5
+// s are time to spin up.
 TEST(Rplidar, AHeadThatStandsIsAnError) {
   Rig rig;
   rig.run(3.0);

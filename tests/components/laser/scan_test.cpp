@@ -1,4 +1,5 @@
-// From nodes to scans, against closed forms: the distance to a straight wall, the side an obstacle stands on, the time of a beam.
+// From nodes to scans, against closed forms: the distance to a straight wall, the side an obstacle stands on,
+// the time of a beam.
 #include "components/laser/scan.hpp"
 
 #include <cmath>
@@ -19,8 +20,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180.0;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// What a device sees that turns once in `nodes` nodes of 1 ms, two and a half times, from its 0 degrees on. `range_at` takes the
-/// angle as the device counts it, clockwise [rad].
+/// What a device sees that turns once in `nodes` nodes of 1 ms, two and a half times, from its 0 degrees on.
+/// `range_at` takes the angle as the device counts it, clockwise [rad].
 std::vector<Revolution> turn(const std::function<double(double)>& range_at, int nodes = 360,
                              bool flip = false) {
   RevolutionCollector collector(flip);
@@ -42,8 +43,8 @@ float at(const Scan& scan, double degrees) {
   return scan.ranges[static_cast<std::size_t>(beam) % scan.ranges.size()];
 }
 
-// The device begins at 0 degrees and is at the rear after half a turn, after one and a half, and at the end: two whole revolutions,
-// 360 ms each, from 180 degrees on.
+// The device begins at 0 degrees and is at the rear after half a turn, after one and a half, and at the end:
+// two whole revolutions, 360 ms each, from 180 degrees on.
 TEST(LaserRevolution, GoesFromRearToRear) {
   const auto over = turn([](double) { return 2.0; });
   ASSERT_EQ(over.size(), 1U) << "two and a half turns end just before the third time at the rear";
@@ -56,8 +57,8 @@ TEST(LaserRevolution, GoesFromRearToRear) {
   EXPECT_NEAR(over[0].samples.back().angle, -kPi, 1e-9);
 }
 
-// A wall at x = 2 m: 2 / cos(angle) ahead, nothing behind. Ranges are whole quarters of a millimetre; angles whole degrees here, so that
-// 1/64 degree rounds nothing: half a quarter of a millimetre is all that is lost.
+// A wall at x = 2 m: 2 / cos(angle) ahead, nothing behind. Ranges are whole quarters of a millimetre; angles
+// whole degrees here, so that 1/64 degree rounds nothing: half a quarter of a millimetre is all that is lost.
 TEST(LaserScan, SeesAWallAtTwoMetres) {
   const auto wall = [](double angle) {
     const double range = std::cos(angle) > 1e-9 ? 2.0 / std::cos(angle) : 1e9;
@@ -77,9 +78,9 @@ TEST(LaserScan, SeesAWallAtTwoMetres) {
   }
 }
 
-// The same wall on beams that lie between the samples, more or fewer than those: 1/r of a wall is a cosine, of which a chord over
-// 1 degree misses (1 degree)^2 / 8 = 38 millionths; at 60 degrees from head-on (4 m) 0.15 mm, and the rounding of 1/64 degree there is
-// half of that times 4 m x tan 60 = 0.95 mm.
+// The same wall on beams that lie between the samples, more or fewer than those: 1/r of a wall is a cosine,
+// of which a chord over 1 degree misses (1 degree)^2 / 8 = 38 millionths; at 60 degrees from head-on (4 m)
+// 0.15 mm, and the rounding of 1/64 degree there is half of that times 4 m x tan 60 = 0.95 mm.
 TEST(LaserScan, InterpolatesAWallAlongItsSurface) {
   const auto wall = [](double angle) { return std::cos(angle) > 0.3 ? 2.0 / std::cos(angle) : 0.0; };
   for (const int beams : {181, 400, 720}) {
@@ -94,7 +95,8 @@ TEST(LaserScan, InterpolatesAWallAlongItsSurface) {
   }
 }
 
-// The device counts clockwise: what it sees at 90 degrees stands to the right, at -90 degrees. Head first it is to the left.
+// The device counts clockwise: what it sees at 90 degrees stands to the right, at -90 degrees. Head first it
+// is to the left.
 TEST(LaserScan, RightIsRight) {
   const auto right = [](double angle) {
     return std::abs(angle - 90.0 * kDegree) < 5.0 * kDegree ? 1.5 : 0.0;
@@ -107,8 +109,9 @@ TEST(LaserScan, RightIsRight) {
   EXPECT_EQ(at(flipped, -90.0), kInfinity);
 }
 
-// Beam 0 is at the rear, the last of a clockwise turn: 181 ms and a turn of 360 ms after the beginning. Ahead is half a turn before that:
-// the node at 0 degrees is number 360, at 100.360 s, and 181 + 180 = 361: the turn is counted from the angle behind the rear.
+// Beam 0 is at the rear, the last of a clockwise turn: 181 ms and a turn of 360 ms after the beginning. Ahead
+// is half a turn before that: the node at 0 degrees is number 360, at 100.360 s, and 181 + 180 = 361: the
+// turn is counted from the angle behind the rear.
 TEST(LaserScan, KnowsWhenABeamWasTaken) {
   const Scan scan = to_scan(turn([](double) { return 2.0; }).at(0), {.beams = 360});
   EXPECT_NEAR(scan.scan_time, 0.360, 1e-9);

@@ -101,7 +101,8 @@ void expect_sound(const Ekf& ekf, long i) {
   ASSERT_TRUE(s.x.allFinite()) << i;
   ASSERT_TRUE(s.P.allFinite()) << i << "\n" << s.P;
   ASSERT_EQ((s.P - s.P.transpose()).cwiseAbs().maxCoeff(), 0.0) << i;
-  // Over their standard deviations: no positive definite matrix fails for its scales alone. An unused state has none.
+  // Over their standard deviations: no positive definite matrix fails for its scales alone. An unused state
+  // has none.
   const Eigen::Array<double, kStates, 1> variances = s.P.diagonal().array();
   const StateVector sigma = (variances > 0.0).select(variances.sqrt(), 1.0);
   StateMatrix C = s.P.array() / (sigma * sigma.transpose()).array();

@@ -1,4 +1,5 @@
-// Wheels whose counts are coarse beside a gyro: a count that has not come yet is no proof that the robot does not turn.
+// Wheels whose counts are coarse beside a gyro: a count that has not come yet is no proof that the robot does
+// not turn.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,7 +15,8 @@ namespace {
 constexpr double kTick = 2.0 * std::numbers::pi * 0.0762 / 144.0;  // Eddie's (book 2.3): 3.3 mm
 constexpr double kSeparation = 0.39;
 
-/// Turns slowly to and fro on the spot, as a robot does that stands before people: a wheel counts 7 times a second at most.
+/// Turns slowly to and fro on the spot, as a robot does that stands before people: a wheel counts 7 times a
+/// second at most.
 DriveOptions slow_turns(std::uint64_t seed) {
   DriveOptions options;
   options.seed = seed;
@@ -55,8 +57,8 @@ Course follow(const DriveOptions& options) {
   return course;
 }
 
-// These wheels do not slip: what both have counted is off by one count each at most, 2 tick / b = 17 mrad, whatever the
-// gyro says.
+// These wheels do not slip: what both have counted is off by one count each at most, 2 tick / b = 17 mrad,
+// whatever the gyro says.
 TEST(EkfRounding, SlowTurnsAreNotLostBetweenCounts) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const Course course = follow(slow_turns(seed));
@@ -66,8 +68,8 @@ TEST(EkfRounding, SlowTurnsAreNotLostBetweenCounts) {
   }
 }
 
-// The same without a gyro: roundings of steps that adjoin take one another back, and do not add up to a heading that is
-// ever less known. 6000 of them as white noise would be 2 * 3.5 mrad * sqrt(6000) = 0.4 rad.
+// The same without a gyro: roundings of steps that adjoin take one another back, and do not add up to a
+// heading that is ever less known. 6000 of them as white noise would be 2 * 3.5 mrad * sqrt(6000) = 0.4 rad.
 TEST(EkfRounding, DoesNotAddUp) {
   DriveOptions options = slow_turns(1);
   options.gyro_sigma = 0.0;
@@ -80,8 +82,8 @@ TEST(EkfRounding, DoesNotAddUp) {
   EXPECT_NEAR(wrap_angle(e.X_MB.theta - drive.truth.back().theta), 0.0, 2.0 * kTick / kSeparation);
 }
 
-// Wheels that turn 50 % further than the robot for a second, at 0.5 rad/s on the spot: 0.25 rad too far, fifteen times
-// what counts can hide.
+// Wheels that turn 50 % further than the robot for a second, at 0.5 rad/s on the spot: 0.25 rad too far,
+// fifteen times what counts can hide.
 TEST(EkfRounding, SlipIsStillSeen) {
   DriveOptions options = slow_turns(1);
   options.turn_amplitude = 0.5;

@@ -292,7 +292,8 @@ TEST_F(EkfClock, ResetFindsANewFirstPose) {
   EXPECT_LT(error(ekf, 60.0), 0.5);
 }
 
-// The sensors' clock is set an hour on or back: refused for a second (ForeignClock::kProof), then taken as a jump.
+// The sensors' clock is set an hour on or back: refused for a second (ForeignClock::kProof), then taken as a
+// jump.
 TEST_F(EkfClock, SensorClocksThatAreSetAreFollowed) {
   for (const double hours : {1.0, -0.2}) {
     const Duration shift = Duration::seconds(3600.0 * hours);
@@ -309,7 +310,8 @@ TEST_F(EkfClock, SensorClocksThatAreSetAreFollowed) {
   }
 }
 
-// A queue that drains, and steps sent twice, are no clock: 30 steps of 5 s ago, one after the other, are refused and forgotten.
+// A queue that drains, and steps sent twice, are no clock: 30 steps of 5 s ago, one after the other, are
+// refused and forgotten.
 TEST_F(EkfClock, OldStepsThatAreSentAgainAreNoClock) {
   Ekf ekf({});
   run(ekf, 0.0, 20.0, {}, {});

@@ -226,7 +226,8 @@ TEST(LocalizationComponent, StopsThePoseWhenLostAndReturnsAfterReacquisition) {
   EXPECT_NEAR(gap_ends, 15.0, 0.7);
   EXPECT_NEAR(seen.filtered.back().pose().pose().position().x() - truth(stamps.back()).x, 5.0, 0.1);
 
-  // Nor on amcl_pose, which comes ten times a second from 0.5 s on. 50 ms: the state is looked at between two poses.
+  // Nor on amcl_pose, which comes ten times a second from 0.5 s on. 50 ms: the state is looked at between two
+  // poses.
   for (const auto& m : seen.poses) {
     const double stamp = seconds_since_start(from_stamp(m.header().stamp()));
     EXPECT_TRUE(stamp < gap_begins + 0.05 || stamp > gap_ends - 0.05) << stamp;

@@ -158,7 +158,8 @@ double spread(const nav2_msgs::msg::ParticleCloud& cloud) {
   return squares / n - sum / n * sum / n;
 }
 
-// 12 m of free floor: the variance of a uniform distribution is 12^2 / 12 = 12 m^2. The next sweep, 50 ms later, finds places.
+// 12 m of free floor: the variance of a uniform distribution is 12^2 / 12 = 12 m^2. The next sweep, 50 ms
+// later, finds places.
 TEST(LocalizationServices, ReinitializeSearchesTheWholeMap) {
   std::vector<Empty::Response> responses;
   const Answers seen = run(kParticles, [&](bw::Setup& setup) {
@@ -183,8 +184,8 @@ TEST(LocalizationServices, ReinitializeSearchesTheWholeMap) {
   EXPECT_NEAR(from_pose(ekf.filtered.back().pose().pose()).x, kX_MB.x, 1e-6);
 }
 
-// While the robot stands no sweep counts after the first (update_min_d), so that the estimate stays as it is; one that is
-// asked for makes it surer.
+// While the robot stands no sweep counts after the first (update_min_d), so that the estimate stays as it is;
+// one that is asked for makes it surer.
 TEST(LocalizationServices, NomotionUpdateUsesASweepThoughTheRobotStands) {
   std::vector<Empty::Response> responses;
   const Answers seen = run(kParticles, [&](bw::Setup& setup) {
@@ -203,8 +204,9 @@ TEST(LocalizationServices, NomotionUpdateUsesASweepThoughTheRobotStands) {
   EXPECT_NEAR(variance_at(2.5), variance_at(3.7), 1e-4);
 }
 
-// The same room in coarser cells, from another origin on: the particles stay where they are and match it. Messages that are
-// no maps change nothing, and in one of elsewhere the robot is nowhere, which is no reason to fall.
+// The same room in coarser cells, from another origin on: the particles stay where they are and match it.
+// Messages that are no maps change nothing, and in one of elsewhere the robot is nowhere, which is no reason
+// to fall.
 TEST(LocalizationServices, AnotherMapIsTakenAsItComes) {
   const Time now = LockstepRunner::kStart;
   const auto error = [](const Answers& seen) {

@@ -129,7 +129,8 @@ TEST_P(Rooms, StartAnywhere) {
 
 TEST_P(Rooms, CarriedAway) {
   Found found;
-  // In a crowd what is asked is not reached: as many drives as the README's figure has, so that a loss is seen.
+  // In a crowd what is asked is not reached: as many drives as the README's figure has, so that a loss is
+  // seen.
   const int drives = GetParam() ? std::max(trials(), 20) : trials();
   for (int t = 0; t < drives; ++t) {
     const OccupancyGrid map = test::repeated_rooms(seed(1, t));
@@ -137,8 +138,9 @@ TEST_P(Rooms, CarriedAway) {
   }
   found.print(named("carried away"));
   EXPECT_GE(found.found, enough(drives));
-  // In a crowd a look-alike room agrees for a while: 17 of 20. Seeds are fixed, so that one drive more or less is what a change of
-  // something else, or another CPU, may do; binomial noise of 20 drives would be 2.6.
+  // In a crowd a look-alike room agrees for a while: 17 of 20. Seeds are fixed, so that one drive more or
+  // less is what a change of something else, or another CPU, may do; binomial noise of 20 drives would be
+  // 2.6.
   if (GetParam()) {
     bw::test::expect_at_least("share of drives in which LOST is said within 3 s",
                               {.asked = 1.0, .measured = 17.0 / 20.0, .noise = 1.0 / drives},

@@ -29,7 +29,8 @@ TEST(OdometrySteps, TheNoiseIsTheOdometrysOwnUnlessItIsGiven) {
   EXPECT_NEAR(distance_variance({3, 0.4, 0.0}, 0.0), 5e-4 * 0.1 / 2.0, 1e-15);
 }
 
-// Eddie's counts are 2 pi 0.0762 / 144 = 3.325 mm apart, its wheels 0.39 m: sqrt(1 / 6) 3.325 / 390 = 3.48 mrad.
+// Eddie's counts are 2 pi 0.0762 / 144 = 3.325 mm apart, its wheels 0.39 m: sqrt(1 / 6) 3.325 / 390 = 3.48
+// mrad.
 TEST(OdometrySteps, AStepSaysHowCoarselyItsTurnWasCounted) {
   OdometrySteps steps(0, 0.39, 0.0, 0.003325);
   EXPECT_FALSE(steps.add(Time::seconds(1.0), {}, 0.0));

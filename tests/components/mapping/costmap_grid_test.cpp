@@ -318,7 +318,8 @@ TEST(LocalGrid, KnowsTheSurfaceBetterThanItsCells) {
   EXPECT_LT(worst, 0.02);
 }
 
-// A wall 1 m ahead, all along the window of 4 x 4 m. Of the columns of cells around y = 0.3 a square of 1 m takes those with
+// A wall 1 m ahead, all along the window of 4 x 4 m. Of the columns of cells around y = 0.3 a square of 1 m
+// takes those with
 // |y - 0.3| <= 0.5 m.
 TEST(LocalGrid, ForgetsInsideAndOutsideOfASquare) {
   const GridOptions options{.width = 4.0, .height = 4.0};

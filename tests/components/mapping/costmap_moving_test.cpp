@@ -36,8 +36,8 @@ Marked marked(bool each_from_its_place) {
   return cells;
 }
 
-// Marked up to 5 m: 2 * sqrt(5^2 - 2.525^2) = 8.63 m of wall in cells of 0.05 m. At its ends, a sixth of a turn from the middle, 24 ms
-// of 1.9 rad/s, a sweep taken for one instant is 0.2 m off.
+// Marked up to 5 m: 2 * sqrt(5^2 - 2.525^2) = 8.63 m of wall in cells of 0.05 m. At its ends, a sixth of a
+// turn from the middle, 24 ms of 1.9 rad/s, a sweep taken for one instant is 0.2 m off.
 TEST(LocalGridMoving, AWallIsStraightFromARobotThatTurns) {
   const Marked placed = marked(true);
   EXPECT_NEAR(placed.on_wall, 8.63 / 0.05, 3);

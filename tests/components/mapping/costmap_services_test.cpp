@@ -1,5 +1,5 @@
-// The services of the local costmap: a robot stands before a wall at x = 1.43 m and looks at it ten times in the first
-// second; then only the costmap remembers it.
+// The services of the local costmap: a robot stands before a wall at x = 1.43 m and looks at it ten times in
+// the first second; then only the costmap remembers it.
 #include <limits>
 
 #include <bandwagon_msgs/msg/obstacles.hpp>
@@ -149,7 +149,8 @@ TEST(LocalCostmapServices, DistancesThatAreNoneClearNothing) {
   EXPECT_EQ(maps[1].data(), maps[0].data());
 }
 
-// As the costmap inside of Nav2's controller_server: in a namespace of its own, latched, and what nobody has seen costs nothing.
+// As the costmap inside of Nav2's controller_server: in a namespace of its own, latched, and what nobody has
+// seen costs nothing.
 TEST(LocalCostmapServices, HasNav2sNamesInItsOwnNamespace) {
   nav_msgs::msg::OccupancyGrid shown;
   nav2_msgs::msg::Costmap raw;

@@ -161,7 +161,8 @@ TEST_F(MapServices, WhatCannotBeSavedIsNot) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / ""));
 }
 
-// Nav2's clients ask for "map" or for an absolute path: within the folder that the graph names, and nowhere else; nothing is overwritten.
+// Nav2's clients ask for "map" or for an absolute path: within the folder that the graph names, and nowhere
+// else; nothing is overwritten.
 TEST_F(MapServices, MapsAreSavedBelowTheirFolderAlone) {
   const auto at = [&](const char* name) { return (folder_ / name).string(); };
   std::filesystem::create_directories(folder_ / "maps/floor");

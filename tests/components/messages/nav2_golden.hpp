@@ -1,5 +1,5 @@
-// What carries a goal of an action, its result and its feedback, against bytes written value by value in the order of the
-// definitions by a hand that knows nothing of the product (tests/idl/cdr_writer.hpp), both ways.
+// What carries a goal of an action, its result and its feedback, against bytes written value by value in the
+// order of the definitions by a hand that knows nothing of the product (tests/idl/cdr_writer.hpp), both ways.
 #pragma once
 
 #include <array>
@@ -173,7 +173,8 @@ inline void write_goals(CdrWriter& w) {
   write_two_poses(w);
 }
 
-/// uint8 waypoint_status, uint32 waypoint_index, PoseStamped waypoint_pose, uint16 error_code, string error_msg
+/// uint8 waypoint_status, uint32 waypoint_index, PoseStamped waypoint_pose, uint16 error_code, string
+/// error_msg
 inline nav2_msgs::msg::WaypointStatus waypoint_status() {
   nav2_msgs::msg::WaypointStatus status;
   status.waypoint_status(3);

@@ -1,5 +1,5 @@
-// To the last byte in hex, fields named: what every action shares, one action as the wire has it, and the services whose layouts
-// differ. Hex as a check of the hand that writes the other tests' bytes.
+// To the last byte in hex, fields named: what every action shares, one action as the wire has it, and the
+// services whose layouts differ. Hex as a check of the hand that writes the other tests' bytes.
 #include <action_msgs/msg/goal_status_array.hpp>
 #include <action_msgs/srv/cancel_goal.hpp>
 
@@ -73,7 +73,8 @@ TEST(Nav2Golden, SpinInHex) {
   expect_wire(jazzy, hex(kEncapsulation + "06 000000 04000000 0065cd1d bf02 0000 03000000 6e6f00"));
 }
 
-// Jazzy's result of two bytes and an empty text where Humble's client expects one byte: such a client waits for ever.
+// Jazzy's result of two bytes and an empty text where Humble's client expects one byte: such a client waits
+// for ever.
 TEST(Nav2Golden, NavigateToPosesResultInHex) {
   HumbleNav2::NavigateToPose::GetResult::Response humble;
   humble.status(4);

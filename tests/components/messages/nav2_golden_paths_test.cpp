@@ -1,5 +1,5 @@
-// The bytes of FollowPath, ComputePathToPose and ComputePathThroughPoses as navigation2's branches define them. No program of Kilted or
-// Lyrical has been met: what is theirs alone is unproved.
+// The bytes of FollowPath, ComputePathToPose and ComputePathThroughPoses as navigation2's branches define
+// them. No program of Kilted or Lyrical has been met: what is theirs alone is unproved.
 #include "components/messages/nav2_layouts.hpp"
 #include "tests/components/messages/nav2_golden.hpp"
 

@@ -1,6 +1,7 @@
-// Type hashes (without "RIHS01_") of what Nav2's actions and services put on the wire in distributions other than Jazzy, whose
-// are in tests/idl/jazzy_hashes.hpp: what the parser and hash generator of Jazzy's rosidl give for the files of navigation2's
-// branches humble, kilted and lyrical. They were told nav_msgs/Goals as Header header, PoseStamped[] goals.
+// Type hashes (without "RIHS01_") of what Nav2's actions and services put on the wire in distributions other
+// than Jazzy, whose are in tests/idl/jazzy_hashes.hpp: what the parser and hash generator of Jazzy's rosidl
+// give for the files of navigation2's branches humble, kilted and lyrical. They were told nav_msgs/Goals as
+// Header header, PoseStamped[] goals.
 #pragma once
 
 #include "runtime/base/ros_distro.hpp"

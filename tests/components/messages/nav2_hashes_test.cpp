@@ -1,4 +1,5 @@
-// Hashes of every layout against those that rosidl gives for the distribution's own files, and what finds a layout by its hash.
+// Hashes of every layout against those that rosidl gives for the distribution's own files, and what finds a
+// layout by its hash.
 #include "tests/components/messages/nav2_hashes.hpp"
 
 #include <algorithm>

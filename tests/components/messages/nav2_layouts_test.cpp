@@ -1,4 +1,5 @@
-// One code for all layouts: what the helpers write and read in each, and that layouts differ in nothing but fields.
+// One code for all layouts: what the helpers write and read in each, and that layouts differ in nothing but
+// fields.
 #include "components/messages/nav2_layouts.hpp"
 
 #include <type_traits>

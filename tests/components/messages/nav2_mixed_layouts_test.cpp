@@ -1,4 +1,5 @@
-// A client of one distribution at a server of another: the names match, the fields do not, and Humble sends no hash that could tell.
+// A client of one distribution at a server of another: the names match, the fields do not, and Humble sends
+// no hash that could tell.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -22,8 +23,10 @@ struct Taken {
   const char* cells;
 };
 
-/// Who takes whose random messages: y all of them, since the reader's fields fit into their first bytes, mostly as the same fields; . none;
-/// ? those that happen to look like its own, with empty lists, say. What is not named is the same everywhere, hence taken.
+/// Who takes whose random messages: y all of them, since the reader's fields fit into their first bytes,
+/// mostly as the same fields; . none;
+/// ? those that happen to look like its own, with empty lists, say. What is not named is the same everywhere,
+/// hence taken.
 constexpr Taken kTaken[] = {
     // from Humble, Jazzy, Kilted, Lyrical to each of the others
     {"nav2_msgs/action/FollowPath_SendGoal_Request", "... yy. yy. yyy"},
@@ -69,8 +72,8 @@ bool is_within(const std::vector<std::uint8_t>& read, const std::vector<std::uin
                     [](std::uint8_t mine, std::uint8_t theirs) { return mine == theirs || mine == 0; });
 }
 
-/// y, . or ?. What a reader takes is a message of its own, where it takes all in the bytes that were sent; what it refuses it gives a
-/// reason for.
+/// y, . or ?. What a reader takes is a message of its own, where it takes all in the bytes that were sent;
+/// what it refuses it gives a reason for.
 char taken(const AnyMessage& from, const AnyMessage& to) {
   RandomPayload payload(kSeed, 3);
   int count = 0;
@@ -146,7 +149,8 @@ TEST(Nav2MixedLayouts, JazzysWaypointsAreNoneForHumble) {
   EXPECT_FALSE(read_as(sent, read, reason));
 }
 
-// The number of via points, none, stands where Jazzy expects the planner id's length, and the id's length where it expects a boolean.
+// The number of via points, none, stands where Jazzy expects the planner id's length, and the id's length
+// where it expects a boolean.
 TEST(Nav2MixedLayouts, LyricalsPlanIsRefusedByJazzyWithByteAndRule) {
   LyricalNav2::ComputePathToPose::SendGoal::Request sent;
   sent.goal().planner_id("GridBased");

@@ -17,8 +17,8 @@ Capsule random_capsule(Random& random, double extent) {
   return {a, a + way, random.uniform() < 0.5 ? 0.0 : random.uniform(0.0, 0.6)};
 }
 
-// From none to thousands of capsules, on a table and in a hall, near the origin and 100 km away: no capsule within
-// reach is missed, and what is far from the place is hardly looked at.
+// From none to thousands of capsules, on a table and in a hall, near the origin and 100 km away: no capsule
+// within reach is missed, and what is far from the place is hardly looked at.
 TEST(CapsuleIndex, FindsAllThatALookAtEachOneFinds) {
   Random random(41);
   std::size_t within = 0, groups_seen = 0, looks_of_brute_force = 0;
@@ -55,8 +55,8 @@ TEST(CapsuleIndex, FindsAllThatALookAtEachOneFinds) {
   EXPECT_LT(groups_seen, looks_of_brute_force / 2);
 }
 
-// A wall of 2000 km and a disc of 50 m among a thousand points: neither costs a look at all else from everywhere, and
-// both are found.
+// A wall of 2000 km and a disc of 50 m among a thousand points: neither costs a look at all else from
+// everywhere, and both are found.
 TEST(CapsuleIndex, FindsWhatReachesFarAmongManySmallOnes) {
   std::vector<Capsule> capsules;
   for (int i = 0; i < 1000; ++i) capsules.push_back({{0.2 * i, 5.0}, {0.2 * i, 5.0}, 0.0});

@@ -76,7 +76,8 @@ TEST(FootprintDistance, OutsideIsThatOfTheNearestPoints) {
   EXPECT_GT(outside, 1000);
 }
 
-// Who moves by the depth along the gradient, or a little more, is free; by a little less in whichever direction, not.
+// Who moves by the depth along the gradient, or a little more, is free; by a little less in whichever
+// direction, not.
 TEST(FootprintDistance, InsideIsHowFarTheRobotMustMove) {
   Random random(kSeed + 1);
   int inside = 0;

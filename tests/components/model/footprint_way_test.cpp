@@ -42,7 +42,8 @@ TEST(FirstTouch, WhatIsInsideBlocksOnlyMotionsThatGoDeeper) {
   EXPECT_EQ(way({0.2, 0.0}, {0.25, 0.0}), 0.0);
   EXPECT_EQ(way({-0.2, 0.0}, {0.25, 0.0}), kNever);
   EXPECT_EQ(way({0.2, 0.0}, {-0.25, 0.0}), kNever);
-  // Beside its middle: turning on the spot moves neither side away, ahead of it the left side comes nearer by turning left.
+  // Beside its middle: turning on the spot moves neither side away, ahead of it the left side comes nearer by
+  // turning left.
   EXPECT_EQ(way({0.0, 0.5}, {0.1, 0.21}), 0.0);
   EXPECT_EQ(way({0.0, -0.5}, {0.1, 0.21}), kNever);
 }
@@ -78,7 +79,8 @@ TEST(FirstTouch, EqualsBruteForceOnRandomArcs) {
                                        : std::min(3.0, 2.0 * std::numbers::pi * std::abs(v / omega));
     const double exact = first_touch({v, omega}, made.footprint.polygon, point).way;
     const double found = walked({v, omega}, made.footprint, point, most);
-    // A step of 0.5 mm of the fastest corner is 0.5 mm of way at most, and a graze shallower than it can be overlooked.
+    // A step of 0.5 mm of the fastest corner is 0.5 mm of way at most, and a graze shallower than it can be
+    // overlooked.
     if (std::isfinite(found)) {
       EXPECT_NEAR(exact, found, 2e-2) << "case " << i;
       EXPECT_LE(exact, found + 1e-9) << "case " << i;

@@ -1,4 +1,5 @@
-// A sweep that takes its time, by a robot that drives an arc along a straight wall: every range in closed form.
+// A sweep that takes its time, by a robot that drives an arc along a straight wall: every range in closed
+// form.
 #pragma once
 
 #include <cmath>
@@ -12,8 +13,8 @@
 
 namespace bw::test {
 
-/// The robot passes the origin of odom at the sweep's time, with `twist`; the wall is x = `wall` there. All round; where a beam does
-/// not meet the wall it says nothing nearer than range_max.
+/// The robot passes the origin of odom at the sweep's time, with `twist`; the wall is x = `wall` there. All
+/// round; where a beam does not meet the wall it says nothing nearer than range_max.
 struct MovingSweep {
   Twist2 twist{0.4, 1.5};
   Pose2 X_BL{0.1, -0.05, 0.3};

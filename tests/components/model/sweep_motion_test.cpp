@@ -13,8 +13,8 @@ void expect_near(const Pose2& a, const Pose2& b, double tolerance, double at) {
   EXPECT_NEAR(wrap_angle(a.theta - b.theta), 0.0, tolerance) << at;
 }
 
-// What holds one velocity of the body is on its arc at any share of the time, before and behind too; so is what sits aside on it,
-// which has a velocity to the side.
+// What holds one velocity of the body is on its arc at any share of the time, before and behind too; so is
+// what sits aside on it, which has a velocity to the side.
 TEST(SweepMotion, TheWayOfOneVelocityIsItsArc) {
   const Pose2 start{1.0, -2.0, 3.0};
   const Pose2 aside{0.2, 0.3, -1.0};
@@ -51,7 +51,8 @@ TEST(SweepMotion, EachBeamIsFromWhereTheScannerWas) {
   }
 }
 
-// Odometry comes later than beams: what is not known yet goes on as before. Of a changing velocity the knots around a beam count.
+// Odometry comes later than beams: what is not known yet goes on as before. Of a changing velocity the knots
+// around a beam count.
 TEST(SweepMotion, WhatIsNotKnownYetGoesOnAsBefore) {
   test::MovingSweep moving;
   const LaserSweep sweep = moving.scan();
@@ -65,8 +66,9 @@ TEST(SweepMotion, WhatIsNotKnownYetGoesOnAsBefore) {
   expect_near(known_until(1.0).at(0), last, 1e-8, 0);
   expect_near(known_until(0.03).at(0), last, 1e-7, 0);
   EXPECT_TRUE(known_until(-0.06).empty());  // one knot
-  // At rest until the middle, then driving on at 0.7 m/s: half a turn later, 1/14 s, 5 cm ahead. Of seven intervals the fourth holds
-  // the middle, where the way begins 1/98 s later than its straight line: at most 0.7 / 98 / 4 = 2 mm off.
+  // At rest until the middle, then driving on at 0.7 m/s: half a turn later, 1/14 s, 5 cm ahead. Of seven
+  // intervals the fourth holds the middle, where the way begins 1/98 s later than its straight line: at most
+  // 0.7 / 98 / 4 = 2 mm off.
   const auto pose_at = [&](Time time) {
     return Pose2{0.7 * std::max(0.0, (time - moving.time).to_seconds()), 0.0, 0.0};
   };

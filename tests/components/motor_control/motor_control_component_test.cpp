@@ -82,8 +82,9 @@ TEST(MotorControlComponent, StopsOnACommandThatIsNotFinite) {
   for (const double v : list) EXPECT_TRUE(std::isfinite(v));
 }
 
-// Half a second from 0.8 to 0.3 m/s at 1 m/s^2, and what the jerk limit of 5 m/s^3 adds: 0.2 s at both ends together. A
-// command of 5 m/s is 100 times the limit of 0.05, and five times what the robot can do: cut, and no fault.
+// Half a second from 0.8 to 0.3 m/s at 1 m/s^2, and what the jerk limit of 5 m/s^3 adds: 0.2 s at both ends
+// together. A command of 5 m/s is 100 times the limit of 0.05, and five times what the robot can do: cut, and
+// no fault.
 TEST(MotorControlComponent, KeepsASpeedLimitWhateverIsCommanded) {
   const auto list = speeds(
       10.0,
@@ -106,7 +107,8 @@ TEST(MotorControlComponent, KeepsASpeedLimitWhateverIsCommanded) {
   EXPECT_NEAR(at(list, 9.9), 1.0, 1e-3);  // the robot's own
 }
 
-// The robot is at full speed when it is deactivated, which is a stop; 40 ms later it is activated, and nobody commands any more.
+// The robot is at full speed when it is deactivated, which is a stop; 40 ms later it is activated, and nobody
+// commands any more.
 TEST(MotorControlComponent, ActivatedAgainItStaysAtRest) {
   const auto list = speeds(
       3.0,

@@ -1,5 +1,5 @@
-// Every sequence of commands, silence, stops and clock steps through the velocity limiter, step by step of 20 ms: how far a
-// speed may change in a step, and when the robot must come to rest.
+// Every sequence of commands, silence, stops and clock steps through the velocity limiter, step by step of 20
+// ms: how far a speed may change in a step, and when the robot must come to rest.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

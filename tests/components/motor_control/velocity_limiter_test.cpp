@@ -134,8 +134,8 @@ TEST(VelocityLimiter, CommandsOlderThan200MsStopAtTheStopDeceleration) {
   EXPECT_EQ(follower.silence().twist, Twist2{});
 }
 
-// 60 s back, as a simulation that begins again: nobody knows how old the command is, so that it counts no more, and one whose
-// source fell silent long ago does not count anew. The next one does.
+// 60 s back, as a simulation that begins again: nobody knows how old the command is, so that it counts no
+// more, and one whose source fell silent long ago does not count anew. The next one does.
 TEST(VelocityLimiter, AClockThatGoesBackForgetsTheCommand) {
   Follower follower{Robot{}};
   follower.now = Time::seconds(61.0);
@@ -155,7 +155,8 @@ TEST(VelocityLimiter, AClockThatGoesBackDuringAStopForgetsTheCommand) {
   EXPECT_EQ(follower.silence(Duration::milliseconds(100)).state, LimiterState::waiting);
 }
 
-// Its process hangs for 2 s at full speed, and the base has come to rest meanwhile: it does not brake from there on once more.
+// Its process hangs for 2 s at full speed, and the base has come to rest meanwhile: it does not brake from
+// there on once more.
 TEST(VelocityLimiter, HasBrakedWhenAStallIsOver) {
   Follower follower{Robot{}};
   for (int i = 0; i < 200; ++i) follower.advance({1.0, 0.0});
@@ -232,7 +233,8 @@ TEST(VelocityLimiter, HardBrakingReachesALowerSpeedAtTheStopDecelerationOnTheSam
     for (int i = 0; i < 200; ++i) follower.advance({1.0, 0.9});
     follower.limiter.set_braking(Braking::hard);
     double v = 1.0;
-    // The faster wheel, 1 + 0.9 * 0.195 = 1.1755 times as fast, loses 2 m/s^2: after 17 steps of 20 ms 0.42 m/s, curvature 0.9 / m all the way
+    // The faster wheel, 1 + 0.9 * 0.195 = 1.1755 times as fast, loses 2 m/s^2: after 17 steps of 20 ms 0.42
+    // m/s, curvature 0.9 / m all the way
     for (int i = 0; i < 17; ++i) {
       v -= 0.04 / 1.1755;
       const Twist2 twist = follower.advance({0.4, 0.36}).twist;
@@ -247,8 +249,8 @@ TEST(VelocityLimiter, HardBrakingReachesALowerSpeedAtTheStopDecelerationOnTheSam
   }
 }
 
-// On the spot a wheel, 0.195 m off the middle, loses 2 m/s^2: 10.26 rad/s^2, which is what the collision monitor reckons with; alpha_max
-// is for turns that nothing limits.
+// On the spot a wheel, 0.195 m off the middle, loses 2 m/s^2: 10.26 rad/s^2, which is what the collision
+// monitor reckons with; alpha_max is for turns that nothing limits.
 TEST(VelocityLimiter, HardBrakingOfATurnIsThatOfTheWheels) {
   Robot robot;
   robot.limits = {.v_max = 1.0, .omega_max = 1.0, .acc_max = 1.0, .alpha_max = 1.5, .stop_deceleration = 2.0};
@@ -261,7 +263,8 @@ TEST(VelocityLimiter, HardBrakingOfATurnIsThatOfTheWheels) {
   }
 }
 
-// Steering is none: 1.5 rad/s^2 for 20 ms are 0.03 rad/s. The monitor reckons with that on the way of a stop (stop_path.hpp).
+// Steering is none: 1.5 rad/s^2 for 20 ms are 0.03 rad/s. The monitor reckons with that on the way of a stop
+// (stop_path.hpp).
 TEST(VelocityLimiter, AnotherTurnAtTheSameSpeedIsNoBraking) {
   Robot robot;
   robot.limits = {.v_max = 1.0, .omega_max = 1.0, .acc_max = 1.0, .alpha_max = 1.5, .stop_deceleration = 2.0};

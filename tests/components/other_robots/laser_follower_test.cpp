@@ -18,7 +18,8 @@ constexpr double kBeam = 1.5 * std::numbers::pi / 719.0;  // [rad] between the b
 
 Time at(double seconds) { return Time::seconds(100.0 + seconds); }
 
-/// What a laser at the origin sees of the disc, with noise of 1 cm; what is nearer than `nearest` [m] along a beam hides it.
+/// What a laser at the origin sees of the disc, with noise of 1 cm; what is nearer than `nearest` [m] along a
+/// beam hides it.
 std::vector<Vector2> rim(const Vector2& centre, Random& random, double nearest = 1e9) {
   std::vector<Vector2> points;
   const double middle = std::atan2(centre.y(), centre.x());

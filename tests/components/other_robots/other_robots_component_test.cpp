@@ -71,8 +71,9 @@ LaserScan scan_of_disc_at(double x, Time now) {
   return scan;
 }
 
-/// odom lies at (1, 0) of map. In odom the other robot drives at (4 + 0.5 t, 0); the laser takes it for somebody (3) 0.2 m before its
-/// middle, and sees a person (4) who touches it from the side. 50 Hz, tracks at 10 Hz.
+/// odom lies at (1, 0) of map. In odom the other robot drives at (4 + 0.5 t, 0); the laser takes it for
+/// somebody (3) 0.2 m before its middle, and sees a person (4) who touches it from the side. 50 Hz, tracks at
+/// 10 Hz.
 Seen run(const std::string& parameters, const std::function<void(double t, Odometry&)>& change = {},
          double silent_from = 1e9, bool with_laser = false) {
   Seen seen;

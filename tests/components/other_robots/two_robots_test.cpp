@@ -1,4 +1,5 @@
-// Two robots of one graph cross in the hallway, each from its end to the other's, among walkers. The full count of 20 seeds:
+// Two robots of one graph cross in the hallway, each from its end to the other's, among walkers. The full
+// count of 20 seeds:
 //   BANDWAGON_CROSSINGS=20 build/release/bin/test_two_robots
 #include <algorithm>
 #include <array>
@@ -47,7 +48,8 @@ struct Crossing {
   std::string sha256;
 };
 
-/// Listens to both robots; ends the run when both have arrived. Passes their words on to /relay/robotN while `passes_on` says so.
+/// Listens to both robots; ends the run when both have arrived. Passes their words on to /relay/robotN while
+/// `passes_on` says so.
 class Watcher final : public Component {
  public:
   Watcher(Crossing& seen, std::function<bool(double t)> passes_on)
@@ -134,8 +136,8 @@ TEST(TwoRobots, CrossInTheHallwayWithoutContact) {
   }
 }
 
-// Nothing is heard of the other from 6 s on, before they meet (18 m apart, 1 m/s each: not before 9 s). People are not what is tried
-// here: a walker may run into a robot that stands.
+// Nothing is heard of the other from 6 s on, before they meet (18 m apart, 1 m/s each: not before 9 s).
+// People are not what is tried here: a walker may run into a robot that stands.
 TEST(TwoRobots, DoNotTouchEachOtherWhenTheyFallSilent) {
   const std::vector<std::string> relayed = {"other_robots.robots=[/relay/robot1, /relay/robot2]"};
   for (int seed = 1; seed <= std::max(1, crossings() / 2); ++seed) {
@@ -147,7 +149,8 @@ TEST(TwoRobots, DoNotTouchEachOtherWhenTheyFallSilent) {
   }
 }
 
-// Each behind the cables of its own base and laser: 2 m, in which firmware, driver, sweep and the scans of both are needed.
+// Each behind the cables of its own base and laser: 2 m, in which firmware, driver, sweep and the scans of
+// both are needed.
 TEST(TwoRobots, DriveThroughEmulatedBasesAndLasers) {
   const std::string robots = std::string(BANDWAGON_SOURCE_DIR) + "/config/robots/";
   for (const char* robot : {"kobuki.yaml", "eddie.yaml"}) {

@@ -168,8 +168,8 @@ TEST(DetectorFuzz, NoSweepBreaksItAndWhatComesOutIsFinite) {
 }
 
 TEST(DetectorSweep, NarrowThingsKnowWhatIsNarrowBesideThem) {
-  // At 2 m, three beams each 0.01 rad apart: middles at beams 11, 31 and 81, 2 cos(0.01) m away; and a thing of 60
-  // beams, 1.2 m, that is not narrow.
+  // At 2 m, three beams each 0.01 rad apart: middles at beams 11, 31 and 81, 2 cos(0.01) m away; and a thing
+  // of 60 beams, 1.2 m, that is not narrow.
   std::vector<float> ranges(300, 5.0F);
   for (const std::size_t middle : {11, 31, 81})
     for (std::size_t i = middle - 1; i <= middle + 1; ++i) ranges[i] = 2.0F;

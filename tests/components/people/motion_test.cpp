@@ -93,8 +93,8 @@ TEST(Motion, ReportsTheBetterFilter) {
     EXPECT_LE(chosen.straight[1].value(), 1.02 * all.straight[1].value()) << candidate.name;
     EXPECT_LE(all.nees.value(), 2.0) << candidate.name;
   }
-  // Asked 0.15 m/s, measured 0.126. The candidates that are as good have 0.123 to 0.126, the one that is worse 0.140 in the same rooms:
-  // halfway is a loss.
+  // Asked 0.15 m/s, measured 0.126. The candidates that are as good have 0.123 to 0.126, the one that is
+  // worse 0.140 in the same rooms: halfway is a loss.
   EXPECT_LE(chosen.score.velocity_rmse(), 0.133);
   EXPECT_LE(chosen.score.motp(), 0.10);
 }

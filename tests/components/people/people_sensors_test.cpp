@@ -1,5 +1,5 @@
-// The people component with two lasers of half a view each, front and rear, and with a camera that tells of whole people; in lock-step,
-// by the simulated world.
+// The people component with two lasers of half a view each, front and rear, and with a camera that tells of
+// whole people; in lock-step, by the simulated world.
 #include <functional>
 #include <map>
 #include <set>
@@ -23,7 +23,8 @@ using bandwagon_msgs::msg::GroundTruth;
 using bandwagon_msgs::msg::Tracks;
 using people_msgs::msg::People;
 
-/// The robot stands at the origin of a room; odom is map. Front and rear laser see half a turn each, at their own rates.
+/// The robot stands at the origin of a room; odom is map. Front and rear laser see half a turn each, at their
+/// own rates.
 std::string room(const std::string& waypoints, const std::string& people, const std::string& inputs = "") {
   return R"(
 robot:
@@ -94,7 +95,8 @@ Record record_of(const std::string& graph, double seconds, const Spoil& camera =
 
 double after_start(const Tracks& tracks) { return seconds_since_start(from_stamp(tracks.header().stamp())); }
 
-/// Confirmed tracks of all messages from `from` [s] on, by id; each must be where the only person truly is, within 0.3 m.
+/// Confirmed tracks of all messages from `from` [s] on, by id; each must be where the only person truly is,
+/// within 0.3 m.
 std::set<std::uint32_t> ids_of_the_only_person(const Record& record, double from, int& messages) {
   std::set<std::uint32_t> ids;
   messages = 0;

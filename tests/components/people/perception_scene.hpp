@@ -1,6 +1,6 @@
 // Rooms for measuring perception of people: drawn from a seed, with furniture that looks like legs, people
-// who walk, or stand and shift their feet now and then, and a robot that stands or drives about with wheels that
-// err.
+// who walk, or stand and shift their feet now and then, and a robot that stands or drives about with wheels
+// that err.
 #pragma once
 
 #include <algorithm>

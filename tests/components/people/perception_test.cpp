@@ -1,7 +1,8 @@
 // Detector and tracker together against the truth of simulated rooms. The short version guards what was
 // reached; the long one prints the figures (perception_rooms.hpp names the variables):
 //
-//   BANDWAGON_PEOPLE_MINUTES=5 BANDWAGON_PEOPLE_SEED=<first> test_people_perception --gtest_filter=Perception.<test>
+//   BANDWAGON_PEOPLE_MINUTES=5 BANDWAGON_PEOPLE_SEED=<first> test_people_perception
+//   --gtest_filter=Perception.<test>
 //
 // Parameters were chosen on other seeds (README of the tracker); change the ones here when choosing anew.
 #include <cstdio>
@@ -19,8 +20,8 @@ struct Measured {
   double recall, precision, mota, velocity, median, late, seen_switches, switches;
 };
 
-/// Noise: sightings one a second of each person as independent; of the velocity 5 %; of times a sweep, and of the late ones, which are
-/// few, two; switches are independent events.
+/// Noise: sightings one a second of each person as independent; of the velocity 5 %; of times a sweep, and of
+/// the late ones, which are few, two; switches are independent events.
 void expect_figures(const Score& score, const Measured& measured) {
   using namespace bw::test;
   const double seconds = 60.0 * score.person_minutes(), tens = score.person_minutes() / 10.0;
@@ -56,8 +57,9 @@ TEST(Perception, FollowsPeopleAmongFurniture) {
 }
 
 // Nobody is there: whoever is confirmed is false. Asked: one in ten minutes. They come in the first 15 s of
-// a room: three in the first 20 rooms, however long they last, so that a minute in each has 1.5 in ten minutes (the README's figure) and
-// 15 s in each 6. Three are too few to tell a loss by; so there are 80 short rooms.
+// a room: three in the first 20 rooms, however long they last, so that a minute in each has 1.5 in ten
+// minutes (the README's figure) and 15 s in each 6. Three are too few to tell a loss by; so there are 80
+// short rooms.
 TEST(Perception, TakesFurnitureForNobody) {
   const RoomsRecord rooms = run_full_rooms(first_seed(851), seconds_each(15.0), false, 80);
   const double measured = 12.0 / 20.0;  // a minute

@@ -141,8 +141,8 @@ class Trial {
     record_.most_possible = std::max(record_.most_possible, possible);
   }
 
-  /// Counted: within range and view of a laser, the way from it to the middle not barred by walls or furniture. Unoccluded:
-  /// at least three beams ended on one of the legs.
+  /// Counted: within range and view of a laser, the way from it to the middle not barred by walls or
+  /// furniture. Unoccluded: at least three beams ended on one of the legs.
   std::vector<TruePerson> truth_in(const Pose2& X_OM, const Pose2& X_MB,
                                    const std::vector<const LaserScan*>& scans) const {
     const std::vector<Person>& people = world_.people();

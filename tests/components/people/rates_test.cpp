@@ -1,5 +1,5 @@
-// Detector and tracker at other rates and with other scanners than parameters were chosen for, with two lasers and with a camera: a row
-// for each, in the same rooms.
+// Detector and tracker at other rates and with other scanners than parameters were chosen for, with two
+// lasers and with a camera: a row for each, in the same rooms.
 //
 //   BANDWAGON_PEOPLE_MINUTES=2 test_people_rates          the table of components/people/README.md
 #include <algorithm>

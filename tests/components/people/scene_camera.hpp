@@ -1,5 +1,6 @@
-// A camera that tells of whole people, as their detectors do: ten messages a second that are 0.1 s late, places that err by 0.1 m and
-// 2 % of the distance, one person in ten missed, somebody who is not there once a minute.
+// A camera that tells of whole people, as their detectors do: ten messages a second that are 0.1 s late,
+// places that err by 0.1 m and 2 % of the distance, one person in ten missed, somebody who is not there once
+// a minute.
 #pragma once
 
 #include <cmath>

@@ -151,7 +151,8 @@ TEST(Stretches, AddUp) {
   EXPECT_EQ(a.horizons[0].share_inside(), 0.25);
 }
 
-// A wall 3 m ahead; one stands 2 m ahead, one right behind, one behind the wall, one behind the scanner, one far off.
+// A wall 3 m ahead; one stands 2 m ahead, one right behind, one behind the wall, one behind the scanner, one
+// far off.
 TEST(SweepView, TellsWhoShows) {
   constexpr double kStep = std::numbers::pi / 180.0;
   std::vector<float> ranges;

@@ -42,8 +42,8 @@ TEST(SweepTiming, AWallIsStraightFromARobotThatTurns) {
     }
     return farthest;
   };
-  // Taken for one instant: the laser is turned by 0.3 rad, so that the wall's end at -72 degrees, 7.6 m aside, is a quarter of a turn
-  // from the middle: 1.9 / 28 = 0.068 rad, and 0.5 / 28 m of way.
+  // Taken for one instant: the laser is turned by 0.3 rad, so that the wall's end at -72 degrees, 7.6 m
+  // aside, is a quarter of a turn from the middle: 1.9 / 28 = 0.068 rad, and 0.5 / 28 m of way.
   sweep.X_FL = moving.X_BL;
   EXPECT_NEAR(farthest_off(sweep), 7.6 * 0.068 + 0.018, 0.03);
   sweep.beam_poses = poses;
@@ -60,7 +60,8 @@ TEST(SweepTiming, DirectionsOfBeamsAreThoseOfTheTurningScanner) {
   for (const LaserSweep& seen : {sweep, reversed.sweep}) {
     Beams beams;
     read_beams(seen, beams);
-    // Beam 0 looks at -pi, taken last, 1/14 s after the middle: 0.1 rad further round; the last one is a turn of time earlier.
+    // Beam 0 looks at -pi, taken last, 1/14 s after the middle: 0.1 rad further round; the last one is a turn
+    // of time earlier.
     EXPECT_NEAR(beams.angle_min, -std::numbers::pi + 0.1, 1e-6);
     EXPECT_NEAR(beams.angle_increment * 719.0, 2.0 * std::numbers::pi * 719.0 / 720.0 - 0.2 * 719.0 / 720.0,
                 1e-6);
@@ -83,7 +84,8 @@ TrackedPerson walker(const Vector2& position, const Vector2& velocity) {
   return person;
 }
 
-// Seen 40 ms after the sweep's time, at 1.2 m/s to the left: 4.8 cm back. Of its velocity 0.2 m/s is not sure, 8 mm.
+// Seen 40 ms after the sweep's time, at 1.2 m/s to the left: 4.8 cm back. Of its velocity 0.2 m/s is not
+// sure, 8 mm.
 TEST(SweepTiming, WhoWalksIsMovedToTheTimeOfTheSweep) {
   DetectionSet set{.time = Time::seconds(10.1)};
   set.detections.resize(4);
@@ -100,7 +102,8 @@ TEST(SweepTiming, WhoWalksIsMovedToTheTimeOfTheSweep) {
   EXPECT_EQ(set.detections[3].position.y(), 1.0);
 }
 
-// Of 720 beams in 1/7 s, the post 90 degrees to the left was seen 1/28 s before the middle, that to the right as much after it.
+// Of 720 beams in 1/7 s, the post 90 degrees to the left was seen 1/28 s before the middle, that to the right
+// as much after it.
 TEST(SweepTiming, TheDetectorSaysWhenEachThingWasSeen) {
   std::vector<float> ranges(720, std::numeric_limits<float>::infinity());
   for (const std::size_t middle : {180U, 540U})

@@ -41,8 +41,8 @@ TEST(Birth, WhatLeapsFromChairToChairIsNobody) {
   }
 }
 
-// 0.7 of the sweeps must show it in the last 1.15 s: of 7 after the first sighting 2 may be missed, of 8 as well
-// (6 of 8 are 0.75), not 3. What was missed before does not count.
+// 0.7 of the sweeps must show it in the last 1.15 s: of 7 after the first sighting 2 may be missed, of 8 as
+// well (6 of 8 are 0.75), not 3. What was missed before does not count.
 TEST(Birth, WhatIsSeenNowAndThenIsNobody) {
   const auto seen_in = [](const std::vector<std::int64_t>& sweeps) {
     std::vector<Sighting> sightings;
@@ -100,8 +100,8 @@ TEST(Birth, LegsOnBackgroundMustLookMoreLikeLegs) {
   EXPECT_NEAR(*doubt(8, 0.81, true), 0.4 - 0.5 * 0.81, 1e-12);
 }
 
-// One leg scores 0.95, the other stands behind its edge and scores 0.5, where 0.7 are asked of whole ones: a pair after 0.9 s,
-// if it scores 0.4 or more and is cut off in half of the sweeps.
+// One leg scores 0.95, the other stands behind its edge and scores 0.5, where 0.7 are asked of whole ones: a
+// pair after 0.9 s, if it scores 0.4 or more and is cut off in half of the sweeps.
 TEST(Birth, OneLegBehindTheOtherIsHalfAPair) {
   const auto kind = [](int sweeps, double whole, double cut, int cut_in) {
     std::vector<Sighting> front;
@@ -122,7 +122,8 @@ TEST(Birth, OneLegBehindTheOtherIsHalfAPair) {
   EXPECT_EQ(kind(10, 0.95, 0.71, 10), BirthKind::standing_pair);
 }
 
-// Two legs side by side, seen five times: they stay, unless both of them go and their middle goes 0.1 m, straight on.
+// Two legs side by side, seen five times: they stay, unless both of them go and their middle goes 0.1 m,
+// straight on.
 TEST(Birth, LegsStayUnlessBothGo) {
   const auto stay = [](double left, double right, double aside = 0.0) {
     const auto leg = [&](double y, double step) {
@@ -141,8 +142,9 @@ TEST(Birth, LegsStayUnlessBothGo) {
   EXPECT_TRUE(stay(0.1, 0.1, 0.09));  // beside a straight way by more than 0.08 m
 }
 
-// At any rate of sweeps legs that walk at 1.2 m/s are a pair that walks once their middle has gone 0.2 m and three
-// sightings show it: after 0.2 s, at 5 per second after 0.4 s. Sightings closer than 0.075 s count as one.
+// At any rate of sweeps legs that walk at 1.2 m/s are a pair that walks once their middle has gone 0.2 m and
+// three sightings show it: after 0.2 s, at 5 per second after 0.4 s. Sightings closer than 0.075 s count as
+// one.
 TEST(Birth, CountsSecondsNotSweeps) {
   const auto born_after = [](double rate) {
     const auto place = [](double t, double side) {

@@ -59,7 +59,8 @@ TEST(Evidence, WayWalkedCountsAfterASlip) {
   EXPECT_EQ(Walked{5.0}.log_odds(), Walked::kMax);
 }
 
-/// Log odds after a leg stood at 0 for `before` s, at `shift` m for `after` s, and back again, ten sweeps a second.
+/// Log odds after a leg stood at 0 for `before` s, at `shift` m for `after` s, and back again, ten sweeps a
+/// second.
 double foot_shifts_of(double before, double shift, double after, bool whole = true, double turn = 0.0) {
   FootShifts foot_shifts;
   double t = 0.0;
@@ -73,7 +74,8 @@ double foot_shifts_of(double before, double shift, double after, bool whole = tr
   return foot_shifts.log_odds();
 }
 
-// A foot that is set aside by 0.1 m and back after 2 s shifts twice; 0.03 m is within what a standing disc errs,
+// A foot that is set aside by 0.1 m and back after 2 s shifts twice; 0.03 m is within what a standing disc
+// errs,
 // 0.3 m is another thing, 0.3 s are none, and what is half hidden or seen from another side shows nothing.
 TEST(Evidence, WhoStandsShiftsAFoot) {
   EXPECT_EQ(foot_shifts_of(2.0, 0.0, 2.0), 0.0);
@@ -90,8 +92,9 @@ TEST(Evidence, WhoStandsShiftsAFoot) {
   EXPECT_EQ(noisy.log_odds(), 0.0);
 }
 
-// The way between two legs is compared with how it was before they were out of view for 10 s and seen from another side;
-// the place of a single leg is not. Stray sightings before and after do not make a time for which it stood.
+// The way between two legs is compared with how it was before they were out of view for 10 s and seen from
+// another side; the place of a single leg is not. Stray sightings before and after do not make a time for
+// which it stood.
 TEST(Evidence, ThePairThatStoodIsRemembered) {
   const auto shifts = [](const FootShifts::Memory& memory, double shift, int before) {
     FootShifts foot_shifts;
@@ -109,7 +112,8 @@ TEST(Evidence, ThePairThatStoodIsRemembered) {
   EXPECT_EQ(stray.log_odds(), 0.0);
 }
 
-// A chair 0.4 m wide: its fourth leg hidden or seen. Posts every 0.5 m. Two pairs of legs that stand about are none.
+// A chair 0.4 m wide: its fourth leg hidden or seen. Posts every 0.5 m. Two pairs of legs that stand about
+// are none.
 TEST(Evidence, FurnitureStandsInPatterns) {
   const Post post{{1.0, 1.0}, 0.04};
   const auto at = [](double x, double y, double width = 0.04) { return Post{{x, y}, width}; };
@@ -134,7 +138,8 @@ TEST(Evidence, ConfidenceIsTheLogisticOfTheSum) {
   EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs + 2.0 + 4.0 - 2.0 - 1.0 + Existence::kAlone, 1e-12);
 }
 
-// A way of 0.65 m is worth 5, of 1 m at most 7; where things stood all the time less than a metre is worth nothing.
+// A way of 0.65 m is worth 5, of 1 m at most 7; where things stood all the time less than a metre is worth
+// nothing.
 TEST(Evidence, AWayWalkedWhereThingsStoodIsNone) {
   Existence existence{.prior = Existence::kTwoLegs};
   existence.walked.way = 0.65;
@@ -145,8 +150,8 @@ TEST(Evidence, AWayWalkedWhereThingsStoodIsNone) {
   EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs + Walked::kMax, 1e-12);
 }
 
-// More things that look like legs come into view: who was confirmed stays so, who was not is doubted. Plain doubt, beyond
-// what was kept, ends it, and then it is as for anybody.
+// More things that look like legs come into view: who was confirmed stays so, who was not is doubted. Plain
+// doubt, beyond what was kept, ends it, and then it is as for anybody.
 TEST(Evidence, WhoWasConfirmedIsNotGivenUpForADoubt) {
   Existence existence{.prior = 0.5};
   existence.keep_belief();
@@ -176,8 +181,8 @@ TEST(Evidence, WhoNeverMovedAmongFurnitureKeepsLess) {
   EXPECT_EQ(existence.kept, Existence::kKept);
 }
 
-// Score 0.9 for ever: looks of 20 ln 9 / 22 = 1.997. Of a pair that walks what is beyond 1 counts twice until it has
-// walked a metre; of one that stands nothing is.
+// Score 0.9 for ever: looks of 20 ln 9 / 22 = 1.997. Of a pair that walks what is beyond 1 counts twice until
+// it has walked a metre; of one that stands nothing is.
 TEST(Evidence, LooksOfWalkersSayMoreUntilTheyHaveWalked) {
   Existence walker{.prior = Existence::kWalker};
   for (int k = 0; k < 500; ++k) walker.appearance.add(0.9, 0.1);
@@ -189,8 +194,8 @@ TEST(Evidence, LooksOfWalkersSayMoreUntilTheyHaveWalked) {
   EXPECT_NEAR(standing.log_odds(), Existence::kTwoLegs + looks, 1e-4);
 }
 
-// Somebody walks 2 m and stops. Where they stand is no background, as the detector keeps it free: they stay. If what is
-// seen there stood before, it is furniture that they walked up to.
+// Somebody walks 2 m and stops. Where they stand is no background, as the detector keeps it free: they stay.
+// If what is seen there stood before, it is furniture that they walked up to.
 TEST(Evidence, WhatStoodBeforeIsNotWhoWalkedUpToIt) {
   for (const bool stood_before : {false, true}) {
     Stage stage;
@@ -212,9 +217,10 @@ TEST(Evidence, WhatStoodBeforeIsNotWhoWalkedUpToIt) {
   }
 }
 
-// A beam every half degree: at 3 m they are 0.026 m apart, 5 or 6 pass within 0.08 m of a place. Two sweeps 0.3 s apart that see
-// nothing there show it empty, whatever stands there later; what always stood there shows from 2 s on; what something hides,
-// what is nearer than 0.3 m or farther than 0.04 m / 0.0087 rad = 4.6 m is unknown.
+// A beam every half degree: at 3 m they are 0.026 m apart, 5 or 6 pass within 0.08 m of a place. Two sweeps
+// 0.3 s apart that see nothing there show it empty, whatever stands there later; what always stood there
+// shows from 2 s on; what something hides, what is nearer than 0.3 m or farther than 0.04 m / 0.0087 rad =
+// 4.6 m is unknown.
 TEST(Evidence, KnowsWhatWasAtAPlaceBefore) {
   using Past = PastSweeps::Past;
   Stage stage;
@@ -246,8 +252,8 @@ TEST(Evidence, KnowsWhatWasAtAPlaceBefore) {
   EXPECT_EQ(past.at({3.0, 0.0}, 30.0), Past::unknown);
 }
 
-// Two legs stand where nothing was for a second: somebody has come, and is confirmed although twelve posts about look
-// like legs. If something hid the place until then, they are doubted.
+// Two legs stand where nothing was for a second: somebody has come, and is confirmed although twelve posts
+// about look like legs. If something hid the place until then, they are doubted.
 TEST(Evidence, WhoStandsWhereNothingWasHasCome) {
   for (const bool came : {true, false}) {
     Stage stage;
@@ -286,8 +292,8 @@ TEST(Evidence, TwoThatNeverMoveAreDoubted) {
   }
 }
 
-// One leg stands still: a possible person within 2 s, never a confirmed one. It is set aside and back: confirmed,
-// with the same id.
+// One leg stands still: a possible person within 2 s, never a confirmed one. It is set aside and back:
+// confirmed, with the same id.
 void expect_one_leg_is_somebody_when_it_shifts(bool becomes_background) {
   Stage stage;
   Tracker tracker({});
@@ -313,7 +319,8 @@ TEST(Evidence, OneLegThatStandsIsPossibleUntilItShifts) {
 // What stands for 2.5 s is background: a leg that shifts there in view of a laser that stands is one no less.
 TEST(Evidence, OneLegThatBecameBackgroundShifts) { expect_one_leg_is_somebody_when_it_shifts(true); }
 
-// Two legs of which something hides an edge of the second lean by 0.06 m, both at once, among posts, and the laser stands: confirmed.
+// Two legs of which something hides an edge of the second lean by 0.06 m, both at once, among posts, and the
+// laser stands: confirmed.
 // They do not lean, or lean by 0.03 m, which is within what a standing disc errs: not.
 TEST(Evidence, TwoLegsThatLeanAreSomebody) {
   for (const double lean : {0.0, 0.03, 0.06}) {

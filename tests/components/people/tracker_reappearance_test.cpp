@@ -98,8 +98,8 @@ TEST(Tracker, WhoTurnsRoundBehindAPillarKeepsTheirId) {
   EXPECT_NEAR(tracker.people()[0].velocity.y(), -1.0, 0.2);
 }
 
-// Last seen at 1.4 s, let go 1 s later. Who walks up at the same place 5 s after is the same, 25 s after (more
-// than 20 s) somebody new.
+// Last seen at 1.4 s, let go 1 s later. Who walks up at the same place 5 s after is the same, 25 s after
+// (more than 20 s) somebody new.
 TEST(Tracker, WhoComesBackLateIsNew) {
   for (const int sweeps : {50, 250}) {
     Stage stage;

@@ -40,7 +40,8 @@ class TwoLasers {
   Stage stage_;
 };
 
-// As the front laser alone: a walker at 1.2 m/s is a person within 0.5 s (TracksWalker of one laser); the other's sweeps change nothing.
+// As the front laser alone: a walker at 1.2 m/s is a person within 0.5 s (TracksWalker of one laser); the
+// other's sweeps change nothing.
 TEST(TrackerSensors, WhoIsSeenByTheRearLaserAloneIsAPersonAsSoon) {
   TwoLasers lasers;
   double confirmed = -1.0;
@@ -57,7 +58,8 @@ TEST(TrackerSensors, WhoIsSeenByTheRearLaserAloneIsAPersonAsSoon) {
   EXPECT_NEAR(lasers.tracker.people()[0].velocity.y(), 1.2, 0.15);
 }
 
-// From y = -2 to 2 m at 1 m/s: seen by the front laser until 2 s, by the rear one after; interleaved sweeps, and sweeps of one time.
+// From y = -2 to 2 m at 1 m/s: seen by the front laser until 2 s, by the rear one after; interleaved sweeps,
+// and sweeps of one time.
 TEST(TrackerSensors, WhoPassesFromFrontToRearStaysTheSame) {
   for (const double apart : {0.05, 0.013, 0.0}) {
     TwoLasers lasers;
@@ -99,7 +101,8 @@ HeardSet told(double t, const Vector2& place, double reliability) {
   return {Time::seconds(t), {{.position = place, .reliability = reliability}}};
 }
 
-// b1 = trust r, b2 = 1 - (1 - b1 exp(-dt / memory)) (1 - trust r), ... : confirmed by reliability and repetition.
+// b1 = trust r, b2 = 1 - (1 - b1 exp(-dt / memory)) (1 - trust r), ... : confirmed by reliability and
+// repetition.
 TEST(TrackerSensors, ACameraAloneMakesAPossiblePersonAndRepetitionAPerson) {
   for (const double reliability : {0.9, 0.4}) {
     Tracker tracker({});
@@ -119,7 +122,8 @@ TEST(TrackerSensors, ACameraAloneMakesAPossiblePersonAndRepetitionAPerson) {
   }
 }
 
-// Below half a second of silence a person still, gone when the belief has sunk to 0.2: 2 s ln(0.89 / 0.2) = 3.0 s.
+// Below half a second of silence a person still, gone when the belief has sunk to 0.2: 2 s ln(0.89 / 0.2) =
+// 3.0 s.
 TEST(TrackerSensors, WhomNobodyTellsOfAnyMoreFades) {
   Tracker tracker({});
   for (int k = 0; k < 20; ++k) tracker.hear(told(100.0 + 0.1 * k, {2.0, 0.0}, 0.9));
@@ -139,7 +143,8 @@ TEST(TrackerSensors, WhomNobodyTellsOfAnyMoreFades) {
   EXPECT_GE(there_until, 1.0);
 }
 
-// The laser follows a walker; a camera tells of them with errors of 0.2 m, 0.15 s late. One person, where the laser says.
+// The laser follows a walker; a camera tells of them with errors of 0.2 m, 0.15 s late. One person, where the
+// laser says.
 TEST(TrackerSensors, CameraAndLaserDoNotDouble) {
   Stage stage;
   Tracker tracker({});
@@ -160,8 +165,8 @@ TEST(TrackerSensors, CameraAndLaserDoNotDouble) {
   EXPECT_GT(tracker.people()[0].confidence, 0.9);
 }
 
-// Legs that the laser takes for furniture (score 0.35): nobody. A camera tells of somebody there, 0.15 m beside: a person, with the
-// laser's place, after two messages.
+// Legs that the laser takes for furniture (score 0.35): nobody. A camera tells of somebody there, 0.15 m
+// beside: a person, with the laser's place, after two messages.
 TEST(TrackerSensors, ACameraMakesAPersonOfWhatOnlyStands) {
   Stage stage;
   Tracker tracker({});
@@ -184,7 +189,8 @@ TEST(TrackerSensors, ACameraMakesAPersonOfWhatOnlyStands) {
   EXPECT_NEAR(tracker.people()[0].position.x(), 3.0, 0.03);
 }
 
-// Told of where a laser sees nothing for longer than death.unseen: possible, not confirmed; gone when nobody tells any more.
+// Told of where a laser sees nothing for longer than death.unseen: possible, not confirmed; gone when nobody
+// tells any more.
 TEST(TrackerSensors, WhereTheLaserSeesNothingNobodyIsConfirmed) {
   Stage stage;
   Tracker tracker({});

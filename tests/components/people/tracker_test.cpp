@@ -32,9 +32,10 @@ TEST(Tracker, ConfirmsAWalkerWithinHalfASecond) {
   EXPECT_EQ(tracker.keep_out().size(), 1U);
 }
 
-// Legs that stand, of score 0.9: log odds -1.4 + 2.0 by their looks after 2 s, less 0.2 for never moving: 0.4. Alone -3 for good:
-// two posts beside a gap stand alone, too. With one who walks 2 ln 2 - 3 = -1.6, without furniture for 2 s only; among four who walk
-// 2 ln 5 - 3 = 0.2; among three posts, alone, at least a third of -3 stays. Told of after 0.5 s in each, and not taken for furniture.
+// Legs that stand, of score 0.9: log odds -1.4 + 2.0 by their looks after 2 s, less 0.2 for never moving:
+// 0.4. Alone -3 for good: two posts beside a gap stand alone, too. With one who walks 2 ln 2 - 3 = -1.6,
+// without furniture for 2 s only; among four who walk 2 ln 5 - 3 = 0.2; among three posts, alone, at least a
+// third of -3 stays. Told of after 0.5 s in each, and not taken for furniture.
 TEST(Tracker, WhoStandsIsConfirmedWherePeopleAre) {
   enum class Place { bare, furnished, shared, busy };
   for (const Place place : {Place::bare, Place::furnished, Place::shared, Place::busy}) {

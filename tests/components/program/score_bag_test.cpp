@@ -18,8 +18,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Five seconds along x of map at 1 m/s. The odometry's frame lies 10 m off and turned by 90 degrees; a person of 0.3 m
-/// stands at (2, 1) in map, and the localization believes to be 0.1 m to the left.
+/// Five seconds along x of map at 1 m/s. The odometry's frame lies 10 m off and turned by 90 degrees; a
+/// person of 0.3 m stands at (2, 1) in map, and the localization believes to be 0.1 m to the left.
 class RecordedDrive : public testing::Test {
  protected:
   void SetUp() override {
@@ -134,8 +134,8 @@ TEST_F(RecordedDrive, ByTheTruth) {
   EXPECT_NEAR(score.drives[0].pose_errors.rms_position(), 0.1, 1e-9);
 }
 
-// Somebody stands 0.5 m beside the way at x = 2: touched from x = 2 - sqrt(0.6^2 - 0.5^2) = 1.67 on, the first of ten looks a
-// second at 1.7.
+// Somebody stands 0.5 m beside the way at x = 2: touched from x = 2 - sqrt(0.6^2 - 0.5^2) = 1.67 on, the
+// first of ten looks a second at 1.7.
 TEST_F(RecordedDrive, TellsWhoHitWhomAndJudgesByTheRobotsLimits) {
   someone_ = Vector2(2.0, 0.5);
   drive(true, true, true);
@@ -152,7 +152,8 @@ TEST_F(RecordedDrive, TellsWhoHitWhomAndJudgesByTheRobotsLimits) {
   EXPECT_FALSE(is_excused(judged.drives[0].contacts, judged.drives[0].card.collisions));
 }
 
-// The robot believes to drive along y = 0.1 and sees the person where it is from there: 1.0 - 0.3 - 0.3 m aside.
+// The robot believes to drive along y = 0.1 and sees the person where it is from there: 1.0 - 0.3 - 0.3 m
+// aside.
 TEST_F(RecordedDrive, ByWhatTheRobotBelievedAndSaw) {
   drive(false, true, true);
   const BagScore score = this->score();

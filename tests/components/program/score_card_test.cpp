@@ -1,4 +1,5 @@
-// The planner's time on a score card is that of its control cycle, or there is none; the robot's path is thinned.
+// The planner's time on a score card is that of its control cycle, or there is none; the robot's path is
+// thinned.
 #include <cmath>
 #include <limits>
 #include <stdexcept>

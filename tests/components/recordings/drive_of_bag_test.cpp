@@ -1,4 +1,5 @@
-// Bags of any robot as drives: by the stamps of their messages, with what their headers say; what does not fit is told.
+// Bags of any robot as drives: by the stamps of their messages, with what their headers say; what does not
+// fit is told.
 #include "components/recordings/files/drive_of_bag.hpp"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// The logs that config/imports describes, as drives: what the columns files make of a few lines, and the recorded logs whole.
+// The logs that config/imports describes, as drives: what the columns files make of a few lines, and the
+// recorded logs whole.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

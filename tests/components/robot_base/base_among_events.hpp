@@ -1,6 +1,6 @@
-// A base behind its guard to which anything happens, asked as robot_base asks it: at once at commands, the emergency stop and a release,
-// else at the poll every 10 ms. Wheels do what they are told, or are blocked; those of a base that is not heard stand. After every
-// answer it is judged by a bystander.
+// A base behind its guard to which anything happens, asked as robot_base asks it: at once at commands, the
+// emergency stop and a release, else at the poll every 10 ms. Wheels do what they are told, or are blocked;
+// those of a base that is not heard stand. After every answer it is judged by a bystander.
 #pragma once
 
 #include <cmath>
@@ -76,7 +76,8 @@ class BaseAmongEvents {
     now_ = now_ + Duration::seconds(seconds);
     silent_ = 10.0;  // nobody knows how old the newest command is
     is_clock_stepped_ = true;
-    // Odometry takes five readings to believe a clock that went back, and a step on for a long time between two.
+    // Odometry takes five readings to believe a clock that went back, and a step on for a long time between
+    // two.
     stale_ = seconds < 0.0 ? 5 : stale_;
     unread_ += std::max(0.0, seconds);
   }

@@ -1,4 +1,5 @@
-// Whoever throws in the base's process, the driver's last word is its stop: the base itself in a callback, or another component.
+// Whoever throws in the base's process, the driver's last word is its stop: the base itself in a callback, or
+// another component.
 #include <atomic>
 #include <filesystem>
 #include <fstream>

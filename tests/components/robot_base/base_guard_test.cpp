@@ -1,5 +1,6 @@
-// The cable, the emergency stop, faults, battery and charger, and what all of them have in common: what interrupted a motion takes
-// a release, and a command that arrived before the base may drive again moves nothing.
+// The cable, the emergency stop, faults, battery and charger, and what all of them have in common: what
+// interrupted a motion takes a release, and a command that arrived before the base may drive again moves
+// nothing.
 #include "components/robot_base/base_guard.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,8 @@ void expect_ramp(GuardedBase& base) {
   EXPECT_EQ(before, 0.0);
 }
 
-/// A release while commands go on: 2 s in which nothing moves (`restart.pause`) and which are told, then up with 1 m/s^2.
+/// A release while commands go on: 2 s in which nothing moves (`restart.pause`) and which are told, then up
+/// with 1 m/s^2.
 void expect_set_off_after_a_release(GuardedBase& base) {
   ASSERT_EQ(base.output().wheels, WheelSpeeds{});
   ASSERT_EQ(base.guard().release(), std::nullopt);
@@ -108,7 +110,8 @@ TEST(BaseGuard, ADeviceThatWasOpenedAnewHearsAStopFirst) {
   expect_set_off_after_a_release(base);
 }
 
-// Drivers say that it is open when the base has answered, so that its first counts come with the first opening.
+// Drivers say that it is open when the base has answered, so that its first counts come with the first
+// opening.
 TEST(BaseGuard, TheFirstOpeningIsNoneAnew) {
   GuardedBase base;
   base.readings.link = {
@@ -120,8 +123,8 @@ TEST(BaseGuard, TheFirstOpeningIsNoneAnew) {
   base.run(1.0, std::nullopt, [&] { ASSERT_EQ(base.output().reason, ""); });
 }
 
-// The port of a busy machine takes half a second to open, while somebody commands already; the first poll of the
-// open port has counts. From then on commands have `silence`, 0.2 s, to get through.
+// The port of a busy machine takes half a second to open, while somebody commands already; the first poll of
+// the open port has counts. From then on commands have `silence`, 0.2 s, to get through.
 TEST(BaseGuard, CommandsBeforeTheBaseWasHeardAreNoLostBase) {
   GuardedBase base;
   base.readings.link = {.is_open = false, .is_opening = true, .device = "cable"};
@@ -181,7 +184,8 @@ TEST(BaseGuard, AReleaseOfNothingChangesNothing) {
   base.run(0.5, kAhead, [&] { ASSERT_EQ(base.output().wheels, kAhead); });
 }
 
-// Whoever freed the robot sees that it is about to drive, and a second stop needs a second release and all of the pause.
+// Whoever freed the robot sees that it is about to drive, and a second stop needs a second release and all of
+// the pause.
 TEST(BaseGuard, AStopWithinThePauseCancelsIt) {
   GuardedBase base = driving();
   base.guard().set_emergency_stop(true);
@@ -327,8 +331,8 @@ TEST(BaseGuard, NobodyDrivesAtTheCharger) {
   expect_set_off_after_a_release(base);
 }
 
-// Whatever comes in whatever order: what is latched moves nothing until it is released, and nothing is faster than the command or
-// backing off.
+// Whatever comes in whatever order: what is latched moves nothing until it is released, and nothing is faster
+// than the command or backing off.
 TEST(BaseGuard, NothingMovesWhileItIsLatchedInAnyOrderOfEvents) {
   constexpr std::uint64_t kSeed = 23;
   Random random(kSeed);

@@ -1,5 +1,5 @@
-// robot_base on its topics, in lock-step, with a driver of the test behind the seam: what it tells, and how it is stopped and
-// released from outside.
+// robot_base on its topics, in lock-step, with a driver of the test behind the seam: what it tells, and how
+// it is stopped and released from outside.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -253,7 +253,8 @@ TEST_F(BaseTopics, SilenceNamesTheCableAndSaysWhatOdometryMissed) {
   EXPECT_TRUE(says("device=/dev/bench"));
   EXPECT_TRUE(says("/dev/bench is silent; until release_stop"));
   EXPECT_TRUE(std::ranges::any_of(told, [](const std::string& text) { return text.starts_with("frames="); }));
-  // Silent from 1.00 to 2.50 s. It drives on at 0.3 m/s for `silence` of 0.2 s, and the ramp takes v^2 / 2 a = 0.0225 m more.
+  // Silent from 1.00 to 2.50 s. It drives on at 0.3 m/s for `silence` of 0.2 s, and the ramp takes v^2 / 2 a
+  // = 0.0225 m more.
   const auto missed = std::ranges::find_if(
       told, [](const auto& t) { return t.starts_with("odometry without counts=1 times, 1.5"); });
   ASSERT_NE(missed, told.end()) << testing::PrintToString(told);
@@ -278,8 +279,9 @@ TEST_F(BaseTopics, AnUnknownDriverIsRefusedWithTheNearestName) {
   }
 }
 
-// Readings come every 10 ms. An emergency stop brakes from 0.3 m/s with 2 m/s^2, 0.15 s long: at its end the mean of the last 0.2 s,
-// (0.05 * 0.3 + 0.0225) / 0.2 = 0.19 m/s, is 0.13 m/s more than that of the last 0.06 s, which the parameter says.
+// Readings come every 10 ms. An emergency stop brakes from 0.3 m/s with 2 m/s^2, 0.15 s long: at its end the
+// mean of the last 0.2 s, (0.05 * 0.3 + 0.0225) / 0.2 = 0.19 m/s, is 0.13 m/s more than that of the last 0.06
+// s, which the parameter says.
 TEST_F(BaseTopics, SpeedIsAveragedForAsLongAsTheDriverAsks) {
   for (const bool asks : {true, false}) {
     bench_ = {};

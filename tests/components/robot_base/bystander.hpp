@@ -1,5 +1,5 @@
-// Somebody who stands beside a base, sees what happens to it and what it is told to do, and knows nothing of its guard: what they would
-// not forgive. Wheels of one speed, forward commands of one speed.
+// Somebody who stands beside a base, sees what happens to it and what it is told to do, and knows nothing of
+// its guard: what they would not forgive. Wheels of one speed, forward commands of one speed.
 #pragma once
 
 #include <algorithm>

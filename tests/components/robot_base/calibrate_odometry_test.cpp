@@ -73,17 +73,18 @@ TEST(CalibrateOdometry, ExactMotionsGiveExactSizes) {
   }
 }
 
-// Borenstein and Feng (1996): from the ends of squares of side L in both directions the errors a of each turn and c of each leg; then
-// E_b = 90 / (90 + a), a positive where turns go too far, R = L/2 / sin(c/2) and E_d = (R + b/2) / (R - b/2). Linear in both errors, so small
-// ones are compared.
+// Borenstein and Feng (1996): from the ends of squares of side L in both directions the errors a of each turn
+// and c of each leg; then E_b = 90 / (90 + a), a positive where turns go too far, R = L/2 / sin(c/2) and E_d
+// = (R + b/2) / (R - b/2). Linear in both errors, so small ones are compared.
 TEST(CalibrateOdometry, SmallErrorsAreThoseOfTheFormulasOfUmbmark) {
   constexpr double kSide = 4.0;
   const WheelGeometry truth{.radius = 0.05, .ratio = 1.0005, .separation = 0.3 * 1.001};
   std::vector<MeasuredMotion> motions = both_squares(truth, MeasuredMotion::Known::position);
   const Pose2 ccw = motions[0].moved;
   const Pose2 cw = motions[1].moved;
-  // Turns go too far by a and legs bend to the left by c each: the second leg of a left square heads for 90 degrees + a + 3c/2, the fourth
-  // for 270 + 3a + 7c/2, so that x ends at L (2a + 2c); of a right square at L (2a - 2c).
+  // Turns go too far by a and legs bend to the left by c each: the second leg of a left square heads for 90
+  // degrees + a + 3c/2, the fourth for 270 + 3a + 7c/2, so that x ends at L (2a + 2c); of a right square at L
+  // (2a - 2c).
   const double turn_error = (ccw.x + cw.x) / (4.0 * kSide);
   const double leg_error = (ccw.x - cw.x) / (4.0 * kSide);
   const double separation_ratio = (kPi / 2.0) / (kPi / 2.0 + turn_error);

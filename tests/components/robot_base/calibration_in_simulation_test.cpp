@@ -1,5 +1,6 @@
-// The whole calibration in the simulated world: legs driven by a wrong odometry on wheels that slip and encoders that err, ends measured
-// with errors. What is asked: wheels 1 % unequal, separation wrong by 3 %, scale by 2 %: residual at most 0.1, 0.3 and 0.2 %, over 20 seeds.
+// The whole calibration in the simulated world: legs driven by a wrong odometry on wheels that slip and
+// encoders that err, ends measured with errors. What is asked: wheels 1 % unequal, separation wrong by 3 %,
+// scale by 2 %: residual at most 0.1, 0.3 and 0.2 %, over 20 seeds.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,7 @@
-// Who drives, multiplexer, collision monitor, velocity limiter and the guard of the base as values one behind the other, through every
-// sequence of what happens to them: 250 ms of the chain follow each event. The robot stands when nobody asks it to drive, when one
-// of the chain is dead, before a wall, and after a stop until the release, and there is a reason for it.
+// Who drives, multiplexer, collision monitor, velocity limiter and the guard of the base as values one behind
+// the other, through every sequence of what happens to them: 250 ms of the chain follow each event. The robot
+// stands when nobody asks it to drive, when one of the chain is dead, before a wall, and after a stop until
+// the release, and there is a reason for it.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

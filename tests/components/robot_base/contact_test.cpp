@@ -121,7 +121,8 @@ TEST(ContactReaction, AShortTouchIsATouch) {
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});
 }
 
-// A touch of 0.1 s that may let go by itself: it backs off 0.15 m all the same, 1.5 s long, and then stands for the pause.
+// A touch of 0.1 s that may let go by itself: it backs off 0.15 m all the same, 1.5 s long, and then stands
+// for the pause.
 TEST(ContactReaction, ATouchThatIsOverByItselfLastsUntilItHasBackedOff) {
   for (const ContactReading& contacts : {bumper(), cliff()}) {
     GuardedBase base({},

@@ -1,4 +1,5 @@
-// Drivers and emulated firmware, which share no code, on one cable: what is commanded is what turns and what is told.
+// Drivers and emulated firmware, which share no code, on one cable: what is commanded is what turns and what
+// is told.
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -141,8 +142,8 @@ struct EddieRun {
   Bench bench{robot, wire, driver, firmware};
 };
 
-// GOSPD is a whole number of positions: 3.3 mm/s, of which a half may be lost for 12 s; ramps lose both ways. With 36 to a turn four times
-// that.
+// GOSPD is a whole number of positions: 3.3 mm/s, of which a half may be lost for 12 s; ramps lose both ways.
+// With 36 to a turn four times that.
 TEST(DriverAndFirmware, EddieGoesTheWayThatIsCommanded) {
   using emulators::EddieBoard;
   using emulators::SpeedUnit;
@@ -177,7 +178,8 @@ TEST(DriverAndFirmware, AnEddieOfTheOtherUnitIsToldWithinASecondOfDriving) {
   EXPECT_THAT(slow.bench.fault, HasSubstr("count positions per second"));
 }
 
-// Its power fails for a second after 0.09 m, 27 positions: it counts from zero again, which the wheels could have turned back to meanwhile.
+// Its power fails for a second after 0.09 m, 27 positions: it counts from zero again, which the wheels could
+// have turned back to meanwhile.
 TEST(DriverAndFirmware, AnEddieThatLostItsPowerInSilenceIsNoticed) {
   const Robot robot = eddie_robot();
   ScriptedLink::Wire wire;

@@ -1,5 +1,5 @@
-// Who presses, who lifts, who leaves, who falls silent: all of it against the rule that only a release lets go, and none while a
-// button is down that is still there.
+// Who presses, who lifts, who leaves, who falls silent: all of it against the rule that only a release lets
+// go, and none while a button is down that is still there.
 #include "components/robot_base/emergency_stop.hpp"
 
 #include <set>
@@ -156,8 +156,9 @@ TEST(EmergencyStopOptions, ButtonsAreFullNamesAndDiffer) {
   EXPECT_THAT(*options.violated_rule(), HasSubstr("twice"));
 }
 
-// Every sequence of these events up to six: press and lift of two buttons, one that leaves, a release that is asked for. Against a
-// model of sets: latched from a press until a release, which is refused while a button is down that is there.
+// Every sequence of these events up to six: press and lift of two buttons, one that leaves, a release that is
+// asked for. Against a model of sets: latched from a press until a release, which is refused while a button
+// is down that is there.
 TEST(EmergencyStop, EverySequenceOfSixEventsKeepsTheRule) {
   constexpr int kEvents = 6, kDepth = 6;
   int sequences = 0;

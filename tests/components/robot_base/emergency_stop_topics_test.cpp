@@ -1,5 +1,5 @@
-// The emergency stop of robot_base on its topics: through every state of the component in lock-step, and over a restart in real
-// time, pressed by writers that keep their samples and by some that do not.
+// The emergency stop of robot_base on its topics: through every state of the component in lock-step, and over
+// a restart in real time, pressed by writers that keep their samples and by some that do not.
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -221,7 +221,8 @@ TEST(EmergencyStopFile, GivesBackWhatItWasGiven) {
   EXPECT_EQ(record_of(parse_yaml(text_of(record), "x")), record);
 }
 
-/// robot_base in real time beside writers of other participants: what a process does with the folder of the user's state.
+/// robot_base in real time beside writers of other participants: what a process does with the folder of the
+/// user's state.
 class EmergencyStopRestart : public testing::Test {
  protected:
   using Buttons = cli::TopicWriter<Bool>;

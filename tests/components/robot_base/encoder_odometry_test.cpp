@@ -65,8 +65,8 @@ TEST(EncoderOdometry, LoopsOfAnyCurvatureMatchTheClosedFormWithin1e9) {
 }
 
 TEST(EncoderOdometry, WheelsOfTwoSizesTravelByTheirOwn) {
-  // Right 1 % larger: radii r 2 / 2.01 and r 2.02 / 2.01. The same ticks of both give travels in that ratio, r as their mean, and an
-  // arc to the left.
+  // Right 1 % larger: radii r 2 / 2.01 and r 2.02 / 2.01. The same ticks of both give travels in that ratio,
+  // r as their mean, and an arc to the left.
   Robot robot = fast_robot();
   robot.wheel_radius_ratio = 1.01;
   EncoderOdometry odometry(robot, {});
@@ -154,8 +154,9 @@ TEST(EncoderOdometry, ARestartedEncoderBoardIsAResetAndOdometryGoesOn) {
   EXPECT_EQ(odometry.faults().jumps, 0U);
 }
 
-// A standing robot, and one bit of one reading or of two in a row that is wrong: the pose moves by no more than the wheels can turn
-// meanwhile, 2 ticks of rounding with it, and is back when the bit is. 2^31 counts beside has no magnitude of 32 bits.
+// A standing robot, and one bit of one reading or of two in a row that is wrong: the pose moves by no more
+// than the wheels can turn meanwhile, 2 ticks of rounding with it, and is back when the bit is. 2^31 counts
+// beside has no magnitude of 32 bits.
 TEST(EncoderOdometry, AFlippedBitMovesAStandingRobotNoFurtherThanItsWheelsCan) {
   const Robot robot;
   const OdometryOptions options;

@@ -1,5 +1,5 @@
-// All that decides what a guard does from now on, as text: times as ages, ways as what is left. What is older than any of its limits
-// is as good as one age. Counters, and texts for people, are left out.
+// All that decides what a guard does from now on, as text: times as ages, ways as what is left. What is older
+// than any of its limits is as good as one age. Counters, and texts for people, are left out.
 #pragma once
 
 #include <algorithm>

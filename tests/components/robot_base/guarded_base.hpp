@@ -1,5 +1,5 @@
-// A base behind its guard, without middleware: wheels that follow what they are told with a delay and limited acceleration,
-// counts every 20 ms, a guard that is asked every 10 ms.
+// A base behind its guard, without middleware: wheels that follow what they are told with a delay and limited
+// acceleration, counts every 20 ms, a guard that is asked every 10 ms.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Each robot file with its driver, in lock-step, where the test is the base: the section is read as it stands, and nothing moves.
+// Each robot file with its driver, in lock-step, where the test is the base: the section is read as it
+// stands, and nothing moves.
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -23,7 +24,8 @@ using testing::Each;
 using testing::HasSubstr;
 using Bytes = std::vector<std::uint8_t>;
 
-/// What robot_base of this robot writes within half a second to a base that says nothing, while it is told to drive.
+/// What robot_base of this robot writes within half a second to a base that says nothing, while it is told to
+/// drive.
 std::vector<Bytes> written(const std::string& robot, std::vector<std::string> overrides = {}) {
   const std::filesystem::path path = scratch_file("drivers_of_" + robot);
   std::ofstream(path) << "robot: " << BANDWAGON_SOURCE_DIR << "/config/robots/" << robot

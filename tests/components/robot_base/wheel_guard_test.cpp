@@ -1,4 +1,5 @@
-// Stall and runaway. Expected times: the formula of wheel_guard.hpp, and 30 ms for a reading's age and the steps.
+// Stall and runaway. Expected times: the formula of wheel_guard.hpp, and 30 ms for a reading's age and the
+// steps.
 #include "components/robot_base/wheel_guard.hpp"
 
 #include <gtest/gtest.h>
@@ -100,7 +101,8 @@ TEST(WheelGuard, AWheelThatIsFasterThanToldIsARunaway) {
 }
 
 TEST(WheelGuard, AStallWhileSettingOffIsFoundAResponseLater) {
-  // 0.3 m/s from rest: 0.1 s response, 34 ms by the formula, 30 ms readings and steps; acceleration of 1 m/s^2 is allowed: 0.3 s.
+  // 0.3 m/s from rest: 0.1 s response, 34 ms by the formula, 30 ms readings and steps; acceleration of 1
+  // m/s^2 is allowed: 0.3 s.
   GuardedBase base;
   base.run(1.0, WheelSpeeds{});
   base.fault = [](const WheelSpeeds&) { return WheelSpeeds{}; };
@@ -110,7 +112,8 @@ TEST(WheelGuard, AStallWhileSettingOffIsFoundAResponseLater) {
   EXPECT_EQ(base.output().condition, BaseCondition::stall);
 }
 
-// Sound bases of all sorts, driven at random within the robot's limits and stopped hard now and then: no alarm.
+// Sound bases of all sorts, driven at random within the robot's limits and stopped hard now and then: no
+// alarm.
 TEST(WheelGuard, SoundBasesRaiseNoAlarm) {
   constexpr std::uint64_t kSeed = 17;
   Random random(kSeed);

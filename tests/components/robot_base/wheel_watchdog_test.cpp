@@ -86,7 +86,8 @@ TEST(WheelWatchdog, AFreshCommandResumes) {
   EXPECT_EQ(output.wheels, (WheelSpeeds{0.1, 0.1}));  // slower than it still was
 }
 
-// Slower by what the age of the command says, 0.04 s at 2 m/s^2, however seldom one looks; then up with 1 m/s^2.
+// Slower by what the age of the command says, 0.04 s at 2 m/s^2, however seldom one looks; then up with 1
+// m/s^2.
 TEST(WheelWatchdog, ACommandThatIsLateCostsNoMoreThanItsAge) {
   WheelWatchdog watchdog(kQuarter, kDeceleration, kAcceleration);
   watchdog.command(Time::seconds(1.0), {0.5, 0.5});
@@ -114,7 +115,8 @@ TEST(WheelWatchdog, WhatIsOverruledNeedsANewCommandAndRisesFromThere) {
   EXPECT_NEAR(later.wheels.right, 0.055, 1e-12);
 }
 
-// Nobody knows how old a command is after that: it brakes until the next one, and one that was too old is not obeyed again.
+// Nobody knows how old a command is after that: it brakes until the next one, and one that was too old is not
+// obeyed again.
 TEST(WheelWatchdog, AClockThatGoesBackKeepsNoCommandFresh) {
   WheelWatchdog watchdog(kQuarter, kDeceleration, kAcceleration);
   watchdog.command(Time::seconds(60.0), {0.3, 0.4});

@@ -120,8 +120,8 @@ TEST(CollisionMonitorComponent, PassesCommandsOnAtOnceAndKeepsThemFreshBetween) 
   EXPECT_GT(drive.markers, 5U);
 }
 
-// The laser looks back over 270 degrees: backward the way is seen and free, forward nothing is seen. Who takes it for one that
-// looks ahead lets the robot creep backward and drive forward.
+// The laser looks back over 270 degrees: backward the way is seen and free, forward nothing is seen. Who
+// takes it for one that looks ahead lets the robot creep backward and drive forward.
 TEST(CollisionMonitorComponent, KnowsWhereTheLaserSitsOfARobotWithAPrefix) {
   const std::string back = "robot: {sensors: [{frame: laser, x: 0.0, y: 0.0, theta: 3.14159265}]}\n";
   for (const std::string prefix : {"", "robot1/"}) {
@@ -146,8 +146,9 @@ TEST(CollisionMonitorComponent, KnowsWhereTheLaserSitsOfARobotWithAPrefix) {
   }
 }
 
-// The robot file lists where its sensors sit, and from 1.05 s on scans come from a frame that is not among them: 250 ms after the last
-// that is, at 1.0 s, the robot is told to stop. A file that lists none has its laser at base_link.
+// The robot file lists where its sensors sit, and from 1.05 s on scans come from a frame that is not among
+// them: 250 ms after the last that is, at 1.0 s, the robot is told to stop. A file that lists none has its
+// laser at base_link.
 TEST(CollisionMonitorComponent, StopsForScansOfAFrameThatNobodyPlaced) {
   const auto laser = [](double t, const Tick& tick) -> std::optional<LaserScan> {
     LaserScan scan = scan_at(tick, 5.0F);
@@ -190,7 +191,8 @@ TEST(CollisionMonitorComponent, WithManualResumeItWaitsForTheReset) {
   EXPECT_EQ(drive.at(4.2).twist.v, 0.8);
 }
 
-// The laser fails from 1 to 2 s, while nobody drives: from 0.5 to 3 s. The stop holds until the reset at 4 s all the same.
+// The laser fails from 1 to 2 s, while nobody drives: from 0.5 to 3 s. The stop holds until the reset at 4 s
+// all the same.
 TEST(CollisionMonitorComponent, WithManualResumeAFaultWhileNobodyDrivesWaitsForTheResetToo) {
   const auto laser = [](double t, const Tick& tick) {
     return t < 1.05 || t > 1.95 ? std::optional(scan_at(tick, 5.0F)) : std::nullopt;

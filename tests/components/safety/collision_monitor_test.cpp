@@ -125,7 +125,8 @@ TEST(CollisionMonitor, AtRestItMayTurnAndBackOutButNotGoOn) {
   EXPECT_EQ(back.cause, kSight);
 }
 
-// Both at once, whatever it does now: motor control brakes along the curve (VelocityLimiter.HardBraking...OnTheSameCurve).
+// Both at once, whatever it does now: motor control brakes along the curve
+// (VelocityLimiter.HardBraking...OnTheSameCurve).
 TEST(CollisionMonitor, WhatItIsToldToLoseItLosesOfTheTurnAsWell) {
   EXPECT_EQ(Bench().run(0.1, sweep_of({pillar(0.4)}), {0.8, 0.4}, {0.4, 0.2}).allowed, Twist2{});
 }
@@ -162,7 +163,8 @@ TEST(CollisionMonitor, AccountsForWhereTheRobotWentSinceTheSweep) {
 }
 
 TEST(CollisionMonitor, ACommandThatSlowsDownTooLateIsBrakedHard) {
-  // At 1 m/s with 0.42 m free way a stop at 2 m/s^2, 0.35 m long, is due; the command asks for one, the verdict says how.
+  // At 1 m/s with 0.42 m free way a stop at 2 m/s^2, 0.35 m long, is due; the command asks for one, the
+  // verdict says how.
   const Verdict verdict = Bench().run(0.1, sweep_of({pillar(0.72)}), {0.0, 0.0}, {1.0, 0.0});
   EXPECT_EQ(verdict.allowed, Twist2{});
   EXPECT_EQ(verdict.action, Action::approach);
@@ -238,7 +240,8 @@ TEST(CollisionMonitor, CreepsWhereSomebodyCouldHideAndStopsWhereNothingIsSeen) {
   EXPECT_EQ(Bench().run(0.1, blind(0, 180), {1.0, 0.0}).action, Action::do_nothing);  // far off the way
 }
 
-// A wall all round at 3.3 m, and then the front third is covered: 120 degrees read +inf, as they do of an RPLIDAR that measures nothing.
+// A wall all round at 3.3 m, and then the front third is covered: 120 degrees read +inf, as they do of an
+// RPLIDAR that measures nothing.
 TEST(CollisionMonitor, CreepsIntoWhatWasSeenAndVanished) {
   Bench bench;
   EXPECT_EQ(bench.run(0.5, sweep_of({}, 3.3F), {1.0, 0.0}).allowed.v, 1.0);
@@ -270,7 +273,8 @@ TEST(CollisionMonitor, AnythingThatIsNotFiniteIsAStop) {
   EXPECT_EQ(bench.run(0.1, sweep_of({}), {1.0, std::numeric_limits<double>::infinity()}).allowed, Twist2{});
 }
 
-// The first sweep is a fault, and then the laser is silent, as if it had never been: the stop still waits for the reset.
+// The first sweep is a fault, and then the laser is silent, as if it had never been: the stop still waits for
+// the reset.
 TEST(CollisionMonitor, SilenceAfterAFaultIsNoReset) {
   CollisionMonitorOptions options;
   options.resume = Resume::manual;

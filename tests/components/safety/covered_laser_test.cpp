@@ -1,4 +1,5 @@
-// A laser that is covered while the robot drives, and one that sees little because the place is wide. Closed loop: room -> sweeps at 10 Hz
+// A laser that is covered while the robot drives, and one that sees little because the place is wide. Closed
+// loop: room -> sweeps at 10 Hz
 // -> CollisionMonitor -> a robot that speeds up with 1 m/s^2 and brakes with 2.
 #include <algorithm>
 #include <cmath>
@@ -66,7 +67,8 @@ class Room {
   CollisionMonitor monitor_{Robot{}, {}};
 };
 
-// The front third at once, 3.3 m before a wall. From 1 m/s with 2 m/s^2 it is down to creep_speed within 0.5 s and a sweep.
+// The front third at once, 3.3 m before a wall. From 1 m/s with 2 m/s^2 it is down to creep_speed within 0.5
+// s and a sweep.
 TEST(CoveredLaser, TheFrontThirdIsCreptInto) {
   Room room(6.0, 20.0, -1.0);
   while (room.gap() > 3.3) room.step(1.0);

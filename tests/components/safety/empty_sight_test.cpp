@@ -96,8 +96,9 @@ TEST(EmptySight, WhoSaysThatThePlaceIsOpenIsBelieved) {
   EXPECT_TRUE(believes_after({{{2.0, 0.0}, 1.0}}, open_floor));
 }
 
-// The front third is covered: 120 degrees, 320 beams of 0.3755 degrees. What lies 0.3 rad from what is still hit may be somebody who
-// walked; the points of the 85.6 degrees between vanished, and all beams within 0.3 rad of one of these are dark.
+// The front third is covered: 120 degrees, 320 beams of 0.3755 degrees. What lies 0.3 rad from what is still
+// hit may be somebody who walked; the points of the 85.6 degrees between vanished, and all beams within 0.3
+// rad of one of these are dark.
 TEST(EmptySight, ACoveredThirdIsDarkUntilSomethingIsHitThereAgain) {
   EmptySight sight({});
   EXPECT_EQ(dark(sight, sweep_of({}, 3.3F)), 0);
@@ -114,8 +115,9 @@ Sweep at(double seconds, Sweep sweep) {
   return sweep;
 }
 
-// A hand slides over the laser: 0.2 rad/s, 0.02 rad from sweep to sweep, from one side to 120 degrees. Beams that stood are missed
-// once five are gone, three beams wide of the last hit: after half a second. Something is hit again where it is taken away.
+// A hand slides over the laser: 0.2 rad/s, 0.02 rad from sweep to sweep, from one side to 120 degrees. Beams
+// that stood are missed once five are gone, three beams wide of the last hit: after half a second. Something
+// is hit again where it is taken away.
 TEST(EmptySight, AHandThatSlidesOverTheLaserIsDarkHoweverSlow) {
   for (const double rate : {0.02, 0.2, 1.0}) {  // [rad/s]
     EmptySight sight({});
@@ -158,7 +160,8 @@ TEST(EmptySight, AnOpenDoorSeenFromTheStartIsNotDark) {
   for (int i = 0; i < 5; ++i) EXPECT_EQ(dark(sight, covered(60.0)), 0);
 }
 
-// A robot that turns by 0.2 rad from sweep to sweep sees the same third empty from the start on, elsewhere in its field.
+// A robot that turns by 0.2 rad from sweep to sweep sees the same third empty from the start on, elsewhere in
+// its field.
 TEST(EmptySight, WhatTheRobotTurnsAwayFromHasNotVanished) {
   EmptySight sight({});
   for (int i = 0; i < 12; ++i) {
@@ -172,7 +175,8 @@ TEST(EmptySight, WhatTheRobotTurnsAwayFromHasNotVanished) {
   }
 }
 
-// In an open place nothing is behind who walks: 1.5 m/s past the robot, 0.8 m before it, and out of the range.
+// In an open place nothing is behind who walks: 1.5 m/s past the robot, 0.8 m before it, and out of the
+// range.
 TEST(EmptySight, WhoWalksPastInAnOpenPlaceHasNotVanished) {
   EmptySight sight({});
   for (int i = 0; i < 60; ++i) {

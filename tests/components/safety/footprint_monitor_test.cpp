@@ -75,13 +75,15 @@ TEST(FootprintMonitor, DrivesBesideAWallWhereItsDiscWouldStop) {
   EXPECT_EQ(judged(rectangle(), corridor({0.18}), {1.0, 0.0}).action, Action::stop);
 }
 
-// Front 0.255 m: free way 0.36 m, less 0.10 m: v 0.1 + v^2 / 4 = 0.26 gives v = -0.2 + sqrt(0.04 + 1.04) = 0.8392
+// Front 0.255 m: free way 0.36 m, less 0.10 m: v 0.1 + v^2 / 4 = 0.26 gives v = -0.2 + sqrt(0.04 + 1.04) =
+// 0.8392
 TEST(FootprintMonitor, TheStopEndsTenCentimetresBeforeWhatIsThere) {
   const Sweep pillar = sweep_of({{{0.615 + 0.5, 0.0}, 0.5}});
   EXPECT_NEAR(judged(rectangle(), pillar, {1.0, 0.0}).allowed.v, 0.8392, 2e-3);
 }
 
-// The corner meets the wall after 0.147 rad; 0.10 m of its way is 0.30 rad: it may not begin, and turns away from one wall freely.
+// The corner meets the wall after 0.147 rad; 0.10 m of its way is 0.30 rad: it may not begin, and turns away
+// from one wall freely.
 TEST(FootprintMonitor, DoesNotTurnItsCornerIntoTheWall) {
   const Sweep passage = corridor({0.25, -0.25});
   EXPECT_EQ(judged(rectangle(), passage, {0.0, 0.5}).allowed.omega, 0.0);
@@ -91,16 +93,19 @@ TEST(FootprintMonitor, DoesNotTurnItsCornerIntoTheWall) {
       << "no corner reaches 0.34 m";
 }
 
-// At 0.32 m the corner meets the wall after asin(0.32 / 0.33354) - 0.70054 = 0.5846 rad, at a lever of 0.33354 m. The wheels,
-// 0.195 m off the middle, brake with 2 m/s^2: 10.26 rad/s^2. 0.1 w + w^2 / 20.51 = 0.5846 - 0.1 / 0.33354 gives w = 1.62.
+// At 0.32 m the corner meets the wall after asin(0.32 / 0.33354) - 0.70054 = 0.5846 rad, at a lever of
+// 0.33354 m. The wheels,
+// 0.195 m off the middle, brake with 2 m/s^2: 10.26 rad/s^2. 0.1 w + w^2 / 20.51 = 0.5846 - 0.1 / 0.33354
+// gives w = 1.62.
 TEST(FootprintMonitor, TurnsAsFastAsItCanStop) {
   const Verdict verdict = judged(rectangle(), corridor({0.32}), {0.0, 3.0});
   EXPECT_NEAR(verdict.allowed.omega, 1.62, 0.03);  // points of the wall are up to 2 mm apart there
   EXPECT_EQ(verdict.action, Action::approach);
 }
 
-// The laser sees 135 degrees to either side. A tail reaches 0.6 m back: what it swings through nobody sees, so that its corner, at
-// hypot(0.6, 0.1) m, moves at 0.1 m/s: 0.164 rad/s. Seen all round it turns as it is told, and a disc always does.
+// The laser sees 135 degrees to either side. A tail reaches 0.6 m back: what it swings through nobody sees,
+// so that its corner, at hypot(0.6, 0.1) m, moves at 0.1 m/s: 0.164 rad/s. Seen all round it turns as it is
+// told, and a disc always does.
 TEST(FootprintMonitor, ATailSwingsSlowlyThroughWhatIsNotSeen) {
   const Robot tail = robot_of("[[0.1, 0.1], [-0.6, 0.1], [-0.6, -0.1], [0.1, -0.1]]", 0.0);
   for (const Twist2 wanted : {Twist2{0.0, 1.0}, Twist2{0.0, -1.0}, Twist2{1e-6, 1.0}}) {

@@ -18,7 +18,8 @@ constexpr double kGraze = 0.03;      // [m]: what is touched no deeper than that
 constexpr double kGentle = 0.05;     // [m/s]
 constexpr double kBraking = 0.01;    // [s] of the stop that is reckoned
 
-/// Where a robot touches a thing: at the corner that is in it, else at that end of it which is deeper in the outline.
+/// Where a robot touches a thing: at the corner that is in it, else at that end of it which is deeper in the
+/// outline.
 Vector2 touched(const Footprint& outline, const Pose2& X_WB, const Capsule& thing) {
   for (const Vector2& corner : outline.polygon) {
     const Vector2 at = X_WB * corner;

@@ -36,7 +36,8 @@ class Judge {
   double wheel_of(const Twist2& twist) const;
   Kind kind_of(double t, const Vector2& place, const Pose2& X_WB, const Twist2& twist) const;
   Kind kind_of_person(const Contact& contact, double t, const Twist2& twist) const;
-  /// Whether a robot that brakes after the reaction time closes in on `person` and touches it at more than 0.05 m/s.
+  /// Whether a robot that brakes after the reaction time closes in on `person` and touches it at more than
+  /// 0.05 m/s.
   bool would_touch(const Capsule& person, Pose2 X_WB, Twist2 twist) const;
 
   const Scene& scene_;

@@ -1,4 +1,5 @@
-// The laser of a scene: rays to things, lost beams, a mast, a cover; a head that turns takes its beams one after the other.
+// The laser of a scene: rays to things, lost beams, a mast, a cover; a head that turns takes its beams one
+// after the other.
 #pragma once
 
 #include <vector>
@@ -26,7 +27,8 @@ class Laser {
   /// What its driver says of it, by its own clock.
   LaserSweep view(const Sweep& sweep) const;
 
-  /// Whether `place` (world) is in the field, the first thing in the way, and no lost beam: four of five beams.
+  /// Whether `place` (world) is in the field, the first thing in the way, and no lost beam: four of five
+  /// beams.
   bool shows(const Sweep& sweep, const Vector2& place) const;
   /// Whether no beam near the way to `place` says anything: it lies outside of the field, or behind the mast.
   bool is_blind_to(const Sweep& sweep, const Vector2& place) const;
@@ -37,7 +39,8 @@ class Laser {
   double angle_of(double beam) const { return -0.5 * numbers_[kField] + beam * increment(); }
   /// Which beam would look at `place`, between 0 and a full turn of beams.
   double beam_to(const Sweep& sweep, const Vector2& place) const;
-  /// Way to `thing` of each beam that meets it sooner than what is there in `nearest`, of the beams from `first` on.
+  /// Way to `thing` of each beam that meets it sooner than what is there in `nearest`, of the beams from
+  /// `first` on.
   void meet(const Capsule& thing, const Pose2& X_WL, std::size_t first, std::vector<double>& nearest) const;
   /// What a beam says whose light goes so far.
   float reading(double angle, double t, double way);

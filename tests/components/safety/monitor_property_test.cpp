@@ -4,12 +4,14 @@
 //   ahead        where its laser does not look, in the sector of travel: at no more than base_link and the rim at creep_speed together
 //   turned into  by a turn on the spot, where it does not look: the rim at no more than creep_speed
 //   braked       who walks is touched by a robot that brakes with stop_deceleration, since reaction_time after the first sweep that showed
-//                them where a stop would still have touched them; or at no more than 0.05 m/s of the robot itself
+//                them where a stop would still have touched them; or at no more than 0.05 m/s of the robot
+//                itself
 //
-// Premises: a place counts as seen when each sweep of the last second shows it (four of five beams), so that what is in a blind
-// sector, behind something else, or thinner than three beams is not; stopping.reaction_time is at least the true one (motor control,
-// wheels); sweeps say when they were taken, those of another clock with their delay; odometry is right. Told and not claimed: what is
-// hidden, what a side sweeps on an arc, and who walks in sooner than the robot can stand.
+// Premises: a place counts as seen when each sweep of the last second shows it (four of five beams), so that
+// what is in a blind sector, behind something else, or thinner than three beams is not;
+// stopping.reaction_time is at least the true one (motor control, wheels); sweeps say when they were taken,
+// those of another clock with their delay; odometry is right. Told and not claimed: what is hidden, what a
+// side sweeps on an arc, and who walks in sooner than the robot can stand.
 //
 // BANDWAGON_MONITOR_CASES=1000000 build/release/bin/test_monitor_property     as many, on all cores
 // BANDWAGON_MONITOR_SEED=...                                               another beginning

@@ -1,5 +1,5 @@
-// A scene of the collision monitor's property test: a robot, its laser, its driver, things that stand and people who walk, as a list of
-// numbers, so that it can be drawn, made smaller, and written on one line.
+// A scene of the collision monitor's property test: a robot, its laser, its driver, things that stand and
+// people who walk, as a list of numbers, so that it can be drawn, made smaller, and written on one line.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace bw::safety::test {
 
-/// A disc of radius `p` at (x, y), or, with another end, a wall of 2 cm from (x, y) to (p, q). It moves with (vx, vy) until `until`
-/// seconds have gone, and stands then.
+/// A disc of radius `p` at (x, y), or, with another end, a wall of 2 cm from (x, y) to (p, q). It moves with
+/// (vx, vy) until `until` seconds have gone, and stands then.
 struct Thing {
   double is_wall = 0.0;
   double x = 0.0;

@@ -1,6 +1,7 @@
-// Every sequence of sweeps (sound, repeated, unsound, empty, with a wall), odometry, silence, resets, changed options and clock steps
-// through the collision monitor, judged every 50 ms: nothing passes without a sound sweep and odometry of the last 250 ms, nor
-// before the reset when `resume` is manual, nor into a wall; and once all is well again it drives.
+// Every sequence of sweeps (sound, repeated, unsound, empty, with a wall), odometry, silence, resets, changed
+// options and clock steps through the collision monitor, judged every 50 ms: nothing passes without a sound
+// sweep and odometry of the last 250 ms, nor before the reset when `resume` is manual, nor into a wall; and
+// once all is well again it drives.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -24,7 +24,8 @@ Result run(const Scene& scene) {
   const auto& n = scene.numbers;
   const Robot robot = robot_of(scene);
   CollisionMonitorOptions options;
-  // The premise: what the robot file says of the reaction is no less than it is: a cycle of each, the wheels, one step.
+  // The premise: what the robot file says of the reaction is no less than it is: a cycle of each, the wheels,
+  // one step.
   options.stopping.reaction_time = std::max(0.1, n[kDelay] + 2.0 * kCycle * kStep + 0.02);
   options.source_timeout = std::max(0.25, 2.5 * n[kPeriod]);
   CollisionMonitor monitor(robot, options);

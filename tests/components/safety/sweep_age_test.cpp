@@ -1,5 +1,6 @@
-// Old sweeps: a robot drives at 1 m/s towards a wall, and what its laser says comes late. It stands before the wall, or does not drive and
-// says why. What cannot be seen is asserted too: the constant delay of another clock that nobody declared.
+// Old sweeps: a robot drives at 1 m/s towards a wall, and what its laser says comes late. It stands before
+// the wall, or does not drive and says why. What cannot be seen is asserted too: the constant delay of
+// another clock that nobody declared.
 #include <cmath>
 #include <deque>
 #include <functional>

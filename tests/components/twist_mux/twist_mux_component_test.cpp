@@ -1,5 +1,6 @@
-// Multiplexer and collision monitor on their topics: a script plays planner, hand, laser and odometry. Expected times: a
-// command goes on at the instant it comes; the end of one is noticed after its time-out of 200 ms, within 10 ms.
+// Multiplexer and collision monitor on their topics: a script plays planner, hand, laser and odometry.
+// Expected times: a command goes on at the instant it comes; the end of one is noticed after its time-out of
+// 200 ms, within 10 ms.
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -162,7 +163,8 @@ Wish between(double from, double to, const Twist2& twist) {
 
 const Twist2 kNav{0.5, 0.2}, kHand{0.3, -0.4};
 
-// Today's rule was that the planner went on 1 s after the last key: who had driven the robot out of the way and let go was surprised.
+// Today's rule was that the planner went on 1 s after the last key: who had driven the robot out of the way
+// and let go was surprised.
 TEST(TwistMuxComponent, TheHandDrivesAlonePromptlyAndThePlannerGoesOnAfterARelease) {
   const Drive drive =
       run(60.0, {.planner = between(0.0, 60.0, kNav), .hand = between(1.0, 2.0, kHand), .release = 50.0});

@@ -1,5 +1,5 @@
-// Every sequence of what three sources say, what a clock does and how time passes, judged by a second description of the
-// rules of README: who may be heard, and how long the robot may go on after the last word.
+// Every sequence of what three sources say, what a clock does and how time passes, judged by a second
+// description of the rules of README: who may be heard, and how long the robot may go on after the last word.
 #include <algorithm>
 #include <array>
 #include <limits>

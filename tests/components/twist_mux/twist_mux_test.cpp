@@ -1,4 +1,5 @@
-// Sources with the priorities 100 (a hand, time-out 0.2 s), 90 (the same, stamped), 50 (time-out 0.25 s) and 10 (time-out 0.5 s).
+// Sources with the priorities 100 (a hand, time-out 0.2 s), 90 (the same, stamped), 50 (time-out 0.25 s) and
+// 10 (time-out 0.5 s).
 #include "components/twist_mux/twist_mux.hpp"
 
 #include <cstdint>
@@ -25,7 +26,8 @@ TEST(TwistMux, PassesTheCommandsOfTheOneThatSpeaksAsTheyAre) {
   EXPECT_EQ(m.active(at(0.7)), std::nullopt);
 }
 
-// Before, the planner went on 1 s after the last key: a person who had driven the robot by hand and let go was surprised.
+// Before, the planner went on 1 s after the last key: a person who had driven the robot by hand and let go
+// was surprised.
 TEST(TwistMux, WhomAHandTookOverFromIsNotHeardAgainBeforeARelease) {
   TwistMux m = mux();
   m.command(at(0.0), kNav, kAhead);
@@ -35,7 +37,8 @@ TEST(TwistMux, WhomAHandTookOverFromIsNotHeardAgainBeforeARelease) {
   for (int i = 2; i <= 2001; ++i)
     EXPECT_EQ(m.command(at(0.05 * i), kNav, kAhead), std::nullopt) << i;  // 100 s
   EXPECT_EQ(m.command(at(101.0), kBehavior, kTurn), std::nullopt);
-  // Silent for 0.2 s and a hand is nobody who outranks: from 0.25 s on, so from i = 6, it is the interruption.
+  // Silent for 0.2 s and a hand is nobody who outranks: from 0.25 s on, so from i = 6, it is the
+  // interruption.
   EXPECT_EQ(m.count(kNav).outranked, 4U);
   EXPECT_EQ(m.count(kNav).interrupted, 1996U);
   m.release();
@@ -78,7 +81,8 @@ TEST(TwistMux, ABehaviorInterruptsNobody) {
   EXPECT_FALSE(m.is_interrupted());
 }
 
-// A behavior ends with zero, and then says nothing: the planner's next command counts once its time-out is over, and no zero is added.
+// A behavior ends with zero, and then says nothing: the planner's next command counts once its time-out is
+// over, and no zero is added.
 TEST(TwistMux, ABehaviorGoesBeforeThePlannerAndLeavesItTheRobotAQuarterOfASecondAfterItsEnd) {
   TwistMux m = mux();
   m.command(at(0.0), kNav, kAhead);
@@ -118,7 +122,8 @@ TEST(TwistMux, TheTimeOutThatCountsIsThatOfTheOneWhoDrives) {
   EXPECT_EQ(m.check(at(2.501)), Twist2{});
 }
 
-// A simulation begins again: what was heard at 60 s is neither fresh at 1 s nor outranks anybody for the next 59 s.
+// A simulation begins again: what was heard at 60 s is neither fresh at 1 s nor outranks anybody for the next
+// 59 s.
 TEST(TwistMux, AClockThatGoesBackForgetsWhoSpoke) {
   TwistMux m = mux();
   m.command(at(60.0), kTeleop, kAhead);

@@ -1,4 +1,5 @@
-// A client of Foxglove's protocol, for tests of a running viewer. It reads on a thread of its own, so that nothing is left out for it.
+// A client of Foxglove's protocol, for tests of a running viewer. It reads on a thread of its own, so that
+// nothing is left out for it.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,5 @@
-// A run in lock-step that is looked at: the same bytes as without; and one that is commanded from the page: the record says all of it.
+// A run in lock-step that is looked at: the same bytes as without; and one that is commanded from the page:
+// the record says all of it.
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -83,7 +84,8 @@ TEST(ViewerInLockstep, WhoLooksOnChangesNothingAndSeesTheBytesOfTheRecord) {
       EXPECT_LE(message.time, 1022'000'000'000) << topic;
     }
   }
-  // The run takes 20 s of real time and has 1,000 messages of /odom: some of them are heard however busy the machine is.
+  // The run takes 20 s of real time and has 1,000 messages of /odom: some of them are heard however busy the
+  // machine is.
   EXPECT_GT(count, 500U);
   EXPECT_GT(client.messages()["/odom"].size(), 50U);
   EXPECT_EQ(client.messages()["/map"].size(), 1U);

@@ -65,14 +65,16 @@ TEST(DriveModel, DrivesACircle) {
 }
 
 TEST(DriveModel, WheelsOfTwoSizesGoAsFarAsTheyAreLarge) {
-  // Equal rates, the right radius twice 1.25 / 2.25 of the mean: to the left; and each counts its own turns, the same.
+  // Equal rates, the right radius twice 1.25 / 2.25 of the mean: to the left; and each counts its own turns,
+  // the same.
   Robot robot;
   robot.wheel_radius_ratio = 1.25;
   DriveModel drive({}, robot, {}, Random(1));
   ASSERT_TRUE(drive.command(rim(robot, 0.5, 0.5)));
   run(drive, 2.0);
   EXPECT_NEAR(drive.twist().omega, 0.5 * (2.5 - 2.0) / 2.25 / robot.wheel_separation, 1e-12);
-  // The ramp is 4 m/s^2 of each rim: v^2 / 8 m are lost at 0.4444 and 0.5556 m/s, or v^2 / 8 / radius / 2 pi turns.
+  // The ramp is 4 m/s^2 of each rim: v^2 / 8 m are lost at 0.4444 and 0.5556 m/s, or v^2 / 8 / radius / 2 pi
+  // turns.
   EXPECT_NEAR(drive.ticks().left - drive.ticks().right, 2578 * 0.00694 / 0.0762 / (2.0 * std::numbers::pi),
               2);
   EXPECT_GT(drive.ticks().left, 4000);

@@ -102,8 +102,8 @@ TEST(Joining, IsRefusedWithTheReason) {
   EXPECT_EQ(refusal({.position = {4, 4}}), "there are 100 people already, which is the most");
 }
 
-// A push of 1 m/s fades with the relaxation time of 0.5 s: 0.5 m in all, and 1 - 1/e of that in the first 0.5 s. What is
-// below 1 mm/s is cut: half a millimetre.
+// A push of 1 m/s fades with the relaxation time of 0.5 s: 0.5 m in all, and 1 - 1/e of that in the first 0.5
+// s. What is below 1 mm/s is cut: half a millimetre.
 TEST(Push, MovesWhoStands) {
   WorldOptions options = floor_with_wall();
   options.people.scripted.resize(1);

@@ -147,8 +147,8 @@ TEST(Legs, OfWhoStandsSwayAsMuchAsAskedAndTakeSmallSteps) {
       at(k, legs.discs(standing));
     }
   };
-  // Facing +x: the left leg belongs 0.12 m to the left. Wandering is forgotten in 1 s: 1500 draws of its square,
-  // whose standard error is sqrt(2 / 1500) of it, 3.7 %; five of them.
+  // Facing +x: the left leg belongs 0.12 m to the left. Wandering is forgotten in 1 s: 1500 draws of its
+  // square, whose standard error is sqrt(2 / 1500) of it, 3.7 %; five of them.
   double squares = 0.0;
   look({.sway = 0.003}, [&](int, const std::vector<Disc>& discs) {
     squares += std::pow(discs[0].center.y() - 3.12, 2.0) / kSteps;

@@ -30,8 +30,8 @@ PushPerson::Request push(std::uint32_t id, double vx) {
   return request;
 }
 
-// The request at 1 s leaves the radius open, that at 2 s the speed; the last one is in the way of the first. Person 1 is the
-// graph's. The push at 3 s moves person 2 by half a metre (1 m/s times 0.5 s).
+// The request at 1 s leaves the radius open, that at 2 s the speed; the last one is in the way of the first.
+// Person 1 is the graph's. The push at 3 s moves person 2 by half a metre (1 m/s times 0.5 s).
 TEST(PeopleServices, WhoIsAddedAndPushedIsInTheGroundTruth) {
   const std::string world =
       "components: {world: {inputs: {sim/wheel_commands: {external: true}}, parameters: {people_react: false, "

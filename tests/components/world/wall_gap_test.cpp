@@ -119,8 +119,8 @@ TEST(WorldFootprint, ARectangleDrivesThroughWhereItsDiscIsStopped) {
   EXPECT_EQ(stopped.world->contacts().count(ContactKind::wall), 1);
 }
 
-// In the middle of the passage a corner (0.3335 m) meets the wall at 0.25 m after asin(0.25 / 0.3335) - atan(0.215 / 0.255)
-// = 0.147 rad; a step of 10 ms is 0.005 rad.
+// In the middle of the passage a corner (0.3335 m) meets the wall at 0.25 m after asin(0.25 / 0.3335) -
+// atan(0.215 / 0.255) = 0.147 rad; a step of 10 ms is 0.005 rad.
 TEST(WorldFootprint, ATurnEndsWhereACornerMeetsTheWall) {
   Passage passage(rectangle());
   passage.drive({0.5, 0.0}, 5.0);
@@ -136,7 +136,8 @@ TEST(WorldFootprint, ATurnEndsWhereACornerMeetsTheWall) {
   EXPECT_LT(passage.world->pose().theta, 0.1) << "it turns back freely";
 }
 
-// Somebody of 0.3 m stands 0.53 m beside the middle line: the side at 0.215 m passes at 0.015 m, the disc of 0.3335 m touches.
+// Somebody of 0.3 m stands 0.53 m beside the middle line: the side at 0.215 m passes at 0.015 m, the disc of
+// 0.3335 m touches.
 TEST(WorldFootprint, PeopleAreTouchedByTheOutline) {
   Passage passage(rectangle(), {5.5, 0.53});
   passage.drive({0.5, 0.0}, 14.0);

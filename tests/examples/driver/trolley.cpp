@@ -1,4 +1,5 @@
-// A base: two wheels behind a serial cable. It is told "V LEFT RIGHT", rates in mrad/s, and says "T LEFT RIGHT", encoder counts.
+// A base: two wheels behind a serial cable. It is told "V LEFT RIGHT", rates in mrad/s, and says "T LEFT
+// RIGHT", encoder counts.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

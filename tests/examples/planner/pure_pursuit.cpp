@@ -1,4 +1,5 @@
-// A local planner: follows the plan on arcs (pure pursuit, Coulter 1992), and evades or stops while the way ahead is not free.
+// A local planner: follows the plan on arcs (pure pursuit, Coulter 1992), and evades or stops while the way
+// ahead is not free.
 #include <algorithm>
 #include <cmath>
 #include <utility>

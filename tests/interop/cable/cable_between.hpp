@@ -1,5 +1,5 @@
-// A piece of serial cable between an emulated device and a host: it passes bytes both ways, remembers what the host sent and when, and can
-// be pulled out of the host and put back.
+// A piece of serial cable between an emulated device and a host: it passes bytes both ways, remembers what
+// the host sent and when, and can be pulled out of the host and put back.
 #pragma once
 
 #include <atomic>
@@ -20,7 +20,8 @@ struct Chunk {
 
 class CableBetween {
  public:
-  /// `device`: the line of the emulator, which may come later. `host`: the name under which the host finds this cable.
+  /// `device`: the line of the emulator, which may come later. `host`: the name under which the host finds
+  /// this cable.
   CableBetween(std::filesystem::path device, std::filesystem::path host);
   ~CableBetween();
   CableBetween(const CableBetween&) = delete;

@@ -1,9 +1,11 @@
-// A base in real time behind a cable that this test holds: pulled at random moments at full speed and put back, and a planner that falls
-// silent. What is asked: declared, reported, and a decelerating stop on the wire within 300 ms; after reconnection the first frame is a
-// stop, and motion needs a release and a new command. What the robot itself does without its cable is looked at in the world: an Eddie stands by its
+// A base in real time behind a cable that this test holds: pulled at random moments at full speed and put
+// back, and a planner that falls silent. What is asked: declared, reported, and a decelerating stop on the
+// wire within 300 ms; after reconnection the first frame is a stop, and motion needs a release and a new
+// command. What the robot itself does without its cable is looked at in the world: an Eddie stands by its
 // WATCH, a Kobuki drives on.
 //
-// Five pulls and five silences in all, which tell how long they took and, on a machine that has much else to do, are let off with a second;
+// Five pulls and five silences in all, which tell how long they took and, on a machine that has much else to
+// do, are let off with a second;
 // BANDWAGON_PULLS=300 makes it 300 of each with each base, and 300 ms.
 #include <algorithm>
 #include <cstdio>
@@ -150,8 +152,9 @@ class BehindACable : public testing::TestWithParam<Model> {
   double speed_ = 0.0;  ///< of the robot on its floor [m/s]
 };
 
-// WATCH: motors off when nothing was heard for a second. The emulator's wheels then run down with a time constant of 0.1 s: from 0.3 to 0.01 m/s
-// in 0.1 ln 30 = 0.34 s. What it heard last is at most a request's period old, 25 ms, when the cable goes.
+// WATCH: motors off when nothing was heard for a second. The emulator's wheels then run down with a time
+// constant of 0.1 s: from 0.3 to 0.01 m/s in 0.1 ln 30 = 0.34 s. What it heard last is at most a request's
+// period old, 25 ms, when the cable goes.
 TEST_P(BehindACable, PulledAndPutBack) {
   constexpr double kWatch = 1000.0, kRunsDown = 340.0, kLastByte = 25.0, kAmple = 1500.0;
   Figures declared, stands, back;

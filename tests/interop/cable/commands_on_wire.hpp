@@ -34,7 +34,8 @@ class WireReader {
   std::uint64_t plugging_ = 0;
 };
 
-/// AA 55 LENGTH PAYLOAD XOR; the sub-payload 01 04 has speed [mm/s] and radius, two bytes each, low one first.
+/// AA 55 LENGTH PAYLOAD XOR; the sub-payload 01 04 has speed [mm/s] and radius, two bytes each, low one
+/// first.
 class KobukiWire final : public WireReader {
   bool take_frame(bool& is_command, int& speed) override;
 };

@@ -1,4 +1,5 @@
-// A robot for clients in other languages: it answers at once, says on standard output what it hears, and does what it is told.
+// A robot for clients in other languages: it answers at once, says on standard output what it hears, and does
+// what it is told.
 #pragma once
 
 #include <cstdio>

@@ -1,5 +1,6 @@
-// foxglove_robot [OPTION...]: serves a robot that echoes to Foxglove's clients, until standard input ends. The first line that it prints
-// is its address; then what the robot hears. Each line of standard input is an order of JSON (echo_robot.hpp).
+// foxglove_robot [OPTION...]: serves a robot that echoes to Foxglove's clients, until standard input ends.
+// The first line that it prints is its address; then what the robot hears. Each line of standard input is an
+// order of JSON (echo_robot.hpp).
 //   one_commander    one client commands at a time
 //   look_only        nobody may command
 //   short_turn       a commander's turn ends 0.3 s after its last command

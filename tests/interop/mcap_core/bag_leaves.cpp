@@ -1,5 +1,5 @@
-// What our own reader and decoder make of a bag, as text that another decoder's words are compared with; and a bag
-// with messages of every type to compare.
+// What our own reader and decoder make of a bag, as text that another decoder's words are compared with; and
+// a bag with messages of every type to compare.
 //
 //   bag_leaves show BAG                 a line "@ TOPIC LOG_TIME PUBLISH_TIME" for each message, then one for each value
 //   bag_leaves make OUT COMPRESSION     random messages of every type of the build

@@ -40,8 +40,9 @@ void ActionLeaf::send(const Bytes& goal) {
   pending_ = Sent{.id = id, .request = client_.ask_goal(id, goal), .at = at};
 }
 
-/// Success when no acknowledgement is awaited any more; running while there is time left. As in the original, an answer that
-/// comes between two ticks is looked at in the next one, and no more once the 20 ms are over: in effect they are 15.
+/// Success when no acknowledgement is awaited any more; running while there is time left. As in the original,
+/// an answer that comes between two ticks is looked at in the next one, and no more once the 20 ms are over:
+/// in effect they are 15.
 Status ActionLeaf::acknowledged() {
   if (!pending_) return Status::success;
   const bool is_late = Clock::now() - pending_->at >= kServerTimeout;

@@ -1,5 +1,6 @@
-// A leaf that has an action done, with the timing of nav2_behavior_tree's action node: 5 ms of a tick are waited for an
-// acknowledgement, 20 ms in all, then the leaf fails; a goal may be replaced by a new one while it runs.
+// A leaf that has an action done, with the timing of nav2_behavior_tree's action node: 5 ms of a tick are
+// waited for an acknowledgement, 20 ms in all, then the leaf fails; a goal may be replaced by a new one while
+// it runs.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,6 @@
-// bondcpp's half of a bond on the manager's side: beats every 0.1 s from the start, formed with the other side's first beat,
-// broken when 4 s pass without one or the other side says that it ends. A topic for all bonds, told apart by the id.
+// bondcpp's half of a bond on the manager's side: beats every 0.1 s from the start, formed with the other
+// side's first beat, broken when 4 s pass without one or the other side says that it ends. A topic for all
+// bonds, told apart by the id.
 #pragma once
 
 #include <map>

@@ -21,8 +21,8 @@ struct Command {
 
 inline constexpr double kDipWindow = 0.3;  ///< [s] in which a new path would show
 
-/// By how much the speed falls below the straight line between the last command before `at` and the first one a window
-/// later [m/s]; at least 0. Whoever brakes or speeds up evenly has no dip.
+/// By how much the speed falls below the straight line between the last command before `at` and the first one
+/// a window later [m/s]; at least 0. Whoever brakes or speeds up evenly has no dip.
 inline double dip(const std::vector<Command>& commands, double at) {
   const auto later = [](double time, const Command& command) { return time < command.at; };
   const auto first = std::upper_bound(commands.begin(), commands.end(), at, later);

@@ -1,6 +1,6 @@
-// Nav2's default tree, navigate_to_pose_w_replanning_and_recovery of Jazzy: a new path each second, six recoveries in turn,
-// of which only some errors are worth one. The selectors of planner and controller keep their defaults, and GoalUpdated is
-// left out: there is one goal.
+// Nav2's default tree, navigate_to_pose_w_replanning_and_recovery of Jazzy: a new path each second, six
+// recoveries in turn, of which only some errors are worth one. The selectors of planner and controller keep
+// their defaults, and GoalUpdated is left out: there is one goal.
 #pragma once
 
 #include <string>

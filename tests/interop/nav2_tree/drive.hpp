@@ -1,5 +1,5 @@
-// A drive through the hallway: our robot in real time, our servers under the names of Nav2's, a manager and a tree that are
-// not ours. Every process is ended by its own id.
+// A drive through the hallway: our robot in real time, our servers under the names of Nav2's, a manager and a
+// tree that are not ours. Every process is ended by its own id.
 #pragma once
 
 #include <memory>

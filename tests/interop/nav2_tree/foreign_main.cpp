@@ -1,5 +1,5 @@
-// nav2_foreign_servers TOPIC: a planner_server and a controller_server that command on TOPIC, until they are interrupted. Prints
-// "ready", and at its end how many plans and preemptions there were.
+// nav2_foreign_servers TOPIC: a planner_server and a controller_server that command on TOPIC, until they are
+// interrupted. Prints "ready", and at its end how many plans and preemptions there were.
 #include <csignal>
 #include <iostream>
 

@@ -1,6 +1,7 @@
-// A planner_server and a controller_server of somebody else: straight paths, followed by pure pursuit (Coulter 1992) without
-// a look at what is in the way, to the last of several poses. They behave towards a navigator as Nav2's: a new goal of follow_path takes over at once and
-// the old one ends aborted, zero is commanded at the end.
+// A planner_server and a controller_server of somebody else: straight paths, followed by pure pursuit
+// (Coulter 1992) without a look at what is in the way, to the last of several poses. They behave towards a
+// navigator as Nav2's: a new goal of follow_path takes over at once and the old one ends aborted, zero is
+// commanded at the end.
 #pragma once
 
 #include <optional>

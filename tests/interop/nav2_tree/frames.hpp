@@ -1,5 +1,5 @@
-// The part of tf2's buffer that bt_navigator needs: where base_link is in map, and how old that is. Servers of Nav2 refuse
-// to work with a pose older than their transform_tolerance, 0.1 s unless set.
+// The part of tf2's buffer that bt_navigator needs: where base_link is in map, and how old that is. Servers
+// of Nav2 refuse to work with a pose older than their transform_tolerance, 0.1 s unless set.
 #pragma once
 
 #include <map>
@@ -17,7 +17,8 @@ class Frames {
   void poll();
   /// Of base_link in map; nothing while a link of the way up is missing.
   std::optional<Pose> pose() const;
-  /// [s] by which the oldest link of that way lies behind `now`, seconds since the epoch; negative when it is ahead.
+  /// [s] by which the oldest link of that way lies behind `now`, seconds since the epoch; negative when it is
+  /// ahead.
   std::optional<double> age(double now) const;
 
  private:

@@ -54,7 +54,8 @@ std::optional<Bytes> Manager::call(plain::Client& client, const Bytes& request) 
   if (!wait_until(kServiceLimit, [&] { return client.is_ready(); })) return std::nullopt;
   const std::int64_t asked = client.send(request);
   std::optional<Bytes> reply;
-  // Who was killed answers nothing: their lease ends about when their bond does, and this may be between the two.
+  // Who was killed answers nothing: their lease ends about when their bond does, and this may be between the
+  // two.
   wait_until(kStartLimit, [&] {
     reply = client.take(asked);
     return reply.has_value() || !client.is_ready();

@@ -1,5 +1,6 @@
-// What Nav2's lifecycle_manager does with the nodes of its list: configures all, activates all in order and expects a bond
-// of each within half of the bond's timeout, looks at the bonds five times a second, and takes all down when one is lost.
+// What Nav2's lifecycle_manager does with the nodes of its list: configures all, activates all in order and
+// expects a bond of each within half of the bond's timeout, looks at the bonds five times a second, and takes
+// all down when one is lost.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,6 @@
-// nav2_manager NODE...: plays lifecycle_manager_navigation until it is interrupted, then shuts the nodes down. Prints
-// "active", or what went wrong, and "lost NODE" when a bond is lost and all have been taken down. Exit status 1 then.
+// nav2_manager NODE...: plays lifecycle_manager_navigation until it is interrupted, then shuts the nodes
+// down. Prints "active", or what went wrong, and "lost NODE" when a bond is lost and all have been taken
+// down. Exit status 1 then.
 #include <csignal>
 #include <iostream>
 

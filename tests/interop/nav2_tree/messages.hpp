@@ -1,5 +1,6 @@
-// The messages that Nav2's behaviour tree and lifecycle manager exchange with servers, in Jazzy's layouts, as bytes by the
-// letter of the definitions: nav_msgs/Path, the goals and results of nav2_msgs' actions, bond/Status, geometry_msgs/Twist.
+// The messages that Nav2's behaviour tree and lifecycle manager exchange with servers, in Jazzy's layouts, as
+// bytes by the letter of the definitions: nav_msgs/Path, the goals and results of nav2_msgs' actions,
+// bond/Status, geometry_msgs/Twist.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
-// Nav2 without Nav2: its behaviour tree and its lifecycle manager, played by programs that share nothing with this project,
-// drive our robot through the hallway full of people by our stand-ins for its servers; and the navigator that stands in for its
-// bt_navigator drives by a controller and a planner that are not ours.
+// Nav2 without Nav2: its behaviour tree and its lifecycle manager, played by programs that share nothing with
+// this project, drive our robot through the hallway full of people by our stand-ins for its servers; and the
+// navigator that stands in for its bt_navigator drives by a controller and a planner that are not ours.
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -53,9 +53,10 @@ int ended_well(const nlohmann::json& tree, const std::string& action) {
       tree["ends"], [&](const auto& end) { return end["action"] == action && end["status"] == kSucceeded; }));
 }
 
-// The map has a wall across the hallway that is not there, and nobody walks, who might stand behind a robot that backs up.
-// Six recoveries in turn: clear, spin, wait, backup, clear, spin; the seven tries before and between them clear the global
-// costmap once each. Clearing both counts twice: 2 * 2 + 4 + 7.
+// The map has a wall across the hallway that is not there, and nobody walks, who might stand behind a robot
+// that backs up.
+// Six recoveries in turn: clear, spin, wait, backup, clear, spin; the seven tries before and between them
+// clear the global costmap once each. Clearing both counts twice: 2 * 2 + 4 + 7.
 TEST(Nav2Tree, RecoversInTurnWhereNoWayLeads) {
   Body body(
       1, {"--set", "world.people.social.walkers=[]", "--set",

@@ -1,4 +1,5 @@
-// A leaf that calls a service, with the timing of nav2_behavior_tree's service node: it fails without an answer in 20 ms.
+// A leaf that calls a service, with the timing of nav2_behavior_tree's service node: it fails without an
+// answer in 20 ms.
 #pragma once
 
 #include "tests/interop/nav2_tree/action_leaf.hpp"

@@ -1,5 +1,5 @@
-// nav2_tree X Y YAW LIMIT TOPIC: plays bt_navigator for one goal in map, for LIMIT seconds at most, and hears the commands on
-// TOPIC. Prints one line of JSON. Exit status 0: the tree succeeded.
+// nav2_tree X Y YAW LIMIT TOPIC: plays bt_navigator for one goal in map, for LIMIT seconds at most, and hears
+// the commands on TOPIC. Prints one line of JSON. Exit status 0: the tree succeeded.
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>

@@ -1,5 +1,6 @@
-// The nodes of a behaviour tree that Nav2's default trees are made of, with the semantics of BehaviorTree.CPP 4 and of
-// nav2_behavior_tree: who keeps its place between ticks, who ticks again from the first child, what halting means.
+// The nodes of a behaviour tree that Nav2's default trees are made of, with the semantics of BehaviorTree.CPP
+// 4 and of nav2_behavior_tree: who keeps its place between ticks, who ticks again from the first child, what
+// halting means.
 #pragma once
 
 #include <chrono>

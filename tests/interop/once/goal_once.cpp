@@ -1,11 +1,11 @@
-// Goals as `ros2 topic pub --once /goal_pose` sends them: a participant appears, waits for a reader, sends one goal and
-// leaves a tenth of a second later. Each goal comes from a process of its own, as the tool is one; the x of the k-th goal
-// is k.
+// Goals as `ros2 topic pub --once /goal_pose` sends them: a participant appears, waits for a reader, sends
+// one goal and leaves a tenth of a second later. Each goal comes from a process of its own, as the tool is
+// one; the x of the k-th goal is k.
 //
 //   goal_once humble|jazzy FIRST COUNT
 //
-// Prints a line for each goal: sent K, or unmatched K when no reader came within 10 s. The domain is ROS_DOMAIN_ID; no
-// packet leaves 127.0.0.1.
+// Prints a line for each goal: sent K, or unmatched K when no reader came within 10 s. The domain is
+// ROS_DOMAIN_ID; no packet leaves 127.0.0.1.
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -83,8 +83,8 @@ class PoseStampedType final : public TopicDataType {
   bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
 };
 
-/// As rmw_fastrtps sets up a participant that keeps to this machine: Humble by multicast on a white-listed loopback
-/// device, Jazzy by asking 127.0.0.1 port by port.
+/// As rmw_fastrtps sets up a participant that keeps to this machine: Humble by multicast on a white-listed
+/// loopback device, Jazzy by asking 127.0.0.1 port by port.
 DomainParticipantQos participant_qos(bool is_humble) {
   DomainParticipantQos qos = PARTICIPANT_QOS_DEFAULT;
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();

@@ -1,4 +1,5 @@
-// What both ends of a ROS 2 action say, by the letter of rcl_action: three services and two topics under <action>/_action/.
+// What both ends of a ROS 2 action say, by the letter of rcl_action: three services and two topics under
+// <action>/_action/.
 #pragma once
 
 #include <array>
@@ -64,7 +65,8 @@ GoalInfo read_goal_info(CdrIn& cdr);
 std::vector<GoalState> read_status_list(const Bytes& bytes);
 Bytes status_list(const std::vector<GoalState>& goals);
 
-/// 16 bytes of id, then `fields`: bytes of a message of their own without the encapsulation. An id moves no alignment.
+/// 16 bytes of id, then `fields`: bytes of a message of their own without the encapsulation. An id moves no
+/// alignment.
 Bytes with_goal_id(const GoalId& id, const Bytes& message);
 
 }  // namespace plain

@@ -1,4 +1,5 @@
-// The asking end of a ROS 2 action, step by step: what rcl_action's client does, for a test to do at any time and in any order.
+// The asking end of a ROS 2 action, step by step: what rcl_action's client does, for a test to do at any time
+// and in any order.
 #pragma once
 
 #include <chrono>

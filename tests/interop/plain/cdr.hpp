@@ -1,5 +1,5 @@
-// Plain CDR (XCDR1) written and read by the letter of the standard, for programs that share nothing with the runtime: each
-// value at a multiple of its size, counted from the first byte behind the encapsulation.
+// Plain CDR (XCDR1) written and read by the letter of the standard, for programs that share nothing with the
+// runtime: each value at a multiple of its size, counted from the first byte behind the encapsulation.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// plain_client SERVICE TYPE HEX: asks once when the service is ready, prints "asked", then the reply in hexadecimal.
+// plain_client SERVICE TYPE HEX: asks once when the service is ready, prints "asked", then the reply in
+// hexadecimal.
 #include <chrono>
 #include <iostream>
 #include <optional>

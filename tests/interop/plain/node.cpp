@@ -35,8 +35,8 @@ rtps::Locator_t loopback() {
   return locator;
 }
 
-// UDP over unicast, peers sought on this machine's first ports: what ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST makes of
-// rmw_fastrtps; with loopback's address alone announced, as ROS_LOCALHOST_ONLY=1 does.
+// UDP over unicast, peers sought on this machine's first ports: what ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST
+// makes of rmw_fastrtps; with loopback's address alone announced, as ROS_LOCALHOST_ONLY=1 does.
 dds::DomainParticipantQos participant_qos(std::shared_ptr<Wire> wire) {
   dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
   qos.name("/");

@@ -1,5 +1,5 @@
-// One DDS participant that behaves as a process of ROS 2 with one node: found as ROS 2's tools are found on one machine, its
-// ends announced as rmw_fastrtps announces them, and a view of what others announce.
+// One DDS participant that behaves as a process of ROS 2 with one node: found as ROS 2's tools are found on
+// one machine, its ends announced as rmw_fastrtps announces them, and a view of what others announce.
 #pragma once
 
 #include <atomic>

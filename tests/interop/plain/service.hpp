@@ -1,5 +1,5 @@
-// Both ends of a ROS 2 service by the letter of what rmw_fastrtps does: two topics, the identities in the inline QoS, nothing
-// in the payload.
+// Both ends of a ROS 2 service by the letter of what rmw_fastrtps does: two topics, the identities in the
+// inline QoS, nothing in the payload.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,8 @@
 
 namespace plain {
 
-/// Of pkg/srv/Name: the topics and types of service /a/s are rq/a/sRequest, pkg::srv::dds_::Name_Request_ and so on.
+/// Of pkg/srv/Name: the topics and types of service /a/s are rq/a/sRequest, pkg::srv::dds_::Name_Request_ and
+/// so on.
 struct ServiceType {
   std::string name;          ///< std_srvs/srv/Trigger
   std::string request_hash;  ///< RIHS01_...
@@ -84,8 +85,8 @@ class Server {
 
   void complete();
   std::optional<Request> take();
-  /// Waits until the client's reader is connected, 100 ms at most as rmw_fastrtps does; false when it is not: the reply is
-  /// dropped.
+  /// Waits until the client's reader is connected, 100 ms at most as rmw_fastrtps does; false when it is not:
+  /// the reply is dropped.
   bool reply(const rtps::SampleIdentity& to, const Bytes& response);
   int connected_clients();
   int connected_writers() const;

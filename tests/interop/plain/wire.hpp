@@ -1,4 +1,5 @@
-// What came over UDP, as it came: a transport that keeps a copy of every datagram, and a reader of RTPS (OMG formal/2019-04-03,
+// What came over UDP, as it came: a transport that keeps a copy of every datagram, and a reader of RTPS (OMG
+// formal/2019-04-03,
 // 9.4) that finds the samples in it.
 #pragma once
 

@@ -1,7 +1,7 @@
-// unrelated_processes [COUNT]: somebody else's ROS 2 on this machine, as tests may have it beside them: a participant
-// on each of COUNT (10) domains, the first that a test would lease. They write what robots write, know each
-// other by shared memory and UDP on 127.0.0.1, and hold the port of a page. Prints the domains in one line
-// once all are there; ends by SIGINT or SIGTERM.
+// unrelated_processes [COUNT]: somebody else's ROS 2 on this machine, as tests may have it beside them: a
+// participant on each of COUNT (10) domains, the first that a test would lease. They write what robots write,
+// know each other by shared memory and UDP on 127.0.0.1, and hold the port of a page. Prints the domains in
+// one line once all are there; ends by SIGINT or SIGTERM.
 #include <array>
 #include <csignal>
 #include <cstdlib>

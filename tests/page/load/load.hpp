@@ -40,7 +40,8 @@ struct LoadResult {
   double memory_mb = 0;             ///< the robot's most, less what it had before
 };
 
-/// std::runtime_error when a topic is not offered or the server is gone. Uses the domain of ROS_DOMAIN_ID, loopback only.
+/// std::runtime_error when a topic is not offered or the server is gone. Uses the domain of ROS_DOMAIN_ID,
+/// loopback only.
 LoadResult put_load(const LoadOptions& options);
 
 nlohmann::json to_json(const LoadResult& result);

@@ -1,5 +1,5 @@
-// Many clients of one viewer, some of which do not read and some of which come and go. What is asserted here are counts; times are the
-// business of viewer_load.sh.
+// Many clients of one viewer, some of which do not read and some of which come and go. What is asserted here
+// are counts; times are the business of viewer_load.sh.
 #include "tests/page/load/load.hpp"
 
 #include <csignal>
@@ -31,8 +31,8 @@ std::uint16_t port_of(const Process& robot) {
   return found.empty() ? 0 : static_cast<std::uint16_t>(std::stoi(found[1]));
 }
 
-// 80 of 100 clients read, 20 take a byte a second, 10 more open and close 50 times a second. At least 95 % of what is published must reach each that
-// reads (row 26), and the robot may take 256 MB for all of them.
+// 80 of 100 clients read, 20 take a byte a second, 10 more open and close 50 times a second. At least 95 % of
+// what is published must reach each that reads (row 26), and the robot may take 256 MB for all of them.
 TEST(ViewerLoad, WhoReadsGetsEverythingWhateverOthersDo) {
   Process robot({BANDWAGON_PROGRAM, "run", std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml",
                  "--seed", "7", "--page=0", "--stay", "--set", "robot.limits.v_max=0.3"});

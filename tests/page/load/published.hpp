@@ -16,7 +16,8 @@ class Published {
   /// Waits until every topic has a publisher; std::runtime_error after 30 s.
   explicit Published(const std::vector<std::string>& topics);
 
-  /// Messages of a topic, in the order they were asked for, that came from `begin` on and before `end` (system clock).
+  /// Messages of a topic, in the order they were asked for, that came from `begin` on and before `end`
+  /// (system clock).
   std::uint64_t count(std::size_t topic, Time begin, Time end);
 
  private:

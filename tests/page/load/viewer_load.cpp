@@ -1,4 +1,5 @@
-// viewer_load: puts a load of many clients on a running viewer and prints as JSON what they got. On the robot's ROS_DOMAIN_ID.
+// viewer_load: puts a load of many clients on a running viewer and prints as JSON what they got. On the
+// robot's ROS_DOMAIN_ID.
 #include <cstdio>
 #include <iostream>
 

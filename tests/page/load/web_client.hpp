@@ -13,8 +13,8 @@ namespace bw::test {
 /// Every failure is a std::runtime_error with what the system says.
 class WebClient {
  public:
-  /// Connects to 127.0.0.1 and asks for the protocol; the answer is not waited for. `receive_buffer` is the socket's, 0 the system's own.
-  /// `token`: what commands need; empty: it reads.
+  /// Connects to 127.0.0.1 and asks for the protocol; the answer is not waited for. `receive_buffer` is the
+  /// socket's, 0 the system's own. `token`: what commands need; empty: it reads.
   explicit WebClient(std::uint16_t port, int receive_buffer = 0, const std::string& token = "");
   ~WebClient();
   WebClient(WebClient&& other) noexcept;

@@ -1,6 +1,6 @@
-// Every sequence of transitions of a component whose own work fails where it may, without a host and without DDS. Whatever fails, no
-// exception comes out, a component that is not active is mute and does not tick, its calls come in their order, and why it is not
-// where it was asked to be is said.
+// Every sequence of transitions of a component whose own work fails where it may, without a host and without
+// DDS. Whatever fails, no exception comes out, a component that is not active is mute and does not tick, its
+// calls come in their order, and why it is not where it was asked to be is said.
 #include <memory>
 #include <optional>
 #include <stdexcept>

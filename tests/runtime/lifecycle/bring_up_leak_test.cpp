@@ -34,8 +34,8 @@ struct Use {
   double memory_mb = 0.0;
 };
 
-/// Takes every component of three down to unconfigured and up again, and looks what the process has before and after. What
-/// a second participant sees counts, once nothing new has come for a while.
+/// Takes every component of three down to unconfigured and up again, and looks what the process has before
+/// and after. What a second participant sees counts, once nothing new has come for a while.
 class Cycler final : public Component {
  public:
   Cycler(int cycles, const dds::Participant& watcher, std::vector<Use>& uses)

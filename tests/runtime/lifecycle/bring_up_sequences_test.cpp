@@ -1,5 +1,6 @@
-// Every command of a manager to three nodes, from all states that they may be in, with every way in which each step may end. The
-// plan ends, asks only for transitions that there are, and leaves no half graph active when the way up fails.
+// Every command of a manager to three nodes, from all states that they may be in, with every way in which
+// each step may end. The plan ends, asks only for transitions that there are, and leaves no half graph active
+// when the way up fails.
 #include <optional>
 #include <string>
 #include <vector>

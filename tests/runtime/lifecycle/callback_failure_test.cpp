@@ -1,5 +1,5 @@
-// A callback that throws: the run ends and says where, and every component is brought to rest as at any other end, the one that threw
-// first of all. In lock-step and in real time alike.
+// A callback that throws: the run ends and says where, and every component is brought to rest as at any other
+// end, the one that threw first of all. In lock-step and in real time alike.
 #include <new>
 #include <stdexcept>
 
@@ -131,8 +131,8 @@ TEST_P(CallbackFailure, ALogThatFailsTooKeepsNobodyFromTheirs) {
   EXPECT_THAT(events_, ElementsAre("deactivate b", "deactivate c", "deactivate a"));
 }
 
-// Lanes start when everybody is active. Threads that are to have a stack as large as all of the address space of
-// a process (2^47 bytes) are not to be had.
+// Lanes start when everybody is active. Threads that are to have a stack as large as all of the address space
+// of a process (2^47 bytes) are not to be had.
 TEST(LaneFailure, OfALaneThatCannotBeStartedEndsTheRunWithEverybodyAtRest) {
   Events events;
   pthread_attr_t usual;

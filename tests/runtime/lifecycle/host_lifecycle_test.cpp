@@ -1,5 +1,6 @@
-// Transitions of scripted components in lock-step. Requests are made at whole milliseconds and take none: expected times
-// and orders follow from that, from rank order, and from README's rules for what is not active.
+// Transitions of scripted components in lock-step. Requests are made at whole milliseconds and take none:
+// expected times and orders follow from that, from rank order, and from README's rules for what is not
+// active.
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -84,8 +85,8 @@ TEST(Own, WhoFailsAtTheEndStopsNobodyElse) {
 }
 
 TEST(Transitions, WhatIsInactiveIsMuteAndDeafAndTicksAnew) {
-  // Ticks each 10 ms; inactive from 25 to 47 ms: silent at 30 and 40. Active again: first tick one period later, at 57, and
-  // the count goes on.
+  // Ticks each 10 ms; inactive from 25 to 47 ms: silent at 30 and 40. Active again: first tick one period
+  // later, at 57, and the count goes on.
   Events heard;
   ScriptedGraph g;
   g.add("source", [] { return ticker("a"); }).add("sink", [&] { return listener(heard, "a"); });

@@ -1,5 +1,5 @@
-// Components that follow another's states, in lock-step: orders are those of Nav2's servers, which configure and activate
-// the costmap inside them first and stop it last.
+// Components that follow another's states, in lock-step: orders are those of Nav2's servers, which configure
+// and activate the costmap inside them first and stop it last.
 #include <stdexcept>
 
 #include <gmock/gmock.h>

@@ -1,4 +1,5 @@
-// Our two managers, asked as rviz's Nav2 panel asks them. Numbers of commands: nav2_msgs/ManageLifecycleNodes.
+// Our two managers, asked as rviz's Nav2 panel asks them. Numbers of commands:
+// nav2_msgs/ManageLifecycleNodes.
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -17,7 +18,8 @@ using testing::ElementsAre;
 
 constexpr std::uint8_t kStartup = 0, kPause = 1, kResume = 2, kReset = 3, kShutdown = 4;
 
-/// Gives a manager a command each 10 ms, and asks 5 ms later whether it is active: "ok, yes", "no, b is inactive".
+/// Gives a manager a command each 10 ms, and asks 5 ms later whether it is active: "ok, yes", "no, b is
+/// inactive".
 class Panel final : public Component {
  public:
   Panel(std::string manager, std::vector<std::uint8_t> commands, Events& answers)

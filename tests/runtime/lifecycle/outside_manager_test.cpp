@@ -1,6 +1,6 @@
-// A manager from outside, as Nav2's lifecycle_manager behaves: calls change_state and get_state of each node, then opens a
-// bond on /bond and expects the node's beats within half of the timeout (2 s of 4 s). Our own manager across processes. And
-// what `ros2 component` asks.
+// A manager from outside, as Nav2's lifecycle_manager behaves: calls change_state and get_state of each node,
+// then opens a bond on /bond and expects the node's beats within half of the timeout (2 s of 4 s). Our own
+// manager across processes. And what `ros2 component` asks.
 #include <map>
 #include <mutex>
 #include <thread>

@@ -1,5 +1,5 @@
-// Ids and labels are those of lifecycle_msgs; which transitions a state has, and how they end, is ROS 2's picture of a
-// managed node.
+// Ids and labels are those of lifecycle_msgs; which transitions a state has, and how they end, is ROS 2's
+// picture of a managed node.
 #include "runtime/lifecycle/state_machine.hpp"
 
 #include <stdexcept>

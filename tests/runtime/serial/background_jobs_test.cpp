@@ -15,7 +15,8 @@ void wait_for(BackgroundJobs& jobs) {
   done.get_future().wait();
 }
 
-// The thread is no lane: what left it would end the process, and whoever asked for the job would not know why.
+// The thread is no lane: what left it would end the process, and whoever asked for the job would not know
+// why.
 TEST(BackgroundJobs, WhatAJobThrowsIsThrownToWhoAsksAndTheNextIsDone) {
   BackgroundJobs jobs;
   EXPECT_NO_THROW(jobs.rethrow());

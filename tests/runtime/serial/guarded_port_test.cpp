@@ -1,6 +1,6 @@
-// A port with a guardian, on an emulated cable: whoever ends how, the device is told to stand. Expected bytes are those of
-// guardian_protocol.hpp: the stop frame at once, and again while nobody has given the port up. Nothing is measured here but
-// that it comes; how soon, tests/faults/kill_base.cpp tells.
+// A port with a guardian, on an emulated cable: whoever ends how, the device is told to stand. Expected bytes
+// are those of guardian_protocol.hpp: the stop frame at once, and again while nobody has given the port up.
+// Nothing is measured here but that it comes; how soon, tests/faults/kill_base.cpp tells.
 #include "runtime/serial/guarded_port.hpp"
 
 #include <algorithm>
@@ -169,7 +169,8 @@ TEST(GuardedPort, WithoutAGuardianItIsNotOpen) {
   EXPECT_FALSE(port->write(bytes_of("go\n")));
 }
 
-// Another process that hangs from then on tells the time: its guardian says the fourth stop 150 ms after it has found the hang.
+// Another process that hangs from then on tells the time: its guardian says the fourth stop 150 ms after it
+// has found the hang.
 TEST(GuardedPort, WhoRestsIsNotTakenForHung) {
   Guarded base, other;
   const pid_t hung = other.process(kDrives);  // forked before this process has threads

@@ -1,4 +1,5 @@
-// A made-up sysfs, laid out as Linux lays out a USB adapter: class/tty/ttyUSB0 -> .../usb1/1-1/1-1:1.0/ttyUSB0/tty/ttyUSB0.
+// A made-up sysfs, laid out as Linux lays out a USB adapter: class/tty/ttyUSB0 ->
+// .../usb1/1-1/1-1:1.0/ttyUSB0/tty/ttyUSB0.
 #pragma once
 
 #include <filesystem>

@@ -85,7 +85,8 @@ TEST(SerialPort, TriesAgainEveryHalfSecondOfItsClock) {
   EXPECT_TRUE(eventually([&] { return host.update(start + Duration::milliseconds(500)).is_open; }));
 }
 
-// An emulator starts beside its host: within the patience, 2 s here, its absence is no fault, and it is looked for every 50 ms.
+// An emulator starts beside its host: within the patience, 2 s here, its absence is no fault, and it is
+// looked for every 50 ms.
 TEST(SerialPort, WaitsWithPatienceForADeviceThatIsStarting) {
   Folder folder;
   const Time start = Time::seconds(100.0);
@@ -239,7 +240,8 @@ TEST(SerialPort, WhatIsNoSerialLineIsRefusedAsWhatItIs) {
   EXPECT_EQ(std::filesystem::file_size(folder / "file"), 4U);
 }
 
-// An adapter that hangs while it is looked up: its sysfs file is a pipe, whose reader waits until somebody opens the other end.
+// An adapter that hangs while it is looked up: its sysfs file is a pipe, whose reader waits until somebody
+// opens the other end.
 TEST(SerialPort, ADeviceThatHangsHoldsNobodyUp) {
   Machine machine;
   machine.add_ftdi("ttyUSB0", "1-1", "HANGS");

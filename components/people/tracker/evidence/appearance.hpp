@@ -1,6 +1,6 @@
-// What its looks say: the classifier's scores of a thing, by the side from which it was seen. Scores of one side
-// repeat each other and are averaged; other sides tell something new. A post is as round as a leg from everywhere,
-// the corner of a box is not.
+// What its looks say: the classifier's scores of a thing, by the side from which it was seen. Scores of one
+// side repeat each other and are averaged; other sides tell something new. A post is as round as a leg from
+// everywhere, the corner of a box is not.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// How sure it is that something tracked is a person: a sum of log odds, each term with its reasons in a file of its
-// own. Nothing is forgotten while somebody is hidden, and no term grows without bound, so that other evidence can
-// still outweigh it.
+// How sure it is that something tracked is a person: a sum of log odds, each term with its reasons in a file
+// of its own. Nothing is forgotten while somebody is hidden, and no term grows without bound, so that other
+// evidence can still outweigh it.
 #pragma once
 
 #include <algorithm>
@@ -22,24 +22,27 @@ struct Existence {
   static constexpr double kEachOther = -0.3;
   /// The same of two legs that have walked less than a metre.
   static constexpr double kEachOtherWalking = -0.25;
-  /// Of two legs that only stand where nobody is known to walk, what ln(1 + people known) makes up for, and what it says at most:
-  /// people are found where people are, and two posts look like legs everywhere. In full in a furnished place, and at first.
+  /// Of two legs that only stand where nobody is known to walk, what ln(1 + people known) makes up for, and
+  /// what it says at most: people are found where people are, and two posts look like legs everywhere. In
+  /// full in a furnished place, and at first.
   static constexpr double kAlone = -3.0;
   static constexpr double kCompany = 2.0;
   static constexpr double kMaxCompany = 1.0;
   /// By 1 + so much for each of them other things that look like legs say less against such two.
   static constexpr double kShareOfOthers = 0.5;
 
-  /// Of somebody who was confirmed: what was believed once is not given up for a doubt, such as more things about.
+  /// Of somebody who was confirmed: what was believed once is not given up for a doubt, such as more things
+  /// about.
   static constexpr double kKept = 2.5;
   /// Less for who has never moved, where furniture like legs surely stands about.
   static constexpr double kLostAmongFurniture = 0.8;
-  /// Of what looks say of two legs first noticed walking, or of one, beside the whole of it, before they have walked a metre.
+  /// Of what looks say of two legs first noticed walking, or of one, beside the whole of it, before they have
+  /// walked a metre.
   static constexpr double kLooksOfWalkers = 1.0;
   static constexpr double kUsualLooks = 1.0;  ///< log odds between furniture that seems to walk and people
 
-  /// Of legs that are where nothing was before, both or the only one that is seen; the share of it where one of two is;
-  /// and of what is not somebody yet.
+  /// Of legs that are where nothing was before, both or the only one that is seen; the share of it where one
+  /// of two is; and of what is not somebody yet.
   static constexpr double kCame = 6.0;
   static constexpr double kOneCame = 0.3;
   static constexpr double kThingCame = 2.7;

@@ -5,9 +5,10 @@
 
 namespace bw::people {
 
-/// Looks for a place that stays, changes by a few centimetres and stays again: the place of a leg while the laser
-/// stands still, or the way from one leg to the other, which a laser that moves sees as well. All the time it is seen
-/// from about the same side: another one, or something in front of it, moves the middle of anything.
+/// Looks for a place that stays, changes by a few centimetres and stays again: the place of a leg while the
+/// laser stands still, or the way from one leg to the other, which a laser that moves sees as well. All the
+/// time it is seen from about the same side: another one, or something in front of it, moves the middle of
+/// anything.
 class FootShifts {
  public:
   static constexpr double kEach = 4.0;  ///< log odds of one shift

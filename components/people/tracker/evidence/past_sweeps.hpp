@@ -1,5 +1,6 @@
-// What was seen empty earlier and holds something now: furniture does not come, people do. Sweeps of the last 45 s are
-// kept in S (the tracker's frame, which in that time drifts by 1 to 3 cm), with one sensor; with more of them for less time.
+// What was seen empty earlier and holds something now: furniture does not come, people do. Sweeps of the last
+// 45 s are kept in S (the tracker's frame, which in that time drifts by 1 to 3 cm), with one sensor; with
+// more of them for less time.
 #pragma once
 
 #include <vector>
@@ -19,8 +20,8 @@ class PastSweeps {
   /// One sweep in S at `now` [s, from the tracker's own origin].
   void add(const DetectionSet& sweep, double now);
 
-  /// What was at `place`. Only beams tell that would have shown something as thin as a leg; who has come within 2 s
-  /// leaves it unknown or empty.
+  /// What was at `place`. Only beams tell that would have shown something as thin as a leg; who has come
+  /// within 2 s leaves it unknown or empty.
   Past at(const Vector2& place, double now) const;
 
   void reset();

@@ -1,5 +1,5 @@
-// Furniture stands in pairs and rows: equal thin things at the corners of a rectangle, or one after the other at
-// equal distances. Legs of people do not.
+// Furniture stands in pairs and rows: equal thin things at the corners of a rectangle, or one after the other
+// at equal distances. Legs of people do not.
 #pragma once
 
 #include <span>

@@ -5,8 +5,9 @@
 
 namespace bw::people {
 
-/// Log odds by the way [m] that legs went as a walker's do: nothing in the first `kSlip` metres, which edges that
-/// come into view and errors of odometry make up, then in proportion, up to kMax, which nothing else outweighs.
+/// Log odds by the way [m] that legs went as a walker's do: nothing in the first `kSlip` metres, which edges
+/// that come into view and errors of odometry make up, then in proportion, up to kMax, which nothing else
+/// outweighs.
 struct Walked {
   static constexpr double kSlip = 0.15;      ///< [m]
   static constexpr double kPerMetre = 10.0;  ///< [1/m]

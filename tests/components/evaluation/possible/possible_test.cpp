@@ -39,7 +39,8 @@ ContactVerdict judge(const SearchScene& scene, const std::vector<MotionState>& d
 }
 
 // Twelve people on a circle of 1.6 m come to its middle at 0.5 m/s, where the robot stands. Neighbours are
-// 2 1.6 sin(15 deg) = 0.83 m apart and 1.2 m would let the robot through: it is touched when they are at 0.6 m, after 2 s.
+// 2 1.6 sin(15 deg) = 0.83 m apart and 1.2 m would let the robot through: it is touched when they are at 0.6
+// m, after 2 s.
 TEST(Possible, NobodyLeavesARingThatCloses) {
   SearchScene scene;
   for (int k = 0; k < 12; ++k) {
@@ -58,8 +59,8 @@ TEST(Possible, NobodyLeavesARingThatCloses) {
   EXPECT_EQ(judge(open, straight(0.0, 4.8), 4.8).avoidance, Avoidance::avoidable);
 }
 
-// A corridor of 1 m, a runner of 2.5 m/s 3 m behind a robot that drives as fast as it can, 1 m/s: the gap of 2.4 m is gone
-// after 1.6 s, and nothing is faster. Without one of the walls there is room beside the runner.
+// A corridor of 1 m, a runner of 2.5 m/s 3 m behind a robot that drives as fast as it can, 1 m/s: the gap of
+// 2.4 m is gone after 1.6 s, and nothing is faster. Without one of the walls there is room beside the runner.
 TEST(Possible, ARunnerInACorridorIsFasterUnlessASideIsFree) {
   SearchScene scene;
   scene.walks.push_back(walker({-3.0, 0.0}, {2.5, 0.0}));
@@ -69,7 +70,8 @@ TEST(Possible, ARunnerInACorridorIsFasterUnlessASideIsFree) {
   EXPECT_EQ(judge(closed, straight(1.0, 1.6), 1.6).avoidance, Avoidance::not_avoidable);
   const ContactVerdict open = judge(scene, straight(1.0, 1.6), 1.6);
   EXPECT_EQ(open.avoidance, Avoidance::avoidable);
-  // 0.6 m to the side and 1.5 rad/s^2, 1 rad/s take more than 1 s: y(t) <= integral of sin(0.75 t^2) = 0.25 at 1 s.
+  // 0.6 m to the side and 1.5 rad/s^2, 1 rad/s take more than 1 s: y(t) <= integral of sin(0.75 t^2) = 0.25
+  // at 1 s.
   EXPECT_LE(*open.saveable_until, 0.6);
   ASSERT_TRUE(open.lost_since);
   EXPECT_GT(*open.lost_since, *open.saveable_until);
@@ -87,9 +89,9 @@ TEST(Possible, WhoComesAheadCanBeSidestepped) {
   EXPECT_LT(*verdict.saveable_until, contact - 0.3);
 }
 
-// A robot in a corridor of 0.8 m, 0.1 m to either side, drives 1 m/s at somebody who stands at 3 m: contact at 2.4 m. With
-// 1 m/s^2 it stops in 0.5 m, so it must brake at 1.9 m, after 1.9 s. States are 0.1 s apart, and
-// the margins of both searches less than 3 cm.
+// A robot in a corridor of 0.8 m, 0.1 m to either side, drives 1 m/s at somebody who stands at 3 m: contact
+// at 2.4 m. With 1 m/s^2 it stops in 0.5 m, so it must brake at 1.9 m, after 1.9 s. States are 0.1 s apart,
+// and the margins of both searches less than 3 cm.
 TEST(Possible, MustHaveBrakedByTheClosedForm) {
   SearchScene scene;
   scene.walks.push_back(walker({3.0, 0.0}, {0.0, 0.0}));
@@ -105,7 +107,8 @@ TEST(Possible, MustHaveBrakedByTheClosedForm) {
   EXPECT_NEAR(*judge(scene, straight(1.0, 2.4), 2.4, 2.0).lost_since, 2.2, 0.101);
 }
 
-// Who appears 0.1 m ahead of the rim of a robot at 1 m/s, 0.3 s before it is over: nothing could be done from then on.
+// Who appears 0.1 m ahead of the rim of a robot at 1 m/s, 0.3 s before it is over: nothing could be done from
+// then on.
 TEST(Possible, WhoAppearsBeforeTheRimCannotBeAvoided) {
   SearchScene scene;
   scene.walks.push_back({0.3, {{1.5, {2.2, 0.0}}, {20.0, {2.2, 0.0}}}});
@@ -121,7 +124,8 @@ struct RandomScene {
   MotionState start;
 };
 
-/// Three to six people within 3 m who walk up to 1.5 m/s, a wall in every second scene, any speeds within the limits.
+/// Three to six people within 3 m who walk up to 1.5 m/s, a wall in every second scene, any speeds within the
+/// limits.
 RandomScene random_scene(std::uint64_t seed) {
   Random random(seed);
   RandomScene drawn;
@@ -138,7 +142,8 @@ RandomScene random_scene(std::uint64_t seed) {
   return drawn;
 }
 
-/// Extreme accelerations, changed at random every 0.3 s; whether such a motion is clear of everybody at every 0.1 s.
+/// Extreme accelerations, changed at random every 0.3 s; whether such a motion is clear of everybody at every
+/// 0.1 s.
 bool random_motion_is_clear(const RandomScene& drawn, const MotionBounds& bounds, double until,
                             Random& random) {
   Pose2 pose = drawn.start.pose;
@@ -165,8 +170,8 @@ bool random_motion_is_clear(const RandomScene& drawn, const MotionBounds& bounds
   return true;
 }
 
-// What is found, or drawn by chance, cannot have been proven away, not even when the hopeful search has no more than the
-// robot's own limits. BANDWAGON_POSSIBLE_SCENES: how many scenes.
+// What is found, or drawn by chance, cannot have been proven away, not even when the hopeful search has no
+// more than the robot's own limits. BANDWAGON_POSSIBLE_SCENES: how many scenes.
 TEST(Possible, WhatExistsIsNeverProvenAway) {
   const char* asked = std::getenv("BANDWAGON_POSSIBLE_SCENES");
   const int scenes = asked != nullptr ? std::atoi(asked) : 24;

@@ -16,8 +16,8 @@ TEST(CourseScore, IsThatOfTheBenchmark) {
   EXPECT_DOUBLE_EQ(course_score(false, 6.0, 5.0), 0.0);
 }
 
-// One course through the whole robot: laser, costmap, A*, eteb, motor control. It measured 5.3 s when it was written; 10 s is what
-// half the score allows. The same again to the last byte.
+// One course through the whole robot: laser, costmap, A*, eteb, motor control. It measured 5.3 s when it was
+// written; 10 s is what half the score allows. The same again to the last byte.
 TEST(BenchCourse, DrivesACourseWithoutContactInTime) {
   BenchCourseArguments arguments;
   arguments.graph = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/course.yaml";
@@ -32,7 +32,8 @@ TEST(BenchCourse, DrivesACourseWithoutContactInTime) {
   EXPECT_EQ(drive_course(course, "eteb", arguments).samples_sha256, outcome.samples_sha256);
 }
 
-// The baselines drive too. Within 4 OT, a quarter of the score, however they get by what the laser takes for people.
+// The baselines drive too. Within 4 OT, a quarter of the score, however they get by what the laser takes for
+// people.
 TEST(BenchCourse, DwaAndEdwaDriveACourse) {
   BenchCourseArguments arguments;
   arguments.graph = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/course.yaml";

@@ -1,5 +1,5 @@
-// `bandwagon bench people` from a bag to its figures: a simulated room whose world tells who was where, and the recorded
-// scans that were labelled by hand.
+// `bandwagon bench people` from a bag to its figures: a simulated room whose world tells who was where, and
+// the recorded scans that were labelled by hand.
 #include "components/lab/bench/bench_people.hpp"
 
 #include <algorithm>
@@ -246,7 +246,8 @@ TEST(BenchPeople, SeesLabelsFromTheirFrames) {
   EXPECT_FALSE(run.is_truth);
   ASSERT_EQ(run.stretches.at(0).labels.size(), 2U);
   const auto& first = run.stretches[0].labels[0];
-  // By 0.15 m/s in an arc of 0.02 m/s difference over the wheels' separation the robot is 0.15 m ahead at most.
+  // By 0.15 m/s in an arc of 0.02 m/s difference over the wheels' separation the robot is 0.15 m ahead at
+  // most.
   EXPECT_NEAR(first.people.at(0).position.x(), 0.2 + 0.5 * std::cos(0.5), 0.16);
   EXPECT_GT(first.people.at(0).position.x(), 0.2 + 0.5 * std::cos(0.5) + 0.05);
   EXPECT_EQ(run.stretches[0].labels[1].people.at(0).position, Vector2(0.0, 0.0));
@@ -260,23 +261,25 @@ TEST(BenchPeople, SeesLabelsFromTheirFrames) {
               HasSubstr(".csv:3: column time: 60 is not within the scans"));
 }
 
-// The figures of the README of the bench. Labels: three people every 0.5 s, each put between the legs that the points in
-// front of the static background (80 % quantile of each beam) show; where one leg or none is seen, between neighbours in
-// time. Good to 0.2 m. visible = 0: hidden by somebody else, place guessed, not counted. Rows of a person begin with
-// their first point.
+// The figures of the README of the bench. Labels: three people every 0.5 s, each put between the legs that
+// the points in front of the static background (80 % quantile of each beam) show; where one leg or none is
+// seen, between neighbours in time. Good to 0.2 m. visible = 0: hidden by somebody else, place guessed, not
+// counted. Rows of a person begin with their first point.
 //
-//   people_laser_stationary_labels_97.csv  97.5 to 105 s. Labelled before any track was looked at, then in view while
+//   people_laser_stationary_labels_97.csv  97.5 to 105 s. Labelled before any track was looked at, then in
+//   view while
 //       parameters were chosen: no figure of unseen data.
-//   people_laser_stationary_labels_33.csv  33 to 53 s: the 20 s from a whole second on, apart from the stretch above,
-//       with most points 0.15 m or more in front of the background. All 123 places count, also three without a single
-//       point (33.49 s person 3; 49.54 s and 50.04 s person 2).
+//   people_laser_stationary_labels_33.csv  33 to 53 s: the 20 s from a whole second on, apart from the
+//   stretch above,
+//       with most points 0.15 m or more in front of the background. All 123 places count, also three without
+//       a single point (33.49 s person 3; 49.54 s and 50.04 s person 2).
 //   people_laser_stationary_labels_0.csv   0 to 20 s: the 20 s with fewest such points, apart from both. One stands with
-//       one leg of three or four points in view until 6.5 s, one comes in at 6.7 s, one is hidden at 10.47 s; 108 places
-//       count, two of them without a point (6.98 s and 18.04 s person 3).
+//       one leg of three or four points in view until 6.5 s, one comes in at 6.7 s, one is hidden at 10.47 s;
+//       108 places count, two of them without a point (6.98 s and 18.04 s person 3).
 //
-// The last two were labelled and committed before any track on them was looked at, when the parameters stood; only the
-// number and length of the tracks in the whole log were known. The sparse one was added when the dense one had shown no
-// error.
+// The last two were labelled and committed before any track on them was looked at, when the parameters stood;
+// only the number and length of the tracks in the whole log were known. The sparse one was added when the
+// dense one had shown no error.
 TEST(RecordedPeople, AreFollowed) {
   const char* shared = std::getenv("BANDWAGON_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "recorded data are not at hand (BANDWAGON_SHARED)";

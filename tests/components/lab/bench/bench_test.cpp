@@ -38,8 +38,9 @@ class SharedScenes : public ::testing::Test {
 };
 
 TEST_F(SharedScenes, TebKeepsTheCostOfTheReleasedPlanner) {
-  // Cost of warm cycle 20 measured with the released planner: 3.98, 6.86, 7.75, 6.96. Two scenes miss it by the mean
-  // dt, which may differ by 5 %, one by a local minimum. Scenes are given and nothing is drawn: 0.005 is for another CPU's rounding.
+  // Cost of warm cycle 20 measured with the released planner: 3.98, 6.86, 7.75, 6.96. Two scenes miss it by
+  // the mean dt, which may differ by 5 %, one by a local minimum. Scenes are given and nothing is drawn:
+  // 0.005 is for another CPU's rounding.
   BenchTebArguments arguments;
   arguments.scenes = folder_ + "teb_scenes.yaml";
   arguments.repetitions = 1;
@@ -69,8 +70,8 @@ TEST_F(SharedScenes, CrowdReachesMostGoalsAmongWalkersThatDoNotReact) {
   EXPECT_GE(result()["summary"]["successes"].get<int>(), 27);
 }
 
-// Asked of the anticipating planners: 99 % of the generated crowds. Of the 900 of seeds 31001 to 31900, on which nothing was chosen, `eteb`
-// crossed 890 (0.989). Here the first 60 of them, all of which it crosses.
+// Asked of the anticipating planners: 99 % of the generated crowds. Of the 900 of seeds 31001 to 31900, on
+// which nothing was chosen, `eteb` crossed 890 (0.989). Here the first 60 of them, all of which it crosses.
 TEST(CrowdSuccess, OfTheDefaultPlannerIsBelow99Percent) {
   constexpr int kCrowds = 60;
   BenchCrowdArguments arguments;
@@ -80,7 +81,8 @@ TEST(CrowdSuccess, OfTheDefaultPlannerIsBelow99Percent) {
   arguments.json = ::testing::TempDir() + "bench_crowd_success.json";
   ASSERT_EQ(bench_crowd(arguments), 0);
   const nlohmann::json result = nlohmann::json::parse(std::ifstream(arguments.json));
-  // All of 60 and 0.989 of 900 differ by what chance makes of 60 (0.022), and that is the noise: 59 of 60 must be crossed.
+  // All of 60 and 0.989 of 900 differ by what chance makes of 60 (0.022), and that is the noise: 59 of 60
+  // must be crossed.
   bw::test::expect_at_least(
       "share of crowds crossed",
       {.asked = 0.99, .measured = 1.0, .noise = bw::test::binomial_noise(0.989, kCrowds)},
@@ -119,8 +121,8 @@ TEST(BenchCrowd, SeveralPlannersAreAListOfResults) {
   EXPECT_EQ(result["planners"][0]["summary"]["episodes"], 1);
 }
 
-// Two densities, and people who go straight on or react: four crowds, the same discs in all, planners paired in each. The first is
-// what it is alone.
+// Two densities, and people who go straight on or react: four crowds, the same discs in all, planners paired
+// in each. The first is what it is alone.
 TEST(BenchCrowd, DenseCrowdsOfSeveralKinds) {
   BenchCrowdArguments arguments;
   arguments.first_seed = 5001;
@@ -145,8 +147,8 @@ TEST(BenchCrowd, DenseCrowdsOfSeveralKinds) {
   EXPECT_EQ(without_times(one["planners"][0]), without_times(all["crowds"][0]["planners"][0]));
 }
 
-// `orca` is touched in this crowd: its report shows the contact and the motion that a search found. If it is not any more, another
-// scene is needed.
+// `orca` is touched in this crowd: its report shows the contact and the motion that a search found. If it is
+// not any more, another scene is needed.
 TEST(BenchCrowd, PicturesOfFailures) {
   nlohmann::ordered_json report;
   BenchCrowdArguments arguments;
@@ -198,8 +200,8 @@ TEST(BenchCrowd, RefusesToDriveNothing) {
   EXPECT_THROW(bench_crowd(arguments), std::runtime_error);
 }
 
-// What is written is enough to judge the drive again: the applied velocity, integrated by the rule of the README, leads
-// from each pose to the next, and is the command within what one period may change.
+// What is written is enough to judge the drive again: the applied velocity, integrated by the rule of the
+// README, leads from each pose to the next, and is the command within what one period may change.
 TEST(BenchCrowd, SamplesSayWhatWasDriven) {
   BenchCrowdArguments arguments;
   arguments.scene = "seed1_";
@@ -245,7 +247,8 @@ TEST(BenchCrowd, SaysUnderWhichConditions) {
   EXPECT_EQ(conditions["limits"]["v_max"], 1.0);
 }
 
-// The start of a cycle lies on the plan of the one before, replan_period on, and the last plan is the one that is judged.
+// The start of a cycle lies on the plan of the one before, replan_period on, and the last plan is the one
+// that is judged.
 TEST_F(SharedScenes, TebSamplesAreEveryCycle) {
   BenchTebArguments arguments;
   arguments.scenes = folder_ + "teb_scenes.yaml";
@@ -275,7 +278,8 @@ TEST_F(SharedScenes, TebSamplesAreEveryCycle) {
   }
 }
 
-// A finer band has a lower time term: it is told that its cost does not compare, and what it would be at dt_ref.
+// A finer band has a lower time term: it is told that its cost does not compare, and what it would be at
+// dt_ref.
 TEST_F(SharedScenes, OtherIntervalsAreMarkedAsNotComparable) {
   BenchTebArguments arguments;
   arguments.scenes = folder_ + "teb_scenes.yaml";

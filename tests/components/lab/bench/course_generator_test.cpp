@@ -20,8 +20,8 @@ CourseWorld world_of(const std::filesystem::path& file) {
   return world;
 }
 
-// An empty field: two side walls of 0.15 m cells, 30 + 30 of 900 cells filled, the way 10 m straight on; 2.175 m to the middle of
-// either wall, less a cylinder's radius.
+// An empty field: two side walls of 0.15 m cells, 30 + 30 of 900 cells filled, the way 10 m straight on;
+// 2.175 m to the middle of either wall, less a cylinder's radius.
 TEST(CourseMeasures, OfAnEmptyFieldAreThoseOfItsWalls) {
   CourseWorld world;
   for (int along = -34; along < kCourseSide; ++along) {

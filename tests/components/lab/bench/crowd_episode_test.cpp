@@ -96,7 +96,8 @@ std::vector<JudgedContact> judged_drive(const std::vector<SceneObstacle>& obstac
   return judge_crowd(scene, file, drive_crowd(scene, file, planner, no_time));
 }
 
-// The robot reaches 1 m/s after 0.5 s and 0.3 m. A disc at 6 m is touched at 5.4 m, and half a metre is enough to stop.
+// The robot reaches 1 m/s after 0.5 s and 0.3 m. A disc at 6 m is touched at 5.4 m, and half a metre is
+// enough to stop.
 TEST(CrowdVerdict, ADiscInTheWayCouldBeAvoided) {
   const std::vector<JudgedContact> judged = judged_drive({{{6.0, 0.0}, 0.3, {0.0, 0.0}}}, 1.0);
   ASSERT_EQ(judged.size(), 1U);
@@ -130,8 +131,8 @@ std::vector<Vector2> after_ten_seconds(const Scene& scene, WalkersManner walkers
   return places;
 }
 
-// Who goes straight on is where the formula says and sees no robot; who reacts walks otherwise beside another robot, and the same beside
-// the same. Static discs stay.
+// Who goes straight on is where the formula says and sees no robot; who reacts walks otherwise beside another
+// robot, and the same beside the same. Static discs stay.
 TEST(CrowdPeople, WhoReactsSeesTheRobot) {
   const Scene scene = generate_dense_crowd_scene(5001, 0.3);
   const SceneBox box = crowd_rules().closed_loop->box;
@@ -150,7 +151,8 @@ TEST(CrowdPeople, WhoReactsSeesTheRobot) {
   }
 }
 
-// ORCA keeps them apart: discs of 0.3 m whose centres come no nearer than 0.6 m, less what discs that trust each other within 0.1 s overlap.
+// ORCA keeps them apart: discs of 0.3 m whose centres come no nearer than 0.6 m, less what discs that trust
+// each other within 0.1 s overlap.
 TEST(CrowdPeople, WhoWalksByOrcaTouchesNobody) {
   const Scene scene = generate_dense_crowd_scene(5001, 0.3);
   CrowdPeople people(scene, rule_of(WalkersManner::orca));
@@ -166,7 +168,8 @@ TEST(CrowdPeople, WhoWalksByOrcaTouchesNobody) {
   EXPECT_GT(nearest, 0.58);
 }
 
-// The walks of who reacts are kept for the verdict, from the start to the end; a recorded drive is the same drive.
+// The walks of who reacts are kept for the verdict, from the start to the end; a recorded drive is the same
+// drive.
 TEST(CrowdEpisode, KeepsTheWalksOfWhoReacts) {
   SceneFile file = crowd_rules();
   file.closed_loop->timeout = 5.0;

@@ -1,5 +1,5 @@
-// CrowdNav's scenes and rules. The rows of all 500 cases are those of an implementation of its own, made before this one from the same
-// description, in another language.
+// CrowdNav's scenes and rules. The rows of all 500 cases are those of an implementation of its own, made
+// before this one from the same description, in another language.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -118,7 +118,8 @@ CrowdNavScene empty_floor() {
   return scene;
 }
 
-// Speed rises by 2 acc_max 0.1 s = 0.2 m/s per period: 0.3 m after 0.5 s, then 1 m/s. From -4 m to within 0.3 m of 4 m: 7.7 m after
+// Speed rises by 2 acc_max 0.1 s = 0.2 m/s per period: 0.3 m after 0.5 s, then 1 m/s. From -4 m to within 0.3
+// m of 4 m: 7.7 m after
 // 7.9 s, and the step that ends at 8 s is the first to end there.
 TEST(CrowdNavEpisode, OfAPlannerEndsWithTheStepThatReachesTheGoal) {
   ConstantPlanner planner({1.0, 0.0});
@@ -141,7 +142,8 @@ TEST(CrowdNavEpisode, EndsAfterTheStepThatBeginsASecondBeforeTheLimit) {
   EXPECT_EQ(planner.times.size(), 243u) << "97 steps: 24.25 s";
 }
 
-// Somebody walks at 1 m/s from 3 m ahead through the robot, which stands: their discs touch after 2.4 s, in the step that ends at 2.5 s.
+// Somebody walks at 1 m/s from 3 m ahead through the robot, which stands: their discs touch after 2.4 s, in
+// the step that ends at 2.5 s.
 TEST(CrowdNavEpisode, SeesAContactWithinAStep) {
   CrowdNavScene scene = empty_floor();
   scene.people[0] = {{0.0, -1.0}, {0.0, -9.0}};
@@ -177,8 +179,8 @@ TEST(CrowdNavEpisode, SeesAContactWithinAStep) {
             CrowdNavOutcome::timeout);
 }
 
-// The same rule on a base that has to turn, first 30 cases: measured 29 and 28 with an invisible robot, 30 and 30 with a visible one. One less
-// may come of rounding.
+// The same rule on a base that has to turn, first 30 cases: measured 29 and 28 with an invisible robot, 30
+// and 30 with a visible one. One less may come of rounding.
 TEST(CrowdNavEpisode, OfThePlannerOrcaIsAsMeasured) {
   struct Count {
     CrowdNavCrossing crossing;

@@ -10,7 +10,8 @@
 namespace bw {
 namespace {
 
-// Binomial sums by hand: 2 (1 + 7) / 2^7; 2 / 2^5; 2 (1 + 12 + 66) / 2^12; both sides of an even count are more than all.
+// Binomial sums by hand: 2 (1 + 7) / 2^7; 2 / 2^5; 2 (1 + 12 + 66) / 2^12; both sides of an even count are
+// more than all.
 TEST(McNemar, IsTheTwoSidedBinomial) {
   EXPECT_NEAR(mcnemar_p(1, 6), 0.125, 1e-12);
   EXPECT_NEAR(mcnemar_p(6, 1), 0.125, 1e-12);
@@ -19,7 +20,8 @@ TEST(McNemar, IsTheTwoSidedBinomial) {
   EXPECT_EQ(mcnemar_p(3, 3), 1.0);
   EXPECT_EQ(mcnemar_p(0, 0), 1.0);
   EXPECT_EQ(mcnemar_p(2000, 2000), 1.0);
-  // Of many that of a normal with a step of one half: erfc((100 - 1) / sqrt(2 2000)) = 0.0269, to a hundredth of it.
+  // Of many that of a normal with a step of one half: erfc((100 - 1) / sqrt(2 2000)) = 0.0269, to a hundredth
+  // of it.
   EXPECT_NEAR(mcnemar_p(950, 1050), std::erfc(99.0 / std::sqrt(2.0 * 2000.0)), 3e-4);
 }
 
@@ -37,8 +39,9 @@ TEST(BootstrapMean, OfEqualValuesHasNoWidth) {
   EXPECT_EQ(interval.high, 0.25);
 }
 
-// Of 200 zeros and 200 ones a resampled mean is Bin(400, 1/2) / 400: 0.5 -+ 1.96 0.025. A percentile of 10,000 samples is off by
-// sqrt(0.025 0.975 / 10000) / (density 2.34 there) = 0.0007 of a standard normal's 1; steps are 1/400.
+// Of 200 zeros and 200 ones a resampled mean is Bin(400, 1/2) / 400: 0.5 -+ 1.96 0.025. A percentile of
+// 10,000 samples is off by sqrt(0.025 0.975 / 10000) / (density 2.34 there) = 0.0007 of a standard normal's
+// 1; steps are 1/400.
 TEST(BootstrapMean, HasTheWidthOfTheBinomial) {
   std::vector<double> values(200, 0.0);
   values.resize(400, 1.0);
@@ -61,7 +64,8 @@ PairedEpisode episode(const std::string& key, bool success, double figure) {
   return {key, success, true, figure, 2.0 * figure, 3.0 * figure, 4.0 * figure};
 }
 
-// Pairs by key, whatever the order; who is in one list alone is no pair. Figures are of the one pair in which both succeeded.
+// Pairs by key, whatever the order; who is in one list alone is no pair. Figures are of the one pair in which
+// both succeeded.
 TEST(Compare, PairsEpisodesByKey) {
   const std::vector<PairedEpisode> first = {episode("a", true, 1.0), episode("b", true, 1.0),
                                             episode("c", false, 1.0), episode("d", false, 1.0),

@@ -77,8 +77,8 @@ TEST(Evaluate, SameSeedSameBytesAnotherSeedOthers) {
   EXPECT_EQ(hash(both, 1), hash(second, 0));
 }
 
-// One figure, the navigator's, moves planner and judge with it; a planner that is told to end its drive outside of it
-// does not. Before, all but the first of these ended without a goal reached.
+// One figure, the navigator's, moves planner and judge with it; a planner that is told to end its drive
+// outside of it does not. Before, all but the first of these ended without a goal reached.
 TEST(Evaluate, TheGoalToleranceOfTheNavigatorIsThatOfAll) {
   const auto distance = [](const std::string& set) {
     const Outcome run = evaluate(kSuites + "hallway.yaml --planners teb --episode light --seeds 3..3 " + set);
@@ -101,8 +101,8 @@ TEST(Evaluate, FailsBelowTheShareAskedFor) {
   const Outcome run = evaluate(suite + " --at-least 0.5");
   EXPECT_EQ(run.status, 1);
   EXPECT_FALSE(run.json["episodes"][0]["reached"].get<bool>());
-  // The goal of the graph is set once the pose is known, 3 s after the start: 2 s of driving from (1, 0) towards +x, a
-  // point every 0.5 s.
+  // The goal of the graph is set once the pose is known, 3 s after the start: 2 s of driving from (1, 0)
+  // towards +x, a point every 0.5 s.
   const nlohmann::json& path = run.json["episodes"][0]["robot_path"];
   ASSERT_GE(path.size(), 3U);
   ASSERT_LE(path.size(), 5U);
@@ -152,7 +152,8 @@ TEST(Evaluate, ComparesPlannersOverSeveralSuites) {
   EXPECT_EQ(run.json["suites"][1]["comparison"]["pairs"]["teb"]["pairs"], 1);
 }
 
-// Two conditions, two departures (the pose is known after 3 s): four drives in two pairs; summed up again from the file they are the same.
+// Two conditions, two departures (the pose is known after 3 s): four drives in two pairs; summed up again
+// from the file they are the same.
 TEST(Evaluate, PairsConditionsAndDepartures) {
   const std::string suite = (folder() / "short.yaml").string();
   std::ofstream(suite)
@@ -176,8 +177,8 @@ TEST(Evaluate, PairsConditionsAndDepartures) {
   EXPECT_EQ(again.json["summary"]["dwa alone later"], run.json["summary"]["dwa alone"]);
 }
 
-// However an evaluation ends before its time, its file says how far it came. Twenty drives of 5 s are planned; the
-// signal comes after the first is reported, many drives before the end.
+// However an evaluation ends before its time, its file says how far it came. Twenty drives of 5 s are
+// planned; the signal comes after the first is reported, many drives before the end.
 class EndedEvaluation : public ::testing::TestWithParam<int> {};
 
 TEST_P(EndedEvaluation, LeavesAFileThatSaysItIsIncomplete) {

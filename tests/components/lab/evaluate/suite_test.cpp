@@ -135,8 +135,9 @@ EpisodeResult drive(const std::string& name, bool reached, int contacts, int at_
             {{"name", "teb"}, {"mean_ms", 10.0 * index}, {"p95_ms", 20.0 * index}, {"max_ms", 50.0}}}}};
 }
 
-// A contact is a failure, of a standing robot too, and so is a goal not reached. Wilson 95 % of 1 of 4 is 0.0456 to 0.6994 (z = 1.96:
-// (0.25 + 0.4802 -+ 1.96 sqrt(0.046875 + 0.06002)) / 1.9604 by hand). Beside it: two reached it without a contact at speed.
+// A contact is a failure, of a standing robot too, and so is a goal not reached. Wilson 95 % of 1 of 4 is
+// 0.0456 to 0.6994 (z = 1.96: (0.25 + 0.4802 -+ 1.96 sqrt(0.046875 + 0.06002)) / 1.9604 by hand). Beside it:
+// two reached it without a contact at speed.
 TEST(SuiteReport, SumsUpByPlanner) {
   const SuiteResult result{"suite.yaml",
                            {drive("a", true, 0, 0, 0.1), drive("b", true, 1, 0, 0.2),
@@ -184,8 +185,8 @@ nlohmann::json contact(const char* who, bool begins_mid_floor) {
           {"lost_since_s", 2.6}};
 }
 
-// Of four drives three succeed and one could not: 3 of 4, and 3 of 3 where possible. Wilson 95 % of 3 of 3: from
-// 1 / (1 + z^2 / 3) = 0.4385 on.
+// Of four drives three succeed and one could not: 3 of 4, and 3 of 3 where possible. Wilson 95 % of 3 of 3:
+// from 1 / (1 + z^2 / 3) = 0.4385 on.
 TEST(SuiteReport, TellsSuccessWhereItWasPossible) {
   EpisodeResult lost = drive("lost", true, 2, 1, 0.6);
   lost.card["possible"] = false;
@@ -213,7 +214,8 @@ TEST(SuiteReport, TellsSuccessWhereItWasPossible) {
   EXPECT_NE(words.find("contacts in suite of teb: 1 person_behind, 1 mid_floor"), std::string::npos) << words;
 }
 
-// Two suites of two episodes; by own senses the second of each fails: two pairs of four are the first's alone, p = 2 / 2^2.
+// Two suites of two episodes; by own senses the second of each fails: two pairs of four are the first's
+// alone, p = 2 / 2^2.
 TEST(SuiteReport, ComparesPlannersAndConditionsByEpisodeAndSeed) {
   const auto by = [](const std::string& name, const std::string& planner, bool reached) {
     EpisodeResult result = drive(name, reached, 0, 0, reached ? 0.1 : 0.6);

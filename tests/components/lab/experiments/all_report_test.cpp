@@ -58,8 +58,9 @@ TEST(AllReport, TheExitStatusAsksForEveryPart) {
   EXPECT_FALSE(nothing_missed(run.parts));
 }
 
-// `reproduced` in results.json is what a script may rely on: every criterion of every part was judged and is met. A part that is met in
-// part or not judged, and one without any criteria, is none of that, although nothing is missed.
+// `reproduced` in results.json is what a script may rely on: every criterion of every part was judged and is
+// met. A part that is met in part or not judged, and one without any criteria, is none of that, although
+// nothing is missed.
 TEST(AllReport, ReproducedSaysThatEverythingWasJudgedAndMet) {
   const auto json = [](const std::vector<std::vector<Criterion>>& criteria) {
     return all_json(run_of(criteria));

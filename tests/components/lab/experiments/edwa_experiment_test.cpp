@@ -116,7 +116,8 @@ TEST(EdwaExperiment, EdwaReachesTheGoalWithoutContactAndDwaDoesNotAlways) {
   EXPECT_GT(dwa_contacts, 0) << "plain DWA takes crossing robots for standing ones";
 }
 
-// Table 3.2 has gains of 0.01 m/s and more in every scene. DWA robots that reach the goal at all are as fast here.
+// Table 3.2 has gains of 0.01 m/s and more in every scene. DWA robots that reach the goal at all are as fast
+// here.
 TEST(EdwaExperiment, TheGainOverDwaFallsShort) {
   EdwaExperimentOptions options;
   options.last_seed = 3;
@@ -124,7 +125,8 @@ TEST(EdwaExperiment, TheGainOverDwaFallsShort) {
   const auto gain = std::find_if(criteria.begin(), criteria.end(),
                                  [](const Criterion& c) { return c.name.starts_with("smallest gain"); });
   ASSERT_NE(gain, criteria.end());
-  // Noise: each of the two means is of three seeds, and one that is another by 0.003 m/s moves it by 0.001; two in each.
+  // Noise: each of the two means is of three seeds, and one that is another by 0.003 m/s moves it by 0.001;
+  // two in each.
   bw::test::expect_at_least("smallest gain of EDWA over DWA in a scene [m/s]",
                             {.asked = 0.01, .measured = -0.0161, .noise = 0.002}, gain->measured);
 }

@@ -43,7 +43,8 @@ std::map<std::string, std::string> files_in(const std::filesystem::path& folder)
   return files;
 }
 
-// A quick run has two drives of each of five pairs in two hallways; a shard 1/10 of it the first one in each hallway.
+// A quick run has two drives of each of five pairs in two hallways; a shard 1/10 of it the first one in each
+// hallway.
 TEST(ReproduceVerb, GoesOnWhereItWasKilled) {
   const Folder folder;
   const auto kept = folder / "navigation/kept";

@@ -68,7 +68,8 @@ TEST(FailureCause, RecordingsThatBeginOrEndInMidFloorStandApart) {
   EXPECT_EQ(cause_of(straight_drive(0.0, straight), record, true).cause, FailureCause::mid_floor);
 }
 
-// They came at 8.35 s, between two moments, and turned at 9 s: straight on from 8.8 s on they would be at (0, 0) after 10 s.
+// They came at 8.35 s, between two moments, and turned at 9 s: straight on from 8.8 s on they would be at (0,
+// 0) after 10 s.
 TEST(FailureCause, WhoCameLaterIsHeldAgainstTheirFirstSteps) {
   ContactRecord record = contact(10.0, WhoHit::person_side);
   record.there_since = 8.35;

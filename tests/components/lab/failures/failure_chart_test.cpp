@@ -10,7 +10,8 @@ namespace {
 constexpr double kSpeed = 0.5;    // [m/s] of the robot, along x
 constexpr double kContact = 8.0;  // [s]
 
-/// The robot drives along x for 10 s; person 7 comes from the side and touches it at 8 s; person 9 stands far away.
+/// The robot drives along x for 10 s; person 7 comes from the side and touches it at 8 s; person 9 stands far
+/// away.
 RunRecording recording() {
   RunRecording drive;
   drive.robot = Footprint{0.3, {}};
@@ -53,8 +54,8 @@ const report::Mark* mark(const report::Chart& chart, const std::string& label) {
   return found == chart.marks.end() ? nullptr : &*found;
 }
 
-// Of the robot's way 5.5 to 8 s stand out (a second before the motion that is known); the motion is 6.5 s of 0.25 m/s long;
-// the person's last 4 s are 4 m.
+// Of the robot's way 5.5 to 8 s stand out (a second before the motion that is known); the motion is 6.5 s of
+// 0.25 m/s long; the person's last 4 s are 4 m.
 TEST(FailureChart, HasTheWaysInMetres) {
   const report::Chart chart = failure_chart(recording(), contact());
   EXPECT_TRUE(chart.is_floor);

@@ -1,5 +1,6 @@
-// The drawings that the theory pages show are those that the algorithms draw today: same elements, numbers within 0.3 px (what a pose may
-// differ by from one mathematical library to another). After a change that means to: `bandwagon-lab figures`.
+// The drawings that the theory pages show are those that the algorithms draw today: same elements, numbers
+// within 0.3 px (what a pose may differ by from one mathematical library to another). After a change that
+// means to: `bandwagon-lab figures`.
 #include <cctype>
 #include <cmath>
 #include <cstdlib>

@@ -40,8 +40,8 @@ TEST(CalibrationError, OfFourScoresByHand) {
 }
 
 TEST(Classifier, KnowsLegsAndBodiesInRoomsItHasNotSeen) {
-  // classifier_report.txt, 150 rooms: areas of 0.952 and 0.963, calibration error of humans 0.02 or less. How many
-  // thin legs of people and of chairs twenty rooms hold moves them.
+  // classifier_report.txt, 150 rooms: areas of 0.952 and 0.963, calibration error of humans 0.02 or less. How
+  // many thin legs of people and of chairs twenty rooms hold moves them.
   const std::vector<Sample> samples = collect({.first_seed = 500'000, .rooms = rooms_or(20), .seconds = 8.0});
   std::vector<HumanScores> scores;
   std::vector<double> legs;

@@ -14,7 +14,8 @@ TEST(DeadMan, StandsUntilAKeyAnd200MsAfterTheLast) {
   hand.press(kStart, {.forward = 1});
   EXPECT_EQ(hand.twist(after(199)), (Twist2{0.2, 0.0})) << "half of 0.4: it begins with 50 %";
   EXPECT_EQ(hand.twist(after(200)), Twist2{});
-  // Held, the keyboard repeats it from 500 ms on every 33 ms: without a gap from there, and 200 ms beyond the last.
+  // Held, the keyboard repeats it from 500 ms on every 33 ms: without a gap from there, and 200 ms beyond the
+  // last.
   for (int ms = 500; ms <= 797; ms += 33) {
     hand.press(after(ms), {.forward = 1});
     EXPECT_TRUE(hand.is_driving(after(ms + 32)));

@@ -1,4 +1,5 @@
-// Boards that do what they are told, and others. Counts every 25 ms, commands every 50 ms, a wheel of 3.32 mm a count (144 to a turn).
+// Boards that do what they are told, and others. Counts every 25 ms, commands every 50 ms, a wheel of 3.32 mm
+// a count (144 to a turn).
 #include "components/robot_base/eddie/command_check.hpp"
 
 #include <algorithm>
@@ -60,7 +61,8 @@ TEST(EddieCommandCheck, ABoardThatObeysContradictsNothing) {
   EXPECT_EQ(drive(ahead, {0.0, 0.0}, 20.0).said, "");  // stalled: not this one's affair
 }
 
-// Twice of 0.4 m/s is beyond 1.5 * 0.4 + 0.083 = 0.68 m/s, which the mean over 0.2 s passes within 0.05 + 0.8 / 3 + 0.1 s; three readings.
+// Twice of 0.4 m/s is beyond 1.5 * 0.4 + 0.083 = 0.68 m/s, which the mean over 0.2 s passes within 0.05 + 0.8
+// / 3 + 0.1 s; three readings.
 TEST(EddieCommandCheck, TwiceTheSpeedIsTheOtherUnit) {
   const Course course = drive(ahead, {2.0, 2.0}, 5.0);
   EXPECT_THAT(course.said, HasSubstr("per half second"));

@@ -91,8 +91,8 @@ TEST(Eddie, CountsThatJumpAreToldForASecond) {
 }
 
 // 0x10 is not far from 0, and a second is long: by the counts alone it could have driven there.
-// One bit of one answer to DIST, each of them in turn, while the robot stands: what makes another count of it is told as a fault or is
-// within what wheels can turn, and odometry stays within that.
+// One bit of one answer to DIST, each of them in turn, while the robot stands: what makes another count of it
+// is told as a fault or is within what wheels can turn, and odometry stays within that.
 TEST(Eddie, AFlippedBitOfDistMovesNoStandingRobot) {
   const std::string sound = "00000000 00000000\r";
   const Robot robot = eddie_robot();
@@ -221,9 +221,10 @@ TEST(Eddie, ASilentCableIsToldInWords) {
   EXPECT_THAT(bench.steps(150).link.fault, HasSubstr("switched on"));
 }
 
-// Both wheels at 0.3 m/s all the time, 3.3 mm a count. Whenever the host does nothing for a quarter of a second, the counts that it takes are
-// of the moments that they are stamped with, but for half an exchange of 10 ms (1.5 mm) and a count: 0.02 s of driving. Taken in the
-// middle of a quarter of a second, an answer would be 0.12 s off.
+// Both wheels at 0.3 m/s all the time, 3.3 mm a count. Whenever the host does nothing for a quarter of a
+// second, the counts that it takes are of the moments that they are stamped with, but for half an exchange of
+// 10 ms (1.5 mm) and a count: 0.02 s of driving. Taken in the middle of a quarter of a second, an answer
+// would be 0.12 s off.
 TEST(Eddie, CountsThatLayWhileTheHostWasHeldUpAreNotTaken) {
   constexpr double kSpeed = 0.3, kCount = 0.0033;
   for (int before = 0; before < 12; ++before) {

@@ -58,8 +58,9 @@ TEST(Eddie, OneRequestAtATime) {
   for (std::size_t i = 1; i < times.size(); ++i) EXPECT_GE(times[i] - times[i - 1], 0.08 - 1e-9);
 }
 
-// 10 s of looks each 10 ms, a command that changes all the time, and one that does not. A request waits for others by a look or two: GOSPD is
-// due each 40 ms and comes within 60, DIST is due each 25 and comes within 40.
+// 10 s of looks each 10 ms, a command that changes all the time, and one that does not. A request waits for
+// others by a look or two: GOSPD is due each 40 ms and comes within 60, DIST is due each 25 and comes within
+// 40.
 TEST(Eddie, AsksEachThingAtItsRate) {
   for (const bool changes : {true, false}) {
     Bench bench;

@@ -30,9 +30,9 @@ TEST(KobukiBoardClock, TheLeastDelayedPacketSaysWhatIsAdded) {
   EXPECT_NEAR(time_ms(clock, 90.0, 1060), 85.0, 0.1);
 }
 
-// 200 s, three wraps of 65.536 s; the board's clock is fast or slow by 100 ppm; packets are 2 ms on the line, one in five is late by up to
-// 40 ms, and the host looks every 10 ms. So a time is later than the truth by 2 ms to 2 + 10 ms, and by what the offset rises until a
-// packet is not late.
+// 200 s, three wraps of 65.536 s; the board's clock is fast or slow by 100 ppm; packets are 2 ms on the line,
+// one in five is late by up to 40 ms, and the host looks every 10 ms. So a time is later than the truth by 2
+// ms to 2 + 10 ms, and by what the offset rises until a packet is not late.
 TEST(KobukiBoardClock, FollowsAClockThatDriftsThroughWrapsAndDelays) {
   for (const double drift : {1e-4, -1e-4}) {
     std::mt19937 random(7);

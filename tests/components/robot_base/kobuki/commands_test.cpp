@@ -60,8 +60,9 @@ WheelSpeeds firmware(const SpeedAndRadius& motion) {
   return to_wheel_speeds({w * r, w}, kSeparation);
 }
 
-// The outer wheel's speed is cut to 1 mm/s. The radius is cut to 1 mm, which moves the inner wheel by w * 2h / (|r| + h) for each mm,
-// h = b / 2: at most 4.2 * 0.230 / 0.117 = 8.3 mm/s from 2 mm on. Below, 1 would mean in place.
+// The outer wheel's speed is cut to 1 mm/s. The radius is cut to 1 mm, which moves the inner wheel by w * 2h
+// / (|r| + h) for each mm, h = b / 2: at most 4.2 * 0.230 / 0.117 = 8.3 mm/s from 2 mm on. Below, 1 would
+// mean in place.
 TEST(KobukiCommands, TheFirmwareTurnsTheWheelsAsTold) {
   std::mt19937 random(16);
   std::uniform_real_distribution<double> v(-0.7, 0.7), w(-4.2, 4.2);

@@ -9,9 +9,11 @@
 namespace bw::kobuki {
 namespace {
 
-// Stamp 0x1234 = 4660 ms; bumper 4 left, drop 2 left, cliff 1 right; encoders FFFE = -2 and 0102 = 258; pwm -5 and 7; button 2; charger
-// 22; 0xA1 = 161, 16.1 V; overcurrent right. Length 17 = 11. Checksum, pair by pair:
-//   11^01=10, ^0F=1F, ^34=2B, ^12=39, ^04=3D, ^02=3F, ^01=3E, ^FE=C0, ^FF=3F, ^02=3D, ^01=3C, ^FB=C7, ^07=C0, ^02=C2, ^16=D4, ^A1=75, ^02=77
+// Stamp 0x1234 = 4660 ms; bumper 4 left, drop 2 left, cliff 1 right; encoders FFFE = -2 and 0102 = 258; pwm
+// -5 and 7; button 2; charger 22; 0xA1 = 161, 16.1 V; overcurrent right. Length 17 = 11. Checksum, pair by
+// pair:
+//   11^01=10, ^0F=1F, ^34=2B, ^12=39, ^04=3D, ^02=3F, ^01=3E, ^FE=C0, ^FF=3F, ^02=3D, ^01=3C, ^FB=C7, ^07=C0,
+//   ^02=C2, ^16=D4, ^A1=75, ^02=77
 TEST(KobukiFeedback, CoreByHand) {
   const Bytes bytes = {0xAA, 0x55, 0x11, 0x01, 0x0F, 0x34, 0x12, 0x04, 0x02, 0x01, 0xFE,
                        0xFF, 0x02, 0x01, 0xFB, 0x07, 0x02, 0x16, 0xA1, 0x02, 0x77};

@@ -296,8 +296,8 @@ TEST_F(KobukiOnACable, StopWritesAtOnceAndToleratesAMissingCable) {
   EXPECT_EQ(wire_.from_host.size(), 1U);
 }
 
-// The firmware goes by wheels of 35 mm. On wheels of 40 and 28 mm, 0.2 m/s are 175 and 250 mm/s to it: v = 212.5 mm/s,
-// w = 75 / 230 rad/s, r = 651.67 mm, (r + 115) * w = 250 mm/s.
+// The firmware goes by wheels of 35 mm. On wheels of 40 and 28 mm, 0.2 m/s are 175 and 250 mm/s to it: v =
+// 212.5 mm/s, w = 75 / 230 rad/s, r = 651.67 mm, (r + 115) * w = 250 mm/s.
 TEST(Kobuki, WheelsOfAnotherSizeAreToldOtherSpeeds) {
   ScriptedLink::Wire wire;
   Kobuki kobuki({}, {0.040, 0.028}, std::make_unique<ScriptedLink>(wire));

@@ -1,4 +1,5 @@
-// Packets of a Kobuki put together for tests, by the table of the protocol and not by the code that is tested.
+// Packets of a Kobuki put together for tests, by the table of the protocol and not by the code that is
+// tested.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Files and folders that are no bags, or not ours: each is refused in words that name the place, or read as far as it is
-// sound. Expected offsets are those at which the test did the damage.
+// Files and folders that are no bags, or not ours: each is refused in words that name the place, or read as
+// far as it is sound. Expected offsets are those at which the test did the damage.
 #include <functional>
 
 #include <fcntl.h>

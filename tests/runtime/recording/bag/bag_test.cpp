@@ -118,7 +118,8 @@ TEST(SqliteBag, AViewIsNoTable) {
               HasSubstr(view));
 }
 
-/// An inner page of a table (SQLite's file format, section 1.6) of 512 bytes whose 51 children are all the same page.
+/// An inner page of a table (SQLite's file format, section 1.6) of 512 bytes whose 51 children are all the
+/// same page.
 std::string page_to(std::uint8_t child) {
   std::string page(512, '\0');
   page[0] = 5;
@@ -221,8 +222,8 @@ TEST(BagMetadata, ReadsBackWhatItWrites) {
   EXPECT_EQ(read.ros_distro, "humble");
 }
 
-// What `ros2 bag info` of Jazzy looks for, by the keys that rosbag2_storage/yaml.hpp (branch jazzy) demands from version 6 and
-// from version 8 on.
+// What `ros2 bag info` of Jazzy looks for, by the keys that rosbag2_storage/yaml.hpp (branch jazzy) demands
+// from version 6 and from version 8 on.
 TEST(BagMetadata, HasTheKeysOfItsVersion) {
   const std::string text = to_yaml({.ros_distro = "jazzy"});
   EXPECT_THAT(text, HasSubstr("\n  version: 8\n"));

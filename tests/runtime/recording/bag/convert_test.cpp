@@ -1,4 +1,5 @@
-// A bag written again, and what a look at every byte finds. Expected messages are those of the bag it was made from.
+// A bag written again, and what a look at every byte finds. Expected messages are those of the bag it was
+// made from.
 #include "runtime/recording/bag/convert.hpp"
 
 #include <gmock/gmock.h>

@@ -77,7 +77,8 @@ TEST(EventWatch, AllConditionsMustBeginToHold) {
 
 TEST(EventWatch, ACounterRises) {
   const std::vector<EventCondition> contact = {{.field = "contacts", .rule = EventRule::rises}};
-  // What was there before the first message is nobody's event; each rise is one, a counter that begins again is none.
+  // What was there before the first message is nobody's event; each rise is one, a counter that begins again
+  // is none.
   EXPECT_EQ(
       events(contact, std::vector{truth(2), truth(2), truth(3), truth(5), truth(5), truth(0), truth(1)}),
       (std::vector{false, false, true, true, false, false, true}));

@@ -1,4 +1,5 @@
-// Snapshots: what they begin and end with, and what happens when the disk does not play along. Times are those recorded.
+// Snapshots: what they begin and end with, and what happens when the disk does not play along. Times are
+// those recorded.
 #include "runtime/recording/bag/flight_recorder.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Types of a bag against those of the build. The texts are as ROS 2's packages have them: comments, defaults, constants.
+// Types of a bag against those of the build. The texts are as ROS 2's packages have them: comments, defaults,
+// constants.
 #include "runtime/recording/bag/known_type.hpp"
 
 #include <gmock/gmock.h>

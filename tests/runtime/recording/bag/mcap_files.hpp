@@ -106,7 +106,8 @@ inline std::string content_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// A new file each time: file systems make sure that one that is written over reaches the disk, which takes its time.
+/// A new file each time: file systems make sure that one that is written over reaches the disk, which takes
+/// its time.
 inline void write_content(const std::filesystem::path& path, std::string_view content) {
   std::filesystem::remove(path);
   std::ofstream(path, std::ios::binary | std::ios::trunc) << content;

@@ -1,5 +1,5 @@
-// MCAP files: what is written is read back, in order, whole or cut. Expected values are what was written, and the
-// tables of the MCAP specification.
+// MCAP files: what is written is read back, in order, whole or cut. Expected values are what was written, and
+// the tables of the MCAP specification.
 #include <algorithm>
 
 #include <gmock/gmock.h>

@@ -1,5 +1,6 @@
-// Bags that were cut and mutated: whatever they hold, they are read as far as they can be, or refused in words. Nothing
-// crashes, nothing is allocated from a length that nobody checked, and no message is given out that was not written.
+// Bags that were cut and mutated: whatever they hold, they are read as far as they can be, or refused in
+// words. Nothing crashes, nothing is allocated from a length that nobody checked, and no message is given out
+// that was not written.
 //
 //   BANDWAGON_BAG_MUTATIONS=20000 build/asan/bin/test_bag_bad_input       the full count
 #include <algorithm>
@@ -20,7 +21,8 @@
 namespace bw::bag {
 namespace {
 
-// The window in which recovery looks for chunks and the first step of decompression are 1 MiB. Files here have 20 kB.
+// The window in which recovery looks for chunks and the first step of decompression are 1 MiB. Files here
+// have 20 kB.
 constexpr std::size_t kMaxAtOnce = std::size_t{2} << 20;
 
 /// What a program does with a bag that it was handed. False: it was refused, in words.

@@ -285,7 +285,8 @@ TEST(Recorder, ADiskOfAMegabyteASecondGetsWhatItCanTakeAndTheRestIsCounted) {
   Recorder recorder(folder / "a.mcap", options);
   const std::size_t a = recorder.add_topic(topic("/a"));
   const std::string message(100'000, 'm');
-  // Twenty seconds in which 2 MB come and 1 MB is taken: record() returns each time, however far the disk is behind.
+  // Twenty seconds in which 2 MB come and 1 MB is taken: record() returns each time, however far the disk is
+  // behind.
   std::uint64_t sent = 0;
   for (int second = 0; second < 20; ++second) {
     for (int i = 0; i < 20; ++i, ++sent) {

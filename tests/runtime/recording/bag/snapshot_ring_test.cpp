@@ -1,4 +1,5 @@
-// What stays in memory and what goes: by age, by size, latched messages never. Expected numbers are those written.
+// What stays in memory and what goes: by age, by size, latched messages never. Expected numbers are those
+// written.
 #include "runtime/recording/bag/snapshot_ring.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-// Two logs made up here, imported by their columns files alone, with what they must give in closed form; and what
-// becomes of gaps, stamps and lines.
+// Two logs made up here, imported by their columns files alone, with what they must give in closed form; and
+// what becomes of gaps, stamps and lines.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -56,7 +56,8 @@ tables:
           pose.covariance[7]: 0.25
 )";
 
-// A circle of 2 m at 3.6 km/h, to the right: heading by compass 90 + 90 t / pi degrees, so that a quarter takes pi s.
+// A circle of 2 m at 3.6 km/h, to the right: heading by compass 90 + 90 t / pi degrees, so that a quarter
+// takes pi s.
 TEST(Import, CompassDegreesMillimetresKilometresPerHourAndMicroseconds) {
   const Tables tables;
   std::string text = "time;north;east;compass;compass_sd;speed;turn\n";
@@ -95,8 +96,8 @@ TEST(Import, CompassDegreesMillimetresKilometresPerHourAndMicroseconds) {
   EXPECT_EQ(record.at("wheel_separation"), "0.4");
 }
 
-// 1081 beams all around, 360 degrees over 1080 steps, the last beam looking where the first does; ranges in millimetres,
-// an empty cell where nothing was measured, 0 where nothing came back.
+// 1081 beams all around, 360 degrees over 1080 steps, the last beam looking where the first does; ranges in
+// millimetres, an empty cell where nothing was measured, 0 where nothing came back.
 TEST(Import, AScannerAllAroundWithGaps) {
   constexpr int kBeams = 1081;
   const Tables tables;
@@ -141,7 +142,8 @@ tables:
   EXPECT_EQ(scans[4].header().stamp().sec(), 1);
 }
 
-// The form of CARMEN: the count tells where the rest begins. 180 ranges look from -90 to 89 degrees, 361 from -90 to 90.
+// The form of CARMEN: the count tells where the rest begins. 180 ranges look from -90 to 89 degrees, 361 from
+// -90 to 90.
 TEST(Import, LinesWithAWordACountAndThatManyRanges) {
   const Tables tables;
   const auto flaser = [](int n, double range, const std::string& time) {

@@ -1,4 +1,5 @@
-// A message set by paths has the bytes of its class, for all kinds of fields; paths that lead nowhere are refused.
+// A message set by paths has the bytes of its class, for all kinds of fields; paths that lead nowhere are
+// refused.
 #include "runtime/recording/import/message_draft.hpp"
 
 #include <cmath>

@@ -81,7 +81,8 @@ TEST(OutputComparison, TolerancesHoldPerField) {
   EXPECT_NEAR(verdict.largest, 0.11, 1e-12) << "what is left out is not in it";
 }
 
-// 10 Hz, the new ones 20 ms later throughout, the second is not written now and one comes between: pairs 1, 3 and 4.
+// 10 Hz, the new ones 20 ms later throughout, the second is not written now and one comes between: pairs 1, 3
+// and 4.
 TEST(OutputComparison, ByStampTheNearestBelongTogether) {
   Comparison c(Pairing::by_stamp);
   for (const double t : {1.0, 1.1, 1.2, 1.3}) c.recorded(t, t);

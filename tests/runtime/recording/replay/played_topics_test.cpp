@@ -1,4 +1,5 @@
-// Which topics of a bag are played, and what their writers offer: by rosbag2's rules, and what is usual where nothing was recorded.
+// Which topics of a bag are played, and what their writers offer: by rosbag2's rules, and what is usual where
+// nothing was recorded.
 #include "runtime/recording/replay/played_topics.hpp"
 
 #include <functional>

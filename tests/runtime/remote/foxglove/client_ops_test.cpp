@@ -1,4 +1,5 @@
-// Every op and opcode that a client sends, well formed and not. Bytes are written down from the documented layouts.
+// Every op and opcode that a client sends, well formed and not. Bytes are written down from the documented
+// layouts.
 #include "runtime/remote/foxglove/client_ops.hpp"
 
 #include <string>

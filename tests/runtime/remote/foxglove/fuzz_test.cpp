@@ -1,4 +1,5 @@
-// Whatever a client sends, the server stays: it neither throws nor crashes, allocates out of proportion, or keeps what the client left.
+// Whatever a client sends, the server stays: it neither throws nor crashes, allocates out of proportion, or
+// keeps what the client left.
 // BANDWAGON_FOXGLOVE_FUZZ: how many messages, instead of the few of an ordinary run.
 #include <cstdlib>
 #include <random>
@@ -140,7 +141,8 @@ TEST_F(Fuzz, MutatedMessagesOfEveryKind) {
     }
   }
   server_->on_close(client);
-  // A message is 4 kB at most; what is kept of it, and the list of what the client was sent, are of that order.
+  // A message is 4 kB at most; what is kept of it, and the list of what the client was sent, are of that
+  // order.
   EXPECT_LT(largest_allocation, std::size_t{1} << 20);
   for (const auto& [channel, subscribers] : robot_.subscribers) EXPECT_EQ(subscribers, 0);
   EXPECT_TRUE(robot_.advertised.empty());

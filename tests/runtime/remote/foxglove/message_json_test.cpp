@@ -50,7 +50,8 @@ nlohmann::json json_of(const M& m) {
   return nlohmann::json::parse(message_to_json(*find_type(MessageTraits<M>::ros_name), cdr));
 }
 
-// The goal of the 3D panel: time as {sec, nsec}; with ROS 1's header where it takes the robot for one of those.
+// The goal of the 3D panel: time as {sec, nsec}; with ROS 1's header where it takes the robot for one of
+// those.
 TEST(MessageJson, APanelsGoalIsAPose) {
   const auto goal = message<PoseStamped>(
       R"({"header": {"seq": 3, "stamp": {"sec": 1700000000, "nsec": 250000000}, "frame_id": "map"},
@@ -78,7 +79,8 @@ TEST(MessageJson, WhatTheTypeDoesNotHaveIsRefusedWithItsName) {
   EXPECT_THAT(refusal<PoseStamped>("{\"pose\":"), HasSubstr("is an object of JSON"));
 }
 
-// 100,000 values and 32 levels, as in YAML: refused before memory is taken for them. A tree of 4 MB of brackets took 350 MB.
+// 100,000 values and 32 levels, as in YAML: refused before memory is taken for them. A tree of 4 MB of
+// brackets took 350 MB.
 TEST(MessageJson, TooMuchIsRefused) {
   std::string list = "0";
   for (int i = 0; i < 100'000; ++i) list += ",0";

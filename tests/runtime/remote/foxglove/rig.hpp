@@ -1,4 +1,5 @@
-// A server between a robot and sockets that are not there. What clients get is kept per client, and taken by the test.
+// A server between a robot and sockets that are not there. What clients get is kept per client, and taken by
+// the test.
 #pragma once
 
 #include <map>

@@ -1,4 +1,5 @@
-// Every op and opcode that the server sends, as the documents of the protocol have them; bytes are written down by hand.
+// Every op and opcode that the server sends, as the documents of the protocol have them; bytes are written
+// down by hand.
 #include "runtime/remote/foxglove/server_ops.hpp"
 
 #include <string>

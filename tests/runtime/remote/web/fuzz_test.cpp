@@ -1,5 +1,6 @@
-// Mutated handshakes, frames and HTTP requests: the server answers or closes, and serves the next one. BANDWAGON_WEB_FUZZ says how many, 10000
-// by default; README.md of runtime/remote/web has the command for 1000000 with sanitizers.
+// Mutated handshakes, frames and HTTP requests: the server answers or closes, and serves the next one.
+// BANDWAGON_WEB_FUZZ says how many, 10000 by default; README.md of runtime/remote/web has the command for
+// 1000000 with sanitizers.
 #include <atomic>
 #include <cstdint>
 #include <cstdio>

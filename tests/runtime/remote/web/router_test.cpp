@@ -1,4 +1,5 @@
-// Who is let in to what, on a loopback address and on another, with and without the token: each operation, each way.
+// Who is let in to what, on a loopback address and on another, with and without the token: each operation,
+// each way.
 #include "runtime/remote/web/router.hpp"
 
 #include <filesystem>
@@ -162,7 +163,8 @@ TEST_F(RouterTest, FromOtherMachinesCommandsAreOffUnlessTheyAreAllowed) {
   EXPECT_EQ(read_only(router(false, true).admit(asked)), "");
 }
 
-// On loopback everybody may read; commands need the token, whoever asks: a page of any port, the server's own, a program without Origin.
+// On loopback everybody may read; commands need the token, whoever asks: a page of any port, the server's
+// own, a program without Origin.
 TEST_F(RouterTest, OnLoopbackCommandsNeedTheRunsToken) {
   Router local = router(true);
   const std::string token = local.run_token();

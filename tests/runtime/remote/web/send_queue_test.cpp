@@ -96,7 +96,8 @@ TEST(SendQueue, OneAnswerMayBeLargerThanTheBoundIfItIsAlone) {
   EXPECT_FALSE(queue.push(text_frame("b"), always()));
 }
 
-// Against a plain model: frames stay in order, the newest of each stream and all others are there, and nothing grows beyond the bounds.
+// Against a plain model: frames stay in order, the newest of each stream and all others are there, and
+// nothing grows beyond the bounds.
 TEST(SendQueue, HoldsItsRulesForAnyOrderOfCalls) {
   std::mt19937 random(7);
   for (int round = 0; round < 200; ++round) {

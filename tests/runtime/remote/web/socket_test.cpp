@@ -209,7 +209,8 @@ TEST(Socket, DoesNotWaitForAClosingHandshake) {
   EXPECT_TRUE(client.ends());
 }
 
-// A client that reads nothing has the newest of each stream and its latched frame when it reads at last; one beside it misses nothing.
+// A client that reads nothing has the newest of each stream and its latched frame when it reads at last; one
+// beside it misses nothing.
 TEST(Socket, ASlowClientLosesOlderFramesAndDelaysNobody) {
   web::ServerOptions options;
   options.limits.queued_bytes = 1 << 20;
