@@ -84,7 +84,7 @@ class Latest {
 /// The parameters of an instance as people read them.
 struct ParameterReport {
   std::vector<ParameterRow> rows;
-  std::string yaml;  ///< reads back to the same values
+  std::string yaml;                ///< reads back to the same values
   std::vector<std::string> names;  ///< all that can be set (parameter_names)
 };
 
@@ -265,8 +265,7 @@ class Setup {
   template <class P>
   void declare_parameters(P& values, OnParameters on_change, std::vector<std::string> fixed) {
     read_into(values, parameter_section(), parameter_path());
-    keep_parameters(report_of(values, P{}),
-                    {ParameterSet(values), std::move(on_change), std::move(fixed)});
+    keep_parameters(report_of(values, P{}), {ParameterSet(values), std::move(on_change), std::move(fixed)});
   }
 
   virtual std::shared_ptr<void> keep_part(std::function<std::shared_ptr<void>(Setup&)> make) = 0;

@@ -14,7 +14,8 @@ class Folder {
   Folder()
       : path_(std::filesystem::temp_directory_path() /
               ("bandwagon_" + std::to_string(getpid()) + "_" +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name() + "_" + std::to_string(made()++))) {
+               ::testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
+               std::to_string(made()++))) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

@@ -9,8 +9,8 @@
 namespace bw {
 namespace {
 
-constexpr double kSameMoment = 0.2;         // [s]
-constexpr double kLongestGap = 0.5;         // [s] between two truths
+constexpr double kSameMoment = 0.2;        // [s]
+constexpr double kLongestGap = 0.5;        // [s] between two truths
 constexpr std::size_t kMaxWaiting = 1000;  // estimates, of a truth that is silent
 
 double mean_root(double squares, int count) {

@@ -119,9 +119,11 @@ struct LocalizationParameters {
   template <class Visitor>
   void fields(Visitor& v) {
     v("algorithm", algorithm, {.first = true, .doc = "filter in use"});
-    v("set_initial_pose", set_initial_pose, {.first = true, .doc = "start at initial_pose; otherwise find the first pose"});
+    v("set_initial_pose", set_initial_pose,
+      {.first = true, .doc = "start at initial_pose; otherwise find the first pose"});
     v("initial_pose", initial_pose, {.doc = "the pose at the start"});
-    v("start_anywhere", start_anywhere, {.first = true, .doc = "search the whole map at the start (particle filter)"});
+    v("start_anywhere", start_anywhere,
+      {.first = true, .doc = "search the whole map at the start (particle filter)"});
     v("sensors", sensors, {.doc = "what the filter listens to"});
     v("datum", datum, {.doc = "where map lies on the earth"});
     v("transform_tolerance", transform_tolerance,
@@ -135,7 +137,8 @@ struct LocalizationParameters {
        .max = 100,
        .doc = "how many times a second amcl_pose, particles and health are published"});
     v("publish_when_lost", publish_when_lost,
-      {.first = true, .doc = "go on with odometry/filtered while LOST; otherwise it stops, and with it the drive"});
+      {.first = true,
+       .doc = "go on with odometry/filtered while LOST; otherwise it stops, and with it the drive"});
     filters.fields(v);
   }
 

@@ -13,7 +13,7 @@
 namespace bw {
 
 struct ExtractionOptions {
-  double radius = 4.0;           ///< boundary cells farther than this from the robot are left out [m]
+  double radius = 4.0;  ///< boundary cells farther than this from the robot are left out [m]
   /// largest distance of a boundary cell's centre from its shape [cells] (set by code alone)
   double tolerance_cells = 0.5;
   /// smallest occupancy that is an obstacle (set by code alone)

@@ -42,7 +42,7 @@ const char* to_text(SweepFault fault) {
 SweepFault fault_of(const LaserSweep& sweep) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   constexpr double kLeastIncrement = 1e-4;  // [rad]: finer than any scanner, and a bound on the beams
-  constexpr double kMaxIncrement = 0.5;    // [rad]
+  constexpr double kMaxIncrement = 0.5;     // [rad]
   constexpr double kLongestRange = 1e4;     // [m]
   constexpr double kFarthest = 1e6;         // [m]
   const double step = std::abs(sweep.angle_increment);

@@ -23,10 +23,19 @@ struct Limits {
   void fields(Visitor& v) {
     v("v_max", v_max, {.unit = "m/s", .min = 0.01, .max = 10, .first = true, .doc = "top forward speed"});
     v("v_back_max", v_back_max,
-      {.unit = "m/s", .min = 0, .max = 10, .first = true, .doc = "top backward speed; 0 forbids driving back"});
-    v("omega_max", omega_max, {.unit = "rad/s", .min = 0.01, .max = 20, .first = true, .doc = "top turn rate"});
+      {.unit = "m/s",
+       .min = 0,
+       .max = 10,
+       .first = true,
+       .doc = "top backward speed; 0 forbids driving back"});
+    v("omega_max", omega_max,
+      {.unit = "rad/s", .min = 0.01, .max = 20, .first = true, .doc = "top turn rate"});
     v("acc_max", acc_max,
-      {.unit = "m/s^2", .min = 0.01, .max = 20, .first = true, .doc = "largest linear acceleration; lower is gentler"});
+      {.unit = "m/s^2",
+       .min = 0.01,
+       .max = 20,
+       .first = true,
+       .doc = "largest linear acceleration; lower is gentler"});
     v("alpha_max", alpha_max,
       {.unit = "rad/s^2", .min = 0.01, .max = 50, .doc = "largest angular acceleration; lower is gentler"});
     v("jerk_max", jerk_max,

@@ -49,7 +49,8 @@ struct PeopleParameters {
   template <class Visitor>
   void fields(Visitor& v) {
     v("scan_topics", scan_topics,
-      {.first = true, .doc =
+      {.first = true,
+       .doc =
            "sensor_msgs/LaserScan of the lasers at the height of legs, each with its own mount: [scan, scan_rear]; the "
            "first is the one that errors of odometry are taken from"});
     others.fields(v);

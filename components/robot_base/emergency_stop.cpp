@@ -16,8 +16,7 @@ std::string names_of(const std::vector<EmergencyStop::Pressed>& pressed) {
     if (std::ranges::find(names, name_of(button.node)) == names.end()) names.push_back(name_of(button.node));
   }
   std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMaxNames); ++i)
-    text += (i == 0 ? "" : ", ") + names[i];
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNames); ++i) text += (i == 0 ? "" : ", ") + names[i];
   if (names.size() > kMaxNames) text += " and " + std::to_string(names.size() - kMaxNames) + " more";
   return text;
 }

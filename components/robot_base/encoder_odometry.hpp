@@ -55,11 +55,11 @@ struct OdometryOptions {
 
 /// What became of a reading.
 enum class CountsStatus {
-  first,   ///< sets the reference
-  moved,   ///< integrated
-  stale,   ///< stamp not after the previous one; ignored
-  jump,    ///< further than the wheels can go; ignored
-  reset,   ///< like jump, and the counters are back near zero
+  first,  ///< sets the reference
+  moved,  ///< integrated
+  stale,  ///< stamp not after the previous one; ignored
+  jump,   ///< further than the wheels can go; ignored
+  reset,  ///< like jump, and the counters are back near zero
   rebased  ///< second reading that agrees with a jump or reset, or the first after begin_anew(): the new reference
 };
 

@@ -13,7 +13,7 @@ namespace bw::safety {
 namespace {
 
 constexpr double kRestSpeed = 0.02;  // [m/s]: slower is at rest, and no speed worth driving
-constexpr double kTurning = 0.02;   // [rad/s]: the same of a turn
+constexpr double kTurning = 0.02;    // [rad/s]: the same of a turn
 
 std::string_view cause_of(LaserState state) {
   if (state == LaserState::silent) return kLaserSilent;
@@ -219,7 +219,8 @@ Verdict CollisionMonitor::judge_command(Time now, const Twist2& wanted, const Ah
   // hard.
   if (std::abs(twist_.v) > std::abs(wanted.v) + kRestSpeed) {
     const double speed = rule_speed(twist_, ahead, std::abs(twist_.v));
-    if (std::abs(twist_.v) > speed + kRestSpeed) return {verdict.allowed, Action::approach, kStoppingDistance};
+    if (std::abs(twist_.v) > speed + kRestSpeed)
+      return {verdict.allowed, Action::approach, kStoppingDistance};
   }
   return verdict;
 }

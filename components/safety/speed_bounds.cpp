@@ -14,8 +14,9 @@ namespace bw::safety {
 namespace {
 
 constexpr double kShortestLever = 1e-3;
-constexpr double kFreely = 0.9;      // share of the sector of travel that must be covered
-constexpr double kSwings = 0.01;     // [m]: what of an outline lies no farther out than its inner disc does not swing
+constexpr double kFreely = 0.9;  // share of the sector of travel that must be covered
+constexpr double kSwings =
+    0.01;  // [m]: what of an outline lies no farther out than its inner disc does not swing
 constexpr double kSwingStep = 0.05;  // [m]
 
 bool covers(const std::vector<Vector2>& corners, const Vector2& p) {

@@ -105,7 +105,8 @@ struct WorldOptions {
     v("walls", walls, {.doc = "thin walls"});
     v("boxes", boxes, {.doc = "boxes that stand about"});
     v("people_react", people_react,
-      {.first = true, .doc = "walkers see the robots and keep clear of them; claims on safety only with false"});
+      {.first = true,
+       .doc = "walkers see the robots and keep clear of them; claims on safety only with false"});
     v("people", people, {.doc = "who walks where"});
     v("drive", drive, {.doc = "wheels and encoders"});
     v("laser", laser, {.doc = "laser scanner"});

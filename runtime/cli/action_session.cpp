@@ -39,10 +39,12 @@ std::int64_t sent(std::optional<std::int64_t> request) {
 ActionSession::ActionSession(dds::Participant& participant, const std::string& action,
                              const ActionLayout& layout)
     : id_(random_id()),
-      send_goal_(participant, action + "/_action/send_goal", layout.send_goal(), [this] { notifier_.ring(); }),
+      send_goal_(participant, action + "/_action/send_goal", layout.send_goal(),
+                 [this] { notifier_.ring(); }),
       cancel_goal_(participant, action + "/_action/cancel_goal", service_type<CancelGoal>(),
                    [this] { notifier_.ring(); }),
-      get_result_(participant, action + "/_action/get_result", layout.get_result(), [this] { notifier_.ring(); }),
+      get_result_(participant, action + "/_action/get_result", layout.get_result(),
+                  [this] { notifier_.ring(); }),
       feedback_(
           participant.create_reader({.topic = dds_topic(action + "/_action/feedback"),
                                      .type = std::string(layout.feedback->dds_name),

@@ -36,7 +36,8 @@ std::shared_ptr<Target> add_target(Verb verb, bool is_required) {
   auto target = std::make_shared<Target>();
   const Option name = verb.option("TARGET", target->name, "Graph file (.yaml), or a running node");
   if (is_required) name.required();
-  verb.option("COMPONENT", target->graph.component, "Only this component of the graph, or section that components share: all of it");
+  verb.option("COMPONENT", target->graph.component,
+              "Only this component of the graph, or section that components share: all of it");
   verb.option("--set", target->graph.set, "component.param=value, of the graph").one_each_time();
   return target;
 }

@@ -113,10 +113,10 @@ struct Actor final : DiagnosticReporter {
   std::atomic<std::uint64_t> activations = 0;
   std::unique_ptr<ActorLifecycle> lifecycle;
   std::unique_ptr<NestedLifecycle> led;  ///< those that follow this one's states; null: nobody does
-  bool is_led = false;                ///< it follows another's
-  std::string name;                   ///< in the graph
-  std::string node_name;              ///< on the wire
-  std::string node_namespace;         ///< "/" or "/robot1"
+  bool is_led = false;                   ///< it follows another's
+  std::string name;                      ///< in the graph
+  std::string node_name;                 ///< on the wire
+  std::string node_namespace;            ///< "/" or "/robot1"
   std::string type;
   std::string process;
   std::string lane;

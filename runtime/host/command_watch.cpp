@@ -10,7 +10,7 @@ namespace bw {
 namespace {
 
 constexpr Duration kPatience = Duration::milliseconds(1000);  // a node's name comes after its writer
-constexpr std::size_t kMaxNames = 5;                         // in one line
+constexpr std::size_t kMaxNames = 5;                          // in one line
 constexpr const char* kNameless = "somebody without a node name";
 
 bool is_owners(const dds::Endpoint& writer, const std::string& owner) {

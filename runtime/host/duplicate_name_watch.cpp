@@ -13,7 +13,7 @@ namespace bw {
 namespace {
 
 constexpr std::size_t kMaxServices = 5;  // in one line
-constexpr std::size_t kPrefixSize = 12;   // of a participant, in the ids of its ends
+constexpr std::size_t kPrefixSize = 12;  // of a participant, in the ids of its ends
 
 dds::Guid prefix_of(dds::Guid guid) {
   std::fill(guid.begin() + kPrefixSize, guid.end(), std::uint8_t{0});
@@ -75,7 +75,7 @@ DuplicateNameWatch::Rivals DuplicateNameWatch::rivals_in(const DomainView& view)
 }
 
 std::string DuplicateNameWatch::sentence(const OwnNode& ours, const dds::Guid& theirs, const Rival& rival,
-                                    const dds::Guid& own_participant) {
+                                         const dds::Guid& own_participant) {
   const std::string place = place_of(theirs, own_participant);
   const std::string served = rival.services.empty() ? "" : listed(rival.services);
   if (rival.is_duplicate || rival.services.empty())

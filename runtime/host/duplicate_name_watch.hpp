@@ -51,7 +51,7 @@ class DuplicateNameWatch {
  private:
   struct Rival {
     std::string node;                   ///< empty: nobody has named it yet
-    bool is_duplicate = false;           ///< its name is that of ours
+    bool is_duplicate = false;          ///< its name is that of ours
     std::vector<std::string> services;  ///< that ours has too; actions by their own name
     int looks = 0;
   };

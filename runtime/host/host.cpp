@@ -7,9 +7,9 @@
 
 #include "runtime/graph/names.hpp"
 #include "runtime/host/command_guard.hpp"
+#include "runtime/host/duplicate_name_guard.hpp"
 #include "runtime/host/host_setup.hpp"
 #include "runtime/host/lockstep_runner.hpp"
-#include "runtime/host/duplicate_name_guard.hpp"
 #include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"
@@ -287,7 +287,8 @@ std::vector<std::pair<std::string, ParameterReport>> Host::parameters() const {
 
 std::map<std::string, ParameterReport> Host::shared_parameters() const {
   std::map<std::string, ParameterReport> all;
-  for (const auto& actor : actors_) all.insert(actor->shared_parameters.begin(), actor->shared_parameters.end());
+  for (const auto& actor : actors_)
+    all.insert(actor->shared_parameters.begin(), actor->shared_parameters.end());
   return all;
 }
 

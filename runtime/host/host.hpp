@@ -137,8 +137,8 @@ class Host {
   std::optional<RunEnd> early_end_;
   std::unique_ptr<dds::Participant> participant_;
   std::unique_ptr<class WriterNames> writers_;
-  std::unique_ptr<class CommandGuard> command_guard_;  ///< null in lock-step
-  std::unique_ptr<class DuplicateNameGuard> duplicate_names_;     ///< null in lock-step
+  std::unique_ptr<class CommandGuard> command_guard_;          ///< null in lock-step
+  std::unique_ptr<class DuplicateNameGuard> duplicate_names_;  ///< null in lock-step
   std::unique_ptr<class NodeAnnouncement> announcement_;
   class ProcessServices* services_ = nullptr;
   std::optional<Time> started_;

@@ -5,9 +5,9 @@
 #include <unistd.h>
 
 #include "runtime/host/command_guard.hpp"
+#include "runtime/host/duplicate_name_guard.hpp"
 #include "runtime/host/host.hpp"
 #include "runtime/host/lockstep_runner.hpp"
-#include "runtime/host/duplicate_name_guard.hpp"
 #include "runtime/host/process_services.hpp"
 #include "runtime/host/terminal.hpp"
 #include "runtime/host/wall_runner.hpp"

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <exception>
 
+#include "runtime/host/duplicate_name_guard.hpp"
 #include "runtime/host/host.hpp"
 #include "runtime/host/host_setup.hpp"
-#include "runtime/host/nested_lifecycle.hpp"
 #include "runtime/host/lifecycle_manager.hpp"
 #include "runtime/host/lifecycle_services.hpp"
-#include "runtime/host/duplicate_name_guard.hpp"
+#include "runtime/host/nested_lifecycle.hpp"
 #include "runtime/host/rebinding.hpp"
 #include "runtime/registry.hpp"
 

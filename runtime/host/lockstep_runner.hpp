@@ -50,9 +50,9 @@ class LockstepRunner final : public Runner {
     std::size_t rank = 0;
     std::uint64_t sequence = 0;
     Actor* actor = nullptr;
-    InputEndpoint* inlet = nullptr;     ///< something arrived
-    Timer* timer = nullptr;     ///< a tick is due; with neither: the actor's latency has passed
-    bool was_deferred = false;  ///< waited for a busy actor
+    InputEndpoint* inlet = nullptr;  ///< something arrived
+    Timer* timer = nullptr;          ///< a tick is due; with neither: the actor's latency has passed
+    bool was_deferred = false;       ///< waited for a busy actor
     bool operator>(const Event& other) const {
       return std::tie(time, rank, sequence) > std::tie(other.time, other.rank, other.sequence);
     }

@@ -50,8 +50,8 @@ class Lister final : public FieldVisitor {
     }
     const std::vector<std::string_view> allowed = texts_allowed(value.type(), field);
     rows_.push_back({name, type_name(value.type()), flow_text(value), "", std::string(field.unit), field.min,
-                     field.max, std::vector<std::string>(allowed.begin(), allowed.end()),
-                     field.first, std::string(field.doc)});
+                     field.max, std::vector<std::string>(allowed.begin(), allowed.end()), field.first,
+                     std::string(field.doc)});
   }
 
   std::string path_;

@@ -92,7 +92,8 @@ bool ParameterSet::has(std::string_view name) const {
 }
 
 std::string ParameterSet::unknown(std::string_view name) const {
-  if (name.size() > kLongestParameterName || !is_config_text(name)) return "a parameter of this name does not exist";
+  if (name.size() > kLongestParameterName || !is_config_text(name))
+    return "a parameter of this name does not exist";
   std::vector<std::string_view> names;
   for (const ParameterEntry& entry : leaves_->entries) names.push_back(entry.name);
   std::string rule = "unknown parameter '" + std::string(name) + "'";

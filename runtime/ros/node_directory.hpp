@@ -16,7 +16,8 @@ class NodeDirectory {
  public:
   /// The participant must outlive this. `on_news` runs on a DDS thread when there is something to read: it
   /// may only enqueue.
-  explicit NodeDirectory(dds::Participant& participant, std::function<void()> on_news = [] {});
+  explicit NodeDirectory(
+      dds::Participant& participant, std::function<void()> on_news = [] {});
 
   /// Reads what came; true when something did.
   bool update();

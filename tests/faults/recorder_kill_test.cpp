@@ -29,8 +29,8 @@
 namespace bw::bag {
 namespace {
 
-constexpr std::size_t kLarge = 20'000;   // [bytes] of a message; a thousand of them each second are 20 MB/s
-constexpr std::size_t kSmall = 200;      // so that no chunk is ever full
+constexpr std::size_t kLarge = 20'000;  // [bytes] of a message; a thousand of them each second are 20 MB/s
+constexpr std::size_t kSmall = 200;     // so that no chunk is ever full
 constexpr double kMaxLostByKill = 1.0;  // [s]
 constexpr double kMaxLostByPowerCut = 2.0;  // [s]
 

@@ -108,7 +108,8 @@ TEST_F(CommandLine, ParamListBeginsWithWhatPeopleTurnFirst) {
   const std::string graph = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml";
   const Outcome first = bandwagon({"param", "list", graph});
   EXPECT_EQ(first.status, 0) << first.err;
-  for (const char* line : {"\nrobot:\n", "  limits.v_max (double, m/s; ", "  xy_tolerance (double, m; ", "more: --all"})
+  for (const char* line :
+       {"\nrobot:\n", "  limits.v_max (double, m/s; ", "  xy_tolerance (double, m; ", "more: --all"})
     EXPECT_THAT(first.out, HasSubstr(line));
   EXPECT_THAT(first.out, testing::Not(HasSubstr("settle_time")));
   const auto lines = std::ranges::count(first.out, '\n');
@@ -122,15 +123,17 @@ TEST_F(CommandLine, ParamListBeginsWithWhatPeopleTurnFirst) {
 TEST_F(CommandLine, ParamListCountsNames) {
   const std::string nav2 = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/nav2/";
   // The robot's file is shared by both and counted once.
-  const Outcome count =
-      bandwagon({"param", "list", "--all", "--count", nav2 + "planner_server.yaml", nav2 + "collision_monitor.yaml"});
+  const Outcome count = bandwagon(
+      {"param", "list", "--all", "--count", nav2 + "planner_server.yaml", nav2 + "collision_monitor.yaml"});
   EXPECT_EQ(count.status, 0) << count.err;
-  EXPECT_EQ(count.out, "   28 collision_monitor\n    8 global_costmap\n    7 global_planner\n   22 robot\n   65\n");
+  EXPECT_EQ(count.out,
+            "   28 collision_monitor\n    8 global_costmap\n    7 global_planner\n   22 robot\n   65\n");
 
   // Of the walls and boxes of a map server 4 and 5, though it has none.
   const Folder folder;
   const std::string area = (folder / "area.yaml").string();
-  std::ofstream(area) << "components:\n  map_server:\n    parameters:\n      area: {length: 2.0, width: 1.0}\n";
+  std::ofstream(area)
+      << "components:\n  map_server:\n    parameters:\n      area: {length: 2.0, width: 1.0}\n";
   EXPECT_EQ(bandwagon({"param", "list", "--all", "--count", area}).out, "   17 map_server\n   17\n");
 
   const Outcome refused = bandwagon({"param", "list", "--all", "--count", nav2 + "map_server.yaml"});

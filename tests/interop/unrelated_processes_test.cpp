@@ -19,7 +19,9 @@ namespace {
 class UnrelatedProcesses : public testing::Test {
  protected:
   void SetUp() override {
-    eventually([this] { return !unrelated_processes_.running() || unrelated_processes_.out().find('\n') != std::string::npos; });
+    eventually([this] {
+      return !unrelated_processes_.running() || unrelated_processes_.out().find('\n') != std::string::npos;
+    });
     std::istringstream line(unrelated_processes_.out());
     for (int domain = 0; line >> domain;) domains_.push_back(domain);
     ASSERT_EQ(domains_.size(), 10U) << unrelated_processes_.err();

@@ -7,7 +7,8 @@ namespace bw {
 namespace {
 
 report::Figure charts() {
-  report::Figure figure{.title = "Curves and ways", .caption = "With **everything** that a chart holds.", .id = "charts"};
+  report::Figure figure{
+      .title = "Curves and ways", .caption = "With **everything** that a chart holds.", .id = "charts"};
   report::Chart time{.title = "Speed",
                      .x = {"time [s]", 0.0, 20.0},
                      .y = {"v [m/s]", 0.0, 1.2},
@@ -16,7 +17,8 @@ report::Figure charts() {
   for (std::size_t k = 0; k < 3; ++k) {
     time.series.push_back({"robot " + std::to_string(k), report::look_of(k)});
     for (int i = 0; i <= 200; ++i)
-      time.series.back().points.emplace_back(0.1 * i, 0.5 + 0.4 * std::sin(0.05 * i + static_cast<double>(k)));
+      time.series.back().points.emplace_back(0.1 * i,
+                                             0.5 + 0.4 * std::sin(0.05 * i + static_cast<double>(k)));
   }
   figure.add(time);
   figure.add(report::Chart{.title = "Error",
@@ -46,7 +48,10 @@ report::Figure columns() {
   columns.y = {"ME [m]", 0.0, 1.0};
   columns.measured = "mean, 5 to 95 %";
   columns.runs = "a run";
-  columns.columns = {{.label = "DWA", .runs = {0.2, 0.4, 2.0}, .measured = report::Interval{0.3, 0.2, 0.4}, .published = 0.35},
+  columns.columns = {{.label = "DWA",
+                      .runs = {0.2, 0.4, 2.0},
+                      .measured = report::Interval{0.3, 0.2, 0.4},
+                      .published = 0.35},
                      {.label = "EDWA", .color = report::Color::green, .published = 0.9}};
   figure.add(columns);
   return figure;
@@ -55,7 +60,9 @@ report::Figure columns() {
 report::Document fixture() {
   report::Document document("A <fixture> of reports");
   report::Table table({"planner", {"time [s]", 1}, "largest CI", "runs", "verdict"});
-  table.row({"[teb](#charts)", 12.345, report::Interval{0.4321, 0.4, 0.5}, 40, report::Verdict{"met", report::Tone::met}})
+  table
+      .row({"[teb](#charts)", 12.345, report::Interval{0.4321, 0.4, 0.5}, 40,
+            report::Verdict{"met", report::Tone::met}})
       .row({"eteb", std::nan(""), 0.02, 40, report::Verdict{"not met", report::Tone::missed}});
   document.heading("A <fixture> of reports", 1)
       .text("With [a link](failed/index.html), and [none](javascript:alert(1)).")

@@ -6,10 +6,10 @@
 namespace bw::emulators {
 namespace {
 
-constexpr double kMaxSpeed = 0.7;         // [m/s]
+constexpr double kMaxSpeed = 0.7;          // [m/s]
 constexpr double kFrictionCurrent = 0.35;  // [A] at top speed
 constexpr double kStallCurrent = 4.5;      // [A] when all of the top speed is lacking
-constexpr double kMaxCurrent = 3.0;       // [A]
+constexpr double kMaxCurrent = 3.0;        // [A]
 constexpr double kMillimetres = 0.001;
 
 void watch(MotorState& motor, double wanted, double actual, double target) {

@@ -37,7 +37,8 @@ ContactVerdict judge_contact(const SearchScene& scene, const std::vector<MotionS
     return true;
   };
   const auto is_lost = [&](std::size_t i) {
-    return search_optimistically(scene, states[i], optimistic, until, options.optimistic) == SearchOutcome::none;
+    return search_optimistically(scene, states[i], optimistic, until, options.optimistic) ==
+           SearchOutcome::none;
   };
 
   // Backwards in longer and longer steps, to the first state from which a motion is found.

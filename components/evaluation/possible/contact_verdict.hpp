@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "components/evaluation/possible/optimistic_search.hpp"
 #include "components/evaluation/possible/motion_finder.hpp"
+#include "components/evaluation/possible/optimistic_search.hpp"
 #include "components/evaluation/possible/search_scene.hpp"
 #include "components/model/limits.hpp"
 
@@ -25,7 +25,7 @@ enum class Avoidance {
 const char* text_of(Avoidance avoidance);
 
 struct VerdictOptions {
-  double after_contact = 5.0;   ///< a motion must stay clear until so long after the contact [s]
+  double after_contact = 5.0;      ///< a motion must stay clear until so long after the contact [s]
   double optimistic_factor = 2.0;  ///< on the accelerations, for the hopeful search
   OptimisticSearchOptions optimistic;
   FinderOptions finder;

@@ -65,8 +65,8 @@ std::vector<MoveRow> moves_of(const std::vector<Vector2>& vectors, double cell) 
 
 class OptimisticSearch {
  public:
-  OptimisticSearch(const SearchScene& scene, const MotionState& start, const MotionBounds& bounds, double until,
-                const OptimisticSearchOptions& options)
+  OptimisticSearch(const SearchScene& scene, const MotionState& start, const MotionBounds& bounds,
+                   double until, const OptimisticSearchOptions& options)
       : scene_(scene),
         start_(start),
         bounds_(bounds),
@@ -216,8 +216,9 @@ class OptimisticSearch {
 
 }  // namespace
 
-SearchOutcome search_optimistically(const SearchScene& scene, const MotionState& start, const MotionBounds& bounds,
-                      double until, const OptimisticSearchOptions& options) {
+SearchOutcome search_optimistically(const SearchScene& scene, const MotionState& start,
+                                    const MotionBounds& bounds, double until,
+                                    const OptimisticSearchOptions& options) {
   return OptimisticSearch(scene, start, bounds, until, options).run();
 }
 

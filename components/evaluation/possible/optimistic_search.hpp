@@ -35,7 +35,8 @@ enum class SearchOutcome {
 };
 
 /// From `start` until `until` [s].
-SearchOutcome search_optimistically(const SearchScene& scene, const MotionState& start, const MotionBounds& bounds,
-                      double until, const OptimisticSearchOptions& options = {});
+SearchOutcome search_optimistically(const SearchScene& scene, const MotionState& start,
+                                    const MotionBounds& bounds, double until,
+                                    const OptimisticSearchOptions& options = {});
 
 }  // namespace bw::possible

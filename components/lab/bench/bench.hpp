@@ -28,7 +28,7 @@ struct BenchTebArguments {
   bool with_samples = false;  ///< every cycle of the first run goes into the JSON
   std::vector<BenchWeights> weights = {BenchWeights::file, BenchWeights::defaults};
   std::function<void(PlannerOptions&)> adjust;  ///< last word on the options; may be empty
-  std::string json;                                  ///< output file; empty: none
+  std::string json;                             ///< output file; empty: none
 };
 
 struct BenchCrowdArguments {
@@ -64,7 +64,7 @@ int bench_crowd(const BenchCrowdArguments& arguments);
 /// The planner's options for a scene file: its resolution and distances (from the footprint) and, for
 /// BenchWeights::file, its weights and formulas.
 PlannerOptions options_for(const SceneFile& file, BenchWeights weights, PlannerOptions options,
-                                double robot_radius);
+                           double robot_radius);
 
 /// The band of the planners that have one.
 teb::BandOptions& band_of(PlannerOptions& options);

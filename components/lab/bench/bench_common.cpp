@@ -37,7 +37,7 @@ void write_json(const std::string& path, const nlohmann::ordered_json& value) {
 }
 
 PlannerOptions options_for(const SceneFile& file, BenchWeights weights, PlannerOptions options,
-                                double robot_radius) {
+                           double robot_radius) {
   // Open-loop scenes are about bands: what gets out of somebody's way is left to the closed loop.
   if (!file.closed_loop) options.driving.evasion_horizon = options.driving.mover_margin = 0.0;
   teb::BandOptions& band = band_of(options);

@@ -19,7 +19,7 @@ struct BenchCrowdNavArguments {
   int first_case = 0;
   int cases = kCrowdNavCases;  ///< from the first on; fewer where the 500 end
   std::vector<std::string> planners = {kHolonomicOrca};
-  double safety_space = 0.0;                         ///< [m] by which orca_holonomic widens everybody
+  double safety_space = 0.0;                    ///< [m] by which orca_holonomic widens everybody
   std::function<void(PlannerOptions&)> adjust;  ///< last word on the options; may be empty
   int jobs = 1;               ///< cases at a time; above 1 the times are those of their threads
   bool with_samples = false;  ///< every step goes into the JSON

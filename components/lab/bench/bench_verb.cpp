@@ -93,8 +93,9 @@ void add_crowd(cli::Verb bench) {
           "file or defaults")
       .one_of({"file", "defaults"});
   crowd_verb.option("--against", crowd->against, "The planner that the others are held against (the first)");
-  crowd_verb.option("--failures", crowd->failures,
-                    "index.html in this folder shows the first 30 drives that failed, in a list and a picture each");
+  crowd_verb.option(
+      "--failures", crowd->failures,
+      "index.html in this folder shows the first 30 drives that failed, in a list and a picture each");
   crowd_verb.option("--json", crowd->json, "Writes the figures here");
   crowd_verb.flag("--samples", crowd->with_samples,
                   "Pose, command, applied velocity and walkers of every period go into the JSON");
@@ -194,7 +195,8 @@ void add_people(cli::Verb bench) {
   verb.option("--json", people->json, "Writes the figures, errors and tracks here");
   verb.option("--page", people->page, "Shows all tracks here: one HTML file");
   verb.option_function(
-      "--svg", [](const std::string&) { throw std::runtime_error("--svg: tracks are shown by --page FILE.html"); },
+      "--svg",
+      [](const std::string&) { throw std::runtime_error("--svg: tracks are shown by --page FILE.html"); },
       "It is --page FILE.html");
   verb.run([people] { return bench_people(*people); });
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kLeastWay = 4.0;    // [m] from start to goal
 constexpr double kFreeAtGoal = 0.1;  // [m] edge to edge of static discs
 constexpr double kLeastSpeed = 0.3;  // [m/s]
-constexpr double kMaxSpeed = 1.2;   // [m/s]
+constexpr double kMaxSpeed = 1.2;    // [m/s]
 constexpr double kRounding = 1e-9;   // [s]
 
 /// FNV-1a, the same on every system.

@@ -17,10 +17,10 @@ using people::TrackError;
 using report::Color;
 using report::plain;
 
-constexpr double kPause = 0.3;         // a line is interrupted where a track is not reported for longer [s]
+constexpr double kPause = 0.3;          // a line is interrupted where a track is not reported for longer [s]
 constexpr double kBetweenLabels = 0.4;  // of a truth at every sweep not every cross [s]
-constexpr double kRow = 18.0;          // of a track's life [px]
-constexpr double kNameOfLife = 0.08;   // of the width, behind a life
+constexpr double kRow = 18.0;           // of a track's life [px]
+constexpr double kNameOfLife = 0.08;    // of the width, behind a life
 const Vector2 kNowhere = Vector2::Constant(std::numeric_limits<double>::quiet_NaN());
 
 struct Sighting {
@@ -44,18 +44,18 @@ Tracks tracks_of(const PeopleRun& run) {
 }
 
 Color color_of(std::uint32_t id) {
-  constexpr std::array kColors{Color::blue, Color::vermilion, Color::green, Color::purple,
-                               Color::ochre, Color::sky, Color::violet};
+  constexpr std::array kColors{Color::blue,  Color::vermilion, Color::green, Color::purple,
+                               Color::ochre, Color::sky,       Color::violet};
   return kColors[id % kColors.size()];
 }
 
 /// A track, thin and dashed while it is only possible. What is not `shown` interrupts it.
 template <class Place>
-void add_track(report::Chart& chart, std::uint32_t id, const std::vector<Sighting>& track, const Place& place) {
+void add_track(report::Chart& chart, std::uint32_t id, const std::vector<Sighting>& track,
+               const Place& place) {
   report::Series confirmed{"confirmed track", {.color = color_of(id), .width = 1.7, .opacity = 0.85}};
   report::Series possible{
-      "possible person",
-      {.color = color_of(id), .dash = report::Dash::dashes, .width = 1.0, .opacity = 0.6}};
+      "possible person", {.color = color_of(id), .dash = report::Dash::dashes, .width = 1.0, .opacity = 0.6}};
   const Sighting* last = nullptr;
   for (const Sighting& sighting : track) {
     report::Series& now = sighting.is_confirmed ? confirmed : possible;
@@ -108,7 +108,8 @@ report::Chart floor_chart(const PeopleRun& run, const Tracks& tracks, const std:
 }
 
 report::Figure floors(const PeopleRun& run, const Tracks& tracks) {
-  report::Figure figure{.title = "From above", .caption = "Colours of tracks as in the diagram of their lives."};
+  report::Figure figure{.title = "From above",
+                        .caption = "Colours of tracks as in the diagram of their lives."};
   for (const LabelledStretch& stretch : run.stretches) {
     if (stretch.labels.empty()) continue;
     report::Chart plan =
@@ -116,7 +117,8 @@ report::Figure floors(const PeopleRun& run, const Tracks& tracks) {
     add_labels(plan, stretch);
     figure.add(plan);
   }
-  if (figure.pictures.empty()) figure.add(floor_chart(run, tracks, run.bag + ", no labels", 0.0, run.duration));
+  if (figure.pictures.empty())
+    figure.add(floor_chart(run, tracks, run.bag + ", no labels", 0.0, run.duration));
   return figure;
 }
 
@@ -139,7 +141,8 @@ report::Chart distances(const PeopleRun& run, const Tracks& tracks) {
 
 /// Lives in rows such that neither lines nor their names meet.
 report::Chart lives_chart(const PeopleRun& run) {
-  report::Chart chart = over_time(run, "Lives of tracks: possible (thin), confirmed (thick); number and length", "");
+  report::Chart chart =
+      over_time(run, "Lives of tracks: possible (thin), confirmed (thick); number and length", "");
   std::vector<TrackLife> lives = lives_of(run.sweeps);
   std::ranges::stable_sort(lives, {}, &TrackLife::begin);
   std::vector<double> free_from;
@@ -149,7 +152,8 @@ report::Chart lives_chart(const PeopleRun& run) {
     if (row == free_from.size()) free_from.push_back(0.0);
     free_from[row] = life.end + kNameOfLife * chart.x.high;
     const double y = -0.5 - static_cast<double>(row);
-    chart.series.push_back({"", {.color = color_of(life.id), .width = 2.5}, {{life.begin, y}, {life.end, y}}});
+    chart.series.push_back(
+        {"", {.color = color_of(life.id), .width = 2.5}, {{life.begin, y}, {life.end, y}}});
     if (life.confirmed)
       chart.series.push_back(
           {"", {.color = color_of(life.id), .width = 9.0}, {{*life.confirmed, y}, {life.end, y}}});
@@ -164,15 +168,24 @@ report::Chart lives_chart(const PeopleRun& run) {
 }
 
 report::Table scores(const PeopleRun& run) {
-  report::Table table({"stretch", {"from [s]", 1}, {"to [s]", 1}, {"MOTA", 3}, {"MOTP [m]", 3}, "misses", "of",
-                       "false", "switches", {"tracks per person", 2}, {"recall in plain view", 3},
+  report::Table table({"stretch",
+                       {"from [s]", 1},
+                       {"to [s]", 1},
+                       {"MOTA", 3},
+                       {"MOTP [m]", 3},
+                       "misses",
+                       "of",
+                       "false",
+                       "switches",
+                       {"tracks per person", 2},
+                       {"recall in plain view", 3},
                        {"precision", 3}});
   for (const LabelledStretch& stretch : run.stretches) {
     if (stretch.labels.empty()) continue;
     const people::Score& s = stretch.score.clear_mot;
-    table.row({plain(stretch.name), stretch.labels.front().time, stretch.labels.back().time, s.mota(), s.motp(),
-               s.people - s.matched, s.people, s.false_positives, s.switches, stretch.score.tracks_per_person(),
-               s.recall(), s.precision()});
+    table.row({plain(stretch.name), stretch.labels.front().time, stretch.labels.back().time, s.mota(),
+               s.motp(), s.people - s.matched, s.people, s.false_positives, s.switches,
+               stretch.score.tracks_per_person(), s.recall(), s.precision()});
   }
   return table;
 }

@@ -177,8 +177,7 @@ SceneFile read(const std::string& path, const YAML::Node& root) {
                                   s.number("goal_tolerance", 0.0, 10.0), s.number("robot_radius", 0.0, 10.0),
                                   read_box(path, s.at("box"))};
   }
-  for (const YAML::Node& scene : s.list("scenes", kMaxScenes))
-    file.scenes.push_back(read_scene(path, scene));
+  for (const YAML::Node& scene : s.list("scenes", kMaxScenes)) file.scenes.push_back(read_scene(path, scene));
   if (file.scenes.empty()) s.fail(root, "scenes", "must hold at least one scene");
   return file;
 }

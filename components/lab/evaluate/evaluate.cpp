@@ -104,8 +104,7 @@ EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, cons
   const DriveResult driven = drive(graph_of(options, suite, job), settings);
   const nlohmann::json& card = driven.json;
   EpisodeResult result{episode_name(suite, job), job.seed, planner_of(card, job), card};
-  if (album != nullptr && !result.succeeded() && !cli::interrupted())
-    picture_failure(*album, result, driven);
+  if (album != nullptr && !result.succeeded() && !cli::interrupted()) picture_failure(*album, result, driven);
   if (!options.html_dir.empty() && !result.succeeded() && !cli::interrupted())
     result.page = page_of(options, suite, job, settings, card.value("samples_sha256", ""));
   return result;
@@ -266,8 +265,9 @@ void add_evaluate(cli::Verb verb) {
   verb.option(
       "--html", options->html_dir,
       "Writes a page of every drive that failed into this folder: it plays the drive, and needs no server");
-  verb.option("--failures", options->failures_dir,
-              "index.html in this folder shows the first 30 drives that failed, in a list and a picture each");
+  verb.option(
+      "--failures", options->failures_dir,
+      "index.html in this folder shows the first 30 drives that failed, in a list and a picture each");
   verb.option("--variants", options->variants,
               "Conditions that the suite names, as ideal,own: each planner drives under each")
       .separated_by_commas();

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "components/lab/experiments/all_report.hpp"
-#include "components/lab/experiments/first_screen.hpp"
 #include "components/lab/experiments/caveats.hpp"
+#include "components/lab/experiments/first_screen.hpp"
 
 namespace bw {
 namespace {
@@ -154,8 +154,7 @@ report::Document all_page(const AllRun& run) {
   report::Document document("The dissertation reproduced");
   document.heading("The dissertation reproduced", 1);
   add_outcome(document, run);
-  document.table(overview(run)).text(
-      "Here: the mean over the seeds, beside it the 5 % and 95 % quantiles.");
+  document.table(overview(run)).text("Here: the mean over the seeds, beside it the 5 % and 95 % quantiles.");
   for (const AllPart& part : run.parts) add_section(document, part);
   document.heading("What this can show, and what not").list("", kWhatItShows).text(plain(run.program));
   return document;

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "components/lab/experiments/anticipation_report.hpp"
+#include "components/lab/experiments/caveats.hpp"
 #include "components/lab/experiments/crossing_chart.hpp"
 #include "components/lab/experiments/first_screen.hpp"
 #include "components/lab/experiments/hallway_chart.hpp"
-#include "components/lab/experiments/caveats.hpp"
 
 namespace bw {
 namespace {
@@ -55,9 +55,19 @@ report::Table crossing_rows(const std::vector<CrossingResult>& results) {
 }
 
 report::Table hallway_rows_table(const std::vector<HallwayRow>& rows) {
-  report::Table table({"planner", "hallway", "senses", "people", "success", "contacts", "at speed",
-                       "largest CI, median", {"seeds below 0.54 [%]", 0}, {"time above 0.54 [%]", 1},
-                       {"time above 0.14 [%]", 1}, {"time [s]", 1}, {"way [m]", 1}});
+  report::Table table({"planner",
+                       "hallway",
+                       "senses",
+                       "people",
+                       "success",
+                       "contacts",
+                       "at speed",
+                       "largest CI, median",
+                       {"seeds below 0.54 [%]", 0},
+                       {"time above 0.54 [%]", 1},
+                       {"time above 0.14 [%]", 1},
+                       {"time [s]", 1},
+                       {"way [m]", 1}});
   for (const HallwayRow& row : rows)
     table.row({row.planner, row.episode, row.own_senses ? "own" : "ideal",
                row.people_react ? "react" : "do not react", of(row.successes, row.drives), row.contacts,
@@ -92,10 +102,9 @@ void add_crossing(report::Document& document, const AnticipationResults& results
           "out of its way, and is then counted as behind: see its time.");
   if (!results.crossing.empty() && !results.crossing.front().runs.empty())
     document
-        .figure(crossing_snapshots_figure(
-            results.crossing, results.geometry,
-            results.subject == "eteb" ? "Figures 3.7 and 3.11" : "Figure 3.7",
-            results.crossing.front().runs.front().seed))
+        .figure(crossing_snapshots_figure(results.crossing, results.geometry,
+                                          results.subject == "eteb" ? "Figures 3.7 and 3.11" : "Figure 3.7",
+                                          results.crossing.front().runs.front().seed))
         .figure(crossing_ways_figure(results.crossing, results.geometry, 0));
   document.table(crossing_rows(results.crossing))
       .heading("At the places first proposed", 3)

@@ -27,15 +27,16 @@ void add_arrows(report::Chart& plan, const std::vector<TrajectoryPoint>& traject
   for (const TrajectoryPoint& point : trajectory) {
     if ((point.pose.position() - last).norm() < kApart) continue;
     last = point.pose.position();
-    plan.bodies.push_back(
-        {.center = last, .radius = 0.0, .color = Color::vermilion, .arrow = kLength * direction(point.pose.theta)});
+    plan.bodies.push_back({.center = last,
+                           .radius = 0.0,
+                           .color = Color::vermilion,
+                           .arrow = kLength * direction(point.pose.theta)});
   }
 }
 
 report::Chart snapshot_chart(const std::string& label, const CrossingSnapshot& moment) {
-  report::Chart plan =
-      report::floor_plan(fmt::format("{}, t = {:.1f} s{}", label, moment.time,
-                                     moment.plan.trajectory.empty() ? ": no band, it stops" : ""));
+  report::Chart plan = report::floor_plan(fmt::format(
+      "{}, t = {:.1f} s{}", label, moment.time, moment.plan.trajectory.empty() ? ": no band, it stops" : ""));
   plan.show(kView);
   plan.series.push_back({"chosen band, with its headings",
                          {.color = Color::green, .width = 2.4},
@@ -114,19 +115,19 @@ report::Figure crossing_snapshots_figure(const std::vector<CrossingResult>& resu
 report::Figure crossing_ways_figure(const std::vector<CrossingResult>& results,
                                     const CrossingGeometry& geometry, std::size_t run) {
   const std::uint64_t seed = results.at(0).runs.at(run).seed;
-  report::Figure figure{.title = "The whole ways",
-                        .caption = "Seed " + std::to_string(seed) +
-                                   ". A dot every second on the robot's ways; A2 is where A is after 2 s. Passing "
-                                   "behind A means crossing x = 4 when A has already gone by.",
-                        .columns = 2};
+  report::Figure figure{
+      .title = "The whole ways",
+      .caption = "Seed " + std::to_string(seed) +
+                 ". A dot every second on the robot's ways; A2 is where A is after 2 s. Passing "
+                 "behind A means crossing x = 4 when A has already gone by.",
+      .columns = 2};
   const Scene scene = crossing_scene(geometry, seed);
   for (const bool published : {false, true}) {
     report::Chart plan = report::floor_plan(published ? "As published" : "By default");
     plan.show(kView);
     add_walkers(plan, scene);
     for (const CrossingResult& result : results)
-      if (is_published(result) == published)
-        add_way(plan, result, run, report::look_of(plan.series.size()));
+      if (is_published(result) == published) add_way(plan, result, run, report::look_of(plan.series.size()));
     if (!plan.series.empty()) figure.add(plan);
   }
   return figure;

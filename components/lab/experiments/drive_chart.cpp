@@ -15,10 +15,10 @@ namespace {
 
 using report::Color;
 
-constexpr double kBetweenDrawn = 4.0;   // [s]
-constexpr double kNear = 3.0;           // [m] people farther away are not drawn with their bodies
-constexpr double kFarthest = 5.0;       // [m] end of the axis of distances
-constexpr double kLongestHop = 2.5;     // [m] farther between two moments: another stay in the scene
+constexpr double kBetweenDrawn = 4.0;  // [s]
+constexpr double kNear = 3.0;          // [m] people farther away are not drawn with their bodies
+constexpr double kFarthest = 5.0;      // [m] end of the axis of distances
+constexpr double kLongestHop = 2.5;    // [m] farther between two moments: another stay in the scene
 constexpr std::size_t kMax = 200;      // of the course of an index
 
 void add_bodies(report::Chart& plan, const RunRecording& course) {
@@ -28,8 +28,7 @@ void add_bodies(report::Chart& plan, const RunRecording& course) {
     next = (std::floor(moment.time / kBetweenDrawn + 1e-6) + 1.0) * kBetweenDrawn;
     const Vector2 robot = moment.X_MB.position();
     const std::string label = fmt::format("{:.0f}", moment.time);
-    plan.bodies.push_back(
-        {robot, course.robot.radius, Color::blue, label, {0.0, 0.0}, "robot, every 4 s"});
+    plan.bodies.push_back({robot, course.robot.radius, Color::blue, label, {0.0, 0.0}, "robot, every 4 s"});
     for (const TruePerson& person : moment.people)
       if ((person.position - robot).norm() <= kNear)
         plan.bodies.push_back(
@@ -44,9 +43,8 @@ void add_ways(report::Chart& plan, const RunRecording& course) {
     robot.points.push_back(moment.X_MB.position());
     for (const TruePerson& person : moment.people) {
       const auto known = open.find(person.id);
-      const bool goes_on =
-          known != open.end() &&
-          (plan.series[known->second].points.back() - person.position).norm() < kLongestHop;
+      const bool goes_on = known != open.end() &&
+                           (plan.series[known->second].points.back() - person.position).norm() < kLongestHop;
       if (!goes_on) {
         open[person.id] = plan.series.size();
         plan.series.push_back({"people's ways", {.color = Color::purple, .width = 0.9, .opacity = 0.6}});
@@ -66,7 +64,8 @@ report::Chart map_chart(const RunRecording& course) {
   }
   plan.walls = course.shapes.segments;
   add_ways(plan, course);
-  for (const Vector2& goal : course.goals) plan.bodies.push_back({goal, 0.15, Color::green, "", {0.0, 0.0}, "goal"});
+  for (const Vector2& goal : course.goals)
+    plan.bodies.push_back({goal, 0.15, Color::green, "", {0.0, 0.0}, "goal"});
   for (const Disc& disc : course.shapes.discs)
     plan.bodies.push_back({.center = disc.center, .radius = disc.radius, .color = Color::ink});
   add_bodies(plan, course);

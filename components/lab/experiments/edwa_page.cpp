@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "components/lab/experiments/caveats.hpp"
 #include "components/lab/experiments/edwa_report.hpp"
 #include "components/lab/experiments/first_screen.hpp"
-#include "components/lab/experiments/caveats.hpp"
 
 namespace bw {
 namespace {
@@ -27,9 +27,10 @@ const Look kPairingLooks[] = {{.color = Color::vermilion, .dash = Dash::dashes},
 report::Document top(const EdwaTable& table, std::size_t seeds) {
   return begin_report(
       {.title = "EDWA: Figures 3.3 and 3.4, Table 3.2",
-       .about = fmt::format("What the dissertation publishes of its enhanced dynamic window approach in simulation "
-                            "(section 3.1), beside what is measured here over {} seeds.",
-                            seeds),
+       .about = fmt::format(
+           "What the dissertation publishes of its enhanced dynamic window approach in simulation "
+           "(section 3.1), beside what is measured here over {} seeds.",
+           seeds),
        .judged = "EDWA by the published setting",
        .criteria = table.criteria,
        .not_judged = {"Contacts of DWA: plain DWA takes moving robots as standing; counted, not judged.",
@@ -87,10 +88,12 @@ report::Chart ways_chart(const EdwaRow& row) {
 }
 
 report::Figure ways(const EdwaTable& table) {
-  report::Figure figure{.title = "Figure 3.3 again: trajectories of the robot and of the others",
-                        .caption = "One run (the first seed). Bodies every 2 s, numbered [s] every 4 s; the robot "
-                                   "under test starts at (0, 0). The source shows the scenes as pictures: places here "
-                                   "are proposals. A run ends at the goal (16, 0) or on a contact."};
+  report::Figure figure{
+      .title = "Figure 3.3 again: trajectories of the robot and of the others",
+      .caption =
+          "One run (the first seed). Bodies every 2 s, numbered [s] every 4 s; the robot "
+          "under test starts at (0, 0). The source shows the scenes as pictures: places here "
+          "are proposals. A run ends at the goal (16, 0) or on a contact."};
   for (const EdwaRow& row : table.rows) figure.add(ways_chart(row));
   return figure;
 }
@@ -111,13 +114,14 @@ report::Chart course_chart(const EdwaTable& table, int scene, bool speed) {
 }
 
 report::Figure courses(const EdwaTable& table, bool speed) {
-  report::Figure figure{.title = speed ? "Figure 3.4 again, second row: speed of the robot"
-                                       : "Figure 3.4 again, first row: the minimum passing distance",
-                        .caption = speed ? "Commanded speed of the same runs."
-                                         : "δmin(t) = exp(-(d/3)²) of the gap d [m] between the "
-                                           "robot and the nearest other: the nearer, the closer to 1. One run (the "
-                                           "first seed); a curve that ends early ended in a contact.",
-                        .columns = 2};
+  report::Figure figure{
+      .title = speed ? "Figure 3.4 again, second row: speed of the robot"
+                     : "Figure 3.4 again, first row: the minimum passing distance",
+      .caption = speed ? "Commanded speed of the same runs."
+                       : "δmin(t) = exp(-(d/3)²) of the gap d [m] between the "
+                         "robot and the nearest other: the nearer, the closer to 1. One run (the "
+                         "first seed); a curve that ends early ended in a contact.",
+      .columns = 2};
   for (int scene = 0; scene < kEdwaScenes; ++scene) figure.add(course_chart(table, scene, speed));
   return figure;
 }
@@ -148,8 +152,17 @@ report::Figure velocities(const EdwaTable& table) {
 }
 
 report::Table rows_table(const EdwaTable& table) {
-  report::Table rows({"scene", "pairing", {"published [m/s]", 4}, {"mean [m/s]", 3}, {"sd [m/s]", 3}, "runs",
-                      "reached", "contacts", "timeouts", {"gain [m/s]", 3}, {"mean largest δmin", 3},
+  report::Table rows({"scene",
+                      "pairing",
+                      {"published [m/s]", 4},
+                      {"mean [m/s]", 3},
+                      {"sd [m/s]", 3},
+                      "runs",
+                      "reached",
+                      "contacts",
+                      "timeouts",
+                      {"gain [m/s]", 3},
+                      {"mean largest δmin", 3},
                       {"lowest v [m/s]", 2}});
   for (const EdwaRow& row : table.rows)
     rows.row({edwa_scene_name(row.scene), to_string(row.pairing), row.published, row.mean, row.sd,

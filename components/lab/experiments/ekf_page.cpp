@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "components/lab/experiments/caveats.hpp"
 #include "components/lab/experiments/ekf_report.hpp"
 #include "components/lab/experiments/first_screen.hpp"
-#include "components/lab/experiments/caveats.hpp"
 #include "runtime/base/quantile.hpp"
 
 namespace bw {
@@ -19,19 +19,19 @@ using report::Look;
 using report::plain;
 
 constexpr double kDetail = 3.0;  // [m] about the end of the way
-const std::array<Look, kEkfSensorSets.size()> kLooks{
-    {{.color = Color::grey, .dash = Dash::dashes},
-     {.color = Color::blue},
-     {.color = Color::vermilion, .dash = Dash::dashes},
-     {.color = Color::green, .width = 2.2}}};
+const std::array<Look, kEkfSensorSets.size()> kLooks{{{.color = Color::grey, .dash = Dash::dashes},
+                                                      {.color = Color::blue},
+                                                      {.color = Color::vermilion, .dash = Dash::dashes},
+                                                      {.color = Color::green, .width = 2.2}}};
 constexpr std::array<const char*, kEkfSensorSets.size()> kColumns{"encoder", "+ GPS", "+ compass", "all"};
 
 report::Document top(const EkfReport& report) {
   FirstScreen screen{
       .title = "The EKF: Figures 2.2 to 2.4, and real robots",
-      .about = fmt::format("What the dissertation publishes of its extended Kalman filter (section 2.2), beside what "
-                           "is measured here over {} seeds.",
-                           report.seeds),
+      .about = fmt::format(
+          "What the dissertation publishes of its extended Kalman filter (section 2.2), beside what "
+          "is measured here over {} seeds.",
+          report.seeds),
       .judged =
           report.real_data ? "the filter in simulation and on recorded logs" : "the filter in simulation",
       .criteria = all_criteria(report),
@@ -61,7 +61,8 @@ report::Chart ways_chart(const std::vector<const EkfRow*>& rows, EkfWay way, boo
   std::vector<Vector2> truth;
   for (const EkfSample& sample : rows.front()->example) truth.push_back(sample.truth);
   if (detail && !truth.empty())
-    plan.show({truth.back() - Vector2(kDetail, 0.75 * kDetail), truth.back() + Vector2(kDetail, 0.75 * kDetail)});
+    plan.show(
+        {truth.back() - Vector2(kDetail, 0.75 * kDetail), truth.back() + Vector2(kDetail, 0.75 * kDetail)});
   plan.series.push_back({"true way", {.width = 1.2}, std::move(truth)});
   for (std::size_t i = detail ? 1 : 0; i < rows.size(); ++i) {
     plan.series.push_back({std::string(kEkfSensorSets[i].name), kLooks[i]});
@@ -183,16 +184,27 @@ std::string parameters(const RealDataResults& results) {
 }
 
 void add_real_data(report::Document& document, const RealDataResults& results) {
-  report::Table rows({"log", "task", "sensors", "reference [m]", "mean [m]", "rms [m]", "largest [m]",
-                      "places", {"from [s]", 1}});
+  report::Table rows({"log",
+                      "task",
+                      "sensors",
+                      "reference [m]",
+                      "mean [m]",
+                      "rms [m]",
+                      "largest [m]",
+                      "places",
+                      {"from [s]", 1}});
   for (const RealDataRow& row : results.rows)
     rows.row({plain(row.log), plain(row.task), plain(row.sensors), plain(row.reference), row.mean, row.rms,
               row.largest, row.count, row.first_pose});
-  report::Table walks({{"position_walk [m/√m]", 2}, "Husky, every second fix [m]", "Husky, outage [m]",
-                       "MRCLAM, receiver [m]", "MRCLAM, all [m]", "Labyrinth, ranges [m]"});
+  report::Table walks({{"position_walk [m/√m]", 2},
+                       "Husky, every second fix [m]",
+                       "Husky, outage [m]",
+                       "MRCLAM, receiver [m]",
+                       "MRCLAM, all [m]",
+                       "Labyrinth, ranges [m]"});
   for (const WalkRow& row : results.walks)
-    walks.row({row.position_walk, row.husky_half, row.husky_outage, row.mrclam_gps, row.mrclam_all,
-               row.labyrinth});
+    walks.row(
+        {row.position_walk, row.husky_half, row.husky_outage, row.mrclam_gps, row.mrclam_all, row.labyrinth});
   report::Table logs({"log", "source", "licence"});
   for (const NamedLog& log : results.logs) logs.row({plain(log.name), plain(log.source), plain(log.licence)});
   document.figure(recorded_ways(results))

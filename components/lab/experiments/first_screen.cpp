@@ -20,8 +20,7 @@ bool is_missed(const Criterion& c) { return !c.met && c.not_judged.empty(); }
 
 /// "All 8 criteria are met." or what is met, what is not and what is open.
 std::string count_of(const std::vector<Criterion>& criteria) {
-  const auto open =
-      std::ranges::count_if(criteria, [](const Criterion& c) { return !c.not_judged.empty(); });
+  const auto open = std::ranges::count_if(criteria, [](const Criterion& c) { return !c.not_judged.empty(); });
   const auto judged = std::ssize(criteria) - open;
   const auto met = judged - std::ranges::count_if(criteria, is_missed);
   std::string text;
@@ -43,7 +42,8 @@ std::string count_of(const std::vector<Criterion>& criteria) {
 }  // namespace
 
 std::string missed_in_words(const Criterion& c) {
-  const std::string measured = is_count(c) ? fmt::format("{:.0f}", c.measured) : report::in_digits(c.measured);
+  const std::string measured =
+      is_count(c) ? fmt::format("{:.0f}", c.measured) : report::in_digits(c.measured);
   return plain(fmt::format("{}: {}, asked {}", c.name, measured, c.asked));
 }
 

@@ -12,9 +12,9 @@ namespace bw {
 /// Texts as those of a document, but for `judged` and `tuned`, which are plain.
 struct FirstScreen {
   std::string title;
-  std::string about;                     ///< which parts of the source, what the report shows
-  std::string judged;                    ///< what the exit status stands for
-  std::vector<Criterion> criteria = {};  ///< of what is judged
+  std::string about;                         ///< which parts of the source, what the report shows
+  std::string judged;                        ///< what the exit status stands for
+  std::vector<Criterion> criteria = {};      ///< of what is judged
   std::vector<std::string> not_judged = {};  ///< what is only reported, or cannot be reproduced, and why
   std::vector<std::string> tuned = {};       ///< chosen with the published values in view
 };

@@ -97,8 +97,9 @@ report::Figure hallway_courses_figure(const std::vector<HallwayDrive>& drives, c
   const std::vector<std::string> planners = labels(meant);
   report::Figure figure{
       .title = source + " again: the collision index along the drives, " + episode + " hallway",
-      .caption = "People who react, ideal senses. The source shows one drive each and its threshold of 0.54, "
-                 "in a hallway whose measures it does not give.",
+      .caption =
+          "People who react, ideal senses. The source shows one drive each and its threshold of 0.54, "
+          "in a hallway whose measures it does not give.",
       .columns = std::ranges::find(planners, "eteb") != planners.end() ? 3 : 2};
   for (const std::string& label : planners)  // the planner with several bands and no more is left out
     if (!label.starts_with("teb_homotopy")) figure.add(course_chart(label, meant, longest));

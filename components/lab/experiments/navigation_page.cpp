@@ -1,8 +1,8 @@
 // The report of navigation_report.hpp.
 #include <fmt/format.h>
 
-#include "components/lab/experiments/first_screen.hpp"
 #include "components/lab/experiments/caveats.hpp"
+#include "components/lab/experiments/first_screen.hpp"
 #include "components/lab/experiments/navigation_report.hpp"
 
 namespace bw {
@@ -73,13 +73,15 @@ report::Document navigation_page(const NavigationResults& results,
             "what the source shows was seen in the first drives, before it was decided what to judge."},
        .tuned = tuned_to_published("navigation")});
   document.heading("All drives")
-      .text("Means, beside them the 5 % and 95 % quantiles over the seeds; time and way of drives that reached the goal.")
+      .text(
+          "Means, beside them the 5 % and 95 % quantiles over the seeds; time and way of drives that reached the goal.")
       .table(rows_table(results))
       .text("The same asked in the full hallway, which decides nothing:")
       .table(criteria_table(navigation_criteria(results, "full")));
   for (const report::Figure& figure : figures) document.figure(figure);
   const std::vector<std::string> failed = failed_drives(results);
-  if (!failed.empty()) document.heading("Drives that failed").list("Those with a link can be played.", failed);
+  if (!failed.empty())
+    document.heading("Drives that failed").list("Those with a link can be played.", failed);
   return document;
 }
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "components/lab/experiments/first_screen.hpp"
 #include "components/lab/experiments/caveats.hpp"
+#include "components/lab/experiments/first_screen.hpp"
 #include "components/lab/experiments/pf_report.hpp"
 
 namespace bw {
@@ -26,10 +26,10 @@ report::Document top(const PfTable& table) {
   const PfExperimentOptions& o = table.options;
   return begin_report(
       {.title = "The particle filter: Figure 2.5 and Table 2.1",
-       .about =
-           fmt::format("What the dissertation publishes of its particle filter (section 2.3), beside what is measured "
-                       "here with {} particles over seeds {} to {}.",
-                       o.particles, o.first_seed, o.last_seed),
+       .about = fmt::format(
+           "What the dissertation publishes of its particle filter (section 2.3), beside what is measured "
+           "here with {} particles over seeds {} to {}.",
+           o.particles, o.first_seed, o.last_seed),
        .judged = "the particle filter with Gaussian weights",
        .criteria = table.criteria,
        .not_judged =
@@ -77,9 +77,10 @@ std::vector<Vector2> errors(const PfCell& cell) {
 report::Figure ways(const PfTable& table) {
   report::Figure figure{
       .title = "Figure 2.5 again: the way in three parts, before, under and after the roof",
-      .caption = "One run (the first seed), the same motion and noise in all four cases. From (0, 0) to the "
-                 "right and round; outside the roof all readings arrive. The source gives neither the "
-                 "length of the way nor where the roof stands: both are proposals.",
+      .caption =
+          "One run (the first seed), the same motion and noise in all four cases. From (0, 0) to the "
+          "right and round; outside the roof all readings arrive. The source gives neither the "
+          "length of the way nor where the roof stands: both are proposals.",
       .columns = 2};
   for (std::size_t row = 0; row < kPfRows.size(); ++row) {
     const PfCell& filter = cell_of(table, row, PfMethod::gaussian);
@@ -97,21 +98,23 @@ report::Figure ways(const PfTable& table) {
 
 report::Figure errors_over_time(const PfTable& table) {
   report::Figure figure{.title = "Error over time of the same runs",
-                        .caption = "Distance of the estimate from the true place. Once out of the roof the filter "
-                                   "comes back to the true pose.",
+                        .caption =
+                            "Distance of the estimate from the true place. Once out of the roof the filter "
+                            "comes back to the true pose.",
                         .columns = 2};
   double largest = 0.0;
   for (const auto& row : table.cells)
     for (const PfMethod method : {PfMethod::encoder, PfMethod::gaussian})
-      for (const Vector2& p : errors(row[static_cast<std::size_t>(method)])) largest = std::max(largest, p.y());
+      for (const Vector2& p : errors(row[static_cast<std::size_t>(method)]))
+        largest = std::max(largest, p.y());
   for (std::size_t row = 0; row < kPfRows.size(); ++row)
-    figure.add(report::Chart{
-        .title = case_name(row),
-        .x = {"time [s]", 0.0, 84.0},
-        .y = {"error [m]", 0.0, 1.05 * largest},
-        .series = {{kEncoderName, kEncoder, errors(cell_of(table, row, PfMethod::encoder))},
-                   {kFilterName, kFilter, errors(cell_of(table, row, PfMethod::gaussian))}},
-        .spans = {{kPfRoofFrom, kPfRoofTo, "roof"}}});
+    figure.add(
+        report::Chart{.title = case_name(row),
+                      .x = {"time [s]", 0.0, 84.0},
+                      .y = {"error [m]", 0.0, 1.05 * largest},
+                      .series = {{kEncoderName, kEncoder, errors(cell_of(table, row, PfMethod::encoder))},
+                                 {kFilterName, kFilter, errors(cell_of(table, row, PfMethod::gaussian))}},
+                      .spans = {{kPfRoofFrom, kPfRoofTo, "roof"}}});
   return figure;
 }
 

@@ -69,7 +69,8 @@ bool reproduce_navigation(const ReproduceArguments& arguments) {
     const std::string& hallway = suite.options.episodes[episode].name;
     for (std::size_t i = 0; i < navigation_pairs().size(); ++i) {
       const NavigationPair& pair = navigation_pairs()[i];
-      for (std::int64_t seed = 1; seed <= (arguments.quick ? kQuickNavigationSeeds : kNavigationSeeds); ++seed) {
+      for (std::int64_t seed = 1; seed <= (arguments.quick ? kQuickNavigationSeeds : kNavigationSeeds);
+           ++seed) {
         jobs.push_back(
             {.title = fmt::format("{} {}{}, hallway {}{} seed {}", pair.robot, pair.planner,
                                   pair.as_published ? " as published" : "", hallway,

@@ -19,7 +19,8 @@ void write_page(const report::Document& page, const ReproduceArguments& argument
   if (can_draw_reports()) {
     write_report_page(page, arguments.out / "index.html");
   } else {
-    std::cerr << "this program was built without the page: index.html is left out, the figures are in results.json\n";
+    std::cerr
+        << "this program was built without the page: index.html is left out, the figures are in results.json\n";
   }
 }
 
@@ -38,7 +39,8 @@ bool write_report(const ReproduceReport& report, const ReproduceArguments& argum
   fmt::print("{}", closing_lines(report.subject, report.judged, report.criteria));
   for (const auto& [name, criteria] : report.other_readings)
     fmt::print("not judged by it: {}\n", criteria.empty() ? name + ": not run" : verdict(name, criteria));
-  fmt::print("written: {}\n", (arguments.out / (can_draw_reports() ? "index.html" : "results.json")).string());
+  fmt::print("written: {}\n",
+             (arguments.out / (can_draw_reports() ? "index.html" : "results.json")).string());
   return all_met(report.criteria);
 }
 

@@ -115,8 +115,7 @@ class FailureDrawing {
       add_way(is_touched ? "who is touched" : "others, last 4 s",
               {.color = color, .width = is_touched ? 2.5 : 1.6},
               way_of(moments_, person.id, time_ - kBefore, time_), is_touched);
-      plan_.bodies.push_back(
-          {person.position, person.radius, color, std::to_string(person.id), {0.0, 0.0}});
+      plan_.bodies.push_back({person.position, person.radius, color, std::to_string(person.id), {0.0, 0.0}});
       if (!is_touched) continue;
       const double end = motion_ != nullptr ? motion_->back().time : time_ + kAfter;
       add_line("", {.color = color, .dash = Dash::dots, .width = 1.4},
@@ -142,7 +141,8 @@ class FailureDrawing {
     if (motion_ == nullptr) return;
     Way way;
     for (const possible::MotionState& state : *motion_) way.push_back({state.time, state.pose.position()});
-    add_way("a motion without contact", {.color = Color::green, .dash = Dash::dashes, .width = 3.0}, way, true);
+    add_way("a motion without contact", {.color = Color::green, .dash = Dash::dashes, .width = 3.0}, way,
+            true);
     add_body(motion_->front().pose, Color::green, Dash::dashes);
     add_body(motion_->back().pose, Color::green, Dash::dashes);
     plan_.marks.push_back({motion_->front().pose.position(), report::Symbol::ring, Color::green,
@@ -177,8 +177,8 @@ class FailureDrawing {
       const double share = std::clamp((second - way[i].time) / (way[i + 1].time - way[i].time), 0.0, 1.0);
       const Vector2 at = way[i].position + share * (way[i + 1].position - way[i].position);
       const bool is_far = !numbered || (*numbered - at).norm() >= kCrowded * view_.sizes().x();
-      plan_.marks.push_back({at, report::Symbol::dot, look.color,
-                             is_numbered && is_far ? fmt::format("{:.0f}", second) : ""});
+      plan_.marks.push_back(
+          {at, report::Symbol::dot, look.color, is_numbered && is_far ? fmt::format("{:.0f}", second) : ""});
       if (is_numbered && is_far) numbered = at;
     }
   }

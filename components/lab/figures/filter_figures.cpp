@@ -28,7 +28,8 @@ Time at_step(std::size_t i) { return kBegin + Duration::seconds(kPeriod * static
 
 /// What wheels with `k` [m] (variance of a metre's travel) measure of one step; and `slant` [rad/m] that they
 /// do not know of.
-WheelStep wheel_step(std::size_t i, const Pose2& from, const Pose2& to, double k, double slant, Random& random) {
+WheelStep wheel_step(std::size_t i, const Pose2& from, const Pose2& to, double k, double slant,
+                     Random& random) {
   const Pose2 by = inverse(from) * to;
   const double way = std::hypot(by.x, by.y);
   WheelStep step{.time = at_step(i), .over = Duration::seconds(kPeriod)};
@@ -84,8 +85,11 @@ std::string late_measurement() {
   plane.note(truth.back().position(), "truth now", 8.0, 8.0);
   plane.key(kBlue, "wheels alone, with two standard deviations of the position each 0.5 s");
   plane.key(kOrange, "the position fix, and two standard deviations of it");
-  plane.key(kGreen, fmt::format("correction of the present: the fix is used at its stamp and {} later steps are predicted again",
-                                outcome.replayed));
+  plane.key(
+      kGreen,
+      fmt::format(
+          "correction of the present: the fix is used at its stamp and {} later steps are predicted again",
+          outcome.replayed));
   return std::move(plane).finish();
 }
 
@@ -112,7 +116,8 @@ std::string particle_cloud() {
   draw_room(plane);
   const auto draw_cloud = [&](std::string_view color) {
     const localization::ParticleSet& particles = *filter.particles();
-    for (std::size_t i = 0; i < particles.size(); i += 4) plane.dot({particles.x[i], particles.y[i]}, 1.4, color, 0.5);
+    for (std::size_t i = 0; i < particles.size(); i += 4)
+      plane.dot({particles.x[i], particles.y[i]}, 1.4, color, 0.5);
   };
   const auto draw_truth = [&](std::size_t i) {
     plane.disc(truth[i].position(), 0.2, kBlack, 0.0);
@@ -143,7 +148,8 @@ std::string particle_cloud() {
   draw_truth(truth.size() - 1);
   plane.key(kOrange, "likelihood field: how likely a beam ends there");
   plane.key(kBlue, "each fourth particle at the start: the pose is known within 0.4 m");
-  plane.key(kGreen, fmt::format("after {:.1f} m and the sweeps on the way; the circle is the robot", 0.8 * 6.0));
+  plane.key(kGreen,
+            fmt::format("after {:.1f} m and the sweeps on the way; the circle is the robot", 0.8 * 6.0));
   plane.key(kVermilion, "ends of the last sweep's beams");
   return std::move(plane).finish();
 }

@@ -20,7 +20,11 @@ std::string stroke(std::string_view color, double width) {
 }  // namespace
 
 Plane::Plane(std::string title, const Eigen::AlignedBox2d& window, Axes axes, double width, double height)
-    : title_(std::move(title)), window_(window), axes_(std::move(axes)), width_(width - kLeft - kRight), height_(height) {
+    : title_(std::move(title)),
+      window_(window),
+      axes_(std::move(axes)),
+      width_(width - kLeft - kRight),
+      height_(height) {
   const Vector2 size = window_.sizes();
   if (axes_.is_metric) height_ = width_ * size.y() / size.x();
   scale_ = {width_ / size.x(), height_ / size.y()};
@@ -39,14 +43,15 @@ std::string Plane::points_of(const std::vector<Vector2>& points) const {
   return text;
 }
 
-void Plane::curve(const std::vector<Vector2>& points, std::string_view color, double width, std::string_view dash) {
+void Plane::curve(const std::vector<Vector2>& points, std::string_view color, double width,
+                  std::string_view dash) {
   body_ += "<polyline points=\"" + points_of(points) + "\" fill=\"none\" " + stroke(color, width) +
            (dash.empty() ? "" : " stroke-dasharray=\"" + std::string(dash) + '"') + "/>\n";
 }
 
 void Plane::area(const std::vector<Vector2>& points, std::string_view color, double opacity) {
-  body_ += "<polygon points=\"" + points_of(points) + "\" fill=\"" + std::string(color) + "\" fill-opacity=\"" +
-           fixed(opacity, 2) + "\" " + stroke(color, 1.0) + "/>\n";
+  body_ += "<polygon points=\"" + points_of(points) + "\" fill=\"" + std::string(color) +
+           "\" fill-opacity=\"" + fixed(opacity, 2) + "\" " + stroke(color, 1.0) + "/>\n";
 }
 
 void Plane::arrow(const Vector2& from, const Vector2& by, std::string_view color, double width) {
@@ -56,21 +61,23 @@ void Plane::arrow(const Vector2& from, const Vector2& by, std::string_view color
   const Vector2 along = (b - a) / length, across(-along.y(), along.x());
   const double head = std::min(8.0, 0.6 * length);
   const Vector2 left = b - head * along + 0.4 * head * across, right = b - head * along - 0.4 * head * across;
-  body_ += "<path d=\"M" + px(a.x()) + ' ' + px(a.y()) + " L" + px(b.x()) + ' ' + px(b.y()) + " M" + px(left.x()) + ' ' +
-           px(left.y()) + " L" + px(b.x()) + ' ' + px(b.y()) + " L" + px(right.x()) + ' ' + px(right.y()) +
-           "\" fill=\"none\" " + stroke(color, width) + "/>\n";
+  body_ += "<path d=\"M" + px(a.x()) + ' ' + px(a.y()) + " L" + px(b.x()) + ' ' + px(b.y()) + " M" +
+           px(left.x()) + ' ' + px(left.y()) + " L" + px(b.x()) + ' ' + px(b.y()) + " L" + px(right.x()) +
+           ' ' + px(right.y()) + "\" fill=\"none\" " + stroke(color, width) + "/>\n";
 }
 
 void Plane::disc(const Vector2& center, double radius, std::string_view color, double opacity) {
   const Vector2 p = pixel(center);
-  body_ += "<ellipse cx=\"" + px(p.x()) + "\" cy=\"" + px(p.y()) + "\" rx=\"" + px(radius * scale_.x()) + "\" ry=\"" +
-           px(radius * scale_.y()) + "\" fill=\"" + std::string(color) + "\" fill-opacity=\"" + fixed(opacity, 2) + "\" " +
-           stroke(color, 1.2) + "/>\n";
+  body_ += "<ellipse cx=\"" + px(p.x()) + "\" cy=\"" + px(p.y()) + "\" rx=\"" + px(radius * scale_.x()) +
+           "\" ry=\"" + px(radius * scale_.y()) + "\" fill=\"" + std::string(color) + "\" fill-opacity=\"" +
+           fixed(opacity, 2) + "\" " + stroke(color, 1.2) + "/>\n";
 }
 
-void Plane::ellipse(const Vector2& mean, const Eigen::Matrix2d& covariance, double sigmas, std::string_view color) {
+void Plane::ellipse(const Vector2& mean, const Eigen::Matrix2d& covariance, double sigmas,
+                    std::string_view color) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance);
-  const Eigen::Matrix2d half = axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  const Eigen::Matrix2d half =
+      axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
   std::vector<Vector2> rim;
   for (int i = 0; i <= 48; ++i) {
     const double angle = 2.0 * M_PI * i / 48.0;
@@ -88,8 +95,8 @@ void Plane::dot(const Vector2& center, double radius, std::string_view color, do
 void Plane::cell(const Eigen::AlignedBox2d& cell, std::string_view color, double opacity) {
   const Vector2 corner = pixel({cell.min().x(), cell.max().y()});
   body_ += "<rect x=\"" + px(corner.x()) + "\" y=\"" + px(corner.y()) + "\" width=\"" +
-           px(cell.sizes().x() * scale_.x()) + "\" height=\"" + px(cell.sizes().y() * scale_.y()) + "\" fill=\"" +
-           std::string(color) + "\" fill-opacity=\"" + fixed(opacity, 2) + "\"/>\n";
+           px(cell.sizes().x() * scale_.x()) + "\" height=\"" + px(cell.sizes().y() * scale_.y()) +
+           "\" fill=\"" + std::string(color) + "\" fill-opacity=\"" + fixed(opacity, 2) + "\"/>\n";
 }
 
 void Plane::note(const Vector2& at, std::string_view text, double right, double up, std::string_view color) {
@@ -111,7 +118,8 @@ void Plane::draw_axes(SvgWriter& svg) const {
   for (double y = first(window_.min().y()); y <= window_.max().y() + 1e-9; y += axes_.tick) {
     const Vector2 p = pixel({window_.min().x(), y});
     svg.line(p, p + Vector2(width_, 0.0), "stroke=\"#eeeeee\"");
-    svg.text(p + Vector2(-8.0, 4.0), fixed(y, axes_.decimals), "font-size=\"11\" fill=\"#555555\" text-anchor=\"end\"");
+    svg.text(p + Vector2(-8.0, 4.0), fixed(y, axes_.decimals),
+             "font-size=\"11\" fill=\"#555555\" text-anchor=\"end\"");
   }
   svg.text({kLeft + 0.5 * width_, kTop + height_ + 34.0}, axes_.x, kSmall);
   svg.open("<g transform=\"rotate(-90 14 " + px(kTop + 0.5 * height_) + ")\">");
@@ -126,8 +134,8 @@ std::string Plane::finish() && {
   svg.rectangle({0.0, 0.0}, width, height, "fill=\"#ffffff\"");
   svg.text({kLeft, 24.0}, title_, "font-size=\"15\" font-weight=\"600\" fill=\"#222222\"");
   draw_axes(svg);
-  svg.open("<clipPath id=\"window\"><rect x=\"" + px(kLeft) + "\" y=\"" + px(kTop) + "\" width=\"" + px(width_) +
-           "\" height=\"" + px(height_) + "\"/></clipPath>");
+  svg.open("<clipPath id=\"window\"><rect x=\"" + px(kLeft) + "\" y=\"" + px(kTop) + "\" width=\"" +
+           px(width_) + "\" height=\"" + px(height_) + "\"/></clipPath>");
   svg.open("<g clip-path=\"url(#window)\">");
   svg.open(body_);
   svg.close("</g>");

@@ -23,19 +23,21 @@ inline constexpr std::string_view kVermilion = "#d55e00";
 inline constexpr std::string_view kPurple = "#cc79a7";
 
 struct Axes {
-  std::string x;           ///< label with its unit
+  std::string x;  ///< label with its unit
   std::string y;
-  double tick = 1.0;       ///< between two numbers
-  int decimals = 0;        ///< of these
-  bool is_metric = true;   ///< one scale for both axes
+  double tick = 1.0;      ///< between two numbers
+  int decimals = 0;       ///< of these
+  bool is_metric = true;  ///< one scale for both axes
 };
 
 class Plane {
  public:
   /// `width` pixels wide in all. Of axes that are not metric the drawing is `height` pixels high.
-  Plane(std::string title, const Eigen::AlignedBox2d& window, Axes axes, double width = 760.0, double height = 420.0);
+  Plane(std::string title, const Eigen::AlignedBox2d& window, Axes axes, double width = 760.0,
+        double height = 420.0);
 
-  void curve(const std::vector<Vector2>& points, std::string_view color, double width = 2.0, std::string_view dash = "");
+  void curve(const std::vector<Vector2>& points, std::string_view color, double width = 2.0,
+             std::string_view dash = "");
   void area(const std::vector<Vector2>& points, std::string_view color, double opacity);
   void arrow(const Vector2& from, const Vector2& by, std::string_view color, double width = 1.6);
   /// Outlined, and filled with `opacity`.
@@ -46,7 +48,8 @@ class Plane {
   void dot(const Vector2& center, double radius, std::string_view color, double opacity = 1.0);
   void cell(const Eigen::AlignedBox2d& cell, std::string_view color, double opacity);
   /// `right` [px] from the place and `up` from it.
-  void note(const Vector2& at, std::string_view text, double right = 6.0, double up = 6.0, std::string_view color = kBlack);
+  void note(const Vector2& at, std::string_view text, double right = 6.0, double up = 6.0,
+            std::string_view color = kBlack);
   /// A line of the key below the drawing.
   void key(std::string_view color, std::string_view text);
 

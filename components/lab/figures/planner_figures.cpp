@@ -37,7 +37,8 @@ void draw_robot(Plane& plane, const PlanningProblem& problem) {
 void draw_people(Plane& plane, const PlanningProblem& problem, double seconds) {
   char name = 'A';
   for (const Mover& person : problem.movers) {
-    for (double t = 1.0; t <= seconds; t += 1.0) plane.disc(person.position_at(t), person.radius, kPurple, 0.06);
+    for (double t = 1.0; t <= seconds; t += 1.0)
+      plane.disc(person.position_at(t), person.radius, kPurple, 0.06);
     plane.disc(person.position, person.radius, kPurple, 0.4);
     plane.arrow(person.position, person.velocity, kPurple);
     plane.note(person.position, std::string(1, name++), -4.0, -4.0);
@@ -50,7 +51,8 @@ std::string elastic_band() {
   const PlannerOptions options;
   const auto [problem, result] = crossing_moment("teb", options, kBeforeTheyMeet);
   const double reach = options.of<teb::TebOptions>("teb").band.dynamic_obstacle_inflation_dist;
-  Plane plane(fmt::format("Timed elastic band, {:.1f} s into the drive", kBeforeTheyMeet), Box(Vector2(0.0, -3.0), Vector2(10.5, 3.0)), kFloor);
+  Plane plane(fmt::format("Timed elastic band, {:.1f} s into the drive", kBeforeTheyMeet),
+              Box(Vector2(0.0, -3.0), Vector2(10.5, 3.0)), kFloor);
   draw_people(plane, problem, 5.0);
   plane.curve(places(result.trajectory), kGreen, 2.4);
   for (const TrajectoryPoint& point : result.trajectory) {
@@ -66,30 +68,39 @@ std::string elastic_band() {
   }
   draw_robot(plane, problem);
   plane.key(kGreen, "poses of the band with their headings, and the segments between them");
-  plane.key(kVermilion, fmt::format("push of a person whose gap, at the time of that pose, is below dynamic_obstacle_inflation_dist ({} m)", reach));
+  plane.key(
+      kVermilion,
+      fmt::format(
+          "push of a person whose gap, at the time of that pose, is below dynamic_obstacle_inflation_dist ({} m)",
+          reach));
   plane.key(kPurple, "people A and B: now (the arrow is 1 s of their walk) and each second from now on");
   return std::move(plane).finish();
 }
 
 std::string homotopy_classes() {
   const auto [problem, result] = crossing_moment("eteb", PlannerOptions{}, kBeforeTheyMeet);
-  Plane plane("Homotopy classes around two people: one band in each", Box(Vector2(0.0, -3.0), Vector2(10.5, 3.0)), kFloor);
+  Plane plane("Homotopy classes around two people: one band in each",
+              Box(Vector2(0.0, -3.0), Vector2(10.5, 3.0)), kFloor);
   draw_people(plane, problem, 5.0);
   constexpr std::array kColors{kOrange, kSky, kVermilion, kGrey, kBlack};
   std::size_t next = 0;
   for (const Candidate& candidate : result.candidates) {
     const std::string_view color = candidate.chosen ? kGreen : kColors[next++ % kColors.size()];
-    plane.curve(places(candidate.trajectory), color, candidate.chosen ? 3.0 : 1.8, candidate.chosen ? "" : "6 4");
-    plane.key(color, fmt::format("{}: cost {:.1f}{}", candidate.label, candidate.cost, candidate.chosen ? ", driven" : ""));
+    plane.curve(places(candidate.trajectory), color, candidate.chosen ? 3.0 : 1.8,
+                candidate.chosen ? "" : "6 4");
+    plane.key(color, fmt::format("{}: cost {:.1f}{}", candidate.label, candidate.cost,
+                                 candidate.chosen ? ", driven" : ""));
   }
   draw_robot(plane, problem);
-  plane.key(kPurple, "people A and B: now and each second from now on; a class says on which side each is passed");
+  plane.key(kPurple,
+            "people A and B: now and each second from now on; a class says on which side each is passed");
   return std::move(plane).finish();
 }
 
 std::string velocity_obstacle() {
   const auto [problem, result] = crossing_moment("hrvo", PlannerOptions{}, kBeforeTheyMeet);
-  Plane plane("Velocity obstacles of two people, in the space of velocities", Box(Vector2(-1.6, -1.4), Vector2(1.8, 1.4)), kVelocities, 620.0);
+  Plane plane("Velocity obstacles of two people, in the space of velocities",
+              Box(Vector2(-1.6, -1.4), Vector2(1.8, 1.4)), kVelocities, 620.0);
   constexpr double kFar = 6.0;  // [m/s]
   for (const VelocityCone& cone : result.velocity_cones) {
     plane.area({cone.apex, cone.apex + kFar * cone.right, cone.apex + kFar * cone.left}, kPurple, 0.16);
@@ -104,7 +115,9 @@ std::string velocity_obstacle() {
     plane.arrow({0.0, 0.0}, *result.velocity_wanted, kGreen, 2.4);
     plane.note(*result.velocity_wanted, "advised", 6.0, 8.0, kGreen);
   }
-  plane.key(kPurple, "velocities that lead to a contact; the apex is the person's velocity, or lies between where avoiding is shared");
+  plane.key(
+      kPurple,
+      "velocities that lead to a contact; the apex is the person's velocity, or lies between where avoiding is shared");
   plane.key(kGrey, "top speed");
   plane.key(kGreen, "the velocity outside all obstacles that is nearest to straight on");
   return std::move(plane).finish();
@@ -117,14 +130,25 @@ std::string dynamic_window() {
   dwa.shown_candidates = 100'000;
   const auto [problem, result] = crossing_moment("dwa", options, kBeforeTheyMeet);
   const Limits& limits = problem.limits;
-  Plane plane("Dynamic window, samples and their objective", Box(Vector2(-1.1 * limits.omega_max, -0.1), Vector2(1.1 * limits.omega_max, 1.15 * limits.v_max)),
-              {.x = "turn rate [rad/s], left is negative in the drawing", .y = "speed [m/s]", .tick = 0.2, .decimals = 1, .is_metric = false});
+  Plane plane(
+      "Dynamic window, samples and their objective",
+      Box(Vector2(-1.1 * limits.omega_max, -0.1), Vector2(1.1 * limits.omega_max, 1.15 * limits.v_max)),
+      {.x = "turn rate [rad/s], left is negative in the drawing",
+       .y = "speed [m/s]",
+       .tick = 0.2,
+       .decimals = 1,
+       .is_metric = false});
   const auto at = [](const Twist2& twist) { return Vector2(-twist.omega, twist.v); };
   const auto frame = [&](const dwa::VelocityWindow& w, std::string_view color, double opacity) {
-    plane.area({{-w.omega.low, w.v.low}, {-w.omega.high, w.v.low}, {-w.omega.high, w.v.high}, {-w.omega.low, w.v.high}}, color, opacity);
+    plane.area({{-w.omega.low, w.v.low},
+                {-w.omega.high, w.v.low},
+                {-w.omega.high, w.v.high},
+                {-w.omega.low, w.v.high}},
+               color, opacity);
   };
   frame({{0.0, limits.v_max}, {-limits.omega_max, limits.omega_max}}, kGrey, 0.05);
-  const dwa::VelocityWindow window = dwa::velocity_window(problem.twist, limits, limits.v_max, problem.control_period);
+  const dwa::VelocityWindow window =
+      dwa::velocity_window(problem.twist, limits, limits.v_max, problem.control_period);
   frame(window, kSky, 0.12);
   for (const Twist2& sample : dwa::velocity_samples(window, problem.twist, dwa.v_samples, dwa.omega_samples))
     plane.dot(at(sample), 2.0, kGrey);
@@ -135,11 +159,13 @@ std::string dynamic_window() {
   }
   for (const Candidate& candidate : result.candidates) {
     const double share = worst > best ? (worst - candidate.cost) / (worst - best) : 1.0;
-    plane.dot(at(candidate.trajectory.back().twist), 2.0 + 3.0 * share, candidate.chosen ? kVermilion : kGreen, 0.25 + 0.75 * share);
+    plane.dot(at(candidate.trajectory.back().twist), 2.0 + 3.0 * share,
+              candidate.chosen ? kVermilion : kGreen, 0.25 + 0.75 * share);
   }
   plane.dot(at(problem.twist), 4.5, kBlue);
   plane.note(at(problem.twist), "now", 8.0, -14.0, kBlue);
-  plane.key(kGrey, "what the robot may drive; a grey dot is a sample that cannot brake before its first contact");
+  plane.key(kGrey,
+            "what the robot may drive; a grey dot is a sample that cannot brake before its first contact");
   plane.key(kSky, "dynamic window: what the accelerations reach in one control period");
   plane.key(kGreen, "admissible samples, larger for a larger objective; red is the command");
   return std::move(plane).finish();

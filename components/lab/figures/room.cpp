@@ -29,8 +29,9 @@ OccupancyGrid room_map() {
                     .height = static_cast<int>(std::lround(kRoom.sizes().y() / kResolution))};
   for (int row = 0; row < map.height; ++row)
     for (int column = 0; column < map.width; ++column)
-      map.cells.push_back(scene.clearance(map.center(column, row), 1.0) <= 0.5 * kResolution ? OccupancyGrid::kOccupied
-                                                                                             : OccupancyGrid::kFree);
+      map.cells.push_back(scene.clearance(map.center(column, row), 1.0) <= 0.5 * kResolution
+                              ? OccupancyGrid::kOccupied
+                              : OccupancyGrid::kFree);
   return map;
 }
 

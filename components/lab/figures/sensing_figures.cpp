@@ -25,7 +25,8 @@ const Axes kFloor{.x = "x [m]", .y = "y [m]"};
 
 std::string leg_evidence() {
   const Pose2 X_ML(1.2, 2.6, 0.15);
-  const std::vector<Person> people = {{.id = 1, .position = {4.2, 2.9}, .velocity = {0.1, -1.1}}, {.id = 2, .position = {3.2, 1.7}}};
+  const std::vector<Person> people = {{.id = 1, .position = {4.2, 2.9}, .velocity = {0.1, -1.1}},
+                                      {.id = 2, .position = {3.2, 1.7}}};
   Legs legs(LegOptions{});
   for (int i = 0; i < 7; ++i) legs.step(0.1, people);
   const std::vector<Disc> leg_discs = legs.discs(people);
@@ -44,18 +45,21 @@ std::string leg_evidence() {
   sweep.ranges = scan.ranges;
   const people::DetectionSet& detections = detector.detect(sweep, {});
 
-  Plane plane("Legs in a sweep: clusters of beams and their scores", Eigen::AlignedBox2d(Vector2(0.8, 0.9), Vector2(5.4, 3.7)),
+  Plane plane("Legs in a sweep: clusters of beams and their scores",
+              Eigen::AlignedBox2d(Vector2(0.8, 0.9), Vector2(5.4, 3.7)),
               {.x = "x [m]", .y = "y [m]", .tick = 0.5, .decimals = 1});
   draw_room(plane);
   for (const Disc& leg : leg_discs) plane.disc(leg.center, leg.radius, kPurple, 0.3);
   for (std::size_t i = 0; i < scan.ranges.size(); ++i)
     if (std::isfinite(scan.ranges[i]))
-      plane.dot(X_ML * (static_cast<double>(scan.ranges[i]) * direction(scan.angle_min + static_cast<double>(i) * scan.angle_increment)),
+      plane.dot(X_ML * (static_cast<double>(scan.ranges[i]) *
+                        direction(scan.angle_min + static_cast<double>(i) * scan.angle_increment)),
                 1.8, kBlue);
   for (const people::Detection& detection : detections.detections) {
     if (detection.human_score() < 0.2) continue;
     plane.disc(detection.position, 0.14, kVermilion, 0.0);
-    plane.note(detection.position, fmt::format("leg {:.2f}, body {:.2f}", detection.leg_score, detection.body_score), 16.0, 8.0,
+    plane.note(detection.position,
+               fmt::format("leg {:.2f}, body {:.2f}", detection.leg_score, detection.body_score), 16.0, 8.0,
                kVermilion);
   }
   plane.dot(X_ML.position(), 5.0, kBlack);
@@ -98,16 +102,18 @@ std::string stopping_distance() {
     const Vector2 end = robot.position() + way * direction(robot.theta);
     plane.disc(end, footprint.radius, kGreen, 0.05);
     plane.arrow(robot.position(), end - robot.position(), kGreen, 1.2);
-    plane.note(end, fmt::format("{:.1f} m/s", speed), -14.0, -46.0 - 16.0 * (speed > 0.5) + 16.0 * (speed > 0.9), kGreen);
+    plane.note(end, fmt::format("{:.1f} m/s", speed), -14.0,
+               -46.0 - 16.0 * (speed > 0.5) + 16.0 * (speed > 0.9), kGreen);
   }
   const Vector2 wall(3.9, 2.72);
   plane.dot(wall, 4.0, kPurple);
   const double way = (wall - robot.position()).norm() - footprint.radius;
-  plane.note(wall, fmt::format("{:.2f} m free: at most {:.2f} m/s", way, safety::speed_within(way, stopping)), 8.0, 4.0, kPurple);
+  plane.note(wall, fmt::format("{:.2f} m free: at most {:.2f} m/s", way, safety::speed_within(way, stopping)),
+             8.0, 4.0, kPurple);
   plane.key(kVermilion, "the inscribed disc would touch (253)");
   plane.key(kSky, "cost falls with the distance from obstacles");
-  plane.key(kGreen, fmt::format("footprint at rest after {} s of reaction and braking with {} m/s^2", stopping.reaction_time,
-                                stopping.deceleration));
+  plane.key(kGreen, fmt::format("footprint at rest after {} s of reaction and braking with {} m/s^2",
+                                stopping.reaction_time, stopping.deceleration));
   plane.key(kPurple, "somebody in the way, and the speed from which the robot still stops before");
   return std::move(plane).finish();
 }

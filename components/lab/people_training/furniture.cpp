@@ -9,7 +9,6 @@
 namespace bw::people {
 namespace {
 
-
 /// Of `least` to `most`, both included.
 int count_between(Random& random, int least, int most) {
   return least + static_cast<int>(random.uniform() * (most - least + 1));

@@ -21,14 +21,15 @@ struct ScannerProduct {
 };
 
 // From 0.25 to 1 degree between beams.
-constexpr std::array<ScannerProduct, 8> kScannerProducts = {{{360, 2.0 * std::numbers::pi * 359 / 360, 12.0, 5.5, true},
-                                        {450, 2.0 * std::numbers::pi * 449 / 450, 12.0, 10.0, true},
-                                        {512, std::numbers::pi, 5.6, 10.0, false},
-                                        {541, 1.5 * std::numbers::pi, 20.0, 25.0, false},
-                                        {720, 1.5 * std::numbers::pi, 10.0, 10.0, false},
-                                        {720, 2.0 * std::numbers::pi * 719 / 720, 16.0, 20.0, true},
-                                        {1081, 1.5 * std::numbers::pi, 30.0, 40.0, false},
-                                        {1440, 2.0 * std::numbers::pi * 1439 / 1440, 25.0, 10.0, false}}};
+constexpr std::array<ScannerProduct, 8> kScannerProducts = {
+    {{360, 2.0 * std::numbers::pi * 359 / 360, 12.0, 5.5, true},
+     {450, 2.0 * std::numbers::pi * 449 / 450, 12.0, 10.0, true},
+     {512, std::numbers::pi, 5.6, 10.0, false},
+     {541, 1.5 * std::numbers::pi, 20.0, 25.0, false},
+     {720, 1.5 * std::numbers::pi, 10.0, 10.0, false},
+     {720, 2.0 * std::numbers::pi * 719 / 720, 16.0, 20.0, true},
+     {1081, 1.5 * std::numbers::pi, 30.0, 40.0, false},
+     {1440, 2.0 * std::numbers::pi * 1439 / 1440, 25.0, 10.0, false}}};
 
 void mix_edges(LaserScan& scan, double share, Random& random) {
   for (std::size_t i = 0; i + 1 < scan.ranges.size(); ++i) {
@@ -52,7 +53,8 @@ ScannerModel draw_scanner(Random& random, bool varied) {
   model.laser.range_max = 10.0;
   model.laser.range_noise = 0.0;
   if (!varied) return model;
-  const ScannerProduct& sold = kScannerProducts[static_cast<std::size_t>(random.uniform() * kScannerProducts.size())];
+  const ScannerProduct& sold =
+      kScannerProducts[static_cast<std::size_t>(random.uniform() * kScannerProducts.size())];
   model.laser.rate = sold.rate;
   model.laser.beams = sold.beams;
   model.laser.field_of_view = sold.field_of_view;

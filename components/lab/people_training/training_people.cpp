@@ -10,7 +10,6 @@
 namespace bw::people {
 namespace {
 
-
 /// Radius as seen at the laser's height: ankles of 0.025 to 0.06 m at 0.1 m, knees and trousers of 0.05 to
 /// 0.095 m at
 /// 0.5 m. Recorded scans show thin ones at any height: dark cloth returns nothing where a beam grazes it.

@@ -37,13 +37,15 @@ TrainingRoom::TrainingRoom(const RoomOptions& options, std::uint64_t seed)
       people, *scene_, [this] { return free_place(0.35); }, random_);
   const Vector2 start = free_place(0.4);
   X_ML_ = {start.x(), start.y(), random_.uniform(-std::numbers::pi, std::numbers::pi)};
-  X_OL_ = {random_.uniform(-5.0, 5.0), random_.uniform(-5.0, 5.0), random_.uniform(-std::numbers::pi, std::numbers::pi)};
+  X_OL_ = {random_.uniform(-5.0, 5.0), random_.uniform(-5.0, 5.0),
+           random_.uniform(-std::numbers::pi, std::numbers::pi)};
   goal_ = free_place(0.4);
 }
 
 void TrainingRoom::furnish() {
   const auto somewhere = [&] {
-    return Pose2{random_.uniform(0.0, length_), random_.uniform(0.0, width_), random_.uniform(-std::numbers::pi, std::numbers::pi)};
+    return Pose2{random_.uniform(0.0, length_), random_.uniform(0.0, width_),
+                 random_.uniform(-std::numbers::pi, std::numbers::pi)};
   };
   const auto stand_up_to = [&](int most, Piece piece) {
     for (int n = count_up_to(random_, most); n > 0; --n) furniture_.add(piece, somewhere(), random_);

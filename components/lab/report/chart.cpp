@@ -90,8 +90,7 @@ Chart floor_plan(std::string title) {
 
 Json to_json(const Chart& chart) {
   const Canvas canvas(chart);
-  Json json = {
-      {"kind", "chart"}, {"title", chart.title}, {"x", to_json(chart.x)}, {"y", to_json(chart.y)}};
+  Json json = {{"kind", "chart"}, {"title", chart.title}, {"x", to_json(chart.x)}, {"y", to_json(chart.y)}};
   if (chart.is_floor) json["floor"] = true;
   if (chart.height > 0.0) json["height"] = chart.height;
   put_all(json, "series", chart.series, canvas);

@@ -23,8 +23,7 @@ Cell::Cell(const Interval& interval)
                           {"low", number_json(interval.low)},
                           {"high", number_json(interval.high)}})) {}
 
-Cell::Cell(const Verdict& verdict)
-    : json_(Json::object({{"text", verdict.text}, {"tone", verdict.tone}})) {}
+Cell::Cell(const Verdict& verdict) : json_(Json::object({{"text", verdict.text}, {"tone", verdict.tone}})) {}
 
 Table& Table::row(const std::vector<Cell>& cells) {
   Json row = Json::array();

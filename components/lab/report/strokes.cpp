@@ -65,7 +65,8 @@ bool Canvas::is_seen(const Vector2& steps) const {
 
 double Canvas::rounded(double value, int axis) const {
   if (!std::isfinite(value)) return value;
-  const double step = logarithmic_[axis] ? std::abs(value) / kSteps[axis] : shown_.sizes()[axis] / kSteps[axis];
+  const double step =
+      logarithmic_[axis] ? std::abs(value) / kSteps[axis] : shown_.sizes()[axis] / kSteps[axis];
   return step > 0.0 ? round_to(value, std::clamp(std::ceil(-std::log10(step / kFinest)), 0.0, 12.0)) : value;
 }
 

@@ -6,9 +6,9 @@
 namespace bw::laser {
 namespace {
 
-constexpr int kFullTurn = 360 * 64;        // [1/64 degree]
-constexpr int kMaxAdvance = 20 * 64;  // from node to node: a standard scan has 1 to 2 degrees
-constexpr int kMaxReturn = 3 * 64;    // angles tremble
+constexpr int kFullTurn = 360 * 64;    // [1/64 degree]
+constexpr int kMaxAdvance = 20 * 64;   // from node to node: a standard scan has 1 to 2 degrees
+constexpr int kMaxReturn = 3 * 64;     // angles tremble
 constexpr int kAngleLimit = 361 * 64;  // firmware rounds up to a whole turn
 
 constexpr std::size_t kRow = 3 * kNodeSize;        // that must fit to be in step again

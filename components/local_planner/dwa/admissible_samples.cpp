@@ -72,8 +72,8 @@ double gap_of(const Sample& sample, const Surroundings& around, const PlanningPr
   if (options.teaching_sample) return around.frozen.at(sample.arc.at(sample.horizon).position());
   const double gap = smallest_gap(sample.arc, around.standing, sample.horizon, kGapStep);
   if (!options.predict_movers) return gap;
-  return std::min(gap, smallest_gap(sample.arc, problem.movers, problem.footprint.radius, sample.horizon,
-                                    kGapStep));
+  return std::min(
+      gap, smallest_gap(sample.arc, problem.movers, problem.footprint.radius, sample.horizon, kGapStep));
 }
 
 }  // namespace
@@ -88,7 +88,8 @@ std::vector<Sample> admissible_samples(const PlanningProblem& problem, const Vec
   const Surroundings around = surroundings_of(problem, window.v, options);
   const double to_aim = (aim - problem.pose.position()).norm();
   std::vector<Sample> samples;
-  for (const Twist2& twist : velocity_samples(window, problem.twist, options.v_samples, options.omega_samples)) {
+  for (const Twist2& twist :
+       velocity_samples(window, problem.twist, options.v_samples, options.omega_samples)) {
     Sample sample{{problem.pose, twist}, options.sim_time};
     // A roll-out beyond the goal would reward circling it.
     const double speed = std::abs(twist.v);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kShortestMarch = 0.005;  // [m] so that a march along a wall ends
-constexpr int kMaxMarches = 1000;        // what goes on longer is not known to be free
+constexpr int kMaxMarches = 1000;         // what goes on longer is not known to be free
 
 }  // namespace
 

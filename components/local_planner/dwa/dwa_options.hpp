@@ -53,8 +53,9 @@ struct DwaOptions {
   // drives best.
   ScoreWeights weights;
   Normalisation normalisation = Normalisation::scale;
-  bool teaching_sample = false;  ///< the MATLAB sample that Table 3.1's constants come from: gap of the end pose
-  double sim_time = 3.0;         ///< length of a roll-out [s], cut where the goal is reached
+  bool teaching_sample =
+      false;              ///< the MATLAB sample that Table 3.1's constants come from: gap of the end pose
+  double sim_time = 3.0;  ///< length of a roll-out [s], cut where the goal is reached
   int v_samples = 11;
   int omega_samples = 21;           ///< for each speed
   double carrot_distance = 4.0;     ///< it aims at the plan this far ahead [m]; 0: at its end, as published
@@ -67,7 +68,8 @@ struct DwaOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("profile", profile,
-      {.doc = "how samples are judged: critics, by plan and footprint, as DWB's users know it; scales, by (3.1)"});
+      {.doc =
+           "how samples are judged: critics, by plan and footprint, as DWB's users know it; scales, by (3.1)"});
     v("critics", critics, {.doc = "profile critics"});
     v("check_movers", check_movers,
       {.doc = "a velocity is taken only if braking one control period later stays clear of where movers will "
@@ -87,8 +89,10 @@ struct EdwaOptions {
   EdwaHeading heading = EdwaHeading::hrvo;  ///< of the published form
   bool hrvo_speed = true;                   ///< the best speed is that of HRVO (D6); else the highest
   double advised_speed_scale = 30.0;        ///< cost of another speed than HRVO's [s/m]
-  double passing_power = 2.0;   ///< of slow people, the cost grows with this power of what is missing of passing_gap
-  double passing_fading = 0.7;  ///< and is less by this share at the end of mover_horizon: there is time for them
+  double passing_power =
+      2.0;  ///< of slow people, the cost grows with this power of what is missing of passing_gap
+  double passing_fading =
+      0.7;  ///< and is less by this share at the end of mover_horizon: there is time for them
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -96,8 +100,9 @@ struct EdwaOptions {
       {.unit = "s",
        .min = 0,
        .max = 20,
-       .doc = "HRVO leads while the robot could meet somebody within this time, else the plan does; raise it to "
-              "give way sooner"});
+       .doc =
+           "HRVO leads while the robot could meet somebody within this time, else the plan does; raise it to "
+           "give way sooner"});
     v("heading_scale", heading_scale,
       {.unit = "1/rad",
        .min = 0,
@@ -106,9 +111,10 @@ struct EdwaOptions {
     v("passing_scale", passing_scale,
       {.min = 0,
        .max = 10000,
-       .doc = "cost of a velocity by which somebody who walks is touched within mover_horizon, and of part of it "
-              "where they are passed within passing_gap; lower it for a faster drive in crowds; 0: people are "
-              "HRVO's alone"});
+       .doc =
+           "cost of a velocity by which somebody who walks is touched within mover_horizon, and of part of it "
+           "where they are passed within passing_gap; lower it for a faster drive in crowds; 0: people are "
+           "HRVO's alone"});
     v("passing_gap", passing_gap,
       {.unit = "m",
        .min = 0.01,

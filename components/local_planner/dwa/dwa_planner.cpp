@@ -73,8 +73,7 @@ void DwaPlanner::choose(const std::vector<Sample>& samples, const std::vector<do
     const Sample& sample = samples[index];
     const bool chosen = result.trajectory.empty() && can_stop_among_movers(sample, problem);
     if (result.candidates.size() < options_.shown_candidates || chosen) {
-      result.candidates.push_back(
-          {label_of(sample.arc.twist), -scores[index], chosen, rolled_out(sample)});
+      result.candidates.push_back({label_of(sample.arc.twist), -scores[index], chosen, rolled_out(sample)});
     }
     if (chosen) {
       result.status = PlanningStatus::ok;

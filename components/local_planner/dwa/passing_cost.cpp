@@ -10,8 +10,9 @@
 namespace bw::dwa {
 namespace {
 
-constexpr double kDeepestTouch = 0.3;  // [m] that somebody may be touched by and one motion be better than another
-constexpr double kAnyWay = 1e3;   // [m]: it is the time that ends them
+constexpr double kDeepestTouch =
+    0.3;                         // [m] that somebody may be touched by and one motion be better than another
+constexpr double kAnyWay = 1e3;  // [m]: it is the time that ends them
 
 }  // namespace
 

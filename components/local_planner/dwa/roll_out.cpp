@@ -9,10 +9,10 @@
 namespace bw::dwa {
 namespace {
 
-constexpr double kMaxMotion = 0.05;       // [m] that any point of the footprint moves between two looks
-constexpr double kMaxSteps = 200;   // a base that is faster than any gets longer ones
+constexpr double kMaxMotion = 0.05;  // [m] that any point of the footprint moves between two looks
+constexpr double kMaxSteps = 200;    // a base that is faster than any gets longer ones
 constexpr double kMoverStep = 0.1;   // [s] between places of movers
-constexpr double kMaxTurn = 3.0;    // [rad]; a heading reached by turning on would look like one not left
+constexpr double kMaxTurn = 3.0;     // [rad]; a heading reached by turning on would look like one not left
 constexpr double kDeepest = 0.3;     // [m] that it may be inside of something and leave
 constexpr double kNoCloserInside = 0.001;  // [m] by which a motion inside the margin may come closer
 

@@ -6,7 +6,7 @@
 namespace bw::dwa {
 namespace {
 
-constexpr double kTimeStep = 0.1;       // [s]
+constexpr double kTimeStep = 0.1;      // [s]
 constexpr double kMaxTimeSteps = 100;  // a base that hardly brakes gets longer ones
 
 }  // namespace

@@ -12,11 +12,11 @@ namespace bw::homotopy {
 namespace {
 
 constexpr double kPredictionStep = 0.4;  // [s] within which a predicted motion is taken as straight
-constexpr int kMaxSteps = 64;           // of one edge
-constexpr double kAreaRounding = 1e-9;       // [m]
+constexpr int kMaxSteps = 64;            // of one edge
+constexpr double kAreaRounding = 1e-9;   // [m]
 constexpr std::size_t kManyParts = 32;   // of a body, from which on those near an edge are looked for
 constexpr double kPiece = 0.5;           // [m] of an edge for which they are
-constexpr double kMaxPieces = 1000.0;   // of an edge; those of a longer one are longer
+constexpr double kMaxPieces = 1000.0;    // of an edge; those of a longer one are longer
 
 // The part of the way that lies within `aside` of the box along each axis; nothing where it has none.
 std::optional<Segment> within(const Segment& way, const Vector2& low, const Vector2& high, double aside) {

@@ -64,8 +64,8 @@ struct HomotopyOptions {
   double switching_blocking_period = 0.0;
 
   // Set by code.
-  int max_expansions = 2000;           ///< vertices that the search may visit in one cycle; bounds its time
-  double prediction_horizon = 1.6;     ///< [s] of a mover's way that belongs to it (capsule)
+  int max_expansions = 2000;             ///< vertices that the search may visit in one cycle; bounds its time
+  double prediction_horizon = 1.6;       ///< [s] of a mover's way that belongs to it (capsule)
   std::uint64_t roadmap_graph_seed = 1;  ///< of the random vertices of method roadmap
 
   template <class Visitor>

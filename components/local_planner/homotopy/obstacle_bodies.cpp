@@ -11,10 +11,10 @@
 namespace bw::homotopy {
 namespace {
 
-constexpr double kEquallyNear = 1e-6;    // [m]
-constexpr double kMeetingGap = 0.02;     // [m] between robot and mover that counts as met
-constexpr int kMeetingSteps = 200;       // most steps of that search
-constexpr double kBodyStep = 0.4;  // [s] between the corners of a mover's capsule
+constexpr double kEquallyNear = 1e-6;  // [m]
+constexpr double kMeetingGap = 0.02;   // [m] between robot and mover that counts as met
+constexpr int kMeetingSteps = 200;     // most steps of that search
+constexpr double kBodyStep = 0.4;      // [s] between the corners of a mover's capsule
 
 bool touches(const Part& part, const Course& course, double half_width) {
   // The part's extent along and across the line, by its ends: cheap, and larger than the part at most.
@@ -85,9 +85,8 @@ std::optional<Body> body_of(const Mover& mover, const Course& course, const Homo
     body.parts = {disc_at(mover.position_at(*time))};
     body.motion = mover;
   } else if (options.mover_topology == MoverTopology::capsule && options.prediction_horizon > 0.0) {
-    const int steps = mover.predictions.empty()
-                          ? 1
-                          : static_cast<int>(std::ceil(options.prediction_horizon / kBodyStep));
+    const int steps =
+        mover.predictions.empty() ? 1 : static_cast<int>(std::ceil(options.prediction_horizon / kBodyStep));
     for (int k = 0; k < steps; ++k) {
       const double step = options.prediction_horizon / steps;
       const Segment way{mover.position_at(k * step), mover.position_at((k + 1) * step)};

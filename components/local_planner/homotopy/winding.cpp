@@ -8,7 +8,7 @@ namespace bw::homotopy {
 namespace {
 
 constexpr double kPredictionStep = 0.4;  // [s] within which a predicted motion is taken as straight
-constexpr double kMaxSteps = 256;       // of one leg of a route
+constexpr double kMaxSteps = 256;        // of one leg of a route
 constexpr double kSettlingFactor = 2.0;  // of the drive to the goal, after which all routes wait there ...
 constexpr double kSettlingTime = 5.0;    // ... and [s] on top
 

@@ -94,7 +94,8 @@ class Search {
   // Nearest to the favoured velocity, then further right.
   bool preferable(const Choice& a, const Choice& b) const {
     const double nearer =
-        previous_ ? (b.velocity - previous_->velocity).norm() - (a.velocity - previous_->velocity).norm() : 0.0;
+        previous_ ? (b.velocity - previous_->velocity).norm() - (a.velocity - previous_->velocity).norm()
+                  : 0.0;
     if (std::abs(nearer) > kTie) return nearer > 0.0;
     return cross(preferred_, a.velocity) < cross(preferred_, b.velocity) - kTie;
   }

@@ -7,7 +7,8 @@
 namespace bw::hrvo {
 namespace {
 
-constexpr double kHysteresis = 0.1;  // [m/s] by which a way round must be nearer to the preferred velocity than the last one
+constexpr double kHysteresis =
+    0.1;  // [m/s] by which a way round must be nearer to the preferred velocity than the last one
 
 }  // namespace
 

@@ -29,7 +29,8 @@ struct HrvoOptions {
 
   // Set by code: whom `orca` looks at, and what the paper and its library have it do.
   double view_angle = 4.71238898038469;  ///< centred on the heading: 270 degrees, Table 3.1
-  std::int64_t max_neighbours = 10;      ///< the nearest movers, and as many static obstacles: neither crowds out the other
+  std::int64_t max_neighbours =
+      10;  ///< the nearest movers, and as many static obstacles: neither crowds out the other
   PassingSide passing_side = PassingSide::actual;
   double sensing_margin = 0.0;  ///< error of measured velocities that the cones allow for [m/s]
 
@@ -43,7 +44,8 @@ struct HrvoOptions {
       {.unit = "m",
        .min = 0.2,
        .max = 50,
-       .doc = "planner hrvo only: it aims at the point of the plan this far ahead; lower it to keep closer to the plan"});
+       .doc =
+           "planner hrvo only: it aims at the point of the plan this far ahead; lower it to keep closer to the plan"});
   }
 };
 

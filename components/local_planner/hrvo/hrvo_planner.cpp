@@ -26,8 +26,8 @@ Advice best_advice(const PlanningProblem& problem, const Vector2& aim, HrvoOptio
   for (const double share : kMarginShares) {
     options.margin = share * margin;
     Advice advice = advise(problem, aim, options, last);
-    const double cost = (advice.velocity - advice.preferred).norm() +
-                        kMarginWorth * (1.0 - share) * problem.limits.v_max;
+    const double cost =
+        (advice.velocity - advice.preferred).norm() + kMarginWorth * (1.0 - share) * problem.limits.v_max;
     const bool better = advice.free == best.free ? cost < smallest_cost : advice.free;
     if (!std::isinf(smallest_cost) && !better) continue;
     smallest_cost = cost;

@@ -8,8 +8,8 @@
 namespace bw::mppi {
 namespace {
 
-constexpr double kFar = 1e9;        // [m]
-constexpr double kCell = 0.05;      // [m] side of a cell, as Nav2 ships it
+constexpr double kFar = 1e9;       // [m]
+constexpr double kCell = 0.05;     // [m] side of a cell, as Nav2 ships it
 constexpr double kMaxAside = 120;  // cells on each side of the robot's
 
 /// Distances from the middles of cells to what is added, as far as it is nearer than `enough` [m].

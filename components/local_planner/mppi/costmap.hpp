@@ -12,7 +12,7 @@
 namespace bw::mppi {
 
 /// Costs of Nav2's costmap.
-inline constexpr double kInscribed = 253.0;    ///< from here on the robot touches
+inline constexpr double kInscribed = 253.0;   ///< from here on the robot touches
 inline constexpr double kMaxWithout = 252.0;  ///< just before that
 
 /// By the distance between the middle of the robot and the nearest obstacle: 253 up to the robot's radius,

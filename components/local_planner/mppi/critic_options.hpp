@@ -45,9 +45,10 @@ struct GoalAngleOptions {
 
 struct PathAlignOptions {
   static constexpr double kMaxTaken = 0.05;  ///< off when a larger share of the plan's points is taken
-  static constexpr int kPointStep = 4;        ///< every how many-th pose is looked at
-  static constexpr double kBeyond = 0.5;      ///< off when the goal is nearer than this [m]
-  static constexpr int kFromPoint = 20;       ///< off until a sample comes so many points of the plan far, 0.05 m each
+  static constexpr int kPointStep = 4;       ///< every how many-th pose is looked at
+  static constexpr double kBeyond = 0.5;     ///< off when the goal is nearer than this [m]
+  static constexpr int kFromPoint =
+      20;  ///< off until a sample comes so many points of the plan far, 0.05 m each
   double cost_weight = 14.0;
 
   void fields(auto& v) { weight_field(v, cost_weight); }

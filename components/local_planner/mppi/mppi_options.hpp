@@ -58,8 +58,13 @@ struct MppiOptions {
   void fields(Visitor& v) {
     v("batch_size", batch_size,
       {.min = 2, .max = 20000, .doc = "sampled motions; the time of a cycle grows with it"});
-    v("time_steps", time_steps, {.min = 2, .max = 400, .doc = "steps of a motion; more look further ahead and cost time"});
-    v("model_dt", model_dt, {.unit = "s", .min = 0.01, .max = 1, .doc = "length of a step; longer looks further ahead, and less exactly"});
+    v("time_steps", time_steps,
+      {.min = 2, .max = 400, .doc = "steps of a motion; more look further ahead and cost time"});
+    v("model_dt", model_dt,
+      {.unit = "s",
+       .min = 0.01,
+       .max = 1,
+       .doc = "length of a step; longer looks further ahead, and less exactly"});
     v("temperature", temperature,
       {.min = 0.001,
        .max = 1000,
@@ -69,9 +74,16 @@ struct MppiOptions {
       {.min = 0,
        .max = 100,
        .doc = "cost of leaving the motion of the last cycle; raise it for steadier driving"});
-    v("vx_std", vx_std, {.unit = "m/s", .min = 0.001, .max = 10, .doc = "spread of the sampled speeds; raise it for bolder motions"});
+    v("vx_std", vx_std,
+      {.unit = "m/s",
+       .min = 0.001,
+       .max = 10,
+       .doc = "spread of the sampled speeds; raise it for bolder motions"});
     v("wz_std", wz_std,
-      {.unit = "rad/s", .min = 0.001, .max = 20, .doc = "spread of the sampled turn rates; raise it for tighter turns"});
+      {.unit = "rad/s",
+       .min = 0.001,
+       .max = 20,
+       .doc = "spread of the sampled turn rates; raise it for tighter turns"});
     v("clamp_raw_controls", clamp_raw_controls,
       {.doc =
            "the mean is taken of what the accelerations leave of the samples, as in Jazzy; false: of the samples, as in "

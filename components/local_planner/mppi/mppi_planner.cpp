@@ -13,7 +13,7 @@ namespace bw::mppi {
 namespace {
 
 constexpr std::size_t kShownSamples = 5;  // the best ones
-constexpr Eigen::Index kShownStep = 4;  // every how many-th pose of a sample is shown
+constexpr Eigen::Index kShownStep = 4;    // every how many-th pose of a sample is shown
 
 /// Sample `row` as points in the frame of the problem, every `stride`-th step.
 std::vector<TrajectoryPoint> as_trajectory(const Rollouts& rollouts, Eigen::Index row, Eigen::Index stride,

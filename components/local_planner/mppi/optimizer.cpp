@@ -13,10 +13,10 @@ namespace {
 constexpr double kPruned = 1.7;  // [m] of plan that is looked at, as shipped
 constexpr double kBeyond =
     0.3;  // [m] of plan beyond the way of a motion at top speed: 1.7 - 2.8 s 0.5 m/s of Nav2's file
-constexpr double kMapMargin = 0.5;       // [m] of costmap beyond that of the fastest samples
+constexpr double kMapMargin = 0.5;      // [m] of costmap beyond that of the fastest samples
 constexpr std::int64_t kMaxRounds = 4;  // that a long control period brings
-constexpr double kFastSamples = 2.0;     // standard deviations
-constexpr int kRetries = 1;              // from standing, when every sample collides
+constexpr double kFastSamples = 2.0;    // standard deviations
+constexpr int kRetries = 1;             // from standing, when every sample collides
 
 // Nav2 samples once in each model_dt (iteration_count): as often here in a control period of several.
 std::int64_t rounds_of(const MppiOptions& options, double control_period) {
@@ -36,8 +36,7 @@ class Judge {
         costmap_(problem, options.inflation, reach_ + kFastSamples * options.vx_std * horizon_ + kMapMargin,
                  !options.predict_movers),
         predicted_(options.predict_movers ? problem : PlanningProblem{}, options.inflation, reach_, horizon_),
-        path_(local_path(problem.plan, problem.pose, std::max(kPruned, reach_ + kBeyond),
-                         costmap_)) {}
+        path_(local_path(problem.plan, problem.pose, std::max(kPruned, reach_ + kBeyond), costmap_)) {}
 
   /// How many of the motions touch nothing.
   Eigen::Index add_costs(const Rollouts& motions, Eigen::ArrayXd& costs) const {

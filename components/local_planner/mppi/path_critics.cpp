@@ -47,8 +47,7 @@ void add_path_align_cost(const PathAlignOptions& options, const CriticScene& sce
 void add_path_follow_cost(const PathFollowOptions& options, const CriticScene& scene, const Rollouts& motions,
                           Eigen::ArrayXd& costs) {
   const LocalPath& path = scene.path;
-  if (options.cost_weight <= 0.0 || scene.goal_distance < options.kBeyond || path.size() < 2)
-    return;
+  if (options.cost_weight <= 0.0 || scene.goal_distance < options.kBeyond || path.size() < 2) return;
   const Eigen::Index last = path.size() - 1;
   Eigen::Index point = std::min<Eigen::Index>(scene.furthest + options.kAhead, last);
   while (point < last && !path.free[static_cast<std::size_t>(point)]) ++point;
@@ -62,8 +61,7 @@ void add_path_angle_cost(const PathAngleOptions& options, const CriticScene& sce
                          Eigen::ArrayXd& costs) {
   if (options.cost_weight <= 0.0 || scene.goal_distance < options.kBeyond) return;
   const LocalPath& path = scene.path;
-  const Eigen::Index point =
-      std::min<Eigen::Index>(scene.furthest + options.kAhead, path.size() - 1);
+  const Eigen::Index point = std::min<Eigen::Index>(scene.furthest + options.kAhead, path.size() - 1);
   const double x = path.x[point], y = path.y[point];
   if (std::abs(std::atan2(y, x)) < options.kOffHeading) return;
   const Eigen::Index end = motions.steps() - 1;

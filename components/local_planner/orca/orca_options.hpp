@@ -19,7 +19,8 @@ struct OrcaOptions {
   void fields(Visitor& v) {
     neighbour_fields(*this, v);
     v("reciprocity", reciprocity,
-      {.doc = "who is trusted to do half of the avoiding: movers known to do so, or all movers; all where everybody does"});
+      {.doc =
+           "who is trusted to do half of the avoiding: movers known to do so, or all movers; all where everybody does"});
     v("horizon", horizon,
       {.unit = "s",
        .min = 0.1,
@@ -27,9 +28,15 @@ struct OrcaOptions {
        .doc =
            "velocities keep clear of movers for so long; longer starts to avoid earlier, and leaves less room"});
     v("static_horizon", static_horizon,
-      {.unit = "s", .min = 0.1, .max = 60, .doc = "velocities keep clear of what stands for so long; raise it to keep away from walls"});
+      {.unit = "s",
+       .min = 0.1,
+       .max = 60,
+       .doc = "velocities keep clear of what stands for so long; raise it to keep away from walls"});
     v("lookahead", lookahead,
-      {.unit = "m", .min = 0.2, .max = 50, .doc = "it aims at the point of the plan this far ahead; lower it to keep closer to the plan"});
+      {.unit = "m",
+       .min = 0.2,
+       .max = 50,
+       .doc = "it aims at the point of the plan this far ahead; lower it to keep closer to the plan"});
   }
 };
 

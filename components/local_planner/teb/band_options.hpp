@@ -15,7 +15,8 @@ namespace bw::teb {
 /// keep them.
 struct BandWeights {
   double time = 1.0;
-  double kinematics_nh = 1000.0;  ///< of what keeps both poses of a segment on one arc; by code, as the next four of the limits
+  double kinematics_nh =
+      1000.0;  ///< of what keeps both poses of a segment on one arc; by code, as the next four of the limits
   double forward_drive = 1.0;
   double max_vel_x = 40.0;      ///< below it plans are faster than the robot
   double max_vel_theta = 20.0;  ///< of the turn rate
@@ -86,20 +87,22 @@ struct BandOptions {
   int warm_inner_iterations = 10;
 
   // Set by code: scenes of a bench that bring rules of their own, and tests.
-  double dt_hysteresis = 0.1;  ///< the band is resampled when an interval is further than this from dt_ref [s]
-  int max_samples = 150;       ///< most poses; bounds the time of a cycle
+  double dt_hysteresis =
+      0.1;                ///< the band is resampled when an interval is further than this from dt_ref [s]
+  int max_samples = 150;  ///< most poses; bounds the time of a cycle
   /// Between two obstacles that leave less than min_obstacle_dist at either side of the robot, but not less
   /// than this, half of what they leave is wanted; min_obstacle_dist: as teb_local_planner, which often waits
   /// in front of them [m].
   double narrow_passage_dist = 0.03;
-  double clearance_step = 0.25;    ///< motion relative to an obstacle between two clearance tests [m]
-  double penalty_epsilon = 0.02;   ///< inside of every limit and distance at which its cost begins
-  bool consistent_motion = true;   ///< book 6.1; else the formulas of teb_local_planner
-  int no_outer_iterations = 2;     ///< solves of a first plan, resampled in between
-  int no_inner_iterations = 8;     ///< of the solver in each; the last goes on, by kFirstPlanOvertime at most
-  int warm_outer_iterations = 1;   ///< solves of a band kept from the last cycle
+  double clearance_step = 0.25;   ///< motion relative to an obstacle between two clearance tests [m]
+  double penalty_epsilon = 0.02;  ///< inside of every limit and distance at which its cost begins
+  bool consistent_motion = true;  ///< book 6.1; else the formulas of teb_local_planner
+  int no_outer_iterations = 2;    ///< solves of a first plan, resampled in between
+  int no_inner_iterations = 8;    ///< of the solver in each; the last goes on, by kFirstPlanOvertime at most
+  int warm_outer_iterations = 1;  ///< solves of a band kept from the last cycle
   double function_tolerance = 1e-4;  ///< relative gain of an iteration below which a solve ends
-  double weight_adapt_factor = 3.0;  ///< by which obstacle weights grow from one solve of a first plan to the next
+  double weight_adapt_factor =
+      3.0;  ///< by which obstacle weights grow from one solve of a first plan to the next
   BandWeights weights;
   Solver solver = Solver::ceres;  ///< the parameter teb.solver, beside teb.band
 
@@ -113,9 +116,15 @@ struct BandOptions {
        .max = 10,
        .doc = "wanted gap between footprint and obstacle; lower it for narrow doors"});
     v("inflation_dist", inflation_dist,
-      {.unit = "m", .min = 0, .max = 10, .doc = "gap below which a static obstacle begins to cost a little; raise it to keep to the middle"});
+      {.unit = "m",
+       .min = 0,
+       .max = 10,
+       .doc = "gap below which a static obstacle begins to cost a little; raise it to keep to the middle"});
     v("dynamic_obstacle_inflation_dist", dynamic_obstacle_inflation_dist,
-      {.unit = "m", .min = 0, .max = 10, .doc = "gap below which a mover begins to cost a little; raise it for a wider berth"});
+      {.unit = "m",
+       .min = 0,
+       .max = 10,
+       .doc = "gap below which a mover begins to cost a little; raise it for a wider berth"});
     v("max_obstacles_per_pose", max_obstacles_per_pose,
       {.min = 1,
        .max = 100,
@@ -130,7 +139,8 @@ struct BandOptions {
   }
 
   std::optional<std::string> violated_rule() const {
-    if (dt_hysteresis >= dt_ref) return "dt_ref must be longer than 0.1 s, by which intervals may differ from it";
+    if (dt_hysteresis >= dt_ref)
+      return "dt_ref must be longer than 0.1 s, by which intervals may differ from it";
     return std::nullopt;
   }
 };

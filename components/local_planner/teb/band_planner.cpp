@@ -7,21 +7,21 @@
 #include <utility>
 
 #include "components/local_planner/command_limits.hpp"
-#include "components/local_planner/teb/early_termination.hpp"
 #include "components/local_planner/teb/band_trajectory.hpp"
+#include "components/local_planner/teb/early_termination.hpp"
 
 namespace bw::teb {
 namespace {
 
 constexpr double kAdvanceSlack =
     0.5;  // [s] around the expected place on the band in which the robot is searched
-constexpr double kOldestBand = 1.0;   // [s] without a call after which a band says nothing about the scene
-constexpr double kDetourSlack = 1.0;  // [s] that any band may take longer than the unhindered drive
+constexpr double kOldestBand = 1.0;    // [s] without a call after which a band says nothing about the scene
+constexpr double kDetourSlack = 1.0;   // [s] that any band may take longer than the unhindered drive
 constexpr double kDetourFactor = 1.3;  // and this many times longer; else it is compared with a new one
 constexpr double kNewGoalDistance = 1.0;  // [m] by which a goal that moves further starts a new band
 constexpr double kNewGoalTurn = 0.8;      // [rad] by which its heading, likewise
 constexpr double kLostDistance = 0.5;     // [m] from its band at which the robot starts a new one
-constexpr double kLeastTurn = 0.8;    // [rad] from which turning on the spot is tried for a first plan
+constexpr double kLeastTurn = 0.8;        // [rad] from which turning on the spot is tried for a first plan
 
 int budget_of(const PlanningProblem& problem) { return std::max(problem.budget.max_iterations, 1); }
 
@@ -168,7 +168,7 @@ void BandPlanner::improve_bands(Cycle& cycle) const {
   // One band competes with nobody; and where more than cost decides, cost does not tell who loses.
   const bool by_cost = !options_.term && options_.selection.obstacle_cost_scale == 1.0;
   const EarlyTerminationOptions termination{options_.selection.max_kept > 1 && by_cost,
-                               options_.selection.cost_hysteresis};
+                                            options_.selection.cost_hysteresis};
   cycle.iterations = improve_all(cycle.candidates, cycle.problem, cycle.field, cycle.band, options_.driving,
                                  termination, budget_of(cycle.problem));
   for (BandCandidate& candidate : cycle.candidates) candidate.evasive = false;
@@ -193,8 +193,7 @@ void BandPlanner::choose(Cycle& cycle) const {
 void BandPlanner::try_along_plan(Cycle& cycle) const {
   const BandCandidate& chosen = cycle.candidates[cycle.chosen];
   const int left = budget_of(cycle.problem) - cycle.iterations;
-  const bool detour =
-      chosen.band.duration() > kDetourFactor * cycle.along_plan.duration() + kDetourSlack;
+  const bool detour = chosen.band.duration() > kDetourFactor * cycle.along_plan.duration() + kDetourSlack;
   if (!chosen.kept || (chosen.safety.free && !detour) || left <= 0) return;
   BandCandidate again{.band = cycle.along_plan, .label = "plan"};
   improve(again, cycle.problem, cycle.field, cycle.band, options_.driving, {.max_iterations = left});

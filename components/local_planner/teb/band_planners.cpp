@@ -45,8 +45,8 @@ std::unique_ptr<LocalPlanner> make(const PlannerOptions& o) {
 }
 
 const bool kTeb = register_planner("teb", {{"teb", AnyOptions(TebOptions{})}}, make<teb>);
-const bool kTebHomotopy =
-    register_planner("teb_homotopy", {{"homotopy", AnyOptions(homotopy::HomotopyOptions{})}}, make<teb_homotopy>);
+const bool kTebHomotopy = register_planner(
+    "teb_homotopy", {{"homotopy", AnyOptions(homotopy::HomotopyOptions{})}}, make<teb_homotopy>);
 const bool kPteb = register_planner("pteb", {{"pteb", AnyOptions(PtebOptions{})}}, make<pteb>);
 const bool kEteb = register_planner("eteb", {{"eteb", AnyOptions(default_eteb_prediction())}}, make<eteb>);
 

@@ -15,9 +15,9 @@ constexpr double kWorthFinishing = 0.85;
 
 class EarlyTermination {
  public:
-  EarlyTermination(std::vector<BandCandidate>& candidates, const PlanningProblem& problem, const ObstacleField& field,
-          const BandOptions& options, const DrivingOptions& driving, const EarlyTerminationOptions& termination,
-          int max_iterations)
+  EarlyTermination(std::vector<BandCandidate>& candidates, const PlanningProblem& problem,
+                   const ObstacleField& field, const BandOptions& options, const DrivingOptions& driving,
+                   const EarlyTerminationOptions& termination, int max_iterations)
       : candidates_(candidates),
         problem_(problem),
         field_(field),

@@ -9,8 +9,8 @@
 namespace bw::teb {
 
 struct EarlyTerminationOptions {
-  bool terminates_losers = false;    ///< false: all work on every band, as something else than cost decides
-  double cost_hysteresis = 1.0;  ///< share of its cost that the driven band counts with
+  bool terminates_losers = false;  ///< false: all work on every band, as something else than cost decides
+  double cost_hysteresis = 1.0;    ///< share of its cost that the driven band counts with
 };
 
 /// Optimises and checks all candidates, each with at most the same share of the budget, by

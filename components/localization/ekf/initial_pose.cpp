@@ -116,7 +116,8 @@ std::optional<InitialPose::Angle> InitialPose::heading_from_compass() const {
     sum += away;
     variance = std::max(variance, heading.variance);
   }
-  if (2 * agreeing <= static_cast<int>(headings_.size()) || agreeing < options_.kHeadings) return std::nullopt;
+  if (2 * agreeing <= static_cast<int>(headings_.size()) || agreeing < options_.kHeadings)
+    return std::nullopt;
   // Not divided by their number: readings of a compass err alike.
   const double wheels = way_.back().turn_variance - headings_[middle].turn_variance;
   return Angle{wrap_angle(headings_[middle].value + sum / agreeing), kCaution * variance + wheels, 0.0};

@@ -95,7 +95,8 @@ void watch_slip(SlipWatch& watch, const ComparedStep& step, double bias_variance
     watch.last_speed = watch.speed;
     watch.block_travel = watch.block_time = 0.0;
   }
-  if (!slipping(watch) && e * e < kSuspect * options.gate * variance) note_speed(watch, step, options.kWindow);
+  if (!slipping(watch) && e * e < kSuspect * options.gate * variance)
+    note_speed(watch, step, options.kWindow);
   watch.lately *= std::exp(-step.seconds / kForgetting);
   if (slipping(watch)) watch.lately += step.seconds;
 }

@@ -9,7 +9,7 @@ namespace bw::localization {
 namespace {
 
 constexpr std::size_t kMaxEnds = 120;  // times 255 stays within the bounds' 16 bits
-constexpr int kBoundsPerNode = 8;       // bounds come many at a time
+constexpr int kBoundsPerNode = 8;      // bounds come many at a time
 constexpr std::int32_t kBoundClass = 16;
 
 BeamEnds thinned(const BeamEnds& ends) {

@@ -9,10 +9,10 @@ namespace bw::localization {
 namespace {
 
 constexpr std::size_t kMaxPlaces = 2048;  // 2 s at 1 kHz
-constexpr double kCoverage = 0.9;          // of a step that the gyro must have seen
-constexpr double kBiasMemory = 10.0;       // [s] of standing that the bias is averaged over
+constexpr double kCoverage = 0.9;         // of a step that the gyro must have seen
+constexpr double kBiasMemory = 10.0;      // [s] of standing that the bias is averaged over
 constexpr double kMaxVariance = 1e6;      // beyond, it says no more
-constexpr double kShortWay = 0.01;         // [m]: the direction of a shorter way is not known
+constexpr double kShortWay = 0.01;        // [m]: the direction of a shorter way is not known
 
 double seconds(Duration d) { return d.to_seconds(); }
 

@@ -85,7 +85,7 @@ Health ParticleFilter::health(Time now) const {
     report.worsen(HealthState::degraded, {HealthCause::clock_jump, -1, report.age(*last_clock_jump_)});
   if (estimate_.share < options_.particle_health.kSeveralPlaces) {
     report.worsen(estimate_.share < options_.particle_health.kLostSeveralPlaces ? HealthState::lost
-                                                                                 : HealthState::degraded,
+                                                                                : HealthState::degraded,
                   {HealthCause::several_places, -1, estimate_.share});
   }
   if (const std::optional<Time> since = recovery_.searching_since())

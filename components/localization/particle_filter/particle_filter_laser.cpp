@@ -142,7 +142,8 @@ bool ParticleFilter::inject(const std::vector<PoseHypothesis>& poses, const Pose
       std::max<std::size_t>(20, static_cast<std::size_t>(options_.count.max_particles) / better.size());
   particles_.resize(before + each * better.size());
   for (double& w : particles_.weight) w *= 1.0 - share;
-  const Eigen::Vector3d variances(o.kSigma * o.kSigma, o.kSigma * o.kSigma, o.heading_sigma * o.heading_sigma);
+  const Eigen::Vector3d variances(o.kSigma * o.kSigma, o.kSigma * o.kSigma,
+                                  o.heading_sigma * o.heading_sigma);
   for (std::size_t i = 0; i < better.size(); ++i)
     motion_.scatter(particles_, before + i * each, each, better[i], variances.asDiagonal());
   std::fill(particles_.weight.begin() + static_cast<std::ptrdiff_t>(before), particles_.weight.end(),

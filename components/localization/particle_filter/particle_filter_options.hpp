@@ -85,8 +85,9 @@ struct ParticleMotionOptions {
     v("alpha2", alpha2, {.min = 0, .max = 10, .doc = "noise of the turn by the way, rad^2/m^2"});
     v("alpha3", alpha3, {.min = 0, .max = 10, .doc = "noise of the way by the way, m^2/m^2"});
     v("alpha4", alpha4, {.min = 0, .max = 10, .doc = "noise of the way by the turn, m^2/rad^2"});
-    v.retired({"step_along", "step_across", "step_heading", "extrapolation", "silent_speed", "silent_turn_rate"},
-              "a constant of particle_filter_options.hpp");
+    v.retired(
+        {"step_along", "step_across", "step_heading", "extrapolation", "silent_speed", "silent_turn_rate"},
+        "a constant of particle_filter_options.hpp");
   }
 };
 

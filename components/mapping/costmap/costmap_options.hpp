@@ -67,7 +67,11 @@ struct InflationOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("inflation_radius", inflation_radius,
-      {.unit = "m", .min = 0, .max = 20, .first = true, .doc = "cells farther than this from obstacles cost nothing"});
+      {.unit = "m",
+       .min = 0,
+       .max = 20,
+       .first = true,
+       .doc = "cells farther than this from obstacles cost nothing"});
     v("cost_scaling_factor", cost_scaling_factor,
       {.unit = "1/m", .min = 0, .max = 1000, .doc = "how fast the cost falls; raise it to pass closer"});
     v("track_unknown_space", track_unknown_space,

@@ -11,10 +11,10 @@ namespace {
 
 constexpr int kIterations = 5;
 constexpr std::size_t kMaxPoints = 24;  // more of them change a centre by less than a millimetre
-constexpr double kEdgeFloor = 0.005;     // [m]
-constexpr double kStart = 0.1;           // how far the centre may be from where it is first looked for [m]
-constexpr double kLongestStep = 0.1;     // of an iteration [m]
-constexpr double kModel = 0.008;         // legs are no circles: standard deviation of the centre [m]
+constexpr double kEdgeFloor = 0.005;    // [m]
+constexpr double kStart = 0.1;          // how far the centre may be from where it is first looked for [m]
+constexpr double kLongestStep = 0.1;    // of an iteration [m]
+constexpr double kModel = 0.008;        // legs are no circles: standard deviation of the centre [m]
 
 /// One arc: some points, and the edges of it that can be seen.
 struct Arc {

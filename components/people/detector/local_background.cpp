@@ -7,8 +7,8 @@ namespace bw::people {
 namespace {
 
 constexpr float kLongestSilence = 0.5F;  // a longer silence is no proof that something stood meanwhile [s]
-constexpr double kRemembered = 2.0;   // a cell holds at most so many times `stood`
-constexpr double kFarthest = 1e8;     // cells are numbered by int
+constexpr double kRemembered = 2.0;      // a cell holds at most so many times `stood`
+constexpr double kFarthest = 1e8;        // cells are numbered by int
 
 }  // namespace
 

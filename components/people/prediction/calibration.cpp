@@ -8,10 +8,10 @@
 namespace bw::people {
 namespace {
 
-constexpr double kShare = 0.95;             // of truths that an ellipse should hold
-constexpr double kInside = 5.991464547;     // chi-square of that, 2 degrees of freedom
+constexpr double kShare = 0.95;            // of truths that an ellipse should hold
+constexpr double kInside = 5.991464547;    // chi-square of that, 2 degrees of freedom
 constexpr double kMaxLogSize = 2.7725887;  // log 16
-constexpr double kGap = 0.6;                // [s] without a sight of the person: nothing is compared
+constexpr double kGap = 0.6;               // [s] without a sight of the person: nothing is compared
 
 }  // namespace
 

@@ -41,13 +41,14 @@ struct PredictionOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("model", model,
-      {.first = true, .doc = "constant_velocity: straight on; constant_turn_rate: the turn goes on and dies out; "
+      {.first = true,
+       .doc = "constant_velocity: straight on; constant_turn_rate: the turn goes on and dies out; "
               "social_force: straight "
               "on, but round one another and along walls"});
     v("horizon", horizon, {.unit = "s", .min = 0, .max = 20, .doc = "how far ahead positions are predicted"});
     v("step", step, {.unit = "s", .min = 0.05, .max = 5, .doc = "time between predicted positions"});
-    v.retired({"spread_along", "spread_across", "walking_speed", "turn_window", "turn_memory", "calibration_rate",
-               "forces"},
+    v.retired({"spread_along", "spread_across", "walking_speed", "turn_window", "turn_memory",
+               "calibration_rate", "forces"},
               "a constant of prediction_options.hpp");
   }
 

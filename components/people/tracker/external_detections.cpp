@@ -93,7 +93,8 @@ NearLegs legs_near(const Vector2& place, double now, const std::vector<ClusterTr
 
 PersonTrack person_of(const HeardPerson& heard, double deviation, Time now, const TrackerOptions& options) {
   const bool is_told = heard.velocity.squaredNorm() > 0.0;
-  const double speed = is_told ? ExternalDetectionOptions::kToldSpeed : ExternalDetectionOptions::kUntoldSpeed;
+  const double speed =
+      is_told ? ExternalDetectionOptions::kToldSpeed : ExternalDetectionOptions::kUntoldSpeed;
   PersonTrack person{.walker = Walker(options.walker, BodyPart::middle, heard.position, heard.velocity,
                                       deviation * deviation, speed * speed),
                      .born = now,

@@ -6,8 +6,8 @@
 
 #include "components/people/heard_person.hpp"
 #include "components/people/tracker/cluster_track.hpp"
-#include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/external_detection_options.hpp"
+#include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/person_track.hpp"
 #include "components/people/tracker/tracker_options.hpp"
 

@@ -73,7 +73,8 @@ std::vector<Pairing> best_of(const std::vector<Pairing>& pairings, std::size_t c
 }
 
 /// How far the legs' way starts from where the person was going when they were last sure to be theirs [m].
-double miss_of(const PersonTrack& person, const Leg& a, const Leg& b, const LegReassociationOptions& options) {
+double miss_of(const PersonTrack& person, const Leg& a, const Leg& b,
+               const LegReassociationOptions& options) {
   const Gait gait = gait_of(CommonSightings(*a.track, *b.track), options.kSightings);
   const PastState& before = person.settled;
   return (gait.start - before.position - (gait.since - before.time) * before.velocity).norm();
@@ -89,8 +90,8 @@ std::optional<double> doubt_of_legs(const ClusterTrack& a, const ClusterTrack& b
 }
 
 std::optional<ReassociatedLegs> reassociate_legs(const std::vector<const PersonTrack*>& people,
-                                  const std::vector<ClusterTrack>& clusters, std::int64_t sweep,
-                                  const LegReassociationOptions& options) {
+                                                 const std::vector<ClusterTrack>& clusters,
+                                                 std::int64_t sweep, const LegReassociationOptions& options) {
   const std::vector<Leg> legs = legs_about(people, clusters, sweep, options);
   if (legs.size() < 2 * people.size()) return std::nullopt;
   double now = -options.margin;

@@ -28,7 +28,7 @@ struct ReassociatedLegs {
 /// Pairs anew the legs of somebody, or of two, and clusters near them that look like legs, if what they did
 /// lately says so with a margin. Only what was seen in sweep number `sweep` counts.
 std::optional<ReassociatedLegs> reassociate_legs(const std::vector<const PersonTrack*>& people,
-                                  const std::vector<ClusterTrack>& clusters, std::int64_t sweep,
-                                  const LegReassociationOptions& options);
+                                                 const std::vector<ClusterTrack>& clusters,
+                                                 std::int64_t sweep, const LegReassociationOptions& options);
 
 }  // namespace bw::people

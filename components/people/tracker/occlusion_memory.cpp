@@ -34,7 +34,7 @@ bool is_barred(const Vector2& from, const Vector2& step, const DetectionSet& swe
 }  // namespace
 
 OcclusionMemory::OcclusionMemory(const Vector2& position, const Vector2& velocity, Random& random,
-                         const HiddenOptions& options)
+                                 const HiddenOptions& options)
     : guesses_(static_cast<std::size_t>(options.kGuesses)) {
   for (Guess& guess : guesses_) {
     guess.position = position + kPosition * Vector2(random.normal(), random.normal());
@@ -44,7 +44,7 @@ OcclusionMemory::OcclusionMemory(const Vector2& position, const Vector2& velocit
 }
 
 void OcclusionMemory::walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls,
-                       Random& random, const HiddenOptions& options) {
+                           Random& random, const HiddenOptions& options) {
   const double wander = options.kWander * std::sqrt(dt);
   const double anew = 1.0 - std::exp(-dt / options.kKeepsWay);
   const double missed = std::exp(-looked / options.kOverlooked);
@@ -108,7 +108,7 @@ double OcclusionMemory::chance_near(const Vector2& place) const {
 }
 
 double OcclusionMemory::density(const Vector2& place, std::optional<Vector2> velocity, double ago,
-                            const HiddenOptions& options) const {
+                                const HiddenOptions& options) const {
   const double p = options.place_kernel * options.place_kernel;
   const double v = options.kVelocityKernel * options.kVelocityKernel;
   double sum = 0.0;

@@ -19,7 +19,8 @@ namespace bw::people {
 class OcclusionMemory {
  public:
   /// Last seen at `position`, going at `velocity`.
-  OcclusionMemory(const Vector2& position, const Vector2& velocity, Random& random, const HiddenOptions& options);
+  OcclusionMemory(const Vector2& position, const Vector2& velocity, Random& random,
+                  const HiddenOptions& options);
 
   /// `dt` >= 0 [s] later. The sweep looked for `looked` [s], since the one before of its sensor.
   void walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls, Random& random,

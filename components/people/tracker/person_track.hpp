@@ -8,8 +8,8 @@
 
 #include "components/people/tracker/cluster_track.hpp"
 #include "components/people/tracker/heading_filter.hpp"
-#include "components/people/tracker/walker.hpp"
 #include "components/people/tracker/occlusion_memory.hpp"
+#include "components/people/tracker/walker.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw::people {
@@ -27,8 +27,8 @@ struct PersonTrack {
   std::optional<HeadingFilter> heading;  ///< what is reported in place of the walker, if anything
   Time born;
   Time confirmed;
-  Time last_seen;                     ///< by a laser
-  double since_seen = 0.0;            ///< from the time before to that [s]
+  Time last_seen;                         ///< by a laser
+  double since_seen = 0.0;                ///< from the time before to that [s]
   std::optional<OcclusionMemory> hidden;  ///< where they may be while not seen for sure
   double there = 1.0;    ///< how probably they are near where they are tracked, if they are somebody
   PastState sure;        ///< when they were last seen as a person or a leg plainly is
@@ -36,8 +36,8 @@ struct PersonTrack {
   PastState settled;     ///< when their legs last went like those of one person
   bool strayed = false;  ///< since `free` furniture was followed in their place: nobody is believed for them
   double score = 0.5;    ///< smoothed human score of what was seen
-  FootShifts foot_shifts;       ///< of the way from leg to leg
-  Existence existence;   ///< how sure it is that they are a person
+  FootShifts foot_shifts;      ///< of the way from leg to leg
+  Existence existence;         ///< how sure it is that they are a person
   double empty_seconds = 0.0;  ///< for so long the laser saw through where they should be [s]
   double heard = 0.0;          ///< how sure other detectors are that they are there, 0 to 1
   Time last_heard;             ///< when one of them told of this person last, if `heard` is not 0

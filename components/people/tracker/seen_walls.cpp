@@ -7,7 +7,7 @@ namespace bw::people {
 namespace {
 
 constexpr double kCell = 0.1;         // [m]
-constexpr float kWallAge = 1.0F;        // [s] what stands so long is a wall
+constexpr float kWallAge = 1.0F;      // [s] what stands so long is a wall
 constexpr float kPause = 0.5F;        // [s] within which the next beam must end there
 constexpr float kRemembered = 30.0F;  // [s] for so long odometry is good enough to remember places
 constexpr double kPerson = 0.5;       // [m] about people nothing is a wall

@@ -12,11 +12,11 @@
 #include <Eigen/Geometry>
 
 #include "components/people/tracker/heading_track.hpp"
+#include "components/people/tracker/leg_reassociation.hpp"
 #include "components/people/tracker/reappearance.hpp"
 #include "components/people/tracker/reporting.hpp"
 #include "components/people/tracker/selection.hpp"
 #include "components/people/tracker/tracker_impl.hpp"
-#include "components/people/tracker/leg_reassociation.hpp"
 #include "components/people/tracker/visibility.hpp"
 #include "components/people/tracker/walking.hpp"
 
@@ -211,7 +211,8 @@ void Tracker::Impl::reassociate_legs() {
     reassociate_legs_of({i});
     for (std::size_t j = i + 1; j < people_.size(); ++j) {
       const double distance = (people_[i].walker.position() - people_[j].walker.position()).norm();
-      if (distance <= options_.leg_reassociation.kNear && people_[j].last_seen == *now_) reassociate_legs_of({i, j});
+      if (distance <= options_.leg_reassociation.kNear && people_[j].last_seen == *now_)
+        reassociate_legs_of({i, j});
     }
   }
   for (PersonTrack& person : people_) {

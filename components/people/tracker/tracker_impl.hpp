@@ -40,7 +40,8 @@ class Tracker::Impl {
   void begin_with(const HeardPerson& told, double late);
   bool follow_legs_near(PersonTrack& person);
   bool is_told_of(const PersonTrack& person) const {
-    return person.heard > 0.0 && person.last_heard + Duration::seconds(ExternalDetectionOptions::kTold) >= *now_;
+    return person.heard > 0.0 &&
+           person.last_heard + Duration::seconds(ExternalDetectionOptions::kTold) >= *now_;
   }
   void correct_people();
   void correct_heading(PersonTrack& person, const LegMatch& match);

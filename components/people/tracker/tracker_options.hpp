@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/external_detection_options.hpp"
+#include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/walker.hpp"
 #include "runtime/base/choice.hpp"
@@ -127,8 +127,9 @@ struct DeathOptions {
       {.unit = "m",
        .min = 0.1,
        .max = 5,
-       .doc = "a person whose position is less sure than this is gone, hidden or not; raise it to keep who is not seen "
-              "longer"});
+       .doc =
+           "a person whose position is less sure than this is gone, hidden or not; raise it to keep who is not seen "
+           "longer"});
     v.retired({"unlike_score"}, "a constant of tracker_options.hpp");
   }
 };

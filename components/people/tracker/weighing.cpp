@@ -9,11 +9,11 @@
 namespace bw::people {
 namespace {
 
-constexpr double kPostAge = 0.5;   // [s] what has stood so long is a post
-constexpr double kStill = 0.15;  // [m] its places differ less
-constexpr double kThin = 0.25;   // [m] and it is less wide
-constexpr double kReach = 2.5;   // [m] farther furniture is not theirs: the diagonal of a table and more
-constexpr double kSlowly = 1.0;  // [s] in which patterns gain and lose belief
+constexpr double kPostAge = 0.5;  // [s] what has stood so long is a post
+constexpr double kStill = 0.15;   // [m] its places differ less
+constexpr double kThin = 0.25;    // [m] and it is less wide
+constexpr double kReach = 2.5;    // [m] farther furniture is not theirs: the diagonal of a table and more
+constexpr double kSlowly = 1.0;   // [s] in which patterns gain and lose belief
 constexpr FootShifts::Memory kOfLeg{.gap = 0.5, .turn = 0.1};
 // However long it is out of view, and from every side: measured on furniture, README.
 constexpr FootShifts::Memory kOfPair{.gap = 1e9, .turn = 4.0};

@@ -206,7 +206,8 @@ int calibrate_odometry_verb(const CalibrateOptions& options) {
     const MeasuringErrors errors =
         options.poses.empty() ? MeasuringErrors{} : MeasuringErrors{.position = 0.01, .heading = 0.005};
     const auto found = calibrate_odometry(motions, geometry_of(robot), errors);
-    if (!found) throw CalibrationAborted("the ends that were given fit no wheels at all: nothing was written");
+    if (!found)
+      throw CalibrationAborted("the ends that were given fit no wheels at all: nothing was written");
     print(geometry_of(robot), *found);
     print_obedience(front.obedience());
     return write(options, calibration.session(), found->geometry);

@@ -11,7 +11,7 @@
 namespace bw::eddie {
 namespace {
 
-constexpr Duration kListen = Duration::milliseconds(80);     ///< after the first bytes of a session
+constexpr Duration kListen = Duration::milliseconds(80);           ///< after the first bytes of a session
 constexpr Duration kSilentStrange = Duration::milliseconds(1000);  ///< without an answer
 constexpr Duration kSilentGivenUp = Duration::milliseconds(4000);
 constexpr Duration kSayAgain = Duration::milliseconds(100);   ///< what GOSPD said, though nothing changed

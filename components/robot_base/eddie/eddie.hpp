@@ -15,8 +15,8 @@
 #include "components/robot_base/eddie/dialogue.hpp"
 #include "components/robot_base/eddie/eddie_options.hpp"
 #include "components/robot_base/eddie/text.hpp"
-#include "components/robot_base/unknown_device.hpp"
 #include "components/robot_base/held_report.hpp"
+#include "components/robot_base/unknown_device.hpp"
 
 namespace bw::eddie {
 

@@ -192,7 +192,7 @@ LinkState Kobuki::heard(Time now, const LinkState& cable) {
   if (silence < Duration::seconds(options_.silence) && is_recognised()) return link;
   link.is_open = false;
   link.fault = unknown_device_.is_heard() ? "no packet of a Kobuki, but bytes: " + unknown_device_.likeness()
-                                    : "no packet of a Kobuki: nothing comes; is the base switched on?";
+                                          : "no packet of a Kobuki: nothing comes; is the base switched on?";
   if (!unknown_device_.is_heard()) return link;
   if (silence >= kStrange) faults_.say(now, "stranger", link.fault);
   if (silence >= kGiveUp) link_->close(now, link.fault);

@@ -9,13 +9,13 @@
 #include <string>
 
 #include "components/robot_base/driver.hpp"
+#include "components/robot_base/held_report.hpp"
 #include "components/robot_base/kobuki/board_clock.hpp"
 #include "components/robot_base/kobuki/commands.hpp"
 #include "components/robot_base/kobuki/feedback.hpp"
 #include "components/robot_base/kobuki/packet_reader.hpp"
 #include "components/robot_base/kobuki/unwrapped.hpp"
 #include "components/robot_base/unknown_device.hpp"
-#include "components/robot_base/held_report.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::kobuki {

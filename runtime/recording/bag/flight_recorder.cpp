@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPeriod(100);       // between looks at what came
 constexpr std::chrono::milliseconds kSyncPeriod(1000);  // of a snapshot that is being written
-constexpr std::size_t kMaxEvents = 100;                // that are told by name
+constexpr std::size_t kMaxEvents = 100;                 // that are told by name
 
 /// The first name of this form that is free.
 std::filesystem::path free_path(const std::filesystem::path& wanted) {

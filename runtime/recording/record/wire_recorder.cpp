@@ -34,7 +34,7 @@ constexpr int kDepth = 1000;  // that many samples of a topic may come in betwee
 constexpr int kMaxAtOnce = 64;
 constexpr auto kLongestUnnamed = 1000ms;  // nodes name their ends a moment after they make them
 constexpr std::size_t kMaxHeld = std::size_t{16} << 20;  // [bytes]
-constexpr std::uint32_t kReceiveBuffer = 4 << 20;         // [bytes]
+constexpr std::uint32_t kReceiveBuffer = 4 << 20;        // [bytes]
 constexpr std::size_t kMaxClockSteps = 1000;
 constexpr auto kReportPeriod = 1000ms;
 

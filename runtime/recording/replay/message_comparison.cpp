@@ -62,8 +62,7 @@ std::string hex_of(bag::BytesView bytes) {
   constexpr std::size_t kMax = 32;
   return fmt::format(
       "{} bytes: {:02x}{}", bytes.size(),
-      fmt::join(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), kMax)),
-                ""),
+      fmt::join(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), kMax)), ""),
       bytes.size() > kMax ? "..." : "");
 }
 

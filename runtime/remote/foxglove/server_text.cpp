@@ -32,10 +32,10 @@ ordered_json nodes_json(const NodesOf& nodes_of, const char* ids) {
 
 std::string server_info_op(const ServerInfo& info) {
   ordered_json op = {{"op", "serverInfo"},
-             {"name", info.name},
-             {"capabilities", info.capabilities},
-             {"supportedEncodings", {kCdr, kJson}},
-             {"metadata", info.metadata}};
+                     {"name", info.name},
+                     {"capabilities", info.capabilities},
+                     {"supportedEncodings", {kCdr, kJson}},
+                     {"metadata", info.metadata}};
   if (!info.session.empty()) op["sessionId"] = info.session;
   return written(op);
 }
@@ -54,11 +54,11 @@ std::string advertise_op(std::span<const Channel> channels) {
   ordered_json list = ordered_json::array();
   for (const Channel& channel : channels) {
     ordered_json entry = {{"id", channel.id},
-                  {"topic", channel.topic},
-                  {"encoding", kCdr},
-                  {"schemaName", channel.schema_name},
-                  {"schemaEncoding", "ros2msg"},
-                  {"schema", channel.schema}};
+                          {"topic", channel.topic},
+                          {"encoding", kCdr},
+                          {"schemaName", channel.schema_name},
+                          {"schemaEncoding", "ros2msg"},
+                          {"schema", channel.schema}};
     if (channel.is_latched) entry["metadata"] = {{"latched", "true"}};
     list.push_back(std::move(entry));
   }

@@ -15,9 +15,11 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kReaderPatience{1000};       // with readers that do not come, where another is there
-constexpr std::chrono::milliseconds kLongPatience{5000};   // where none is: discovery takes seconds on a busy machine
-constexpr std::chrono::milliseconds kWriterLinger{2000};         // until the last sample has arrived
+constexpr std::chrono::milliseconds kReaderPatience{
+    1000};  // with readers that do not come, where another is there
+constexpr std::chrono::milliseconds kLongPatience{
+    5000};  // where none is: discovery takes seconds on a busy machine
+constexpr std::chrono::milliseconds kWriterLinger{2000};  // until the last sample has arrived
 constexpr std::size_t kMaxWaiting = 100;
 
 /// geometry_msgs/PoseStamped -> geometry_msgs/msg/PoseStamped

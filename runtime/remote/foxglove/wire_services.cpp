@@ -14,8 +14,8 @@ namespace {
 using std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kDeadline{10};
-constexpr std::chrono::hours kGoalDeadline{1};  // a result comes when the goal ends
-constexpr std::chrono::seconds kCallLinger{10};     // ends of a client that nobody uses
+constexpr std::chrono::hours kGoalDeadline{1};   // a result comes when the goal ends
+constexpr std::chrono::seconds kCallLinger{10};  // ends of a client that nobody uses
 constexpr std::string_view kRequest = "_Request";
 
 MessageType names_of(const TypeDescription& type) { return {type.ros_name, type.dds_name, type.type_hash}; }

@@ -19,10 +19,10 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 namespace net = boost::asio;
 
-constexpr std::size_t kChunk = 128 << 10;      // of a file at a time [bytes]
+constexpr std::size_t kChunk = 128 << 10;     // of a file at a time [bytes]
 constexpr std::size_t kMaxDrained = 1 << 20;  // read from a client that is told why it is refused [bytes]
-constexpr double kWriteTime = 30;              // for a page, or the next chunk of a file [s]
-constexpr double kDrainTime = 1;               // [s]
+constexpr double kWriteTime = 30;             // for a page, or the next chunk of a file [s]
+constexpr double kDrainTime = 1;              // [s]
 
 std::string to_text(beast::string_view text) { return {text.data(), text.size()}; }
 

@@ -17,7 +17,7 @@ struct Limits {
   double handshakes_per_second =
       100;  ///< of WebSockets, after a burst of twice as many; more are refused with 503
   double header_time =
-      10;                 ///< from the connection, or the answer before, to the end of a request's header [s]
+      10;  ///< from the connection, or the answer before, to the end of a request's header [s]
   /// a socket from which nothing comes, not even the answer to a ping, is closed [s] (set by code alone)
   double idle_time = 90;
   /// the same while it takes none of what is sent to it [s] (set by code alone)
@@ -28,15 +28,15 @@ struct Limits {
   int header_bytes = 16 << 10;
   /// of a request: more is 413 (set by code alone)
   int body_bytes = 4 << 10;
-  int message_bytes = 4 << 20;   ///< of a message from a socket: more closes it with code 1009
-  int queued_bytes = 8 << 20;    ///< of data for one socket, before older frames are left out
+  int message_bytes = 4 << 20;  ///< of a message from a socket: more closes it with code 1009
+  int queued_bytes = 8 << 20;   ///< of data for one socket, before older frames are left out
   /// the same (set by code alone)
   int queued_frames = 1024;
   /// of answers and announcements for one socket, before it is closed (set by code alone)
   int control_bytes = 16 << 20;
   /// the same (set by code alone)
   int control_frames = 4096;
-  int login_attempts = 5;        ///< wrong tokens of one address within a minute, before it is told 429
+  int login_attempts = 5;  ///< wrong tokens of one address within a minute, before it is told 429
 
   template <class Visitor>
   void fields(Visitor& v) {

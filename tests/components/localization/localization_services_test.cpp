@@ -74,7 +74,7 @@ struct Answers {
 
 /// `later`: published on map at 2 s, 2.1 s and so on.
 Answers run(const std::string& graph, const std::function<void(Setup&)>& ask,
-         const std::vector<nav_msgs::msg::OccupancyGrid>& later = {}) {
+            const std::vector<nav_msgs::msg::OccupancyGrid>& later = {}) {
   Answers seen;
   run_with_script(graph, 4.0, [&](bw::Setup& setup) {
     setup.input<nav_msgs::msg::Odometry>("odometry/filtered", Qos::standard(50),

@@ -15,7 +15,6 @@
 namespace bw::localization {
 namespace {
 
-
 // Two particles 0 and 1 m, one reading 0.25 m with 0.5 m: w ~ exp(-0.125), exp(-1.125), so that w0 = 1 / (1 +
 // exp(-1)).
 TEST(Weights, GaussianInOneDimensionIsTheClosedForm) {

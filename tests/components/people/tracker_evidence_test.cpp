@@ -312,9 +312,7 @@ void expect_one_leg_is_somebody_when_it_shifts(bool becomes_background) {
   EXPECT_GE(tracker.people()[0].confidence, kConfirmed);
 }
 
-TEST(Evidence, OneLegThatStandsIsPossibleUntilItShifts) {
-  expect_one_leg_is_somebody_when_it_shifts(false);
-}
+TEST(Evidence, OneLegThatStandsIsPossibleUntilItShifts) { expect_one_leg_is_somebody_when_it_shifts(false); }
 
 // What stands for 2.5 s is background: a leg that shifts there in view of a laser that stands is one no less.
 TEST(Evidence, OneLegThatBecameBackgroundShifts) { expect_one_leg_is_somebody_when_it_shifts(true); }

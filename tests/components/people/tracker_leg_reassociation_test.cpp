@@ -76,7 +76,8 @@ TEST_F(Passing, ExchangedLegsAreGivenBack) {
     const PersonTrack a = pick(2) == 0 ? person(1.0, own, foreign) : person(1.0, foreign, own);
     const PersonTrack b = pick(3) == 0 ? person(-1.0, rest, given) : person(-1.0, given, rest);
     for (const bool a_first : {true, false}) {
-      const auto pairs = a_first ? reassociate_legs({&a, &b}, {}, kSweep, {}) : reassociate_legs({&b, &a}, {}, kSweep, {});
+      const auto pairs =
+          a_first ? reassociate_legs({&a, &b}, {}, kSweep, {}) : reassociate_legs({&b, &a}, {}, kSweep, {});
       ASSERT_TRUE(pairs) << "order " << order;
       ASSERT_EQ(pairs->legs.size(), 2U);
       expect_legs_of(1.0, pairs->legs[a_first ? 0 : 1]);

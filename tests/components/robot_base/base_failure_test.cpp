@@ -72,8 +72,7 @@ class BaseFailure : public testing::TestWithParam<ClockMode> {
                        setup.every(Duration::milliseconds(20), "drive",
                                    [out = setup.command<sensor_msgs::msg::JointState>("wheel_commands")](
                                        const Tick&) mutable {
-                                     if (!g_told.fails && g_fastest > 0.1)
-                                       throw std::logic_error("lost");
+                                     if (!g_told.fails && g_fastest > 0.1) throw std::logic_error("lost");
                                      out.publish(to_joint_state({kSpeed, kSpeed}, {0.035, 0.035}, {}));
                                    });
                      })});

@@ -105,7 +105,9 @@ std::vector<MeasuredMotion> measure(Experiment& experiment, int straights, int l
     Pose2 from = experiment.measured();
     MeasuredMotion whole{.known = Known::pose};
     for (int leg = 0; leg < 8; ++leg) {
-      const Leg motion = leg % 2 == 0 ? Leg{.distance = 4.0} : Leg{.turn = (lap % 2 == 0 ? std::numbers::pi : -std::numbers::pi) / 2.0};
+      const Leg motion = leg % 2 == 0
+                             ? Leg{.distance = 4.0}
+                             : Leg{.turn = (lap % 2 == 0 ? std::numbers::pi : -std::numbers::pi) / 2.0};
       const auto turns = experiment.drive(motion);
       whole.turns.insert(whole.turns.end(), turns.begin(), turns.end());
       if (ends == Ends::typed && leg < 7) continue;
@@ -145,8 +147,8 @@ Residual calibrate(const Floor& floor, std::uint64_t seed, int straights, int la
 
 void expect_within_what_is_asked(const char* what, const Floor& floor, int straights, int laps, Ends ends) {
   std::printf("%s: k = %g m, slip %g, ends +-%.0f mm +-%.1f degrees, %d straights, %d squares each way\n",
-              what, floor.noise, floor.slip, 1e3 * floor.position_error, floor.heading_error * 180.0 / std::numbers::pi,
-              straights, laps);
+              what, floor.noise, floor.slip, 1e3 * floor.position_error,
+              floor.heading_error * 180.0 / std::numbers::pi, straights, laps);
   std::printf("seed  ratio %%  separation %%  scale %%   (said to be +- ratio, separation, scale)\n");
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Residual r = calibrate(floor, seed, straights, laps, ends);

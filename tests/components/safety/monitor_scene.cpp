@@ -18,8 +18,10 @@ void add_people(Random& random, const Footprint& outline, Scene& scene) {
   const double share = random.uniform();
   const int count = share < 0.6 ? 0 : share < 0.85 ? 1 : 2;
   for (int i = 0; i < count;) {
-    const Vector2 at = random.uniform(0.4, 3.0) * direction(random.uniform(-std::numbers::pi, std::numbers::pi));
-    const double aside = random.uniform() < 0.7 ? random.uniform(-0.4, 0.4) : random.uniform(-std::numbers::pi, std::numbers::pi);
+    const Vector2 at =
+        random.uniform(0.4, 3.0) * direction(random.uniform(-std::numbers::pi, std::numbers::pi));
+    const double aside = random.uniform() < 0.7 ? random.uniform(-0.4, 0.4)
+                                                : random.uniform(-std::numbers::pi, std::numbers::pi);
     const Vector2 v = random.uniform(0.2, 1.6) * direction(std::atan2(-at.y(), -at.x()) + aside);
     const Thing person{.x = at.x(),
                        .y = at.y(),
@@ -94,7 +96,8 @@ Scene random_scene(std::uint64_t seed) {
   n[kSeparation] = random.uniform(0.2, 0.5);
   n[kLaserX] = random.uniform(-0.08, 0.1);
   n[kLaserHeading] = pick({0.0, 0.0, std::numbers::pi});
-  n[kField] = pick({2.0 * std::numbers::pi, 2.0 * std::numbers::pi, 1.5 * std::numbers::pi, std::numbers::pi, 0.5 * std::numbers::pi});
+  n[kField] = pick({2.0 * std::numbers::pi, 2.0 * std::numbers::pi, 1.5 * std::numbers::pi, std::numbers::pi,
+                    0.5 * std::numbers::pi});
   n[kBeams] = std::ceil(n[kField] / (std::numbers::pi / 180.0) * pick({1.0, 1.0, 2.0}));
   n[kPeriod] = 1.0 / random.uniform(5.0, 40.0);
   n[kAge] = random.uniform(0.0, 0.15);
@@ -120,11 +123,13 @@ Scene random_scene(std::uint64_t seed) {
   const Footprint outline = robot_of(scene).outline();
   const std::size_t count = 1 + random.bits() % 5;
   while (scene.things.size() < count) {
-    const Vector2 a = random.uniform(0.15, 2.0) * direction(random.uniform(-std::numbers::pi, std::numbers::pi));
+    const Vector2 a =
+        random.uniform(0.15, 2.0) * direction(random.uniform(-std::numbers::pi, std::numbers::pi));
     const double is_wall = random.uniform() < 0.4 ? 1.0 : 0.0;
     Thing thing{.is_wall = is_wall, .x = a.x(), .y = a.y(), .p = random.uniform(0.06, 0.4)};
     if (thing.is_wall != 0.0) {
-      const Vector2 b = a + random.uniform(0.3, 4.0) * direction(random.uniform(-std::numbers::pi, std::numbers::pi));
+      const Vector2 b =
+          a + random.uniform(0.3, 4.0) * direction(random.uniform(-std::numbers::pi, std::numbers::pi));
       thing.p = b.x();
       thing.q = b.y();
     }

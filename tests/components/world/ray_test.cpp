@@ -12,7 +12,6 @@
 namespace bw {
 namespace {
 
-
 OccupancyGrid random_grid(Random& random, double solid_share) {
   OccupancyGrid grid;
   grid.resolution = random.uniform(0.02, 0.3);

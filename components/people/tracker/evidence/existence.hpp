@@ -60,16 +60,16 @@ struct Existence {
   double prior = kOneLeg;
   Walked walked;
   Appearance appearance;
-  double foot_shifts = 0.0;    ///< log odds (foot_shifts.hpp)
-  double row = 0.0;        ///< log odds (row_of_posts.hpp), lately
-  double clutter = 0.0;    ///< log odds by how many things about look like legs
-  double alone = 0.0;      ///< log odds of two that stand by how few people are known to walk about
-  bool in_place = false;   ///< they seem to walk where things stood all the time
-  double taken = 0.0;      ///< log odds of who walked and is seen where something stood before
-  double came = 0.0;       ///< log odds by what was at the place of the legs before
-  double rigid = 0.0;      ///< log odds of two that stand and never move
-  double furnished = 0.0;  ///< how sure it is that furniture like legs stands about, 0 to 1
-  double kept = 0.0;       ///< kKept of somebody confirmed
+  double foot_shifts = 0.0;  ///< log odds (foot_shifts.hpp)
+  double row = 0.0;          ///< log odds (row_of_posts.hpp), lately
+  double clutter = 0.0;      ///< log odds by how many things about look like legs
+  double alone = 0.0;        ///< log odds of two that stand by how few people are known to walk about
+  bool in_place = false;     ///< they seem to walk where things stood all the time
+  double taken = 0.0;        ///< log odds of who walked and is seen where something stood before
+  double came = 0.0;         ///< log odds by what was at the place of the legs before
+  double rigid = 0.0;        ///< log odds of two that stand and never move
+  double furnished = 0.0;    ///< how sure it is that furniture like legs stands about, 0 to 1
+  double kept = 0.0;         ///< kKept of somebody confirmed
 
   /// To be called when the evidence of a sweep is complete.
   void keep_belief() {
@@ -82,8 +82,8 @@ struct Existence {
   }
 
   double log_odds() const {
-    return prior + way_walked() + appearance.log_odds() + looks_of_walker() + foot_shifts + row + clutter + alone +
-           taken + came + rigid + kept;
+    return prior + way_walked() + appearance.log_odds() + looks_of_walker() + foot_shifts + row + clutter +
+           alone + taken + came + rigid + kept;
   }
   double confidence() const { return 1.0 / (1.0 + std::exp(-log_odds())); }
 
@@ -91,7 +91,8 @@ struct Existence {
   double way_walked() const { return in_place && walked.way < Walked::kFree ? 0.0 : walked.log_odds(); }
   double looks_of_walker() const {
     const bool walks = prior == kWalker || prior == kLoneWalker;
-    return walks && walked.way < Walked::kFree ? kLooksOfWalkers * (appearance.log_odds() - kUsualLooks) : 0.0;
+    return walks && walked.way < Walked::kFree ? kLooksOfWalkers * (appearance.log_odds() - kUsualLooks)
+                                               : 0.0;
   }
 };
 

@@ -7,14 +7,14 @@
 namespace bw::people {
 namespace {
 
-constexpr std::size_t kKept = 150;  // sweeps
-constexpr double kEvery = 0.3;      // [s] between those that are kept, of each sensor
-constexpr double kRadius = 0.08;    // [m] about a place that must be empty: a leg, and what S drifts
-constexpr double kMargin = 0.05;    // [m] by which ranges err
-constexpr double kNearestSeen = 0.3;    // [m] from the sensor
-constexpr double kSpacing = 0.04;   // [m] between beams there, at most
-constexpr int kEnough = 2;          // sweeps
-constexpr double kAgo = 2.0;        // [s] since something stood there that is not what stands there now
+constexpr std::size_t kKept = 150;     // sweeps
+constexpr double kEvery = 0.3;         // [s] between those that are kept, of each sensor
+constexpr double kRadius = 0.08;       // [m] about a place that must be empty: a leg, and what S drifts
+constexpr double kMargin = 0.05;       // [m] by which ranges err
+constexpr double kNearestSeen = 0.3;   // [m] from the sensor
+constexpr double kSpacing = 0.04;      // [m] between beams there, at most
+constexpr int kEnough = 2;             // sweeps
+constexpr double kAgo = 2.0;           // [s] since something stood there that is not what stands there now
 constexpr double kAgeRounding = 1e-6;  // [s]
 constexpr double kTurn = 2.0 * std::numbers::pi;
 

@@ -190,7 +190,8 @@ TEST(Possible, WhatExistsIsNeverProvenAway) {
     OptimisticSearchOptions coarse;
     coarse.cell = 0.02;
     coarse.escape_area = 12.0;
-    const bool is_none = search_optimistically(drawn.scene, drawn.start, bounds, 4.0, coarse) == SearchOutcome::none;
+    const bool is_none =
+        search_optimistically(drawn.scene, drawn.start, bounds, 4.0, coarse) == SearchOutcome::none;
     EXPECT_FALSE(is_found && is_none) << "seed " << seed;
     EXPECT_FALSE(is_drawn && is_none) << "seed " << seed;
     found += is_found ? 1 : 0;

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "components/lab/experiments/caveats.hpp"
 #include "components/lab/experiments/edwa_criteria.hpp"
 #include "components/lab/experiments/hallway_experiment.hpp"
-#include "components/lab/experiments/caveats.hpp"
 #include "components/lab/experiments/pf_experiment.hpp"
 
 namespace bw {

@@ -76,7 +76,8 @@ TEST(EkfReport, NamesTheLogs) {
   const auto json = ekf_json(report);
   EXPECT_EQ(json["real_data"]["logs"][0]["name"], "a_log");
   EXPECT_EQ(json["real_data"]["logs"][0]["licence"], "its licence");
-  EXPECT_NE(ekf_page(report).json().dump().find(R"(["a_log","its <source>","its licence"])"), std::string::npos);
+  EXPECT_NE(ekf_page(report).json().dump().find(R"(["a_log","its <source>","its licence"])"),
+            std::string::npos);
 }
 
 TEST(EkfReport, JudgesTheMeansItWasGiven) {

@@ -36,7 +36,8 @@ Vector2 turning(double t) { return t < 9.0 ? straight(t) : Vector2(1.0, t - 9.0)
 
 // Straight on from 8 s on they would be at (0, 0) after 10 s, and are at (1, 1).
 TEST(FailureCause, WhoTurnedIsTheCauseUnlessTheRobotClosedIn) {
-  const FoundCause turned = cause_of(straight_drive(0.0, turning), contact(10.0, WhoHit::robot_standing), true);
+  const FoundCause turned =
+      cause_of(straight_drive(0.0, turning), contact(10.0, WhoHit::robot_standing), true);
   EXPECT_EQ(turned.cause, FailureCause::turning_walker);
   EXPECT_NEAR(*turned.off_course, std::sqrt(2.0), 1e-9);
   EXPECT_EQ(cause_of(straight_drive(0.0, turning), contact(10.0, WhoHit::robot_closing), true).cause,

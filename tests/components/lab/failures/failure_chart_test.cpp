@@ -65,7 +65,8 @@ TEST(FailureChart, HasTheWaysInMetres) {
   ASSERT_GE(robot.size(), 2U);
   ASSERT_EQ(way_out.size(), 131U);
   ASSERT_EQ(person.size(), 41U);
-  EXPECT_NEAR((robot.back() - robot.front()).norm(), kSpeed * (kContact - std::min(kContact - 4.0, 6.5 - 1.0)), 0.01);
+  EXPECT_NEAR((robot.back() - robot.front()).norm(),
+              kSpeed * (kContact - std::min(kContact - 4.0, 6.5 - 1.0)), 0.01);
   EXPECT_NEAR((way_out.back() - way_out.front()).norm(), 0.25 * 6.5, 0.01);
   EXPECT_NEAR((person.back() - person.front()).norm(), 4.0, 0.01);
   // The contact lies on the robot's rim towards the person: 0.3 m beyond its centre.
@@ -89,7 +90,8 @@ TEST(FailureChart, OfADriveThatWasLate) {
   const report::Chart chart = failure_chart(recording(), std::nullopt);
   EXPECT_NEAR(static_cast<double>(line(chart, "robot, a dot each second").size()), 102.0, 1.0);
   EXPECT_TRUE(line(chart, "a motion without contact").empty());
-  EXPECT_TRUE(std::ranges::none_of(chart.marks, [](const auto& m) { return m.label.starts_with("contact"); }));
+  EXPECT_TRUE(
+      std::ranges::none_of(chart.marks, [](const auto& m) { return m.label.starts_with("contact"); }));
   EXPECT_NE(mark(chart, "goal"), nullptr);
 }
 

@@ -1,6 +1,8 @@
 // The drawings that the theory pages show are those that the algorithms draw today: same elements, numbers
 // within 0.3 px (what a pose may differ by from one mathematical library to another). After a change that
 // means to: `bandwagon-lab figures`.
+#include "components/lab/figures/figures.hpp"
+
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -9,8 +11,6 @@
 #include <string>
 
 #include <gtest/gtest.h>
-
-#include "components/lab/figures/figures.hpp"
 
 namespace bw::figures {
 namespace {
@@ -44,7 +44,8 @@ std::string difference(const std::string& drawn, const std::string& kept) {
 TEST(Figures, AreThoseThatThePagesShow) {
   ASSERT_EQ(all().size(), 8U);
   for (const Figure& figure : all()) {
-    const std::string file = std::string(BANDWAGON_SOURCE_DIR) + "/docs/figures/" + std::string(figure.name) + ".svg";
+    const std::string file =
+        std::string(BANDWAGON_SOURCE_DIR) + "/docs/figures/" + std::string(figure.name) + ".svg";
     std::ifstream in(file, std::ios::binary);
     ASSERT_TRUE(in) << file;
     const std::string kept((std::istreambuf_iterator<char>(in)), {});

@@ -15,13 +15,16 @@ using Json = nlohmann::ordered_json;
 
 Json parsed(const char* text) { return Json::parse(text); }
 
-Json strokes(const Chart& chart, std::size_t series = 0) { return to_json(chart)["series"][series]["strokes"]; }
+Json strokes(const Chart& chart, std::size_t series = 0) {
+  return to_json(chart)["series"][series]["strokes"];
+}
 
 TEST(Chart, ALineIsTheFewPointsThatAreSeen) {
   Chart chart{.title = "speed", .x = {"time [s]", 0.0, 10.0}, .y = {"v [m/s]", 0.0, 1.0}};
   chart.series.push_back({"robot", {.color = Color::blue}});
   // Straight up to 5 s, and down: 1001 points, of which three are seen.
-  for (int i = 0; i <= 1000; ++i) chart.series[0].points.emplace_back(0.01 * i, 1.0 - std::abs(i - 500) / 500.0);
+  for (int i = 0; i <= 1000; ++i)
+    chart.series[0].points.emplace_back(0.01 * i, 1.0 - std::abs(i - 500) / 500.0);
   EXPECT_EQ(strokes(chart), parsed("[[0, 0, 5, 1, 10, 0]]"));
   const Json json = to_json(chart);
   EXPECT_EQ(json["kind"], "chart");
@@ -68,7 +71,8 @@ TEST(Chart, OfALogarithmicAxisWhatIsBelowLiesOnItsEnd) {
 
 TEST(Chart, HoldsBodiesMarksAreasAndWalls) {
   Chart chart = floor_plan("room");
-  chart.bodies = {{.center = {1.0, 2.0}, .radius = 0.3, .color = Color::purple, .label = "A", .arrow = {1.0, 0.0}}};
+  chart.bodies = {
+      {.center = {1.0, 2.0}, .radius = 0.3, .color = Color::purple, .label = "A", .arrow = {1.0, 0.0}}};
   chart.marks = {{{3.0, 4.0}, Symbol::ring, Color::red, "", "missed"}};
   chart.areas = {{.outline = {{0, 0}, {1, 0}, {1, 1}}, .is_shade = true, .name = "roof"}};
   chart.walls = {{{0.0, 0.0}, {5.0, 0.0}}};

@@ -37,11 +37,13 @@ TEST(Document, HoldsItsBlocksInTheirOrder) {
 TEST(Table, KeepsFiguresAsNumbers) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   Table table({"way", {"error [m]", 4}, "runs", "interval", "verdict", "nothing"});
-  table.row({"sinus", 37.40736999, 100, Interval{0.2, 0.1, none}, Verdict{"met", Tone::met}, std::optional<double>{}});
+  table.row({"sinus", 37.40736999, 100, Interval{0.2, 0.1, none}, Verdict{"met", Tone::met},
+             std::optional<double>{}});
   const Json json = table.json();
   EXPECT_EQ(json["columns"][0], Json::parse(R"({"name": "way"})"));
   EXPECT_EQ(json["columns"][1], Json::parse(R"({"name": "error [m]", "decimals": 4})"));
-  EXPECT_EQ(json["rows"][0], Json::parse(R"(["sinus", {"value": 37.4074}, 100, {"value": 0.2, "low": 0.1, "high": null},
+  EXPECT_EQ(json["rows"][0],
+            Json::parse(R"(["sinus", {"value": 37.4074}, 100, {"value": 0.2, "low": 0.1, "high": null},
                                             {"text": "met", "tone": "met"}, {"value": null}])"));
 }
 
