@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing: setup.sh for the program, `setup.sh tests` for its tests and checks too. Debian packages, and into build/node the packages of
+# Installs what is missing: setup.sh for the program, `setup.sh tests` for its tests and checks too, `setup.sh docs` for the site. Debian packages, and into build/node the packages of
 # components/viewer/page, which the page is built from. Says what it does; sudo only when not root and something is missing.
 set -euo pipefail
 
@@ -14,9 +14,10 @@ packages=(
 )
 case $what in
   program) ;;
+  docs) packages=(mkdocs mkdocs-material mkdocs-material-extensions python3-pymdownx libjs-katex doxygen git) ;;
   tests) packages+=(libgtest-dev libgmock-dev libbenchmark-dev cyclonedds-dev cyclonedds-tools procps git ccache shellcheck) ;;
   *)
-    echo "usage: $0 [program|tests]" >&2
+    echo "usage: $0 [program|tests|docs]" >&2
     exit 2
     ;;
 esac
@@ -75,6 +76,7 @@ install_node_packages() {
 
 install_debian_packages "${packages[@]}"
 echo "All ${#packages[@]} Debian packages are there."
+[[ $what != docs ]] || exit 0
 without="the program is built without its page"
 [[ $what == program ]] || without+=", and tests on Node.js are skipped"
 install_programs "$without" node=nodejs npm

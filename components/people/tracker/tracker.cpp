@@ -225,7 +225,7 @@ void Tracker::Impl::reassociate_legs() {
 void Tracker::Impl::reassociate_legs_of(std::initializer_list<std::size_t> of_people) {
   std::vector<const PersonTrack*> people;
   for (const std::size_t i : of_people) people.push_back(&people_[i]);
-  auto pairs = reassociate_legs(people, clusters_, sweep_, options_.leg_reassociation);
+  auto pairs = people::reassociate_legs(people, clusters_, sweep_, options_.leg_reassociation);
   if (!pairs) return;
   std::size_t k = 0;
   for (const std::size_t i : of_people) {

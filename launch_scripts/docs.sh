@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Builds the site of the project's pages and the reference of its public headers: build/site/index.html. Installs what is missing. The site needs no
+# network: equations are rendered by KaTeX from Debian's package, which is copied into it.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+"$root/launch_scripts/setup.sh" docs
+cd "$root"
+pages=build/docs
+rm -rf "$pages"
+
+# The pages where they are, so that their links hold, and what they show.
+git ls-files --cached --others --exclude-standard -- '*.md' '*.svg' '*.png' 'LICENSE' ':!tests/book' | while IFS= read -r file; do
+  install -D -m 644 "$file" "$pages/$file"
+done
+install -D -m 644 docs/math.js "$pages/assets/math.js"
+katex=/usr/share/javascript/katex
+mkdir -p "$pages/assets/katex"
+cp -rL "$katex/katex.min.js" "$katex/katex.min.css" "$katex/fonts" "$pages/assets/katex/"
+
+mkdocs build --quiet --strict --config-file docs/mkdocs.yml --site-dir "$root/build/site"
+doxygen -q docs/Doxyfile
+echo "Site:      $root/build/site/index.html"
+echo "Reference: $root/build/site/api/index.html"
