@@ -20,7 +20,6 @@ using localization::Ekf;
 using localization::Estimate;
 using localization::ParticleFilter;
 
-const Axes kFloor{.x = "x [m]", .y = "y [m]"};
 constexpr double kPeriod = 0.05;  // [s] between wheel steps
 const Time kBegin = Time::seconds(100.0);
 
@@ -106,13 +105,9 @@ std::string particle_cloud() {
 
   Plane plane("Particles over the likelihood field", kRoom, kFloor);
   const localization::LikelihoodField field(map, {});
-  constexpr double kCell = 0.1;  // [m]
-  for (double x = 0.5 * kCell; x < kRoom.max().x(); x += kCell)
-    for (double y = 0.5 * kCell; y < kRoom.max().y(); y += kCell) {
-      const double share = std::exp(-0.5 * std::pow(field.distance(x, y) / field.options().sigma_hit, 2));
-      const Vector2 half(0.5 * kCell, 0.5 * kCell);
-      if (share > 0.02) plane.cell({Vector2(x, y) - half, Vector2(x, y) + half}, kOrange, 0.6 * share);
-    }
+  plane.shades(0.1, kOrange, [&field](const Vector2& p) {
+    return 0.6 * std::exp(-0.5 * std::pow(field.distance(p.x(), p.y()) / field.options().sigma_hit, 2));
+  });
   draw_room(plane);
   const auto draw_cloud = [&](std::string_view color) {
     const localization::ParticleSet& particles = *filter.particles();
@@ -131,6 +126,7 @@ std::string particle_cloud() {
     const LaserScan scan = scanner.scan(scene, {}, truth[i]);
     localization::LaserReading reading;
     reading.time = at_step(i);
+    reading.source = 1;
     reading.angle_min = scan.angle_min;
     reading.angle_increment = scan.angle_increment;
     reading.range_min = 0.05;

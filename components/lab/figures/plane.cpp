@@ -99,6 +99,25 @@ void Plane::cell(const Eigen::AlignedBox2d& cell, std::string_view color, double
            "\" fill=\"" + std::string(color) + "\" fill-opacity=\"" + fixed(opacity, 2) + "\"/>\n";
 }
 
+void Plane::shades(double size, std::string_view color, const std::function<double(const Vector2&)>& shade) {
+  constexpr int kLevels = 12;  // neighbours of one level in a row are one rectangle
+  const auto count = [size](double length) { return static_cast<int>(std::lround(length / size)); };
+  const int columns = count(window_.sizes().x()), rows = count(window_.sizes().y());
+  for (int row = 0; row < rows; ++row) {
+    const auto level_at = [&](int column) {
+      return static_cast<int>(
+          std::lround(kLevels * shade(window_.min() + size * Vector2(column + 0.5, row + 0.5))));
+    };
+    for (int first = 0, last = 0; first < columns; first = last) {
+      const int level = level_at(first);
+      for (last = first + 1; last < columns && level_at(last) == level;) ++last;
+      if (level == 0) continue;
+      cell({window_.min() + size * Vector2(first, row), window_.min() + size * Vector2(last, row + 1)}, color,
+           static_cast<double>(level) / kLevels);
+    }
+  }
+}
+
 void Plane::note(const Vector2& at, std::string_view text, double right, double up, std::string_view color) {
   const Vector2 p = pixel(at);
   body_ += "<text x=\"" + px(p.x() + right) + "\" y=\"" + px(p.y() - up) + "\" font-size=\"12\" fill=\"" +

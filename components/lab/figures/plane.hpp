@@ -2,6 +2,7 @@
 // discs and a key. The same bytes for the same input.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,9 @@ struct Axes {
   bool is_metric = true;  ///< one scale for both axes
 };
 
+/// Of a map or of odom.
+inline const Axes kFloor{.x = "x [m]", .y = "y [m]"};
+
 class Plane {
  public:
   /// `width` pixels wide in all. Of axes that are not metric the drawing is `height` pixels high.
@@ -47,6 +51,8 @@ class Plane {
   /// Its radius is in pixels.
   void dot(const Vector2& center, double radius, std::string_view color, double opacity = 1.0);
   void cell(const Eigen::AlignedBox2d& cell, std::string_view color, double opacity);
+  /// Cells of `size` over the whole window, each as dark as `shade` [0, 1] of its middle; what is below 0.03 is left out.
+  void shades(double size, std::string_view color, const std::function<double(const Vector2&)>& shade);
   /// `right` [px] from the place and `up` from it.
   void note(const Vector2& at, std::string_view text, double right = 6.0, double up = 6.0,
             std::string_view color = kBlack);

@@ -18,7 +18,6 @@ namespace {
 using Box = Eigen::AlignedBox2d;
 
 constexpr double kBeforeTheyMeet = 3.5;  // [s]
-const Axes kFloor{.x = "x [m]", .y = "y [m]"};
 const Axes kVelocities{.x = "v_x [m/s]", .y = "v_y [m/s]", .tick = 0.5, .decimals = 1};
 
 std::vector<Vector2> places(const std::vector<TrajectoryPoint>& trajectory) {
@@ -78,9 +77,9 @@ std::string elastic_band() {
 }
 
 std::string homotopy_classes() {
-  const auto [problem, result] = crossing_moment("eteb", PlannerOptions{}, kBeforeTheyMeet);
+  const auto [problem, result] = crossing_moment("eteb", PlannerOptions{}, 1.5);
   Plane plane("Homotopy classes around two people: one band in each",
-              Box(Vector2(0.0, -3.0), Vector2(10.5, 3.0)), kFloor);
+              Box(Vector2(0.0, -5.5), Vector2(10.5, 3.5)), kFloor);
   draw_people(plane, problem, 5.0);
   constexpr std::array kColors{kOrange, kSky, kVermilion, kGrey, kBlack};
   std::size_t next = 0;
@@ -115,9 +114,7 @@ std::string velocity_obstacle() {
     plane.arrow({0.0, 0.0}, *result.velocity_wanted, kGreen, 2.4);
     plane.note(*result.velocity_wanted, "advised", 6.0, 8.0, kGreen);
   }
-  plane.key(
-      kPurple,
-      "velocities that lead to a contact; the apex is the person's velocity, or lies between where avoiding is shared");
+  plane.key(kPurple, "velocities that lead to a contact; the apex is the person's velocity");
   plane.key(kGrey, "top speed");
   plane.key(kGreen, "the velocity outside all obstacles that is nearest to straight on");
   return std::move(plane).finish();
@@ -130,28 +127,22 @@ std::string dynamic_window() {
   dwa.shown_candidates = 100'000;
   const auto [problem, result] = crossing_moment("dwa", options, kBeforeTheyMeet);
   const Limits& limits = problem.limits;
-  Plane plane(
-      "Dynamic window, samples and their objective",
-      Box(Vector2(-1.1 * limits.omega_max, -0.1), Vector2(1.1 * limits.omega_max, 1.15 * limits.v_max)),
-      {.x = "turn rate [rad/s], left is negative in the drawing",
-       .y = "speed [m/s]",
-       .tick = 0.2,
-       .decimals = 1,
-       .is_metric = false});
-  const auto at = [](const Twist2& twist) { return Vector2(-twist.omega, twist.v); };
-  const auto frame = [&](const dwa::VelocityWindow& w, std::string_view color, double opacity) {
-    plane.area({{-w.omega.low, w.v.low},
-                {-w.omega.high, w.v.low},
-                {-w.omega.high, w.v.high},
-                {-w.omega.low, w.v.high}},
-               color, opacity);
-  };
-  frame({{0.0, limits.v_max}, {-limits.omega_max, limits.omega_max}}, kGrey, 0.05);
   const dwa::VelocityWindow window =
-      dwa::velocity_window(problem.twist, limits, limits.v_max, problem.control_period);
-  frame(window, kSky, 0.12);
+      dwa::velocity_window(problem.twist, limits, limits.v_max, problem.command_lead);
+  const auto at = [](const Twist2& twist) { return Vector2(-twist.omega, twist.v); };
+  const Box reach(at({window.v.low, window.omega.high}), at({window.v.high, window.omega.low}));
+  const Vector2 around = 0.25 * reach.sizes();
+  Plane plane("Dynamic window, samples and their objective", Box(reach.min() - around, reach.max() + around),
+              {.x = "turn rate [rad/s]; left is negative here",
+               .y = "speed [m/s]",
+               .tick = 0.05,
+               .decimals = 2,
+               .is_metric = false});
+  plane.area(
+      {reach.min(), {reach.max().x(), reach.min().y()}, reach.max(), {reach.min().x(), reach.max().y()}},
+      kSky, 0.12);
   for (const Twist2& sample : dwa::velocity_samples(window, problem.twist, dwa.v_samples, dwa.omega_samples))
-    plane.dot(at(sample), 2.0, kGrey);
+    plane.dot(at(sample), 2.5, kGrey);
   double best = 1e9, worst = -1e9;
   for (const Candidate& candidate : result.candidates) {
     best = std::min(best, candidate.cost);
@@ -159,15 +150,16 @@ std::string dynamic_window() {
   }
   for (const Candidate& candidate : result.candidates) {
     const double share = worst > best ? (worst - candidate.cost) / (worst - best) : 1.0;
-    plane.dot(at(candidate.trajectory.back().twist), 2.0 + 3.0 * share,
-              candidate.chosen ? kVermilion : kGreen, 0.25 + 0.75 * share);
+    plane.dot(at(candidate.trajectory.back().twist), 3.0 + 5.0 * share,
+              candidate.chosen ? kVermilion : kGreen, 0.2 + 0.8 * share);
   }
   plane.dot(at(problem.twist), 4.5, kBlue);
   plane.note(at(problem.twist), "now", 8.0, -14.0, kBlue);
-  plane.key(kGrey,
-            "what the robot may drive; a grey dot is a sample that cannot brake before its first contact");
-  plane.key(kSky, "dynamic window: what the accelerations reach in one control period");
+  plane.key(kSky, fmt::format(
+                      "dynamic window: what the accelerations reach in {} s, of at most {} m/s and {} rad/s",
+                      problem.command_lead, limits.v_max, limits.omega_max));
   plane.key(kGreen, "admissible samples, larger for a larger objective; red is the command");
+  plane.key(kGrey, "a sample that is not admissible: it cannot brake before its first contact");
   return std::move(plane).finish();
 }
 

@@ -9,7 +9,7 @@ namespace bw::figures {
 namespace {
 
 constexpr double kResolution = 0.05;  // [m]
-constexpr double kPeriod = 0.05;      // [s]
+constexpr double kStepTime = 0.05;    // [s]
 
 }  // namespace
 
@@ -17,7 +17,7 @@ StaticObstacles room_shapes() {
   const Vector2 a = kRoom.min() + Vector2(0.1, 0.1), c = kRoom.max() - Vector2(0.1, 0.1);
   const Vector2 b(c.x(), a.y()), d(a.x(), c.y());
   return {.points = {},
-          .discs = {{{3.2, 4.1}, 0.25}, {{6.0, 1.5}, 0.25}, {{7.8, 4.4}, 0.25}},
+          .discs = {{{3.2, 4.1}, 0.25}, {{7.0, 2.2}, 0.25}, {{7.8, 4.4}, 0.25}},
           .segments = {{a, b}, {b, c}, {c, d}, {d, a}, {{4.6, 0.1}, {4.6, 1.2}}, {{5.4, 5.9}, {5.4, 4.6}}}};
 }
 
@@ -29,7 +29,7 @@ OccupancyGrid room_map() {
                     .height = static_cast<int>(std::lround(kRoom.sizes().y() / kResolution))};
   for (int row = 0; row < map.height; ++row)
     for (int column = 0; column < map.width; ++column)
-      map.cells.push_back(scene.clearance(map.center(column, row), 1.0) <= 0.5 * kResolution
+      map.cells.push_back(scene.clearance(map.center(column, row), 1.0) <= 0.6 * kResolution
                               ? OccupancyGrid::kOccupied
                               : OccupancyGrid::kFree);
   return map;
@@ -45,8 +45,8 @@ std::vector<Pose2> way_through_room(int steps) {
   Pose2 pose(1.2, 2.0, 0.35);
   std::vector<Pose2> way{pose};
   for (int i = 0; i < steps; ++i) {
-    const double turn = 0.35 * std::cos(0.7 * kPeriod * i + 1.2);  // [rad/s]
-    pose = advance_exact(pose, {0.8, turn}, kPeriod);
+    const double turn = 0.35 * std::cos(0.7 * kStepTime * i + 1.2);  // [rad/s]
+    pose = advance_exact(pose, {0.8, turn}, kStepTime);
     way.push_back(pose);
   }
   return way;

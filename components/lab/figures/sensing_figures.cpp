@@ -17,12 +17,6 @@
 #include "components/world/legs.hpp"
 
 namespace bw::figures {
-namespace {
-
-const Axes kFloor{.x = "x [m]", .y = "y [m]"};
-
-}  // namespace
-
 std::string leg_evidence() {
   const Pose2 X_ML(1.2, 2.6, 0.15);
   const std::vector<Person> people = {{.id = 1, .position = {4.2, 2.9}, .velocity = {0.1, -1.1}},
@@ -55,12 +49,14 @@ std::string leg_evidence() {
       plane.dot(X_ML * (static_cast<double>(scan.ranges[i]) *
                         direction(scan.angle_min + static_cast<double>(i) * scan.angle_increment)),
                 1.8, kBlue);
+  bool is_left = false;
   for (const people::Detection& detection : detections.detections) {
     if (detection.human_score() < 0.2) continue;
+    is_left = !is_left;
     plane.disc(detection.position, 0.14, kVermilion, 0.0);
     plane.note(detection.position,
-               fmt::format("leg {:.2f}, body {:.2f}", detection.leg_score, detection.body_score), 16.0, 8.0,
-               kVermilion);
+               fmt::format("leg {:.2f}, body {:.2f}", detection.leg_score, detection.body_score),
+               is_left ? -136.0 : 16.0, 8.0, kVermilion);
   }
   plane.dot(X_ML.position(), 5.0, kBlack);
   plane.arrow(X_ML.position(), 0.25 * direction(X_ML.theta), kBlack);
@@ -80,30 +76,25 @@ std::string stopping_distance() {
   const std::vector<std::uint8_t> costs = costs_of(grid, map, options.clearance_weight);
 
   Plane plane("Costmap, and the distance in which the robot stops", kRoom, kFloor);
-  for (int row = 0; row < map.height; row += 2)
-    for (int column = 0; column < map.width; column += 2) {
-      const std::uint8_t cost = costs[map.index(column, row)];
-      if (cost == kFreeCost) continue;
-      const Vector2 corner = map.origin + map.resolution * Vector2(column, row);
-      const Eigen::AlignedBox2d cell(corner, corner + 2.0 * map.resolution * Vector2(1.0, 1.0));
-      if (cost >= kInscribedCost) {
-        plane.cell(cell, cost == kLethalCost ? kBlack : kVermilion, cost == kLethalCost ? 0.8 : 0.35);
-      } else {
-        plane.cell(cell, kSky, 0.08 + 0.5 * cost / 252.0);
-      }
-    }
+  const auto cost_at = [&](const Vector2& p) {
+    return costs[map.index(map.column_of(p.x()), map.row_of(p.y()))];
+  };
+  plane.shades(0.1, kSky, [&](const Vector2& p) {
+    return cost_at(p) < kInscribedCost ? 0.6 * cost_at(p) / kInscribedCost : 0.0;
+  });
+  plane.shades(0.1, kVermilion, [&](const Vector2& p) { return cost_at(p) == kInscribedCost ? 0.35 : 0.0; });
+  plane.shades(0.1, kBlack, [&](const Vector2& p) { return cost_at(p) == kLethalCost ? 0.8 : 0.0; });
   draw_room(plane);
   const Pose2 robot(1.2, 2.4, 0.12);
   plane.disc(robot.position(), footprint.radius, kBlue, 0.4);
-  const safety::Stopping stopping{.reaction_time = 0.25, .deceleration = 1.0};
+  const safety::Stopping stopping{.reaction_time = 0.25, .deceleration = 0.5};
   constexpr std::array kSpeeds{0.3, 0.6, 1.0};
   for (const double speed : kSpeeds) {
     const double way = speed * stopping.reaction_time + speed * speed / (2.0 * stopping.deceleration);
     const Vector2 end = robot.position() + way * direction(robot.theta);
     plane.disc(end, footprint.radius, kGreen, 0.05);
     plane.arrow(robot.position(), end - robot.position(), kGreen, 1.2);
-    plane.note(end, fmt::format("{:.1f} m/s", speed), -14.0,
-               -46.0 - 16.0 * (speed > 0.5) + 16.0 * (speed > 0.9), kGreen);
+    plane.note(end, fmt::format("{:.1f} m/s", speed), -12.0, speed < 0.5 ? -38.0 : 28.0, kGreen);
   }
   const Vector2 wall(3.9, 2.72);
   plane.dot(wall, 4.0, kPurple);
