@@ -13,7 +13,7 @@ rm -rf "$pages"
 git ls-files --cached --others --exclude-standard -- '*.md' '*.svg' '*.png' 'LICENSE' ':!tests/book' | while IFS= read -r file; do
   install -D -m 644 "$file" "$pages/$file"
 done
-install -D -m 644 docs/math.js "$pages/assets/math.js"
+install -D -m 644 -t "$pages/assets" docs/math.js docs/site.css
 katex=/usr/share/javascript/katex
 mkdir -p "$pages/assets/katex"
 cp -rL "$katex/katex.min.js" "$katex/katex.min.css" "$katex/fonts" "$pages/assets/katex/"
