@@ -16,7 +16,7 @@ case $what in
   program)
     $new && options+=(-DBANDWAGON_TESTS=OFF)
     targets=(--target bandwagon)
-    echo "Building the program, $preset (from scratch: about 8 minutes on two cores) ..."
+    echo "Building the program, $preset (from scratch: about 10 minutes on two cores) ..."
     ;;
   lab)
     $new && options+=(-DBANDWAGON_TESTS=OFF)
