@@ -15,7 +15,7 @@ packages=(
 case $what in
   program) ;;
   docs) packages=(mkdocs mkdocs-material mkdocs-material-extensions python3-pymdownx libjs-katex doxygen git) ;;
-  tests) packages+=(libgtest-dev libgmock-dev libbenchmark-dev cyclonedds-dev cyclonedds-tools procps git ccache shellcheck) ;;
+  tests) packages+=(python3 libgtest-dev libgmock-dev libbenchmark-dev cyclonedds-dev cyclonedds-tools procps git ccache shellcheck) ;;
   *)
     echo "usage: $0 [program|tests|docs]" >&2
     exit 2
