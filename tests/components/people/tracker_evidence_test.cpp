@@ -36,9 +36,9 @@ TEST(Evidence, LooksOfOneSideAreAveraged) {
 
 // Three sightings from one side and three from across: the second half counts half. 3 ln 9 / 5 = 1.318.
 TEST(Evidence, AnotherSideTellsMore) {
-  Looks same;
-  Looks two_sides;
-  Looks unlike;
+  Appearance same;
+  Appearance two_sides;
+  Appearance unlike;
   for (int n = 0; n < 3; ++n) {
     same.add(0.9, 0.1);
     two_sides.add(0.9, 0.1);
@@ -190,7 +190,7 @@ TEST(Evidence, LooksOfWalkersSayMoreUntilTheyHaveWalked) {
   EXPECT_NEAR(walker.log_odds(), Existence::kWalker + looks + (looks - 1.0), 1e-4);
   walker.walked.way = Walked::kFree;
   EXPECT_NEAR(walker.log_odds(), Existence::kWalker + looks + Walked::kMax, 1e-4);
-  Existence standing{.prior = Existence::kTwoLegs, .looks = walker.looks};
+  Existence standing{.prior = Existence::kTwoLegs, .appearance = walker.appearance};
   EXPECT_NEAR(standing.log_odds(), Existence::kTwoLegs + looks, 1e-4);
 }
 
