@@ -19,7 +19,7 @@ EncoderOdometry::EncoderOdometry(const Robot& robot, const OdometryOptions& opti
       wheel_speed_max_(std::max(robot.limits.v_max, robot.limits.v_back_max) +
                        robot.limits.omega_max * robot.wheel_separation / 2.0) {}
 
-CountsStatus EncoderOdometry::add(const EncoderCounts& counts) {
+CountsStatus EncoderOdometry::add(Time now, const EncoderCounts& counts) {
   if (!reference_) {
     reference_ = counts;
     state_.time = counts.time;
@@ -27,8 +27,12 @@ CountsStatus EncoderOdometry::add(const EncoderCounts& counts) {
     history_size_ = 1;
     return CountsStatus::first;
   }
-  if (begins_anew_) {
-    begins_anew_ = false;
+  const Time newest = suspect_ ? suspect_->time : reference_->time;
+  if (counts.time <= newest) {
+    if (newest <= now) {
+      ++faults_.stale;
+      return CountsStatus::stale;
+    }
     const Travelled last = history_[history_size_ - 1];
     history_[0] = {counts.time, last.distance, last.turn};
     history_size_ = 1;
@@ -37,11 +41,6 @@ CountsStatus EncoderOdometry::add(const EncoderCounts& counts) {
     state_.time = counts.time;
     return CountsStatus::rebased;
   }
-  if (counts.time <= (suspect_ ? suspect_->time : reference_->time)) {
-    ++faults_.stale;
-    return CountsStatus::stale;
-  }
-
   const EncoderCounts* from = &*reference_;
   CountsStatus status = CountsStatus::moved;
   if (!possible(*reference_, counts)) {

@@ -8,7 +8,8 @@
 // A counter that moves further than the wheels can is not motion. One such reading is dropped and the next
 // good one bridges it; two that agree with each other are a new count (the board restarted or lost counts):
 // odometry goes on from there and leaves the unknown part out. Old stamps are never motion: a driver stamps
-// by the clock of its caller (driver.hpp), and who sees that clock go back says begin_anew().
+// by the clock of its caller (driver.hpp). A reference ahead of that clock is of before the clock went back,
+// and the next reading replaces it.
 #pragma once
 
 #include <cstdint>
@@ -60,7 +61,9 @@ enum class CountsStatus {
   stale,  ///< stamp not after the previous one; ignored
   jump,   ///< further than the wheels can go; ignored
   reset,  ///< like jump, and the counters are back near zero
-  rebased  ///< second reading that agrees with a jump or reset, or the first after begin_anew(): the new reference
+  /// second reading that agrees with a jump or reset, or the first after the clock went back: the new
+  /// reference
+  rebased
 };
 
 /// Of the wheels between two readings [m].
@@ -79,9 +82,8 @@ class EncoderOdometry {
  public:
   EncoderOdometry(const Robot& robot, const OdometryOptions& options);
 
-  CountsStatus add(const EncoderCounts& counts);
-  /// The clock went back: the next reading is the new reference, whenever it is of.
-  void begin_anew() { begins_anew_ = true; }
+  /// `now`: by the clock that stamps the readings.
+  CountsStatus add(Time now, const EncoderCounts& counts);
   const OdometryState& state() const { return state_; }
   /// Of the reading that was integrated last.
   const WheelTravel& travel() const { return travel_; }
@@ -103,7 +105,6 @@ class EncoderOdometry {
   OdometryFaults faults_;
   std::optional<EncoderCounts> reference_;
   std::optional<EncoderCounts> suspect_;
-  bool begins_anew_ = false;
 
   /// Travel and turn up to a moment; the difference of two gives the mean twist between them.
   struct Travelled {

@@ -15,10 +15,8 @@ OdometryReader::OdometryReader(Setup& setup, const Robot& robot, const OdometryO
       joints_(setup.output<sensor_msgs::msg::JointState>("joint_states")) {}
 
 std::optional<WheelTravel> OdometryReader::read(Time now, const EncoderCounts& counts) {
-  if (now < newest_) odometry_->begin_anew();
-  newest_ = now;
   const Time before = odometry_->state().time;
-  const CountsStatus status = odometry_->add(counts);
+  const CountsStatus status = odometry_->add(now, counts);
   const bool is_new = status == CountsStatus::moved || status == CountsStatus::rebased;
   if (status == CountsStatus::jump || status == CountsStatus::reset) tell_fault(status, counts.time);
   if (is_new && (status == CountsStatus::rebased || counts.time - before >= silence_))

@@ -30,7 +30,6 @@ class OdometryReader {
   Robot robot_;
   std::optional<EncoderOdometry> odometry_;
   Duration silence_;
-  Time newest_;
   std::optional<Time> fault_told_;
   int gaps_ = 0, unknown_gaps_ = 0;
   double gap_seconds_ = 0.0, gap_distance_ = 0.0;

@@ -40,7 +40,7 @@ class CostmapDrive {
       const WorldSample sample = world_.step();
       legs_.step(world_.physics_step().to_seconds(), world_.people());
       const Time now{sample.time.nanoseconds};
-      if (sample.ticks) odometry_.add({now, sample.ticks->left, sample.ticks->right});
+      if (sample.ticks) odometry_.add(now, {now, sample.ticks->left, sample.ticks->right});
       if (!sample.scan) continue;
       X_OB_ = odometry_.state().X_OB;
       std::vector<Disc> people;

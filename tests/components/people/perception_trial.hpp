@@ -73,7 +73,8 @@ class Trial {
       const WorldSample sample = world_.step();
       record_.driven += (world_.pose().position() - before).norm();
       legs_.step(world_.physics_step().to_seconds(), world_.people());
-      if (sample.ticks) odometry_.add({stamp(sample.time), sample.ticks->left, sample.ticks->right});
+      const Time time = stamp(sample.time);
+      if (sample.ticks) odometry_.add(time, {time, sample.ticks->left, sample.ticks->right});
       if (scene_options_.camera) camera_.look(world_, inverse(X_MO()), stamp(sample.time));
       if (sample.scan) sweep(sample);
     }

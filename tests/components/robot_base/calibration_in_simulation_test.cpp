@@ -71,7 +71,7 @@ class Experiment {
     drive_.command({wheels.left / radii.left, wheels.right / radii.right});
     for (int i = 0; i < 2; ++i) drive_.step(0.01, kOpenFloor);
     time_ = time_ + Duration::milliseconds(20);
-    odometry_->add({time_, drive_.ticks().left, drive_.ticks().right});
+    odometry_->add(time_, {time_, drive_.ticks().left, drive_.ticks().right});
   }
 
   Floor floor_;

@@ -34,7 +34,7 @@ void drive(EncoderOdometry& odometry, EncoderCounts& counts, std::int32_t left, 
         static_cast<std::int32_t>(static_cast<std::uint32_t>(counts.left) + static_cast<std::uint32_t>(left));
     counts.right = static_cast<std::int32_t>(static_cast<std::uint32_t>(counts.right) +
                                              static_cast<std::uint32_t>(right));
-    ASSERT_EQ(odometry.add(counts), CountsStatus::moved);
+    ASSERT_EQ(odometry.add(counts.time, counts), CountsStatus::moved);
   }
 }
 
@@ -52,7 +52,7 @@ TEST(EncoderOdometry, LoopsOfAnyCurvatureMatchTheClosedFormWithin1e9) {
        {std::pair{100, 130}, {130, 100}, {-90, 90}, {200, 200}, {-50, -80}, {0, 37}}) {
     EncoderOdometry odometry(robot, {});
     EncoderCounts counts{Time::seconds(1.0), 0, 0};
-    odometry.add(counts);
+    odometry.add(counts.time, counts);
     const double turn_per_step = (right - left) * tick / robot.wheel_separation;
     const int steps = right == left ? 5000 : static_cast<int>(2.0 * kPi / std::abs(turn_per_step)) + 1;
     drive(odometry, counts, left, right, steps);
@@ -71,7 +71,7 @@ TEST(EncoderOdometry, WheelsOfTwoSizesTravelByTheirOwn) {
   robot.wheel_radius_ratio = 1.01;
   EncoderOdometry odometry(robot, {});
   EncoderCounts counts{Time::seconds(1.0), 0, 0};
-  odometry.add(counts);
+  odometry.add(counts.time, counts);
   drive(odometry, counts, 100, 100, 100);
   const double mean = 10'000 * metres_per_tick(robot);
   const double turn = mean * (2.02 - 2.0) / 2.01 / robot.wheel_separation;
@@ -91,7 +91,7 @@ TEST(EncoderOdometry, SquareOfFiveMetresClosesWithinTheTickRounding) {
   const Robot robot = fast_robot();
   EncoderOdometry odometry(robot, {});
   EncoderCounts counts{Time::seconds(1.0), 0, 0};
-  odometry.add(counts);
+  odometry.add(counts.time, counts);
   const double tick = metres_per_tick(robot);
   const int straight = static_cast<int>(std::lround(5.0 / tick / 100.0));
   const int corner_ticks = static_cast<int>(std::lround(kPi / 2.0 * robot.wheel_separation / 2.0 / tick));
@@ -108,7 +108,7 @@ TEST(EncoderOdometry, CountersWrapWithoutAStep) {
   EncoderOdometry odometry(fast_robot(), {});
   EncoderCounts counts{Time::seconds(1.0), std::numeric_limits<std::int32_t>::max() - 250,
                        std::numeric_limits<std::int32_t>::min() + 250};
-  odometry.add(counts);
+  odometry.add(counts.time, counts);
   drive(odometry, counts, 100, 100, 10);
   drive(odometry, counts, -100, -100, 20);
   const double expected = -1000.0 * metres_per_tick(fast_robot());
@@ -120,12 +120,12 @@ TEST(EncoderOdometry, CountersWrapWithoutAStep) {
 TEST(EncoderOdometry, OneWildReadingIsDroppedAndNoMotionIsLost) {
   EncoderOdometry odometry(fast_robot(), {});
   EncoderCounts counts{Time::seconds(1.0), 100'000, 100'000};
-  odometry.add(counts);
+  odometry.add(counts.time, counts);
   drive(odometry, counts, 100, 100, 5);
   EncoderCounts wild = counts;
   wild.time = counts.time + Duration::milliseconds(20);
   wild.left += 5'000'000;
-  EXPECT_EQ(odometry.add(wild), CountsStatus::jump);
+  EXPECT_EQ(odometry.add(wild.time, wild), CountsStatus::jump);
   EXPECT_NEAR(odometry.state().X_OB.x, 500.0 * metres_per_tick(fast_robot()), 1e-12);
 
   counts.time = wild.time;
@@ -140,12 +140,12 @@ TEST(EncoderOdometry, OneWildReadingIsDroppedAndNoMotionIsLost) {
 TEST(EncoderOdometry, ARestartedEncoderBoardIsAResetAndOdometryGoesOn) {
   EncoderOdometry odometry(fast_robot(), {});
   EncoderCounts counts{Time::seconds(1.0), 700'000, 800'000};
-  odometry.add(counts);
+  odometry.add(counts.time, counts);
   drive(odometry, counts, 100, 100, 5);
   counts = {counts.time + Duration::milliseconds(20), 3, 5};
-  EXPECT_EQ(odometry.add(counts), CountsStatus::reset);
+  EXPECT_EQ(odometry.add(counts.time, counts), CountsStatus::reset);
   counts = {counts.time + Duration::milliseconds(20), 103, 105};
-  EXPECT_EQ(odometry.add(counts), CountsStatus::rebased);
+  EXPECT_EQ(odometry.add(counts.time, counts), CountsStatus::rebased);
   drive(odometry, counts, 100, 100, 4);
   // Five steps before and five after; the step lost in the restart is left out.
   EXPECT_NEAR(odometry.state().X_OB.x, 1000.0 * metres_per_tick(fast_robot()), 1e-12);
@@ -171,14 +171,14 @@ TEST(EncoderOdometry, AFlippedBitMovesAStandingRobotNoFurtherThanItsWheelsCan) {
         const double most = wrong * in_a_period;
         EncoderOdometry odometry(robot, options);
         EncoderCounts counts{Time::seconds(1.0), count, count};
-        odometry.add(counts);
+        odometry.add(counts.time, counts);
         drive(odometry, counts, 0, 0, 5);
         const auto flipped = static_cast<std::int32_t>(static_cast<std::uint32_t>(count) ^ 1U << flip % 32);
         for (int i = 0; i < wrong + 5; ++i) {
           counts.time = counts.time + Duration::milliseconds(20);
           counts.left = i < wrong && flip / 32 != 1 ? flipped : count;
           counts.right = i < wrong && flip / 32 != 0 ? flipped : count;
-          odometry.add(counts);
+          odometry.add(counts.time, counts);
           const Pose2& pose = odometry.state().X_OB;
           ASSERT_LE(std::hypot(pose.x, pose.y), most) << count << " bit " << flip << " reading " << i;
           ASSERT_LE(std::abs(pose.theta), 2.0 * most / robot.wheel_separation) << count << " bit " << flip;
@@ -196,8 +196,9 @@ TEST(EncoderOdometry, LimitOfThePossibleIsTheMarginTimesTheTopWheelSpeed) {
   const int reach = static_cast<int>(2.39 * 0.02 / tick);
   for (const int ticks : {reach, -reach, reach + 4, -reach - 4}) {
     EncoderOdometry odometry(robot, {});
-    odometry.add({Time::seconds(1.0), 50'000, 50'000});
-    const CountsStatus status = odometry.add({Time::seconds(1.02), 50'000 + ticks, 50'000});
+    odometry.add(Time::seconds(1.0), {Time::seconds(1.0), 50'000, 50'000});
+    const CountsStatus status =
+        odometry.add(Time::seconds(1.02), {Time::seconds(1.02), 50'000 + ticks, 50'000});
     EXPECT_EQ(status, std::abs(ticks) <= reach ? CountsStatus::moved : CountsStatus::jump) << ticks;
   }
 }
@@ -205,10 +206,10 @@ TEST(EncoderOdometry, LimitOfThePossibleIsTheMarginTimesTheTopWheelSpeed) {
 TEST(EncoderOdometry, RepeatedAndOldStampsAreCountedAndIgnored) {
   EncoderOdometry odometry(fast_robot(), {});
   EncoderCounts counts{Time::seconds(1.0), 0, 0};
-  EXPECT_EQ(odometry.add(counts), CountsStatus::first);
+  EXPECT_EQ(odometry.add(counts.time, counts), CountsStatus::first);
   drive(odometry, counts, 10, 10, 3);
-  EXPECT_EQ(odometry.add(counts), CountsStatus::stale);
-  EXPECT_EQ(odometry.add({counts.time - Duration::milliseconds(20), 0, 0}), CountsStatus::stale);
+  EXPECT_EQ(odometry.add(counts.time, counts), CountsStatus::stale);
+  EXPECT_EQ(odometry.add(counts.time, {counts.time - Duration::milliseconds(20), 0, 0}), CountsStatus::stale);
   EXPECT_EQ(odometry.faults().stale, 2U);
   EXPECT_NEAR(odometry.state().X_OB.x, 30.0 * metres_per_tick(fast_robot()), 1e-12);
 }
@@ -217,13 +218,13 @@ TEST(EncoderOdometry, RepeatedAndOldStampsAreCountedAndIgnored) {
 TEST(EncoderOdometry, OldReadingsSentAgainAreNoMotion) {
   EncoderOdometry odometry(fast_robot(), {});
   EncoderCounts counts{Time::seconds(10.0), 0, 0};
-  odometry.add(counts);
+  odometry.add(counts.time, counts);
   drive(odometry, counts, 10, 10, 5);
   EncoderCounts old{Time::seconds(5.0), 0, 0};
   for (int i = 0; i < 20; ++i) {
     old.time = old.time + Duration::milliseconds(20);
     old.left -= 10;
-    EXPECT_EQ(odometry.add(old), CountsStatus::stale);
+    EXPECT_EQ(odometry.add(counts.time, old), CountsStatus::stale);
   }
   drive(odometry, counts, 10, 10, 5);
   EXPECT_NEAR(odometry.state().X_OB.x, 100.0 * metres_per_tick(fast_robot()), 1e-12);
@@ -233,11 +234,14 @@ TEST(EncoderOdometry, OldReadingsSentAgainAreNoMotion) {
 TEST(EncoderOdometry, GoesOnFromTheFirstReadingAfterTheClockWentBack) {
   EncoderOdometry odometry(fast_robot(), {});
   EncoderCounts counts{Time::seconds(10.0), 0, 0};
-  odometry.add(counts);
+  odometry.add(counts.time, counts);
   drive(odometry, counts, 10, 10, 5);
-  odometry.begin_anew();
+  // One that was stamped before is on its way still.
+  EncoderCounts late = counts;
+  late.time = late.time + Duration::milliseconds(20);
   counts = {counts.time - Duration::seconds(5.0), counts.left + 10, counts.right + 10};
-  EXPECT_EQ(odometry.add(counts), CountsStatus::rebased);
+  EXPECT_EQ(odometry.add(counts.time, late), CountsStatus::moved);
+  EXPECT_EQ(odometry.add(counts.time, counts), CountsStatus::rebased);
   drive(odometry, counts, 10, 10, 5);
   EXPECT_EQ(odometry.state().time, counts.time);
   EXPECT_NEAR(odometry.state().X_OB.x, 100.0 * metres_per_tick(fast_robot()), 1e-12);  // without the one
@@ -248,7 +252,7 @@ TEST(EncoderOdometry, TwistIsTheMeanOverTheWindow) {
   const Robot robot = fast_robot();
   EncoderOdometry odometry(robot, {.velocity_window = 0.06});
   EncoderCounts counts{Time::seconds(1.0), 0, 0};
-  odometry.add(counts);
+  odometry.add(counts.time, counts);
   drive(odometry, counts, 100, 100, 10);
   drive(odometry, counts, 160, 220, 1);
   // Three intervals of 20 ms: mean of 100, 100 and 190 ticks; turn of 60 ticks over 60 ms.
@@ -264,7 +268,7 @@ TEST(EncoderOdometry, CovarianceOfAStraightDriveIsTheClosedForm) {
   const double k = 2.5e-4;
   EncoderOdometry odometry(robot, {.variance_per_metre = k});
   EncoderCounts counts{Time::seconds(1.0), 0, 0};
-  odometry.add(counts);
+  odometry.add(counts.time, counts);
   const int n = 200;
   drive(odometry, counts, 100, 100, n);
   const double ds = 100.0 * metres_per_tick(robot);
@@ -302,7 +306,7 @@ TEST(EncoderOdometry, CovarianceMatchesTheSpreadOfSimulatedWheelNoise) {
       const EncoderCounts counts{Time::seconds(1.0 + 0.02 * i),
                                  static_cast<std::int32_t>(std::lround(left / tick)),
                                  static_cast<std::int32_t>(std::lround(right / tick))};
-      (run < 0 ? nominal : odometry).add(counts);
+      (run < 0 ? nominal : odometry).add(counts.time, counts);
       left += ds_left + (run < 0 ? 0.0 : random.normal(0.0, std::sqrt(k * ds_left)));
       right += ds_right + (run < 0 ? 0.0 : random.normal(0.0, std::sqrt(k * ds_right)));
     }
@@ -322,7 +326,7 @@ TEST(EncoderOdometry, WheelAnglesForJointStates) {
   const Robot robot = fast_robot();
   EncoderOdometry odometry(robot, {});
   EncoderCounts counts{Time::seconds(1.0), 0, 0};
-  odometry.add(counts);
+  odometry.add(counts.time, counts);
   drive(odometry, counts, 100, -50, 50);
   const double rad_per_tick = 2.0 * kPi / static_cast<double>(robot.ticks_per_revolution);
   EXPECT_NEAR(odometry.state().left_angle, 5000.0 * rad_per_tick, 1e-9);

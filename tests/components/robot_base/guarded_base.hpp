@@ -40,7 +40,7 @@ class GuardedBase {
       Readings poll = readings;
       if (is_even && !is_silent) count(poll);
       guard_.read(now_, poll);
-      if (!poll.counts.empty() && odometry_.add(poll.counts.front()) == CountsStatus::moved)
+      if (!poll.counts.empty() && odometry_.add(now_, poll.counts.front()) == CountsStatus::moved)
         guard_.moved(now_, odometry_.travel());
       output_ = guard_.step(now_);
       guard_.told(now_, output_.wheels, !is_deaf);

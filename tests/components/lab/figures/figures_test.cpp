@@ -17,13 +17,14 @@ namespace {
 
 constexpr double kTolerance = 0.3;  // [px]
 
-/// Where `text` has a number from `at` on; false where there is none.
+/// The number that `text` has from `at` on, and where it ends; false, and both as they were, where there is none.
 bool number_at(const std::string& text, std::size_t at, double& value, std::size_t& end) {
   if (std::isdigit(static_cast<unsigned char>(text[at])) == 0 && text[at] != '-') return false;
   char* after = nullptr;
   value = std::strtod(text.c_str() + at, &after);
+  if (after == text.c_str() + at) return false;  // a hyphen
   end = static_cast<std::size_t>(after - text.c_str());
-  return end > at;
+  return true;
 }
 
 /// Empty where both are alike; else the first place that is not.

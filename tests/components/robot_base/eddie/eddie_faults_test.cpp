@@ -110,7 +110,7 @@ TEST(Eddie, AFlippedBitOfDistMovesNoStandingRobot) {
         is_fault |= !readings.fault.empty();
         for (const EncoderCounts& counts : readings.counts) {
           is_counted |= counts.left != 0 || counts.right != 0;
-          odometry.add(counts);
+          odometry.add(counts.time, counts);
           const Pose2& pose = odometry.state().X_OB;
           farthest = std::max({farthest, std::abs(pose.x), std::abs(pose.y)});
         }
