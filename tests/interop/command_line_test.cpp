@@ -53,6 +53,20 @@ TEST_F(CommandLine, TopicInfoNamesNodeQosAndHash) {
   }
 }
 
+TEST_F(CommandLine, HelpListsTopicsAndPrintsOne) {
+  const Outcome list = bandwagon({"help"});
+  EXPECT_EQ(list.status, 0) << list.err;
+  EXPECT_THAT(list.out, HasSubstr("\nComponents:\n"));
+  EXPECT_THAT(list.out, ContainsRegex("  ekf +extended Kalman filter"));
+  const Outcome page = bandwagon({"help", "ekf/theory"});
+  EXPECT_EQ(page.status, 0) << page.err;
+  EXPECT_THAT(page.out, testing::StartsWith("# ekf: theory\n"));
+  const Outcome nothing = bandwagon({"help", "kalman"});
+  EXPECT_EQ(nothing.status, 2);
+  EXPECT_THAT(nothing.err, HasSubstr("no topic kalman"));
+  EXPECT_THAT(bandwagon({"help", "teb/evidence"}).err, HasSubstr("one of these? teb"));
+}
+
 TEST_F(CommandLine, TopicInfoOfNothingFails) {
   const Outcome info = bandwagon({"topic", "info", "/nobody"});
   EXPECT_EQ(info.status, 1);

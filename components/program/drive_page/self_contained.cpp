@@ -6,36 +6,14 @@
 #include <string_view>
 
 #include <openssl/evp.h>
-#include <zlib.h>
+
+#include "runtime/remote/web/content_coding.hpp"
 
 namespace bw {
 namespace {
 
-/// Of one file of the page; more is a mistake of the build [bytes].
-constexpr std::size_t kLargestFile = std::size_t{64} << 20;
-
 [[noreturn]] void refuse(std::string_view file, const std::string& what) {
   throw std::runtime_error("page file " + std::string(file) + ": " + what);
-}
-
-std::string unzipped(const web::SiteFile& file) {
-  z_stream stream{};
-  constexpr int kGzip = 15 + 16;  // the largest window, and gzip's header
-  if (inflateInit2(&stream, kGzip) != Z_OK) refuse(file.path, "zlib does not start");
-  stream.next_in = const_cast<Bytef*>(file.gzip.data());  // zlib only reads it
-  stream.avail_in = static_cast<uInt>(file.gzip.size());
-  std::string text;
-  std::array<char, 65536> part{};
-  int status = Z_OK;
-  while (status == Z_OK && text.size() <= kLargestFile) {
-    stream.next_out = reinterpret_cast<Bytef*>(part.data());
-    stream.avail_out = static_cast<uInt>(part.size());
-    status = inflate(&stream, Z_NO_FLUSH);
-    text.append(part.data(), part.size() - stream.avail_out);
-  }
-  inflateEnd(&stream);
-  if (status != Z_STREAM_END) refuse(file.path, "is not what gzip makes");
-  return text;
 }
 
 std::string base64(std::span<const std::uint8_t> bytes) {
@@ -106,21 +84,21 @@ void insert_at(std::string& html, std::string_view mark, bool is_behind, const s
 std::string with_content(std::span<const web::SiteFile> site, const std::string& content) {
   const auto index = std::ranges::find_if(site, [](const web::SiteFile& file) { return file.path == "/"; });
   if (index == site.end()) refuse("/", "is missing");
-  std::string html = unzipped(*index);
+  std::string html = web::inflated(index->gzip);
   std::string scripts = "script-src";
   std::string styles = "style-src";
   for (const web::SiteFile& file : site) {
     if (file.path == "/") continue;
     if (file.content_type.starts_with("text/javascript")) {
-      const std::string script = script_text(unzipped(file));
+      const std::string script = script_text(web::inflated(file.gzip));
       scripts += " " + hash_source(script);
       put_in(html, file.path, "<script type=\"module\">" + script + "</script>");
     } else if (file.content_type.starts_with("text/css")) {
-      const std::string style = unzipped(file);
+      const std::string style = web::inflated(file.gzip);
       styles += " " + hash_source(style);
       put_in(html, file.path, "<style>" + style + "</style>");
     } else if (file.content_type.starts_with("image/svg+xml")) {
-      const std::string picture = unzipped(file);
+      const std::string picture = web::inflated(file.gzip);
       const std::span bytes(reinterpret_cast<const std::uint8_t*>(picture.data()), picture.size());
       put_in(html, file.path, "<link rel=\"icon\" href=\"data:image/svg+xml;base64," + base64(bytes) + "\">");
     } else {

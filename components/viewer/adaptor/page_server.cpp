@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <pthread.h>
@@ -14,6 +15,7 @@
 #include <unistd.h>
 
 #include "components/viewer/adaptor/site.hpp"
+#include "components/viewer/help/help_pages.hpp"
 #include "runtime/remote/foxglove/protocol.hpp"
 #include "runtime/remote/foxglove/server.hpp"
 #include "runtime/remote/web/server.hpp"
@@ -27,8 +29,11 @@ constexpr int kNiceness = 5;  // the robot goes first
 constexpr std::chrono::milliseconds kTick{100};
 
 web::Site site() {
-  const auto files = page_files();
-  return {.files = {files.begin(), files.end()}};
+  const auto page = page_files();
+  if (page.empty()) return {};
+  std::vector<web::SiteFile> files = help_site();
+  files.insert(files.end(), page.begin(), page.end());
+  return {.files = std::move(files)};
 }
 
 /// Threads inherit the name of the one that starts them: so the participant's are told from the robot's.

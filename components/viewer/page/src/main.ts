@@ -3,6 +3,7 @@ import "./style/page.css";
 import "./style/statuses.css";
 import { mountBag } from "./bag/mount";
 import { element } from "./page/dom";
+import { mountHelp } from "./page/help";
 import { PageApp } from "./page/page_app";
 import { mountReadOnly } from "./page/read_only";
 import { mountStatusLines } from "./page/status_lines";
@@ -31,6 +32,7 @@ mountToolbar(app);
 mountReadOnly(element("connection"), app);
 mountStatusLines(element("statuses"), app);
 mountStopButton(element("stop"), app);
+if (location.protocol !== "file:") mountHelp(element("help"), element<HTMLButtonElement>("help-toggle"));
 exposeHook(app, new SceneOnPage(element("scene"), app));
 mountTabs(app, TABS);
 
