@@ -1,5 +1,5 @@
-// A behavior: a short motion, or none, that somebody asks for by its size. One goal is one object; it is stepped at a steady rate until it says how
-// it ended.
+// A behavior: a short motion, or none, that somebody asks for by its size. One goal is one object; it is
+// stepped at a steady rate until it says how it ended.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// From what a goal asks for to the behavior that does it. A goal that asks for what is none becomes a behavior that fails at its first step.
+// From what a goal asks for to the behavior that does it. A goal that asks for what is none becomes a
+// behavior that fails at its first step.
 #pragma once
 
 #include <memory>

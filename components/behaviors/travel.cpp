@@ -77,11 +77,11 @@ bool Travel::is_stuck(Duration age, const Pose2& X_OB) {
     moved_ = age;
     X_OB_moved_ = X_OB;
   }
-  return goal_.time_allowance <= Duration{} &&
-         age - *moved_ > Duration::seconds(kPatience);
+  return goal_.time_allowance <= Duration{} && age - *moved_ > Duration::seconds(kPatience);
 }
 
-// Of a short way the middle is driven at one rate for as long as the jerk limit needs to turn acceleration into braking.
+// Of a short way the middle is driven at one rate for as long as the jerk limit needs to turn acceleration
+// into braking.
 double Travel::top_rate(const Limits& limits) const {
   if (goal_.axis == TravelAxis::turn) return std::min(goal_.top_rate, limits.omega_max);
   const double turnover = 2.0 * acceleration(limits) / limits.jerk_max;
@@ -101,8 +101,7 @@ double Travel::next_rate(double left, double rate, const PlanningProblem& proble
   const double acceleration_limit = acceleration(problem.limits);
   const double step = acceleration_limit * problem.control_period;
   const double top = top_rate(problem.limits);
-  const double slowest =
-      goal_.axis == TravelAxis::turn ? options_.min_rotational_vel : kSlowest;
+  const double slowest = goal_.axis == TravelAxis::turn ? options_.min_rotational_vel : kSlowest;
   const double onset =
       goal_.axis == TravelAxis::turn ? 0.0 : acceleration_limit / (2.0 * problem.limits.jerk_max);
   const double braking = safety::speed_within(

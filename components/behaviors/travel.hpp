@@ -1,4 +1,5 @@
-// The one motion that spin, drive_on_heading and backup are: from rest, along one axis, to rest on the target.
+// The one motion that spin, drive_on_heading and backup are: from rest, along one axis, to rest on the
+// target.
 //
 //   rest      whatever the robot still does when the goal comes is braked first; the way counts from there
 //   rate      the largest from which the way that is left is enough, with the command held for `command_lead` and then braked

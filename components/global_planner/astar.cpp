@@ -12,8 +12,8 @@ constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 // Beyond this g a step and the heuristic could overflow.
 constexpr std::uint32_t kFarthest = kNever - kMaxStep - SearchGrid::kMaxSide * kDiagonalUnit;
 
-// After a step in direction d the cell it came from is dearer than before it, and so are the two beside that one where a step leads
-// to them from there: no search goes back. By d and the moves of where the step began.
+// After a step in direction d the cell it came from is dearer than before it, and so are the two beside that
+// one where a step leads to them from there: no search goes back. By d and the moves of where the step began.
 using OnwardMoves = std::array<std::array<std::uint8_t, 256>, 8>;
 
 constexpr OnwardMoves onward_moves() {

@@ -16,7 +16,8 @@ double clearance_of(const Vector2& point, const std::vector<Capsule>& obstacles)
 
 NarrowCell best_place(const Vector2& center, double edge, const std::vector<Capsule>& near) {
   NarrowCell best{.place = center, .clearance = clearance_of(center, near)};
-  // Steps that halve, from a quarter of the cell on: nine places, then eight around the best of them each time.
+  // Steps that halve, from a quarter of the cell on: nine places, then eight around the best of them each
+  // time.
   for (double step = edge / 4.0; step > edge / 100.0; step /= 2.0) {
     // Twice, for the best place of a ridge may lie two steps away.
     for (int round = 0; round < 2; ++round) {

@@ -25,8 +25,9 @@ struct NarrowCell {
 /// Smallest distance [m] from a point to them; below 0 inside one, infinite without any.
 double clearance_of(const Vector2& point, const std::vector<Capsule>& obstacles);
 
-/// Of a square cell of edge `edge` [m] around `center`, by a search whose steps halve: below the best by a tenth of the edge where
-/// clearance has several peaks in the cell. `near` are the obstacles that may matter. `headings` is not looked at.
+/// Of a square cell of edge `edge` [m] around `center`, by a search whose steps halve: below the best by a
+/// tenth of the edge where clearance has several peaks in the cell. `near` are the obstacles that may matter.
+/// `headings` is not looked at.
 NarrowCell best_place(const Vector2& center, double edge, const std::vector<Capsule>& near);
 
 /// Headings in which the footprint is free at `place`.

@@ -49,16 +49,16 @@ class Planner {
   /// What the map was prepared with (clearance, what is an obstacle) stays until the next map.
   void set_options(const GlobalPlannerOptions& options) { options_ = options; }
 
-  /// Prepares a map, and exact `shapes` beside its cells (in the map's frame), for a robot. Returns why it cannot be used (sizes,
-  /// numbers), or nothing. The map before stays when it cannot.
+  /// Prepares a map, and exact `shapes` beside its cells (in the map's frame), for a robot. Returns why it
+  /// cannot be used (sizes, numbers), or nothing. The map before stays when it cannot.
   std::string set_map(const OccupancyGrid& map, const Footprint& footprint,
                       const StaticObstacles& shapes = {});
 
   /// Path from `start` to `goal`, around `temporary` discs (people who stand in the way) as well.
   PathResult plan(const Pose2& start, const Pose2& goal, const std::vector<Disc>& temporary = {});
 
-  /// Path from `start` through all `stops` but the last, in their order, to the last. It is whole or not there: what keeps
-  /// it from a stop is the result. Without stops it is a bad request.
+  /// Path from `start` through all `stops` but the last, in their order, to the last. It is whole or not
+  /// there: what keeps it from a stop is the result. Without stops it is a bad request.
   PathResult plan_through(const Pose2& start, const std::vector<Pose2>& stops,
                           const std::vector<Disc>& temporary = {});
 

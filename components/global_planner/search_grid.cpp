@@ -70,7 +70,8 @@ void SearchGrid::take_map(const OccupancyGrid& map, const GlobalPlannerOptions& 
   }
 }
 
-// Cells in a row or a column are one obstacle, so that a wall is as flat as it was. Those amid others are never the nearest.
+// Cells in a row or a column are one obstacle, so that a wall is as flat as it was. Those amid others are
+// never the nearest.
 std::vector<Capsule> SearchGrid::outlines() const {
   const int width = stride_ - 2, height = rows_ - 2;
   std::vector<Capsule> found;
@@ -129,7 +130,8 @@ void SearchGrid::find(const Vector2& point, double reach, std::vector<Capsule>& 
   });
 }
 
-// Cells whose middle is far enough are free; of those where the footprint may just fit, place and headings are looked at.
+// Cells whose middle is far enough are free; of those where the footprint may just fit, place and headings
+// are looked at.
 void SearchGrid::price(const GlobalPlannerOptions& options) {
   const double to_corner = resolution_ * std::numbers::sqrt2 / 2.0;
   const bool is_polygon = footprint_.is_polygon();

@@ -47,9 +47,10 @@ class SearchGrid {
  public:
   static constexpr int kMaxSide = 65'000;  ///< coordinates fit 16 bits
 
-  /// Obstacles are the map's cells, half a cell around their middles and what joins neighbours, and `shapes` (in map, exact). Clearance is the distance
-  /// from a place to the nearest of them. A cell is free where the footprint is, at the place of the cell with the most clearance and
-  /// in some heading: everywhere from the footprint's outer radius on, nowhere below its inscribed one. It costs (book 7.4)
+  /// Obstacles are the map's cells, half a cell around their middles and what joins neighbours, and `shapes`
+  /// (in map, exact). Clearance is the distance from a place to the nearest of them. A cell is free where the
+  /// footprint is, at the place of the cell with the most clearance and in some heading: everywhere from the
+  /// footprint's outer radius on, nowhere below its inscribed one. It costs (book 7.4)
   ///
   ///   1 + weight ((range - clearance) / (range - inscribed radius))^2   below the range, else 1
   ///
@@ -92,8 +93,8 @@ class SearchGrid {
   std::uint32_t component(int x, int y) const { return component_[index(x, y)]; }
   std::uint32_t max_cost() const { return max_cost_; }
 
-  /// Blocks, until unblock(), every cell whose centre is closer than disc radius + outer radius of the robot to a disc's
-  /// centre.
+  /// Blocks, until unblock(), every cell whose centre is closer than disc radius + outer radius of the robot
+  /// to a disc's centre.
   void block(const std::vector<Disc>& discs);
   void unblock();
 

@@ -1,5 +1,5 @@
-// What every local planner does before its own idea comes in: refuse what cannot be planned on, arrive at the goal,
-// forget.
+// What every local planner does before its own idea comes in: refuse what cannot be planned on, arrive at the
+// goal, forget.
 #pragma once
 
 #include "components/local_planner/driving.hpp"
@@ -10,7 +10,8 @@ namespace bw {
 /// A planner derives from it and gives drive() and forget(). plan() answers without them when
 /// - the problem is not sound (fault_of): stop, status bad_input, everything forgotten;
 /// - it holds no plan: stop, status no_plan, everything forgotten;
-/// - the robot is at the final goal (has_arrived): it turns to the goal heading and stands; forget() is called.
+/// - the robot is at the final goal (has_arrived): it turns to the goal heading and stands; forget() is
+///   called.
 class CheckedPlanner : public LocalPlanner {
  public:
   explicit CheckedPlanner(const DrivingOptions& driving) : driving_(driving) {}

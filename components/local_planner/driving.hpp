@@ -56,8 +56,8 @@ struct DrivingOptions {
   }
 };
 
-/// Where the planner ends its drive: what `options` say, or, where they say nothing or would end it outside of
-/// what counts as reached, inside(problem.goal_tolerance).
+/// Where the planner ends its drive: what `options` say, or, where they say nothing or would end it outside
+/// of what counts as reached, inside(problem.goal_tolerance).
 GoalTolerance arrival_tolerance(const PlanningProblem& problem, const DrivingOptions& options);
 
 /// Within arrival_tolerance of the final goal, or, if it `had_arrived`, still within twice that.

@@ -26,12 +26,12 @@ constexpr double kGapWeight = 100.0;  // metres of progress that a metre of gap 
 constexpr double kNoCloser =
     0.01;                      // [m] of what is too near already, by which a motion that comes closer is told
 constexpr double kGain = 0.1;  // [m/s] by which a gap that is too small is asked to grow
-constexpr double kTestTime = 0.06;             // [s] at most between gap tests
+constexpr double kTestTime = 0.06;            // [s] at most between gap tests
 constexpr std::size_t kMaxLooks = 2'000'000;  // of all moves; bounds the time of a search
-constexpr std::size_t kLooksOfStep = 40;       // as long as these takes a step of the simulation
+constexpr std::size_t kLooksOfStep = 40;      // as long as these takes a step of the simulation
 constexpr double kWorthMoving = 0.2;  // [s] of later contact for which a robot that could stop moves instead
-// Of the moves that all become contacts: where the robot comes nearer than this [m] to somebody with more speed than that
-// towards them [m/s], it would run into them.
+// Of the moves that all become contacts: where the robot comes nearer than this [m] to somebody with more
+// speed than that towards them [m/s], it would run into them.
 constexpr double kRunsIntoGap = 0.1;
 constexpr double kRunsIntoSpeed = 0.2;
 
@@ -41,7 +41,8 @@ double approach(double now, double target, double speeding_up, double slowing_do
   return std::clamp(target, now - change, now + change);
 }
 
-// How far a motion has come, and what it has met. Its points are the first of those that the search has in hand.
+// How far a motion has come, and what it has met. Its points are the first of those that the search has in
+// hand.
 struct Motion {
   std::size_t points = 0;
   double gap = kInfinity;
@@ -70,8 +71,9 @@ PlanningProblem without_touched(const PlanningProblem& problem) {
   return others;
 }
 
-// Of who is touched already every motion would be a contact from the start, and none better than a stop in front of
-// them. So these count by how far the robot gets out from under their feet alone; contact is with the others.
+// Of who is touched already every motion would be a contact from the start, and none better than a stop in
+// front of them. So these count by how far the robot gets out from under their feet alone; contact is with
+// the others.
 struct Others {
   Others(PlanningProblem without, double horizon, double step, double reach)
       : problem(std::move(without)), gaps(problem, horizon, step, reach) {}
@@ -153,8 +155,8 @@ class Search {
     }
   }
 
-  // No move stays clear of where people are expected. They will not be exactly there: what overlaps least may clear, what
-  // touches last, along the way of who comes from behind, hardly will.
+  // No move stays clear of where people are expected. They will not be exactly there: what overlaps least may
+  // clear, what touches last, along the way of who comes from behind, hardly will.
   void look_for_least_contact() {
     takes_contacts_ = true;
     Motion motion = start();

@@ -29,11 +29,12 @@ struct EvasionOptions {
 /// A stop that keeps enough_gap is taken at once. Else moves in three phases, each towards a velocity reached
 /// within the limits (stop_deceleration for slowing down) and then held. Of the moves that stay clear: the
 /// largest gap, then (a centimetre of gap is worth a metre) the one that ends nearest to `goal`. If none
-/// does: of the moves in which the robot runs into nobody and touches nothing that stands, the one whose gap falls least
-/// below enough_gap - error_growth t, as movers will not be exactly where they are expected. If there is none either: the
-/// latest contact, provided that it is later than a stop's and leaves time to stop; else the stop.
-/// Who is touched already is no contact: in place of the largest gap counts then how far the move, at its worst moment, falls
-/// short of a gap that grows from the present one by 0.1 m a second.
+/// does: of the moves in which the robot runs into nobody and touches nothing that stands, the one whose gap
+/// falls least below enough_gap - error_growth t, as movers will not be exactly where they are expected. If
+/// there is none either: the latest contact, provided that it is later than a stop's and leaves time to stop;
+/// else the stop.
+/// Who is touched already is no contact: in place of the largest gap counts then how far the move, at its
+/// worst moment, falls short of a gap that grows from the present one by 0.1 m a second.
 /// Among very many obstacles the search ends early, always at the same move.
 EvasiveMove best_evasive_move(const PlanningProblem& problem, const Vector2& goal,
                               const EvasionOptions& options);

@@ -1,12 +1,14 @@
 // Gap between the footprint and what is around it, along motions and at the time the robot is there. Shared
-// by every local planner. Of movers the confirmed alone: of a possible person there are the obstacles (book 7.10).
+// by every local planner. Of movers the confirmed alone: of a possible person there are the obstacles (book
+// 7.10).
 #pragma once
 
 #include "components/model/planning.hpp"
 
 namespace bw {
 
-/// Smallest gap [m] between the footprint at `pose` and static obstacles; negative on contact, infinite without any.
+/// Smallest gap [m] between the footprint at `pose` and static obstacles; negative on contact, infinite
+/// without any.
 double gap_to_statics(const Pose2& pose, const Footprint& footprint, const StaticObstacles& statics);
 
 /// The same to the movers as well, where they are `time` seconds from now.

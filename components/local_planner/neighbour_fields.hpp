@@ -1,4 +1,5 @@
-// Whom a rule of velocities looks at: the fields that hrvo and orca have in common, each with defaults of its own.
+// Whom a rule of velocities looks at: the fields that hrvo and orca have in common, each with defaults of its
+// own.
 #pragma once
 
 namespace bw {

@@ -14,8 +14,8 @@ class PlanLine {
     double beside = 0.0;  ///< distance from the line [m]
   };
 
-  /// Through the poses of `plan`, which is not empty; a plan of one place is the way there from `robot`. It goes straight
-  /// on for `beyond` [m] after its end.
+  /// Through the poses of `plan`, which is not empty; a plan of one place is the way there from `robot`. It
+  /// goes straight on for `beyond` [m] after its end.
   PlanLine(const std::vector<Pose2>& plan, const Vector2& robot, double beyond);
 
   /// The place nearest to `point`, of those from `from` to `to` [m]; of equals the first.

@@ -23,8 +23,9 @@ class TimedGaps {
   /// footprint.
   TimedGaps(const PlanningProblem& problem, double horizon, double step, double reach);
 
-  /// At `pose`, which the robot can be at by time `k` * step. `known` are gaps that are larger than reach or were met
-  /// already: smaller ones are looked for alone, and these come back where there are none. Not for several threads.
+  /// At `pose`, which the robot can be at by time `k` * step. `known` are gaps that are larger than reach or
+  /// were met already: smaller ones are looked for alone, and these come back where there are none. Not for
+  /// several threads.
   Gap at(const Pose2& pose, std::size_t k, const Gap& known);
   /// Larger ones are not looked for.
   Gap farthest() const { return {reach_, reach_, 0}; }

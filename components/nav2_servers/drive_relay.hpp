@@ -1,7 +1,8 @@
-// What the navigator orders, as goals of Nav2's servers: which goal is to be sent, which canceled, and how the order fares. One
-// server drives the robot at a time: a goal of the other one is sent when all of this one have ended. A path that replaces another
-// one is sent at once, since the server preempts without a stop. One that replaces a failed one counts as failed too until it has
-// been driven for a while: whoever renews the path of a controller that always gives up would never hear of it.
+// What the navigator orders, as goals of Nav2's servers: which goal is to be sent, which canceled, and how
+// the order fares. One server drives the robot at a time: a goal of the other one is sent when all of this
+// one have ended. A path that replaces another one is sent at once, since the server preempts without a stop.
+// One that replaces a failed one counts as failed too until it has been driven for a while: whoever renews
+// the path of a controller that always gives up would never hear of it.
 //
 //   relay.order(7, FollowMode::follow);
 //   const RelayActions actions = relay.step(ready, now);
@@ -84,7 +85,8 @@ class DriveRelay {
 /// Why a goal of `server` did not succeed, in one sentence.
 std::string failure_sentence(const std::string& server, const ServerEnd& end);
 
-/// What the navigator is told of a plan that failed with this code of compute_path_to_pose or compute_path_through_poses.
+/// What the navigator is told of a plan that failed with this code of compute_path_to_pose or
+/// compute_path_through_poses.
 PlanOutcome outcome_of(std::uint16_t error_code);
 
 }  // namespace bw

@@ -1,5 +1,5 @@
-// Goals driven one after the other, with a stop at each: those of the graph itself, and those of follow_waypoints. Times are
-// counted from activate().
+// Goals driven one after the other, with a stop at each: those of the graph itself, and those of
+// follow_waypoints. Times are counted from activate().
 //
 //   goals.activate(now);
 //   if (const auto X_MG = goals.due(now)) goals.taken(navigator.accept({*X_MG}, situation));
@@ -37,8 +37,8 @@ struct MissedGoal {
 
 class GoalList {
  public:
-  /// completed: every goal was tried. stopped: one was missed, and it is the last. given_up: by whoever else says where to
-  /// go, or by a cancel.
+  /// completed: every goal was tried. stopped: one was missed, and it is the last. given_up: by whoever else
+  /// says where to go, or by a cancel.
   enum class End { none, completed, stopped, given_up };
 
   explicit GoalList(GoalListOptions options) : options_(std::move(options)), next_(options_.first) {}
@@ -62,7 +62,8 @@ class GoalList {
     ++next_;
   }
 
-  /// How many goals of the list follow the one that the report is about: 0 for a goal that is not of the list.
+  /// How many goals of the list follow the one that the report is about: 0 for a goal that is not of the
+  /// list.
   std::uint32_t see(const GoalReport& report, Time now) {
     if (report.goal_id != in_hand_) return 0;
     if (is_final(report.status)) {

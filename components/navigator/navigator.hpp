@@ -7,12 +7,12 @@
 //
 // A newer goal preempts: the older one ends `aborted`, and its path is followed until the first plan of the
 // newer one. After cancel() the goal is `canceling` until the robot stands, then `canceled`. Without a pose
-// the robot stops, and the goal is aborted after lost_patience. A goal may have poses to drive through: each is passed
-// when the robot was near it in its turn, and plans lead through those that are left.
+// the robot stops, and the goal is aborted after lost_patience. A goal may have poses to drive through: each
+// is passed when the robot was near it in its turn, and plans lead through those that are left.
 //
-// A hand that drives meanwhile (Situation::is_overridden) stops the goal, which waits for as long as that lasts: it neither fails
-// nor goes on. While the base stands (Situation::base_stop) a goal in hand waits likewise, but the local
-// planner goes on to command, so that the base knows and says that it will drive on.
+// A hand that drives meanwhile (Situation::is_overridden) stops the goal, which waits for as long as that
+// lasts: it neither fails nor goes on. While the base stands (Situation::base_stop) a goal in hand waits
+// likewise, but the local planner goes on to command, so that the base knows and says that it will drive on.
 //
 // Answers and reports count only when they carry the id of the newest order. After every event call step();
 // it is also called at a steady rate, since silence is an event too.

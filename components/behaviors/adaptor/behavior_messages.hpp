@@ -1,4 +1,5 @@
-// The four actions: what their goals ask for, what their feedback and results say, in any distribution's layout. Pure conversions.
+// The four actions: what their goals ask for, what their feedback and results say, in any distribution's
+// layout. Pure conversions.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// Adaptor of the behaviors: four actions in, one at a time; velocities out. As Nav2's behavior_server. Topics: README.md.
+// Adaptor of the behaviors: four actions in, one at a time; velocities out. As Nav2's behavior_server.
+// Topics: README.md.
 #include <memory>
 #include <string>
 #include <utility>

@@ -1,5 +1,5 @@
-// Adaptor of the global costmap: what the planner pays for each cell of the map, under the names of the costmap inside Nav2's
-// planner_server. A graph puts it into the namespace `global_costmap`.
+// Adaptor of the global costmap: what the planner pays for each cell of the map, under the names of the
+// costmap inside Nav2's planner_server. A graph puts it into the namespace `global_costmap`.
 #include <optional>
 #include <string>
 #include <utility>

@@ -1,4 +1,5 @@
-// Adaptor of the global planner: plan requests in, plan results and the path out; Nav2's services and actions beside them.
+// Adaptor of the global planner: plan requests in, plan results and the path out; Nav2's services and actions
+// beside them.
 #include <bandwagon_msgs/msg/plan_request.hpp>
 #include <bandwagon_msgs/msg/plan_result.hpp>
 

@@ -1,4 +1,5 @@
-// The planner together with what was told of the world: the map, where frames and people are. Requests are messages.
+// The planner together with what was told of the world: the map, where frames and people are. Requests are
+// messages.
 #pragma once
 
 #include <memory>
@@ -24,14 +25,15 @@ namespace bw {
 struct RouteRequest {
   std::optional<geometry_msgs::msg::PoseStamped> start;  ///< nothing: where the robot is
   std::vector<geometry_msgs::msg::PoseStamped> stops;
-  /// A pose in another frame than the map's is where that frame was at the stamp of the pose; a stamp of 0, and false, mean
-  /// where it is now.
+  /// A pose in another frame than the map's is where that frame was at the stamp of the pose; a stamp of 0,
+  /// and false, mean where it is now.
   bool at_their_stamps = false;
 };
 
 class MapPlanner {
  public:
-  /// Declares the inputs map, obstacles (if they are planned around), tracks and /tf, and reads the parameters.
+  /// Declares the inputs map, obstacles (if they are planned around), tracks and /tf, and reads the
+  /// parameters.
   void configure(Setup& setup);
 
   PathResult plan(const RouteRequest& request, Time now);

@@ -12,8 +12,8 @@
 
 namespace bw {
 
-/// Offers compute_path_to_pose and compute_path_through_poses, answered in the callback that hears the goal. What a path is
-/// found for is published by `show`. `planner` outlives the setup.
+/// Offers compute_path_to_pose and compute_path_through_poses, answered in the callback that hears the goal.
+/// What a path is found for is published by `show`. `planner` outlives the setup.
 void offer_path_actions(Setup& setup, MapPlanner& planner,
                         std::function<void(const nav_msgs::msg::Path&)> show);
 

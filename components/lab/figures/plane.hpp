@@ -51,7 +51,8 @@ class Plane {
   /// Its radius is in pixels.
   void dot(const Vector2& center, double radius, std::string_view color, double opacity = 1.0);
   void cell(const Eigen::AlignedBox2d& cell, std::string_view color, double opacity);
-  /// Cells of `size` over the whole window, each as dark as `shade` [0, 1] of its middle; what is below 0.03 is left out.
+  /// Cells of `size` over the whole window, each as dark as `shade` [0, 1] of its middle; what is below 0.03
+  /// is left out.
   void shades(double size, std::string_view color, const std::function<double(const Vector2&)>& shade);
   /// `right` [px] from the place and `up` from it.
   void note(const Vector2& at, std::string_view text, double right = 6.0, double up = 6.0,

@@ -1,4 +1,5 @@
-// What the local planner tells of a control cycle: the command, and what people and other components want to know of it.
+// What the local planner tells of a control cycle: the command, and what people and other components want to
+// know of it.
 #include <string>
 #include <utility>
 #include <vector>

@@ -66,8 +66,8 @@ void FollowPathServer::offer(Setup& setup, const FollowPathOptions& options, Use
                    [&](auto layout) { offer_as<typename decltype(layout)::FollowPath>(setup, *this); });
 }
 
-// What cannot be followed preempts as well: its client has the new goal in hand and no way to cancel the one before, which would
-// drive on with nobody above it.
+// What cannot be followed preempts as well: its client has the new goal in hand and no way to cancel the one
+// before, which would drive on with nobody above it.
 void FollowPathServer::take(Goal goal, const PluginIds& ids, const nav_msgs::msg::Path& path,
                             const Tick& tick) {
   const std::string& frame = path.header().frame_id();

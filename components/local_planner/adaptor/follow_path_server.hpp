@@ -1,5 +1,5 @@
-// The action follow_path of Nav2's controller_server, in the layout of the graph's ros_distro: goals are read, told apart and
-// answered here; what they ask for is driven by whoever owns this.
+// The action follow_path of Nav2's controller_server, in the layout of the graph's ros_distro: goals are
+// read, told apart and answered here; what they ask for is driven by whoever owns this.
 #pragma once
 
 #include <functional>

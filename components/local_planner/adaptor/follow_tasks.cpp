@@ -34,8 +34,8 @@ void LocalPlannerComponent::on_request(const bandwagon_msgs::msg::FollowRequest&
         from_path(request.path()));
 }
 
-// A plan in map stays there and moves with the localization; one in any other frame, which may move with the robot, is
-// carried to odom once.
+// A plan in map stays there and moves with the localization; one in any other frame, which may move with the
+// robot, is carried to odom once.
 void LocalPlannerComponent::on_path(const std::string& frame, std::vector<Pose2> poses) {
   if (task_.mode != mode::STOP && !task_.is_of_action) request_lost_ = "a goal of follow_path took over";
   std::string missing;

@@ -1,4 +1,5 @@
-// Adaptor: odometry, tracks, obstacles and what is to be followed in; velocity commands out. Topics: README.md.
+// Adaptor: odometry, tracks, obstacles and what is to be followed in; velocity commands out. Topics:
+// README.md.
 #pragma once
 
 #include <memory>

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kStandingSpeed = 0.05;  // [m/s]
 constexpr double kStandingTurn = 0.1;    // [rad/s]
-constexpr double kLeftAlongPath = 1.0;   // [m] at most at the goal: a path that ends where it begins is driven
+constexpr double kLeftAlongPath = 1.0;  // [m] at most at the goal: a path that ends where it begins is driven
 
 FollowVerdict failed(FollowFault fault, std::string reason) { return {true, {fault, std::move(reason)}}; }
 
@@ -66,8 +66,8 @@ bool FollowJudge::is_there(const FollowCycle& cycle, const GoalCheckerOptions& o
     within_since_.reset();
     return false;
   }
-  const bool is_standing = std::abs(cycle.twist.v) <= kStandingSpeed &&
-                           std::abs(cycle.twist.omega) <= kStandingTurn;
+  const bool is_standing =
+      std::abs(cycle.twist.v) <= kStandingSpeed && std::abs(cycle.twist.omega) <= kStandingTurn;
   return time_since(within_since_, cycle.now) >= Duration::seconds(options.settle_time) || is_standing;
 }
 

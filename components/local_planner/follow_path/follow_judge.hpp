@@ -1,5 +1,5 @@
-// One drive of follow_path, judged cycle by cycle: it goes on, the robot is there, or it is hopeless. A newer path for the same
-// drive renews nothing but what it changes: progress and patience go on.
+// One drive of follow_path, judged cycle by cycle: it goes on, the robot is there, or it is hopeless. A newer
+// path for the same drive renews nothing but what it changes: progress and patience go on.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// When a goal of follow_path is reached, and when it is hopeless. Names and defaults as in the nav2_params.yaml that Nav2
-// ships, but for what is said otherwise.
+// When a goal of follow_path is reached, and when it is hopeless. Names and defaults as in the
+// nav2_params.yaml that Nav2 ships, but for what is said otherwise.
 #pragma once
 
 #include <optional>

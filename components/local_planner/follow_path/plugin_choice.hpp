@@ -1,5 +1,5 @@
-// The ids in a goal of follow_path. In Nav2 each names a plugin with parameters of its own; here the planner and its checkers
-// go by all the names that are configured.
+// The ids in a goal of follow_path. In Nav2 each names a plugin with parameters of its own; here the planner
+// and its checkers go by all the names that are configured.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ struct PluginIds {
   std::string path_handler;
 };
 
-/// The first of the ids that is not known; fault `none`: all are. An empty id means the only one, or that none is wanted where
-/// there is none. As in Nav2, only an unknown controller has a code of its own.
+/// The first of the ids that is not known; fault `none`: all are. An empty id means the only one, or that
+/// none is wanted where there is none. As in Nav2, only an unknown controller has a code of its own.
 FollowFailure unknown_plugin(const PluginIds& ids, const FollowPathOptions& options);
 
 }  // namespace bw

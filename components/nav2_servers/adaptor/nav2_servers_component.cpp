@@ -1,5 +1,6 @@
-// The planners of Nav2 behind our navigator: plan_request and follow_request go to planner_server, controller_server and
-// behavior_server as goals, and what becomes of them comes back as plan_result and follow_status.
+// The planners of Nav2 behind our navigator: plan_request and follow_request go to planner_server,
+// controller_server and behavior_server as goals, and what becomes of them comes back as plan_result and
+// follow_status.
 #include <cstdint>
 #include <map>
 #include <string>

@@ -42,7 +42,8 @@ struct ServerActions {
   std::function<void()> clear_global_costmap;
 };
 
-/// Clients of them, in the layout of the graph's `ros_distro`. None of the servers has to be there. `parameters` outlive them.
+/// Clients of them, in the layout of the graph's `ros_distro`. None of the servers has to be there.
+/// `parameters` outlive them.
 ServerActions declare_server_actions(Setup& setup, const Nav2ServersParameters& parameters);
 
 }  // namespace bw

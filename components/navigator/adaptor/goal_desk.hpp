@@ -13,8 +13,8 @@ class GoalDesk {
  public:
   virtual ~GoalDesk() = default;
 
-  /// A good goal preempts what is in hand, a list too; another one is refused, and what is in hand goes on. Returns the id
-  /// under which reports come, of both.
+  /// A good goal preempts what is in hand, a list too; another one is refused, and what is in hand goes on.
+  /// Returns the id under which reports come, of both.
   virtual std::uint64_t take(const PlacedGoal& goal, const Tick& tick) = 0;
   /// Why no goal can be driven now, which take() refuses with.
   virtual GoalProblem hindrance(const Tick& tick) const = 0;

@@ -23,8 +23,8 @@ class GoalFrames {
  public:
   void listen(Setup& setup, std::shared_ptr<const TransformTree> transforms);
 
-  /// In a frame that moves in map the stamp says when: 0 now; what lies out of the transforms at hand by more than a second is
-  /// refused. In map it says nothing.
+  /// In a frame that moves in map the stamp says when: 0 now; what lies out of the transforms at hand by more
+  /// than a second is refused. In map it says nothing.
   PlacedGoal place(const geometry_msgs::msg::PoseStamped& pose, Time now) const;
   /// The last is the goal, those before it its via poses. None at all is a problem too.
   PlacedGoal place(const std::vector<geometry_msgs::msg::PoseStamped>& poses, Time now) const;

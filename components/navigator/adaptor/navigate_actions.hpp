@@ -1,5 +1,6 @@
-// Nav2's actions navigate_to_pose and navigate_through_poses as front ends of the navigator. A goal that comes preempts what is in
-// hand, whoever set it; results carry Nav2's error codes and the navigator's sentence.
+// Nav2's actions navigate_to_pose and navigate_through_poses as front ends of the navigator. A goal that
+// comes preempts what is in hand, whoever set it; results carry Nav2's error codes and the navigator's
+// sentence.
 #pragma once
 
 #include <cstdint>

@@ -33,8 +33,8 @@ inline geometry_msgs::msg::PoseStamped in_map(const Pose2& X_MP, const std_msgs:
   return pose;
 }
 
-/// From Kilted on navigate_through_poses tells of each of its poses whether it was passed; of those that were not `rest` is
-/// said.
+/// From Kilted on navigate_through_poses tells of each of its poses whether it was passed; of those that were
+/// not `rest` is said.
 template <class Message>
 void set_waypoint_statuses(Message& message, const std::vector<geometry_msgs::msg::PoseStamped>& poses,
                            std::size_t remaining, std::uint8_t rest) {

@@ -1,5 +1,6 @@
-// Nav2's error codes for what can go wrong with a goal. Whatever the server below said is handed on; what the navigator itself
-// found has a code of its own from Kilted on, and before that the code of the server that would have found it.
+// Nav2's error codes for what can go wrong with a goal. Whatever the server below said is handed on; what the
+// navigator itself found has a code of its own from Kilted on, and before that the code of the server that
+// would have found it.
 #pragma once
 
 #include <cstdint>

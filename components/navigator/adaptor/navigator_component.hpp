@@ -1,4 +1,5 @@
-// Adaptor of the navigator: goals from /goal_pose, the graph and actions, requests to the planners, status for everybody.
+// Adaptor of the navigator: goals from /goal_pose, the graph and actions, requests to the planners, status
+// for everybody.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// What the navigator's component does with time: goals of the list that are due, and feedback at a steady rate.
+// What the navigator's component does with time: goals of the list that are due, and feedback at a steady
+// rate.
 #include "components/messages/geometry.hpp"
 #include "components/navigator/adaptor/navigator_component.hpp"
 #include "components/navigator/adaptor/navigator_messages.hpp"
@@ -19,7 +20,8 @@ void NavigatorComponent::step(const Tick& tick) {
   }
 }
 
-/// Goals of the graph wait until it is known where the robot is. Those of a client do not: it is told soon why they fail.
+/// Goals of the graph wait until it is known where the robot is. Those of a client do not: it is told soon
+/// why they fail.
 void NavigatorComponent::take_from_list_when_due(const Tick& tick) {
   if (!goals_->due(tick.now)) return;
   const Situation now = situation_.at(tick);

@@ -1,5 +1,5 @@
-// A behavior drives a base: commands each cycle, odometry back. The base is motor_control's limiter at 50 Hz (jerk, acceleration), or obeys at
-// once.
+// A behavior drives a base: commands each cycle, odometry back. The base is motor_control's limiter at 50 Hz
+// (jerk, acceleration), or obeys at once.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Goals of the behavior server driven by the simulated robot: laser, people, costmap, multiplexer, collision monitor, motor control, wheels. Somebody
-// else wants to drive all the time, as a planner does.
+// Goals of the behavior server driven by the simulated robot: laser, people, costmap, multiplexer, collision
+// monitor, motor control, wheels. Somebody else wants to drive all the time, as a planner does.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -102,8 +102,8 @@ struct Room {
   }
 };
 
-// Odometry of perfect encoders: a tick of one wheel is 0.5 mrad. The rest is what the robot still turns when it counts as arrived, 5 mrad, and how it comes
-// to rest.
+// Odometry of perfect encoders: a tick of one wheel is 0.5 mrad. The rest is what the robot still turns when
+// it counts as arrived, 5 mrad, and how it comes to rest.
 TEST(BehaviorDrive, SpinsEndAtTheirAngle) {
   for (const double yaw : {1.57, -1.57, 3.0, -3.0, 6.28}) {
     Attempt attempt;

@@ -1,4 +1,5 @@
-// Goals that are none: one terminal state at the first step, with the code of Nav2 and a sentence, and nothing moves.
+// Goals that are none: one terminal state at the first step, with the code of Nav2 and a sentence, and
+// nothing moves.
 #include "components/behaviors/behavior_goals.hpp"
 
 #include <limits>

@@ -1,4 +1,5 @@
-// The behavior server on its actions and topics in lock-step: a script is its client, robot and senses. The robot obeys at once. A cycle is
+// The behavior server on its actions and topics in lock-step: a script is its client, robot and senses. The
+// robot obeys at once. A cycle is
 // 0.1 s; a goal that comes between two is begun at the next one.
 #include <algorithm>
 #include <cmath>

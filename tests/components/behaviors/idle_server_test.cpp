@@ -1,5 +1,5 @@
-// A behavior server that nobody asks changes no byte of what drives the robot: ten seconds of the hallway, in which it starts, sees the first people and
-// evades them.
+// A behavior server that nobody asks changes no byte of what drives the robot: ten seconds of the hallway, in
+// which it starts, sees the first people and evades them.
 #include <filesystem>
 #include <map>
 #include <string>

@@ -1,4 +1,5 @@
-// What counts as a contact of the motion's own making. A disc of 0.3 m drives from x = 0 to 2 in 2 s, or stands.
+// What counts as a contact of the motion's own making. A disc of 0.3 m drives from x = 0 to 2 in 2 s, or
+// stands.
 #include "components/behaviors/look_ahead.hpp"
 
 #include <gtest/gtest.h>

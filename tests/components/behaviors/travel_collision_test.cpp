@@ -1,5 +1,5 @@
-// Motions among things and people: they end before a contact, and say so. The robot's disc has 0.3 m; at 0.5 m/s it stops within 0.125 m and
-// what the jerk limit of 5 m/s^3 adds, 0.05 m.
+// Motions among things and people: they end before a contact, and say so. The robot's disc has 0.3 m; at 0.5
+// m/s it stops within 0.125 m and what the jerk limit of 5 m/s^3 adds, 0.05 m.
 #include <gmock/gmock.h>
 
 #include "tests/components/behaviors/behavior_drive.hpp"
@@ -115,7 +115,8 @@ TEST(TravelCollision, WhoWalksAgainstTheRobotBlocksNoMotionThatLeadsAway) {
   EXPECT_EQ(towards.last.error, BehaviorError::collision_ahead);
 }
 
-// A disc that turns goes nowhere; a box of 0.5 x 0.2 m sweeps a disc of 0.54 m, and a post stands at 0.4 m to its side.
+// A disc that turns goes nowhere; a box of 0.5 x 0.2 m sweeps a disc of 0.54 m, and a post stands at 0.4 m to
+// its side.
 TEST(TravelCollision, SpinLooksAtTheOutline) {
   const auto spin = [](BehaviorDrive& d) {
     d.run(*make_spin({.target_yaw = 1.57}, d.options, BehaviorDrive::begin()));
@@ -132,8 +133,8 @@ TEST(TravelCollision, SpinLooksAtTheOutline) {
   };
   spin(box);
   EXPECT_EQ(box.last.error, BehaviorError::collision_ahead);
-  // The corner at atan(0.2 / 0.5) = 0.38 rad, 0.539 m away, meets y = 0.4 at x = 0 when it has turned by about pi/2 - 0.38 = 1.19 rad less what
-  // its front edge leads: before that it stops.
+  // The corner at atan(0.2 / 0.5) = 0.38 rad, 0.539 m away, meets y = 0.4 at x = 0 when it has turned by
+  // about pi/2 - 0.38 = 1.19 rad less what its front edge leads: before that it stops.
   EXPECT_LT(box.turned, 1.0);
 }
 

@@ -1,4 +1,5 @@
-// Motions in the open: they end on their target at rest, within the limits, whatever base obeys. Expected: the target itself.
+// Motions in the open: they end on their target at rest, within the limits, whatever base obeys. Expected:
+// the target itself.
 #include "components/behaviors/travel.hpp"
 
 #include <limits>
@@ -24,7 +25,8 @@ std::unique_ptr<Behavior> drive(const BehaviorDrive& d, double x, double speed, 
       d.robot.limits, BehaviorDrive::begin());
 }
 
-// Arrival is called within kTolerance; after that the base may still come to rest from what is_at_rest() lets pass.
+// Arrival is called within kTolerance; after that the base may still come to rest from what is_at_rest() lets
+// pass.
 constexpr double kEnd = Travel::kTolerance + 1e-3;
 
 class OnTarget : public testing::TestWithParam<std::tuple<Base, double>> {};
@@ -91,7 +93,8 @@ TEST(Travel, ARobotThatMovesComesToRestFirstAndTheWayCountsFromThere) {
   EXPECT_NEAR(back.last.traveled, 0.3, kEnd);
 }
 
-// 300 goals of any size on robots of any limits: the end comes, within the allowance, and no command is more than the base can do.
+// 300 goals of any size on robots of any limits: the end comes, within the allowance, and no command is more
+// than the base can do.
 TEST(Travel, RandomGoalsKeepTheLimitsAndEndWithinTheirAllowance) {
   std::mt19937_64 random(20261122);
   const auto uniform = [&](double low, double high) {

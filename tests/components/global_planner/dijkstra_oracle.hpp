@@ -1,5 +1,5 @@
-// An independent answer to "what does the cheapest path cost": Dijkstra in doubles, distances by brute force. Of narrow cells it
-// takes the grid's word for the place, and checks the clearance there.
+// An independent answer to "what does the cheapest path cost": Dijkstra in doubles, distances by brute force.
+// Of narrow cells it takes the grid's word for the place, and checks the clearance there.
 #pragma once
 
 #include <algorithm>

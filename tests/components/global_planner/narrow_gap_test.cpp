@@ -26,8 +26,8 @@ OccupancyGrid floor_of(double side) {
   return map;
 }
 
-/// Across the floor, along y before it is turned by `angle` about `center`: two thin walls with a gap, and two more that make a
-/// corridor of `length` of it.
+/// Across the floor, along y before it is turned by `angle` about `center`: two thin walls with a gap, and
+/// two more that make a corridor of `length` of it.
 StaticObstacles barrier(const Vector2& center, double angle, double width, double length) {
   const Pose2 X{center.x(), center.y(), angle};
   StaticObstacles shapes;
@@ -62,8 +62,8 @@ struct Gap {
 
 class NarrowGap : public testing::TestWithParam<Gap> {};
 
-// 2 cm to either side, thirty places of the gap between the middles of cells: passed each time, and wherever the path leads the
-// rectangle fits to a millimetre in some heading.
+// 2 cm to either side, thirty places of the gap between the middles of cells: passed each time, and wherever
+// the path leads the rectangle fits to a millimetre in some heading.
 TEST_P(NarrowGap, IsPassedWhereTheRectangleFitsByTwoCentimetres) {
   Random random(18);
   const OccupancyGrid map = floor_of(6.0);
@@ -106,7 +106,8 @@ INSTANTIATE_TEST_SUITE_P(Angles, NarrowGap,
                                          Gap{"Corridor90", std::numbers::pi / 2.0, 1.2}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// Wide enough for the rectangle, not for the disc around it (0.667 m): the disc is told that no way leads there.
+// Wide enough for the rectangle, not for the disc around it (0.667 m): the disc is told that no way leads
+// there.
 TEST(NarrowGapOfADisc, IsNotThatOfTheRectangle) {
   const Footprint disc{rectangle().radius, {}};
   for (const double width : {0.6, 0.7}) {

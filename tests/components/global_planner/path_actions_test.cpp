@@ -1,5 +1,5 @@
-// Nav2's path actions in lock-step, and plan requests through several poses. What comes of a goal is what planner_server of
-// navigation2 makes of it; the codes are those of its action definitions.
+// Nav2's path actions in lock-step, and plan requests through several poses. What comes of a goal is what
+// planner_server of navigation2 makes of it; the codes are those of its action definitions.
 #include <limits>
 #include <memory>
 #include <string>
@@ -98,7 +98,8 @@ TEST(PathActions, APathIsFoundFromTheRobotOrFromAStart) {
   const auto ends = ends_of<ToPose>(
       {}, "compute_path_to_pose",
       {to(pose(4.0, 3.0)), to(pose(4.0, 3.0), "GridBased"), from_to(pose(2.0, 1.0), pose(2.0, 5.0)),
-       // In odom, which is turned by a right angle at (1, 3): (2, 3). Known at 0.5 s, asked for at 0.2 s after it.
+       // In odom, which is turned by a right angle at (1, 3): (2, 3). Known at 0.5 s, asked for at 0.2 s
+       // after it.
        to(pose(0.0, -1.0, "odom", 0.5)), to(pose(0.0, -1.0, "odom")), to(pose(0.0, -1.0, "odom", 0.7))});
   for (const auto& end : ends) {
     EXPECT_EQ(end.status, GoalStatus::succeeded) << end.result.error_msg();

@@ -1,5 +1,5 @@
-// Paths held against the map, and what the planner pays for a cell. A floor of 10 x 6 m with cells of 0.1 m and a wall one cell
-// thick from x = 5.0 to 5.1 m; a robot of 0.3 m.
+// Paths held against the map, and what the planner pays for a cell. A floor of 10 x 6 m with cells of 0.1 m
+// and a wall one cell thick from x = 5.0 to 5.1 m; a robot of 0.3 m.
 #include "components/global_planner/path_check.hpp"
 
 #include <limits>
@@ -40,8 +40,8 @@ std::vector<Pose2> along_the_floor() {
   return path;
 }
 
-// Clearance is the distance between centres less half a cell: at x = 4.75 it is 0.3 - 0.05 = 0.25 m, less than the
-// radius; at 4.65 it is 0.35.
+// Clearance is the distance between centres less half a cell: at x = 4.75 it is 0.3 - 0.05 = 0.25 m, less
+// than the radius; at 4.65 it is 0.35.
 TEST(PathCheck, FindsPosesTooCloseToAnObstacle) {
   Planner planner = planner_on(floor_with_wall());
   std::vector<Pose2> path = along_the_floor();

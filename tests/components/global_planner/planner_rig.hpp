@@ -1,5 +1,5 @@
-// The planner in lock-step, in a world of its own. Map: 10 x 6 m, cells of 0.1 m, a wall one cell thick at x = 5.0 to 5.1 m,
-// a block of 2 x 2 m in the corner at (10, 6); the
+// The planner in lock-step, in a world of its own. Map: 10 x 6 m, cells of 0.1 m, a wall one cell thick at x
+// = 5.0 to 5.1 m, a block of 2 x 2 m in the corner at (10, 6); the
 // robot, of 0.3 m, stands at (1, 3). Odometry began elsewhere: odom is turned by a right angle.
 #pragma once
 

@@ -117,7 +117,8 @@ TEST(PlannerServices, InLyricalWhoClearsIsToldThatItIsDone) {
   EXPECT_TRUE(entirely[0].success());
 }
 
-// Nav2's table: 254 is shown as 100, 253 as 99, 252 as 98, 0 as 0. The footprint is a 16-gon of 0.3 m around the robot, once a second.
+// Nav2's table: 254 is shown as 100, 253 as 99, 252 as 98, 0 as 0. The footprint is a 16-gon of 0.3 m around
+// the robot, once a second.
 TEST(GlobalCostmap, IsPublishedAsNav2Does) {
   std::vector<nav_msgs::msg::OccupancyGrid> grids;
   std::vector<nav2_msgs::msg::Costmap> raw;

@@ -74,7 +74,8 @@ TEST(Planner, SaysWhyThereIsNoPath) {
   EXPECT_EQ(result.reason, "goal (9.00, 1.00) is free, but no way leads there from the start");
 }
 
-// Legs of 4 m, 2 m and 4 m on an open floor: straight lines, each pose of the path once, the headings of the stops kept.
+// Legs of 4 m, 2 m and 4 m on an open floor: straight lines, each pose of the path once, the headings of the
+// stops kept.
 TEST(Planner, PlansThroughStopsInTheirOrder) {
   Planner planner = planner_on(open_floor(10.0, 6.0));
   const std::vector<Pose2> stops{{5.0, 2.0, 1.0}, {5.0, 4.0, 2.0}, {1.0, 4.0, 3.0}};

@@ -132,8 +132,9 @@ std::vector<NearStatic> by_brute_force(const ObstacleField& field, const Pose2& 
   return kept;
 }
 
-// The `most` of them where there are more, by the rules of NearestStatics in words: spots widen by 1.5 times what they
-// are away from costing, and a side has half of the places as long as the other has something costly.
+// The `most` of them where there are more, by the rules of NearestStatics in words: spots widen by 1.5 times
+// what they are away from costing, and a side has half of the places as long as the other has something
+// costly.
 std::vector<NearStatic> fair_shares(const std::vector<NearStatic>& all, const Pose2& pose, std::size_t most,
                                     double costly) {
   std::vector<NearStatic> kept, spare;

@@ -144,8 +144,9 @@ TEST(Solvers, FindOneMinimum) {
 }
 
 TEST(Solvers, ReachTheSameCostColdAndWarm) {
-  // From one band each, a first plan and the 20 cycles after it. A last step that gains less than function_tolerance
-  // 1e-4 of the cost counts with one solver and not with the other; growing weights and dampings multiply that a little.
+  // From one band each, a first plan and the 20 cycles after it. A last step that gains less than
+  // function_tolerance 1e-4 of the cost counts with one solver and not with the other; growing weights and
+  // dampings multiply that a little.
   for (const BandTestScene& scene : band_scenes()) {
     for (const bool consistent : {false, true}) {
       BandOptions options = point_options();

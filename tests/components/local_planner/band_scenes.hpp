@@ -1,5 +1,6 @@
-// Scenes like those of `bandwagon bench teb`, made in code: a short corridor with few obstacles, a field of 20, the same
-// with every second one moving, and walls and boxes as 200 points. Shared by the tests and the benchmark of the solvers.
+// Scenes like those of `bandwagon bench teb`, made in code: a short corridor with few obstacles, a field of
+// 20, the same with every second one moving, and walls and boxes as 200 points. Shared by the tests and the
+// benchmark of the solvers.
 #pragma once
 
 #include <string>

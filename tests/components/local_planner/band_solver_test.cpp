@@ -6,8 +6,8 @@
 namespace bw::teb {
 namespace {
 
-// 10 iterations are allowed, the rival has 5. After 4 of them at cost 9, six gains of 0.5 lead to 6, above it; six of 0.7
-// to 4.8, below. After 2 nothing is said yet.
+// 10 iterations are allowed, the rival has 5. After 4 of them at cost 9, six gains of 0.5 lead to 6, above
+// it; six of 0.7 to 4.8, below. After 2 nothing is said yet.
 TEST(SolveLimits, ABandIsLostWhenItsGainsDoNotLeadBelowItsRival) {
   const SolveLimits limits{10, 0.0, 5.0};
   EXPECT_TRUE(limits.is_lost(9.0, 0.5, 4));

@@ -46,8 +46,8 @@ TEST(Evasion, KeepsAccelerationLimits) {
   }
 }
 
-// Somebody overtakes the robot 5 cm beside it: nearer than asked at time 0, and going away. To drive on is as clear as
-// a stop, and leads to the goal.
+// Somebody overtakes the robot 5 cm beside it: nearer than asked at time 0, and going away. To drive on is as
+// clear as a stop, and leads to the goal.
 TEST(Evasion, DrivesOnBesideWhoIsNearAndGoesAway) {
   PlanningProblem problem = driving_at(0.5);
   Mover mover;
@@ -61,8 +61,8 @@ TEST(Evasion, DrivesOnBesideWhoIsNearAndGoesAway) {
   EXPECT_GT(move.trajectory[1].twist.v, 0.5);
 }
 
-// Somebody who walks faster than the robot has run into it from behind. To drive on takes it out of the way; a stop, or
-// to stand as if every motion were a contact, leaves it under their feet.
+// Somebody who walks faster than the robot has run into it from behind. To drive on takes it out of the way;
+// a stop, or to stand as if every motion were a contact, leaves it under their feet.
 TEST(Evasion, DrivesAwayFromWhoTouchesItFromBehind) {
   for (const double speed : {0.0, 0.5}) {
     for (const double gap : {-0.05, -0.005}) {
@@ -84,8 +84,9 @@ Mover walker(const Vector2& position, const Vector2& velocity) {
   return mover;
 }
 
-// A group of three, 0.7 m beside each other, overtakes the robot. None of its moves stays clear. To run before them puts the
-// contact off, in the middle of their way; to the side it can at least get out from before the middle one.
+// A group of three, 0.7 m beside each other, overtakes the robot. None of its moves stays clear. To run
+// before them puts the contact off, in the middle of their way; to the side it can at least get out from
+// before the middle one.
 TEST(Evasion, LeavesTheWayOfAGroupRatherThanRunBeforeIt) {
   PlanningProblem problem = driving_at(1.0);
   for (const double aside : {-0.7, 0.0, 0.7})
@@ -95,7 +96,8 @@ TEST(Evasion, LeavesTheWayOfAGroupRatherThanRunBeforeIt) {
   EXPECT_GT(std::abs(move.trajectory[1].twist.omega), 0.1);
 }
 
-// Between one who comes from behind and one who stands ahead no move is clear; none that is taken drives into the one ahead.
+// Between one who comes from behind and one who stands ahead no move is clear; none that is taken drives into
+// the one ahead.
 TEST(Evasion, RunsIntoNobodyToGetOutOfTheWayOfAnother) {
   PlanningProblem problem = driving_at(0.3);
   problem.obstacles.segments = {{{-9.0, 0.4}, {9.0, 0.4}}, {{-9.0, -0.4}, {9.0, -0.4}}};

@@ -1,5 +1,5 @@
-// When a goal of follow_path is over. Figures are those of the nav2_params.yaml that Nav2 ships: 0.25 m and 0.25 rad, 0.5 m in
-// 10 s, 0.3 s without a way, 0.3 s without an input.
+// When a goal of follow_path is over. Figures are those of the nav2_params.yaml that Nav2 ships: 0.25 m and
+// 0.25 rad, 0.5 m in 10 s, 0.3 s without a way, 0.3 s without an input.
 #include "components/local_planner/follow_path/follow_judge.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
-// follow_path as Nav2's behaviour tree and people use it: a robot that obeys at once on a straight way through an empty map. Steps
-// are 0.02 s, cycles 0.1 s, v_max is 1 m/s and the acceleration 1 m/s^2. Codes are those of FollowPath's result.
+// follow_path as Nav2's behaviour tree and people use it: a robot that obeys at once on a straight way
+// through an empty map. Steps are 0.02 s, cycles 0.1 s, v_max is 1 m/s and the acceleration 1 m/s^2. Codes
+// are those of FollowPath's result.
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -48,7 +49,8 @@ TEST(FollowPath, DrivesToTheEndTellsOfItEachCycleAndLeavesTheRobotStanding) {
   EXPECT_EQ(rig.statuses.back().status(), follow::IDLE);
 }
 
-// The tree sends a path each second, from where the robot is. 20 m at 1 m/s take 20 s; from 3 s on it drives at full speed.
+// The tree sends a path each second, from where the robot is. 20 m at 1 m/s take 20 s; from 3 s on it drives
+// at full speed.
 TEST(FollowPath, ANewPathEachSecondCausesNoDip) {
   Rig rig;
   rig.settings = kLead;

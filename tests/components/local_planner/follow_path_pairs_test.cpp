@@ -1,6 +1,6 @@
-// The hallway suite driven twice with the same seeds: by follow_request, and with each path of the navigator sent as a goal of
-// follow_path, a new one each second. Both are the same planner in the same crowd, so that success, time and jerk differ by what
-// a crowd makes of small differences, and by no more.
+// The hallway suite driven twice with the same seeds: by follow_request, and with each path of the navigator
+// sent as a goal of follow_path, a new one each second. Both are the same planner in the same crowd, so that
+// success, time and jerk differ by what a crowd makes of small differences, and by no more.
 //   BANDWAGON_PAIRS=20 build/release/bin/test_follow_path_pairs       seeds 1 to 20, both episodes: 40 pairs
 #include <cmath>
 #include <cstdlib>
@@ -102,7 +102,8 @@ TEST(FollowPathPairs, DriveTheHallwayAsWellAsTheNativeWay) {
       "m/s^3 (standard errors)\n",
       pairs, native_successes, action_successes, time.mean(), time.standard_error(), jerk.mean(),
       jerk.standard_error());
-  // Of few pairs only what is plainly worse shows: one lost drive, and a mean beyond a tenth of 22 s and 1.5 m/s^3.
+  // Of few pairs only what is plainly worse shows: one lost drive, and a mean beyond a tenth of 22 s and 1.5
+  // m/s^3.
   EXPECT_GE(action_successes, native_successes - 1);
   const bool is_full = pairs >= 40;
   EXPECT_LE(std::abs(time.mean()), is_full ? 3.0 * time.standard_error() : 2.2);

@@ -1,5 +1,5 @@
-// Stands between navigator and local planner as Nav2's behaviour tree does: each path that is ordered becomes a goal of
-// follow_path. What is no path goes on as it came.
+// Stands between navigator and local planner as Nav2's behaviour tree does: each path that is ordered becomes
+// a goal of follow_path. What is no path goes on as it came.
 #pragma once
 
 #include <cstdint>

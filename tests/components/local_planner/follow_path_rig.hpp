@@ -1,4 +1,5 @@
-// A robot that obeys its local planner at once, and a client that sends it goals of follow_path, in lock-step.
+// A robot that obeys its local planner at once, and a client that sends it goals of follow_path, in
+// lock-step.
 #pragma once
 
 #include <cmath>

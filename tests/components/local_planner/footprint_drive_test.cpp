@@ -17,7 +17,8 @@ Footprint rectangle() {
           .polygon = {{-0.255, -0.215}, {0.255, -0.215}, {0.255, 0.215}, {-0.255, 0.215}}};
 }
 
-// The one way through a long wall, where the plan leads: 2 m between points, turned around (4, 0), `width` [m] apart.
+// The one way through a long wall, where the plan leads: 2 m between points, turned around (4, 0), `width`
+// [m] apart.
 PlanningProblem passage(double width, double turn) {
   PlanningProblem problem = problem_to({8, 0, 0});
   problem.footprint = rectangle();

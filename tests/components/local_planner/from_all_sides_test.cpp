@@ -1,6 +1,6 @@
-// People who come from the side or from behind and react to nobody: one who turns into the robot's way, one who
-// overtakes, one who walks over the place where the robot waits. Closed loop, ideal unicycle, true places and
-// velocities; nobody tells the planner that somebody is about to turn.
+// People who come from the side or from behind and react to nobody: one who turns into the robot's way, one
+// who overtakes, one who walks over the place where the robot waits. Closed loop, ideal unicycle, true places
+// and velocities; nobody tells the planner that somebody is about to turn.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -136,8 +136,8 @@ Gait turning_round(double begin, const Vector2& back) {
   };
 }
 
-// Somebody overtakes a base of 0.6 m/s (Eddie's limits), turns round before it and comes back towards its lane, as people do at
-// the end of their way.
+// Somebody overtakes a base of 0.6 m/s (Eddie's limits), turns round before it and comes back towards its
+// lane, as people do at the end of their way.
 TEST(FromAllSides, OneWhoTurnsRoundBeforeASlowRobot) {
   const Limits eddie{.v_max = 0.6,
                      .v_back_max = 0.4,

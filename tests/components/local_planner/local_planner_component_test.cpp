@@ -40,7 +40,8 @@ TEST_P(EveryPlanner, FollowsThePathOfTheMapToItsEnd) {
   EXPECT_EQ(n.diagnostics["planner"], GetParam());
 }
 
-// 1 m/s at 3 s, when 0.3 m/s is asked for: 0.7 s of braking with 1 m/s^2 and a second for planners that brake more softly.
+// 1 m/s at 3 s, when 0.3 m/s is asked for: 0.7 s of braking with 1 m/s^2 and a second for planners that brake
+// more softly.
 // What is no limit changes nothing; 0 takes it away.
 TEST_P(EveryPlanner, KeepsASpeedLimit) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -73,8 +74,8 @@ TEST_P(EveryPlanner, KeepsASpeedLimit) {
   EXPECT_GT(n.twist.v, brisk);
 }
 
-// The drive ends within half of what counts as reached, unless the planner has a figure of its own, which counts as long
-// as it lies inside.
+// The drive ends within half of what counts as reached, unless the planner has a figure of its own, which
+// counts as long as it lies inside.
 TEST(LocalPlannerComponent, EndsTheDriveWellWithinWhatCountsAsReached) {
   const auto left_to_go = [](double xy_tolerance, const std::string& parameters) {
     Neighbours n;
@@ -184,7 +185,8 @@ TEST(LocalPlannerComponent, TracksAreCarriedToNowAndIntoOdom) {
   EXPECT_NEAR(dots->points()[0].y(), expected.y(), 0.021);
 }
 
-/// Three seconds along a wall of one disc; parameters are changed at 2.05 s, between the cycles of 2.0 and 2.1 s.
+/// Three seconds along a wall of one disc; parameters are changed at 2.05 s, between the cycles of 2.0 and
+/// 2.1 s.
 std::vector<std::pair<double, Twist2>> drive_with(const std::vector<NamedValue>& change,
                                                   const std::string& refusal = "") {
   Neighbours n;
@@ -207,7 +209,8 @@ TEST(LocalPlannerComponent, TakesChangedParametersInTheNextCycle) {
   EXPECT_NEAR(first->first, 2.1, 1e-6);
 }
 
-// A parameter of another planner has this one made anew. It drives on as if nothing had been: its bands are still there.
+// A parameter of another planner has this one made anew. It drives on as if nothing had been: its bands are
+// still there.
 TEST(LocalPlannerComponent, KeepsItsBandsWhenParametersChange) {
   EXPECT_EQ(drive_with({{"hrvo.lookahead", 2.0}}), drive_with({}));
 }

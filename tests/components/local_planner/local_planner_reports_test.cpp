@@ -24,8 +24,9 @@ TEST(LocalPlannerComponent, DiagnosticsTellPlannerAndWork) {
   EXPECT_FALSE(n.diagnostics.contains("overruns"));
 }
 
-// One message a cycle, at 10 Hz: idle until it is told at 1 s, following until 2 s, braking and idle from there on. What
-// only a real clock could tell is left open; half of the period is what the parameters leave to a cycle.
+// One message a cycle, at 10 Hz: idle until it is told at 1 s, following until 2 s, braking and idle from
+// there on. What only a real clock could tell is left open; half of the period is what the parameters leave
+// to a cycle.
 TEST(LocalPlannerComponent, TellsOfEveryCycle) {
   Neighbours n;
   n.requests = {{50, FollowRequest_Constants::FOLLOW}, {100, FollowRequest_Constants::STOP}};

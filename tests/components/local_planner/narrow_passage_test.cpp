@@ -23,7 +23,8 @@ std::vector<double> wanted(double left, const Vector2& right, bool moving = fals
 }
 
 TEST(NarrowPassage, HalfOfWhatIsLeftIsWantedAtEitherSide) {
-  // 0.3 and 0.26 m from the middle of a disc of 0.2 m: 0.1 and 0.06 m are left, 0.08 m at either side of the middle.
+  // 0.3 and 0.26 m from the middle of a disc of 0.2 m: 0.1 and 0.06 m are left, 0.08 m at either side of the
+  // middle.
   const auto found = wanted(0.3, {0.0, -0.26});
   EXPECT_NEAR(found[0], 0.08, 1e-12);
   EXPECT_NEAR(found[1], 0.08, 1e-12);
@@ -34,7 +35,8 @@ TEST(NarrowPassage, WhereThereIsRoomNothingChanges) { EXPECT_EQ(wanted(0.41, {0.
 TEST(NarrowPassage, WhereThereIsNoWayNothingChanges) { EXPECT_EQ(wanted(0.21, {0.0, -0.22})[0], kAll); }
 
 TEST(NarrowPassage, IsSeenFromOutside) {
-  // From (0, 0) to posts at (0.3, 0.28) and (0.3, -0.28): 0.56 m apart, 0.08 m at either side of a disc of 0.2 m.
+  // From (0, 0) to posts at (0.3, 0.28) and (0.3, -0.28): 0.56 m apart, 0.08 m at either side of a disc of
+  // 0.2 m.
   std::vector<ClearanceTerm> terms(2);
   terms[0].capsule = {{0.3, 0.28}, {0.3, 0.28}, 0.0};
   terms[1].capsule = {{0.3, -0.28}, {0.3, -0.28}, 0.0};

@@ -1,4 +1,5 @@
-// The neighbours of a local planner on its topics in lock-step: a script in place of robot, map and navigator.
+// The neighbours of a local planner on its topics in lock-step: a script in place of robot, map and
+// navigator.
 #pragma once
 
 #include <cstdint>

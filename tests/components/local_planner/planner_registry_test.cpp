@@ -107,8 +107,7 @@ TEST(PlannerRegistry, ReadsItsSectionAsStrictlyAsAllOthers) {
             "g.yaml:1: local_planner.circler.turn_rate = 2: must be between 0 and 1 rad/s");
   EXPECT_EQ(refusal("circler: {side: lef}"),
             "g.yaml:1: local_planner.circler.side = lef: must be one of left, right; did you mean 'left'?");
-  EXPECT_EQ(refusal("circler: {laps: 0}"),
-            "g.yaml:1: local_planner.circler.laps = 0: must be at least 1");
+  EXPECT_EQ(refusal("circler: {laps: 0}"), "g.yaml:1: local_planner.circler.laps = 0: must be at least 1");
   EXPECT_EQ(refusal("circler: {wheel: {grip: 2}}"),
             "g.yaml:1: local_planner.circler.wheel.grip = 2: must be between 0 and 1");
   EXPECT_EQ(refusal("circler: {fast: true, turn_rate: 0.75}"),
@@ -148,8 +147,8 @@ TEST(PlannerRegistry, GivesASectionToWhoeverKnowsItsNameAndType) {
   EXPECT_THROW(options.of<CirclerOptions>("circlr"), std::out_of_range);
 }
 
-// What every planner gets from CheckedPlanner. Goal tolerance 0.1 m: 0.05 m away it has arrived and turns (command
-// by heading alone); pushed out beyond twice the tolerance it drives again, from the start.
+// What every planner gets from CheckedPlanner. Goal tolerance 0.1 m: 0.05 m away it has arrived and turns
+// (command by heading alone); pushed out beyond twice the tolerance it drives again, from the start.
 TEST(CheckedPlanner, AnswersForThePlannerWhereThereIsNothingToPlan) {
   const auto planner = make_planner("circler", {});
   EXPECT_EQ(planner->plan(problem_to({5, 0, 0})).iterations, 1);

@@ -108,8 +108,8 @@ BandReport report_of(const PredictionOptions& prediction) {
 }
 
 TEST(Prediction, TheChoiceCountsItsShareOfTheGrowth) {
-  // The gap is 0.5 m at every pose, 0.1 m less than the inflation distance; growth adds 0.1 m/s times the pose's time, at
-  // most 0.3 m. So pose k, from 1 to 9, costs 2 (0.1 + share 0.029 k)^2.
+  // The gap is 0.5 m at every pose, 0.1 m less than the inflation distance; growth adds 0.1 m/s times the
+  // pose's time, at most 0.3 m. So pose k, from 1 to 9, costs 2 (0.1 + share 0.029 k)^2.
   const auto expected = [](double share) {
     double cost = 0.0;
     for (int k = 1; k < 10; ++k) cost += 2.0 * std::pow(0.1 + share * std::min(0.3, 0.029 * k), 2);

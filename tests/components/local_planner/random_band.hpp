@@ -6,8 +6,8 @@
 
 namespace bw::teb {
 
-/// 3 to 6 poses near the x axis, 6 standing and 6 moving obstacles beside them, tight limits; motion model and end by
-/// turns with `i`.
+/// 3 to 6 poses near the x axis, 6 standing and 6 moving obstacles beside them, tight limits; motion model
+/// and end by turns with `i`.
 struct RandomBand {
   RandomBand(Random& random, int i, const Footprint& footprint) {
     const std::size_t count = 3 + static_cast<std::size_t>(i % 4);

@@ -75,8 +75,8 @@ TEST(TopologyPlanner, KeepsItsSideUntilTheOtherIsClearlyCheaper) {
   for (const double side : sides) EXPECT_GT(side * sides.front(), 0.0);
 }
 
-// The disc moves from the left of the line to its right after six cycles: the planner changes sides once, and says so in
-// the cycle in which it does.
+// The disc moves from the left of the line to its right after six cycles: the planner changes sides once, and
+// says so in the cycle in which it does.
 TEST(TopologyPlanner, TellsThatItSwitchedTheClass) {
   PlanningProblem problem = six_metres_ahead();
   const auto planner = make_planner("teb_homotopy", {});

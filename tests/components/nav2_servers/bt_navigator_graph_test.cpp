@@ -1,4 +1,5 @@
-// config/graphs/nav2/bt_navigator.yaml as a graph: what is in it, under which names of Nav2's. Nothing is run.
+// config/graphs/nav2/bt_navigator.yaml as a graph: what is in it, under which names of Nav2's. Nothing is
+// run.
 #include <algorithm>
 #include <string>
 #include <vector>

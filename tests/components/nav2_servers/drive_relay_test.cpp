@@ -119,7 +119,8 @@ TEST(DriveRelay, SaysWhyItFailed) {
   }
 }
 
-// The controller gives up each path within 0.1 s, and each is renewed: it has failed all the time, until one lasts for 0.5 s.
+// The controller gives up each path within 0.1 s, and each is renewed: it has failed all the time, until one
+// lasts for 0.5 s.
 TEST(DriveRelay, APathAfterAFailedOneIsDoubtedUntilItLasts) {
   DriveRelay relay;
   relay.order(1, FollowMode::follow);

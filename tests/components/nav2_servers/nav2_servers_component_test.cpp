@@ -1,5 +1,6 @@
-// Our navigator above foreign servers, in lock-step: planner_server, controller_server and behavior_server are made of the
-// runtime's action servers in a script, and behave as Nav2's do. The robot drives along x at 1 m/s, or back at 0.1 m/s.
+// Our navigator above foreign servers, in lock-step: planner_server, controller_server and behavior_server
+// are made of the runtime's action servers in a script, and behave as Nav2's do. The robot drives along x at
+// 1 m/s, or back at 0.1 m/s.
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -251,7 +252,8 @@ TEST(Nav2Servers, ACanceledGoalCancelsTheControllers) {
   EXPECT_NEAR(drive.to_pose.goals[0].ended_at, 3.1, 0.1);
 }
 
-// Jazzy hands on the code of the server that failed. The default tree clears the global costmap and tries again; so does this.
+// Jazzy hands on the code of the server that failed. The default tree clears the global costmap and tries
+// again; so does this.
 TEST(Nav2Servers, AGoalWithoutAPathEndsWithThePlannersCode) {
   for (const int code : {201, 204, 206, 208}) {
     Drive<JazzyNav2> drive;
@@ -267,7 +269,8 @@ TEST(Nav2Servers, AGoalWithoutAPathEndsWithThePlannersCode) {
   }
 }
 
-// It gives up at once, for good: after six recoveries, every second one driving back by 0.3 m, the goal ends with its code.
+// It gives up at once, for good: after six recoveries, every second one driving back by 0.3 m, the goal ends
+// with its code.
 TEST(Nav2Servers, AControllerThatGivesUpIsRecoveredFromAndTold) {
   Drive<JazzyNav2> drive;
   drive.servers.follow_code = 106;

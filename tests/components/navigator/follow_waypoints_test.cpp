@@ -1,4 +1,5 @@
-// follow_waypoints by clients of the action, in lock-step. The robot drives at 1 m/s; goals beyond the wall cannot be reached.
+// follow_waypoints by clients of the action, in lock-step. The robot drives at 1 m/s; goals beyond the wall
+// cannot be reached.
 #include <cstdint>
 #include <functional>
 #include <string>

@@ -99,7 +99,8 @@ TEST(GoalList, TheFirstRoundMayBeginLater) {
   EXPECT_TRUE(goals.missed().empty());
 }
 
-// The second of three is missed: the list ends there, or after the third; either way it tells which one and why.
+// The second of three is missed: the list ends there, or after the third; either way it tells which one and
+// why.
 TEST(GoalList, TellsWhatWasMissedAndHowItEnded) {
   for (const bool stop : {true, false}) {
     GoalListOptions options = three();

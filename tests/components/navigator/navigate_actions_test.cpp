@@ -1,5 +1,5 @@
-// navigate_to_pose and navigate_through_poses by clients of the actions, in lock-step. The robot drives at 1 m/s as long as it is
-// told to follow, and stands at once when it is not.
+// navigate_to_pose and navigate_through_poses by clients of the actions, in lock-step. The robot drives at 1
+// m/s as long as it is told to follow, and stands at once when it is not.
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -62,7 +62,8 @@ struct Drive {
   }
 };
 
-// 3 m at 1 m/s: feedback each 0.2 s and at each change of the status; the tolerance of 0.2 m is entered and left standing at 3 s.
+// 3 m at 1 m/s: feedback each 0.2 s and at each change of the status; the tolerance of 0.2 m is entered and
+// left standing at 3 s.
 TEST(NavigateActions, APoseIsReachedWithFeedbackOnTheWay) {
   Drive drive;
   drive.go(8.0, {{1.0, [&] { drive.to_pose.send(to(3.0)); }}});
@@ -91,7 +92,8 @@ TEST(NavigateActions, APoseIsReachedWithFeedbackOnTheWay) {
               half.current_pose().pose().position().x(), 0.15);
 }
 
-// Each front end preempts the one before, and the robot drives on: the only request to stand is that of the arrival.
+// Each front end preempts the one before, and the robot drives on: the only request to stand is that of the
+// arrival.
 TEST(NavigateActions, EveryFrontEndPreemptsEveryOther) {
   Drive drive;
   Output<geometry_msgs::msg::PoseStamped> topic;
@@ -237,7 +239,8 @@ TEST(NavigateActions, BadGoalsAreRefusedWithKiltedsCodes) {
   expect_bad_goals_refused<KiltedNav2::NavigateToPose>("kilted", &BadGoal::kilted);
 }
 
-// A stamp in map says nothing, as in tf2; in odom a stamp that is a little ahead of the newest transform is taken.
+// A stamp in map says nothing, as in tf2; in odom a stamp that is a little ahead of the newest transform is
+// taken.
 TEST(NavigateActions, AStampThatCanBeMetIsNoFault) {
   Drive drive;
   drive.more = publish_tf;

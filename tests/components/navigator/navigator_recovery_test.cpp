@@ -211,8 +211,8 @@ TEST(Navigator, ASilentLocalPlannerIsNoticed) {
   EXPECT_EQ(drive.last().status, GoalStatus::executing);
 }
 
-// An hour back in the middle of a drive: plans are renewed as before, silence is noticed as before, and the time of the
-// drive counts what passed.
+// An hour back in the middle of a drive: plans are renewed as before, silence is noticed as before, and the
+// time of the drive counts what passed.
 TEST(Navigator, AClockThatGoesBackDelaysNothing) {
   Drive drive;
   drive.now = Time::seconds(7200.0);

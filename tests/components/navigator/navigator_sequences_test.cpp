@@ -1,6 +1,7 @@
-// Every sequence of goals, cancels, answers of the planners, lost poses and clock steps through the goal state machine. What must
-// hold after each event: every goal has one end and a reason for it, one is in hand at most, and the robot is told to drive only
-// along a plan for a goal, towards a pose that is known, and never after a cancel.
+// Every sequence of goals, cancels, answers of the planners, lost poses and clock steps through the goal
+// state machine. What must hold after each event: every goal has one end and a reason for it, one is in hand
+// at most, and the robot is told to drive only along a plan for a goal, towards a pose that is known, and
+// never after a cancel.
 #include <algorithm>
 #include <cstdio>
 #include <limits>

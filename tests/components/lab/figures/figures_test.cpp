@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kTolerance = 0.3;  // [px]
 
-/// The number that `text` has from `at` on, and where it ends; false, and both as they were, where there is none.
+/// The number that `text` has from `at` on, and where it ends; false, and both as they were, where there is
+/// none.
 bool number_at(const std::string& text, std::size_t at, double& value, std::size_t& end) {
   if (std::isdigit(static_cast<unsigned char>(text[at])) == 0 && text[at] != '-') return false;
   char* after = nullptr;

@@ -71,7 +71,8 @@ TEST(CriticsPlanner, AWallBesideThePlanIsNoReasonToLeaveIt) {
 }
 
 TEST(CriticsPlanner, TheBodyPassesWhereItsDiscDoesNot) {
-  // 0.6 m between two posts; the disc around the body needs 0.64 m, the body 0.4 m and twice the margin of 0.05 m.
+  // 0.6 m between two posts; the disc around the body needs 0.64 m, the body 0.4 m and twice the margin of
+  // 0.05 m.
   PlanningProblem problem = problem_to({6, 0, 0});
   problem.footprint = box();
   problem.obstacles.discs = {{{3.0, 0.4}, 0.1}, {{3.0, -0.4}, 0.1}};
@@ -82,7 +83,8 @@ TEST(CriticsPlanner, TheBodyPassesWhereItsDiscDoesNot) {
 }
 
 TEST(CriticsPlanner, FollowsThePlanOutOfWhatLooksLikeADeadEnd) {
-  // A pocket 1.4 m wide ends at x = 4; 0.8 m before its end a gap of 0.8 m leads out to the left, and the plan with it.
+  // A pocket 1.4 m wide ends at x = 4; 0.8 m before its end a gap of 0.8 m leads out to the left, and the
+  // plan with it.
   PlanningProblem problem = problem_to({3.5, 3.0, 1.57});
   problem.footprint = box();
   problem.plan = {{0, 0, 0}, {3.5, 0, 0}, {3.5, 3.0, 1.57}};
@@ -108,7 +110,8 @@ TEST(CriticsPlanner, TurnsOnTheSpotWhenThePlanLeadsBack) {
 }
 
 TEST(CriticsPlanner, TurnsRoundWhereABoxIsTooLongToTurnToTheNearSide) {
-  // Along a wall 0.22 m to its left, the plan back past the wall's end on that side: a box of 0.5 x 0.4 m cannot turn left.
+  // Along a wall 0.22 m to its left, the plan back past the wall's end on that side: a box of 0.5 x 0.4 m
+  // cannot turn left.
   PlanningProblem problem = problem_to({-3, 0, 3.1});
   problem.footprint = box();
   problem.plan = {{0, 0, 0}, {-1, 0.05, 0}, {-3, 0, 3.1}};

@@ -19,7 +19,8 @@ RollOut ending_at(const Pose2& end, double travel) {
 TEST(Critics, MeasurePlanAndGoal) {
   const PlanningProblem problem = problem_to({8, 0, 0});
   const Course course = course_of(problem.plan, problem);
-  // 1 m on, 0.2 m to the left, turned left by 90 degrees: the point 0.325 m before it is 0.525 m beside the plan.
+  // 1 m on, 0.2 m to the left, turned left by 90 degrees: the point 0.325 m before it is 0.525 m beside the
+  // plan.
   const Critique c = critique(ending_at({1.0, 0.2, std::numbers::pi / 2.0}, 1.1), course, problem);
   EXPECT_NEAR(c.path_dist, 0.2, 1e-12);
   EXPECT_NEAR(c.path_align, 0.525, 1e-12);
@@ -38,13 +39,14 @@ TEST(Critics, AtTheGoalWhoLooksAlongThePlanIsAligned) {
   const PlanningProblem problem = problem_to({1, 0, 0});
   const Critique c = critique(ending_at({1.0, 0.0, 0.0}, 1.0), course_of(problem.plan, problem), problem);
   EXPECT_NEAR(c.path_dist + c.path_align + c.goal_dist + c.goal_align, 0.0, 1e-12);
-  const Critique beyond = critique(ending_at({1.2, 0.0, 0.0}, 1.2), course_of(problem.plan, problem), problem);
+  const Critique beyond =
+      critique(ending_at({1.2, 0.0, 0.0}, 1.2), course_of(problem.plan, problem), problem);
   EXPECT_NEAR(beyond.path_dist, 0.2, 1e-12) << "past the goal is beside the plan";
 }
 
 TEST(Critics, ThePlanOnTheOtherSideOfAWallIsNoShortcut) {
-  // 3 m out, 0.5 m to the left, 3 m back. Half a metre on and 0.4 m to the left one is 0.1 m from the way back, but the way driven
-  // cannot have led there.
+  // 3 m out, 0.5 m to the left, 3 m back. Half a metre on and 0.4 m to the left one is 0.1 m from the way
+  // back, but the way driven cannot have led there.
   PlanningProblem problem = problem_to({0, 0.5, 0});
   problem.plan = {{0, 0, 0}, {3, 0, 0}, {3, 0.5, 0}, {0, 0.5, 0}};
   const Critique c = critique(ending_at({0.5, 0.4, 0.0}, 0.7), course_of(problem.plan, problem), problem);

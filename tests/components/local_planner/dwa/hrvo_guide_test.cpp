@@ -17,8 +17,8 @@ PlanningProblem with_mover(const Vector2& position, const Vector2& velocity) {
 }
 
 TEST(SomebodyWithin, IsWhoCouldBeMet) {
-  // Robot and person 0.3 m each, v_max 1 m/s, 3 s: who comes at 1 m/s counts up to 6.6 m, who walks away at 1 m/s up to 0.6 m, who
-  // crosses at 0.5 m/s up to where sqrt(d^2 + 1.5^2) is 3.6 m, and who stands never.
+  // Robot and person 0.3 m each, v_max 1 m/s, 3 s: who comes at 1 m/s counts up to 6.6 m, who walks away at 1
+  // m/s up to 0.6 m, who crosses at 0.5 m/s up to where sqrt(d^2 + 1.5^2) is 3.6 m, and who stands never.
   EXPECT_TRUE(somebody_within(with_mover({3.2, 0}, {0, 0.5}), 3.0));
   EXPECT_FALSE(somebody_within(with_mover({3.3, 0}, {0, 0.5}), 3.0));
   EXPECT_FALSE(somebody_within(with_mover({1.0, 0}, {0, 0.1}), 3.0));
@@ -37,7 +37,8 @@ TEST(SomebodyWithin, IsNobodyWhoIsNotConfirmed) {
 }
 
 TEST(HrvoGuide, CostsWhatASampleDiffersFromTheAdvice) {
-  // HRVO says 0.5 m/s to the left by 0.4 rad. Turning at 0.1 rad/s for 1 s leaves 0.3 rad; 0.8 m/s is 0.3 m/s too fast.
+  // HRVO says 0.5 m/s to the left by 0.4 rad. Turning at 0.1 rad/s for 1 s leaves 0.3 rad; 0.8 m/s is 0.3 m/s
+  // too fast.
   hrvo::Advice advice;
   advice.velocity = 0.5 * direction(0.4);
   EdwaOptions options;

@@ -38,15 +38,16 @@ TEST(PassingCost, IsTheShareOfTheGapThatIsMissing) {
 }
 
 TEST(PassingCost, TellsMotionsApartThatTouch) {
-  // Head-on at 1 m/s each from 6 m: 0.3 m deep after 2.85 s, 200 (1.1 / 0.8 + 0.15 / 3); from 4 m after 1.85 s. Movers are placed
-  // each 0.1 s, which is 6.7.
+  // Head-on at 1 m/s each from 6 m: 0.3 m deep after 2.85 s, 200 (1.1 / 0.8 + 0.15 / 3); from 4 m after 1.85
+  // s. Movers are placed each 0.1 s, which is 6.7.
   EXPECT_NEAR(PassingCost(driving_with({6, 0}, {-1, 0}), options()).of({1, 0}), 285.0, 7.0);
   EXPECT_NEAR(PassingCost(driving_with({4, 0}, {-1, 0}), options()).of({1, 0}), 351.7, 7.0);
   // Grazed by 0.1 m: less than to run into them.
   EXPECT_NEAR(PassingCost(driving_with({4, 0.5}, {-1, 0}), options()).of({1, 0}), 225.0, 1.0);
 }
 
-// Half of the gap is missing now: 200 / 4. Head-on from 6 m, touched 0.3 m deep after 3.8 s at 0.5 m/s: not yet; from 4 m after 2.47 s:
+// Half of the gap is missing now: 200 / 4. Head-on from 6 m, touched 0.3 m deep after 3.8 s at 0.5 m/s: not
+// yet; from 4 m after 2.47 s:
 // 200 ((1.1 / 0.8)^2 (1 - 0.7 2.47 / 3) + 0.18); movers are placed each 0.1 s.
 TEST(PassingCost, OfSlowerPeopleGrowsWithItsPowerAndFadesWithTime) {
   EdwaOptions fading = options();
@@ -60,7 +61,8 @@ TEST(PassingCost, OfSlowerPeopleGrowsWithItsPowerAndFadesWithTime) {
   EXPECT_NEAR(cost_of({0, 1.0}, {1, 0}), 50.0, 1e-6);
   const double touched = 200.0 * (std::pow(1.1 / 0.8, 2) * (1.0 - 0.7 * 2.467 / 3.0) + 1.0 - 2.467 / 3.0);
   EXPECT_NEAR(cost_of({4, 0}, {-0.5, 0}), touched, 16.0);
-  // Who overtakes at 1.4 m/s and is 0.2 m away in 2.5 s counts less than who is that near now: 200 (0.6 / 0.8)^2 = 112.5.
+  // Who overtakes at 1.4 m/s and is 0.2 m away in 2.5 s counts less than who is that near now: 200 (0.6 /
+  // 0.8)^2 = 112.5.
   EXPECT_NEAR(cost_of({0, 0.8}, {1, 0}), 112.5, 1e-6);
   EXPECT_NEAR(cost_of({-1, 0.8}, {1.4, 0}), 112.5 * (1.0 - 0.7 * 2.5 / 3.0), 3.0);
   // Faster than the robot can be: all of the share, whenever.
@@ -80,7 +82,8 @@ TEST(PassingCost, IsOfPeopleWhoWalkAlone) {
 }
 
 TEST(PassingCost, WhoIsMetAfterTheRollOutIsEvaded) {
-  // Contact after (5 - sqrt(0.6^2 - 0.4^2)) / 2 = 2.28 s: the roll-out ends after 1.7 s, the check after 3 s. No other term leads round them.
+  // Contact after (5 - sqrt(0.6^2 - 0.4^2)) / 2 = 2.28 s: the roll-out ends after 1.7 s, the check after 3 s.
+  // No other term leads round them.
   EdwaOptions blind = options();
   blind.heading_scale = blind.advised_speed_scale = blind.passing_scale = 0.0;
   CriticsPlanner planner({}, {}, blind, {});

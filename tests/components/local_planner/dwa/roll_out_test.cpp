@@ -15,7 +15,9 @@ namespace {
 constexpr double kLook = 0.05;  // [m] between two looks
 
 // 0.5 x 0.4 m.
-Footprint long_box() { return {std::hypot(0.25, 0.2), {{0.25, 0.2}, {-0.25, 0.2}, {-0.25, -0.2}, {0.25, -0.2}}}; }
+Footprint long_box() {
+  return {std::hypot(0.25, 0.2), {{0.25, 0.2}, {-0.25, 0.2}, {-0.25, -0.2}, {0.25, -0.2}}};
+}
 
 RollOutRules rules() { return {.horizon = 2.0, .way = 100.0, .margin = 0.0, .reach = 0.5}; }
 
@@ -61,8 +63,8 @@ TEST(RollOut, TheFootprintItselfMeetsAWall) {
 }
 
 TEST(RollOut, ATurnOnTheSpotMeetsWhatTheCornersReach) {
-  // A point 0.3 m to the left of a body that reaches 0.2 m to that side: turned by phi it is seen at 0.3 m (sin phi, cos phi), and
-  // the side meets it when 0.3 cos phi = 0.2.
+  // A point 0.3 m to the left of a body that reaches 0.2 m to that side: turned by phi it is seen at 0.3 m
+  // (sin phi, cos phi), and the side meets it when 0.3 cos phi = 0.2.
   PlanningProblem problem = problem_to({9, 0, 0});
   problem.footprint = long_box();
   problem.obstacles.points = {{0.0, 0.3}};

@@ -25,7 +25,8 @@ StaticObstacles random_obstacles(Random& random, int count, double extent) {
   return all;
 }
 
-// Parts with the number of their cluster, found by joining every pair that is near enough until nothing changes.
+// Parts with the number of their cluster, found by joining every pair that is near enough until nothing
+// changes.
 std::vector<int> joined_pair_by_pair(const std::vector<Part>& parts, double widest_gap) {
   std::vector<int> cluster(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) cluster[i] = static_cast<int>(i);
@@ -67,7 +68,8 @@ TEST(Clusters, AreThoseThatEveryPairJoinedMakes) {
   EXPECT_GT(clusters_seen, 500U);
 }
 
-// A body of many parts is looked at where the edge is; the same parts as bodies of one are looked at one by one.
+// A body of many parts is looked at where the edge is; the same parts as bodies of one are looked at one by
+// one.
 TEST(Clusters, OfManyPartsBlockTheEdgesThatTheirPartsBlock) {
   Random random(10);
   int blocked = 0;

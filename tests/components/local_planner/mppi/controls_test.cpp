@@ -23,7 +23,8 @@ TEST(Controls, KeepTheLimitsOfTheBase) {
   }
 }
 
-// A least-squares parabola reproduces one, and by symmetry of the window a cubic as well; the four before belong to it.
+// A least-squares parabola reproduces one, and by symmetry of the window a cubic as well; the four before
+// belong to it.
 TEST(Controls, SmoothingReproducesPolynomials) {
   const auto cubic = [](double k) { return 0.3 - 0.02 * k + 0.001 * k * k - 1e-5 * k * k * k; };
   const auto parabola = [](double k) { return -0.1 + 0.05 * k - 0.0008 * k * k; };
@@ -40,7 +41,8 @@ TEST(Controls, SmoothingReproducesPolynomials) {
   }
 }
 
-// A peak of 1 becomes the window: (-21, 14, 39, 54, 59, 54, 39, 14, -21) / 231 (Savitzky and Golay 1964, table I).
+// A peak of 1 becomes the window: (-21, 14, 39, 54, 59, 54, 39, 14, -21) / 231 (Savitzky and Golay 1964,
+// table I).
 TEST(Controls, SmoothingHasTheWindowOfNinePoints) {
   Controls controls(40);
   controls.v[20] = 1.0;

@@ -80,7 +80,8 @@ TEST(Costmap, TakesAnything) {
   EXPECT_TRUE(Costmap(problem, kInflation, 0.1, true).touches(0.0, 0.0));
 }
 
-// Somebody at (2, 0) walks at -1 m/s: after 1.5 s at (0.5, 0). 0.3 + 0.3 m touch; (0.5, 0.65) is 0.05 m further than that.
+// Somebody at (2, 0) walks at -1 m/s: after 1.5 s at (0.5, 0). 0.3 + 0.3 m touch; (0.5, 0.65) is 0.05 m
+// further than that.
 TEST(PredictedCosts, PutMoversWhereTheyWillBe) {
   const Pose2 pose{-3.0, 5.0, -2.0};
   PlanningProblem problem = empty_scene(pose);

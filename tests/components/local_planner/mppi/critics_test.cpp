@@ -55,7 +55,8 @@ class Critics : public testing::Test {
   Eigen::ArrayXd costs;
 };
 
-// The first step stands, eleven are driven: 11 steps 0.1 s (1.3 - 1.0) m/s = 0.33 m too far; backward 11 * 0.1 (0.7 - 0.2) = 0.55.
+// The first step stands, eleven are driven: 11 steps 0.1 s (1.3 - 1.0) m/s = 0.33 m too far; backward 11 *
+// 0.1 (0.7 - 0.2) = 0.55.
 TEST_F(Critics, ConstraintIsTheWayDrivenTooFast) {
   drive(1.3);
   add_constraint_cost({}, scene({}, kInfinity), motions, costs);
@@ -76,7 +77,8 @@ TEST_F(Critics, PreferForwardIsTheWayDrivenBack) {
   EXPECT_NEAR(costs[1], 5.0 * 0.77, 1e-12);
 }
 
-// Distances to a goal 1 m ahead after 0, 0, 0.05, ... 0.55 m are 1 - 0.275 on the mean of 12 steps; standing it is 1.
+// Distances to a goal 1 m ahead after 0, 0, 0.05, ... 0.55 m are 1 - 0.275 on the mean of 12 steps; standing
+// it is 1.
 TEST_F(Critics, GoalIsTheMeanDistance) {
   drive(0.0);
   add_goal_cost({}, scene({1.0, 0.0, 0.0}, 1.41), motions, costs);
@@ -86,7 +88,8 @@ TEST_F(Critics, GoalIsTheMeanDistance) {
   EXPECT_NEAR(costs[1], 5.0, 1e-12);
 }
 
-// Headings 0, 0.1, ... 1.1 against a goal of 3 rad: 3 - 0.55 on the mean. Against -3 the short way round is 2 pi - 3 - theta.
+// Headings 0, 0.1, ... 1.1 against a goal of 3 rad: 3 - 0.55 on the mean. Against -3 the short way round is 2
+// pi - 3 - theta.
 TEST_F(Critics, GoalAngleIsTheMeanDifferenceOfHeadings) {
   drive(0.0, 1.0);
   add_goal_angle_cost({}, scene({0.3, 0.0, 3.0}, 0.51), motions, costs);
@@ -102,8 +105,8 @@ TEST_F(Critics, GoalAngleIsTheMeanDifferenceOfHeadings) {
   EXPECT_NEAR(costs[1], sum / 12.0, 1e-12);
 }
 
-// Poses 4 and 8 of every fourth lie at 0.2, 0.4 m (0.5 m/s) and 0.4, 0.8 m; those of an equal way along a plan 0.3 m to the
-// left are 0.3 m away, whatever the speed.
+// Poses 4 and 8 of every fourth lie at 0.2, 0.4 m (0.5 m/s) and 0.4, 0.8 m; those of an equal way along a
+// plan 0.3 m to the left are 0.3 m away, whatever the speed.
 TEST_F(Critics, PathAlignComparesEqualWays) {
   drive(1.0);
   plan_straight(3.0);
@@ -117,8 +120,8 @@ TEST_F(Critics, PathAlignComparesEqualWays) {
   EXPECT_NEAR(costs[1], 14.0 * 0.3, 1e-9);
 }
 
-// Of 30 points 1 or 2 are taken: no matter. Pose 8 of the faster motion is at 0.8 m, point 16, which is one of them: only pose 4
-// counts, 0.1 m of it. Three of 30 are more than 5 %: off.
+// Of 30 points 1 or 2 are taken: no matter. Pose 8 of the faster motion is at 0.8 m, point 16, which is one
+// of them: only pose 4 counts, 0.1 m of it. Three of 30 are more than 5 %: off.
 TEST_F(Critics, PathAlignLeavesOutWhatIsTaken) {
   drive(1.0);
   plan_straight(3.0);
@@ -152,8 +155,8 @@ TEST_F(Critics, PathFollowDrawsToTheNextFreePoint) {
   EXPECT_NEAR(costs[1], 0.1, 1e-9);
 }
 
-// The point 4 beyond the furthest lies at (0, 1): a right angle off, more than 1 rad. Motion 0 ends at (0.55, 0) with heading 0:
-// atan2(1, -0.55) = 2.0735 rad. Motion 1 turns on the spot to 1.1 rad: pi / 2 - 1.1.
+// The point 4 beyond the furthest lies at (0, 1): a right angle off, more than 1 rad. Motion 0 ends at (0.55,
+// 0) with heading 0: atan2(1, -0.55) = 2.0735 rad. Motion 1 turns on the spot to 1.1 rad: pi / 2 - 1.1.
 TEST_F(Critics, PathAngleTurnsTowardsThePlan) {
   drive(0.0, 1.0);
   plan_straight(3.0);
@@ -170,8 +173,8 @@ TEST_F(Critics, PathAngleTurnsTowardsThePlan) {
   EXPECT_EQ(costs[0], 0.0);
 }
 
-// A post 0.5 m beside the way at x = 0.4: cells on the way (they are 0.05 m wide, poses lie in their middles) cost
-// 252 exp(-3 (d - 0.3)) within 0.7 m. Every second pose of 12 is looked at: 0, 2, ... 10.
+// A post 0.5 m beside the way at x = 0.4: cells on the way (they are 0.05 m wide, poses lie in their middles)
+// cost 252 exp(-3 (d - 0.3)) within 0.7 m. Every second pose of 12 is looked at: 0, 2, ... 10.
 TEST_F(Critics, CostIsTheMeanOfTheCells) {
   drive(0.0);
   put({.points = {{0.4, 0.5}}});
@@ -191,7 +194,8 @@ TEST_F(Critics, CostIsTheMeanOfTheCells) {
   add_cost_cost({}, scene({}, 0.9), motions, costs);
   EXPECT_EQ(costs[0], 0.0) << "within 1 m of the goal only contacts cost";
   costs.setZero();
-  // 0.5 m away it costs 138.3; from 130 on that is critical: x = 0.4 alone, and 0.3 and 0.5 m (d 0.51, 134.4).
+  // 0.5 m away it costs 138.3; from 130 on that is critical: x = 0.4 alone, and 0.3 and 0.5 m (d 0.51,
+  // 134.4).
   add_cost_cost({.near_collision_cost = 130.0}, scene({}, 0.9), motions, costs);
   EXPECT_NEAR(costs[0], 3.81 / 254.0 * 300.0 * 3.0 / 6.0, 1e-9);
 }

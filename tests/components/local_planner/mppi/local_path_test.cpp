@@ -50,7 +50,8 @@ TEST(LocalPath, OfALongStretchIsLessDense) {
   EXPECT_NEAR(path.spacing, 100.0, 1e-9);
 }
 
-// A post at 1 m on the way takes the points within 0.3 m of it, by the cells of 0.05 m that they lie in: the robot's radius.
+// A post at 1 m on the way takes the points within 0.3 m of it, by the cells of 0.05 m that they lie in: the
+// robot's radius.
 TEST(LocalPath, KnowsWhatIsTaken) {
   PlanningProblem problem;
   problem.obstacles.points = {{1.0, 0.0}};

@@ -28,7 +28,8 @@ TEST(MppiPlanner, ArrivesInTheOpen) {
   }
 }
 
-// Where path_follow and the deviation cost balance (book 5.8): 5 0.05 (0.2)^2 / 0.015 = 2/3 m/s, although 1 m/s is allowed.
+// Where path_follow and the deviation cost balance (book 5.8): 5 0.05 (0.2)^2 / 0.015 = 2/3 m/s, although 1
+// m/s is allowed.
 TEST(MppiPlanner, DrivesAsFastAsItsWeightsBalance) {
   MppiPlanner planner = planner_with({});
   const Drive drive = bw::drive(planner, problem_to({40.0, 0.0, 0.0}), 120);
@@ -87,8 +88,8 @@ TEST(MppiPlanner, RepeatsADriveToTheLastBitAndAnotherSeedDoesNot) {
   EXPECT_NE(drive.twists, bw::drive(other, scene, 20).twists);
 }
 
-// Somebody comes from the right and will be on the way in 1.5 s; nobody is near now. As shipped that is as if nobody were there;
-// looking ahead, the robot stays back. The first samples are those around standing.
+// Somebody comes from the right and will be on the way in 1.5 s; nobody is near now. As shipped that is as if
+// nobody were there; looking ahead, the robot stays back. The first samples are those around standing.
 TEST(MppiPlanner, LooksAheadOnRequest) {
   MppiOptions ahead;
   ahead.predict_movers = true;
@@ -108,8 +109,8 @@ TEST(MppiPlanner, LooksAheadOnRequest) {
   EXPECT_LT(end_of(aware).x(), end_of(free).x() - 0.1);
 }
 
-// Somebody walks into the robot from ahead. As shipped it stops when every sample collides; with the layer of the other planners
-// it has been out of the way by then.
+// Somebody walks into the robot from ahead. As shipped it stops when every sample collides; with the layer of
+// the other planners it has been out of the way by then.
 TEST(MppiPlanner, GetsOutOfTheWayOnRequest) {
   PlanningProblem problem = problem_to({6.0, 0.0, 0.0});
   problem.movers = {{.id = 1, .position = {3.0, 0.05}, .velocity = {-0.8, 0.0}}};

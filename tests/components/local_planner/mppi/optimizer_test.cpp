@@ -54,7 +54,8 @@ MppiOptions few_samples() {
   return options;
 }
 
-// Weights sum to 1, so the mean lies among the samples; with a tiny temperature it is the best sample, cut to the limits.
+// Weights sum to 1, so the mean lies among the samples; with a tiny temperature it is the best sample, cut to
+// the limits.
 TEST(Optimizer, FollowsTheBestSampleWhenItIsCold) {
   MppiOptions options = few_samples();
   options.temperature = 0.001;

@@ -49,7 +49,8 @@ TEST(Rollouts, AreExactArcs) {
   }
 }
 
-// A circle of radius v / omega = 0.5 m: after a whole turn of 2 pi / 1.6 s the robot is where it was, after half of it 1 m aside.
+// A circle of radius v / omega = 0.5 m: after a whole turn of 2 pi / 1.6 s the robot is where it was, after
+// half of it 1 m aside.
 TEST(Rollouts, CloseACircle) {
   constexpr Eigen::Index kSteps = 40;
   const double omega = 2.0 * std::numbers::pi / (kSteps * kStep);
@@ -65,7 +66,8 @@ TEST(Rollouts, CloseACircle) {
   EXPECT_NEAR(rollouts.theta(0, kSteps - 1), 2.0 * std::numbers::pi, 1e-12);
 }
 
-// 2 m/s^2 0.05 s = 0.1 m/s, 4 rad/s^2 0.05 s = 0.2 rad/s from what is driven, the first step at the present velocity.
+// 2 m/s^2 0.05 s = 0.1 m/s, 4 rad/s^2 0.05 s = 0.2 rad/s from what is driven, the first step at the present
+// velocity.
 TEST(Rollouts, KeepTheAccelerations) {
   const Limits limits{.v_max = 0.3, .acc_max = 2.0, .alpha_max = 4.0};
   Rollouts rollouts;

@@ -9,8 +9,9 @@
 namespace bw::mppi {
 namespace {
 
-// Moments 0, 1, 0, 3; shares beyond z are erfc(z / sqrt 2). Bounds are five standard errors of a million draws: sqrt(var / n), var of
-// x, x^2, x^3, x^4 are 1, 2, 15, 96. Beyond 3.6541528853610088 begins the tail, which is drawn otherwise.
+// Moments 0, 1, 0, 3; shares beyond z are erfc(z / sqrt 2). Bounds are five standard errors of a million
+// draws: sqrt(var / n), var of x, x^2, x^3, x^4 are 1, 2, 15, 96. Beyond 3.6541528853610088 begins the tail,
+// which is drawn otherwise.
 TEST(StandardNormal, HasTheMomentsAndTailsOfTheBell) {
   constexpr int kDraws = 1'000'000;
   StandardNormal normal(7);

@@ -21,8 +21,8 @@ Vector2 random_vector(Random& random, double reach) {
 
 Vector2 inward(const HalfPlane& h) { return {-h.direction.y(), h.direction.x()}; }
 
-// The gap at the closest moment of `horizon` seconds at a constant velocity relative to a segment (a == b: a point), by looking at many
-// moments.
+// The gap at the closest moment of `horizon` seconds at a constant velocity relative to a segment (a == b: a
+// point), by looking at many moments.
 double least_gap(const Segment& core, double radius, const Vector2& relative, double horizon) {
   double gap = 1e9;
   for (int i = 0; i <= 2000; ++i) {
@@ -32,9 +32,10 @@ double least_gap(const Segment& core, double radius, const Vector2& relative, do
   return gap;
 }
 
-// Two discs of 0.5 m together, 4 m apart, each at 1 m/s towards the other, 2 s ahead. Relative velocity 2: inside the cone beyond the disc
-// of radius 0.25 around (2, 0), whose tangents are nearer than its rim: asin(0.5 / 4) on each side, so the change is 2 sin = 2 / 8
-// at right angles to the leg. Each makes half of it.
+// Two discs of 0.5 m together, 4 m apart, each at 1 m/s towards the other, 2 s ahead. Relative velocity 2:
+// inside the cone beyond the disc of radius 0.25 around (2, 0), whose tangents are nearer than its rim:
+// asin(0.5 / 4) on each side, so the change is 2 sin = 2 / 8 at right angles to the leg. Each makes half of
+// it.
 TEST(HalfPlane, OfAHeadOnPairTurnsEachByHalfTheAngleToTheLeg) {
   const Vector2 own{1.0, 0.0};
   const HalfPlane h = clear_of(MovingDisc{{4.0, 0.0}, {-1.0, 0.0}, 0.5}, own, 0.5, 2.0, 0.25);
@@ -47,8 +48,8 @@ TEST(HalfPlane, OfAHeadOnPairTurnsEachByHalfTheAngleToTheLeg) {
       << "alone: all of it";
 }
 
-// Standing 4 m before somebody who comes at 0.5 m/s: 4 s ahead the disc of radius 0.125 around 1 m/s lies 0.375 m/s ahead of the
-// relative velocity 0.5. Own velocity may rise by half of it.
+// Standing 4 m before somebody who comes at 0.5 m/s: 4 s ahead the disc of radius 0.125 around 1 m/s lies
+// 0.375 m/s ahead of the relative velocity 0.5. Own velocity may rise by half of it.
 TEST(HalfPlane, OfSomebodyFarAwayLeavesRoomUpToTheCutOff) {
   const HalfPlane h = clear_of(MovingDisc{{4.0, 0.0}, {-0.5, 0.0}, 0.5}, {0.0, 0.0}, 0.5, 4.0, 0.25);
   EXPECT_NEAR(violation(h, {0.1875, 0.0}), 0.0, 1e-12);
@@ -63,7 +64,8 @@ TEST(HalfPlane, OfAnOverlapEndsItInOneStep) {
   EXPECT_GT(violation(h, {-0.39, 0.0}), 0.0);
 }
 
-// Whoever keeps to both half planes does not touch within the horizon, and whoever is alone with all of the change neither.
+// Whoever keeps to both half planes does not touch within the horizon, and whoever is alone with all of the
+// change neither.
 TEST(HalfPlane, OfDiscsKeepsClearForTheHorizon) {
   Random random(kSeed);
   for (int i = 0; i < 500; ++i) {
@@ -106,7 +108,8 @@ TEST(HalfPlane, OfWallsKeepsClearForTheHorizonAndAllowsStanding) {
       continue;
     }
     EXPECT_GE(least_gap(wall, radius, worst, horizon), -1e-6) << "seed " << kSeed << " " << i;
-    // The nearest way out: no velocity nearer to `own` than the line is free, so that nothing is forbidden for nothing.
+    // The nearest way out: no velocity nearer to `own` than the line is free, so that nothing is forbidden
+    // for nothing.
     const double depth = violation(h, own);
     restricting += depth > 0.0;
     for (int k = 0; depth > 0.0 && k < 32; ++k) {

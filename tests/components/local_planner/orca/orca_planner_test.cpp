@@ -73,7 +73,8 @@ TEST(OrcaPlanner, PassesSomebodyWhoDoesNotReact) {
   }
 }
 
-// Half of the way round is left to who is trusted to make the other half: at first sight the robot turns away less.
+// Half of the way round is left to who is trusted to make the other half: at first sight the robot turns away
+// less.
 TEST(OrcaPlanner, LeavesHalfToWhoIsTrusted) {
   PlanningProblem problem = problem_to({10, 0, 0});
   problem.twist = {1.0, 0.0};

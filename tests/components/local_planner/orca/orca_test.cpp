@@ -44,8 +44,8 @@ TEST(Orca, DoesNotDependOnTheOrderOfNeighbours) {
   }
 }
 
-// On a circle, each to the opposite place: the rule promises that nobody touches. Not that all arrive: more than two can wait for each
-// other in the middle.
+// On a circle, each to the opposite place: the rule promises that nobody touches. Not that all arrive: more
+// than two can wait for each other in the middle.
 TEST(Orca, DiscsThatAllFollowItNeverTouch) {
   for (const int count : {2, 3, 10}) {
     std::vector<Agent> agents;
@@ -80,7 +80,8 @@ TEST(Orca, DiscsThatAllFollowItNeverTouch) {
   }
 }
 
-// 1 m/s at a wall 2 m ahead that 0.3 m are kept from, 2 s ahead: at most 1.7 / 2 m/s towards it, along it freely.
+// 1 m/s at a wall 2 m ahead that 0.3 m are kept from, 2 s ahead: at most 1.7 / 2 m/s towards it, along it
+// freely.
 TEST(Orca, BrakesBeforeAWallAndSlidesAlongIt) {
   const Wall wall{{{2.0, -50.0}, {2.0, 50.0}}, 0.3};
   const Rule rule{.wall_horizon = 2.0};

@@ -1,4 +1,5 @@
-// Stands beside a drive: says when the robot was where, and, where people are to be made up, that there are some.
+// Stands beside a drive: says when the robot was where, and, where people are to be made up, that there are
+// some.
 #pragma once
 
 #include <algorithm>
@@ -37,13 +38,14 @@ class CourseWatch final : public Component {
 
   void configure(Setup& setup) override {
     seen = {};
-    setup.input<bandwagon_msgs::msg::GroundTruth>(
-        "sim/ground_truth", Qos::command(), [](const auto& truth, const Tick& tick) {
-          const double x = truth.pose().position().x();
-          const double now = tick.now.to_seconds();
-          if (!(seen.entered >= 0.0) && x >= task.from) seen.entered = now;
-          if (!(seen.left >= 0.0) && x >= task.to) seen.left = now;
-        });
+    setup.input<bandwagon_msgs::msg::GroundTruth>("sim/ground_truth", Qos::command(),
+                                                  [](const auto& truth, const Tick& tick) {
+                                                    const double x = truth.pose().position().x();
+                                                    const double now = tick.now.to_seconds();
+                                                    if (!(seen.entered >= 0.0) && x >= task.from)
+                                                      seen.entered = now;
+                                                    if (!(seen.left >= 0.0) && x >= task.to) seen.left = now;
+                                                  });
     if (!task.makes_tracks) {
       setup.input<bandwagon_msgs::msg::Tracks>("tracks", Qos::command(),
                                                [](const auto& tracks, const Tick&) { note(tracks); });

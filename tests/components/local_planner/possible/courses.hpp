@@ -1,4 +1,5 @@
-// Places with nobody there, that look as if there were: a gap in a wall with posts about it, a field of cylinders.
+// Places with nobody there, that look as if there were: a gap in a wall with posts about it, a field of
+// cylinders.
 #pragma once
 
 #include <filesystem>
@@ -22,8 +23,8 @@ struct Course {
   double to = 0.0;
 };
 
-/// A gap as wide as twice the robot's radius (0.3 m) and 0.2 m, on the map; one post or two, a pair of legs apart, before, beside
-/// or behind it, by turns. Posts leave as much room as the gap does.
+/// A gap as wide as twice the robot's radius (0.3 m) and 0.2 m, on the map; one post or two, a pair of legs
+/// apart, before, beside or behind it, by turns. Posts leave as much room as the gap does.
 Course gap_course(int number);
 
 /// 10 m through cylinders of 3 to 15 cm, any two of them as far apart as the gap is wide; no map.

@@ -1,5 +1,5 @@
-// What a possible person is to planners (book 7.10): at confidence 0 nothing, below 0.5 never in the way, and with more
-// confidence never nearer.
+// What a possible person is to planners (book 7.10): at confidence 0 nothing, below 0.5 never in the way, and
+// with more confidence never nearer.
 #include "components/model/mover_weight.hpp"
 
 #include <array>
@@ -124,8 +124,8 @@ double smallest_distance(const PlanningResult& result, const Mover& mover) {
   return smallest;
 }
 
-// Somebody stands or walks slowly beside a straight way. One solve of a band ends within its tolerance: 3 cm. Both radii and the
-// comfortable distance are 1.2 m: who is further away is far enough.
+// Somebody stands or walks slowly beside a straight way. One solve of a band ends within its tolerance: 3 cm.
+// Both radii and the comfortable distance are 1.2 m: who is further away is far enough.
 TEST_P(AnyPlanner, ComesNoNearerWithMoreConfidence) {
   Random random(kSeed);
   for (int i = 0; i < 12; ++i) {

@@ -113,8 +113,9 @@ TEST(PossiblePeople, NeverCostAGapThatIsPassableAsAnObstacle) {
     const std::vector<CourseDrive> without = drives_without(courses, planner);
     for (const Senses with : senses()) {
       const Comparison all = compare(courses, without, planner, with);
-      // Whom nobody confirmed costs nothing. Any push, as any start some centimetres aside, may turn a choice of bands that is a
-      // toss-up: with tracks of 0.49 on every post some drives take 2 s more and others 2 s less, so that there the mean counts.
+      // Whom nobody confirmed costs nothing. Any push, as any start some centimetres aside, may turn a choice
+      // of bands that is a toss-up: with tracks of 0.49 on every post some drives take 2 s more and others 2
+      // s less, so that there the mean counts.
       if (with == Senses::own) {
         EXPECT_EQ(all.slower_for_nobody, 0) << planner;
       } else if (with == Senses::possible) {
@@ -130,7 +131,8 @@ TEST(PossiblePeople, NeverCostAGapThatIsPassableAsAnObstacle) {
   }
 }
 
-// Gaps of the fifty whose posts were confirmed when two that stand alone in a bare place were believed after 2 s: one was never passed.
+// Gaps of the fifty whose posts were confirmed when two that stand alone in a bare place were believed after
+// 2 s: one was never passed.
 TEST(PossiblePeople, AreNoPostsThatStandAlone) {
   std::vector<Course> courses;
   for (const int i : {32, 36, 38, 46, 48}) courses.push_back(gap_course(i));
