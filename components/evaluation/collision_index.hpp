@@ -1,4 +1,4 @@
-// Collision index of Truong and Ngo (book 7.7): how deep the robot is in somebody's space, from 0 to 1.
+// Collision index of Truong and Ngo (theory.md 7.7): how deep the robot is in somebody's space, from 0 to 1.
 //
 //   CI = max over people of exp(-d^2 / (2 sigma^2))
 //

@@ -14,7 +14,7 @@ struct Comfort {
   double closest_person =
       std::numeric_limits<double>::infinity();  ///< boundary to boundary [m]; negative: overlapping
   std::uint32_t closest_person_id = 0;          ///< 0: nobody is there
-  double collision_index = 0.0;                 ///< book 7.7, of the sigma that judges
+  double collision_index = 0.0;                 ///< theory.md 7.7, of the sigma that judges
 };
 
 /// Nothing for a sample with a place that is not finite.

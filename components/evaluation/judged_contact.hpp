@@ -1,4 +1,4 @@
-// The contacts of a drive with what could have been done about them (book 8.10).
+// The contacts of a drive with what could have been done about them (possible/theory.md 8.10).
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Who hit whom at a contact (book 8.10). Pure geometry of one instant.
+// Who hit whom at a contact (possible/theory.md 8.10). Pure geometry of one instant.
 #pragma once
 
 #include <array>

@@ -11,7 +11,7 @@ namespace bw {
 
 /// Of the cells of `map`, from which `grid` was built: unknown 255 where it is an obstacle because of that,
 /// an obstacle 254, 253 where the robot would touch one, and below 0 to 252 in proportion to what the cell
-/// costs beyond a free one, of the most that `clearance_weight` makes of it (book 7.4).
+/// costs beyond a free one, of the most that `clearance_weight` makes of it (theory.md 7.4).
 std::vector<std::uint8_t> costs_of(const SearchGrid& grid, const OccupancyGrid& map, double clearance_weight);
 
 }  // namespace bw

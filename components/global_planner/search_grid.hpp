@@ -50,7 +50,7 @@ class SearchGrid {
   /// Obstacles are the map's cells, half a cell around their middles and what joins neighbours, and `shapes`
   /// (in map, exact). Clearance is the distance from a place to the nearest of them. A cell is free where the
   /// footprint is, at the place of the cell with the most clearance and in some heading: everywhere from the
-  /// footprint's outer radius on, nowhere below its inscribed one. It costs (book 7.4)
+  /// footprint's outer radius on, nowhere below its inscribed one. It costs (theory.md 7.4)
   ///
   ///   1 + weight ((range - clearance) / (range - inscribed radius))^2   below the range, else 1
   ///

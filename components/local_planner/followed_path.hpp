@@ -1,5 +1,5 @@
 // A path that is being followed: how far along it the robot has come, and the stretch that a planner works on
-// now (book 7.4).
+// now (global_planner/theory.md 7.4).
 //
 // Progress is a length along the path. It never falls, and rises only to places near the last one: 3 m at
 // most, and what the robot has driven since. So a path that crosses itself, comes back over itself or ends

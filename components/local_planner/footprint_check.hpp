@@ -1,6 +1,6 @@
 // Gap between the footprint and what is around it, along motions and at the time the robot is there. Shared
-// by every local planner. Of movers the confirmed alone: of a possible person there are the obstacles (book
-// 7.10).
+// by every local planner. Of movers the confirmed alone: of a possible person there are the obstacles
+// (theory.md 7.10).
 #pragma once
 
 #include "components/model/planning.hpp"

@@ -1,5 +1,5 @@
-// Local planners by the name that `local_planner.algorithm` gives them: those of this tree, and those in a library of another
-// project that a graph names under `plugins:`. All join in the same way:
+// Local planners by the name that `local_planner.algorithm` gives them: those of this tree, and those in a
+// library of another project that a graph names under `plugins:`. All join in the same way:
 //
 //   struct FollowerOptions { ... template <class Visitor> void fields(Visitor& v) { ... } };
 //   class Follower final : public bw::CheckedPlanner {
@@ -31,8 +31,8 @@ namespace bw {
 /// Sections of parameters by name.
 using PlannerSections = std::map<std::string, AnyOptions, std::less<>>;
 
-/// What planners are made with: what they share, and the sections of all of them, at first at their defaults. Planners
-/// registered later are not in it.
+/// What planners are made with: what they share, and the sections of all of them, at first at their defaults.
+/// Planners registered later are not in it.
 class PlannerOptions {
  public:
   PlannerOptions();
@@ -63,8 +63,8 @@ class PlannerOptions {
 /// May read sections that others registered, too.
 using PlannerMaker = std::function<std::unique_ptr<LocalPlanner>(const PlannerOptions&)>;
 
-/// `sections` are those that come with it, at their defaults. Throws std::logic_error when another one has that name, or one of
-/// those sections.
+/// `sections` are those that come with it, at their defaults. Throws std::logic_error when another one has
+/// that name, or one of those sections.
 bool register_planner(std::string_view name, PlannerSections sections, PlannerMaker make);
 
 template <class Planner, class Options>

@@ -1,4 +1,4 @@
-// Course over ground from position fixes, for receivers that do not give it (book 3.2).
+// Course over ground from position fixes, for receivers that do not give it (ekf/theory.md 3.2).
 #pragma once
 
 #include <cmath>

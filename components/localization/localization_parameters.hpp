@@ -50,7 +50,7 @@ struct SensorParameters {
        .min = 0,
        .max = 1,
        .doc =
-           "k of book 2.2, variance of a wheel's travel per metre of it; 0: as the covariance of odom grows, "
+           "k of model/README.md 2.2, variance of a wheel's travel per metre of it; 0: as the covariance of odom grows, "
            "5e-4 where it does not"});
     v("gyro", gyro, {.doc = "use the turn rate of imu"});
     v("gyro_noise", gyro_noise,

@@ -12,8 +12,8 @@ class OdometrySteps {
   static constexpr double kUndeclaredNoise = 5e-4;  ///< [m]: 2 cm after one metre of a wheel
 
   OdometrySteps() = default;
-  /// `noise`: k of book 2.2 [m]; 0: as the variance of the odometry's heading grows, kUndeclaredNoise where
-  /// it does not.
+  /// `noise`: k of model/README.md 2.2 [m]; 0: as the variance of the odometry's heading grows,
+  /// kUndeclaredNoise where it does not.
   /// `tick`: way of a wheel between two counts [m]; 0: not known.
   OdometrySteps(int source, double separation, double noise, double tick = 0.0)
       : source_(source), separation_(separation), noise_(noise), rounding_(turn_rounding(tick, separation)) {}

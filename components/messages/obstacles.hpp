@@ -61,7 +61,7 @@ inline StaticObstacles to_obstacles(const bandwagon_msgs::msg::Obstacles& messag
 }
 
 /// Confirmed people `age` [s] after the message, in the frame that X_TF is seen from; without those that are
-/// not finite or larger than a person. A possible person stays an obstacle (book 7.10).
+/// not finite or larger than a person. A possible person stays an obstacle (local_planner/theory.md 7.10).
 inline std::vector<Disc> to_discs(const bandwagon_msgs::msg::Tracks& message, double age, const Pose2& X_TF) {
   constexpr double kMaxRadius = 1.0;  // [m]
   std::vector<Disc> discs;

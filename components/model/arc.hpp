@@ -1,6 +1,6 @@
 // The one arc of this project: a base that travels `distance` [m] (negative: backward) while it turns by
-// `turn` [rad], both at a constant rate (book 2.1; (1.1) takes the chord for the arc). Its derivatives, and
-// the arc between two poses.
+// `turn` [rad], both at a constant rate (README.md 2.1; (1.1) takes the chord for the arc). Its derivatives,
+// and the arc between two poses.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Differential-drive kinematics: equation (1.1) of the dissertation summary and its wheel relations
-// (book 2.1).
+// (README.md 2.1).
 #pragma once
 
 #include "components/model/arc.hpp"

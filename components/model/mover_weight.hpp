@@ -1,4 +1,5 @@
-// How much more than an obstacle a mover is, by its confidence: the one formula of all planners (book 7.10).
+// How much more than an obstacle a mover is, by its confidence: the one formula of all planners
+// (local_planner/theory.md 7.10).
 //
 //   s(c) = min(1, max(0, c - kFurniture) / (kConfirmed - kFurniture))
 //

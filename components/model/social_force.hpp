@@ -1,5 +1,5 @@
 // Forces per unit mass [m/s^2] that make people walk round one another and along walls.
-// Social term: Moussaid et al. 2009; constants: libpedsim (book 7.6).
+// Social term: Moussaid et al. 2009; constants: libpedsim (world/README.md 7.6).
 #pragma once
 
 #include "runtime/base/field.hpp"
@@ -15,13 +15,13 @@ struct SocialForceOptions {
   double social_factor = 2.1;
   double obstacle_factor = 10.0;
   double obstacle_sigma = 0.8;
-  /// weight of the relative velocity against the direction to somebody (book 7.6)
+  /// weight of the relative velocity against the direction to somebody (world/README.md 7.6)
   static constexpr double kLambda = 2.0;
-  /// reach of the force per unit of |D| (book 7.6)
+  /// reach of the force per unit of |D| (world/README.md 7.6)
   static constexpr double kGamma = 0.35;
-  /// how narrow the sideways force is in angle (book 7.6)
+  /// how narrow the sideways force is in angle (world/README.md 7.6)
   static constexpr double kN = 2.0;
-  /// how narrow the slowing force is in angle (book 7.6)
+  /// how narrow the slowing force is in angle (world/README.md 7.6)
   static constexpr double kNPrime = 3.0;
 
   template <class Visitor>

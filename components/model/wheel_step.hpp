@@ -30,7 +30,7 @@ struct WheelStep {
 double turn_rounding(double tick, double separation);
 
 /// From the travel of each wheel [m] since the last step: distance = (R + L) / 2, turn = (R - L) /
-/// separation; covariance from diag(k |R|, k |L|), k = variance_per_metre [m] (book 2.2).
+/// separation; covariance from diag(k |R|, k |L|), k = variance_per_metre [m] (README.md 2.2).
 WheelStep step_from_wheels(Time time, Duration over, double left, double right, double separation,
                            double variance_per_metre);
 

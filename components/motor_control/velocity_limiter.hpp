@@ -1,9 +1,9 @@
 // Turns commanded twists into twists the base can follow: bounded speed, acceleration and jerk, and a stop
 // when the command is unusable.
 //
-// Saturation scales v and omega together, so the curvature omega / v of the command stays (book 2.1). Linear
-// speed then approaches the command with the largest acceleration a' that can still be taken back by the jerk
-// limit j before the command is passed:
+// Saturation scales v and omega together, so the curvature omega / v of the command stays (model/README.md
+// 2.1). Linear speed then approaches the command with the largest acceleration a' that can still be taken
+// back by the jerk limit j before the command is passed:
 //
 //   v + a' dt + a' |a'| / (2 j) = command   =>   |a'| = 2 |e| / (dt + sqrt(dt^2 + 2 |e| / j))
 //   with e = command - v

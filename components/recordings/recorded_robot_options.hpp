@@ -48,7 +48,7 @@ struct RecordedRobotOptions {
       {.unit = "m",
        .min = 0,
        .max = 1,
-       .doc = "wheel travel variance per metre (k of book 2.2), where the bag declares none"});
+       .doc = "wheel travel variance per metre (k of model/README.md 2.2), where the bag declares none"});
   }
 
   std::optional<std::string> violated_rule() const {

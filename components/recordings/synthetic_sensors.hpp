@@ -1,4 +1,5 @@
-// A receiver and a compass made from a log's reference poses, for logs that have none (book 8.7).
+// A receiver and a compass made from a log's reference poses, for logs that have none
+// (experiments/protocols.md 8.7).
 #pragma once
 
 #include <cstdint>

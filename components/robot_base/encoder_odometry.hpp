@@ -1,5 +1,5 @@
-// Pose and twist from two wrapping encoder counters: exact arcs (book 2.1), covariance by the wheel noise
-// model of book 2.2.
+// Pose and twist from two wrapping encoder counters: exact arcs (model/README.md 2.1), covariance by the
+// wheel noise model of model/README.md 2.2.
 //
 //   ds_R = 2 pi r_R ticks_R / ticks_per_revolution, ds_L likewise; r_L = 2 r / (1 + E_d), r_R = E_d r_L
 //   ds = (ds_R + ds_L) / 2,  dtheta = (ds_R - ds_L) / b
@@ -43,8 +43,9 @@ struct OdometryOptions {
       {.unit = "m",
        .min = 0,
        .max = 1,
-       .doc = "wheel travel variance per metre (k of book 2.2), for the localization too; raise it on "
-              "slippery floors and for wheels that are not equal"});
+       .doc =
+           "wheel travel variance per metre (k of model/README.md 2.2), for the localization too; raise it on "
+           "slippery floors and for wheels that are not equal"});
     v("velocity_window", velocity_window,
       {.unit = "s",
        .min = 0.001,

@@ -40,14 +40,16 @@ struct StoppingOptions {
       {.unit = "s",
        .min = 0,
        .max = 2,
-       .doc = "time from a sweep to braking wheels (t of book 7.9); raise it by every latency on the way"});
+       .doc =
+           "time from a sweep to braking wheels (t of safety/theory.md 7.9); raise it by every latency on the way"});
     v("approach_speed", approach_speed,
       {.unit = "m/s",
        .min = 0,
        .max = 3,
        .first = true,
-       .doc = "speed at which what is ahead may come nearer meanwhile (u of book 7.9); 1.6 is a walking "
-              "person (ISO 13855); 0: it stands"});
+       .doc =
+           "speed at which what is ahead may come nearer meanwhile (u of safety/theory.md 7.9); 1.6 is a walking "
+           "person (ISO 13855); 0: it stands"});
     v("graze_speed", graze_speed,
       {.unit = "m/s", .min = 0, .max = 1, .doc = "top speed past what the side would graze"});
     v("narrow_margin", narrow_margin,

@@ -2,7 +2,7 @@
 // err.
 //
 // Every step the rim speeds move towards the command by at most wheel_acceleration * dt, and the pose follows
-// the exact arc of their mean over the step. Encoders count rim travel by book 2.2:
+// the exact arc of their mean over the step. Encoders count rim travel by model/README.md 2.2:
 //
 //   measured = true (1 + scale + s e / 2) + N(0, k |true|)   with s = +1 right, -1 left
 //
@@ -42,9 +42,12 @@ struct DriveOptions {
     v("mismatch", mismatch,
       {.min = -0.5,
        .max = 0.5,
-       .doc = "e of book 2.2: the right encoder counts this share more than the left"});
+       .doc = "e of model/README.md 2.2: the right encoder counts this share more than the left"});
     v("noise", noise,
-      {.unit = "m", .min = 0, .max = 1, .doc = "k of book 2.2: variance of encoder travel per metre"});
+      {.unit = "m",
+       .min = 0,
+       .max = 1,
+       .doc = "k of model/README.md 2.2: variance of encoder travel per metre"});
     v("first_tick", first_tick,
       {.min = -2147483648.0,
        .max = 2147483647.0,

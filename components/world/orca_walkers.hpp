@@ -1,5 +1,5 @@
-// People who walk to goals by ORCA (book 5.6): each does half of the avoiding and trusts the others of them
-// to do the rest.
+// People who walk to goals by ORCA (orca/theory.md 5.6): each does half of the avoiding and trusts the others
+// of them to do the rest.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // CPU time of whole updates of the particle filter: 0.26 m of wheels, one sweep of 60 beams, every particle
-// drawn anew. Conditions of book 9.2: 20 x 20 m, cells of 5 cm.
+// drawn anew. Conditions of localization/evidence.md 9.2: 20 x 20 m, cells of 5 cm.
 #include <numbers>
 
 #include <benchmark/benchmark.h>

@@ -1,4 +1,4 @@
-// Whether a contact could have been avoided, and until when (book 8.10).
+// Whether a contact could have been avoided, and until when (theory.md 8.10).
 //
 // From a state of the drive before the contact on, a motion that stays clear until some seconds after it is
 // looked for: found is `avoidable`; and where even the hopeful search finds nothing, `not_avoidable`. Who

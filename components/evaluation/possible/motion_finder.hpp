@@ -1,4 +1,4 @@
-// A motion within the robot's limits that stays clear of everybody, found or not (book 8.10).
+// A motion within the robot's limits that stays clear of everybody, found or not (theory.md 8.10).
 //
 // Breadth first in steps of h with the extreme accelerations, none, and those that stop: of the states after
 // a step one is kept for each cell of (x, y, heading, speed, turn rate), and of too many cells a sample that

@@ -1,4 +1,4 @@
-// Whether any motion can stay clear of everybody, asked so that "no" is a proof (book 8.10).
+// Whether any motion can stay clear of everybody, asked so that "no" is a proof (theory.md 8.10).
 //
 // Kept is a set of cells (x, y, heading) that holds every place a robot can be at t_k = t_0 + k h without
 // having been in contact at t_1 ... t_k. It is too large, never too small, because

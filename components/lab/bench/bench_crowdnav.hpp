@@ -1,4 +1,4 @@
-// `bandwagon bench crowdnav`: CrowdNav's circle and square (book 8.11), without DDS.
+// `bandwagon bench crowdnav`: CrowdNav's circle and square (protocols.md 8.11), without DDS.
 #pragma once
 
 #include <functional>

@@ -12,7 +12,7 @@ namespace bw {
 namespace {
 
 constexpr int kStepsPerPeriod = 5;
-constexpr double kCollisionIndexSigma = 0.6;  // [m] book 7.7
+constexpr double kCollisionIndexSigma = 0.6;  // [m] evaluation/theory.md 7.7
 
 PlanningProblem problem_at(const Scene& scene, const SceneFile& file, const CrowdPeople& people, double time,
                            const Pose2& pose, const Twist2& twist) {

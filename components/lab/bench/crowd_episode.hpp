@@ -21,7 +21,7 @@ struct CrowdEpisode {
   bool collision_at_speed = false;  ///< and the robot was faster than 0.1 m/s then
   double time = 0.0;                ///< [s] to the goal, or the timeout
   double min_clearance = std::numeric_limits<double>::infinity();  ///< [m] centre of the robot to an edge
-  double max_collision_index = 0.0;                                ///< over walkers, book 7.7
+  double max_collision_index = 0.0;                                ///< over walkers, evaluation/theory.md 7.7
   double rms_jerk = 0.0;                                           ///< [m/s^3] of the applied commands
   int not_ok = 0;                                                  ///< cycles without a feasible trajectory
   std::vector<double> ms;                                          ///< CPU time of every planner call
@@ -30,7 +30,7 @@ struct CrowdEpisode {
   std::vector<JudgedContact> judged;          ///< judge_crowd() fills it
   std::vector<possible::Walk> walks;          ///< of walkers who react, in the order of the scene; else empty
 
-  /// It failed, and success was impossible (book 8.10).
+  /// It failed, and success was impossible (possible/theory.md 8.10).
   bool is_excused() const { return reached && bw::is_excused(judged, static_cast<int>(contacts.size())); }
 };
 

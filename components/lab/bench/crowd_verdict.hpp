@@ -1,4 +1,4 @@
-// Whether the contacts of a drive among walkers could have been avoided (book 8.10).
+// Whether the contacts of a drive among walkers could have been avoided (possible/theory.md 8.10).
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// One test case of CrowdNav, by its rules (book 8.11). Deterministic but for the times.
+// One test case of CrowdNav, by its rules (protocols.md 8.11). Deterministic but for the times.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,5 @@
-// Who walks in CrowdNav's scenes: everybody by ORCA, deciding every quarter of a second (book 5.6, 8.11).
+// Who walks in CrowdNav's scenes: everybody by ORCA, deciding every quarter of a second (orca/theory.md 5.6,
+// protocols.md 8.11).
 // Metres, seconds.
 #pragma once
 

@@ -1,5 +1,5 @@
 // The robot in CrowdNav's scenes: one that may move any way, by ORCA as CrowdNav has it, or a differential
-// drive with a planner of this project (book 8.11). Metres, seconds.
+// drive with a planner of this project (protocols.md 8.11). Metres, seconds.
 #pragma once
 
 #include <memory>

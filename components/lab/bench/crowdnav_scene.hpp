@@ -1,5 +1,5 @@
 // The test scenes of CrowdNav (Chen, Liu, Kreiss and Alahi 2019): a robot and five people who cross, from the
-// seeds of its 500 test cases (book 8.11). Metres.
+// seeds of its 500 test cases (protocols.md 8.11). Metres.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// Whether the contact that ended one of CrowdNav's test cases could have been avoided (book 8.10, 8.11).
+// Whether the contact that ended one of CrowdNav's test cases could have been avoided (possible/theory.md
+// 8.10, protocols.md 8.11).
 #pragma once
 
 #include <vector>

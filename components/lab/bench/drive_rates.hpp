@@ -14,7 +14,7 @@
 namespace bw {
 
 /// One drive. Whoever is late has failed where success was possible, whatever its contacts: only a drive that
-/// came to its end can be excused by them (book 8.10).
+/// came to its end can be excused by them (possible/theory.md 8.10).
 struct RatedDrive {
   std::string name;
   std::string outcome;  ///< a word for one that failed

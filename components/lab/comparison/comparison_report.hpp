@@ -1,5 +1,5 @@
 // Means with their intervals, and each way of driving against one of them on the same episodes, as JSON for
-// scripts and as tables (book 8.12).
+// scripts and as tables (evaluation/theory.md 8.12).
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct ComparedRow {
   std::vector<PairedEpisode> episodes;
 };
 
-/// Physical safety by book 7.7.
+/// Physical safety by evaluation/theory.md 7.7.
 inline constexpr double kCalmIndex = 0.54;
 
 /// Index of the row that the others are held against: that of the name, the first for an empty one. Throws

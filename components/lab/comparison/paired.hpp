@@ -1,4 +1,4 @@
-// Whether two ways of driving differ, told from the same episodes driven by both (book 8.12).
+// Whether two ways of driving differ, told from the same episodes driven by both (evaluation/theory.md 8.12).
 //
 // McNemar, exact (McNemar 1947): among the episodes in which just one of the two succeeded each is as likely
 // to be that one, if they are equally good, so the two-sided p is that of a fair coin: min(1, 2 P(X <= min(b,
@@ -37,8 +37,8 @@ MeanInterval bootstrap_mean(const std::vector<double>& values);
 struct PairedEpisode {
   std::string key;  ///< the same for the same episode, unique among those of one way of driving
   bool success = false;
-  bool possible = true;          ///< success was (book 8.10)
-  double collision_index = 0.0;  ///< the largest, book 7.7
+  bool possible = true;          ///< success was (possible/theory.md 8.10)
+  double collision_index = 0.0;  ///< the largest, evaluation/theory.md 7.7
   double closest = 0.0;          ///< [m]
   double jerk = 0.0;             ///< [m/s^3]
   double time = 0.0;             ///< [s]

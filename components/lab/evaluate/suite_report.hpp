@@ -30,7 +30,7 @@ struct EpisodeResult {
   std::string page = {};  ///< file that plays the drive; empty: none
 
   bool succeeded() const { return bw::is_success(card); }
-  /// It failed, and success was impossible for people who walk as they did (book 8.10).
+  /// It failed, and success was impossible for people who walk as they did (possible/theory.md 8.10).
   bool is_excused() const { return !succeeded() && !card.value("possible", true); }
 };
 
@@ -47,7 +47,7 @@ struct PlannerSummary {
   int episodes = 0, reached = 0, successes = 0;
   Interval wilson;
   int reached_without_contact_at_speed = 0;
-  int possible = 0;          ///< episodes in which success was possible (book 8.10)
+  int possible = 0;          ///< episodes in which success was possible (possible/theory.md 8.10)
   Interval wilson_possible;  ///< of the successes among them
   HitCounts hits;            ///< contacts with somebody by who hit whom
   std::int64_t contacts = 0, contacts_at_speed = 0;

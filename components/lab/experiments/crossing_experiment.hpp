@@ -1,4 +1,4 @@
-// Experiment E5 (book 8.5): which planner passes behind people who cross?
+// Experiment E5 (protocols.md 8.5): which planner passes behind people who cross?
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What E5 shows (book 8.5), in words and numbers.
+// What E5 shows (protocols.md 8.5), in words and numbers.
 #pragma once
 
 #include <string>
@@ -15,7 +15,8 @@ namespace bw {
 /// default.
 std::vector<CrossingEntry> default_entries(bool with_eteb);
 
-/// The same as published: TEB and PTEB take people as standing, ETEB has them doubled (book 6.5, D10).
+/// The same as published: TEB and PTEB take people as standing, ETEB has them doubled (teb/theory.md 6.5,
+/// D10).
 std::vector<CrossingEntry> published_entries(bool with_eteb);
 
 /// Of `planner` against `reference`, both by label among `results`: passes behind A more often, touches

@@ -1,4 +1,5 @@
-// Experiment E5 (book 8.5): a robot drives from left to right, two people cross its way and do not react.
+// Experiment E5 (protocols.md 8.5): a robot drives from left to right, two people cross its way and do not
+// react.
 // Metres, seconds, radians.
 //
 //   robot (0, 0) -> (10, 0), v_max 1, acc_max 0.5, radius 0.3

@@ -1,4 +1,4 @@
-// What E3 and E4 must show (book 8.3, 8.4).
+// What E3 and E4 must show (protocols.md 8.3, 8.4).
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Experiments E3 and E4 (Table 3.2, Figure 3.4; book 8.3, 8.4): DWA against EDWA where the obstacles are
-// robots with a planner of their own.
+// Experiments E3 and E4 (Table 3.2, Figure 3.4; protocols.md 8.3, 8.4): DWA against EDWA where the obstacles
+// are robots with a planner of their own.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ struct EdwaRun {
   std::uint64_t seed = 0;
   FloorOutcome outcome = FloorOutcome::timeout;
   double time = 0.0;          ///< [s]
-  double mean_speed = 0.0;    ///< average passing velocity (book 5.5) [m/s]
+  double mean_speed = 0.0;    ///< average passing velocity (dwa/theory.md 5.5) [m/s]
   double smallest_gap = 0.0;  ///< [m]
   double max_delta = 0.0;     ///< largest delta_min(t); 1 on contact
   double lowest_v = 0.0;      ///< commanded after the time that speeding up from rest takes [m/s]
@@ -81,7 +81,8 @@ struct EdwaTable {
 /// Called after every row with its number from 1 and the count of rows.
 using EdwaProgress = std::function<void(const EdwaRow& row, int done, int all)>;
 
-/// delta_min of a gap [m], exp(-(d/3)^2) (book 5.5; as printed the sign is inside the square); 1 on contact.
+/// delta_min of a gap [m], exp(-(d/3)^2) (dwa/theory.md 5.5; as printed the sign is inside the square); 1 on
+/// contact.
 double delta_min(double gap);
 
 EdwaTable run_edwa_experiment(const EdwaExperimentOptions& options, const EdwaProgress& progress = {});

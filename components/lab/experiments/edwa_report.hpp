@@ -19,7 +19,7 @@ struct EdwaVariant {
   EdwaExperimentOptions options;
 };
 
-/// The default reading (book 8.3) first; then what drives a robot here, and the literal readings.
+/// The default reading (protocols.md 8.3) first; then what drives a robot here, and the literal readings.
 std::vector<EdwaVariant> edwa_variants(std::uint64_t first_seed, std::uint64_t last_seed);
 
 struct EdwaResult {

@@ -1,4 +1,4 @@
-// The scenes of experiment E3 (Table 3.2; book 8.3). The dissertation shows them as a picture only:
+// The scenes of experiment E3 (Table 3.2; protocols.md 8.3). The dissertation shows them as a picture only:
 // start and goal places are proposals.
 #pragma once
 

@@ -13,7 +13,7 @@ namespace {
 
 using namespace localization;
 
-// Book 3.3.
+// ekf/theory.md 3.3.
 constexpr double kSpeed = 1.0;       // [m/s]
 constexpr double kPeriod = 0.1;      // [s]
 constexpr double kSeparation = 0.4;  // [m]

@@ -1,5 +1,5 @@
-// Experiment E1 (book 8.1): the EKF of the dissertation's Figure 2.3 on a sine-like way and a circle, with
-// wheels alone, + receiver, + compass, + both. Setup of book 3.3.
+// Experiment E1 (protocols.md 8.1): the EKF of the dissertation's Figure 2.3 on a sine-like way and a circle,
+// with wheels alone, + receiver, + compass, + both. Setup of ekf/theory.md 3.3.
 #pragma once
 
 #include <array>

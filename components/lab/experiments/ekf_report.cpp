@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kRatio = 100.0;         // encoders / all sensors, book 8.1 (a)
+constexpr double kRatio = 100.0;         // encoders / all sensors, protocols.md 8.1 (a)
 constexpr double kMeanShare = 0.25;      // (b)
 constexpr double kVarianceFactor = 3.0;  // (c)
 

@@ -42,7 +42,8 @@ std::vector<EkfRow> ekf_rows(int seeds);
 /// Value of the mean errors that a share of the seeds stays below (nearest rank).
 double quantile_of_means(const EkfRow& row, double share);
 
-/// Of book 8.1, asked of the placed filter: (a) order and ratio, (b) published means, (c) fused variances.
+/// Of protocols.md 8.1, asked of the placed filter: (a) order and ratio, (b) published means, (c) fused
+/// variances.
 /// The encoders' published variance is unexplained and not asked for (d).
 std::vector<Criterion> ekf_criteria(const std::vector<EkfRow>& rows);
 

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kPhysicalLimit = 0.54;  // of the collision index, book 7.7
+constexpr double kPhysicalLimit = 0.54;  // of the collision index, evaluation/theory.md 7.7
 constexpr double kShareBelow = 0.8;
 
 double figure(const nlohmann::json& card, const char* key) {

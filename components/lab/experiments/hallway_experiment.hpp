@@ -1,6 +1,7 @@
-// Experiment E6 (book 8.6, Figures 3.8b, 3.9, 3.12): a robot in a hallway among walkers, once by ideal senses
-// (planners are compared, not what they are told), once by its own: localization, people and obstacles from
-// sensors. The drives are those of a suite in lock-step; here is what is made of their score cards.
+// Experiment E6 (protocols.md 8.6, Figures 3.8b, 3.9, 3.12): a robot in a hallway among walkers, once by
+// ideal senses (planners are compared, not what they are told), once by its own: localization, people and
+// obstacles from sensors. The drives are those of a suite in lock-step; here is what is made of their score
+// cards.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// Experiment E7 (book 8.7): the EKF on logs of real robots. Every log is run with the same parameters.
+// Experiment E7 (protocols.md 8.7): the EKF on logs of real robots. Every log is run with the same
+// parameters.
 #pragma once
 
 #include <cstdint>

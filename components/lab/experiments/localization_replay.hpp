@@ -16,7 +16,7 @@ struct ReplaySensors {
   bool compass = true;
   bool receiver = true;
   bool ranges = true;
-  double wheel_noise = 5e-4;    ///< k of book 2.2 [m]
+  double wheel_noise = 5e-4;    ///< k of model/README.md 2.2 [m]
   double gyro_noise = 0.01;     ///< [rad/s]
   double compass_noise = 0.05;  ///< [rad]
   /// An inertial unit whose zero points anywhere: its heading is of use only once the pose is known.

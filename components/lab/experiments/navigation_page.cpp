@@ -66,8 +66,8 @@ report::Document navigation_page(const NavigationResults& results,
        .criteria = navigation_criteria(results, kNavigationHallway),
        .not_judged =
            {"Eddie with ETEB and QBot 2e with PTEB were not driven in the source.",
-            "Judged is EDWA as it drives by default here, led by the plan (book 5.9). As it was published, by heading, distance and "
-            "speed alone (book 5.4), it is driven too and decides nothing.",
+            "Judged is EDWA as it drives by default here, led by the plan (dwa/theory.md 5.9). As it was published, by heading, distance and "
+            "speed alone (dwa/theory.md 5.4), it is driven too and decides nothing.",
             "Places, people and lengths of the source's drives are not published; its pictures show one to a few people. "
             "Judged is the hallway with three walkers. With six (\"full\") the same is only reported: that this is harder than "
             "what the source shows was seen in the first drives, before it was decided what to judge."},

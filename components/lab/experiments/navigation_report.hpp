@@ -1,6 +1,6 @@
-// The integrated drives on the source's robots (book 7.5): Eddie and QBot 2e cross a hallway among people by
-// their own senses, EKF, A* and a local planner. No number is published for it: asked is the goal, without a
-// contact.
+// The integrated drives on the source's robots (components/README.md 7.5): Eddie and QBot 2e cross a hallway
+// among people by their own senses, EKF, A* and a local planner. No number is published for it: asked is the
+// goal, without a contact.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct NavigationPair {
   std::string source;      ///< where the source shows it
   std::string published;   ///< what it says of it
   bool as_published =
-      false;  ///< EDWA by book 5.4 and not by the plan (book 5.9); driven and reported, not judged
+      false;  ///< EDWA by dwa/theory.md 5.4 and not by the plan (dwa/theory.md 5.9); driven and reported, not judged
 };
 
 const std::vector<NavigationPair>& navigation_pairs();

@@ -1,5 +1,5 @@
 // Did the robot pass behind a person who crosses its way, or in front? Asked at the moment at which the robot
-// crosses the person's line (book 8.5).
+// crosses the person's line (protocols.md 8.5).
 #pragma once
 
 #include <string_view>

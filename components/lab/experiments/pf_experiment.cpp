@@ -15,7 +15,7 @@ namespace {
 
 using namespace localization;
 
-// Book 4.3.
+// particle_filter/theory.md 4.3.
 constexpr double kSpeed = 1.0;   // [m/s]
 constexpr double kPeriod = 0.1;  // [s]
 constexpr double kRadius = kPfRadius;

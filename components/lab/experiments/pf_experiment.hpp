@@ -1,5 +1,5 @@
-// Experiment E2 (book 4.3, 8.2): the particle filter of the dissertation's Table 2.1. A circle, its middle
-// third under a roof, where four sets of readings are available.
+// Experiment E2 (particle_filter/theory.md 4.3, protocols.md 8.2): the particle filter of the dissertation's
+// Table 2.1. A circle, its middle third under a roof, where four sets of readings are available.
 #pragma once
 
 #include <array>
@@ -88,7 +88,7 @@ using PfProgress = std::function<void(const PfRow& row, const PfCell& cell, int 
 
 PfTable run_pf_experiments(const PfExperimentOptions& options, const PfProgress& progress = {});
 
-/// What E2 must show (book 8.2), asked of one method.
+/// What E2 must show (protocols.md 8.2), asked of one method.
 std::vector<Criterion> pf_criteria(const PfTable& table, PfMethod method);
 
 }  // namespace bw

@@ -1,4 +1,5 @@
-// One report of the drives that failed: a list with verdicts and causes, then a picture of each (book 8.10).
+// One report of the drives that failed: a list with verdicts and causes, then a picture of each
+// (possible/theory.md 8.10).
 #pragma once
 
 #include <filesystem>

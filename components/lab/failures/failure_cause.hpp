@@ -1,5 +1,5 @@
-// Why a drive failed, as far as its recording tells (book 8.10): one cause of a list, for counting and for
-// looking on.
+// Why a drive failed, as far as its recording tells (possible/theory.md 8.10): one cause of a list, for
+// counting and for looking on.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // How a drive failed, seen from above: the seconds before the contact, in which way everybody went, until
-// when the contact could have been avoided, and the motion that a search found from there (book 8.10).
+// when the contact could have been avoided, and the motion that a search found from there (possible/theory.md
+// 8.10).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// V_r = V_s, V_d and V_a together: the velocities in reach from which the robot can still brake (book 5.2).
+// V_r = V_s, V_d and V_a together: the velocities in reach from which the robot can still brake (theory.md
+// 5.2).
 #pragma once
 
 #include <vector>

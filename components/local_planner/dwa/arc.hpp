@@ -25,7 +25,7 @@ double contact_distance(const Arc& arc, const ClearanceField& field, double marg
 double smallest_gap(const Arc& arc, const ClearanceField& field, double horizon, double step);
 
 /// The same for movers where they are predicted to be, tested every `step` [s]; possible people are as small
-/// as their presence is (book 7.10).
+/// as their presence is (local_planner/theory.md 7.10).
 double smallest_gap(const Arc& arc, const std::vector<Mover>& movers, double robot_radius, double horizon,
                     double step);
 

@@ -1,4 +1,4 @@
-// How far a robot disc at some place is from everything around it, all of it frozen (book 5.2: DWA sees
+// How far a robot disc at some place is from everything around it, all of it frozen (theory.md 5.2: DWA sees
 // moving obstacles as standing). Flat arrays: the distance is asked for thousands of times per cycle.
 #pragma once
 
@@ -10,8 +10,8 @@ namespace bw::dwa {
 
 class ClearanceField {
  public:
-  /// Obstacles and confirmed movers (where they are now; book 7.10) whose gap to a robot disc of
-  /// `robot_radius` [m] at `center` is less than `reach` [m].
+  /// Obstacles and confirmed movers (where they are now; local_planner/theory.md 7.10) whose gap to a robot
+  /// disc of `robot_radius` [m] at `center` is less than `reach` [m].
   ClearanceField(const StaticObstacles& obstacles, const std::vector<Mover>& movers, const Vector2& center,
                  double robot_radius, double reach);
 

@@ -1,4 +1,5 @@
-// Parameters of the profile `critics` (book 5.9): what DWB's users know, under DWB's names where it has them.
+// Parameters of the profile `critics` (theory.md 5.9): what DWB's users know, under DWB's names where it has
+// them.
 #pragma once
 
 #include <cstdint>

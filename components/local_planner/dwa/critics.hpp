@@ -1,4 +1,4 @@
-// What the end of a roll-out costs (book 5.9): path, goal, obstacles, speed.
+// What the end of a roll-out costs (theory.md 5.9): path, goal, obstacles, speed.
 #pragma once
 
 #include <vector>

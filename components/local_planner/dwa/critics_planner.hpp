@@ -1,5 +1,5 @@
-// The dynamic window approach as DWB's users know it (book 5.9): samples are judged by the plan, the real
-// footprint, and in EDWA by HRVO while people matter.
+// The dynamic window approach as DWB's users know it (theory.md 5.9): samples are judged by the plan, the
+// real footprint, and in EDWA by HRVO while people matter.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // Parameters of DWA and of what EDWA changes in it. Motion limits are the robot's (PlanningProblem::limits);
-// Table 3.1 has 1 m/s, 0.35 rad/s and, by book 2.3, 1 m/s^2 and 1 rad/s^2.
+// Table 3.1 has 1 m/s, 0.35 rad/s and, by model/README.md 2.3, 1 m/s^2 and 1 rad/s^2.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace bw::dwa {
 
 /// How samples are judged.
 enum class Profile {
-  critics,  ///< as DWB does it: plan, footprint and turns on the spot (book 5.9)
+  critics,  ///< as DWB does it: plan, footprint and turns on the spot (theory.md 5.9)
   scales,   ///< (3.1) as published
 };
 constexpr auto choice_table(Profile) {
@@ -123,7 +123,7 @@ struct EdwaOptions {
   }
 };
 
-/// [s] after which the heading of a sample is compared with the direction that HRVO advises (book 5.4).
+/// [s] after which the heading of a sample is compared with the direction that HRVO advises (theory.md 5.4).
 inline constexpr double kHeadingTime = 1.0;
 
 }  // namespace bw::dwa

@@ -1,5 +1,5 @@
-// The dynamic window approach (Fox, Burgard, Thrun 1997; book 5.2). Local planners `dwa` and `edwa` differ in
-// where heading and speed of the objective come from (heading_source.hpp).
+// The dynamic window approach (Fox, Burgard, Thrun 1997; theory.md 5.2). Local planners `dwa` and `edwa`
+// differ in where heading and speed of the objective come from (heading_source.hpp).
 #pragma once
 
 #include <utility>

@@ -1,5 +1,5 @@
-// Where the heading and velocity terms of the objective (3.1) come from: the point aimed at (DWA, book 5.2),
-// or the velocity that HRVO advises (EDWA, book 5.4). All else is one dynamic window approach.
+// Where the heading and velocity terms of the objective (3.1) come from: the point aimed at (DWA, theory.md
+// 5.2), or the velocity that HRVO advises (EDWA, theory.md 5.4). All else is one dynamic window approach.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What EDWA adds to the critics while people matter (book 5.9): the direction and the speed that HRVO
+// What EDWA adds to the critics while people matter (theory.md 5.9): the direction and the speed that HRVO
 // advises.
 #pragma once
 

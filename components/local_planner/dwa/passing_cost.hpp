@@ -1,4 +1,4 @@
-// What holding a velocity costs for how near it passes people who walk (book 5.9).
+// What holding a velocity costs for how near it passes people who walk (theory.md 5.9).
 #pragma once
 
 #include <optional>

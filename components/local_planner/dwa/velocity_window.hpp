@@ -1,4 +1,5 @@
-// The velocities DWA chooses from: V_s, what the robot may do, cut with V_d, what it can reach (book 5.2).
+// The velocities DWA chooses from: V_s, what the robot may do, cut with V_d, what it can reach (theory.md
+// 5.2).
 #pragma once
 
 #include <vector>

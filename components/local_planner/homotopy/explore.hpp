@@ -1,4 +1,4 @@
-// Candidate paths in different topologies (book 6.2): what the elastic bands start from.
+// Candidate paths in different topologies (theory.md 6.2): what the elastic bands start from.
 #pragma once
 
 #include <complex>

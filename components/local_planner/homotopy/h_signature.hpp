@@ -1,6 +1,6 @@
-// The complex H-signature of a path (Bhattacharya et al. 2010; book 6.2, literal form). It grows with the
-// product of the distances between obstacles, so that its digits do not reach beyond about ten of them: the
-// winding vector is the default.
+// The complex H-signature of a path (Bhattacharya et al. 2010; theory.md 6.2, literal form). It grows with
+// the product of the distances between obstacles, so that its digits do not reach beyond about ten of them:
+// the winding vector is the default.
 #pragma once
 
 #include <complex>

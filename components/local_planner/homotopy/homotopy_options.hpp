@@ -1,4 +1,4 @@
-// Parameters of the exploration of distinctive topologies (book 6.2). Names follow the public
+// Parameters of the exploration of distinctive topologies (theory.md 6.2). Names follow the public
 // teb_local_planner package where it has them.
 #pragma once
 

@@ -24,10 +24,10 @@ struct Body {
 /// which they are met. Of more than max_bodies the nearest to the line stay, movers before static ones. The
 /// order of the input does not matter. Empty when start and goal coincide.
 ///
-/// Of movers the confirmed (book 7.10), by `mover_topology` (D10). time_indexed: the disc where a robot that
-/// heads for it at v_max meets it; dropped when that is not before the goal. capsule: all it covers from now
-/// until prediction_horizon, so that no path squeezes between a person and that person's future. present: the
-/// disc now.
+/// Of movers the confirmed (local_planner/theory.md 7.10), by `mover_topology` (D10). time_indexed: the disc
+/// where a robot that heads for it at v_max meets it; dropped when that is not before the goal. capsule: all
+/// it covers from now until prediction_horizon, so that no path squeezes between a person and that person's
+/// future. present: the disc now.
 std::vector<Body> bodies_of(const StaticObstacles& obstacles, const std::vector<Mover>& movers,
                             const Course& course, const HomotopyOptions& options);
 

@@ -1,4 +1,4 @@
-// Graphs whose paths from start to goal pass bodies on either side (book 6.2, createGraph).
+// Graphs whose paths from start to goal pass bodies on either side (theory.md 6.2, createGraph).
 #pragma once
 
 #include <vector>

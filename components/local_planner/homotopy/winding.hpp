@@ -1,5 +1,5 @@
 // How often and on which side a path winds around each body: equal for two paths exactly when one can be
-// pulled into the other without crossing a body (book 6.2, winding vector).
+// pulled into the other without crossing a body (theory.md 6.2, winding vector).
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The velocities that lead to a contact with one neighbour (book 5.3).
+// The velocities that lead to a contact with one neighbour (theory.md 5.3).
 #pragma once
 
 #include "components/local_planner/hrvo/neighbours.hpp"

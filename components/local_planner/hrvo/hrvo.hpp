@@ -1,5 +1,5 @@
-// Hybrid reciprocal velocity obstacles (book 5.3; Snape, van den Berg, Guy, Manocha 2011): which velocities
-// of the robot's disc lead to a contact, and the best of the others.
+// Hybrid reciprocal velocity obstacles (theory.md 5.3; Snape, van den Berg, Guy, Manocha 2011): which
+// velocities of the robot's disc lead to a contact, and the best of the others.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Parameters of the velocity obstacles (book 5.3) and of the planner that drives by them alone.
+// Parameters of the velocity obstacles (theory.md 5.3) and of the planner that drives by them alone.
 #pragma once
 
 #include <cstdint>

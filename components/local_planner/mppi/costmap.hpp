@@ -23,8 +23,8 @@ double inflated_cost(double distance, double robot_radius, const InflationOption
 /// A square of cells around the robot, aligned with base_link, so that a scene seen otherwise costs the same.
 class Costmap {
  public:
-  /// Static obstacles and, if `movers`, confirmed movers where they are now (book 7.10), up to `reach` [m]
-  /// from the robot.
+  /// Static obstacles and, if `movers`, confirmed movers where they are now (local_planner/theory.md 7.10),
+  /// up to `reach` [m] from the robot.
   /// Cells are larger than asked for where there were more than 241 x 241 of them.
   Costmap(const PlanningProblem& problem, const InflationOptions& options, double reach, bool movers);
 

@@ -1,4 +1,4 @@
-// Weights and conditions of the critics that Nav2 ships (book 5.8).
+// Weights and conditions of the critics that Nav2 ships (theory.md 5.8).
 #pragma once
 
 #include "runtime/base/field.hpp"

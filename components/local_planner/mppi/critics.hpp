@@ -1,5 +1,5 @@
-// What each sampled motion costs: the critics of Nav2's parameter file (book 5.8), one function each. All of
-// them add to `costs`, one for each sample. Poses are in base_link of now.
+// What each sampled motion costs: the critics of Nav2's parameter file (theory.md 5.8), one function each.
+// All of them add to `costs`, one for each sample. Poses are in base_link of now.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
-// Parameters of MPPI (book 5.8), named and preset as in the parameter file that Nav2 ships (Jazzy). Speeds
-// and accelerations are the robot's (PlanningProblem::limits).
+// Parameters of MPPI (theory.md 5.8), named and preset as in the parameter file that Nav2 ships (Jazzy).
+// Speeds and accelerations are the robot's (PlanningProblem::limits).
 #pragma once
 
 #include <cstdint>

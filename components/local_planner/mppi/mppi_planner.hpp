@@ -1,4 +1,4 @@
-// Local planner `mppi`: the sampling controller that Nav2 ships, as a peer from outside (book 5.8).
+// Local planner `mppi`: the sampling controller that Nav2 ships, as a peer from outside (theory.md 5.8).
 #pragma once
 
 #include "components/local_planner/checked_planner.hpp"

@@ -1,6 +1,6 @@
-// Model predictive path integral control (Williams et al. 2017) as Nav2 has it (book 5.8): sample around the
-// motion of the last cycle, roll out, let the critics judge, and take the mean with weights that fall with
-// the cost.
+// Model predictive path integral control (Williams et al. 2017) as Nav2 has it (theory.md 5.8): sample around
+// the motion of the last cycle, roll out, let the critics judge, and take the mean with weights that fall
+// with the cost.
 #pragma once
 
 #include <Eigen/Core>

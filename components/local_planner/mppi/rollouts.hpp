@@ -22,7 +22,7 @@ struct Rollouts {
 };
 
 /// From `now` on: the first step is driven at `now`, step k at command k - 1, as far as the accelerations
-/// allow. Speeds are not cut: that is the constraint critic's. Poses by exact arcs (book 2.1).
+/// allow. Speeds are not cut: that is the constraint critic's. Poses by exact arcs (model/README.md 2.1).
 void roll_out(Rollouts& rollouts, const Twist2& now, const Limits& limits, double dt);
 
 /// Every command but the last, which nobody drives, becomes what is driven of it.

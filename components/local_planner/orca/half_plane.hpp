@@ -1,4 +1,5 @@
-// The velocities that keep clear of one neighbour: a half plane (book 5.6; van den Berg, Guy, Lin, Manocha
+// The velocities that keep clear of one neighbour: a half plane (theory.md 5.6; van den Berg, Guy, Lin,
+// Manocha
 // 2011). All in one frame; positions [m], velocities [m/s].
 #pragma once
 

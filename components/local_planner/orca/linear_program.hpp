@@ -1,5 +1,5 @@
 // The velocity within all half planes that is nearest to a wish, or the least bad one: linear programs in the
-// plane (book 5.6; van den Berg, Guy, Lin, Manocha 2011, section 5; de Berg et al. 2008, chapter 4).
+// plane (theory.md 5.6; van den Berg, Guy, Lin, Manocha 2011, section 5; de Berg et al. 2008, chapter 4).
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Optimal reciprocal collision avoidance (book 5.6; van den Berg, Guy, Lin, Manocha 2011): the velocity of
-// one disc among moving discs and walls. All in one frame; SI units.
+// Optimal reciprocal collision avoidance (theory.md 5.6; van den Berg, Guy, Lin, Manocha 2011): the velocity
+// of one disc among moving discs and walls. All in one frame; SI units.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Parameters of the planner `orca` (book 5.6).
+// Parameters of the planner `orca` (theory.md 5.6).
 #pragma once
 
 #include "components/local_planner/hrvo/hrvo_options.hpp"

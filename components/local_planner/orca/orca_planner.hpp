@@ -1,5 +1,5 @@
-// Local planner `orca`: the velocity of optimal reciprocal collision avoidance (book 5.6), followed by a base
-// that has to turn. A peer from outside, beside `hrvo`.
+// Local planner `orca`: the velocity of optimal reciprocal collision avoidance (theory.md 5.6), followed by a
+// base that has to turn. A peer from outside, beside `hrvo`.
 #pragma once
 
 #include "components/local_planner/checked_planner.hpp"

@@ -1,4 +1,4 @@
-// The timed elastic band (book 6.1): poses of base_link in the planning frame and the time between them.
+// The timed elastic band (theory.md 6.1): poses of base_link in the planning frame and the time between them.
 #pragma once
 
 #include <optional>

@@ -11,8 +11,8 @@
 
 namespace bw::teb {
 
-/// Weights of the squared residuals (book 6.1). Limits are stiffer than the package's 2/1/1/1, so that plans
-/// keep them.
+/// Weights of the squared residuals (theory.md 6.1). Limits are stiffer than the package's 2/1/1/1, so that
+/// plans keep them.
 struct BandWeights {
   double time = 1.0;
   double kinematics_nh =
@@ -96,7 +96,7 @@ struct BandOptions {
   double narrow_passage_dist = 0.03;
   double clearance_step = 0.25;   ///< motion relative to an obstacle between two clearance tests [m]
   double penalty_epsilon = 0.02;  ///< inside of every limit and distance at which its cost begins
-  bool consistent_motion = true;  ///< book 6.1; else the formulas of teb_local_planner
+  bool consistent_motion = true;  ///< theory.md 6.1; else the formulas of teb_local_planner
   int no_outer_iterations = 2;    ///< solves of a first plan, resampled in between
   int no_inner_iterations = 8;    ///< of the solver in each; the last goes on, by kFirstPlanOvertime at most
   int warm_outer_iterations = 1;  ///< solves of a band kept from the last cycle

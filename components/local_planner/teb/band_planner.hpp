@@ -1,4 +1,4 @@
-// Local planners on timed elastic bands, kept from cycle to cycle (book 6.1 to 6.7). What tells `teb`,
+// Local planners on timed elastic bands, kept from cycle to cycle (theory.md 6.1 to 6.7). What tells `teb`,
 // `teb_homotopy`, `pteb` and `eteb` apart is composed in band_planners.cpp.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Where new bands of a cycle come from: one along the plan (TEB), or one in each of the best topologies
-// (teb_homotopy and what is made of it; book 6.2).
+// (teb_homotopy and what is made of it; homotopy/theory.md 6.2).
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Between bands and the exploration of topologies (book 6.2).
+// Between bands and the exploration of topologies (homotopy/theory.md 6.2).
 #pragma once
 
 #include <vector>

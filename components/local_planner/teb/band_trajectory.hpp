@@ -1,4 +1,4 @@
-// What a band means in time: its velocity profile and the command at its start (book 6.6).
+// What a band means in time: its velocity profile and the command at its start (theory.md 6.6).
 #pragma once
 
 #include <vector>

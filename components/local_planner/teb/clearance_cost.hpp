@@ -1,4 +1,4 @@
-// The residual of one obstacle near one pose of the robot (book 6.1, o_k), with its gradient.
+// The residual of one obstacle near one pose of the robot (theory.md 6.1, o_k), with its gradient.
 #pragma once
 
 #include <limits>
@@ -16,8 +16,9 @@ struct ClearanceTerm {
   Capsule capsule;
   double fraction = 0.0;
   bool moving = false;
-  double unsure = 0.0;    ///< by which the inflation distance grows [m]
-  double presence = 1.0;  ///< of a mover (book 7.10): below 1 there is inflation alone, and less of it
+  double unsure = 0.0;  ///< by which the inflation distance grows [m]
+  double presence =
+      1.0;  ///< of a mover (local_planner/theory.md 7.10): below 1 there is inflation alone, and less of it
   double wanted =
       std::numeric_limits<double>::infinity();  ///< most that is asked for [m] (narrow_passage.hpp)
 };

@@ -17,9 +17,9 @@ struct EarlyTerminationOptions {
 /// problem.parallel_for when there is one. The result does not depend on the order in which that calls.
 /// Returns the iterations spent.
 ///
-/// Losers (book 6.3): a kept band ends when what its iterations gain no longer leads below the cost of the
-/// driven one; a new one after the first solve of its plan, when its time and what obstacles cost it there
-/// leave it no chance.
+/// Losers (theory.md 6.3): a kept band ends when what its iterations gain no longer leads below the cost of
+/// the driven one; a new one after the first solve of its plan, when its time and what obstacles cost it
+/// there leave it no chance.
 /// What they are compared with is free and keeps its distance from movers, or nobody is left.
 int improve_all(std::vector<BandCandidate>& candidates, const PlanningProblem& problem,
                 const ObstacleField& field, const BandOptions& options, const DrivingOptions& driving,

@@ -1,4 +1,4 @@
-// PTEB's term of the selection (book 6.4, (3.12)): how far a band leads away from the direction that
+// PTEB's term of the selection (theory.md 6.4, (3.12)): how far a band leads away from the direction that
 // the hybrid reciprocal velocity obstacles advise.
 #pragma once
 

@@ -22,7 +22,7 @@ struct Uncertainty {
 };
 
 /// Obstacles, and the robot that keeps clear of them. The radii of possible people are scaled by their
-/// presence (book 7.10).
+/// presence (local_planner/theory.md 7.10).
 struct ObstacleField {
   CapsuleIndex statics;
   std::vector<Mover> movers;
@@ -32,9 +32,9 @@ struct ObstacleField {
                    0.0};  ///< of the robot: of what is equally near to a pose, the nearer to it comes first
 };
 
-/// All of them, for a robot that is at `position` now; movers that are obstacles and nothing more (book 7.10)
-/// are among `statics` already. Unless predictions are time-indexed, movers become static discs, possible
-/// people movers who stand.
+/// All of them, for a robot that is at `position` now; movers that are obstacles and nothing more
+/// (local_planner/theory.md 7.10) are among `statics` already. Unless predictions are time-indexed, movers
+/// become static discs, possible people movers who stand.
 ObstacleField field_of(const StaticObstacles& statics, const std::vector<Mover>& movers,
                        const Vector2& position, const Footprint& footprint,
                        const PredictionOptions& prediction = {});

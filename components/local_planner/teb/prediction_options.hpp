@@ -1,4 +1,4 @@
-// How the band sees movers: where they are expected, and how sure that is (book 6.5, D10).
+// How the band sees movers: where they are expected, and how sure that is (theory.md 6.5, D10).
 #pragma once
 
 #include <algorithm>
@@ -73,7 +73,7 @@ inline PredictionOptions default_eteb_prediction() {
 }
 
 /// What people who turn towards a robot of top speed `v_max` [m/s] gain on it before it is out of their way
-/// [m]: by so much more it keeps from movers (book 6.5).
+/// [m]: by so much more it keeps from movers (theory.md 6.5).
 inline double pedestrian_lead(const PredictionOptions& options, double v_max) {
   return options.assumed_pedestrian_time * std::max(0.0, options.assumed_pedestrian_speed - v_max);
 }

@@ -1,5 +1,5 @@
-// Residuals of one segment of the band: time, kinematics, speed and acceleration (book 6.1), with analytic
-// Jacobians. Plain C++ shared by both solvers and the tests.
+// Residuals of one segment of the band: time, kinematics, speed and acceleration (theory.md 6.1), with
+// analytic Jacobians. Plain C++ shared by both solvers and the tests.
 #pragma once
 
 #include <array>

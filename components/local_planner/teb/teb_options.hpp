@@ -6,7 +6,8 @@
 
 namespace bw::teb {
 
-/// What a candidate that touches a mover costs more in the choice; nothing from mover_margin on (book 6.3).
+/// What a candidate that touches a mover costs more in the choice; nothing from mover_margin on (theory.md
+/// 6.3).
 inline constexpr double kMoverMarginCost = 10.0;
 
 struct TebOptions {

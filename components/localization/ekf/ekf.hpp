@@ -1,5 +1,5 @@
-// EKF localization (book 3): wheels predict; positions, headings, courses and poses correct, each at its own
-// stamp. Late measurements are put where they belong and what followed is computed again.
+// EKF localization (theory.md): wheels predict; positions, headings, courses and poses correct, each at its
+// own stamp. Late measurements are put where they belong and what followed is computed again.
 //
 //   Ekf ekf(options);
 //   const Outcome outcome = ekf.add(measurement, now);   // in any order within options.window

@@ -1,4 +1,4 @@
-// Monte Carlo localization (book 4, Algorithm 1; names and defaults of AMCL where it has them): particles
+// Monte Carlo localization (theory.md, Algorithm 1; names and defaults of AMCL where it has them): particles
 // move with the wheels, each with its own noise, and are weighed by whatever a measurement tells.
 //
 //   ParticleFilter filter(options, seed);

@@ -1,5 +1,5 @@
 // Sweep of a laser in, detections out: what is background, what belongs together, whether it looks like a
-// leg, and where its centre is. Book 7.1, after Arras et al., ICRA 2007.
+// leg, and where its centre is. theory.md 7.1, after Arras et al., ICRA 2007.
 #pragma once
 
 #include <cstdint>

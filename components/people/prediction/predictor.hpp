@@ -1,4 +1,4 @@
-// Where people will be: positions with covariance over the planner's horizon (book 7.8).
+// Where people will be: positions with covariance over the planner's horizon (README.md 7.8).
 //
 //   mean        constant velocity:   p + v t
 //               constant turn rate:  an arc whose turn rate dies out, omega(t) = omega exp(-t / turn_memory)

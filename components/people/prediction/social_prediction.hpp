@@ -1,4 +1,5 @@
-// People who walk on as they like, round one another and along walls: the forces of book 7.6, integrated.
+// People who walk on as they like, round one another and along walls: the forces of world/README.md 7.6,
+// integrated.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// The extended Kalman filter of book 7.3: position, heading and speed of somebody, from places where they
-// were seen. While they stand, or nearly, a velocity shows no heading: then the state is (x, y, vx, vy).
+// The extended Kalman filter of theory.md 7.3: position, heading and speed of somebody, from places where
+// they were seen. While they stand, or nearly, a velocity shows no heading: then the state is (x, y, vx, vy).
 //
 // The covariance goes from velocities to a heading by the derivative, and back by the exact moments, as the
 // derivative is wrong where the heading is worth little. The turn rate, the optional fifth state, is
@@ -13,7 +13,8 @@
 
 namespace bw::people {
 
-/// Book 7.3 compares the defaults with heading_noise 0.5, acceleration 0.8 for both, position_noise 0.05.
+/// theory.md 7.3 compares the defaults with heading_noise 0.5, acceleration 0.8 for both, position_noise
+/// 0.05.
 struct HeadingOptions {
   double heading_noise = 0.7;
   /// [m/s^2/sqrt(Hz)] how fast people who walk change their speed (set by code alone)

@@ -1,5 +1,6 @@
-// The equations of book 7.3: somebody who walks where they face, as state (x, y, theta, v, omega), and the
-// same motion without a heading, as (x, y, vx, vy). Lengths [m], angles [rad], in a frame that does not turn.
+// The equations of theory.md 7.3: somebody who walks where they face, as state (x, y, theta, v, omega), and
+// the same motion without a heading, as (x, y, vx, vy). Lengths [m], angles [rad], in a frame that does not
+// turn.
 //
 //   over dt:  turn = omega k,  k = T (1 - exp(-dt / T))      a turn dies out with the memory T
 //             (x, y) += v dt sinc(turn / 2) (cos, sin)(theta + turn / 2)      the chord of the arc

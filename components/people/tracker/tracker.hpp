@@ -1,6 +1,7 @@
 // Who walks where, from one sweep to the next: people as pairs of legs that swing against each other, among
 // everything else that stands in the room, which is tracked as well so that furniture does not become people.
-// All in the frame O of the detections (odom). Book 7.2, 7.3, with joint legs after Leigh et al., ICRA 2015.
+// All in the frame O of the detections (odom). theory.md 7.2, 7.3, with joint legs after Leigh et al., ICRA
+// 2015.
 //
 // One sweep: predict everything; assign detections to legs of people and to other clusters at once (global
 // nearest neighbour); correct; pair legs anew that went to the wrong person; make people of clusters that

@@ -17,7 +17,7 @@ struct AssociationOptions {
   /// a detection further than this from a track, in squared standard deviations (2 values), is not its own
   /// (set by code alone)
   double gate = 9.21;
-  /// [m] nor is one further than this in metres: the radius of book 7.2
+  /// [m] nor is one further than this in metres: the radius of theory.md 7.2
   static constexpr double kReach = 1.2;
   /// [m] longest step of a leg that was seen in the last sweep
   static constexpr double kStep = 0.5;

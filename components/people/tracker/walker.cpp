@@ -11,7 +11,7 @@
 namespace bw::people {
 namespace {
 
-constexpr double kWalking = 0.2;  // [m/s] the direction of a slower velocity says nothing (book 7.3)
+constexpr double kWalking = 0.2;  // [m/s] the direction of a slower velocity says nothing (theory.md 7.3)
 
 using Block2 = Eigen::Matrix2d;
 

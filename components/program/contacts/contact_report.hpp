@@ -1,5 +1,5 @@
 // The contacts of drives as JSON for scripts and in words: who hit whom, and whether it could have been
-// avoided (book 8.10).
+// avoided (possible/theory.md 8.10).
 #pragma once
 
 #include <map>

@@ -8,9 +8,9 @@
 //
 //   minimise  sum over motions  r' C^-1 r + prior     r = rolled(turns, geometry) - moved
 //
-// over the logarithms of (radius, ratio, separation), C by the wheel noise of book 2.2 and the errors of
-// measuring; Gauss-Newton. It is exact for errors of any size, and weighs a heading or a corner that was
-// measured too for what it tells.
+// over the logarithms of (radius, ratio, separation), C by the wheel noise of model/README.md 2.2 and the
+// errors of measuring; Gauss-Newton. It is exact for errors of any size, and weighs a heading or a corner
+// that was measured too for what it tells.
 #pragma once
 
 #include <optional>
@@ -21,9 +21,10 @@
 namespace bw {
 
 struct MeasuringErrors {
-  double position = 0.005;           ///< sd of each end, x and y [m]
-  double heading = 0.01;             ///< sd of each end [rad]
-  double variance_per_metre = 1e-5;  ///< k of book 2.2 [m]: how motions are weighed against each other
+  double position = 0.005;  ///< sd of each end, x and y [m]
+  double heading = 0.01;    ///< sd of each end [rad]
+  double variance_per_metre =
+      1e-5;  ///< k of model/README.md 2.2 [m]: how motions are weighed against each other
 };
 
 struct Calibration {

@@ -1,5 +1,5 @@
 // What both sides of Foxglove's WebSocket protocol agree on. Source: the public text of
-// `foxglove.websocket.v1` (foxglove/ws-protocol, docs/spec.md at 5efa728) and the documented layouts of
+// `foxglove.websocket.v1` (foxglove/ws-protocol at 5efa728) and the documented layouts of
 // `foxglove.sdk.v1`, which has the same JSON ops and binary opcodes, and playback control besides.
 #pragma once
 

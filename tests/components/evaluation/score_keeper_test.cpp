@@ -32,7 +32,8 @@ ScoreKeeper started(double at = 0.0, const Vector2& goal = {10.0, 0.0}) {
 }
 
 TEST(CollisionIndex, HasTheValuesOfTheBook) {
-  // Book 7.7: sigma 0.6: 0.14 at 1.19 m, 0.54 at 0.666 m, 0.607 at 0.6 m; sigma 0.45: 0.54 at 0.50 m.
+  // evaluation/theory.md 7.7: sigma 0.6: 0.14 at 1.19 m, 0.54 at 0.666 m, 0.607 at 0.6 m; sigma 0.45: 0.54 at
+  // 0.50 m.
   const auto at = [](double d, double sigma) {
     return collision_index({0.0, 0.0}, {person(1, d, 0.0)}, sigma);
   };

@@ -56,7 +56,7 @@ TEST_P(EveryPlanner, KeepsASpeedLimit) {
                     {400, {true, 0.0}}};
   n.run(11.0, "parameters: {algorithm: " + std::string(GetParam()) + ", command_lead: 0.1}");
   const Limits limits;
-  // mppi's shipped weights balance at 0.67 m/s, and speed up slowly to it (book 5.8).
+  // mppi's shipped weights balance at 0.67 m/s, and speed up slowly to it (mppi/theory.md 5.8).
   const double brisk = GetParam() == "mppi" ? 0.35 : 0.8;
   double before_limit = 0.0;
   double slowest = 1.0;

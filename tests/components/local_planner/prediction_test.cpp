@@ -1,4 +1,4 @@
-// How the band sees movers: where and how large (book 6.5, D10). Expected numbers are closed forms.
+// How the band sees movers: where and how large (teb/theory.md 6.5, D10). Expected numbers are closed forms.
 #include <algorithm>
 #include <cmath>
 

@@ -82,9 +82,9 @@ Summary summarise(DriveOptions drive, const EkfOptions& options, int runs) {
   return s;
 }
 
-// Bands of book 9.3: chi-square of 3 x 50 degrees of freedom at 95 %, over 50: [2.36, 3.72]. NIS over
-// 50 x 300 fixes, 2 degrees: 2 +- 1.96 sqrt(4 / 15000) = [1.968, 2.032]; +-3 standard deviations here, since
-// the seeds are fixed and five cases are looked at: [1.95, 2.05].
+// Bands of localization/evidence.md 9.3: chi-square of 3 x 50 degrees of freedom at 95 %, over 50: [2.36,
+// 3.72]. NIS over 50 x 300 fixes, 2 degrees: 2 +- 1.96 sqrt(4 / 15000) = [1.968, 2.032]; +-3 standard
+// deviations here, since the seeds are fixed and five cases are looked at: [1.95, 2.05].
 void expect_consistent(const Summary& s) {
   EXPECT_GT(s.anees, 2.36);
   EXPECT_LT(s.anees, 3.72);
@@ -182,8 +182,9 @@ TEST(EkfAdaptive, RightNoiseStaysConsistent) {
   EXPECT_LT(s.nis, 2.05);
 }
 
-// 60 s of wheels and gyro alone: the 95 % ellipse holds the truth in >= 93 % of the runs (book 9.3), and
-// is not too large either: 95 % +- 3 standard deviations of 500 draws. Sensors that keep the heading within
+// 60 s of wheels and gyro alone: the 95 % ellipse holds the truth in >= 93 % of the runs
+// (localization/evidence.md 9.3), and is not too large either: 95 % +- 3 standard deviations of 500 draws.
+// Sensors that keep the heading within
 // 0.05 rad: beyond, where the robot may be is a crescent 22 m from the start, which no ellipse fits.
 TEST(EkfConsistency, DeadReckoningEllipseHoldsTheTruth) {
   DriveOptions drive;
@@ -225,8 +226,8 @@ TEST(EkfConsistency, DeadReckoningNeverGainsKnowledge) {
   }
 }
 
-// 2 % of the fixes 42 m off: gated, the error stays within 1.1 times the clean one (book 9.3); without the
-// gate it is many times that.
+// 2 % of the fixes 42 m off: gated, the error stays within 1.1 times the clean one (localization/evidence.md
+// 9.3); without the gate it is many times that.
 TEST(EkfGate, OutliersOf42mLeaveTheErrorWithinATenth) {
   double clean = 0.0, gated = 0.0, open = 0.0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {

@@ -132,7 +132,8 @@ struct FuzzCase {
 
 class EkfFuzz : public ::testing::TestWithParam<FuzzCase> {};
 
-// BANDWAGON_FUZZ_STEPS=10000000 runs the ten million of book 9.3, BANDWAGON_FUZZ_SEED others.
+// BANDWAGON_FUZZ_STEPS=10000000 runs the ten million of localization/evidence.md 9.3, BANDWAGON_FUZZ_SEED
+// others.
 TEST_P(EkfFuzz, AnyNumbersLeaveTheStateFiniteAndPositiveDefinite) {
   const long steps = from_environment("BANDWAGON_FUZZ_STEPS", 300'000);
   EkfOptions options;

@@ -181,9 +181,9 @@ double squared_error(const Drive& drive, const EkfOptions& options, int& slippin
   return sum;
 }
 
-// 1 s of 50 % slip every 30 s: RMSE at most 1.5 times the clean one (book 9.3), whichever wheels slip. One
-// slip carries the odometry 0.4 m (one wheel) or 0.8 m off. Both alike show while turning only (0.5 rad/s
-// here), one wheel also straight on.
+// 1 s of 50 % slip every 30 s: RMSE at most 1.5 times the clean one (localization/evidence.md 9.3), whichever
+// wheels slip. One slip carries the odometry 0.4 m (one wheel) or 0.8 m off. Both alike show while turning
+// only (0.5 rad/s here), one wheel also straight on.
 struct SlipCase {
   const char* name;
   double left;

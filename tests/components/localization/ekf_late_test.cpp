@@ -65,8 +65,8 @@ TEST(EkfLate, AnyOrderWithinTheWindowGivesTheSameBits) {
   }
 }
 
-// Book 9.1: fixes 0.5 s late, rewound: as accurate as in time (0.04 m there), where use on arrival triples
-// the error. Receiver 0.5 m at 5 Hz, 0.8 m/s.
+// localization/evidence.md 9.1: fixes 0.5 s late, rewound: as accurate as in time (0.04 m there), where use
+// on arrival triples the error. Receiver 0.5 m at 5 Hz, 0.8 m/s.
 TEST(EkfLate, FixesHalfASecondLateCostNothing) {
   double in_time = 0.0, rewound = 0.0, on_arrival = 0.0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -106,9 +106,9 @@ TEST(EkfLate, FixesHalfASecondLateCostNothing) {
   EXPECT_GE(std::sqrt(on_arrival), 2.0 * std::sqrt(rewound));
 }
 
-// The conditions of book 9.1 themselves: 600 s, encoders 100 Hz with 0.03 m/s and 0.02 rad/s, headings 100
-// Hz with 0.05 rad, fixes 5 Hz with 0.5 m, no gyro. Measured there: 0.038 m in order and rewound, 0.146 m
-// used on arrival; asked of this filter: 0.04 m where the other gives 0.15 m.
+// The conditions of localization/evidence.md 9.1 themselves: 600 s, encoders 100 Hz with 0.03 m/s and 0.02
+// rad/s, headings 100 Hz with 0.05 rad, fixes 5 Hz with 0.5 m, no gyro. Measured there: 0.038 m in order and
+// rewound, 0.146 m used on arrival; asked of this filter: 0.04 m where the other gives 0.15 m.
 TEST(EkfLate, MeetsTheFiguresOfTheField) {
   constexpr int kSteps = 60000;
   const Eigen::Matrix2d wheel_noise = Eigen::Vector2d(0.03 * 0.01, 0.02 * 0.01).cwiseAbs2().asDiagonal();

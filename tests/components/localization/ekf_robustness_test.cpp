@@ -24,7 +24,7 @@ namespace bw::localization {
 namespace {
 
 // A thousand crossings of +-pi, half of them turning on the spot: no step of the heading beyond three
-// standard deviations of its own (book 9.3).
+// standard deviations of its own (localization/evidence.md 9.3).
 TEST(EkfRobustness, HeadingCrossesPiAThousandTimesWithoutAJump) {
   DriveOptions options;
   options.seconds = 20.0;

@@ -12,7 +12,7 @@
 namespace bw::localization {
 namespace {
 
-constexpr double kTick = 2.0 * std::numbers::pi * 0.0762 / 144.0;  // Eddie's (book 2.3): 3.3 mm
+constexpr double kTick = 2.0 * std::numbers::pi * 0.0762 / 144.0;  // Eddie's (model/README.md 2.3): 3.3 mm
 constexpr double kSeparation = 0.39;
 
 /// Turns slowly to and fro on the spot, as a robot does that stands before people: a wheel counts 7 times a

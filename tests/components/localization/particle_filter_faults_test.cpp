@@ -31,8 +31,8 @@ double drive_rmse(ParticleFilter& filter, const Drive& drive, double outlier_sha
   return std::sqrt(squares / samples);
 }
 
-// Book 9.1, 9.3: 2 % fixes off by 42 m cost at most a tenth. Ten drives, since the filter's own draws
-// differ.
+// localization/evidence.md 9.1, 9.3: 2 % fixes off by 42 m cost at most a tenth. Ten drives, since the
+// filter's own draws differ.
 TEST(ParticleFilterGate, OutliersCostLittle) {
   double clean = 0.0, spoilt = 0.0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {

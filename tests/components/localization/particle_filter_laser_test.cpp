@@ -1,5 +1,5 @@
-// The filter with a laser in a floor of several rooms. Scenarios on the conditions of book 9.2 are in
-// map_localization_test.cpp.
+// The filter with a laser in a floor of several rooms. Scenarios on the conditions of
+// localization/evidence.md 9.2 are in map_localization_test.cpp.
 #include <cmath>
 #include <limits>
 
@@ -70,7 +70,7 @@ Eigen::Matrix3d start_covariance() {
       .asDiagonal();
 }
 
-// Book 9.3: RMSE <= 0.08 m, largest error <= 0.21 m, at most 850 particles on average.
+// localization/evidence.md 9.3: RMSE <= 0.08 m, largest error <= 0.21 m, at most 850 particles on average.
 TEST(ParticleFilterLaser, Tracks) {
   for (const MotionNoise noise : {MotionNoise::declared, MotionNoise::amcl}) {
     ParticleFilterOptions options;
@@ -122,7 +122,8 @@ TEST(ParticleFilterLaser, ASweepCountsAfterWayOrTurn) {
   EXPECT_EQ(rover.drive_on(filter).verdict, Verdict::accepted);
 }
 
-// Started anywhere: LOST until one place is left, then OK; within 25 used sweeps (book 9.3), all of 10.
+// Started anywhere: LOST until one place is left, then OK; within 25 used sweeps (localization/evidence.md
+// 9.3), all of 10.
 TEST(ParticleFilterLaser, FindsItselfOnTheWholeMap) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     ParticleFilter filter(kLaserDefaults, seed);

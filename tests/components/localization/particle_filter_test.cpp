@@ -97,7 +97,8 @@ TEST(ParticleFilter, AgreesWithTheEkfWhereThatIsExact) {
 }
 
 // Over 20 drives with all sensors and default options: within a tenth of the EKF's error, consistent as it is
-// (mean of chi-square of 3 degrees over 20: [2.02, 4.17], book 9.3), and with few particles.
+// (mean of chi-square of 3 degrees over 20: [2.02, 4.17], localization/evidence.md 9.3), and with few
+// particles.
 TEST(ParticleFilter, IsAboutAsGoodAsTheEkf) {
   double squares = 0.0, ekf_squares = 0.0, anees = 0.0, particles = 0.0;
   int samples = 0;
@@ -159,7 +160,8 @@ TEST(ParticleFilter, SameSeedSameBytes) {
   EXPECT_NE(run(3), run(4));
 }
 
-// Fixes that arrive 0.5 s late (book 9.1): as good as in time, where applying them on arrival is not.
+// Fixes that arrive 0.5 s late (localization/evidence.md 9.1): as good as in time, where applying them on
+// arrival is not.
 TEST(ParticleFilter, LateFixesCountAtTheirStamp) {
   double in_time = 0.0, late = 0.0, on_arrival = 0.0;
   for (int seed = 1; seed <= 5; ++seed) {

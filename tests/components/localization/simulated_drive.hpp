@@ -1,5 +1,6 @@
 // A drive with known truth and the measurements of it, for the tests of filters. 0.8 m/s, sinusoidal turn
-// rate (book 9.1): encoders and gyro 100 Hz, compass 10 Hz, receiver 5 Hz unless said otherwise.
+// rate (localization/evidence.md 9.1): encoders and gyro 100 Hz, compass 10 Hz, receiver 5 Hz unless said
+// otherwise.
 #pragma once
 
 #include <cmath>

@@ -45,8 +45,8 @@ TEST(ArcJacobian, MatchesNumericalDerivativesWithin1e6) {
   }
 }
 
-// Book 2.2: for a straight step G of wheels = [[c/2 - s sin/(2b), ...]] exactly, since midpoint and arc
-// agree.
+// model/README.md 2.2: for a straight step G of wheels = [[c/2 - s sin/(2b), ...]] exactly, since midpoint
+// and arc agree.
 TEST(ArcJacobian, StraightStepEqualsTheWheelFormOfTheBook) {
   const double b = 0.4, s = 0.3, theta = 0.7;
   const WheelStep step = step_from_wheels(Time{0}, Duration{1}, s, s, b, 1e-3);

@@ -1,6 +1,6 @@
-// Scores predictions on recorded people (book 8.7): each track is followed by a constant-velocity Kalman
-// filter (measurement noise 0.05 m, white acceleration 0.3 m^2/s^3: the filter of the reference figures);
-// after 3.2 s of it every annotation is predicted from.
+// Scores predictions on recorded people (experiments/protocols.md 8.7): each track is followed by a
+// constant-velocity Kalman filter (measurement noise 0.05 m, white acceleration 0.3 m^2/s^3: the filter of
+// the reference figures); after 3.2 s of it every annotation is predicted from.
 #pragma once
 
 #include <algorithm>

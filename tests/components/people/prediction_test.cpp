@@ -146,7 +146,7 @@ TEST(Prediction, EllipsesGrowAndShrinkToHoldTheirShare) {
   }
 }
 
-// Reference: the constant-velocity Kalman figures of book 8.7, printed with two digits.
+// Reference: the constant-velocity Kalman figures of experiments/protocols.md 8.7, printed with two digits.
 TEST(Prediction, IsAsGoodAsTheReferenceOnRecordedPeopleAndCalibrated) {
   const char* shared = std::getenv("BANDWAGON_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED is not set: no recorded people";

@@ -1,4 +1,4 @@
-// The filter of headings (book 7.3) against walkers whose motion is known.
+// The filter of headings (tracker/theory.md 7.3) against walkers whose motion is known.
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -82,7 +82,7 @@ TEST(Tracker, LeavesFurnitureAlone) {
   EXPECT_EQ(tracker.cluster_count(), 4U);
 }
 
-// Seen for 1 s, then nothing where beams pass freely: gone after 1.0 s (book 7.2), not before.
+// Seen for 1 s, then nothing where beams pass freely: gone after 1.0 s (tracker/theory.md 7.2), not before.
 TEST(Tracker, LetsGoOfWhoIsNotWhereTheyCouldBeSeen) {
   Stage stage;
   Tracker tracker({});

@@ -21,7 +21,7 @@ const StaticScene kOpenFloor({}, std::nullopt);
 
 struct Floor {
   double slip = 0.005;
-  double noise = 0.0;           ///< k of book 2.2 [m]
+  double noise = 0.0;           ///< k of model/README.md 2.2 [m]
   double position_error = 0.0;  ///< sd of a measured end [m]
   double heading_error = 0.0;   ///< [rad]
 };

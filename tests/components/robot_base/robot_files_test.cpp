@@ -1,4 +1,4 @@
-// The robots of config/robots/ against the figures of book 2.3.
+// The robots of config/robots/ against the figures of model/README.md 2.3.
 #include <numbers>
 #include <string>
 

@@ -104,7 +104,7 @@ TEST(DriveModel, CountersWrapAt32Bits) {
 }
 
 TEST(DriveModel, EncodersErrByScaleAndMismatch) {
-  // Book 2.2: the right wheel counts 1 + scale + e / 2, the left 1 + scale - e / 2 of its way.
+  // model/README.md 2.2: the right wheel counts 1 + scale + e / 2, the left 1 + scale - e / 2 of its way.
   const Robot robot;
   DriveOptions options;
   options.scale = 0.01;
@@ -121,8 +121,8 @@ TEST(DriveModel, EncodersErrByScaleAndMismatch) {
 }
 
 TEST(DriveModel, EncoderNoiseGrowsWithTheWay) {
-  // Book 2.2: variance k |s|. 400 seeds over 1 m with k = 2.5e-4: sample variance within five of its standard
-  // errors.
+  // model/README.md 2.2: variance k |s|. 400 seeds over 1 m with k = 2.5e-4: sample variance within five of
+  // its standard errors.
   const Robot robot;
   DriveOptions options;
   options.noise = 2.5e-4;

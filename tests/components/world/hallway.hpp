@@ -1,4 +1,5 @@
-// The hallway of book 8.6: 20 x 6 m, two boxes, two standing people, six walkers who go to and fro.
+// The hallway of experiments/protocols.md 8.6: 20 x 6 m, two boxes, two standing people, six walkers who go
+// to and fro.
 #pragma once
 
 #include "components/world/world_options.hpp"

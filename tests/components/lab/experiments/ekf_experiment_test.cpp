@@ -7,7 +7,7 @@
 namespace bw {
 namespace {
 
-constexpr int kSeeds = 100;  // as in book 8.1
+constexpr int kSeeds = 100;  // as in experiments/protocols.md 8.1
 
 EkfErrors mean_of(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise) {
   EkfErrors mean;
@@ -21,9 +21,9 @@ EkfErrors mean_of(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise) 
 
 class EkfExperiment : public ::testing::TestWithParam<EkfWay> {};
 
-// The criteria of book 8.1: (a) encoder >> + GPS > all, + compass > all, encoder / all > 100; (b) the mean
-// within 25 % of the published one; (c) the fused variances within a factor of 3. Filter with the placing
-// wheel noise.
+// The criteria of experiments/protocols.md 8.1: (a) encoder >> + GPS > all, + compass > all, encoder / all >
+// 100; (b) the mean within 25 % of the published one; (c) the fused variances within a factor of 3. Filter
+// with the placing wheel noise.
 TEST_P(EkfExperiment, MeetsTheCriteriaOfTheFigure) {
   const auto way = static_cast<std::size_t>(GetParam());
   std::array<EkfErrors, 4> measured;
@@ -32,7 +32,7 @@ TEST_P(EkfExperiment, MeetsTheCriteriaOfTheFigure) {
     measured[i] = mean_of(GetParam(), set, EkfWheelNoise::placed);
     RecordProperty("placed_" + std::to_string(i), std::to_string(measured[i].mean));
     EXPECT_NEAR(measured[i].mean, set.published_mean[way], 0.25 * set.published_mean[way]) << set.name;
-    if (i == 0) continue;  // the published variance of the encoders is unexplained (book 3.1)
+    if (i == 0) continue;  // the published variance of the encoders is unexplained (ekf/theory.md 3.1)
     EXPECT_LT(measured[i].variance, 3.0 * set.published_variance[way]) << set.name;
     EXPECT_GT(measured[i].variance, set.published_variance[way] / 3.0) << set.name;
   }
@@ -41,7 +41,7 @@ TEST_P(EkfExperiment, MeetsTheCriteriaOfTheFigure) {
   EXPECT_GT(measured[2].mean, measured[3].mean);
 }
 
-// A filter that knows its wheels does clearly better with all sensors (book 3.3: 0.07 m).
+// A filter that knows its wheels does clearly better with all sensors (ekf/theory.md 3.3: 0.07 m).
 TEST_P(EkfExperiment, TheMatchedFilterIsBetter) {
   const EkfErrors placed = mean_of(GetParam(), kEkfSensorSets[3], EkfWheelNoise::placed);
   const EkfErrors matched = mean_of(GetParam(), kEkfSensorSets[3], EkfWheelNoise::matched);

@@ -27,7 +27,7 @@ class RealData : public ::testing::Test {
   std::filesystem::path data_;
 };
 
-// Book 8.7: every second fix held out: mean < 1.3 m; an outage of 100 s: < 4 m.
+// experiments/protocols.md 8.7: every second fix held out: mean < 1.3 m; an outage of 100 s: < 4 m.
 TEST_F(RealData, HuskyMeetsTheCriteria) {
   const std::vector<RealDataRow> rows = run_husky(read("husky", "husky_odom_imu_gps"), {});
   ASSERT_EQ(rows.size(), 9U);

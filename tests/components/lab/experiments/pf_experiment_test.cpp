@@ -13,15 +13,15 @@ PfTable table_of(std::uint64_t seeds, int particles) {
   return run_pf_experiments({.particles = particles, .last_seed = seeds});
 }
 
-// The criteria of book 8.2 on its 100 seeds, with 200 of its 1000 particles (`bandwagon reproduce pf` has
-// all).
+// The criteria of experiments/protocols.md 8.2 on its 100 seeds, with 200 of its 1000 particles (`bandwagon
+// reproduce pf` has all).
 TEST(PfExperiment, MeetsTheCriteriaOfTheTable) {
   const PfTable table = table_of(100, 200);
   for (const Criterion& c : table.criteria) {
     RecordProperty(c.name, std::to_string(c.measured));
     EXPECT_TRUE(c.met) << c.name << ": " << c.measured << ", asked " << c.asked;
   }
-  // Book 8.2: the Gaussian law is the most exact one in every row.
+  // experiments/protocols.md 8.2: the Gaussian law is the most exact one in every row.
   for (const auto& cells : table.cells) {
     EXPECT_LT(cells[2].mean, cells[3].mean);
     EXPECT_LT(cells[3].mean, cells[4].mean);

@@ -10,7 +10,7 @@ namespace {
 
 using ::testing::Contains;
 
-// Table 3.1: 1 m/s, 0.35 rad/s, 0.25 s; 1 m/s^2 and 1 rad/s^2 by book 2.3.
+// Table 3.1: 1 m/s, 0.35 rad/s, 0.25 s; 1 m/s^2 and 1 rad/s^2 by model/README.md 2.3.
 const Limits kTable = {.v_max = 1.0, .omega_max = 0.35, .acc_max = 1.0, .alpha_max = 1.0};
 constexpr double kPeriod = 0.25;
 

@@ -18,7 +18,7 @@ bool has_vertex(const Roadmap& map, const Vector2& p) {
 }
 
 TEST(Roadmap, KeypointsLieBesideADisc) {
-  // Centre +- n (r_o + r_r + d + offset) = 0.4 + 0.3 + 0.2 + 0.1 = 1 m (book 6.2).
+  // Centre +- n (r_o + r_r + d + offset) = 0.4 + 0.3 + 0.2 + 0.1 = 1 m (homotopy/theory.md 6.2).
   const Roadmap map = keypoint_roadmap(ten_metres(), {standing({5.0, 0.5}, 0.4)}, {});
   ASSERT_EQ(map.vertices.size(), 4u);
   EXPECT_EQ(map.vertices.front(), Vector2(0.0, 0.0));

@@ -35,7 +35,7 @@ TEST(Winding, ARoundTripAddsATurn) {
 }
 
 TEST(Winding, IsTheSumOfWrappedBearingDifferences) {
-  // Book 6.2: W_l = sum of wrap(arg(z2 - c_l) - arg(z1 - c_l)).
+  // homotopy/theory.md 6.2: W_l = sum of wrap(arg(z2 - c_l) - arg(z1 - c_l)).
   Random random(1);
   for (int trial = 0; trial < 300; ++trial) {
     std::vector<Vector2> points{{0.0, 0.0}};

@@ -32,8 +32,8 @@ PlanningProblem crowd(Random& random, int count) {
 }
 
 TEST(BestVelocity, NeverWorseThanAGrid) {
-  // Book 5.3: grid of 0.005 m/s, 400 scenes of 1 to 5 neighbours. Only the part of the grid that is nearer to
-  // the wish than the answer by more than 0.001 can prove it wrong: all of it must lie in cones.
+  // hrvo/theory.md 5.3: grid of 0.005 m/s, 400 scenes of 1 to 5 neighbours. Only the part of the grid that is
+  // nearer to the wish than the answer by more than 0.001 can prove it wrong: all of it must lie in cones.
   constexpr double kStep = 0.005;
   Random random(5);
   int crowded = 0, none_free = 0;

@@ -26,7 +26,8 @@ double off_line(const Vector2& leg, const Vector2& v, const Vector2& origin) {
 }
 
 TEST(Cones, ApexLiesOnOneLegOfEachObstacle) {
-  // Book 5.3: reciprocal leg on the passing side, leg of the velocity obstacle on the other, to rounding.
+  // hrvo/theory.md 5.3: reciprocal leg on the passing side, leg of the velocity obstacle on the other, to
+  // rounding.
   Random random(1);
   double worst = 0.0;
   for (int i = 0; i < 10000; ++i) {
@@ -46,7 +47,8 @@ TEST(Cones, ApexLiesOnOneLegOfEachObstacle) {
 }
 
 TEST(Cones, VelocityTowardsANeighbourIsInside) {
-  // A fault of the public library (book 5.3): a relative position turned round points the cone away.
+  // A fault of the public library (hrvo/theory.md 5.3): a relative position turned round points the cone
+  // away.
   for (const bool shares : {false, true}) {
     const VelocityCone cone = cone_of(disc({3.0, 0.0}, {0.0, 0.0}, 0.8, shares), moving({1.0, 0.0}), {});
     EXPECT_TRUE(is_inside(cone, {1.0, 0.0}, 1e-7));

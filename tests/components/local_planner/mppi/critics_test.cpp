@@ -1,4 +1,4 @@
-// Each critic on motions whose cost is reckoned by hand; formulas are those of Nav2 (book 5.8).
+// Each critic on motions whose cost is reckoned by hand; formulas are those of Nav2 (mppi/theory.md 5.8).
 #include "components/local_planner/mppi/critics.hpp"
 
 #include <cmath>

@@ -28,8 +28,8 @@ TEST(MppiPlanner, ArrivesInTheOpen) {
   }
 }
 
-// Where path_follow and the deviation cost balance (book 5.8): 5 0.05 (0.2)^2 / 0.015 = 2/3 m/s, although 1
-// m/s is allowed.
+// Where path_follow and the deviation cost balance (mppi/theory.md 5.8): 5 0.05 (0.2)^2 / 0.015 = 2/3 m/s,
+// although 1 m/s is allowed.
 TEST(MppiPlanner, DrivesAsFastAsItsWeightsBalance) {
   MppiPlanner planner = planner_with({});
   const Drive drive = bw::drive(planner, problem_to({40.0, 0.0, 0.0}), 120);

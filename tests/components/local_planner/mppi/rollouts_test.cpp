@@ -15,7 +15,7 @@ constexpr double kStep = 0.05;
 constexpr Limits kAnything{
     .v_max = 1e3, .v_back_max = 1e3, .omega_max = 1e3, .acc_max = 1e5, .alpha_max = 1e5};
 
-// The arcs of the model (book 2.1), one after the other. 1e-12 m is what 56 sums of doubles leave.
+// The arcs of the model (model/README.md 2.1), one after the other. 1e-12 m is what 56 sums of doubles leave.
 TEST(Rollouts, AreExactArcs) {
   constexpr Eigen::Index kSamples = 50, kSteps = 56;
   for (const double spread :

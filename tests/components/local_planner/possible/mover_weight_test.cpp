@@ -1,5 +1,5 @@
-// What a possible person is to planners (book 7.10): at confidence 0 nothing, below 0.5 never in the way, and
-// with more confidence never nearer.
+// What a possible person is to planners (local_planner/theory.md 7.10): at confidence 0 nothing, below 0.5
+// never in the way, and with more confidence never nearer.
 #include "components/model/mover_weight.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-// LZ4 frames (lz4_Frame_format.md 1.6.3), as chunks of MCAP files have them. Every length is checked before it is used; checksums
+// LZ4 frames (the LZ4 frame format, version 1.6.3), as chunks of MCAP files have them. Every length is checked before it is used; checksums
 // are skipped, because the chunk has one of its own.
 
 const MAGIC = 0x184d2204;

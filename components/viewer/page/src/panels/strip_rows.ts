@@ -36,7 +36,7 @@ export interface RowKind {
   most: (data: StripData) => number;
 }
 
-/** Limits of comfort and of the body: spec/dissertation_spec.md 7.7, components/evaluation/collision_index.hpp. */
+/** Limits of comfort and of the body: evaluation/theory.md 7.7, components/evaluation/collision_index.hpp. */
 export const COMFORT_LIMIT = 0.14;
 export const PHYSICAL_LIMIT = 0.54;
 
