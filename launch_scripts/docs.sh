@@ -10,7 +10,7 @@ pages=build/docs
 rm -rf "$pages"
 
 # The pages where they are, so that their links hold, and what they show.
-git ls-files --cached --others --exclude-standard -- '*.md' '*.svg' '*.png' 'LICENSE' ':!tests/book' | while IFS= read -r file; do
+git ls-files --cached --others --exclude-standard -- '*.md' '*.svg' '*.png' 'LICENSE' | while IFS= read -r file; do
   install -D -m 644 "$file" "$pages/$file"
 done
 install -D -m 644 -t "$pages/assets" docs/math.js docs/site.css

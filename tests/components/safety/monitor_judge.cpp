@@ -13,7 +13,7 @@ namespace {
 constexpr double kStanding = 0.02;   // [m/s]
 constexpr double kOnTheSpot = 0.2;   // [s] that base_link stands
 constexpr double kAhead = 0.6;       // [rad], of the way it goes
-constexpr double kRemembered = 1.0;  // [s]
+constexpr double kRemembered = 1.0;  // [s] at least
 constexpr double kGraze = 0.03;      // [m]: what is touched no deeper than that may be noise
 constexpr double kGentle = 0.05;     // [m/s]
 constexpr double kBraking = 0.01;    // [s] of the stop that is reckoned
@@ -45,7 +45,11 @@ Judge::Judge(const Scene& scene, const Robot& robot, const Laser& laser, double 
       outline_(robot.outline()),
       laser_(laser),
       reaction_time_(reaction_time),
-      contacts_(scene.things.size()) {}
+      contacts_(scene.things.size()) {
+  const auto& n = scene.numbers;
+  const double braking = wheel_of({n[kSpeed], n[kTurnRate]}) / n[kDeceleration];
+  stopping_ = std::max(kRemembered, n[kPeriod] * (1.0 + n[kTurns]) + n[kAge] + reaction_time + braking);
+}
 
 /// Or has, while the sweeps are remembered.
 bool Judge::moves(std::size_t thing, double t) const {
@@ -75,7 +79,7 @@ void Judge::look(double t, const Pose2& X_WB, const Twist2& twist, const std::ve
   const double braked = robot_.limits.stop_deceleration * (t - looked_at_);
   looked_at_ = t;
   if (std::abs(twist.v) >= kStanding) drove_at_ = t;
-  while (!sweeps_.empty() && sweeps_.front().middle() < t - kRemembered) sweeps_.pop_front();
+  while (!sweeps_.empty() && sweeps_.front().middle() < t - stopping_) sweeps_.pop_front();
   for (std::size_t i = 0; i < things.size(); ++i) {
     Contact& contact = contacts_[i];
     contact.wheel =
@@ -98,12 +102,13 @@ void Judge::look(double t, const Pose2& X_WB, const Twist2& twist, const std::ve
 }
 
 Judge::Kind Judge::kind_of(double t, const Vector2& place, const Pose2& X_WB, const Twist2& twist) const {
-  const auto of_all = [&](bool (Laser::*says)(const Laser::Sweep&, const Vector2&) const) {
-    return !sweeps_.empty() &&
-           std::ranges::all_of(sweeps_, [&](const auto& sweep) { return (laser_.*says)(sweep, place); });
+  const auto of_all = [&](double seconds, bool (Laser::*says)(const Laser::Sweep&, const Vector2&) const) {
+    return !sweeps_.empty() && std::ranges::all_of(sweeps_, [&](const auto& sweep) {
+      return sweep.middle() < t - seconds || (laser_.*says)(sweep, place);
+    });
   };
-  if (of_all(&Laser::shows)) return &Result::worst;
-  if (!of_all(&Laser::is_blind_to)) return &Result::hidden;
+  if (of_all(stopping_, &Laser::shows)) return &Result::worst;
+  if (!of_all(kRemembered, &Laser::is_blind_to)) return &Result::hidden;
   if (t >= drove_at_ + kOnTheSpot) return &Result::turned_into;
   const Vector2 way = inverse(X_WB) * place;
   const bool is_ahead = std::abs(twist.v) >= outline_.radius * std::abs(twist.omega) &&

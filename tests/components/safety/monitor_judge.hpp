@@ -45,6 +45,7 @@ class Judge {
   Footprint outline_;
   const Laser& laser_;
   double reaction_time_;
+  double stopping_;  ///< [s] from a beam to rest, from top speed; a second at least
   std::vector<Contact> contacts_;
   std::deque<Laser::Sweep> sweeps_;
   double looked_at_ = 0.0;

@@ -7,7 +7,8 @@
 //                them where a stop would still have touched them; or at no more than 0.05 m/s of the robot
 //                itself
 //
-// Premises: a place counts as seen when each sweep of the last second shows it (four of five beams), so that
+// Premises: a place counts as seen when each sweep of the last second shows it (four of five beams), and of
+// as long as the robot needs to stop from its top speed where that is longer, so that
 // what is in a blind sector, behind something else, or thinner than three beams is not;
 // stopping.reaction_time is at least the true one (motor control, wheels); sweeps say when they were taken,
 // those of another clock with their delay; odometry is right. Told and not claimed: what is hidden, what a

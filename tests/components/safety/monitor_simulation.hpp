@@ -18,7 +18,7 @@ struct Result {
   double walked_in = 0.0;    ///< of itself where who walks came sooner than it can stand
   double driven = 0.0;       ///< way of base_link [m]
 };
-/// A place counts as seen when each sweep of the last second shows it, and a contact is what it was when it
+/// A place counts as seen when each sweep of the last second, or stop, shows it, and a contact is what it was when it
 /// began: a robot that has touched a thing where it cannot see would not get to where it can. Of who walks
 /// the first moment counts. As it must is: by stop_deceleration, reaction_time after the first of the sweeps
 /// that show them where a stop would still touch them.
