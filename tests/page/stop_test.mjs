@@ -46,12 +46,13 @@ test("somebody stops the robot, and lets it go on", async (t) => {
 
   await t.test("the project's pages are there, and leave it free", async () => {
     await view.page.click("#help-toggle");
-    await view.page.click('#help nav [data-topic="ekf"]');
-    const title = () => view.page.$eval("#help h1", (heading) => heading.textContent);
+    const choose = async (topic) => (await view.page.waitForSelector(topic)).click();
+    await choose('#help nav [data-topic="ekf"]');
+    const title = () => view.page.evaluate(() => document.querySelector("#help h1")?.textContent ?? "");
     await eventually("the page of the EKF", async () => (await title()).startsWith("ekf: "));
     await seen("stop");
     await view.picture("help");
-    await view.page.click('#help article [data-topic="ekf/theory"]'); // a link in the text
+    await choose('#help article [data-topic="ekf/theory"]'); // a link in the text
     await eventually("the page that it leads to", async () => (await title()) === "ekf: theory");
     await view.page.click("#help-toggle");
     assert.ok(await view.page.$eval("#help", (help) => help.hidden));

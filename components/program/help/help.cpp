@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "components/viewer/help/help_pages.hpp"
+#include "components/viewer/adaptor/help/help_pages.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/remote/web/content_coding.hpp"
 

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "components/viewer/adaptor/site.hpp"
-#include "components/viewer/help/help_pages.hpp"
+#include "components/viewer/adaptor/help/help_pages.hpp"
 #include "runtime/remote/foxglove/protocol.hpp"
 #include "runtime/remote/foxglove/server.hpp"
 #include "runtime/remote/web/server.hpp"

@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "components/viewer/help/help_pages.hpp"
+#include "components/viewer/adaptor/help/help_pages.hpp"
 #include "runtime/remote/web/content_coding.hpp"
 
 namespace bw::viewer {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "components/viewer/help/help_pages.hpp"
+#include "components/viewer/adaptor/help/help_pages.hpp"
 
 namespace bw::viewer {
 namespace {
