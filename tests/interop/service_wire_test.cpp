@@ -57,7 +57,10 @@ TEST_F(ServerOnTheWire, EndsHaveTheNamesTypesQosAndHashesOfRos2) {
 
 TEST_F(ServerOnTheWire, TheNodeListsItsRequestReaderAndReplyWriter) {
   plain::Node node("look");
-  ASSERT_TRUE(eventually([&] { return node.count("rr/example/triggerReply", true) == 1; }));
+  ASSERT_TRUE(eventually([&] {  // readers and writers are discovered apart
+    return node.count("rr/example/triggerReply", true) == 1 &&
+           node.count("rq/example/triggerRequest", false) == 1;
+  }));
   const plain::Gid reader = foreign_end(node, "rq/example/triggerRequest", false).first;
   const plain::Gid writer = foreign_end(node, "rr/example/triggerReply", true).first;
   ASSERT_TRUE(eventually([&] {
