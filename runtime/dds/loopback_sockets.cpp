@@ -38,6 +38,7 @@ std::set<int> open_datagram_sockets() {
 void bind_to_loopback(const std::set<int>& sockets) {
   for (const int descriptor : sockets) {
     if (setsockopt(descriptor, SOL_SOCKET, SO_BINDTODEVICE, "lo", 3) != 0) {
+      if (errno == EBADF || errno == ENOTSOCK) continue;  // another thread has closed it meanwhile
       throw std::runtime_error(std::string("cannot bind a DDS socket to the loopback device: ") +
                                std::strerror(errno));
     }

@@ -52,6 +52,14 @@ TEST(LoopbackSockets, EverySocketOfAParticipantIsBoundToLo) {
   EXPECT_GE(checked, 2);  // metatraffic and user data at least
 }
 
+// Fast DDS has threads that open and close sockets while a participant is created.
+TEST(LoopbackSockets, OneThatHasBeenClosedMeanwhileIsNoFailure) {
+  const int descriptor = socket(AF_INET, SOCK_DGRAM, 0);
+  ASSERT_GE(descriptor, 0);
+  close(descriptor);
+  EXPECT_NO_THROW(bind_to_loopback({descriptor}));
+}
+
 TEST(LoopbackSockets, HasNothingInSharedMemory) {
   const Participant participant(local());
   EXPECT_EQ(test::in_shared_memory(getpid()), "");
