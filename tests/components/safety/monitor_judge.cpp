@@ -13,7 +13,7 @@ namespace {
 constexpr double kStanding = 0.02;   // [m/s]
 constexpr double kOnTheSpot = 0.2;   // [s] that base_link stands
 constexpr double kAhead = 0.6;       // [rad], of the way it goes
-constexpr double kRemembered = 1.0;  // [s] at least
+constexpr double kRemembered = 1.0;  // [s]
 constexpr double kGraze = 0.03;      // [m]: what is touched no deeper than that may be noise
 constexpr double kGentle = 0.05;     // [m/s]
 constexpr double kBraking = 0.01;    // [s] of the stop that is reckoned
@@ -53,7 +53,7 @@ Judge::Judge(const Scene& scene, const Robot& robot, const Laser& laser, double 
 
 /// Or has, while the sweeps are remembered.
 bool Judge::moves(std::size_t thing, double t) const {
-  return scene_.things[thing].speed() > 0.0 && t < scene_.things[thing].until + kRemembered;
+  return scene_.things[thing].speed() > 0.0 && t < scene_.things[thing].until + stopping_;
 }
 
 double Judge::wheel_of(const Twist2& twist) const {
