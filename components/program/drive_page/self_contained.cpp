@@ -16,6 +16,14 @@ namespace {
   throw std::runtime_error("page file " + std::string(file) + ": " + what);
 }
 
+std::string text_of(const web::SiteFile& file) {
+  try {
+    return web::inflated(file.gzip);
+  } catch (const std::runtime_error&) {
+    refuse(file.path, "is not what gzip makes");
+  }
+}
+
 std::string base64(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kPart = std::size_t{3} << 20;  // whole groups of three: no padding in between
   std::string text;
@@ -84,21 +92,21 @@ void insert_at(std::string& html, std::string_view mark, bool is_behind, const s
 std::string with_content(std::span<const web::SiteFile> site, const std::string& content) {
   const auto index = std::ranges::find_if(site, [](const web::SiteFile& file) { return file.path == "/"; });
   if (index == site.end()) refuse("/", "is missing");
-  std::string html = web::inflated(index->gzip);
+  std::string html = text_of(*index);
   std::string scripts = "script-src";
   std::string styles = "style-src";
   for (const web::SiteFile& file : site) {
     if (file.path == "/") continue;
     if (file.content_type.starts_with("text/javascript")) {
-      const std::string script = script_text(web::inflated(file.gzip));
+      const std::string script = script_text(text_of(file));
       scripts += " " + hash_source(script);
       put_in(html, file.path, "<script type=\"module\">" + script + "</script>");
     } else if (file.content_type.starts_with("text/css")) {
-      const std::string style = web::inflated(file.gzip);
+      const std::string style = text_of(file);
       styles += " " + hash_source(style);
       put_in(html, file.path, "<style>" + style + "</style>");
     } else if (file.content_type.starts_with("image/svg+xml")) {
-      const std::string picture = web::inflated(file.gzip);
+      const std::string picture = text_of(file);
       const std::span bytes(reinterpret_cast<const std::uint8_t*>(picture.data()), picture.size());
       put_in(html, file.path, "<link rel=\"icon\" href=\"data:image/svg+xml;base64," + base64(bytes) + "\">");
     } else {

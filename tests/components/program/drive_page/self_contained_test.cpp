@@ -112,7 +112,7 @@ TEST(SelfContainedPage, RefusesASiteThatIsNotAsExpected) {
   EXPECT_EQ(refusal(site("<html></html>")), "page file /app.js: the page does not name it");
   Site torn = site();
   torn.files[1].gzip = torn.files[1].gzip.first(20);
-  EXPECT_EQ(refusal(torn), "a file of the page is no gzip");
+  EXPECT_EQ(refusal(torn), "page file /app.js: is not what gzip makes");
   Site strange = site();
   strange.files[3].content_type = "font/woff2";
   EXPECT_EQ(refusal(strange), "page file /icon.svg: no page of one file can hold font/woff2");
