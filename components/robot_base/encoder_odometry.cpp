@@ -23,8 +23,7 @@ CountsStatus EncoderOdometry::add(Time now, const EncoderCounts& counts) {
   if (!reference_) {
     reference_ = counts;
     state_.time = counts.time;
-    history_[0] = {counts.time, 0.0, 0.0};
-    history_size_ = 1;
+    restart_history(counts.time);
     return CountsStatus::first;
   }
   const Time newest = suspect_ ? suspect_->time : reference_->time;
@@ -33,9 +32,7 @@ CountsStatus EncoderOdometry::add(Time now, const EncoderCounts& counts) {
       ++faults_.stale;
       return CountsStatus::stale;
     }
-    const Travelled last = history_[history_size_ - 1];
-    history_[0] = {counts.time, last.distance, last.turn};
-    history_size_ = 1;
+    restart_history(counts.time);
     reference_ = counts;
     suspect_.reset();
     state_.time = counts.time;
@@ -58,11 +55,7 @@ CountsStatus EncoderOdometry::add(Time now, const EncoderCounts& counts) {
       static_cast<double>(wrapping_difference(from->left, counts.left)) * left_metres_per_tick_;
   const double ds_right =
       static_cast<double>(wrapping_difference(from->right, counts.right)) * right_metres_per_tick_;
-  if (status == CountsStatus::rebased) {
-    const Travelled last = history_[history_size_ - 1];
-    history_[0] = {from->time, last.distance, last.turn};
-    history_size_ = 1;
-  }
+  if (status == CountsStatus::rebased) restart_history(from->time);
   travel_ = {(counts.time - from->time).to_seconds(), ds_left, ds_right};
   reference_ = counts;
   suspect_.reset();
@@ -77,6 +70,12 @@ bool EncoderOdometry::possible(const EncoderCounts& from, const EncoderCounts& t
   const double seconds = (to.time - from.time).to_seconds();
   const double reach = options_.speed_margin * wheel_speed_max_ * seconds / metres_per_tick_ + kRoundingTicks;
   return wrapping_distance(from.left, to.left) <= reach && wrapping_distance(from.right, to.right) <= reach;
+}
+
+void EncoderOdometry::restart_history(Time time) {
+  const Travelled last = history_size_ > 0 ? history_[history_size_ - 1] : Travelled{};
+  history_[0] = {time, last.distance, last.turn};
+  history_size_ = 1;
 }
 
 void EncoderOdometry::integrate(double ds_left, double ds_right) {

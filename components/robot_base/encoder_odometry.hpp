@@ -92,6 +92,8 @@ class EncoderOdometry {
 
  private:
   bool possible(const EncoderCounts& from, const EncoderCounts& to) const;
+  /// Speed is not averaged over what was before `time`.
+  void restart_history(Time time);
   void integrate(double ds_left, double ds_right);
   void measure_twist();
 
