@@ -18,7 +18,13 @@ katex=/usr/share/javascript/katex
 mkdir -p "$pages/assets/katex"
 cp -rL "$katex/katex.min.js" "$katex/katex.min.css" "$katex/fonts" "$pages/assets/katex/"
 
-mkdocs build --quiet --strict --config-file docs/mkdocs.yml --site-dir "$root/build/site"
+# The pages of `bandwagon help`, in its order.
+{
+  cat docs/mkdocs.yml
+  echo 'nav:'
+  sed -nE 's/^(\S.*):$/  - "\1":/p; s/^[a-z]\S* +(\S+\.md) .*/      - \1/p' docs/help.txt
+} >build/mkdocs.yml
+mkdocs build --quiet --strict --config-file build/mkdocs.yml --site-dir "$root/build/site"
 doxygen -q docs/Doxyfile
 echo "Site:      $root/build/site/index.html"
 echo "Reference: $root/build/site/api/index.html"

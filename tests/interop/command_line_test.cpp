@@ -64,7 +64,7 @@ TEST_F(CommandLine, HelpListsTopicsAndPrintsOne) {
   const Outcome nothing = bandwagon({"help", "kalman"});
   EXPECT_EQ(nothing.status, 2);
   EXPECT_THAT(nothing.err, HasSubstr("no topic kalman"));
-  EXPECT_THAT(bandwagon({"help", "teb/evidence"}).err, HasSubstr("one of these? teb"));
+  EXPECT_THAT(bandwagon({"help", "teb/proof"}).err, HasSubstr("one of these? teb"));
 }
 
 TEST_F(CommandLine, TopicInfoOfNothingFails) {
