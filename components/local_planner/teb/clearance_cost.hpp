@@ -17,8 +17,8 @@ struct ClearanceTerm {
   double fraction = 0.0;
   bool moving = false;
   double unsure = 0.0;  ///< by which the inflation distance grows [m]
-  double presence =
-      1.0;  ///< of a mover (local_planner/theory.md 7.10): below 1 there is inflation alone, and less of it
+  /// of a mover (local_planner/theory.md 7.10): below 1 there is inflation alone, and less of it
+  double presence = 1.0;
   double wanted =
       std::numeric_limits<double>::infinity();  ///< most that is asked for [m] (narrow_passage.hpp)
 };

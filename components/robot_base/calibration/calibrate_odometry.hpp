@@ -23,8 +23,8 @@ namespace bw {
 struct MeasuringErrors {
   double position = 0.005;  ///< sd of each end, x and y [m]
   double heading = 0.01;    ///< sd of each end [rad]
-  double variance_per_metre =
-      1e-5;  ///< k of model/README.md 2.2 [m]: how motions are weighed against each other
+  /// k of model/README.md 2.2 [m]: how motions are weighed against each other
+  double variance_per_metre = 1e-5;
 };
 
 struct Calibration {
