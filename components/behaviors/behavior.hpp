@@ -22,6 +22,7 @@ struct BehaviorSituation {
   std::string
       missing;         ///< what is needed to move and is not there, one sentence; empty: the problem is whole
   std::string unseen;  ///< what is needed to look ahead and is not there, one sentence
+  std::string base_stands;  ///< why, until somebody releases it; empty: it obeys
 };
 
 struct BehaviorStep {

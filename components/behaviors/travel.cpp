@@ -37,6 +37,7 @@ BehaviorStep Travel::step(const BehaviorSituation& situation) {
     return stopped(step);
   };
   if (!situation.missing.empty()) return end(BehaviorError::tf_error, situation.missing);
+  if (!situation.base_stands.empty()) return end(BehaviorError::unknown, situation.base_stands);
   if (goal_.is_watched && !situation.unseen.empty()) return end(BehaviorError::tf_error, situation.unseen);
   if (std::string fault = fault_of(problem); !fault.empty())
     return end(BehaviorError::tf_error, std::move(fault));

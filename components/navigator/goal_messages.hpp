@@ -8,19 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "components/model/base_stop.hpp"
 #include "components/model/goal_tolerance.hpp"
 #include "runtime/base/goal_status.hpp"
 #include "runtime/base/pose2.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw {
-
-/// The base stands and obeys nobody.
-struct BaseStop {
-  std::string reason;       ///< the base's own, for people
-  bool is_latched = false;  ///< it takes a release
-  bool operator==(const BaseStop&) const = default;
-};
 
 /// What the robot knows of itself at a moment; no pose while localization is lost.
 struct Situation {

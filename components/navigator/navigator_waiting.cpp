@@ -4,13 +4,6 @@
 #include "components/navigator/navigator.hpp"
 
 namespace bw {
-namespace {
-
-std::string in_words(const BaseStop& stop) {
-  return "the base stands: " + stop.reason + (stop.is_latched ? "; until release_stop" : "");
-}
-
-}  // namespace
 
 void Navigator::advance_lost(const Situation& situation) {
   if (situation.X_MB) return begin_planning(situation);

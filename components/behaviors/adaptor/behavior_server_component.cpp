@@ -6,6 +6,7 @@
 
 #include "components/behaviors/adaptor/behavior_goal.hpp"
 #include "components/behaviors/adaptor/behavior_messages.hpp"
+#include "components/messages/base_stop_source.hpp"
 #include "components/messages/nav2_layouts.hpp"
 #include "components/messages/planning_inputs.hpp"
 #include "components/messages/velocity_output.hpp"
@@ -25,6 +26,7 @@ class BehaviorServerComponent final : public Component {
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
     inputs_.listen(setup, robot_);
+    base_.listen(setup);
     command_.offer(setup, "cmd_vel_behavior",
                    is_stamped(options_.enable_stamped_cmd_vel, setup.ros_distro()));
     with_nav2_layout(setup.ros_distro(), [&](auto layout) {
@@ -93,6 +95,7 @@ class BehaviorServerComponent final : public Component {
     situation.problem.control_period = 1.0 / options_.cycle_frequency;
     situation.problem.command_lead = options_.command_lead;
     situation.unseen = inputs_.unheard();
+    situation.base_stands = base_.latched(tick.now);
     if (tick.health == Health::stop) situation.missing = "a needed input is stale";
     return situation;
   }
@@ -129,6 +132,7 @@ class BehaviorServerComponent final : public Component {
   BehaviorOptions options_;
   Robot robot_;
   PlanningInputs inputs_;
+  BaseStopSource base_;
   std::string name_;  ///< of the action whose goal is in hand
   std::unique_ptr<BehaviorGoal> goal_;
   std::unique_ptr<Behavior> behavior_;

@@ -38,6 +38,7 @@ void LocalPlannerComponent::configure(Setup& setup) {
   diagnostics_ = &setup.diagnostics();
   diagnostics_->set_value("planner", parameters_.algorithm);
   inputs_.listen(setup, robot_);
+  base_.listen(setup);
   setup.input<bandwagon_msgs::msg::FollowRequest>(
       "follow_request", Qos::standard(), [this](const auto& request, const Tick&) { on_request(request); },
       Need::optional);

@@ -17,6 +17,7 @@
 #include "components/local_planner/adaptor/follow_path_server.hpp"
 #include "components/local_planner/followed_path.hpp"
 #include "components/local_planner/local_planner_parameters.hpp"
+#include "components/messages/base_stop_source.hpp"
 #include "components/messages/planning_inputs.hpp"
 #include "components/messages/velocity_output.hpp"
 #include "components/model/robot.hpp"
@@ -77,6 +78,7 @@ class LocalPlannerComponent final : public Component {
   bool at_rest_ = true;       ///< a stop was obeyed: nothing more to say
 
   PlanningInputs inputs_;
+  BaseStopSource base_;
   FollowPathServer follow_path_;
   VelocityOutput command_;
   Output<bandwagon_msgs::msg::FollowStatus> status_;

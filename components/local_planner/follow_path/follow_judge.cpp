@@ -30,6 +30,7 @@ FollowVerdict FollowJudge::judge(const FollowCycle& cycle, const FollowPathOptio
   if (!cycle.missing.empty() || !cycle.unknown_place.empty()) return judge_absence(cycle, options);
   absent_since_.reset();
   if (is_there(cycle, options.goal_checker)) return {.is_over = true, .failure = {}};
+  if (!cycle.base_stands.empty()) return failed(FollowFault::failed_to_make_progress, cycle.base_stands);
   const ProgressCheckerOptions& checker = options.progress_checker;
   if (!options.progress_checker_plugins.empty() && !makes_progress(cycle, checker)) {
     std::ostringstream reason;

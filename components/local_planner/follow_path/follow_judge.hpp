@@ -16,6 +16,7 @@ struct FollowCycle {
   Time now;
   std::string missing;        ///< an input that is stale, or was never there; empty: none
   std::string unknown_place;  ///< the transform that is not known; empty: none
+  std::string base_stands;    ///< why, until somebody releases it; empty: it obeys
   Pose2 X_OB;                 ///< of no meaning when something is missing or not known
   Pose2 X_OG;
   double distance_to_goal = 0.0;  ///< along the path [m]

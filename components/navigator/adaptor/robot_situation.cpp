@@ -16,7 +16,7 @@ void RobotSituation::listen(Setup& setup, const NavigatorParameters& parameters,
   base_frame_ = setup.frame("base_link");
   transforms_ = std::move(transforms);
   override_ = setup.latest<std_msgs::msg::Bool>("manual_override", Qos::latched(), Need::optional);
-  base_ = setup.latest<bandwagon_msgs::msg::BaseState>("base_state", Qos::standard(), Need::optional);
+  base_.listen(setup);
   odometry_ = setup.latest<nav_msgs::msg::Odometry>(by_tf_ ? "odom" : "odometry/filtered", Qos::command());
 }
 
@@ -27,20 +27,10 @@ std::optional<Pose2> RobotSituation::pose(Time now) const {
   return transforms_->lookup_planar(map_frame_, base_frame_);
 }
 
-/// Of a base that tells nothing, or fell silent, nothing is known.
-std::optional<BaseStop> RobotSituation::base_stop(Time now) const {
-  namespace states = bandwagon_msgs::msg::BaseState_Constants;
-  constexpr Duration kHeard = Duration::milliseconds(1000);  // it tells ten times a second
-  if (!base_ || now - base_.received() > kHeard) return std::nullopt;
-  const bool obeys = base_->state() < states::BACKING_OFF && !base_->is_latched();
-  if (obeys) return std::nullopt;
-  return BaseStop{base_->reason().empty() ? "it does not say why" : base_->reason(), base_->is_latched()};
-}
-
 Situation RobotSituation::at(const Tick& tick) const {
   Situation s{tick.now, std::nullopt, {}};
   s.is_overridden = override_ && override_->data();
-  s.base_stop = base_stop(tick.now);
+  s.base_stop = base_.at(tick.now);
   if (!odometry_) return s;
   s.twist = from_twist(odometry_->twist().twist());
   const bool fresh = tick.now - odometry_.received() <= timeout_;

@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include <bandwagon_msgs/msg/base_state.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <std_msgs/msg/bool.hpp>
 
+#include "components/messages/base_stop_source.hpp"
 #include "components/navigator/goal_messages.hpp"
 #include "components/navigator/navigator_parameters.hpp"
 #include "runtime/component.hpp"
@@ -29,7 +29,6 @@ class RobotSituation {
 
  private:
   std::optional<Pose2> pose(Time now) const;
-  std::optional<BaseStop> base_stop(Time now) const;
 
   bool by_tf_ = false;
   Duration timeout_;
@@ -38,7 +37,7 @@ class RobotSituation {
   std::shared_ptr<const TransformTree> transforms_;
   Latest<nav_msgs::msg::Odometry> odometry_;
   Latest<std_msgs::msg::Bool> override_;
-  Latest<bandwagon_msgs::msg::BaseState> base_;
+  BaseStopSource base_;
 };
 
 }  // namespace bw

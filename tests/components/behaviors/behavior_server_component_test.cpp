@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include <bandwagon_msgs/msg/base_state.hpp>
 #include <bandwagon_msgs/msg/obstacles.hpp>
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <geometry_msgs/msg/twist.hpp>
@@ -150,6 +151,36 @@ TEST(BehaviorServer, ANewerGoalOfAnyActionEndsTheOneInHand) {
       return std::abs(command.first - t) < 1e-6 && command.second == Twist2{};
     })) << t;
   }
+  EXPECT_EQ(rig.twist, Twist2{});
+}
+
+// Of those that move: who waits needs no base.
+TEST(BehaviorServer, ABaseThatHasToBeReleasedEndsAMotionWithItsReason) {
+  Attempt drive, spin, wait;
+  bandwagon_msgs::msg::BaseState base;
+  Rig rig;
+  rig.more = [&](bw::Setup& setup) {
+    setup.every(Duration::milliseconds(100), "base",
+                [&, out = setup.output<bandwagon_msgs::msg::BaseState>("base_state")](const Tick&) {
+                  out.publish(base);
+                });
+  };
+  rig.acts[100] = [&](const Clients& c) {
+    send_goal(c.drive, drive_goal<Nav2::DriveOnHeading>(3.0, 0.5), drive);
+  };
+  rig.acts[205] = [&](const Clients&) {
+    base.is_latched(true);
+    base.reason("bumper left");
+  };
+  rig.acts[300] = [&](const Clients& c) { send_goal(c.spin, spin_goal<Nav2::Spin>(1.0), spin); };
+  rig.acts[400] = [&](const Clients& c) { send_goal(c.wait, wait_goal<Nav2::Wait>(1.0), wait); };
+  rig.run(6.0);
+  const std::string reason = "the base stands: bumper left; until release_stop";
+  expect_end(drive, GoalStatus::aborted, 720, reason);
+  EXPECT_NEAR(drive.ended_at, 2.1, 0.11);
+  expect_end(spin, GoalStatus::aborted, 700, reason);
+  EXPECT_NEAR(spin.ended_at, 3.0, 0.11);
+  expect_end(wait, GoalStatus::succeeded, 0, "");
   EXPECT_EQ(rig.twist, Twist2{});
 }
 

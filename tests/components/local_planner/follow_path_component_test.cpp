@@ -49,6 +49,30 @@ TEST(FollowPath, DrivesToTheEndTellsOfItEachCycleAndLeavesTheRobotStanding) {
   EXPECT_EQ(rig.statuses.back().status(), follow::IDLE);
 }
 
+// A base that goes on by itself is waited for. A cycle is 0.1 s.
+TEST(FollowPath, ABaseThatHasToBeReleasedEndsItWithItsReason) {
+  namespace states = bandwagon_msgs::msg::BaseState_Constants;
+  Rig rig;
+  rig.settings = kLead;
+  rig.at[5] = [&] { rig.send(Rig::to_goal(Rig::straight(0, 6))); };
+  rig.at[50] = [&] {
+    rig.base.state(states::BACKING_OFF);
+    rig.base.reason("bumper left");
+  };
+  rig.at[100] = [&] { rig.base.is_latched(true); };
+  rig.at[150] = [&] { rig.send(Rig::to_goal(Rig::straight(0, 6))); };
+  rig.at[200] = [&] { rig.base = {}; };
+  rig.at[205] = [&] { rig.send(Rig::to_goal(Rig::straight(rig.X_MB.x, 6))); };
+  rig.run(15.0);
+  ASSERT_EQ(rig.goals.size(), 3U);
+  const std::string reason = "the base stands: bumper left; until release_stop";
+  expect_end(rig.goals[0], GoalStatus::aborted, 105, reason);
+  EXPECT_NEAR(rig.goals[0].ended, 2.05, 0.06);
+  expect_end(rig.goals[1], GoalStatus::aborted, 105, reason);
+  EXPECT_NEAR(rig.goals[1].ended, 3.05, 0.06);
+  expect_end(rig.goals[2], GoalStatus::succeeded, 0, "");
+}
+
 // The tree sends a path each second, from where the robot is. 20 m at 1 m/s take 20 s; from 3 s on it drives
 // at full speed.
 TEST(FollowPath, ANewPathEachSecondCausesNoDip) {

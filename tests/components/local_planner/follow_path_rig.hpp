@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <bandwagon_msgs/msg/base_state.hpp>
 #include <bandwagon_msgs/msg/follow_request.hpp>
 #include <bandwagon_msgs/msg/follow_status.hpp>
 #include <bandwagon_msgs/msg/obstacles.hpp>
@@ -53,6 +54,7 @@ class FollowPathRig {
   std::map<int, std::function<void()>> at;   ///< by step, after the robot has moved
   bandwagon_msgs::msg::Obstacles obstacles;  ///< in map
   bool has_odometry = true;
+  bandwagon_msgs::msg::BaseState base;       ///< what the base tells
   // What is seen.
   Pose2 X_MB;
   Twist2 twist;
@@ -135,6 +137,7 @@ class FollowPathRig {
     client_ = setup.action_client<A>("follow_path");
     change_state_ = setup.client<lifecycle_msgs::srv::ChangeState>("/local_planner/change_state");
     request_ = setup.output<bandwagon_msgs::msg::FollowRequest>("follow_request");
+    base_ = setup.output<bandwagon_msgs::msg::BaseState>("base_state");
     odometry_ = setup.output<nav_msgs::msg::Odometry>("odom");
     obstacles_ = setup.output<bandwagon_msgs::msg::Obstacles>("obstacles");
     tracks_ = setup.output<bandwagon_msgs::msg::Tracks>("tracks");
@@ -155,6 +158,7 @@ class FollowPathRig {
     odometry.pose().pose(to_pose(X_OB));
     odometry.twist().twist(to_twist_message(twist));
     if (has_odometry) odometry_.publish(odometry);
+    base_.publish(base);
     obstacles.header(make_header("map", tick.now));
     obstacles_.publish(obstacles);
     bandwagon_msgs::msg::Tracks nobody;
@@ -166,6 +170,7 @@ class FollowPathRig {
   ActionClient<A> client_;
   Client<lifecycle_msgs::srv::ChangeState> change_state_;
   Output<bandwagon_msgs::msg::FollowRequest> request_;
+  Output<bandwagon_msgs::msg::BaseState> base_;
   Output<nav_msgs::msg::Odometry> odometry_;
   Output<bandwagon_msgs::msg::Obstacles> obstacles_;
   Output<bandwagon_msgs::msg::Tracks> tracks_;
