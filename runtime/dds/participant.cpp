@@ -10,7 +10,6 @@
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 
 #include "runtime/dds/fast_reader.hpp"
 #include "runtime/dds/fast_writer.hpp"
@@ -40,16 +39,6 @@ void add_peer(rtps::LocatorList_t& peers, const std::string& address) {
     throw std::runtime_error("ROS_STATIC_PEERS: \"" + address + "\" is not an IPv4 address");
   }
   peers.push_back(locator);
-}
-
-// By default Fast DDS hands the endpoints of one participant straight to another of the same process. Of
-// participants that come at the same time, one may then never hear of another's endpoints (2.9). Who is alone
-// needs that: it has no port to hear by.
-void set_intraprocess_delivery(bool alone) {
-  eprosima::fastrtps::LibrarySettingsAttributes settings;
-  settings.intraprocess_delivery = alone ? eprosima::fastrtps::INTRAPROCESS_FULL
-                                         : eprosima::fastrtps::INTRAPROCESS_USER_DATA_ONLY;
-  eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
 }
 
 // Who comes is answered at once, but may miss it: Fast DDS (2.9 to 2.14) announces itself before it hears.
@@ -164,7 +153,6 @@ struct Participant::Impl {
 
 Participant::Participant(const ParticipantOptions& options) : impl_(std::make_unique<Impl>()) {
   efd::Log::SetVerbosity(efd::Log::Kind::Error);
-  set_intraprocess_delivery(options.alone);
   const std::set<int> before = open_datagram_sockets();
   const auto domain = static_cast<efd::DomainId_t>(options.network.domain_id);
   // Created with the listener, so that nothing discovered early is missed.

@@ -252,8 +252,13 @@ TEST(OutsideManager, WhoEndsABondIsAnswered) {
 
 TEST(OwnManager, ReachesTheOtherProcesses) {
   const Graph graph = two_servers(false);
-  const RunningHost planning(graph, "planning"), rest(graph, "rest");
+  // One after the other: of participants that come into one process at the same time, Fast DDS 2.9 sometimes
+  // never tells one of another's endpoints. Processes of their own are not in that danger.
   NavManager nav;
+  const RunningHost planning(graph, "planning");
+  ASSERT_NE(nav.state("controller_server"), "");
+  const RunningHost rest(graph, "rest");
+  ASSERT_NE(nav.state("planner_server"), "");
   const auto command = [&nav](std::uint8_t number) {
     ManageLifecycleNodes::Request request;
     request.command(number);
