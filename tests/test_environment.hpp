@@ -10,9 +10,9 @@ namespace bw::test {
 
 class TestEnvironment {
  public:
-  /// Sets ROS_DOMAIN_ID, TMPDIR, TEST_TMPDIR, XDG_STATE_HOME and XDG_RUNTIME_DIR, whatever they were: a
-  /// domain that a user has chosen has the user's robot on it. Before any thread is started. Throws
-  /// std::runtime_error.
+  /// Sets ROS_DOMAIN_ID, TMPDIR, TEST_TMPDIR, XDG_CONFIG_HOME, XDG_STATE_HOME and XDG_RUNTIME_DIR, whatever
+  /// they were: a domain that a user has chosen has the user's robot on it. Before any thread is started.
+  /// Throws std::runtime_error.
   TestEnvironment();
 
  private:

@@ -12,7 +12,6 @@ namespace bw {
 namespace {
 
 constexpr const char* kType = "viewer";
-constexpr const char* kAsGiven = "as the graph says";
 
 ConfigNode scalar(const std::string& text, bool is_text) {
   ConfigNode node;

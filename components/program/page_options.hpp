@@ -10,7 +10,9 @@
 namespace bw {
 
 struct PageOptions {
-  std::string page;  ///< empty: as the graph says; else a port, or the word that --page stands for alone
+  static constexpr const char* kAsGiven = "as the graph says";  ///< what --page stands for alone
+
+  std::string page;  ///< empty: as the graph says; else a port, or kAsGiven
   std::string bags;
   std::string listen;
   std::string token_file;

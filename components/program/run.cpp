@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "runtime/atomic_file.hpp"
 #include "runtime/cli/emulate_option.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/state_folder.hpp"
 
 namespace bw {
 namespace {
@@ -79,9 +81,7 @@ int run(const RunOptions& options) {
   return is_success(options, result) ? 0 : 1;
 }
 
-void add_run(cli::Verb verb) {
-  auto options = std::make_shared<RunOptions>();
-  verb.option("GRAPH", options->graph, "Graph file").required();
+void add_options(cli::Verb verb, const std::shared_ptr<RunOptions>& options) {
   verb.option("--clock", options->clock,
               "wall, lockstep (virtual time, repeatable) or topic (/clock from outside)")
       .one_of({"wall", "lockstep", "topic"});
@@ -106,11 +106,58 @@ void add_run(cli::Verb verb) {
   options->page.add_to(verb);
   verb.flag("--progress", options->progress, "Progress line even when stderr is no terminal");
   verb.flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 after any contact");
+}
+
+void add_run(cli::Verb verb) {
+  auto options = std::make_shared<RunOptions>();
+  verb.option("GRAPH", options->graph, "Graph file, or the name of one (`bandwagon graphs`)").required();
+  add_options(verb, options);
   verb.run([options] { return run(*options); });
+}
+
+/// `options` are what was asked for beside the demo's own.
+int run_demo(RunOptions options, const std::filesystem::path& folder, bool has_page) {
+  std::filesystem::create_directories(folder);
+  const auto file = [&folder](const char* name) { return (folder / name).string(); };
+  const auto set = [](std::string& option, const std::string& value) {
+    if (option.empty()) option = value;
+  };
+  options.graph = "hallway";
+  options.clock = options.stay ? "wall" : "lockstep";
+  options.fail_on_contact = true;
+  options.progress = true;
+  set(options.json, file("score_card.json"));
+  set(options.svg, file("drive.svg"));
+  if (options.record.record.empty()) std::filesystem::remove(file("drive.mcap"));
+  set(options.record.record, file("drive.mcap"));
+  if (has_page) set(options.page.page, PageOptions::kAsGiven);
+  if (has_page) set(options.page.bags, folder.string());
+  std::cout << "A robot crosses a hallway with six walkers and two people who stand ("
+            << (options.stay ? "real time, until Ctrl-C" : "4 times real time") << "):" << std::endl;
+  const int status = run(options);
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  std::cout << "\nScore card: " << options.json << "\nPicture:    " << options.svg
+            << "\nOn a page:  " << program << " view " << options.record.record
+            << "\nRecording:  " << options.record.record
+            << ", to be driven again by any of its components:\n  " << program << " replay "
+            << options.record.record << " --graph hallway --run local_planner\n";
+  return status;
+}
+
+void add_demo(cli::Verb verb) {
+  auto options = std::make_shared<RunOptions>(RunOptions{.seed = 7, .pace = 4.0});
+  auto folder = std::make_shared<std::filesystem::path>();
+  auto no_page = std::make_shared<bool>(false);
+  verb.option("--out", *folder, "Folder for what it writes (~/.local/state/bandwagon/demo)");
+  verb.flag("--no-page", *no_page, "Serves no page");
+  add_options(verb, options);
+  verb.run(
+      [=] { return run_demo(*options, folder->empty() ? state_folder() / "demo" : *folder, !*no_page); });
 }
 
 }  // namespace
 
 BW_VERB(drive, "run", "Runs a graph, or one process of it", add_run)
+BW_VERB(drive, "demo", "Drives through a hallway full of people, on the page; options of run", add_demo)
 
 }  // namespace bw

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -8,17 +9,20 @@
 #include "runtime/cli/param_graph.hpp"
 #include "runtime/cli/param_node.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/graph/config_file.hpp"
 
 namespace bw::cli {
 namespace {
 
-/// What stands behind `list` and `dump`: a graph file, then one of its components; or a running node.
+/// What stands behind `list` and `dump`: a graph, then one of its components; or a running node.
 struct Target {
   std::string name;
   GraphParameters graph;
 
   bool is_graph() const {
-    return name.ends_with(".yaml") || name.ends_with(".yml") || std::filesystem::exists(name);
+    const auto graphs = config_files("graphs");
+    return name.ends_with(".yaml") || name.ends_with(".yml") || std::filesystem::exists(name) ||
+           std::ranges::find(graphs, name, &ConfigFile::name) != graphs.end();
   }
   const GraphParameters& as_graph() {
     graph.path = name;

@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "runtime/graph/config_file.hpp"
 #include "runtime/graph/graph.hpp"
 #include "runtime/graph/several_robots.hpp"
 #include "runtime/parameters/nearest.hpp"
@@ -334,8 +335,8 @@ bool set_distro(Graph& graph, const Override& change) {
   return true;
 }
 
-/// A whole shared section from a file: robot=FILE, where the command line stands. False when the override
-/// means something else.
+/// A whole shared section from a file: robot=FILE, where the command line stands, or robot=NAME. False when
+/// the override means something else.
 bool set_section(Graph& graph, const Override& change) {
   const bool is_section =
       change.path.size() == 1 &&
@@ -343,7 +344,8 @@ bool set_section(Graph& graph, const Override& change) {
   if (!is_section) return false;
   if (!change.value.is_scalar())
     throw ConfigError(Violation{change.value.where, change.key(), change.value.text(), "must be a file"});
-  ConfigNode section = load_yaml(std::filesystem::absolute(change.value.scalar));
+  ConfigNode section = load_yaml(std::filesystem::absolute(
+      config_file(change.path.front() + "s", change.value.scalar, change.value.where)));
   if (!section.is_map())
     throw ConfigError(Violation{section.where, change.key(), section.text(), "must be a map of parameters"});
   graph.shared[change.path.front()] = std::move(section);
@@ -391,7 +393,7 @@ void apply_override(Graph& graph, const Override& change) {
 }
 
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  return GraphReader().read(path, overrides);
+  return GraphReader().read(config_file("graphs", path), overrides);
 }
 
 }  // namespace bw

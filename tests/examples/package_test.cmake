@@ -43,6 +43,12 @@ foreach(wanted "wanderer scan" "motor_control cmd_vel")
   endif()
 endforeach()
 
+# What was installed drives from any folder.
+run("the demo" ${STAGE}/prefix/bin/bandwagon demo --no-page --pace 0 --out ${STAGE}/demo)
+if(NOT EXISTS ${STAGE}/demo/drive.mcap)
+  message(FATAL_ERROR "the demo has recorded nothing")
+endif()
+
 # The planner drives the robot through the hallway with its boxes and people (42 s; status 0 means reached), and its name is on the
 # score card.
 set(graphs ${STAGE}/prefix/share/bandwagon/config/graphs)

@@ -67,6 +67,18 @@ TEST_F(CommandLine, HelpListsTopicsAndPrintsOne) {
   EXPECT_THAT(bandwagon({"help", "teb/proof"}).err, HasSubstr("one of these? teb"));
 }
 
+// As installed: from any folder, and nothing is written but where it is told.
+TEST_F(CommandLine, DemoDrivesFromAnyFolder) {
+  const Folder folder;
+  const Outcome demo = bandwagon({"demo", "--no-page", "--pace", "0", "--out", (folder / "demo").string()});
+  EXPECT_EQ(demo.status, 0) << demo.err;
+  EXPECT_THAT(demo.out, HasSubstr("Goal reached in 23.0 s"));  // hallway, seed 7
+  for (const char* name : {"score_card.json", "drive.svg", "drive.mcap"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "demo" / name)) << name;
+  EXPECT_THAT(bandwagon({"graphs"}).out, ContainsRegex("hallway +A robot crosses a hallway"));
+  EXPECT_THAT(bandwagon({"robots"}).out, ContainsRegex("kobuki +Kobuki, as below a TurtleBot 2"));
+}
+
 TEST_F(CommandLine, TopicInfoOfNothingFails) {
   const Outcome info = bandwagon({"topic", "info", "/nobody"});
   EXPECT_EQ(info.status, 1);

@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "runtime/graph/config_file.hpp"
 #include "runtime/parameters/parameters.hpp"
 #include "runtime/parameters/yaml_file.hpp"
 
@@ -104,7 +105,8 @@ Graph Suite::graph_of(std::size_t episode, const std::string& variant) const {
                            (known.empty() ? "none" : known));
 }
 
-Suite load_suite(const std::filesystem::path& file) {
+Suite load_suite(const std::filesystem::path& asked) {
+  const std::filesystem::path file = config_file("suites", asked);
   const ConfigNode root = load_yaml(file);
   Suite suite;
   suite.options = read_parameters<SuiteOptions>(root, "");

@@ -73,11 +73,11 @@ Json drive_json(const NavigationDrive& drive) {
 
 const std::vector<NavigationPair>& navigation_pairs() {
   static const std::vector<NavigationPair> kPairs = {
-      {"Eddie", "eddie.yaml", "edwa", "Figure 3.5", "reached, without contact (four runs, pictures)"},
-      {"Eddie", "eddie.yaml", "edwa", "Figure 3.5", "reached, without contact (four runs, pictures)", true},
-      {"Eddie", "eddie.yaml", "eteb", "-", "not driven there"},
-      {"QBot 2e", "qbot2e.yaml", "eteb", "Section 3.4", "reached, without contact (a video)"},
-      {"QBot 2e", "qbot2e.yaml", "pteb", "-", "not driven there"},
+      {"Eddie", "eddie", "edwa", "Figure 3.5", "reached, without contact (four runs, pictures)"},
+      {"Eddie", "eddie", "edwa", "Figure 3.5", "reached, without contact (four runs, pictures)", true},
+      {"Eddie", "eddie", "eteb", "-", "not driven there"},
+      {"QBot 2e", "qbot2e", "eteb", "Section 3.4", "reached, without contact (a video)"},
+      {"QBot 2e", "qbot2e", "pteb", "-", "not driven there"},
   };
   return kPairs;
 }

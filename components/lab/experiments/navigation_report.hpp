@@ -19,7 +19,7 @@ namespace bw {
 /// A robot and the planner that drives it.
 struct NavigationPair {
   std::string robot;       ///< "Eddie"
-  std::string robot_file;  ///< in config/robots
+  std::string robot_file;  ///< by its name, in config/robots
   std::string planner;     ///< of local_planner
   std::string source;      ///< where the source shows it
   std::string published;   ///< what it says of it

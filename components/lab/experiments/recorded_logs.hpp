@@ -7,8 +7,8 @@
 
 namespace bw {
 
-/// `data` holds the logs' folders, `imports` their columns files (config/imports). Throws what the import
+/// `data` holds the logs' folders; their columns files are those of config/imports. Throws what the import
 /// throws.
-RealDataLogs read_real_data(const std::filesystem::path& data, const std::filesystem::path& imports);
+RealDataLogs read_real_data(const std::filesystem::path& data);
 
 }  // namespace bw

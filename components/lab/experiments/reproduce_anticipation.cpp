@@ -9,7 +9,6 @@
 #include "components/lab/evaluate/suite.hpp"
 #include "components/lab/experiments/anticipation_report.hpp"
 #include "components/lab/experiments/kept_crossing.hpp"
-#include "components/lab/experiments/project_file.hpp"
 #include "components/lab/experiments/published_values.hpp"
 #include "components/lab/experiments/reproduce_drives.hpp"
 #include "components/lab/experiments/reproduce_report.hpp"
@@ -99,7 +98,7 @@ std::string title_of(const Suite& suite, const HallwayJob& job) {
 std::vector<HallwayDrive> drive_hallway(const std::vector<CrossingEntry>& entries,
                                         const std::vector<CrossingEntry>& defaults,
                                         const ReproduceArguments& arguments) {
-  const Suite suite = load_suite(project_file("config/suites/hallway.yaml"));
+  const Suite suite = load_suite("hallway");
   std::vector<HallwayJob> jobs = hallway_jobs(suite, entries, false, arguments.quick);
   for (HallwayJob& job : hallway_jobs(suite, defaults, true, arguments.quick)) jobs.push_back(std::move(job));
   std::vector<DriveJob> drives;

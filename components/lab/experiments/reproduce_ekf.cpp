@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "components/lab/experiments/ekf_report.hpp"
-#include "components/lab/experiments/project_file.hpp"
 #include "components/lab/experiments/published_values.hpp"
 #include "components/lab/experiments/recorded_logs.hpp"
 #include "components/lab/experiments/reproduce_report.hpp"
@@ -44,8 +43,7 @@ bool reproduce_ekf(const ReproduceArguments& arguments) {
   report.rows = ekf_rows(report.seeds);
   const char* shared = std::getenv("BANDWAGON_SHARED");
   if (shared != nullptr && *shared != '\0') {
-    const RealDataLogs logs =
-        read_real_data(std::filesystem::path(shared) / "data", project_file("config/imports"));
+    const RealDataLogs logs = read_real_data(std::filesystem::path(shared) / "data");
     std::cerr << fmt::format("logs of real robots: {}, {}, {}\n", logs.husky.name, logs.mrclam.name,
                              logs.labyrinth.name);
     report.real_data =

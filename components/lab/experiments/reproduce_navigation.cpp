@@ -9,7 +9,6 @@
 #include "components/lab/evaluate/suite.hpp"
 #include "components/lab/experiments/drive_chart.hpp"
 #include "components/lab/experiments/navigation_report.hpp"
-#include "components/lab/experiments/project_file.hpp"
 #include "components/lab/experiments/reproduce_drives.hpp"
 #include "components/lab/experiments/reproduce_report.hpp"
 #include "runtime/graph/graph.hpp"
@@ -24,7 +23,7 @@ Graph navigation_graph(const Suite& suite, std::size_t episode, const Navigation
                        bool simulated_drivers) {
   Graph graph = suite.graph_of(episode);
   const auto set = [&graph](const std::string& text) { apply_override(graph, parse_override(text)); };
-  set("robot=" + std::filesystem::absolute(project_file("config/robots/" + pair.robot_file)).string());
+  set("robot=" + pair.robot_file);
   if (simulated_drivers) {
     set("robot.base.driver=simulated");
     set("robot.laser.driver=none");
@@ -56,7 +55,7 @@ std::vector<report::Figure> figures_of(const NavigationResults& results, const s
 
 bool reproduce_navigation(const ReproduceArguments& arguments) {
   const bool simulated = arguments.simulated_drivers;
-  const Suite suite = load_suite(project_file("config/suites/hallway.yaml"));
+  const Suite suite = load_suite("hallway");
   NavigationResults results{.emulated = !simulated};
   std::vector<DriveJob> jobs;
   std::vector<std::size_t> episodes(suite.options.episodes.size());
