@@ -123,7 +123,7 @@ int run_demo(RunOptions options, const std::filesystem::path& folder, bool has_p
     if (option.empty()) option = value;
   };
   options.graph = "hallway";
-  options.clock = options.stay ? "wall" : "lockstep";
+  if (options.clock.empty()) options.clock = options.stay ? "wall" : "lockstep";
   options.fail_on_contact = true;
   options.progress = true;
   set(options.json, file("score_card.json"));
@@ -133,7 +133,8 @@ int run_demo(RunOptions options, const std::filesystem::path& folder, bool has_p
   if (has_page) set(options.page.page, PageOptions::kAsGiven);
   if (has_page) set(options.page.bags, folder.string());
   std::cout << "A robot crosses a hallway with six walkers and two people who stand ("
-            << (options.stay ? "real time, until Ctrl-C" : "4 times real time") << "):" << std::endl;
+            << (options.clock == "lockstep" ? "simulated time" : "real time")
+            << (options.stay ? ", until Ctrl-C" : "") << "):" << std::endl;
   const int status = run(options);
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
   std::cout << "\nScore card: " << options.json << "\nPicture:    " << options.svg
@@ -145,7 +146,7 @@ int run_demo(RunOptions options, const std::filesystem::path& folder, bool has_p
 }
 
 void add_demo(cli::Verb verb) {
-  auto options = std::make_shared<RunOptions>(RunOptions{.seed = 7, .pace = 4.0});
+  auto options = std::make_shared<RunOptions>(RunOptions{.clock = "", .seed = 7, .pace = 4.0});
   auto folder = std::make_shared<std::filesystem::path>();
   auto no_page = std::make_shared<bool>(false);
   verb.option("--out", *folder, "Folder for what it writes (~/.local/state/bandwagon/demo)");
