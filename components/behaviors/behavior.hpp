@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "components/model/base_stop.hpp"
 #include "components/model/planning.hpp"
 #include "runtime/base/pose2.hpp"
 #include "runtime/base/time.hpp"
@@ -22,7 +23,7 @@ struct BehaviorSituation {
   std::string
       missing;         ///< what is needed to move and is not there, one sentence; empty: the problem is whole
   std::string unseen;  ///< what is needed to look ahead and is not there, one sentence
-  std::string base_stands;  ///< why, until somebody releases it; empty: it obeys
+  std::optional<BaseStop> base_stop = std::nullopt;  ///< nothing: it obeys, or does not tell
 };
 
 struct BehaviorStep {

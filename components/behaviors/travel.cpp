@@ -18,6 +18,11 @@ constexpr double kPatience = 10.0;  // [s] without that; then a goal without an 
 constexpr double kSlowest = 0.02;   // [m/s] but for the last step, unless the goal asks for it
 constexpr double kMargin = 0.02;    // [m] around the footprint that the look-ahead asks for
 
+/// With what explains it, where something does.
+std::string with(std::string text, const std::string& reason) {
+  return reason.empty() ? text : text + "; " + reason;
+}
+
 BehaviorStep stopped(BehaviorStep step) {
   step.command = Twist2{};
   return step;
@@ -37,14 +42,16 @@ BehaviorStep Travel::step(const BehaviorSituation& situation) {
     return stopped(step);
   };
   if (!situation.missing.empty()) return end(BehaviorError::tf_error, situation.missing);
-  if (!situation.base_stands.empty()) return end(BehaviorError::unknown, situation.base_stands);
+  const std::string base = situation.base_stop ? in_words(*situation.base_stop) : "";
+  if (situation.base_stop && situation.base_stop->is_latched) return end(BehaviorError::unknown, base);
   if (goal_.is_watched && !situation.unseen.empty()) return end(BehaviorError::tf_error, situation.unseen);
   if (std::string fault = fault_of(problem); !fault.empty())
     return end(BehaviorError::tf_error, std::move(fault));
   measure(problem.pose);
   if (goal_.time_allowance > Duration{} && age > goal_.time_allowance)
-    return end(BehaviorError::timeout, "the time allowance was over before the target was reached");
-  if (is_stuck(age, problem.pose)) return end(BehaviorError::unknown, "the robot does not move");
+    return end(BehaviorError::timeout,
+               with("the time allowance was over before the target was reached", base));
+  if (is_stuck(age, problem.pose)) return end(BehaviorError::unknown, with("the robot does not move", base));
   BehaviorStep step{.traveled = traveled_ * (goal_.axis == TravelAxis::turn ? sign_ : 1.0)};
   const bool standing = is_at_rest(problem.twist);
   if (!X_OS_ && !standing) return stopped(step);

@@ -27,12 +27,6 @@ class BaseStopSource {
                     state_->is_latched()};
   }
 
-  /// Why nothing moves until somebody releases the base; empty: it does, or may do so by itself.
-  std::string latched(Time now) const {
-    const std::optional<BaseStop> stop = at(now);
-    return stop && stop->is_latched ? in_words(*stop) : std::string();
-  }
-
  private:
   Latest<bandwagon_msgs::msg::BaseState> state_;
 };

@@ -95,7 +95,7 @@ class BehaviorServerComponent final : public Component {
     situation.problem.control_period = 1.0 / options_.cycle_frequency;
     situation.problem.command_lead = options_.command_lead;
     situation.unseen = inputs_.unheard();
-    situation.base_stands = base_.latched(tick.now);
+    situation.base_stop = base_.at(tick.now);
     if (tick.health == Health::stop) situation.missing = "a needed input is stale";
     return situation;
   }

@@ -74,7 +74,7 @@ void LocalPlannerComponent::report(const Tick& tick, const PlanningProblem& prob
   FollowCycle cycle{.now = tick.now,
                     .missing = is_stale ? result.reason : "",
                     .unknown_place = is_stale ? "" : missing,
-                    .base_stands = base_.latched(tick.now),
+                    .base_stop = base_.at(tick.now),
                     .X_OB = problem.pose,
                     .X_OG = {},
                     .distance_to_goal = path_.distance_to_goal(),

@@ -30,13 +30,15 @@ FollowVerdict FollowJudge::judge(const FollowCycle& cycle, const FollowPathOptio
   if (!cycle.missing.empty() || !cycle.unknown_place.empty()) return judge_absence(cycle, options);
   absent_since_.reset();
   if (is_there(cycle, options.goal_checker)) return {.is_over = true, .failure = {}};
-  if (!cycle.base_stands.empty()) return failed(FollowFault::failed_to_make_progress, cycle.base_stands);
+  if (cycle.base_stop && cycle.base_stop->is_latched)
+    return failed(FollowFault::failed_to_make_progress, in_words(*cycle.base_stop));
   const ProgressCheckerOptions& checker = options.progress_checker;
   if (!options.progress_checker_plugins.empty() && !makes_progress(cycle, checker)) {
     std::ostringstream reason;
     reason << "no progress: less than " << checker.required_movement_radius << " m in "
            << checker.movement_time_allowance << " s";
     if (!cycle.reason.empty()) reason << "; " << cycle.reason;
+    if (cycle.base_stop) reason << "; " << in_words(*cycle.base_stop);
     return failed(FollowFault::failed_to_make_progress, reason.str());
   }
   return judge_control(cycle, options.failure_tolerance);

@@ -7,6 +7,7 @@
 
 #include "components/local_planner/follow_path/follow_fault.hpp"
 #include "components/local_planner/follow_path/follow_path_options.hpp"
+#include "components/model/base_stop.hpp"
 #include "components/model/planning.hpp"
 
 namespace bw {
@@ -16,8 +17,8 @@ struct FollowCycle {
   Time now;
   std::string missing;        ///< an input that is stale, or was never there; empty: none
   std::string unknown_place;  ///< the transform that is not known; empty: none
-  std::string base_stands;    ///< why, until somebody releases it; empty: it obeys
-  Pose2 X_OB;                 ///< of no meaning when something is missing or not known
+  std::optional<BaseStop> base_stop = std::nullopt;  ///< nothing: it obeys, or does not tell
+  Pose2 X_OB;                                        ///< of no meaning when something is missing or not known
   Pose2 X_OG;
   double distance_to_goal = 0.0;  ///< along the path [m]
   bool is_on_last_leg = true;     ///< the path does not turn back any more before the goal

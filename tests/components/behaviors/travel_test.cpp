@@ -174,6 +174,14 @@ TEST(Travel, WithoutAnAllowanceARobotThatIsHeldGivesUp) {
   EXPECT_EQ(d.last.error, BehaviorError::unknown);
   EXPECT_EQ(d.last.text, "the robot does not move");
   EXPECT_NEAR(static_cast<double>(d.commands.size()), 102.0, 1.0);
+
+  BehaviorDrive charging;
+  charging.spoil = [&d](double t, BehaviorSituation& s) {
+    d.spoil(t, s);
+    s.base_stop = BaseStop{.reason = "the charger is plugged in"};
+  };
+  charging.run(*drive(charging, 1.0, 0.3));
+  EXPECT_EQ(charging.last.text, "the robot does not move; the base stands: the charger is plugged in");
 }
 
 TEST(Travel, WhatIsMissingOrNoNumberEndsItWithTfError) {

@@ -89,6 +89,12 @@ TEST(FollowJudge, ProgressIsHalfAMetreInTenSeconds) {
   EXPECT_EQ(end.failure.fault, FollowFault::failed_to_make_progress);
   EXPECT_EQ(end.failure.reason, "no progress: less than 0.5 m in 10 s; somebody is in the way");
 
+  Drive charging;  // it may go on by itself, and is waited for
+  charging.cycle.base_stop = BaseStop{.reason = "the charger is plugged in"};
+  EXPECT_EQ(charging.cycles_to_end(1000, &end), 102);
+  EXPECT_EQ(end.failure.reason,
+            "no progress: less than 0.5 m in 10 s; the base stands: the charger is plugged in");
+
   Drive moving;
   moving.cycles_to_end(90);
   moving.cycle.way_made = 0.5;
