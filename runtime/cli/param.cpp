@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -19,11 +17,7 @@ struct Target {
   std::string name;
   GraphParameters graph;
 
-  bool is_graph() const {
-    const auto graphs = config_files("graphs");
-    return name.ends_with(".yaml") || name.ends_with(".yml") || std::filesystem::exists(name) ||
-           std::ranges::find(graphs, name, &ConfigFile::name) != graphs.end();
-  }
+  bool is_graph() const { return find_config_file("graphs", name).has_value(); }
   const GraphParameters& as_graph() {
     graph.path = name;
     return graph;

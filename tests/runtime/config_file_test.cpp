@@ -63,6 +63,8 @@ TEST_F(ConfigFiles, TheUsersOwnComesFirst) {
 TEST_F(ConfigFiles, APathIsTakenAsItIs) {
   EXPECT_EQ(config_file("graphs", "nowhere/hallway.yaml"), "nowhere/hallway.yaml");
   EXPECT_EQ(config_file("graphs", "hallway.yaml"), "hallway.yaml");
+  fs::create_directories(user_ / "map_drive");
+  EXPECT_EQ(config_file("graphs", "map_drive"), tree_ / "graphs/map_drive.yaml") << "a folder is no graph";
   write("hallway", "");
   EXPECT_EQ(config_file("graphs", "hallway"), "hallway") << "there is such a file here";
 }

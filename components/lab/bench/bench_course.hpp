@@ -14,7 +14,7 @@
 namespace bw {
 
 struct BenchCourseArguments {
-  std::string graph = "config/graphs/course.yaml";
+  std::string graph = "course";
   std::string worlds;            ///< folder of worlds, one CSV x_m,y_m,radius_m each; empty: none
   std::string only;              ///< those whose name begins so; empty: all
   int generate = 0;              ///< this many of course_generator.hpp beside them

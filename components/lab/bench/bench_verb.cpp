@@ -165,7 +165,7 @@ void add_course(cli::Verb bench) {
       .within(1, 100000);
   verb.option("--first-seed", course->first_seed, "Seed of the first generated one");
   verb.option("--planner", course->planners, "Planner names, separated by commas").separated_by_commas();
-  verb.option("--graph", course->graph, "Graph file (config/graphs/course.yaml)");
+  verb.option("--graph", course->graph, "Graph file, or the name of one (course)");
   verb.option("--set", course->set, "component.parameter=value, as often as needed").one_each_time();
   verb.option("--svg", course->svg, "Folder for a picture of each drive");
   verb.option("--json", course->json, "Writes the figures here");
