@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "runtime/base/xdg_folder.hpp"
+#include "runtime/parameters/xdg_folder.hpp"
 
 namespace bw {
 

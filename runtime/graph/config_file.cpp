@@ -3,7 +3,7 @@
 #include <map>
 
 #include "runtime/parameters/nearest.hpp"
-#include "runtime/base/xdg_folder.hpp"
+#include "runtime/parameters/xdg_folder.hpp"
 
 namespace bw {
 namespace fs = std::filesystem;
