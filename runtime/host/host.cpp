@@ -234,7 +234,9 @@ RunEnd Host::run(std::optional<Duration> duration) {
   announce_nodes();
   const std::vector<Actor*> order = bring_up_order();
   std::optional<RunEnd> failure = bring_up(order);
+  if (!failure) service_manager_.ready(fmt::format("{} nodes are up", order.size()));
   RunEnd end = failure ? *failure : runner_->run(duration);
+  service_manager_.stopping(end.reason);
   // A run in lock-step may be ended by a person, who is to decide nothing of its bytes.
   if (options_.clock != ClockMode::lockstep)
     log(*local_.front(), end.ok ? LogLevel::info : LogLevel::error, "the run ends: " + end.reason);
@@ -257,6 +259,7 @@ void Host::log(const Actor& actor, LogLevel level, const std::string& text) {
   const Time now = started_ ? runner_->now() : Time{};
   const double seconds = started_ ? (now - *started_).to_seconds() : 0.0;
   write_to_terminal(level, fmt::format("{:8.3f} [{}] {}", seconds, actor.name, text));
+  if (level >= LogLevel::warn) service_manager_.status(fmt::format("{}: {}", actor.name, text));
   if (started_) {
     publish_log(actor, level, text);
   } else {

@@ -19,6 +19,7 @@
 #include "runtime/host/outside_inputs.hpp"
 #include "runtime/host/runner.hpp"
 #include "runtime/host/sample_tap.hpp"
+#include "runtime/host/service_manager.hpp"
 
 namespace bw {
 
@@ -132,6 +133,7 @@ class Host {
   std::unique_ptr<OutsideInputs> outside_;           ///< lock-step
   std::vector<OutsideInputs::Topic> heard_outside_;
   const Actor* outside_actor_ = nullptr;  ///< through which what is accepted enters
+  ServiceManager service_manager_;
   std::unique_ptr<Runner> runner_;
   std::mutex end_mutex_;  ///< of who ends the run while `runner_` is made
   std::optional<RunEnd> early_end_;
