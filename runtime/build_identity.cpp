@@ -83,4 +83,6 @@ std::string program_version() { return BANDWAGON_VERSION; }
 
 std::string source_revision() { return BANDWAGON_REVISION; }
 
+std::string compiler() { return BANDWAGON_COMPILER; }
+
 }  // namespace bw

@@ -17,5 +17,7 @@ namespace bw {
 [[nodiscard]] std::string program_version();
 /// The git revision of the sources when the build was configured; empty where there was none.
 [[nodiscard]] std::string source_revision();
+/// Name and version of what compiled this: GCC 12.2.0.
+[[nodiscard]] std::string compiler();
 
 }  // namespace bw

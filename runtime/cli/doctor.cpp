@@ -13,6 +13,7 @@
 #include "runtime/cli/doctor_report.hpp"
 #include "runtime/cli/outside.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/dds/library.hpp"
 #include "runtime/dds/loopback_sockets.hpp"
 #include "runtime/host/real_time.hpp"
 
@@ -26,7 +27,8 @@ std::string variable(const char* name) {
 
 void check_environment(DoctorReport& report) {
   for (const char* name : {"ROS_DOMAIN_ID", "ROS_LOCALHOST_ONLY", "ROS_AUTOMATIC_DISCOVERY_RANGE",
-                           "ROS_STATIC_PEERS", "FASTRTPS_DEFAULT_PROFILES_FILE"}) {
+                           "ROS_STATIC_PEERS", "FASTRTPS_DEFAULT_PROFILES_FILE",
+                           "FASTDDS_DEFAULT_PROFILES_FILE"}) {
     if (const std::string value = variable(name); !value.empty())
       report.ok(fmt::format("{} = {}", name, value));
   }
@@ -50,7 +52,8 @@ void check_shared_memory(DoctorReport& report) {
   std::size_t leftovers = 0;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator("/dev/shm", error)) {
-    if (entry.path().filename().string().starts_with("fastrtps_")) ++leftovers;
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("fastrtps_") || name.starts_with("fastdds_")) ++leftovers;  // Fast DDS 2, 3
   }
   if (leftovers == 0) {
     report.ok("no shared-memory files of other DDS programs");
@@ -58,6 +61,15 @@ void check_shared_memory(DoctorReport& report) {
     report.warn(fmt::format("{} shared-memory files of other DDS programs in /dev/shm (Bandwagon makes none)",
                             leftovers));
   }
+}
+
+void check_library(DoctorReport& report) {
+  const dds::LibraryVersion version = dds::library_version();
+  const std::vector<std::string> faults = dds::known_faults(version);
+  const std::string name = "Fast DDS " + dds::to_string(version);
+  if (faults.empty()) return report.ok(name);
+  report.warn(name + " has published faults that strangers on the network can use; on loopback only programs of this machine can:");
+  for (const std::string& fault : faults) report.warn("  " + fault);
 }
 
 void check_discovery(DoctorReport& report) {
@@ -107,6 +119,7 @@ struct DoctorOptions {
 int examine(const DoctorOptions& options) {
   DoctorReport report(std::cout);
   if (!options.ports && options.graph.empty()) {
+    check_library(report);
     check_environment(report);
     check_receive_buffer(report);
     check_shared_memory(report);
