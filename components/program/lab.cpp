@@ -30,6 +30,8 @@ constexpr const char* kProgram = "bandwagon-lab";
 }  // namespace
 
 bool is_for_lab(std::span<const char* const> arguments) {
+  if (arguments.size() > 2 && std::string_view(arguments[1]) == "complete")
+    return arguments.size() > 3 && is_for_lab(arguments.subspan(1));
   const auto is = [&](std::size_t i, std::string_view word) {
     return i < arguments.size() && word == arguments[i];
   };

@@ -1,11 +1,15 @@
 #include "runtime/cli/verb.hpp"
 
+#include <algorithm>
+#include <iostream>
 #include <map>
 #include <stdexcept>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+
+#include "runtime/cli/completion.hpp"
 
 namespace bw::cli {
 namespace {
@@ -33,6 +37,12 @@ CLI::Option* add(CLI::App& app, const std::string& names,
   return app.add_option_function<std::vector<std::string>>(names, tell, help);
 }
 
+/// Values that options take alone, for completion.
+std::map<const CLI::Option*, std::vector<std::string>>& choices() {
+  static std::map<const CLI::Option*, std::vector<std::string>> all;
+  return all;
+}
+
 /// What all verbs are behind.
 class Program : public CLI::App {
  public:
@@ -56,7 +66,9 @@ CLI::Option* add(CLI::App& app, const std::string& names, T* value, const std::s
 Option Option::required() const { return Option(option_->required()); }
 
 Option Option::one_of(std::initializer_list<const char*> values) const {
-  return Option(option_->check(CLI::IsMember(std::vector<std::string>(values.begin(), values.end()))));
+  const std::vector<std::string> all(values.begin(), values.end());
+  choices()[option_] = all;
+  return Option(option_->check(CLI::IsMember(all)));
 }
 
 Option Option::within(double least, double most) const {
@@ -111,6 +123,83 @@ void Verb::alias(const std::string& name) { app_->alias(name); }
 
 bool Verb::has(const std::string& name) const { return app_->count(name) > 0; }
 
+namespace {
+
+/// Which part of the command line comes next.
+struct Awaited {
+  const CLI::App* verb;
+  const CLI::Option* option = nullptr;  ///< whose value it is
+  std::size_t positionals = 0;          ///< before it
+};
+
+const CLI::App* verb_of(const CLI::App& app, const std::string& name) {
+  const std::vector<const CLI::App*> found = app.get_subcommands([&name](const CLI::App* verb) { return verb->check_name(name); });
+  return found.empty() ? nullptr : found.front();
+}
+
+Awaited awaited_after(const CLI::App& program, const std::vector<std::string>& words) {
+  Awaited next{.verb = &program};
+  for (const std::string& word : words) {
+    if (next.option != nullptr) {
+      next.option = nullptr;
+    } else if (word.starts_with("-")) {
+      const CLI::Option* option = next.verb->get_option_no_throw(word);
+      if (option != nullptr && option->get_items_expected_max() > 0) next.option = option;
+    } else if (const CLI::App* verb = verb_of(*next.verb, word)) {
+      next = {.verb = verb};
+    } else {
+      ++next.positionals;
+    }
+  }
+  return next;
+}
+
+std::vector<std::string> values_for(const CLI::Option& option, const std::vector<std::string>& words,
+                                    const std::string& begun) {
+  if (const auto known = choices().find(&option); known != choices().end()) return known->second;
+  const std::string name = option.get_positional() ? option.get_name(true) : "--" + option.get_single_name();
+  return value_candidates(name, words, begun);
+}
+
+std::vector<std::string> candidates(const CLI::App& program, std::vector<std::string> words) {
+  const std::string begun = words.empty() ? "" : words.back();
+  if (!words.empty()) words.pop_back();
+  const Awaited next = awaited_after(program, words);
+  if (next.option != nullptr) return values_for(*next.option, words, begun);
+  std::vector<std::string> all;
+  std::vector<const CLI::Option*> positionals;
+  for (const CLI::Option* option : next.verb->get_options()) {
+    if (option->get_positional()) positionals.push_back(option);
+    for (const std::string& name : option->get_lnames()) {
+      if (begun.starts_with("-")) all.push_back("--" + name);
+    }
+  }
+  if (begun.starts_with("-")) return all;
+  for (const CLI::App* verb : next.verb->get_subcommands([](const CLI::App*) { return true; })) {
+    if (next.positionals == 0) all.push_back(verb->get_name());
+  }
+  if (next.positionals < positionals.size()) {
+    for (std::string& value : values_for(*positionals[next.positionals], words, begun)) all.push_back(std::move(value));
+  }
+  return all;
+}
+
+/// `complete WORDS...`, as completion of the shells calls it: a line for each candidate. Whatever is wrong with the words, a shell wants to
+/// hear nothing of it.
+int print_candidates(const CLI::App& program, const std::vector<std::string>& words) {
+  try {
+    const std::string begun = words.empty() ? "" : words.back();
+    for (const std::string& candidate : candidates(program, words)) {
+      if (candidate.starts_with(begun)) std::cout << candidate << "\n";
+    }
+  } catch (const std::exception&) {
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
 bool register_verb(VerbGroup group, std::string_view name, std::string_view help, AddVerb add) {
   if (!verbs().emplace(std::pair(group, std::string(name)), Registered{std::string(help), add}).second)
     throw std::logic_error("two verbs call themselves " + std::string(name));
@@ -127,6 +216,8 @@ int run_verb(const std::string& name, const std::string& help, const std::functi
     verb.add(Verb(app));
     app->group(kHeadings[static_cast<int>(key.first)]);  // behind its own verbs, which would inherit it
   }
+  if (argc > 1 && std::string_view(argv[1]) == "complete")
+    return print_candidates(program, std::vector<std::string>(argv + 2, argv + argc));
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
