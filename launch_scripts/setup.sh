@@ -1,23 +1,33 @@
 #!/usr/bin/env bash
-# Installs what is missing: setup.sh for the program, `setup.sh tests` for its tests and checks too, `setup.sh docs` for the site. Debian packages, and into build/node the packages of
+# Installs what is missing: setup.sh for the program, `setup.sh tests` for its tests and checks too, `setup.sh package` for Debian packages, `setup.sh docs` for the site. Debian packages, and into build/node the packages of
 # components/viewer/page, which the page is built from. Says what it does; sudo only when not root and something is missing.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 what=${1:-program}
 
+# Debian 13 has Fast DDS 3 under a name of its own; Debian 12 and Ubuntu 24.04 (not tried) have Fast DDS 2.
+fast_dds=libfastrtps-dev
+# shellcheck source=/dev/null
+[[ ! -r /etc/os-release ]] || case $(. /etc/os-release && echo "$ID ${VERSION_ID:-testing}") in
+  "debian 12" | "ubuntu 24.04") ;;
+  "debian "*) fast_dds=libfastdds-dev ;;
+  *) echo "Neither Debian 12 or 13 nor Ubuntu 24.04: the names of packages are Debian 12's, and nothing was tried here." >&2 ;;
+esac
+
 packages=(
   g++ cmake ninja-build
-  libfastrtps-dev libfastcdr-dev
+  "$fast_dds" libfastcdr-dev
   libeigen3-dev libceres-dev libyaml-cpp-dev libpng-dev liblz4-dev libsqlite3-dev libzstd-dev zlib1g-dev libssl-dev
   libboost-dev libspdlog-dev libfmt-dev libcli11-dev nlohmann-json3-dev
 )
 case $what in
   program) ;;
+  package) packages+=(help2man dpkg-dev lintian file git) ;;
   docs) packages=(mkdocs mkdocs-material mkdocs-material-extensions python3-pymdownx libjs-katex doxygen git) ;;
   tests) packages+=(python3 libgtest-dev libgmock-dev libbenchmark-dev cyclonedds-dev cyclonedds-tools procps git ccache shellcheck) ;;
   *)
-    echo "usage: $0 [program|tests|docs]" >&2
+    echo "usage: $0 [program|tests|package|docs]" >&2
     exit 2
     ;;
 esac
@@ -78,8 +88,8 @@ install_debian_packages "${packages[@]}"
 echo "All ${#packages[@]} Debian packages are there."
 [[ $what != docs ]] || exit 0
 without="the program is built without its page"
-[[ $what == program ]] || without+=", and tests on Node.js are skipped"
+[[ $what != tests ]] || without+=", and tests on Node.js are skipped"
 install_programs "$without" node=nodejs npm
-[[ $what == program ]] || install_programs "tests in a browser are skipped" chromium
-[[ $what == program ]] || install_programs "tests on a machine of their own are skipped" ip=iproute2
+[[ $what != tests ]] || install_programs "tests in a browser are skipped" chromium
+[[ $what != tests ]] || install_programs "tests on a machine of their own are skipped" ip=iproute2
 install_node_packages "$without"
