@@ -18,6 +18,13 @@
 
 namespace bw::fast_cdr {
 
+using namespace eprosima::fastcdr;  // where Fast CDR 2 has DDS_CDR; 1 has it in its class
+
+/// Classic CDR, what ROS 2 sends.
+struct ClassicCdr : Cdr {
+  ClassicCdr(FastBuffer& buffer, Endianness endianness) : Cdr(buffer, endianness, DDS_CDR) {}
+};
+
 inline constexpr std::size_t kEncapsulationSize = 4;
 
 template <class T>
@@ -70,7 +77,7 @@ struct Measure {
 };
 
 struct Write {
-  eprosima::fastcdr::Cdr& cdr;
+  Cdr& cdr;
 
   template <class T>
   void operator()(const T& value) {
@@ -88,7 +95,7 @@ struct Write {
 
 /// The bytes were validated: a length that is read here has its elements behind it.
 struct Read {
-  eprosima::fastcdr::Cdr& cdr;
+  Cdr& cdr;
 
   template <class T>
   void operator()(T& value) {
@@ -114,9 +121,8 @@ void serialize(const M& message, std::vector<std::uint8_t>& bytes) {
   measure(message);
   // Fast CDR leaves padding as it finds it, hence the zeros.
   bytes.assign(kEncapsulationSize + measure.bytes, 0);
-  eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(bytes.data()), bytes.size());
-  eprosima::fastcdr::Cdr cdr(buffer, eprosima::fastcdr::Cdr::LITTLE_ENDIANNESS,
-                             eprosima::fastcdr::Cdr::DDS_CDR);
+  FastBuffer buffer(reinterpret_cast<char*>(bytes.data()), bytes.size());
+  ClassicCdr cdr(buffer, Cdr::LITTLE_ENDIANNESS);
   cdr.serialize_encapsulation();
   Write{cdr}(message);
 }
@@ -128,9 +134,8 @@ bool deserialize(const TypeDescription& type, std::span<const std::uint8_t> byte
   try {
     // Fast CDR only reads here, but its buffer has no const form.
     auto* data = const_cast<char*>(reinterpret_cast<const char*>(bytes.data()));
-    eprosima::fastcdr::FastBuffer buffer(data, bytes.size());
-    eprosima::fastcdr::Cdr cdr(buffer, eprosima::fastcdr::Cdr::DEFAULT_ENDIAN,
-                               eprosima::fastcdr::Cdr::DDS_CDR);
+    FastBuffer buffer(data, bytes.size());
+    ClassicCdr cdr(buffer, Cdr::DEFAULT_ENDIAN);
     cdr.read_encapsulation();
     Read{cdr}(message);
     return true;

@@ -9,42 +9,34 @@
 #include <utility>
 #include <vector>
 
-#include <fastdds/dds/domain/DomainParticipant.hpp>
-#include <fastdds/dds/domain/DomainParticipantListener.hpp>
-
 #include "runtime/dds/fast_values.hpp"
 
 namespace bw::dds {
 
-template <class ProxyData>
-Endpoint to_endpoint(const ProxyData& data, bool is_writer) {
+inline Endpoint to_endpoint(const fast_dds::DiscoveredEndpoint& data) {
   Endpoint e;
-  e.guid = to_guid(data.guid());
-  e.is_writer = is_writer;
-  e.topic = data.topicName().to_string();
-  e.type = data.typeName().to_string();
-  e.qos.reliability = data.m_qos.m_reliability.kind == efd::RELIABLE_RELIABILITY_QOS
-                          ? Reliability::reliable
-                          : Reliability::best_effort;
-  e.qos.durability = data.m_qos.m_durability.kind >= efd::TRANSIENT_LOCAL_DURABILITY_QOS
-                         ? Durability::transient_local
-                         : Durability::volatile_;
-  const eprosima::fastrtps::Duration_t& lifespan = data.m_qos.m_lifespan.duration;
-  if (lifespan != eprosima::fastrtps::c_TimeInfinite) e.qos.lifespan = Duration{lifespan.to_ns()};
-  const auto& user_data = data.m_qos.m_userData.getValue();
-  e.user_data.assign(user_data.begin(), user_data.end());
-  e.partitions = data.m_qos.m_partition.getNames();
+  e.guid = to_guid(data.guid);
+  e.is_writer = data.is_writer;
+  e.topic = data.topic;
+  e.type = data.type;
+  e.qos.reliability = data.reliability == efd::RELIABLE_RELIABILITY_QOS ? Reliability::reliable
+                                                                        : Reliability::best_effort;
+  e.qos.durability = data.durability >= efd::TRANSIENT_LOCAL_DURABILITY_QOS ? Durability::transient_local
+                                                                            : Durability::volatile_;
+  if (!fast_dds::is_infinite(data.lifespan)) e.qos.lifespan = Duration{data.lifespan.to_ns()};
+  e.user_data = data.user_data;
+  e.partitions = data.partitions;
   return e;
 }
 
 /// Keeps the table of remote participants and endpoints.
-class DiscoveryListener final : public efd::DomainParticipantListener {
+class DiscoveryListener final : public fast_dds::DiscoveryEvents {
  public:
-  void on_participant_discovery(efd::DomainParticipant*, rtps::ParticipantDiscoveryInfo&& info) override {
-    const Guid guid = to_guid(info.info.m_guid);
+  void on_participant(const rtps::GUID_t& id, const fast_dds::Duration& lease,
+                      fast_dds::Presence presence) override {
+    const Guid guid = to_guid(id);
     const std::lock_guard lock(mutex_);
-    if (info.status == rtps::ParticipantDiscoveryInfo::REMOVED_PARTICIPANT ||
-        info.status == rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT) {
+    if (presence != fast_dds::Presence::here) {
       participants_.erase(guid);
       std::erase_if(endpoints_, [&](const auto& item) {
         const bool is_its = same_participant(guid, item.first);
@@ -53,14 +45,11 @@ class DiscoveryListener final : public efd::DomainParticipantListener {
       });
       ++changes_;
     } else {
-      participants_[guid] = Duration{info.info.m_leaseDuration.to_ns()};
+      participants_[guid] = Duration{lease.to_ns()};
     }
   }
-  void on_subscriber_discovery(efd::DomainParticipant*, rtps::ReaderDiscoveryInfo&& info) override {
-    update(to_endpoint(info.info, false), info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER);
-  }
-  void on_publisher_discovery(efd::DomainParticipant*, rtps::WriterDiscoveryInfo&& info) override {
-    update(to_endpoint(info.info, true), info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER);
+  void on_endpoint(const fast_dds::DiscoveredEndpoint& endpoint, fast_dds::Presence presence) override {
+    update(to_endpoint(endpoint), presence != fast_dds::Presence::here);
   }
 
   void add_local(Endpoint endpoint) {

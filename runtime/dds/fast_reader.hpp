@@ -5,12 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <fastdds/dds/subscriber/DataReader.hpp>
-#include <fastdds/dds/subscriber/DataReaderListener.hpp>
-#include <fastdds/dds/subscriber/SampleInfo.hpp>
-#include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/dds/topic/Topic.hpp>
-
 #include "runtime/dds/discovery_listener.hpp"
 #include "runtime/dds/raw_type.hpp"
 
@@ -59,7 +53,7 @@ class FastReader final : public Reader {
     efd::SampleInfo info;
     RawSample raw;
     raw.incoming.swap(sample.cdr);  // keeps the capacity from call to call
-    while (reader_->take_next_sample(&raw, &info) == ReturnCode_t::RETCODE_OK) {
+    while (fast_dds::is_ok(reader_->take_next_sample(&raw, &info))) {
       if (!info.valid_data) continue;
       sample.cdr.swap(raw.incoming);
       sample.writer = to_guid(info.sample_identity.writer_guid());

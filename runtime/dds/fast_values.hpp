@@ -5,17 +5,13 @@
 #include <string>
 #include <vector>
 
-#include <fastdds/dds/core/policy/QosPolicies.hpp>
-#include <fastdds/rtps/common/Guid.h>
-#include <fastdds/rtps/common/SampleIdentity.h>
-#include <fastdds/rtps/common/Time_t.h>
-
+#include "runtime/dds/fast_dds.hpp"
 #include "runtime/dds/participant.hpp"
 
 namespace bw::dds {
 
-namespace efd = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace efd = fast_dds::dds;
+namespace rtps = fast_dds::rtps;
 
 inline Guid to_guid(const rtps::GUID_t& guid) {
   Guid result{};
@@ -36,7 +32,7 @@ inline SampleIdentity to_identity(const rtps::SampleIdentity& identity) {
   return {to_guid(identity.writer_guid()), static_cast<std::int64_t>(identity.sequence_number().to64long())};
 }
 
-inline eprosima::fastrtps::Duration_t to_duration(Duration d) {
+inline fast_dds::Duration to_duration(Duration d) {
   return {static_cast<std::int32_t>(d.nanoseconds / 1'000'000'000),
           static_cast<std::uint32_t>(d.nanoseconds % 1'000'000'000)};
 }

@@ -8,11 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <fastdds/dds/publisher/DataWriter.hpp>
-#include <fastdds/dds/publisher/DataWriterListener.hpp>
-#include <fastdds/dds/publisher/Publisher.hpp>
-#include <fastdds/dds/topic/Topic.hpp>
-
 #include "runtime/dds/discovery_listener.hpp"
 #include "runtime/dds/raw_type.hpp"
 
@@ -37,7 +32,7 @@ class FastWriter final : public Writer, private efd::DataWriterListener {
   }
   bool write(std::span<const std::uint8_t> cdr) override {
     RawSample sample{.outgoing = cdr, .incoming = {}};
-    return writer_->write(&sample);
+    return fast_dds::write(*writer_, &sample);
   }
   std::optional<SampleIdentity> write_related(std::span<const std::uint8_t> cdr,
                                               const SampleIdentity& related) override {
@@ -48,7 +43,7 @@ class FastWriter final : public Writer, private efd::DataWriterListener {
       params.related_sample_identity().sequence_number(
           rtps::SequenceNumber_t(static_cast<std::uint64_t>(related.sequence)));
     }
-    if (!writer_->write(&sample, params)) return std::nullopt;
+    if (!fast_dds::write(*writer_, &sample, params)) return std::nullopt;
     return to_identity(params.sample_identity());
   }
   Guid guid() const override { return to_guid(writer_->guid()); }
@@ -58,7 +53,7 @@ class FastWriter final : public Writer, private efd::DataWriterListener {
     return matched_.contains(reader);
   }
   bool wait_until_received(Duration limit) override {
-    return writer_->wait_for_acknowledgments(to_duration(limit)) == ReturnCode_t::RETCODE_OK;
+    return fast_dds::is_ok(writer_->wait_for_acknowledgments(to_duration(limit)));
   }
 
  private:

@@ -6,11 +6,6 @@
 #include <mutex>
 #include <stdexcept>
 
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
-#include <fastdds/dds/log/Log.hpp>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
-
 #include "runtime/dds/fast_reader.hpp"
 #include "runtime/dds/fast_writer.hpp"
 #include "runtime/dds/loopback_sockets.hpp"
@@ -54,13 +49,15 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   efd::DomainParticipantQos qos = efd::PARTICIPANT_QOS_DEFAULT;
   qos.name(options.name.c_str());
   set_user_data(qos.user_data(), "enclave=" + options.name + ";");
-  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  auto udp = std::make_shared<fast_dds::transport::UDPv4TransportDescriptor>();
   udp->maxInitialPeersRange = kPeerPorts;
   udp->receiveBufferSize = options.receive_buffer;
   // Else Fast DDS opens a socket to send by for each of the machine's addresses.
   if (options.alone) udp->interfaceWhiteList.emplace_back("127.0.0.1");
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.push_back(udp);
+
+  fast_dds::disable_type_propagation(qos);
 
   efd::WireProtocolConfigQos& wire = qos.wire_protocol();
   wire.builtin.discovery_config.leaseDuration = {4, 0};
@@ -75,7 +72,7 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   if (options.alone) {
     // With both filters Fast DDS opens no unicast locator. One has to be named all the same: without any it
     // takes the default multicast group, and announces there. Without a peer nothing is announced.
-    wire.builtin.discovery_config.ignoreParticipantFlags = static_cast<rtps::ParticipantFilteringFlags_t>(
+    wire.builtin.discovery_config.ignoreParticipantFlags = static_cast<fast_dds::FilteringFlags>(
         rtps::FILTER_DIFFERENT_HOST | rtps::FILTER_DIFFERENT_PROCESS);
     wire.builtin.metatrafficUnicastLocatorList.push_back(loopback);
   } else if (options.network.transport == Transport::localhost) {
@@ -181,7 +178,7 @@ std::unique_ptr<Writer> Participant::create_writer(const EndpointOptions& option
   efd::DataWriterQos qos = efd::DATAWRITER_QOS_DEFAULT;
   apply(options, qos);
   qos.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
-  if (options.heartbeat) qos.reliable_writer_qos().times.heartbeatPeriod = to_duration(*options.heartbeat);
+  if (options.heartbeat) fast_dds::set_heartbeat_period(qos, to_duration(*options.heartbeat));
   set_user_data(qos.user_data(), options.user_data);
   auto result = std::make_unique<FastWriter>(impl_->publisher(options.partitions), std::move(on_match),
                                              impl_->discovery);
@@ -204,8 +201,8 @@ std::unique_ptr<Reader> Participant::create_reader(const EndpointOptions& option
   // A writer that knew this reader before it was known itself has sent in vain: it is asked at once what it
   // has, since `ros2 topic pub --once` leaves after 100 ms. By default the question waits for 70 ms and the
   // answer's answer for 5.
-  qos.reliable_reader_qos().times.initialAcknackDelay = to_duration(Duration::milliseconds(1));
-  qos.reliable_reader_qos().times.heartbeatResponseDelay = to_duration(Duration::milliseconds(1));
+  const fast_dds::Duration at_once = to_duration(Duration::milliseconds(1));
+  fast_dds::set_answer_delays(qos, at_once, at_once);
   set_user_data(qos.user_data(), options.user_data);
   auto result = std::make_unique<FastReader>(impl_->subscriber(options.partitions), std::move(on_sample),
                                              std::move(on_match), impl_->discovery);

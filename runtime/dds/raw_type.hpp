@@ -3,12 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include <fastdds/dds/topic/TopicDataType.hpp>
+#include "runtime/dds/fast_dds.hpp"
 
 namespace bw::dds {
 
@@ -18,16 +17,18 @@ struct RawSample {
   std::vector<std::uint8_t> incoming;      ///< bytes taken
 };
 
-class RawType final : public eprosima::fastdds::dds::TopicDataType {
+class RawType final : public fast_dds::SerializedType {
  public:
-  explicit RawType(const std::string& dds_type_name);
+  explicit RawType(const std::string& dds_type_name) : SerializedType(dds_type_name, 256) {}
 
-  bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override;
-  bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override;
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override;
-  void* createData() override;
-  void deleteData(void* data) override;
-  bool getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* handle, bool force_md5) override;
+  std::span<const std::uint8_t> bytes_of(const void* sample) const override {
+    return static_cast<const RawSample*>(sample)->outgoing;
+  }
+  void assign(void* sample, std::span<const std::uint8_t> bytes) const override {
+    static_cast<RawSample*>(sample)->incoming.assign(bytes.begin(), bytes.end());
+  }
+  void* create() const override { return new RawSample; }
+  void destroy(void* sample) const override { delete static_cast<RawSample*>(sample); }
 };
 
 }  // namespace bw::dds

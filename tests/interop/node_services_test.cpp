@@ -108,7 +108,7 @@ TEST_F(NodeServices, AChangeIsMadeAndTold) {
   plain::Bytes event;
   plain::dds::SampleInfo info;
   ASSERT_TRUE(
-      eventually([&] { return events->take_next_sample(&event, &info) == ReturnCode_t::RETCODE_OK; }));
+      eventually([&] { return bw::fast_dds::is_ok(events->take_next_sample(&event, &info)); }));
   event.erase(event.begin() + plain::kEncapsulation, event.begin() + plain::kEncapsulation + 8);  // the stamp
   EXPECT_EQ(to_hex(event),
             wire_hex("00010000 09000000 2f6c696d6974656400 "  // of /limited, with the stamp up to 21

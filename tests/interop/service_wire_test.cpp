@@ -177,7 +177,7 @@ TEST_F(ServerOnTheWire, AReplyWaitsForAReaderThatComesAfterTheRequest) {
   plain::Bytes reply;
   plain::dds::SampleInfo info;
   EXPECT_TRUE(
-      eventually([&] { return reader->take_next_sample(&reply, &info) == ReturnCode_t::RETCODE_OK; }));
+      eventually([&] { return bw::fast_dds::is_ok(reader->take_next_sample(&reply, &info)); }));
   EXPECT_EQ(info.related_sample_identity.writer_guid(), future);
   EXPECT_EQ(to_hex(reply), wire_hex(trigger.response));
   node.remove(reader);

@@ -104,7 +104,7 @@ class Outsider {
   static std::optional<plain::Bytes> take(plain::dds::DataReader* reader) {
     plain::Bytes bytes;
     plain::dds::SampleInfo info;
-    while (reader->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
+    while (bw::fast_dds::is_ok(reader->take_next_sample(&bytes, &info))) {
       if (info.valid_data) return bytes;
     }
     return std::nullopt;

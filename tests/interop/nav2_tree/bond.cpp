@@ -1,6 +1,5 @@
 #include "tests/interop/nav2_tree/bond.hpp"
 
-#include <fastdds/dds/subscriber/SampleInfo.hpp>
 
 namespace nav2 {
 namespace {
@@ -36,7 +35,7 @@ void Bonds::end(const std::string& id) {
 void Bonds::poll() {
   Bytes bytes;
   plain::dds::SampleInfo info;
-  while (in_->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
+  while (bw::fast_dds::is_ok(in_->take_next_sample(&bytes, &info))) {
     if (!info.valid_data) continue;
     CdrIn in(bytes);
     read_header(in);

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <fastdds/dds/subscriber/SampleInfo.hpp>
 
 #include "tests/interop/nav2_tree/journal.hpp"
 #include "tests/interop/nav2_tree/messages.hpp"
@@ -50,7 +49,7 @@ class CommandLog {
   void poll(const Journal& journal) {
     Bytes bytes;
     plain::dds::SampleInfo info;
-    while (reader_->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
+    while (bw::fast_dds::is_ok(reader_->take_next_sample(&bytes, &info))) {
       if (!info.valid_data) continue;
       CdrIn in(bytes);
       Command command{.at = journal.now(), .speed = in.number<double>()};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <fastdds/dds/subscriber/SampleInfo.hpp>
 
 namespace nav2 {
 namespace {
@@ -37,7 +36,7 @@ void Frames::poll() {
 void Frames::take(plain::dds::DataReader& reader, bool is_static) {
   Bytes bytes;
   plain::dds::SampleInfo info;
-  while (reader.take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
+  while (bw::fast_dds::is_ok(reader.take_next_sample(&bytes, &info))) {
     if (!info.valid_data) continue;
     CdrIn in(bytes);
     for (auto left = in.number<std::uint32_t>(); left > 0; --left) {

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <mutex>
@@ -20,22 +19,15 @@
 #include <thread>
 #include <vector>
 
-#include <fastdds/dds/domain/DomainParticipant.hpp>
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
-#include <fastdds/dds/publisher/DataWriter.hpp>
-#include <fastdds/dds/publisher/DataWriterListener.hpp>
-#include <fastdds/dds/publisher/Publisher.hpp>
-#include <fastdds/dds/topic/Topic.hpp>
-#include <fastdds/dds/topic/TopicDataType.hpp>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "runtime/dds/fast_dds.hpp"
+
 namespace {
 
-using namespace eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+using namespace bw::fast_dds::dds;
+namespace rtps = bw::fast_dds::rtps;
 
 constexpr auto kStay = std::chrono::milliseconds(100);  // the tool's --keep-alive
 constexpr auto kPatience = std::chrono::seconds(10);
@@ -60,34 +52,22 @@ Bytes goal(double x) {
   return bytes;
 }
 
-class PoseStampedType final : public TopicDataType {
+class PoseStampedType final : public bw::fast_dds::SerializedType {
  public:
-  PoseStampedType() {
-    setName("geometry_msgs::msg::dds_::PoseStamped_");
-    m_typeSize = 128;
-    auto_fill_type_object(false);
-    auto_fill_type_information(false);
+  PoseStampedType() : SerializedType("geometry_msgs::msg::dds_::PoseStamped_", 128) {}
+  std::span<const std::uint8_t> bytes_of(const void* sample) const override {
+    return *static_cast<const Bytes*>(sample);
   }
-  bool serialize(void* data, rtps::SerializedPayload_t* payload) override {
-    const auto& bytes = *static_cast<Bytes*>(data);
-    std::memcpy(payload->data, bytes.data(), bytes.size());
-    payload->length = static_cast<std::uint32_t>(bytes.size());
-    return true;
-  }
-  bool deserialize(rtps::SerializedPayload_t*, void*) override { return false; }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return [size = static_cast<Bytes*>(data)->size()] { return static_cast<std::uint32_t>(size); };
-  }
-  void* createData() override { return new Bytes; }
-  void deleteData(void* data) override { delete static_cast<Bytes*>(data); }
-  bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
+  void assign(void*, std::span<const std::uint8_t>) const override {}
+  void* create() const override { return new Bytes; }
+  void destroy(void* sample) const override { delete static_cast<Bytes*>(sample); }
 };
 
 /// As rmw_fastrtps sets up a participant that keeps to this machine: Humble by multicast on a white-listed
 /// loopback device, Jazzy by asking 127.0.0.1 port by port.
 DomainParticipantQos participant_qos(bool is_humble) {
   DomainParticipantQos qos = PARTICIPANT_QOS_DEFAULT;
-  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  auto udp = std::make_shared<bw::fast_dds::transport::UDPv4TransportDescriptor>();
   udp->interfaceWhiteList.push_back("127.0.0.1");
   if (!is_humble) {
     udp->maxInitialPeersRange = 32;
@@ -139,7 +119,7 @@ bool send(bool is_humble, int number, DomainId_t domain) {
   const bool is_matched = match.wait();
   if (is_matched) {
     Bytes bytes = goal(number);
-    writer->write(&bytes);
+    bw::fast_dds::write(*writer, &bytes);
     std::this_thread::sleep_for(kStay);
   }
   writer->set_listener(nullptr);

@@ -112,7 +112,7 @@ std::optional<Result> ActionClient::take_result(std::int64_t asked) {
 const std::vector<std::vector<GoalState>>& ActionClient::status_lists() {
   Bytes bytes;
   dds::SampleInfo info;
-  while (status_reader_->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
+  while (bw::fast_dds::is_ok(status_reader_->take_next_sample(&bytes, &info))) {
     if (info.valid_data) status_lists_.push_back(read_status_list(bytes));
   }
   return status_lists_;
@@ -121,7 +121,7 @@ const std::vector<std::vector<GoalState>>& ActionClient::status_lists() {
 const std::vector<Feedback>& ActionClient::feedback() {
   Bytes bytes;
   dds::SampleInfo info;
-  while (feedback_reader_->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
+  while (bw::fast_dds::is_ok(feedback_reader_->take_next_sample(&bytes, &info))) {
     if (!info.valid_data) continue;
     CdrIn cdr(bytes);
     GoalId id;

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -76,7 +75,7 @@ int hear_first(const std::string& topic, const std::string& type, char** command
   plain::dds::SampleInfo info;
   bool is_heard = false;
   bw::test::poll_until(Clock::time_point::max(), kPause, [&] {
-    is_heard = reader->take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK;
+    is_heard = bw::fast_dds::is_ok(reader->take_next_sample(&sample, &info));
     return is_heard || waitpid(child, nullptr, WNOHANG) == child;
   });
   if (!is_heard) return 1;

@@ -3,15 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
-#include <fastdds/dds/domain/DomainParticipantListener.hpp>
-#include <fastdds/dds/log/Log.hpp>
-#include <fastdds/dds/publisher/Publisher.hpp>
-#include <fastdds/dds/subscriber/SampleInfo.hpp>
-#include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
-
 #include "tests/interop/plain/octets_type.hpp"
 
 namespace plain {
@@ -42,7 +33,7 @@ dds::DomainParticipantQos participant_qos(std::shared_ptr<Wire> wire) {
   qos.name("/");
   const std::string user_data = "enclave=/;";
   qos.user_data().setValue(std::vector<rtps::octet>(user_data.begin(), user_data.end()));
-  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  auto udp = std::make_shared<bw::fast_dds::transport::UDPv4TransportDescriptor>();
   udp->maxInitialPeersRange = 32;
   qos.transport().use_builtin_transports = false;
   if (wire) {
@@ -79,15 +70,13 @@ void set_graph_qos(Qos& qos) {
   set_service_qos({.topic = {}, .type = {}, .type_hash = kGraphHash, .depth = 1, .is_latched = true}, qos);
 }
 
-template <class ProxyData>
-End to_end(const ProxyData& data, bool is_writer) {
-  End end{.topic = data.topicName().to_string(), .type = data.typeName().to_string(), .user_data = {}};
-  end.is_writer = is_writer;
-  end.is_reliable = data.m_qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS;
-  end.is_volatile = data.m_qos.m_durability.kind == dds::VOLATILE_DURABILITY_QOS;
-  const auto& user_data = data.m_qos.m_userData.getValue();
-  end.user_data.assign(user_data.begin(), user_data.end());
-  return end;
+End to_end(const bw::fast_dds::DiscoveredEndpoint& data) {
+  return {.topic = data.topic,
+          .type = data.type,
+          .user_data = data.user_data,
+          .is_writer = data.is_writer,
+          .is_reliable = data.reliability == dds::RELIABLE_RELIABILITY_QOS,
+          .is_volatile = data.durability == dds::VOLATILE_DURABILITY_QOS};
 }
 
 }  // namespace
@@ -99,26 +88,20 @@ Gid to_gid(const rtps::GUID_t& guid) {
   return gid;
 }
 
-class Node::Listener final : public dds::DomainParticipantListener {
+class Node::Listener final : public bw::fast_dds::DiscoveryEvents {
  public:
-  void on_participant_discovery(dds::DomainParticipant*, rtps::ParticipantDiscoveryInfo&& info) override {
-    if (info.status != rtps::ParticipantDiscoveryInfo::REMOVED_PARTICIPANT &&
-        info.status != rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT)
-      return;
-    const Gid gone = to_gid(info.info.m_guid);
+  void on_participant(const rtps::GUID_t& guid, const bw::fast_dds::Duration&,
+                      bw::fast_dds::Presence presence) override {
+    if (presence == bw::fast_dds::Presence::here) return;
+    const Gid gone = to_gid(guid);
     const std::lock_guard lock(mutex_);
-    if (info.status == rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT) ++expired_;
+    if (presence == bw::fast_dds::Presence::lease_expired) ++expired_;
     std::erase_if(ends_, [&](const auto& item) {
       return std::equal(gone.begin(), gone.begin() + 12, item.first.begin());
     });
   }
-  void on_subscriber_discovery(dds::DomainParticipant*, rtps::ReaderDiscoveryInfo&& info) override {
-    set(to_gid(info.info.guid()), to_end(info.info, false),
-        info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER);
-  }
-  void on_publisher_discovery(dds::DomainParticipant*, rtps::WriterDiscoveryInfo&& info) override {
-    set(to_gid(info.info.guid()), to_end(info.info, true),
-        info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER);
+  void on_endpoint(const bw::fast_dds::DiscoveredEndpoint& data, bw::fast_dds::Presence presence) override {
+    set(to_gid(data.guid), to_end(data), presence != bw::fast_dds::Presence::here);
   }
   void set(const Gid& gid, End end, bool is_gone) {
     const std::lock_guard lock(mutex_);
@@ -257,7 +240,7 @@ rtps::GUID_t Node::guid() const { return participant_->guid(); }
 std::vector<NodeInfo> Node::nodes() {
   Bytes bytes;
   dds::SampleInfo info;
-  while (graph_reader_->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
+  while (bw::fast_dds::is_ok(graph_reader_->take_next_sample(&bytes, &info))) {
     if (!info.valid_data) continue;
     CdrIn cdr(bytes);
     const auto gid = [&] {

@@ -10,16 +10,13 @@
 #include <string>
 #include <vector>
 
-#include <fastdds/dds/domain/DomainParticipant.hpp>
-#include <fastdds/dds/publisher/DataWriter.hpp>
-#include <fastdds/dds/subscriber/DataReader.hpp>
-
+#include "runtime/dds/fast_dds.hpp"
 #include "tests/interop/plain/wire.hpp"
 
 namespace plain {
 
-namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace dds = bw::fast_dds::dds;
+namespace rtps = bw::fast_dds::rtps;
 
 using Gid = std::array<std::uint8_t, 16>;
 Gid to_gid(const rtps::GUID_t& guid);

@@ -1,42 +1,25 @@
 // A DDS type of any name whose samples are bytes as they are.
 #pragma once
 
-#include <functional>
 #include <string>
 
-#include <fastdds/dds/topic/TopicDataType.hpp>
-
+#include "runtime/dds/fast_dds.hpp"
 #include "tests/interop/plain/cdr.hpp"
 
 namespace plain {
 
-class OctetsType final : public eprosima::fastdds::dds::TopicDataType {
+class OctetsType final : public bw::fast_dds::SerializedType {
  public:
-  using Payload = eprosima::fastrtps::rtps::SerializedPayload_t;
+  explicit OctetsType(const std::string& name) : SerializedType(name, 64) {}
 
-  explicit OctetsType(const std::string& name) {
-    setName(name.c_str());
-    m_typeSize = 64;
-    auto_fill_type_object(false);
-    auto_fill_type_information(false);
+  std::span<const std::uint8_t> bytes_of(const void* sample) const override {
+    return *static_cast<const Bytes*>(sample);
   }
-  bool serialize(void* data, Payload* payload) override {
-    const Bytes& bytes = *static_cast<Bytes*>(data);
-    if (bytes.size() > payload->max_size) return false;
-    if (!bytes.empty()) std::memcpy(payload->data, bytes.data(), bytes.size());
-    payload->length = static_cast<std::uint32_t>(bytes.size());
-    return true;
+  void assign(void* sample, std::span<const std::uint8_t> bytes) const override {
+    static_cast<Bytes*>(sample)->assign(bytes.begin(), bytes.end());
   }
-  bool deserialize(Payload* payload, void* data) override {
-    static_cast<Bytes*>(data)->assign(payload->data, payload->data + payload->length);
-    return true;
-  }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return [data] { return static_cast<std::uint32_t>(static_cast<Bytes*>(data)->size()); };
-  }
-  void* createData() override { return new Bytes; }
-  void deleteData(void* data) override { delete static_cast<Bytes*>(data); }
-  bool getKey(void*, eprosima::fastrtps::rtps::InstanceHandle_t*, bool) override { return false; }
+  void* create() const override { return new Bytes; }
+  void destroy(void* sample) const override { delete static_cast<Bytes*>(sample); }
 };
 
 }  // namespace plain

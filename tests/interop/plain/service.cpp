@@ -2,9 +2,6 @@
 
 #include <condition_variable>
 
-#include <fastdds/dds/publisher/DataWriterListener.hpp>
-#include <fastdds/dds/subscriber/SampleInfo.hpp>
-
 #include "tests/interop/eventually.hpp"
 
 namespace plain {
@@ -59,14 +56,14 @@ std::int64_t Client::send(const Bytes& request) {
   if (identity_ == Identity::reply_reader) params.related_sample_identity().writer_guid(reader_->guid());
   if (identity_ == Identity::request_writer) params.related_sample_identity().writer_guid(writer_->guid());
   Bytes bytes = request;
-  if (!writer_->write(&bytes, params)) throw std::runtime_error("the request was not written");
+  if (!bw::fast_dds::write(*writer_, &bytes, params)) throw std::runtime_error("the request was not written");
   return number(params.sample_identity().sequence_number());
 }
 
 std::optional<Bytes> Client::take(std::int64_t sequence) {
   Bytes bytes;
   dds::SampleInfo info;
-  while (reader_->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
+  while (bw::fast_dds::is_ok(reader_->take_next_sample(&bytes, &info))) {
     if (!info.valid_data) continue;
     const rtps::SampleIdentity& to = info.related_sample_identity;
     if (to.writer_guid() == reader_->guid() || to.writer_guid() == writer_->guid()) {
@@ -144,7 +141,7 @@ void Server::complete() {
 std::optional<Request> Server::take() {
   Bytes bytes;
   dds::SampleInfo info;
-  while (reader_->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
+  while (bw::fast_dds::is_ok(reader_->take_next_sample(&bytes, &info))) {
     if (!info.valid_data) continue;
     Request request{.from = info.sample_identity,
                     .related = info.related_sample_identity.writer_guid(),
@@ -163,7 +160,7 @@ bool Server::reply(const rtps::SampleIdentity& to, const Bytes& response) {
   rtps::WriteParams params;
   params.related_sample_identity(to);
   Bytes bytes = response;
-  return writer_->write(&bytes, params);
+  return bw::fast_dds::write(*writer_, &bytes, params);
 }
 
 int Server::connected_clients() { return matches_->count(); }

@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <optional>
 
-#include <fastdds/rtps/network/SenderResource.h>
-#include <fastdds/rtps/transport/ChainingTransport.h>
-#include <fastdds/rtps/transport/TransportReceiverInterface.h>
-
 namespace plain {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
-namespace transport = eprosima::fastdds::rtps;
+namespace rtps = bw::fast_dds::rtps;
+namespace transport = bw::fast_dds::transport;
 
 constexpr std::uint8_t kDataSubmessage = 0x15;
 constexpr std::size_t kHeader = 20;  // "RTPS", version, vendor, GUID prefix
@@ -75,7 +71,7 @@ class RecordedTransport final : public transport::ChainingTransport {
       : ChainingTransport(descriptor), descriptor_(descriptor), wire_(std::move(wire)) {}
 
   transport::TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
-  bool send(rtps::SenderResource* below, const rtps::octet* bytes, std::uint32_t size,
+  bool send(rtps::SenderResource* below, bw::fast_dds::SendBuffer bytes, std::uint32_t size,
             rtps::LocatorsIterator* begin, rtps::LocatorsIterator* end,
             const std::chrono::steady_clock::time_point& limit) override {
     return below->send(bytes, size, begin, end, limit);

@@ -9,8 +9,7 @@
 #include <mutex>
 #include <vector>
 
-#include <fastdds/rtps/transport/TransportDescriptorInterface.h>
-
+#include "runtime/dds/fast_dds.hpp"
 #include "tests/interop/plain/cdr.hpp"
 
 namespace plain {
@@ -39,7 +38,7 @@ class Wire {
 };
 
 /// UDPv4 below, every datagram received also to `wire`.
-std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> recorded(
-    std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> below, std::shared_ptr<Wire> wire);
+std::shared_ptr<bw::fast_dds::transport::TransportDescriptorInterface> recorded(
+    std::shared_ptr<bw::fast_dds::transport::TransportDescriptorInterface> below, std::shared_ptr<Wire> wire);
 
 }  // namespace plain

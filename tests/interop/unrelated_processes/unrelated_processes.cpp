@@ -11,21 +11,16 @@
 #include <vector>
 
 #include <arpa/inet.h>
-#include <fastdds/dds/domain/DomainParticipant.hpp>
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
-#include <fastdds/dds/publisher/DataWriter.hpp>
-#include <fastdds/dds/publisher/Publisher.hpp>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 
+#include "runtime/dds/fast_dds.hpp"
 #include "tests/domain_lease.hpp"
 #include "tests/interop/plain/octets_type.hpp"
 
 namespace {
 
-namespace dds = eprosima::fastdds::dds;
+namespace dds = bw::fast_dds::dds;
 
 struct Said {
   const char* topic;
@@ -39,11 +34,11 @@ constexpr std::array<Said, 3> kSaid = {{{"rt/cmd_vel", "geometry_msgs::msg::dds_
 dds::DomainParticipantQos participant_qos() {
   dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
   qos.name("/");
-  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  auto udp = std::make_shared<bw::fast_dds::transport::UDPv4TransportDescriptor>();
   udp->interfaceWhiteList.push_back("127.0.0.1");
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports = {
-      udp, std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>()};
+      udp, std::make_shared<bw::fast_dds::transport::SharedMemTransportDescriptor>()};
   return qos;
 }
 
