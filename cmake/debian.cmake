@@ -1,5 +1,5 @@
 # The Debian packages, by CPack: bandwagon, bandwagon-lab, bandwagon-dev and bandwagon-ros2-msgs. launch_scripts/package.sh makes them, on each
-# Debian for itself. What only a package holds: unit, udev rules, manual pages, changelog, and robot files in /etc, where a
+# Debian for itself. What only a package holds: udev rules, manual pages, changelog, and robot files in /etc, where a
 # change of the user's outlives an upgrade.
 option(BANDWAGON_DEBIAN "Install what only a Debian package holds" OFF)
 if(NOT BANDWAGON_DEBIAN)
@@ -23,7 +23,6 @@ foreach(robot IN LISTS robots)
 endforeach()
 file(WRITE ${CMAKE_BINARY_DIR}/debian/conffiles "${conffiles}")
 install(FILES config/udev/99-bandwagon.rules DESTINATION lib/udev/rules.d RENAME 60-bandwagon.rules COMPONENT program)
-install(FILES ${debian}/bandwagon@.service DESTINATION lib/systemd/system COMPONENT program)
 
 # Manual pages by the programs' own --help.
 find_program(HELP2MAN help2man REQUIRED)

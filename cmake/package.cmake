@@ -66,6 +66,10 @@ install(FILES ${CMAKE_BINARY_DIR}/ament_index/bandwagon
   DESTINATION ${CMAKE_INSTALL_DATADIR}/ament_index/resource_index/packages COMPONENT dev)
 install(DIRECTORY tests/examples DESTINATION ${data} COMPONENT dev PATTERN package_test.cmake EXCLUDE)
 
+# A robot at boot: `bandwagon enable`.
+configure_file(cmake/bandwagon@.service.in ${CMAKE_BINARY_DIR}/bandwagon@.service @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/bandwagon@.service DESTINATION lib/systemd/system COMPONENT program)
+
 # A shell finds completion by the program's name.
 install(FILES runtime/cli/completion/bandwagon DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
 install(FILES runtime/cli/completion/_bandwagon DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program)

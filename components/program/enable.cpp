@@ -75,7 +75,7 @@ int enable(const EnableOptions& options) {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
   const fs::path unit = fs::weakly_canonical(program / "../lib/systemd/system" / kUnit);
   if (!fs::exists(unit))
-    throw std::runtime_error(fmt::format("{} is missing: it comes with the Debian package (launch_scripts/package.sh)", unit.string()));
+    throw std::runtime_error(fmt::format("{} is missing: a program that is installed has it (the Debian package, or cmake --install)", unit.string()));
   const fs::path robot = config_file("robots", options.robot, {});
   const std::string name = name_of(robot);
   // Refused now and not at the next boot.
@@ -95,7 +95,7 @@ int enable(const EnableOptions& options) {
   const fs::path link = below(options.root, "/etc/systemd/system/multi-user.target.wants/bandwagon@" + name + ".service");
   fs::create_directories(link.parent_path());
   fs::remove(link);
-  fs::create_symlink("/usr/lib/systemd/system/" + std::string(kUnit), link);
+  fs::create_symlink(unit, link);
   std::cout << "At boot:     " << link.string() << "\n\n"
             << fmt::format("It starts with the machine from now on. By hand:\n"
                            "  sudo systemctl daemon-reload && sudo systemctl start bandwagon@{0}   # now\n"
