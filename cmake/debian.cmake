@@ -41,8 +41,8 @@ install(DIRECTORY ${CMAKE_BINARY_DIR}/man/bandwagon-lab/ DESTINATION ${CMAKE_INS
 # Our messages as a package of ROS 2, to be built with colcon.
 add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/ros2/bandwagon_msgs/package.xml
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${CMAKE_BINARY_DIR}/ros2
-  COMMAND bandwagon_idl_compiler --ros2-package ${PROJECT_SOURCE_DIR}/idl ${CMAKE_BINARY_DIR}/ros2 bandwagon_msgs
-  DEPENDS bandwagon_idl_compiler VERBATIM)
+  COMMAND ${BANDWAGON_IDL_COMPILER} --ros2-package ${PROJECT_SOURCE_DIR}/idl ${CMAKE_BINARY_DIR}/ros2 bandwagon_msgs
+  DEPENDS ${BANDWAGON_IDL_COMPILER} VERBATIM)
 add_custom_target(bandwagon_ros2_msgs ALL DEPENDS ${CMAKE_BINARY_DIR}/ros2/bandwagon_msgs/package.xml)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/ros2/bandwagon_msgs DESTINATION ${data}/ros2 COMPONENT ros2-msgs)
 
