@@ -49,8 +49,6 @@
 #error "This Fast DDS is not known here: runtime/dds/fast_dds.hpp has the spellings of 2.9 to 2.14 and of 3.1."
 #endif
 
-#include "runtime/dds/library.hpp"
-
 namespace bw::fast_dds {
 
 namespace dds = eprosima::fastdds::dds;
@@ -64,7 +62,7 @@ using FilteringFlags = rtps::ParticipantFilteringFlags;
 /// What a chained transport is given to send.
 using SendBuffer = const std::vector<rtps::NetworkBuffer>&;
 inline const Duration kInfinite = dds::c_TimeInfinite;
-inline constexpr bw::dds::LibraryVersion kVersion = {FASTDDS_VERSION_MAJOR, FASTDDS_VERSION_MINOR, FASTDDS_VERSION_MICRO};
+inline constexpr int kVersion[] = {FASTDDS_VERSION_MAJOR, FASTDDS_VERSION_MINOR, FASTDDS_VERSION_MICRO};
 #else
 namespace rtps = eprosima::fastrtps::rtps;
 using Duration = eprosima::fastrtps::Duration_t;
@@ -72,7 +70,7 @@ using ReturnCode = ReturnCode_t;
 using FilteringFlags = rtps::ParticipantFilteringFlags_t;
 using SendBuffer = const rtps::octet*;
 inline const Duration kInfinite = eprosima::fastrtps::c_TimeInfinite;
-inline constexpr bw::dds::LibraryVersion kVersion = {FASTRTPS_VERSION_MAJOR, FASTRTPS_VERSION_MINOR, FASTRTPS_VERSION_MICRO};
+inline constexpr int kVersion[] = {FASTRTPS_VERSION_MAJOR, FASTRTPS_VERSION_MINOR, FASTRTPS_VERSION_MICRO};
 #endif
 
 inline bool is_ok(const ReturnCode& code) {

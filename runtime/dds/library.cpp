@@ -27,7 +27,7 @@ constexpr Fault kFaults[] = {
 
 }  // namespace
 
-LibraryVersion library_version() { return fast_dds::kVersion; }
+LibraryVersion library_version() { return {fast_dds::kVersion[0], fast_dds::kVersion[1], fast_dds::kVersion[2]}; }
 
 std::string to_string(const LibraryVersion& version) {
   return std::to_string(version.major) + "." + std::to_string(version.minor) + "." + std::to_string(version.micro);
