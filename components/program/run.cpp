@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include <unistd.h>
 
@@ -117,7 +118,9 @@ void add_run(cli::Verb verb) {
 
 /// `options` are what was asked for beside the demo's own.
 int run_demo(RunOptions options, const std::filesystem::path& folder, bool has_page) {
-  std::filesystem::create_directories(folder);
+  std::error_code fault;
+  std::filesystem::create_directories(folder, fault);
+  if (fault) throw std::runtime_error(folder.string() + ": " + fault.message() + "; --out FOLDER writes elsewhere");
   const auto file = [&folder](const char* name) { return (folder / name).string(); };
   const auto set = [](std::string& option, const std::string& value) {
     if (option.empty()) option = value;
