@@ -22,7 +22,7 @@ awk -v heading="$heading" 'heading == "" || $0 == heading { inside = 1 } /^## / 
 check_program() { # the words behind `bandwagon`
   local verb=() word help
   for word in "$@"; do
-    [[ $word == -* || $word == /* || $word == *.* || -f config/graphs/$word.yaml ]] && break  # a graph goes by its name
+    [[ $word == -* || $word == /* || $word == *.* || -f config/graphs/$word.yaml || -f config/robots/$word.yaml ]] && break  # graphs and robots go by their names
     verb+=("$word")
   done
   if ! help=$("$program" "${verb[@]}" --help 2>&1); then
