@@ -26,6 +26,7 @@ install(FILES config/udev/99-bandwagon.rules DESTINATION lib/udev/rules.d RENAME
 
 # Manual pages by the programs' own --help.
 find_program(HELP2MAN help2man REQUIRED)
+add_custom_target(bandwagon_documents)
 foreach(program bandwagon bandwagon-lab)
   set(pages ${CMAKE_BINARY_DIR}/man/${program})
   add_custom_command(OUTPUT ${pages}/done
@@ -33,7 +34,10 @@ foreach(program bandwagon bandwagon-lab)
     COMMAND ${debian}/manual_pages.sh ${pages} ${program} ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${program}>
     COMMAND ${CMAKE_COMMAND} -E touch ${pages}/done
     DEPENDS ${program} ${debian}/manual_pages.sh VERBATIM)
-  add_custom_target(${program}_manual ALL DEPENDS ${pages}/done)
+  add_custom_target(${program}_manual DEPENDS ${pages}/done)
+  if(program STREQUAL bandwagon OR NOT CMAKE_CROSSCOMPILING)  # another machine's lab is not built
+    add_dependencies(bandwagon_documents ${program}_manual)
+  endif()
 endforeach()
 install(DIRECTORY ${CMAKE_BINARY_DIR}/man/bandwagon/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program FILES_MATCHING PATTERN "*.1.gz")
 install(DIRECTORY ${CMAKE_BINARY_DIR}/man/bandwagon-lab/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT lab FILES_MATCHING PATTERN "*.1.gz")
@@ -43,7 +47,8 @@ add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/ros2/bandwagon_msgs/package.xml
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${CMAKE_BINARY_DIR}/ros2
   COMMAND ${BANDWAGON_IDL_COMPILER} --ros2-package ${PROJECT_SOURCE_DIR}/idl ${CMAKE_BINARY_DIR}/ros2 bandwagon_msgs
   DEPENDS ${BANDWAGON_IDL_COMPILER} VERBATIM)
-add_custom_target(bandwagon_ros2_msgs ALL DEPENDS ${CMAKE_BINARY_DIR}/ros2/bandwagon_msgs/package.xml)
+add_custom_target(bandwagon_ros2_msgs DEPENDS ${CMAKE_BINARY_DIR}/ros2/bandwagon_msgs/package.xml)
+add_dependencies(bandwagon_documents bandwagon_ros2_msgs)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/ros2/bandwagon_msgs DESTINATION ${data}/ros2 COMPONENT ros2-msgs)
 
 # What policy asks of every package: changelog and licence.
@@ -71,6 +76,9 @@ set(CPACK_SET_DESTDIR ON)  # robot files go to /etc
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL program lab dev ros2-msgs)
+if(CMAKE_CROSSCOMPILING)
+  set(CPACK_COMPONENTS_ALL program dev)
+endif()
 set(CPACK_PACKAGE_NAME bandwagon)
 set(CPACK_PACKAGE_CONTACT "${BANDWAGON_MAINTAINER} <${BANDWAGON_CONTACT}>")
 set(CPACK_PACKAGE_VERSION ${BANDWAGON_PACKAGE_VERSION})

@@ -1,11 +1,21 @@
 #!/usr/bin/env bash
-# package.sh [FOLDER]: the Debian packages of this commit, for the Debian and the processor that it runs on, into FOLDER (build/packages).
-# Installs what is missing, builds, packs, and lets lintian look. The same commit gives the same bytes on the same Debian.
+# package.sh [--arm64] [FOLDER]: the Debian packages of this commit, for the Debian that it runs on, into FOLDER (build/packages). Installs what is
+# missing, builds program and lab in build/release, packs, and lets lintian look. The same commit gives the same bytes on the same Debian.
+# --arm64: for boards with a 64-bit ARM, built here with Debian's cross compiler in build/arm64 (program alone; as root, or with sudo: it adds
+# the architecture to dpkg).
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+arm64=false
+if [[ ${1:-} == --arm64 ]]; then
+  arm64=true
+  shift
+fi
+if [[ ${1:-} == -* ]]; then
+  sed -n '2,5s/^# //p' "$0" >&2
+  exit 2
+fi
 out=$(realpath -m -- "${1:-$root/build/packages}")
-"$root/launch_scripts/setup.sh" package
 cd "$root"
 
 # 0.1.0 where the commit has that tag; else a version that is newer with each commit: 0.1.0+20261127.041200.abfc3b31
@@ -18,22 +28,35 @@ export SOURCE_DATE_EPOCH TZ=UTC
 version+="~$(. /etc/os-release && echo "$ID${VERSION_ID//./}")"
 [[ -z $(git status --porcelain) ]] || echo "The work tree has changes that the packages' version does not tell." >&2
 
-build=$root/build/package
-options=(
-  -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DCMAKE_INSTALL_LIBDIR="lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)"
-  -DBANDWAGON_TESTS=OFF -DBANDWAGON_DEBIAN=ON -DBANDWAGON_PACKAGE_VERSION="$version"
-  # Paths of the folder that it is built in are no part of it.
-  -DCMAKE_CXX_FLAGS="-ffile-prefix-map=$root=. -Wl,-z,relro" -DCMAKE_EXE_LINKER_FLAGS="-Wl,--build-id=sha1"
-)
-if command -v ccache >/dev/null && [[ ! -f $build/CMakeCache.txt ]]; then
-  launcher='env;CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime;ccache'
-  options+=("-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher")
+"$root/launch_scripts/setup.sh" package
+debian=(-DBANDWAGON_DEBIAN=ON -DBANDWAGON_PACKAGE_VERSION="$version" -DCMAKE_INSTALL_PREFIX=/usr)
+if $arm64; then
+  "$root/launch_scripts/setup.sh" arm64
+  "$root/launch_scripts/build.sh" release idl_compiler
+  build=$root/build/arm64
+  triplet=aarch64-linux-gnu
+  PKG_CONFIG_LIBDIR=/usr/lib/$triplet/pkgconfig cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBANDWAGON_TESTS=OFF \
+    -DCMAKE_TOOLCHAIN_FILE="$root/cmake/arm64.cmake" -DBANDWAGON_IDL_COMPILER="$root/build/release/bin/bandwagon_idl_compiler" >/dev/null
+  echo "Building the program for arm64 ..."
+  cmake --build "$build" -j "${BANDWAGON_JOBS:-2}" --target bandwagon
+else
+  "$root/launch_scripts/build.sh" release program
+  "$root/launch_scripts/build.sh" release lab
+  build=$root/build/release
+  triplet=$(dpkg-architecture -qDEB_HOST_MULTIARCH)
 fi
-cmake -S . -B "$build" -G Ninja "${options[@]}" >/dev/null
-cmake --build "$build" -j "${BANDWAGON_JOBS:-2}"
+
+# From here on the folder installs as a package does; afterwards as it did before.
+back() { cmake -S "$root" -B "$build" -DBANDWAGON_DEBIAN=OFF -DCMAKE_INSTALL_PREFIX=/usr/local -U CMAKE_INSTALL_LIBDIR >/dev/null; }
+trap back EXIT
+cmake -S . -B "$build" "${debian[@]}" -DCMAKE_INSTALL_LIBDIR="lib/$triplet" >/dev/null
+cmake --build "$build" -j "${BANDWAGON_JOBS:-2}" --target bandwagon_documents
 mkdir -p "$out"
-rm -f "$out"/bandwagon*.deb
-(cd "$build" && cpack -B "$out" --config CPackConfig.cmake >/dev/null)
+rm -f "$out"/bandwagon*_"$($arm64 && echo arm64 || dpkg-architecture -qDEB_HOST_ARCH)".deb
+(cd "$build" && cpack -B "$out" --config CPackConfig.cmake) >"$build/cpack.log" 2>&1 || {
+  cat "$build/cpack.log"
+  exit 1
+}
 rm -rf "$out/_CPack_Packages"
 ls -l "$out"/*.deb
 lintian --fail-on error --show-overrides "$out"/*.deb

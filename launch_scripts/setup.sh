@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing: setup.sh for the program, `setup.sh tests` for its tests and checks too, `setup.sh package` for Debian packages, `setup.sh docs` for the site. Debian packages, and into build/node the packages of
+# Installs what is missing: setup.sh for the program, `setup.sh tests` for its tests and checks too, `setup.sh package` for Debian packages (`arm64`: for those of another processor), `setup.sh docs` for the site. Debian packages, and into build/node the packages of
 # components/viewer/page, which the page is built from. Says what it does; sudo only when not root and something is missing.
 set -euo pipefail
 
@@ -23,11 +23,12 @@ packages=(
 )
 case $what in
   program) ;;
+  arm64) packages=(crossbuild-essential-arm64 qemu-user) ;;
   package) packages+=(help2man dpkg-dev lintian file git) ;;
   docs) packages=(mkdocs mkdocs-material mkdocs-material-extensions python3-pymdownx libjs-katex doxygen git) ;;
   tests) packages+=(python3 libgtest-dev libgmock-dev libbenchmark-dev cyclonedds-dev cyclonedds-tools procps git ccache shellcheck) ;;
   *)
-    echo "usage: $0 [program|tests|package|docs]" >&2
+    echo "usage: $0 [program|tests|package|arm64|docs]" >&2
     exit 2
     ;;
 esac
@@ -84,9 +85,17 @@ install_node_packages() {
   fi
 }
 
+if [[ $what == arm64 ]]; then
+  if ! dpkg --print-foreign-architectures | grep -qx arm64; then
+    ((EUID == 0)) || sudo=sudo
+    ${sudo:-} dpkg --add-architecture arm64
+    ${sudo:-} apt-get update -q
+  fi
+  for package in "$fast_dds" lib{fastcdr,ceres,yaml-cpp,png,lz4,sqlite3,zstd,ssl,boost,spdlog,fmt}-dev zlib1g-dev; do packages+=("$package:arm64"); done
+fi
 install_debian_packages "${packages[@]}"
 echo "All ${#packages[@]} Debian packages are there."
-[[ $what != docs ]] || exit 0
+[[ $what != docs && $what != arm64 ]] || exit 0
 without="the program is built without its page"
 [[ $what != tests ]] || without+=", and tests on Node.js are skipped"
 install_programs "$without" node=nodejs npm
