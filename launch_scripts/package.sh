@@ -34,7 +34,7 @@ if $arm64; then
   "$root/launch_scripts/setup.sh" arm64
   "$root/launch_scripts/build.sh" release idl_compiler
   build=$root/build/arm64
-  triplet=aarch64-linux-gnu
+  triplet=aarch64-linux-gnu architecture=arm64
   PKG_CONFIG_LIBDIR=/usr/lib/$triplet/pkgconfig cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBANDWAGON_TESTS=OFF \
     -DCMAKE_TOOLCHAIN_FILE="$root/cmake/arm64.cmake" -DBANDWAGON_IDL_COMPILER="$root/build/release/bin/bandwagon_idl_compiler" >/dev/null
   echo "Building the program for arm64 ..."
@@ -44,6 +44,7 @@ else
   "$root/launch_scripts/build.sh" release lab
   build=$root/build/release
   triplet=$(dpkg-architecture -qDEB_HOST_MULTIARCH)
+  architecture=$(dpkg-architecture -qDEB_HOST_ARCH)
 fi
 
 # From here on the folder installs as a package does; afterwards as it did before.
@@ -52,7 +53,7 @@ trap back EXIT
 cmake -S . -B "$build" "${debian[@]}" -DCMAKE_INSTALL_LIBDIR="lib/$triplet" >/dev/null
 cmake --build "$build" -j "${BANDWAGON_JOBS:-2}" --target bandwagon_documents
 mkdir -p "$out"
-rm -f "$out"/bandwagon*_"$($arm64 && echo arm64 || dpkg-architecture -qDEB_HOST_ARCH)".deb
+rm -f "$out"/bandwagon*_"$architecture".deb "$out"/bandwagon*_all.deb
 (cd "$build" && cpack -B "$out" --config CPackConfig.cmake) >"$build/cpack.log" 2>&1 || {
   cat "$build/cpack.log"
   exit 1
