@@ -55,9 +55,8 @@ install(DIRECTORY ${CMAKE_BINARY_DIR}/ros2/bandwagon_msgs DESTINATION ${data}/ro
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)  # SOURCE_DATE_EPOCH where it is set
 file(WRITE ${CMAKE_BINARY_DIR}/debian/changelog
   "bandwagon (${BANDWAGON_PACKAGE_VERSION}) unstable; urgency=medium\n\n  * What is new: CHANGELOG.md beside this file.\n\n -- ${BANDWAGON_MAINTAINER} <${BANDWAGON_CONTACT}>  ${now}\n")
-file(READ LICENSE licence)
 file(WRITE ${CMAKE_BINARY_DIR}/debian/copyright
-  "Bandwagon is under the Apache License, Version 2.0.\nCopyright: ${BANDWAGON_MAINTAINER} <${BANDWAGON_CONTACT}>\n\nOn Debian systems its text is in /usr/share/common-licenses/Apache-2.0.\n")
+  "Copyright (C) 2026 ${BANDWAGON_MAINTAINER} <${BANDWAGON_CONTACT}>\n\nBandwagon is under the Apache License, Version 2.0.\nOn Debian systems its text is in /usr/share/common-licenses/Apache-2.0.\n")
 execute_process(COMMAND gzip -9nc ${CMAKE_BINARY_DIR}/debian/changelog OUTPUT_FILE ${CMAKE_BINARY_DIR}/debian/changelog.gz)
 execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md OUTPUT_FILE ${CMAKE_BINARY_DIR}/debian/CHANGELOG.md.gz)
 foreach(component program lab dev ros2-msgs)
@@ -93,27 +92,27 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME bandwagon)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA
   ${CMAKE_BINARY_DIR}/debian/conffiles ${debian}/postinst ${debian}/prerm ${debian}/postrm)
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "navigation stack for wheeled robots among people
- Localization, people tracking and prediction, global planning, and local
- planning by timed elastic bands that anticipate where people will be. It
- speaks ROS 2 on the wire, with no ROS installed, and brings a page to watch
- and to command a robot. Try it: bandwagon demo")
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "navigation stack for wheeled robots among people
+Localization, people tracking and prediction, global planning, and local
+planning by timed elastic bands that anticipate where people will be. It
+speaks ROS 2 on the wire, with no ROS installed, and brings a page to watch
+and to command a robot. Try it: bandwagon demo")
 set(CPACK_DEBIAN_LAB_PACKAGE_NAME bandwagon-lab)
 set(CPACK_DEBIAN_LAB_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_LAB_PACKAGE_DEPENDS "bandwagon (= ${BANDWAGON_PACKAGE_VERSION})")
 set(CPACK_DEBIAN_LAB_PACKAGE_SECTION science)
-set(CPACK_COMPONENT_LAB_DESCRIPTION "benchmarks of local planners and people trackers
- Compares planners of bandwagon over suites, generated crowds and recordings,
- regenerates published tables, and imports logs of other systems.")
+set(CPACK_DEBIAN_LAB_DESCRIPTION "benchmarks of local planners and people trackers
+Compares planners of bandwagon over suites, generated crowds and recordings,
+regenerates published tables, and imports logs of other systems.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME bandwagon-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
   "bandwagon (= ${BANDWAGON_PACKAGE_VERSION}), libeigen3-dev, libfmt-dev, libyaml-cpp-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "cmake, g++")
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_COMPONENT_DEV_DESCRIPTION "components, planners and drivers of one's own for bandwagon
- Headers, CMake package, message definitions and examples.")
+set(CPACK_DEBIAN_DEV_DESCRIPTION "components, planners and drivers of one's own for bandwagon
+Headers, CMake package, message definitions and examples.")
 set(CPACK_DEBIAN_ROS2-MSGS_PACKAGE_NAME bandwagon-ros2-msgs)
 set(CPACK_DEBIAN_ROS2-MSGS_PACKAGE_ARCHITECTURE all)
-set(CPACK_COMPONENT_ROS2-MSGS_DESCRIPTION "messages of bandwagon as a source package of ROS 2
- To be built with colcon, so that the tools of ROS 2 know their types.")
+set(CPACK_DEBIAN_ROS2-MSGS_DESCRIPTION "messages of bandwagon as a source package of ROS 2
+To be built with colcon, so that the tools of ROS 2 know their types.")
 include(CPack)

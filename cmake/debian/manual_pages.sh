@@ -9,7 +9,7 @@ page() { # page NAME PURPOSE WORD...
   of=$1 purpose=$2
   shift 2
   help2man --no-info --no-discard-stderr --version-string="$version" --source="Bandwagon $version" --name="$purpose" "$*" |
-    sed "s/^\.TH [^ ]* /.TH $(echo "$of" | tr '[:lower:]' '[:upper:]') /; 4,6s/^[^ ]* \\\\-/$of \\\\-/" | gzip -9n >"$folder/$of.1.gz"
+    sed "s/^\.TH [^ ]* /.TH $(echo "$of" | tr '[:lower:]' '[:upper:]') /; 4,6s/^.* \\\\-/$of \\\\-/" | gzip -9n >"$folder/$of.1.gz"
 }
 page "$name" "drives wheeled robots among people" "$@"
 "$@" complete "" | while read -r verb; do
